@@ -673,7 +673,7 @@
     </message>
     <message>
         <source>Motion of an offset slider-crank</source>
-        <translation>Movimiento de un mecanismo manivela-corredera excéntrico</translation>
+        <translation>Movimiento de un mecanismo biela-manivela descentrado</translation>
     </message>
     <message>
         <source>method</source>
@@ -1790,19 +1790,7 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
     </message>
     <message>
         <source>Motion of an offset slider-crank</source>
-        <translation>Movimiento de un mecanismo manivela-corredera excéntrico</translation>
-    </message>
-    <message>
-        <source>The figure is in the clipboard.</source>
-        <translation>La figura está en el portapapeles.</translation>
-    </message>
-    <message>
-        <source>The plot is in the clipboard.</source>
-        <translation>La gráfica está en el portapapeles.</translation>
-    </message>
-    <message>
-        <source>The mechanism is in the clipboard.</source>
-        <translation>El mecanismo está en el portapapeles.</translation>
+        <translation>Movimiento de un mecanismo biela-manivela descentrado</translation>
     </message>
     <message>
         <source>The six channels of the plots (*.csv)</source>
@@ -1835,26 +1823,6 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
     <message>
         <source>Another file is still being written: wait for it, or cancel it below.</source>
         <translation>Todavía se está escribiendo otro archivo: espere a que termine, o cancélelo abajo.</translation>
-    </message>
-    <message>
-        <source>Written: %1</source>
-        <translation>Escrito: %1</translation>
-    </message>
-    <message>
-        <source>Still writing</source>
-        <translation>Aún se está escribiendo</translation>
-    </message>
-    <message>
-        <source>A file is still being written. The window closes when it is done.</source>
-        <translation>Aún se está escribiendo un archivo. La ventana se cierra cuando esté listo.</translation>
-    </message>
-    <message>
-        <source>Stop writing and close</source>
-        <translation>No escribirlo y cerrar</translation>
-    </message>
-    <message>
-        <source>Keep the window open</source>
-        <translation>Dejar abierta la ventana</translation>
     </message>
     <message>
         <source>figure.png</source>
@@ -1907,6 +1875,14 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
     <message>
         <source>Cancel</source>
         <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>The picture is in the clipboard.</source>
+        <translation>La imagen está en el portapapeles.</translation>
+    </message>
+    <message>
+        <source>Exported to %1</source>
+        <translation>Exportado a %1</translation>
     </message>
 </context>
 <context>
@@ -2149,332 +2125,9 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
 <context>
     <name>slidercrank::HelpPage</name>
     <message>
-        <source>%1: </source>
-        <translation>%1: </translation>
-    </message>
-    <message>
-        <source> or </source>
-        <translation> o </translation>
-    </message>
-    <message>
-        <source>Everywhere</source>
-        <translation>En todas partes</translation>
-    </message>
-    <message>
-        <source>To the next control, to the one before</source>
-        <translation>Al control siguiente, al anterior</translation>
-    </message>
-    <message>
-        <source>Tab, Shift+Tab</source>
-        <translation>Tab, Mayús+Tab</translation>
-    </message>
-    <message>
-        <source>Open a menu</source>
-        <translation>Abrir un menú</translation>
-    </message>
-    <message>
-        <source>Alt and the underlined letter</source>
-        <translation>Alt y la letra subrayada</translation>
-    </message>
-    <message>
-        <source>Open a file</source>
-        <translation>Abrir un archivo</translation>
-    </message>
-    <message>
-        <source>Drop it on the window</source>
-        <translation>Soltarlo en la ventana</translation>
-    </message>
-    <message>
-        <source>Mechanism</source>
-        <translation>Mecanismo</translation>
-    </message>
-    <message>
-        <source>Move through time</source>
-        <translation>Recorrer el tiempo</translation>
-    </message>
-    <message>
-        <source>Parameters</source>
-        <translation>Parámetros</translation>
-    </message>
-    <message>
-        <source>Change a little, a lot</source>
-        <translation>Cambiar poco, mucho</translation>
-    </message>
-    <message>
-        <source>On a slider: arrow keys, Page Up and Page Down</source>
-        <translation>En un deslizador: flechas, Re Pág y Av Pág</translation>
-    </message>
-    <message>
-        <source>In a box: the number, then Enter</source>
-        <translation>En una casilla: el número y luego Intro</translation>
-    </message>
-    <message>
-        <source>Plots</source>
-        <translation>Gráficas</translation>
-    </message>
-    <message>
-        <source>Go to an instant</source>
-        <translation>Ir a un instante</translation>
-    </message>
-    <message>
-        <source>Click</source>
-        <translation>Clic</translation>
-    </message>
-    <message>
-        <source>Point at a curve</source>
-        <translation>Señalar una curva</translation>
-    </message>
-    <message>
-        <source>Zoom the time</source>
-        <translation>Ampliar el tiempo</translation>
-    </message>
-    <message>
-        <source>Wheel; + and − on a plot with the focus</source>
-        <translation>Rueda; + y − en la gráfica con el foco</translation>
-    </message>
-    <message>
-        <source>Zoom the values</source>
-        <translation>Ampliar los valores</translation>
-    </message>
-    <message>
-        <source>Wheel left of the axis</source>
-        <translation>Rueda a la izquierda del eje</translation>
-    </message>
-    <message>
-        <source>Move what is zoomed</source>
-        <translation>Desplazar lo ampliado</translation>
-    </message>
-    <message>
-        <source>Show the whole run</source>
-        <translation>Mostrar todo el recorrido</translation>
-    </message>
-    <message>
-        <source>Make a plot large, and small again</source>
-        <translation>Agrandar una gráfica y volver a reducirla</translation>
-    </message>
-    <message>
-        <source>Double click its title, or Enter</source>
-        <translation>Doble clic en su título, o Intro</translation>
-    </message>
-    <message>
-        <source>Copy, export, choose the error</source>
-        <translation>Copiar, exportar, elegir el error</translation>
-    </message>
-    <message>
-        <source>Right click, or the menu key</source>
-        <translation>Clic derecho, o la tecla de menú</translation>
-    </message>
-    <message>
-        <source>Move a measuring cursor</source>
-        <translation>Mover un cursor de medida</translation>
-    </message>
-    <message>
-        <source>Tables</source>
-        <translation>Tablas</translation>
-    </message>
-    <message>
-        <source>Go where a row&apos;s value is</source>
-        <translation>Ir adonde está el valor de una fila</translation>
-    </message>
-    <message>
-        <source>Click, or Enter</source>
-        <translation>Clic, o Intro</translation>
-    </message>
-    <message>
-        <source>Light up a row&apos;s joint</source>
-        <translation>Iluminar la junta de una fila</translation>
-    </message>
-    <message>
-        <source>Point at it, or the arrow keys</source>
-        <translation>Señalarla, o las flechas</translation>
-    </message>
-    <message>
-        <source>What it does</source>
-        <translation>Qué hace</translation>
-    </message>
-    <message>
-        <source>It shows how an offset slider-crank moves with the lengths and the speed you choose, and how far a motion exported from a simulation (CSV) is from it, and why.</source>
-        <translation>Muestra cómo se mueve un mecanismo manivela-corredera excéntrico con las longitudes y la velocidad que usted elija, cuánto se aparta de él el movimiento exportado de una simulación (CSV), y por qué.</translation>
-    </message>
-    <message>
-        <source>The mechanism</source>
-        <translation>El mecanismo</translation>
-    </message>
-    <message>
-        <source>Closed form, exact</source>
-        <translation>Forma cerrada, exacta</translation>
-    </message>
-    <message>
-        <source>Plus: open assembly, the slider to the right of A. Minus: crossed.</source>
-        <translation>Más: configuración abierta, la corredera a la derecha de A. Menos: cruzada.</translation>
-    </message>
-    <message>
-        <source>Newton-Raphson</source>
-        <translation>Newton-Raphson</translation>
-    </message>
-    <message>
-        <source>Error</source>
-        <translation>Error</translation>
-    </message>
-    <message>
-        <source>|model − x| / |x| · 100 %</source>
-        <translation>|modelo − x| / |x| · 100&#xa0;%</translation>
-    </message>
-    <message>
-        <source>Drag A, or B along its line</source>
-        <translation>Arrastre A, o B por su línea</translation>
-    </message>
-    <message>
-        <source>Change a, b or c</source>
-        <translation>Cambiar a, b o c</translation>
-    </message>
-    <message>
-        <source>Pull the crank, the coupler or the slider&apos;s line; with Control to a finer length</source>
-        <translation>Tire de la manivela, de la biela o de la línea de la corredera; con Control, hasta una longitud más fina</translation>
-    </message>
-    <message>
-        <source>Zoom</source>
-        <translation>Ampliar o reducir</translation>
-    </message>
-    <message>
-        <source>Wheel, + and -</source>
-        <translation>Rueda, + y -</translation>
-    </message>
-    <message>
-        <source>Show all</source>
-        <translation>Mostrar todo</translation>
-    </message>
-    <message>
-        <source>Double click beside the mechanism, or 0</source>
-        <translation>Doble clic junto al mecanismo, o 0</translation>
-    </message>
-    <message>
-        <source>Move the drawing</source>
-        <translation>Mover el dibujo</translation>
-    </message>
-    <message>
-        <source>Drag beside the mechanism, or Control and the arrows</source>
-        <translation>Arrastre junto al mecanismo, o Control y las flechas</translation>
-    </message>
-    <message>
-        <source>Read about a part</source>
-        <translation>Leer sobre una pieza</translation>
-    </message>
-    <message>
-        <source>Point at it, or Page Down and Page Up</source>
-        <translation>Señálela, o Av Pág y Re Pág</translation>
-    </message>
-    <message>
-        <source>Copy the rows that are chosen, or the table, as CSV</source>
-        <translation>Copiar las filas elegidas, o la tabla, como CSV</translation>
-    </message>
-    <message>
-        <source>Unfold the panels</source>
-        <translation>Desplegar los paneles</translation>
-    </message>
-    <message>
-        <source>Click a tab</source>
-        <translation>Clic en una pestaña</translation>
-    </message>
-    <message>
-        <source>Press a button, open a list</source>
-        <translation>Pulsar un botón, abrir una lista</translation>
-    </message>
-    <message>
-        <source>Enter</source>
-        <translation>Intro</translation>
-    </message>
-    <message>
-        <source>Go there at once</source>
-        <translation>Ir allí directamente</translation>
-    </message>
-    <message>
-        <source>Click the slider&apos;s line</source>
-        <translation>Clic en la línea del deslizador</translation>
-    </message>
-    <message>
-        <source>Type any number, with any unit: 2.5 cm, 60 rpm</source>
-        <translation>Escribir cualquier número, con cualquier unidad: 2.5 cm, 60 rpm</translation>
-    </message>
-    <message>
-        <source>Take back what is being typed</source>
-        <translation>Deshacer lo que se está escribiendo</translation>
-    </message>
-    <message>
-        <source>Zoom into a part</source>
-        <translation>Ampliar una parte</translation>
-    </message>
-    <message>
-        <source>Drag a box around it; a flat one zooms the time alone, Escape cancels</source>
-        <translation>Arrastre un recuadro a su alrededor; uno plano amplía solo el tiempo, Escape cancela</translation>
-    </message>
-    <message>
-        <source>Shift and drag, or drag with the middle button</source>
-        <translation>Mayús y arrastrar, o arrastrar con el botón central</translation>
-    </message>
-    <message>
-        <source>Double click, or 0</source>
-        <translation>Doble clic, o 0</translation>
-    </message>
-    <message>
-        <source>Drag it, or 1 and 2 to bring it to the instant</source>
-        <translation>Arrástrelo, o 1 y 2 para llevarlo al instante</translation>
-    </message>
-    <message>
-        <source>Read the values of all plots</source>
-        <translation>Leer los valores de todas las gráficas</translation>
-    </message>
-    <message>
-        <source>The crank, of length a, turns about O₂ at the constant speed ω₂. The coupler, of length b, leads from its pin A to the pin B of the slider, which moves along y = c. Superscripts number the bodies: 1 ground, 2 crank, 3 coupler, 4 slider. The crank angle is the one exception: it is θ₂ everywhere, also where Shabana writes θ².</source>
-        <translation>La manivela, de longitud a, gira alrededor de O₂ a la velocidad constante ω₂. La biela, de longitud b, va de su pasador A al pasador B de la corredera, que se mueve sobre y = c. Los superíndices numeran los eslabones: 1 bancada, 2 manivela, 3 biela, 4 corredera. La única excepción es el ángulo de la manivela: es θ₂ en todas partes, también donde Shabana escribe θ².</translation>
-    </message>
-    <message>
-        <source>The coupler angle θ³ is seen from A towards B; the θ₃ that textbooks draw at B is θ³ + 180°. The crank makes full turns when</source>
-        <translation>El ángulo de la biela θ³ se mide de A hacia B; el θ₃ que los libros dibujan en B es θ³ + 180°. La manivela da la vuelta completa cuando</translation>
-    </message>
-    <message>
-        <source>The 12 coordinates q, centre of mass and angle of each body, satisfy 12 equations C(q, t) = 0, after A. A. Shabana, &lt;i&gt;Computational Dynamics&lt;/i&gt;. The position is iterated until ‖C‖ is within the tolerance; velocity and acceleration follow from it. Where cos θ³ = 0 the coupler is perpendicular to the slider&apos;s line and they do not exist.</source>
-        <translation>Las 12 coordenadas q, centro de masa y ángulo de cada cuerpo, cumplen 12 ecuaciones C(q, t) = 0, según A. A. Shabana, &lt;i&gt;Computational Dynamics&lt;/i&gt;. La posición se itera hasta que ‖C‖ está dentro de la tolerancia; de ella se siguen velocidad y aceleración. Donde cos θ³ = 0 la biela está perpendicular a la línea de la corredera y estas no existen.</translation>
-    </message>
-    <message>
-        <source>The error of the model against each value x of a file, as a percentage of x; where x is 0 there is no percentage. The View menu has errors in ° and mm, and in percent of the peak.</source>
-        <translation>El error del modelo frente a cada valor x de un archivo, en porcentaje de x; donde x es 0 no hay porcentaje. El menú Ver ofrece los errores en ° y mm, y en porcentaje del pico.</translation>
-    </message>
-    <message>
-        <source>The slider position Rₓ⁴ and its height R_y⁴ are measured from O₂, x along the slider&apos;s line, and angles counter-clockwise from x. The program starts with the mechanism of Table 1 of a report, the piece of course work that it grew from: a = 20, b = 65, c = 25 mm, one turn a second.</source>
-        <translation>La posición de la corredera Rₓ⁴ y su altura R_y⁴ se miden desde O₂, con x a lo largo de la línea de la corredera, y los ángulos en sentido antihorario desde x. El programa empieza con el mecanismo de la tabla 1 de un informe, el trabajo de curso del que nació: a = 20, b = 65, c = 25 mm, una vuelta por segundo.</translation>
-    </message>
-    <message>
-        <source>Which mechanism a file belongs to</source>
-        <translation>A qué mecanismo pertenece un archivo</translation>
-    </message>
-    <message>
-        <source>A mechanism counts as found when all that it leaves unexplained in every column is rounding, or looks like random noise; ± is one standard deviation. Where several explain the file equally well, all are listed. With too few values, too few instants a turn or too small a part of a turn, the program says what is missing. Where no mechanism was found, the nearest is shown as no more than that; this does not prove that there is none.</source>
-        <translation>Un mecanismo se da por hallado cuando lo que deja sin explicar de cada columna es solo redondeo, o parece ruido aleatorio; ± es una desviación estándar. Si varios explican el archivo igual de bien, se enumeran todos. Con muy pocos valores, muy pocos instantes por vuelta o una parte demasiado pequeña de una vuelta, el programa dice qué falta. Si no se halló ningún mecanismo, se muestra el más cercano solo como tal; eso no prueba que no haya ninguno.</translation>
-    </message>
-    <message>
-        <source>The slider position Rₓ⁴ alone does not tell a mechanism from its mirror image; the coupler angle θ³ alone determines only b/a and c/a. A column may be measured from elsewhere than O₂, as a slider joint&apos;s own coordinate is, or mean another unit, sign or angle than its name says: the program shows the error before and after, and changes nothing without being asked.</source>
-        <translation>La posición de la corredera Rₓ⁴ por sí sola no distingue un mecanismo de su imagen especular; el ángulo de la biela θ³ por sí solo determina únicamente b/a y c/a. Una columna puede estar medida desde un punto distinto de O₂, como la coordenada propia de una junta prismática, o tener otra unidad, otro signo u otro ángulo de lo que dice su nombre: el programa muestra el error antes y después, y no cambia nada sin que se le pida.</translation>
-    </message>
-    <message>
-        <source>How exact the numbers can be</source>
-        <translation>Qué exactitud pueden tener los números</translation>
-    </message>
-    <message>
-        <source>The study compares every method with a computation in 50 digits or more, and with κ·u: how much a channel f can change just because each given number p is rounded to the 16 digits of a double, by u of itself at most.</source>
-        <translation>El estudio compara cada método con un cálculo de 50 cifras o más, y con κ·u: cuánto puede cambiar un canal f solo porque cada número dado p se redondea a las 16 cifras de la doble precisión, a lo sumo en u veces su valor.</translation>
-    </message>
-    <message>
-        <source>Leave what fills the screen</source>
-        <translation>Salir de la pantalla completa</translation>
-    </message>
-    <message>
-        <source>Make it large, and small again</source>
-        <translation>Agrandarlo y reducirlo</translation>
-    </message>
-    <message>
-        <source>Double click a link, or Enter</source>
-        <translation>Doble clic en una barra, o Intro</translation>
+        <source>qrc:/help/english.html</source>
+        <comment>a resource of the program</comment>
+        <translation>qrc:/help/spanish.html</translation>
     </message>
 </context>
 <context>
@@ -2496,10 +2149,6 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
         <translation>Límites</translation>
     </message>
     <message>
-        <source>Cancelled: what is on show is from before.</source>
-        <translation>Cancelado: lo que se muestra es de antes.</translation>
-    </message>
-    <message>
         <source>Slider-crank[*]</source>
         <translation>Manivela-corredera[*]</translation>
     </message>
@@ -2512,10 +2161,6 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
         <translation>Cancelado: no se escribió nada.</translation>
     </message>
     <message>
-        <source>There is not enough memory for that: try fewer steps, or a smaller file.</source>
-        <translation>No hay memoria suficiente para eso: pruebe con menos pasos o con un archivo más pequeño.</translation>
-    </message>
-    <message>
         <source>Simulation results (*.csv *.txt *.tsv *.tab *.dat *.dta *.mot);;All files (*)</source>
         <translation>Resultados de simulación (*.csv *.txt *.tsv *.tab *.dat *.dta *.mot);;Todos los archivos (*)</translation>
     </message>
@@ -2524,16 +2169,24 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
         <translation>Abrir referencia: un archivo, o las gráficas de un mismo movimiento juntas</translation>
     </message>
     <message>
-        <source>%1 is a scene: open it by itself, and files of one motion together.</source>
-        <translation>%1 es una escena: ábrala sola, y los archivos de un mismo movimiento juntos.</translation>
-    </message>
-    <message>
         <source>Errors against the reference</source>
         <translation>Errores frente a la referencia</translation>
     </message>
     <message>
         <source>Reference: what was read, and how</source>
         <translation>Referencia: qué se leyó, y cómo</translation>
+    </message>
+    <message>
+        <source>Cancelled: the previous result is still shown.</source>
+        <translation>Cancelado: se sigue mostrando el resultado anterior.</translation>
+    </message>
+    <message>
+        <source>%1 is a scene: open it alone, and the files of one motion together.</source>
+        <translation>%1 es una escena: ábrala sola, y juntos los archivos de un mismo movimiento.</translation>
+    </message>
+    <message>
+        <source>A file is still being written. Close the window when it is done, or cancel it below.</source>
+        <translation>Todavía se está escribiendo un archivo. Cierre la ventana cuando termine, o cancélelo abajo.</translation>
     </message>
 </context>
 <context>
@@ -2812,10 +2465,6 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
         <translation>&amp;Figura…</translation>
     </message>
     <message>
-        <source>&amp;Plot</source>
-        <translation>&amp;Gráfica</translation>
-    </message>
-    <message>
         <source>&amp;Mechanism…</source>
         <translation>&amp;Mecanismo…</translation>
     </message>
@@ -2854,10 +2503,6 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
     <message>
         <source>&amp;Copy figure</source>
         <translation>&amp;Copiar la figura</translation>
-    </message>
-    <message>
-        <source>Copy &amp;plot</source>
-        <translation>Copiar la &amp;gráfica</translation>
     </message>
     <message>
         <source>Copy &amp;mechanism</source>
@@ -2925,7 +2570,7 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
     </message>
     <message>
         <source>&lt;h3&gt;slidercrank %1&lt;/h3&gt;&lt;p&gt;The motion of an offset slider-crank: computed, shown, and compared with a simulation.&lt;/p&gt;&lt;p&gt;Formulation after A. A. Shabana, &lt;i&gt;Computational Dynamics&lt;/i&gt;.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;slidercrank %1&lt;/h3&gt;&lt;p&gt;El movimiento de un mecanismo manivela-corredera excéntrico: calculado, mostrado y comparado con una simulación.&lt;/p&gt;&lt;p&gt;Formulación según A. A. Shabana, &lt;i&gt;Computational Dynamics&lt;/i&gt;.&lt;/p&gt;&lt;p&gt;Software libre bajo la Licencia Pública General de GNU, versión 3 o posterior.&lt;/p&gt;</translation>
+        <translation>&lt;h3&gt;slidercrank %1&lt;/h3&gt;&lt;p&gt;El movimiento de un mecanismo biela-manivela descentrado: calculado, mostrado y comparado con una simulación.&lt;/p&gt;&lt;p&gt;Formulación según A. A. Shabana, &lt;i&gt;Computational Dynamics&lt;/i&gt;.&lt;/p&gt;&lt;p&gt;Software libre bajo la Licencia Pública General de GNU, versión 3 o posterior.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Rese&amp;t all parameters</source>
@@ -2967,12 +2612,16 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
         <source>Respo&amp;nse to</source>
         <translation>Respues&amp;ta a</translation>
     </message>
+    <message>
+        <source>The language changes when you start the program again.</source>
+        <translation>El idioma cambiará cuando vuelva a iniciar el programa.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::MessageBar</name>
     <message>
         <source>Dismiss</source>
-        <translation>Descartar</translation>
+        <translation>Cerrar</translation>
     </message>
 </context>
 <context>
@@ -3002,24 +2651,20 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
         <translation>Los nombres de %1 no dicen qué son todas sus columnas: algunas se han deducido.</translation>
     </message>
     <message>
-        <source>The run is now that of %1: %2 s to %3 s.</source>
-        <translation>El recorrido es ahora el de %1: de %2 s a %3 s.</translation>
-    </message>
-    <message>
-        <source>The row is in the clipboard, as CSV with its headings.</source>
-        <translation>La fila está en el portapapeles, como CSV con sus encabezados.</translation>
-    </message>
-    <message>
-        <source>%1 rows are in the clipboard, as CSV with their headings.</source>
-        <translation>%1 filas están en el portapapeles, como CSV con sus encabezados.</translation>
-    </message>
-    <message>
         <source>%1 is a table by crank angle: ω₂ and θ₂₀ give its time.</source>
         <translation>%1 es una tabla por ángulo de la manivela: ω₂ y θ₂₀ dan su tiempo.</translation>
     </message>
     <message>
         <source>Drag a slider or a link. Press Space to play.</source>
         <translation>Arrastre un control o un eslabón. Pulse Espacio para reproducir.</translation>
+    </message>
+    <message>
+        <source>Rows copied to the clipboard, as CSV with headings: %1.</source>
+        <translation>Filas copiadas en el portapapeles, como CSV con encabezados: %1.</translation>
+    </message>
+    <message>
+        <source>The time range is now that of %1: %2 s to %3 s.</source>
+        <translation>El intervalo de tiempo es ahora el de %1: de %2 s a %3 s.</translation>
     </message>
 </context>
 <context>
@@ -3835,10 +3480,6 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
         <source>The program ended before your changes were saved. They are kept, as of %1.</source>
         <translation>El programa terminó antes de que se guardaran sus cambios. Se conservan los del %1.</translation>
     </message>
-    <message>
-        <source>The program ended before your changes to %1 were saved. They are kept, as of %2.</source>
-        <translation>El programa terminó antes de que se guardaran sus cambios de %1. Se conservan los del %2.</translation>
-    </message>
 </context>
 <context>
     <name>slidercrank::ReferenceFileText</name>
@@ -3939,7 +3580,7 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
     </message>
     <message>
         <source>Motion of an offset slider-crank</source>
-        <translation>Movimiento de un mecanismo manivela-corredera excéntrico</translation>
+        <translation>Movimiento de un mecanismo biela-manivela descentrado</translation>
     </message>
     <message>
         <source>Method</source>
@@ -4154,23 +3795,6 @@ SHA-256: %2</translation>
 <context>
     <name>slidercrank::SaveDialogText</name>
     <message>
-        <source>%1 is there already. Replace it?</source>
-        <translation>%1 ya existe. ¿Reemplazarlo?</translation>
-    </message>
-    <message>
-        <source>Replace</source>
-        <translation>Reemplazar</translation>
-    </message>
-    <message>
-        <source>This cannot be written as .%1: choose a name that ends in .%2.</source>
-        <translation>Esto no se puede escribir como .%1: elija un nombre que termine en .%2.</translation>
-    </message>
-    <message>
-        <source> or .</source>
-        <comment>between the endings of file names</comment>
-        <translation> o .</translation>
-    </message>
-    <message>
         <source>PNG images (*.png)</source>
         <translation>Imágenes PNG (*.png)</translation>
     </message>
@@ -4190,14 +3814,6 @@ SHA-256: %2</translation>
         <translation>Cambios sin guardar</translation>
     </message>
     <message>
-        <source>Save the changes to %1?</source>
-        <translation>¿Guardar los cambios en %1?</translation>
-    </message>
-    <message>
-        <source>Otherwise they are lost.</source>
-        <translation>Si no, se perderán.</translation>
-    </message>
-    <message>
         <source>Open scene</source>
         <translation>Abrir escena</translation>
     </message>
@@ -4210,10 +3826,6 @@ SHA-256: %2</translation>
         <translation>Escenas (*.json)</translation>
     </message>
     <message>
-        <source>%1 is a pipe or a device: save the scene in a file, and open that.</source>
-        <translation>%1 es una tubería o un dispositivo: guarde la escena en un archivo y abra ese.</translation>
-    </message>
-    <message>
         <source>Scenes (*.slidercrank *.json);;All files (*)</source>
         <translation>Escenas (*.slidercrank *.json);;Todos los archivos (*)</translation>
     </message>
@@ -4222,16 +3834,8 @@ SHA-256: %2</translation>
         <translation>Escenas (*.slidercrank)</translation>
     </message>
     <message>
-        <source>Save what you changed as a scene, to go on from there another time?</source>
-        <translation>¿Guardar lo que ha cambiado como escena, para continuar desde ahí otro día?</translation>
-    </message>
-    <message>
         <source>Changed elsewhere</source>
         <translation>Cambiado en otra parte</translation>
-    </message>
-    <message>
-        <source>%1 was changed elsewhere since it was opened here. Replace it?</source>
-        <translation>%1 se cambió en otra parte desde que se abrió aquí. ¿Reemplazarlo?</translation>
     </message>
     <message>
         <source>Replace</source>
@@ -4240,6 +3844,26 @@ SHA-256: %2</translation>
     <message>
         <source>Save as…</source>
         <translation>Guardar como…</translation>
+    </message>
+    <message>
+        <source>Save your changes as a scene?</source>
+        <translation>¿Guardar los cambios como escena?</translation>
+    </message>
+    <message>
+        <source>Save your changes to %1?</source>
+        <translation>¿Guardar los cambios en %1?</translation>
+    </message>
+    <message>
+        <source>They will be lost if you don&apos;t.</source>
+        <translation>Si no los guarda, se perderán.</translation>
+    </message>
+    <message>
+        <source>%1 has been changed by another program since you opened it. Replace it?</source>
+        <translation>Otro programa ha cambiado %1 desde que usted lo abrió. ¿Reemplazarlo?</translation>
+    </message>
+    <message>
+        <source>scene.slidercrank</source>
+        <translation>escena.slidercrank</translation>
     </message>
 </context>
 <context>
@@ -4494,10 +4118,6 @@ SHA-256: %2</translation>
 <context>
     <name>slidercrank::StatusBar</name>
     <message>
-        <source>cannot be assembled</source>
-        <translation>no se puede ensamblar</translation>
-    </message>
-    <message>
         <source>Computing</source>
         <translation>Calculando</translation>
     </message>
@@ -4514,24 +4134,12 @@ SHA-256: %2</translation>
         <translation>Configuración cruzada</translation>
     </message>
     <message>
-        <source>, no pose at %1 of %2 instants</source>
-        <translation>, sin posición en %1 de %2 instantes</translation>
-    </message>
-    <message>
-        <source>closed form (exact)</source>
-        <translation>forma cerrada (exacta)</translation>
-    </message>
-    <message>
         <source>%1 samples in %2 ms</source>
         <translation>%1 muestras en %2 ms</translation>
     </message>
     <message>
         <source>Newton-Raphson</source>
         <translation>Newton-Raphson</translation>
-    </message>
-    <message>
-        <source>%1 of %2 instants not solved</source>
-        <translation>%1 de %2 instantes sin resolver</translation>
     </message>
     <message>
         <source>iterations: %1</source>
@@ -4542,20 +4150,12 @@ SHA-256: %2</translation>
         <translation>residuo %1</translation>
     </message>
     <message>
-        <source>crank makes full turns</source>
-        <translation>la manivela da vueltas completas</translation>
+        <source>cannot be assembled at %1 of %2 time steps</source>
+        <translation>no se puede ensamblar en %1 de %2 instantes</translation>
     </message>
     <message>
-        <source>crank oscillates</source>
-        <translation>la manivela oscila</translation>
-    </message>
-    <message>
-        <source>locked in a single position</source>
-        <translation>bloqueado en una única posición</translation>
-    </message>
-    <message>
-        <source>crank at rest</source>
-        <translation>la manivela está en reposo</translation>
+        <source>%1 of %2 time steps not solved</source>
+        <translation>%1 de %2 instantes sin resolver</translation>
     </message>
 </context>
 <context>

@@ -9,16 +9,17 @@
 #include "tests/support/place_of_a_save.h"
 #include "tests/support/study_of_a_turn.h"
 #include "tests/support/waiting.h"
-#include "ui/widgets/message_bar.h"
 #include "ui/document/scene.h"
 #include "ui/document/whole_file.h"
 #include "ui/export/animation_export.h"
 #include "ui/panels/study_panel.h"
+#include "ui/text/language.h"
+#include "ui/text/remember.h"
+#include "ui/widgets/message_bar.h"
 #include "ui/window/exports.h"
 #include "ui/window/main_window.h"
-#include "ui/window/remembered.h"
 #include "ui/window/scene_file.h"
-#include "ui/text/language.h"
+#include "ui/window/window_settings.h"
 
 #include <QAbstractButton>
 #include <QApplication>
@@ -363,7 +364,7 @@ QList<Save> TstFaults::savesOfTheWindow()
     const auto study = [this, bar](std::optional<QString> (StudyPanel::*write)(const QString &) const) {
         return [this, bar, write](const QString &path) {
             const std::optional<QString> problem = (m_study->*write)(path);
-            bar->showMessage(MessageBar::Kind::Hint, problem.value_or(QStringLiteral("Written: ")));
+            bar->showMessage({"study", Message::Kind::Hint, problem.value_or(QStringLiteral("Exported to "))});
         };
     };
     return {{"scene", "x.json", 0, {}, [this](const QString &path) { m_window->scene().saveTo(path); }},
@@ -398,12 +399,12 @@ void TstFaults::nameSaves()
 Outcome TstFaults::saveInWindow(const Save &save, const QString &path)
 {
     auto *bar = m_window->findChild<MessageBar *>();
-    bar->showMessage(MessageBar::Kind::Hint, {});
+    bar->clear();
     save.inWindow(path);
     settle(); // questions that are answered go
     const bool isTold = QTest::qWaitFor([bar] { return !bar->text().isEmpty(); }, kPatience);
     const QString text = bar->text();
-    const bool isWritten = text.startsWith(QLatin1String("Written: ")) || text.startsWith(QLatin1String("Saved: "));
+    const bool isWritten = text.startsWith(QLatin1String("Exported to ")) || text.startsWith(QLatin1String("Saved: "));
     const bool isReason = text.contains(QLatin1String("cannot be written")) && !text.contains(QLatin1String("Unknown"));
     return {isWritten, isTold && (isWritten || isReason) ? QString() : QStringLiteral("said: ") + text};
 }
@@ -487,7 +488,7 @@ void TstFaults::theSettingsHaveNoRoom()
 {
     rememberLanguage(Language::Spanish);
     rememberTheme(Theme::Dark);
-    rememberLayout(windowLayoutOf(*m_window, true));
+    remember(layoutOf(*m_window));
     const QString path = QSettings().fileName();
     const QByteArray before = contentOf(path);
     QVERIFY(before.contains("theme") && before.contains("language"));
@@ -496,7 +497,7 @@ void TstFaults::theSettingsHaveNoRoom()
         rememberTheme(Theme::Light);
         rememberFile(kRecentScenes, QStringLiteral("x.json"));
         rememberLanguage(Language::English);
-        rememberLayout(windowLayoutOf(*m_window, true));
+        remember(layoutOf(*m_window));
         judge(QStringLiteral("%1 bytes").arg(disk),
               contentOf(path) == before ? QString() : QString::fromUtf8(contentOf(path)));
     }

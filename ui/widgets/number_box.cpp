@@ -271,7 +271,8 @@ bool NumberBox::event(QEvent *event)
         const auto is = [key](QKeySequence::StandardKey meaning) { return key->matches(meaning); };
         const bool isClipboard =
             is(QKeySequence::Copy) || is(QKeySequence::Cut) || is(QKeySequence::Paste) || is(QKeySequence::SelectAll);
-        const bool isMeant = isUndo(*key) ? isTyping() : isClipboard || !key->modifiers().testFlag(Qt::ControlModifier);
+        const bool isPlayback = key->key() == Qt::Key_Space && !isTyping();
+        const bool isMeant = isPlayback ? false : isUndo(*key) ? isTyping() : isClipboard || !key->modifiers().testFlag(Qt::ControlModifier);
         if (!isMeant) {
             event->ignore();
             return false;

@@ -83,25 +83,16 @@ void NumberSlider::mousePressEvent(QMouseEvent *event)
 {
     QStyleOptionSlider option;
     initStyleOption(&option);
-    const auto placeOf = [&](QStyle::SubControl part) {
-        return style()->subControlRect(QStyle::CC_Slider, &option, part, this);
-    };
-    const QRect handle = placeOf(QStyle::SC_SliderHandle);
+    const QRect handle = style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, this);
     if (event->button() != Qt::LeftButton || handle.contains(event->position().toPoint())) {
         QSlider::mousePressEvent(event);
         return;
     }
-    setSliderDown(true); // first: what it goes through from here on is one drag
-    const QRect groove = placeOf(QStyle::SC_SliderGroove);
-    const int left = static_cast<int>(event->position().x()) - handle.width() / 2 - groove.left();
-    setSliderPosition(QStyle::sliderValueFromPosition(minimum(), maximum(), left, groove.width() - handle.width(),
-                                                      option.upsideDown));
-    initStyleOption(&option);
-    // Of few steps none may be under the mouse.
-    const QPointF centre = placeOf(QStyle::SC_SliderHandle).center();
-    QMouseEvent onHandle(event->type(), centre, mapToGlobal(centre), event->button(), event->buttons(),
-                         event->modifiers());
-    QSlider::mousePressEvent(&onHandle);
+    setSliderDown(true); // what the click changes belongs to the drag
+    // The button that moves the handle to the click, and on with the mouse.
+    const auto button = static_cast<Qt::MouseButton>(style()->styleHint(QStyle::SH_Slider_AbsoluteSetButtons));
+    QMouseEvent absolute(event->type(), event->position(), event->globalPosition(), button, button, event->modifiers());
+    QSlider::mousePressEvent(&absolute);
 }
 
 QString NumberSlider::valueText() const

@@ -127,10 +127,10 @@ MainWindow::MainWindow(QWidget *parent)
     setCentralWidget(page);
     auto *messageBar = new MessageBar(page);
     m_messages = new Messages(m_session, m_scene, messageBar);
+    m_presentation = new Presentation(m_views, messageBar, this);
     makeViews();
     column->addWidget(m_views.columns);
     setStatusBar(m_status);
-    m_presentation = new Presentation(m_views, messageBar, this);
     setMenuBar(new Menus(*this, m_views));
     m_views.timeline->findChild<RunForm *>()->addActions(menuBar()->findChildren<QAction *>()); // for their keys
     connectDocument();

@@ -87,7 +87,7 @@ void Menus::addFile()
     recent->setObjectName(QStringLiteral("recentMenu"));
     connect(recent, &QMenu::aboutToShow, this, [this, recent] { fillRecent(recent); });
     menu->addAction(tr("Open the samp&le"), &m_window, &MainWindow::openSample);
-    QAction *close = menu->addAction(tr("&Close reference"), QKeySequence::Close, session,
+    QAction *close = menu->addAction(tr("&Close reference"), Qt::CTRL | Qt::Key_W, session,
                                      [session] { session->setReference(nullptr); });
     enableWhile(close, *session, [](const Result &result) { return result.chosenReference() != nullptr; });
     menu->addSeparator();

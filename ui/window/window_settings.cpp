@@ -27,7 +27,7 @@ const QString kWindow = QStringLiteral("layout/window");
 const QString kFolded = QStringLiteral("layout/folded");
 const QString kTab = QStringLiteral("view/tab");
 const QString kSpeed = QStringLiteral("view/speed");
-const QString kSplitter = QStringLiteral("layout/%1");
+const QString kSplitterState = QStringLiteral("layout/%1");
 const QString kChoice = QStringLiteral("view/%1");
 
 const QStringList kUnitBoxes{QStringLiteral("unit_omega2"), QStringLiteral("unit_theta20")};
@@ -87,7 +87,7 @@ QVariantMap layoutOf(const QMainWindow &window)
     }
     for (const auto *splitter : window.findChildren<QSplitter *>()) {
         if (splitter != tabs.parentWidget() || !tabs.isFolded()) { // folded, its state contains no height
-            layout[kSplitter.arg(splitter->objectName())] = splitter->saveState();
+            layout[kSplitterState.arg(splitter->objectName())] = splitter->saveState();
         }
     }
     for (const QAction *choice : window.findChild<MechanismView *>()->choices()) {
@@ -118,7 +118,7 @@ void arrange(QMainWindow &window, const QVariantMap &layout)
     tabs.setCurrentIndex(layout.value(kTab, 0).toInt());
     window.findChild<Timeline *>()->setSpeed(layout.value(kSpeed, 1.0).toDouble());
     for (auto *splitter : window.findChildren<QSplitter *>()) {
-        splitter->restoreState(layout.value(kSplitter.arg(splitter->objectName())).toByteArray());
+        splitter->restoreState(layout.value(kSplitterState.arg(splitter->objectName())).toByteArray());
     }
     if (layout.contains(kFolded)) {
         tabs.choose(layout.value(kFolded).toBool());

@@ -4,21 +4,11 @@
 // pixels there are, not made larger from fewer: neighbouring pixels may differ as much as anywhere, wherever they are.
 // Also on another screen, with twice the ratio, to which the window is moved.
 
-#include "ui/window/main_window.h"
-
-#include "tests/support/waiting.h"
+#include "tests/ui/window/window_fixture.h"
 
 #include <QAbstractButton>
-#include <QApplication>
 #include <QDir>
-#include <QFile>
 #include <QScreen>
-#include <QSettings>
-#include <QStandardPaths>
-#include <QTabBar>
-#include <QTemporaryDir>
-#include <QTest>
-#include <QWindow>
 
 #include <algorithm>
 #include <array>
@@ -28,8 +18,6 @@ using namespace slidercrank;
 
 namespace
 {
-
-const QString kSample = QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv");
 
 /// The sharpest step in grey from a pixel to its right neighbour, by where in the pattern of a scaled picture the pair
 /// is: of two columns at a ratio of 2, of three at 1.5. A picture scaled up has pairs that hardly differ.
@@ -52,16 +40,20 @@ constexpr const char *kScreens = R"({"synchronousWindowSystemEvents": true, "win
     {"name": "right", "x": 2000, "y": 0, "width": 2000, "height": 1200, "logicalDpi": 96, "logicalBaseDpi": 96, "dpr": 2}
 ]})";
 
+/// At the edges there are numbers only: what moves, and is painted over the rest, is not judged.
+const std::pair<QString, Qt::Edge> kEdges[] = {{"mechanismView", Qt::BottomEdge},
+                                               {"plot_theta3", Qt::LeftEdge},
+                                               {"plot_error_acceleration", Qt::BottomEdge},
+                                               {"iterationPlot", Qt::LeftEdge},
+                                               {"iterationTable", Qt::LeftEdge}};
+
 } // namespace
 
-class TestSharpness : public QObject
+class TestSharpness : public WindowFixture
 {
     Q_OBJECT
 
 private:
-    const QTemporaryDir m_settings;
-    std::unique_ptr<MainWindow> m_window;
-
     /// As a person moves it.
     static void moveTo(const QScreen *screen, QWidget &window)
     {
@@ -96,16 +88,10 @@ private:
 private slots:
     void initTestCase()
     {
-        QStandardPaths::setTestModeEnabled(true);
-        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_settings.path());
-        QApplication::setStyle(QStringLiteral("Fusion"));
-        m_window = std::make_unique<MainWindow>();
-        m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
-        m_window->openReference(kSample);
-        AWAIT(m_window->session().diagnosis());
-        m_window->findChild<QTabBar *>(QStringLiteral("tabBar"))->setCurrentIndex(3);
-        m_window->findChild<QAbstractButton *>(QStringLiteral("segment3"))->click();
+        openWindow();
+        openSample();
+        showTab(3);
+        part<QAbstractButton>("segment3")->click();
         settle(*m_window);
     }
 
@@ -118,36 +104,18 @@ private slots:
         QCOMPARE(m_window->devicePixelRatio(), told ? asked : 1.0);
     }
 
-    void paintsWithAllThePixelsThereAre_data()
-    {
-        QTest::addColumn<QString>("name");
-        QTest::addColumn<Qt::Edge>("edge");
-        // At the edges there are numbers only: what moves, and is painted over the rest, is not what is judged.
-        QTest::newRow("the mechanism's grid") << QStringLiteral("mechanismView") << Qt::BottomEdge;
-        QTest::newRow("a plot's values") << QStringLiteral("plot_theta3") << Qt::LeftEdge;
-        QTest::newRow("a plot's times") << QStringLiteral("plot_error_acceleration") << Qt::BottomEdge;
-        QTest::newRow("the iterations' plot") << QStringLiteral("iterationPlot") << Qt::LeftEdge;
-        QTest::newRow("a table") << QStringLiteral("iterationTable") << Qt::LeftEdge;
-    }
-
     void paintsWithAllThePixelsThereAre()
     {
-        QFETCH(const QString, name);
-        QFETCH(const Qt::Edge, edge);
-        auto *widget = m_window->findChild<QWidget *>(name);
-        QVERIFY(widget && widget->isVisible());
-        const QRect area = edgeOf(*widget, edge);
-        const QImage picture = widget->grab(area).toImage();
-        QCOMPARE(picture.size(), area.size() * m_window->devicePixelRatio());
-        judge(picture);
+        for (const auto &[name, edge] : kEdges) {
+            const QRect area = edgeOf(*part(name), edge);
+            const QImage picture = part(name)->grab(area).toImage();
+            QCOMPARE(picture.size(), area.size() * m_window->devicePixelRatio());
+            judge(picture);
+        }
     }
-
-    void followsTheWindowToAnotherScreen_data() { paintsWithAllThePixelsThereAre_data(); }
 
     void followsTheWindowToAnotherScreen()
     {
-        QFETCH(const QString, name);
-        QFETCH(const Qt::Edge, edge);
         const QList<QScreen *> screens = QGuiApplication::screens();
         QCOMPARE(screens.size(), 2);
         QWidget plain;
@@ -156,17 +124,17 @@ private slots:
         if (plain.devicePixelRatio() != screens[1]->devicePixelRatio()) {
             QSKIP("This Qt's offscreen platform tells no window of another screen's ratio.");
         }
-        auto *widget = m_window->findChild<QWidget *>(name);
-        QVERIFY(widget && widget->isVisible());
-        const QRect area = edgeOf(*widget, edge);
-        moveTo(screens[0]);
-        const QImage before = widget->grab(area).toImage();
-        moveTo(screens[1]);
-        const QImage there = widget->grab(area).toImage();
-        QCOMPARE(there.size(), area.size() * screens[1]->devicePixelRatio());
-        judge(there);
-        moveTo(screens[0]);
-        QCOMPARE(widget->grab(area).toImage(), before);
+        for (const auto &[name, edge] : kEdges) {
+            const QRect area = edgeOf(*part(name), edge);
+            moveTo(screens[0]);
+            const QImage before = part(name)->grab(area).toImage();
+            moveTo(screens[1]);
+            const QImage there = part(name)->grab(area).toImage();
+            QCOMPARE(there.size(), area.size() * screens[1]->devicePixelRatio());
+            judge(there);
+            moveTo(screens[0]);
+            QCOMPARE(part(name)->grab(area).toImage(), before);
+        }
     }
 
     void aPictureMadeLargerIsFoundOut()

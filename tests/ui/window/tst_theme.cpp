@@ -75,38 +75,28 @@ double contrast(const QColor &one, const QColor &other)
     return std::max(a, b) / std::min(a, b);
 }
 
-void addThemes()
-{
-    QTest::addColumn<Theme>("theme");
-    QTest::newRow("light") << Theme::Light;
-    QTest::newRow("dark") << Theme::Dark;
-}
-
 } // namespace
-
-Q_DECLARE_METATYPE(slidercrank::Theme)
 
 class TestTheme : public QObject
 {
     Q_OBJECT
 
 private slots:
-    void everyEyeTellsTheCurvesApart_data() { addThemes(); }
-
     void everyEyeTellsTheCurvesApart()
     {
         constexpr double kInTheSameAxes = 25.0; // ten times what is just noticed
         constexpr double kInOneFigure = 20.0;
-        QFETCH(const Theme, theme);
-        const SeriesColours colours = seriesColours(paletteFor(theme));
-        const std::array<QColor, 4> curves{colours.model, colours.reference, colours.error, colours.errorOther};
-        for (const Sight &sight : {kUsual, kProtanopia, kDeuteranopia}) {
-            QVERIFY(distance(colours.model, colours.reference, sight) > kInTheSameAxes);
-            QVERIFY(distance(colours.error, colours.errorOther, sight) > kInTheSameAxes);
-            for (std::size_t i = 0; i < curves.size(); ++i) {
-                for (std::size_t j = 0; j < i; ++j) {
-                    const double apart = distance(curves[i], curves[j], sight);
-                    QVERIFY2(apart > kInOneFigure, qPrintable(QString("%1 %2: %3").arg(i).arg(j).arg(apart)));
+        for (const Theme theme : {Theme::Light, Theme::Dark}) {
+            const SeriesColours colours = seriesColours(paletteFor(theme));
+            const std::array<QColor, 4> curves{colours.model, colours.reference, colours.error, colours.errorOther};
+            for (const Sight &sight : {kUsual, kProtanopia, kDeuteranopia}) {
+                QVERIFY(distance(colours.model, colours.reference, sight) > kInTheSameAxes);
+                QVERIFY(distance(colours.error, colours.errorOther, sight) > kInTheSameAxes);
+                for (std::size_t i = 0; i < curves.size(); ++i) {
+                    for (std::size_t j = 0; j < i; ++j) {
+                        const double apart = distance(curves[i], curves[j], sight);
+                        QVERIFY2(apart > kInOneFigure, qPrintable(QString("%1 %2: %3").arg(i).arg(j).arg(apart)));
+                    }
                 }
             }
         }
@@ -123,32 +113,31 @@ private slots:
         QVERIFY(std::abs(contrast(Qt::black, Qt::white) - 21.0) < 1e-3);
     }
 
-    void curvesStandOutAndTextsCanBeRead_data() { addThemes(); }
-
     void curvesStandOutAndTextsCanBeRead()
     {
         constexpr double kGraphics = 3.0; // WCAG 1.4.11
         constexpr double kText = 4.5;     // WCAG 1.4.3
-        QFETCH(const Theme, theme);
-        const QPalette palette = paletteFor(theme);
-        const SeriesColours colours = seriesColours(palette);
-        for (const QColor &curve :
-             {colours.model, colours.reference, colours.error, colours.errorOther, colours.cursor, colours.warning}) {
-            QVERIFY2(contrast(curve, colours.background) > kGraphics, qPrintable(curve.name()));
-        }
-        // Sentences are written in it, values in these two.
-        QVERIFY(contrast(colours.warning, palette.color(QPalette::Window)) > kText);
-        QVERIFY(contrast(colours.error, colours.background) > kText);
-        QVERIFY(contrast(colours.errorOther, colours.background) > kText);
-        using Roles = std::pair<QPalette::ColorRole, QPalette::ColorRole>;
-        for (const auto &[text, under] :
-             {Roles{QPalette::WindowText, QPalette::Window}, Roles{QPalette::Text, QPalette::Base},
-              Roles{QPalette::Text, QPalette::AlternateBase}, Roles{QPalette::ButtonText, QPalette::Button},
-              Roles{QPalette::HighlightedText, QPalette::Highlight}, Roles{QPalette::Link, QPalette::Window},
-              Roles{QPalette::Link, QPalette::Base}, Roles{QPalette::PlaceholderText, QPalette::Base},
-              Roles{QPalette::ToolTipText, QPalette::ToolTipBase}}) {
-            QVERIFY2(contrast(palette.color(text), palette.color(under)) > kText,
-                     qPrintable(QString("role %1 on %2").arg(text).arg(under)));
+        for (const Theme theme : {Theme::Light, Theme::Dark}) {
+            const QPalette palette = paletteFor(theme);
+            const SeriesColours colours = seriesColours(palette);
+            for (const QColor &curve : {colours.model, colours.reference, colours.error, colours.errorOther,
+                                        colours.cursor, colours.warning}) {
+                QVERIFY2(contrast(curve, colours.background) > kGraphics, qPrintable(curve.name()));
+            }
+            // Sentences are written in it, values in these two.
+            QVERIFY(contrast(colours.warning, palette.color(QPalette::Window)) > kText);
+            QVERIFY(contrast(colours.error, colours.background) > kText);
+            QVERIFY(contrast(colours.errorOther, colours.background) > kText);
+            using Roles = std::pair<QPalette::ColorRole, QPalette::ColorRole>;
+            for (const auto &[text, under] :
+                 {Roles{QPalette::WindowText, QPalette::Window}, Roles{QPalette::Text, QPalette::Base},
+                  Roles{QPalette::Text, QPalette::AlternateBase}, Roles{QPalette::ButtonText, QPalette::Button},
+                  Roles{QPalette::HighlightedText, QPalette::Highlight}, Roles{QPalette::Link, QPalette::Window},
+                  Roles{QPalette::Link, QPalette::Base}, Roles{QPalette::PlaceholderText, QPalette::Base},
+                  Roles{QPalette::ToolTipText, QPalette::ToolTipBase}}) {
+                QVERIFY2(contrast(palette.color(text), palette.color(under)) > kText,
+                         qPrintable(QString("role %1 on %2").arg(text).arg(under)));
+            }
         }
     }
 };

@@ -1,0 +1,415 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Scenes and exports as files: opened, saved, named in dialogs; and what is asked before something is lost.
+
+#include "tests/ui/window/window_fixture.h"
+
+#include "ui/export/animation_export.h"
+#include "ui/export/animation_form.h"
+#include "ui/mechanism/mechanism_view.h"
+#include "ui/plots/plot_grid.h"
+#include "ui/widgets/save_dialog.h"
+#include "ui/window/exports.h"
+#include "ui/window/scene_file.h"
+#include "ui/window/status_bar.h"
+#include "ui/window/window_settings.h"
+
+#include <QComboBox>
+#include <QDir>
+#include <QFileDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMessageBox>
+#include <QSpinBox>
+
+using namespace slidercrank;
+
+class TestFiles : public WindowFixture
+{
+    Q_OBJECT
+
+private slots:
+    void init()
+    {
+        forget();
+        m_folder = std::make_unique<QTemporaryDir>();
+        openWindow();
+    }
+
+    void cleanup() { m_window.reset(); }
+
+    void savesASceneAndOpensItAgain()
+    {
+        const QString rig = path("rig.slidercrank");
+        openSample();
+        session().setParameter(Parameter::B, 61.25);
+        session().keep();
+        session().setTime(0.3);
+        const PlotSettings settings{.error = ErrorMeasure::Absolute, .abscissa = Abscissa::CrankAngle};
+        PlotZoom zoom;
+        zoom.time = Interval{0.25, 0.5};
+        zoom.values[4] = Interval{-10.0, 20.0};
+        plots()->setSettings(settings);
+        plots()->setZoom(zoom);
+        const MechanismSettings drawing{true, false, true, false, true, true, true};
+        const QRectF frame(-15.0, -10.0, 60.0, 40.0); // mm
+        mechanism()->setSettings(drawing);
+        mechanism()->setZoom(frame);
+        QVERIFY(m_window->isWindowModified());
+        QVERIFY(m_window->scene().saveTo(rig));
+        QVERIFY(!m_window->isWindowModified() && m_window->windowTitle().startsWith("rig.slidercrank[*]"));
+        const Trajectory before = session().result()->trajectory;
+        settle(*m_window);
+        const QImage shown = picture("plot_R4_x_diff");
+
+        openWindow();
+        QSignalSpy opened(&session(), &Session::opened);
+        drop({rig});
+        AWAIT(opened.count() == 1);
+        QCOMPARE(session().parameters().b, 61.25);
+        QCOMPARE(session().kept().size(), std::size_t(1));
+        QCOMPARE(session().time(), 0.3);
+        QVERIFY(plots()->settings() == settings && plots()->zoom() == zoom);
+        QVERIFY(mechanism()->settings() == drawing && mechanism()->zoom() == frame);
+        QCOMPARE(session().reference()->name, QStringLiteral("inventor_sample.csv"));
+        for (const Channel channel : kPlottedChannels) {
+            QVERIFY(session().result()->trajectory[channel] == before[channel]);
+        }
+        QVERIFY(!m_window->isWindowModified() && !session().undoStack().canUndo());
+        QCOMPARE(recentFiles(kRecentScenes), QStringList(rig));
+        AWAIT_COMPARE(picture("plot_R4_x_diff"), shown);
+    }
+
+    void knowsWhatIsModified()
+    {
+        QVERIFY(m_window->scene().saveTo(path("rig.json")));
+        openSample();
+        session().undoStack().setClean();
+        session().setTime(0.5); // looking is no edit
+        QVERIFY(!m_window->isWindowModified());
+        session().setParameter(Parameter::B, 70.0);
+        QVERIFY(m_window->isWindowModified());
+        session().undoStack().undo();
+        QVERIFY(!m_window->isWindowModified());
+        session().undoStack().redo();
+        m_window->scene().save();
+        QVERIFY(!m_window->isWindowModified());
+        session().undoStack().undo();
+        QVERIFY(m_window->isWindowModified());
+    }
+
+    void asksBeforeItCloses()
+    {
+        struct Row {
+            QMessageBox::StandardButton answer;
+            bool closes;
+            double saved;
+        };
+        m_window->close();
+        QVERIFY(!m_window->isVisible()); // nothing would be lost
+        for (const Row &row : {Row{QMessageBox::Cancel, false, 65.0}, Row{QMessageBox::Discard, true, 65.0},
+                               Row{QMessageBox::Save, true, 70.0}}) {
+            openWindow();
+            QVERIFY(m_window->scene().saveTo(path("rig.json")));
+            session().setParameter(Parameter::B, 70.0);
+            m_window->close();
+            QVERIFY(m_window->isVisible() && question("unsavedQuestion")->text().contains("rig.json"));
+            question("unsavedQuestion")->button(row.answer)->click();
+            QCOMPARE(m_window->isVisible(), !row.closes);
+            QCOMPARE(savedIn("rig.json").b, row.saved);
+        }
+    }
+
+    void asksBeforeItOpensAnotherScene()
+    {
+        const QString rig = sceneWithReference();
+        session().setParameter(Parameter::A, 21.0);
+        drop({rig});
+        QCOMPARE(session().parameters().a, 21.0);
+        question("unsavedQuestion")->button(QMessageBox::Discard)->click();
+        AWAIT(session().reference());
+        QCOMPARE(session().parameters().a, 12.0);
+        QVERIFY(!m_window->isWindowModified() && !question("unsavedQuestion")); // once
+        for (const auto &[answer, a] : {std::pair{QMessageBox::Cancel, 21.0}, {QMessageBox::Discard, 12.0}}) {
+            openWindow();
+            m_window->scene().open(rig);
+            session().setParameter(Parameter::A, 21.0); // while its reference is read
+            AWAIT(question("unsavedQuestion"));
+            QCOMPARE(session().parameters().a, 21.0);
+            question("unsavedQuestion")->button(answer)->click();
+            QCOMPARE(session().parameters().a, a);
+            QCOMPARE(m_window->scene().path().isEmpty(), answer == QMessageBox::Cancel);
+        }
+    }
+
+    void whatAnotherProgramSavedIsAskedAbout()
+    {
+        m_window->scene().open(sceneWithReference());
+        AWAIT(session().reference());
+        session().setParameter(Parameter::A, 13.0);
+        m_window->scene().save(); // what it has saved itself is not
+        QVERIFY(!question("changedQuestion"));
+        QCOMPARE(savedIn("rig.json").a, 13.0);
+        Scene other;
+        other.parameters.a = 14.5;
+        QCOMPARE(writeScene(other, path("rig.json")), std::nullopt);
+        session().setParameter(Parameter::A, 15.0);
+        m_window->scene().save();
+        question("changedQuestion")->button(QMessageBox::Cancel)->click();
+        QCOMPARE(savedIn("rig.json").a, 14.5);
+        QVERIFY(m_window->isWindowModified());
+        m_window->scene().save();
+        for (QAbstractButton *button : question("changedQuestion")->buttons()) {
+            if (button->text() == "Replace") {
+                button->click();
+                break;
+            }
+        }
+        QCOMPARE(savedIn("rig.json").a, 15.0);
+    }
+
+    void aNumberThatIsTypedAndNotEnteredCounts()
+    {
+        QVERIFY(m_window->scene().saveTo(path("rig.json")));
+        auto *box = part<QAbstractSpinBox>("box_b");
+        for (const char *typed : {"70", "71"}) {
+            box->setFocus();
+            box->selectAll();
+            QTest::keyClicks(box, typed);
+            if (typed == QByteArray("70")) {
+                m_window->scene().save();
+            } else {
+                m_window->close();
+                question("unsavedQuestion")->button(QMessageBox::Save)->click();
+                QVERIFY(!m_window->isVisible());
+            }
+            QCOMPARE(savedIn("rig.json").b, QByteArray(typed).toDouble());
+        }
+    }
+
+    void whatCannotBeOpenedOrSavedIsToldAndChangesNothing()
+    {
+        session().setParameter(Parameter::B, 70.0);
+        drop({fileWith(*m_folder, "rig.json", "{\"version\": 99}")});
+        QVERIFY(messages()->text().contains("rig.json") && !question("unsavedQuestion"));
+        QVERIFY(session().undoStack().canUndo());
+        QVERIFY(!m_window->scene().saveTo("/no/such/folder/other.json"));
+        QVERIFY(messages()->text().contains("other.json") && m_window->isWindowModified());
+        QCOMPARE(m_window->scene().path(), QString());
+    }
+
+    void opensASceneWithoutItsReferenceOrWithAnother()
+    {
+        Scene scene;
+        scene.parameters.b = 70.0;
+        scene.reference = ReferenceSource{{path("gone.csv")}, {}, {}};
+        QCOMPARE(writeScene(scene, path("rig.json")), std::nullopt);
+        m_window->openFiles({path("rig.json")});
+        AWAIT(messages()->text().contains("gone.csv"));
+        QCOMPARE(session().parameters().b, 70.0);
+        m_window->scene().save();
+        const Scene again = std::get<Scene>(readScene(path("rig.json")));
+        QVERIFY(again.reference && again.reference->paths == scene.reference->paths);
+        m_window->scene().open(path("rig.json"), {kSample});
+        AWAIT(session().reference());
+        QCOMPARE(session().reference()->paths, QStringList(kSample));
+        QCOMPARE(m_window->scene().path(), path("rig.json"));
+    }
+
+    void aCancelSaysWhatIsShown()
+    {
+        const auto cancel = [this] { emit m_window->findChild<StatusBar *>()->cancelled(); };
+        Scene scene;
+        scene.solver.method = Method::Newton;
+        scene.sampling.steps = 1'000'000; // takes seconds
+        QCOMPARE(writeScene(scene, path("long.json")), std::nullopt);
+        m_window->scene().open(path("long.json"));
+        cancel();
+        QVERIFY2(messages()->text().contains("Undo computes it"), qPrintable(messages()->text()));
+        session().setParameter(Parameter::A, 21.0);
+        QVERIFY(messages()->text().isEmpty());
+        session().setSolver(scene.solver);
+        session().setSampling(scene.sampling);
+        cancel();
+        QVERIFY2(messages()->text().contains("previous result"), qPrintable(messages()->text()));
+        session().setParameter(Parameter::A, 22.0);
+        QVERIFY(messages()->text().isEmpty());
+    }
+
+    void theWindowStaysOpenWhileAFileIsWritten()
+    {
+        m_window->exports().writeData(path("motion.csv"), allChannels());
+        m_window->close();
+        QVERIFY(m_window->isVisible() && messages()->text().contains("still being written"));
+        AWAIT(!m_window->exports().isWriting());
+        QVERIFY(QFile::exists(path("motion.csv")));
+        m_window->close();
+        QVERIFY(!m_window->isVisible());
+    }
+
+    void completesAName()
+    {
+        struct Row {
+            const char *name;
+            const char *completed;
+        };
+        const QStringList filters{"Images (*.png)", "Drawings (*.svg)"};
+        for (const Row &row : {Row{"fig", "fig.svg"}, Row{"fig.svg", "fig.svg"}, Row{"fig.png", "fig.png"},
+                               Row{"FIG.SVG", "FIG.SVG"}, Row{"fig.", "fig.svg"}, Row{"fig.final", "fig.final.svg"},
+                               Row{"b = 67.5", "b = 67.5.svg"}, Row{"fig.jpg", "fig.jpg.svg"}}) {
+            QCOMPARE(completedName(row.name, filters[1], filters), QString(row.completed));
+        }
+        QCOMPARE(completedName("fig", "Folder (*)", filters), QString("fig"));
+    }
+
+    void everyDialogCompletesTheSuffixOfItsFilter()
+    {
+        struct Row {
+            const char *action;
+            int filter;
+            const char *written;
+            const char *beginning;
+        };
+        for (const Row &row :
+             {Row{"Figure…", 0, "new.png", "\x89PNG\r"}, Row{"Figure…", 1, "new.svg", "<?xml"},
+              Row{"Figure…", 2, "new.pdf", "%PDF-"}, Row{"Mechanism…", 1, "mechanism.svg", "<?xml"},
+              Row{"Data…", 1, "new.csv", "time,"}, Row{"Report…", 0, "report.pdf", "%PDF-"},
+              Row{"Animation…", 0, "motion/frame_0001.png", "\x89PNG\r"},
+              Row{"Save scene as…", 0, "new.slidercrank", "{\n   "}, Row{"Save scene as…", 1, "new.json", "{\n   "}}) {
+            action(QString::fromUtf8(row.action))->trigger();
+            if (auto *form = m_window->findChild<AnimationForm *>()) {
+                form->accept();
+                settle();
+            }
+            const QString written = path(row.written);
+            choose(QString(row.written).section(u'/', 0, 0).section(u'.', 0, 0), row.filter);
+            AWAIT2(QFile::exists(written), row.written);
+            AWAIT(!m_window->exports().isWriting());
+            QVERIFY2(contentOf(written).startsWith(row.beginning), row.written);
+            QCOMPARE(lastFolder(QStandardPaths::HomeLocation), m_folder->path());
+        }
+        action("Figure…")->trigger();
+        QCOMPARE(dialog()->directory().path(), m_folder->path()); // where the last was saved
+    }
+
+    void theAnimationIsAsItsFormSays()
+    {
+        action(QStringLiteral("Animation…"))->trigger();
+        auto *form = m_window->findChild<AnimationForm *>();
+        const auto *outcome = child<QLabel>(*form, "outcomeLabel");
+        QVERIFY(outcome->text().startsWith("30 frames: 1 s"));
+        child<QSpinBox>(*form, "rateBox")->setValue(8);
+        child<QSpinBox>(*form, "widthBox")->setValue(201); // videos need even sides
+        child<QSpinBox>(*form, "heightBox")->setValue(120);
+        child<QDoubleSpinBox>(*form, "lengthBox")->setValue(1.5);
+        QVERIFY(outcome->text().startsWith("12 frames: 1.5 s"));
+        form->accept();
+        settle();
+        choose("new");
+        const auto frame = [this](const char *name) { return QImage(path(QStringLiteral("new/") + name)); };
+        AWAIT(QFile::exists(path("new")));
+        QCOMPARE(QDir(path("new")).entryList(QDir::Files).size(), 12);
+        QCOMPARE(frame("frame_0001.png").size(), QSize(200, 120));
+        QVERIFY(frame("frame_0001.png") != frame("frame_0012.png"));
+        QCOMPARE(frame("frame_0001.png"), frame("frame_0009.png")); // a revolution later
+    }
+
+    void theNameFollowsTheFilter()
+    {
+        action(QStringLiteral("Figure…"))->trigger();
+        QCOMPARE(name()->text(), QStringLiteral("figure.png"));
+        chooseFilter(1);
+        QCOMPARE(name()->text(), QStringLiteral("figure.svg"));
+        name()->setText("b = 67.5");
+        chooseFilter(2);
+        QCOMPARE(name()->text(), QStringLiteral("b = 67.5"));
+    }
+
+    void asksForANameAndBeforeAnOlderFileGoes()
+    {
+        session().setParameter(Parameter::B, 70.0);
+        const QString older = fileWith(*m_folder, "θ₂ ñ 曲柄.slidercrank", "older");
+        press(Qt::Key_S, Qt::ControlModifier);
+        answerWith(QMessageBox::No);
+        choose(QStringLiteral("θ₂ ñ 曲柄"));
+        QCOMPARE(contentOf(older), QByteArray("older"));
+        answerWith(QMessageBox::Yes);
+        choose(QStringLiteral("θ₂ ñ 曲柄"));
+        AWAIT_COMPARE(m_window->scene().path(), older);
+        QVERIFY(contentOf(older).startsWith("{\n"));
+        QVERIFY(!m_window->isWindowModified());
+
+        fileWith(*m_folder, "a.html.pdf", "older");
+        action(QStringLiteral("Report…"))->trigger();
+        choose("a.html"); // the dialog asked about another name
+        QCOMPARE(contentOf(path("a.html.pdf")), QByteArray("older"));
+        QCOMPARE(name()->text(), QStringLiteral("a.html.pdf"));
+    }
+
+private:
+    QString path(const QString &name) const { return m_folder->filePath(name); }
+    PlotGrid *plots() const { return m_window->findChild<PlotGrid *>(); }
+    MechanismView *mechanism() const { return m_window->findChild<MechanismView *>(); }
+    Parameters savedIn(const QString &name) const { return std::get<Scene>(readScene(path(name))).parameters; }
+
+    QString sceneWithReference() const
+    {
+        Scene scene;
+        scene.parameters.a = 12.0;
+        scene.reference = ReferenceSource{{kSample}, {}, {}};
+        writeScene(scene, path("rig.json"));
+        return path("rig.json");
+    }
+
+    /// Null where it is not asked.
+    QMessageBox *question(const char *name) const
+    {
+        settle();
+        auto *box = m_window->findChild<QMessageBox *>(QLatin1String(name));
+        return box && box->isVisible() ? box : nullptr;
+    }
+
+    QFileDialog *dialog() const
+    {
+        for (auto *open : m_window->findChildren<QFileDialog *>()) {
+            if (open->isVisible()) {
+                return open;
+            }
+        }
+        qFatal("no dialog");
+    }
+
+    QLineEdit *name() const { return dialog()->findChild<QLineEdit *>("fileNameEdit"); }
+
+    void chooseFilter(int index) const
+    {
+        auto *types = dialog()->findChild<QComboBox *>("fileTypeCombo");
+        types->setCurrentIndex(index);
+        emit types->textActivated(types->currentText());
+    }
+
+    void choose(const QString &file, int filter = 0) const
+    {
+        dialog()->setDirectory(m_folder->path());
+        chooseFilter(filter);
+        name()->setText(file);
+        QMetaObject::invokeMethod(dialog(), "accept");
+        settle();
+    }
+
+    /// The question that the dialog waits for.
+    static void answerWith(QMessageBox::StandardButton button)
+    {
+        QTimer::singleShot(100, qApp, [button] {
+            auto *box = qobject_cast<QMessageBox *>(QApplication::activeModalWidget());
+            QVERIFY(box);
+            box->button(button)->click();
+        });
+    }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+QTEST_MAIN(TestFiles)
+#include "tst_files.moc"

@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Texts in both languages, larger than usual and on small screens: nothing is cut off or out of reach. Numbers on the
+// screen as the user writes them, here with a decimal comma; in files with a point, always.
+
+#include "tests/ui/window/window_fixture.h"
+
+#include "ui/document/scene.h"
+#include "ui/plots/plot_pane.h"
+#include "ui/text/language.h"
+#include "ui/text/written_number.h"
+#include "ui/widgets/folding_tabs.h"
+#include "ui/window/exports.h"
+#include "ui/window/scene_file.h"
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QAbstractSpinBox>
+#include <QClipboard>
+#include <QComboBox>
+#include <QDir>
+#include <QFileInfo>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QRegularExpression>
+#include <QScreen>
+#include <QStatusBar>
+#include <QStyleOptionComboBox>
+#include <QTableView>
+#include <QToolButton>
+
+using namespace slidercrank;
+
+namespace
+{
+
+constexpr QSize kSmall(800, 570); // a screen of 800×600 below a title bar
+
+int widthOf(const QWidget &widget, const QString &text)
+{
+    return widget.fontMetrics().horizontalAdvance(text);
+}
+
+/// Texts of a table that do not fit into their cells.
+QStringList cutOffIn(const QTableView &table)
+{
+    QStringList cut;
+    const QAbstractItemModel &model = *table.model();
+    for (int column = 0; column < model.columnCount(); ++column) {
+        const int width = table.columnWidth(column);
+        const QString title = model.headerData(column, Qt::Horizontal).toString();
+        if (width > 0 && widthOf(*table.horizontalHeader(), title) > width) {
+            cut << title;
+        }
+        for (int row = 0; row < model.rowCount(); ++row) {
+            const QString text = model.index(row, column).data().toString();
+            constexpr int kMargins = 6; // px
+            const QRect wrapped =
+                table.fontMetrics().boundingRect(QRect(0, 0, width - kMargins, 1000), Qt::TextWordWrap, text);
+            const bool wraps = table.wordWrap() && wrapped.width() <= width && wrapped.height() <= table.rowHeight(row);
+            if (table.columnSpan(row, column) == 1 && widthOf(table, text) > width && !wraps) {
+                cut << text;
+            }
+        }
+    }
+    if (model.rowCount() > 0 && table.rowHeight(0) < table.fontMetrics().height()) {
+        cut << QStringLiteral("the rows");
+    }
+    return cut;
+}
+
+/// The text of a widget if it does not fit.
+QString cutOff(const QWidget *widget)
+{
+    if (const auto *label = qobject_cast<const QLabel *>(widget)) {
+        const bool fits = label->wordWrap() ? label->height() >= label->heightForWidth(label->width())
+                                            : label->width() >= label->sizeHint().width();
+        return fits && label->height() >= label->fontMetrics().height() ? QString() : label->text();
+    }
+    if (const auto *button = qobject_cast<const QAbstractButton *>(widget)) {
+        const auto *tool = qobject_cast<const QToolButton *>(widget);
+        const bool isIcon = tool && !tool->icon().isNull() && tool->toolButtonStyle() == Qt::ToolButtonIconOnly;
+        const QString text = button->text().remove(u'&');
+        const QSize needed =
+            isIcon ? button->iconSize() : QSize(widthOf(*button, text), button->fontMetrics().height());
+        return needed.boundedTo(button->size()) == needed || text.isEmpty() ? QString() : text;
+    }
+    if (const auto *combo = qobject_cast<const QComboBox *>(widget)) {
+        QStyleOptionComboBox option;
+        option.initFrom(combo);
+        const QRect field =
+            combo->style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, combo);
+        return widthOf(*combo, combo->currentText()) <= field.width() ? QString() : combo->currentText();
+    }
+    if (const auto *line = qobject_cast<const QLineEdit *>(widget)) {
+        return widthOf(*line, line->text()) <= line->width() ? QString() : line->text();
+    }
+    if (const auto *bar = qobject_cast<const QTabBar *>(widget)) {
+        return bar->sizeHint().width() <= bar->width() ? QString() : QStringLiteral("the tabs");
+    }
+    return {};
+}
+
+/// All that can be read, also in the tables and their tool tips.
+QStringList textsOf(const QWidget &window)
+{
+    QStringList texts;
+    for (const QWidget *widget : window.findChildren<QWidget *>()) {
+        if (!widget->isVisible()) {
+            continue;
+        }
+        texts << widget->accessibleDescription() << widget->property("text").toString()
+              << widget->property("currentText").toString();
+        if (const auto *status = qobject_cast<const QStatusBar *>(widget)) {
+            texts << status->currentMessage();
+        } else if (const auto *pane = qobject_cast<const PlotPane *>(widget)) {
+            texts << pane->text();
+        } else if (const auto *table = qobject_cast<const QAbstractItemView *>(widget)) {
+            for (int row = 0; row < table->model()->rowCount(); ++row) {
+                for (int column = 0; column < table->model()->columnCount(); ++column) {
+                    const QModelIndex index = table->model()->index(row, column);
+                    texts << index.data().toString() << index.data(Qt::ToolTipRole).toString();
+                }
+            }
+        }
+    }
+    return texts;
+}
+
+} // namespace
+
+class TestReadability : public WindowFixture
+{
+    Q_OBJECT
+
+private slots:
+    void init() { forget(); }
+
+    void cleanup()
+    {
+        m_window.reset();
+        setLanguage(Language::English);
+        QLocale::setDefault(QLocale::c());
+    }
+
+    void nothingIsCutOff_data()
+    {
+        QTest::addColumn<double>("size");
+        QTest::addColumn<bool>("isSpanish");
+        QTest::newRow("English") << 1.0 << false;
+        QTest::newRow("Spanish") << 1.0 << true;
+        QTest::newRow("1.5 times, English") << 1.5 << false;
+        QTest::newRow("1.5 times, Spanish") << 1.5 << true;
+    }
+
+    void nothingIsCutOff()
+    {
+        QFETCH(const double, size);
+        QFETCH(const bool, isSpanish);
+        const QFont usual = QApplication::font();
+        QFont font = usual;
+        font.setPointSizeF(size * font.pointSizeF());
+        QApplication::setFont(font);
+        setLanguage(isSpanish ? Language::Spanish : Language::English);
+        openWindow();
+        openSample();
+        QStringList cut;
+        onEveryPage(*m_window, [&](const QString &page) {
+            for (const QWidget *widget : m_window->findChildren<QWidget *>()) {
+                if (widget->isVisible() && !widget->visibleRegion().isEmpty()) {
+                    const auto *table = qobject_cast<const QTableView *>(widget);
+                    for (const QString &text : table ? cutOffIn(*table) : QStringList(cutOff(widget))) {
+                        if (!text.isEmpty()) {
+                            cut << QStringLiteral("%1: %2 \"%3\"").arg(page, widget->objectName(), text);
+                        }
+                    }
+                }
+            }
+        });
+        QApplication::setFont(usual);
+        QVERIFY2(cut.isEmpty(), qPrintable(cut.join(u'\n')));
+        QCOMPARE(m_window->size(), QSize(1400, 900));
+    }
+
+    void everythingIsWithinReachOnASmallScreen()
+    {
+        for (const Language language : {Language::English, Language::Spanish}) {
+            setLanguage(language);
+            QSettings().clear(); // it greets
+            Scene left;          // by a crash
+            left.parameters.b = 70.0;
+            const QDir folder = QFileInfo(QSettings().fileName()).dir();
+            QVERIFY(folder.mkpath("."));
+            QCOMPARE(writeScene(left, folder.filePath("recovery_left.json")), std::nullopt);
+            openWindow();
+            m_window->resize(kSmall);
+            const auto fits = [this](const QString &page) {
+                settle(*m_window);
+                QVERIFY2(m_window->size() == kSmall, qPrintable(page));
+                const QStatusBar &status = *m_window->statusBar();
+                QVERIFY(m_window->rect().contains({status.mapTo(m_window.get(), QPoint()), status.size()}));
+                QVERIFY(messages()->parentWidget()->rect().contains(messages()->geometry()));
+            };
+            QCOMPARE(messages()->findChildren<QLabel *>("messageText").size(), 2);
+            fits("folded");
+            m_window->findChild<FoldingTabs *>()->choose(false);
+            onEveryPage(*m_window, fits);
+            const QString file = fileWith(m_settings, QString(240, u'x') + ".csv", contentOf(kSample)); // a long word
+            m_window->openReference(file);
+            AWAIT(session().diagnosis());
+            onEveryPage(*m_window, fits);
+            m_window.reset();
+        }
+    }
+
+    void theFirstWindowIsWithinItsScreen()
+    {
+        MainWindow window;
+        const QRect available = window.screen()->availableGeometry();
+        QVERIFY(!available.contains(QRect(available.topLeft(), window.size()))); // the screen has 800×800
+        window.showWithinScreen();
+        settle(window);
+        const QStatusBar &status = *window.statusBar();
+        QVERIFY(window.isMaximized() && available.contains({status.mapToGlobal(QPoint()), status.size()}));
+        MainWindow small;
+        small.resize(kSmall - QSize(20, 60));
+        small.showWithinScreen();
+        QVERIFY(!small.isMaximized());
+    }
+
+    void numbersAreReadAsTheUserWritesThem()
+    {
+        QLocale::setDefault(QLocale(QLocale::Spanish, QLocale::Spain));
+        openWindow();
+        for (const char *typed : {"67,5", "67.5", "67,5 mm"}) {
+            session().setParameters({});
+            typeNumber(part<QAbstractSpinBox>("box_b"), typed);
+            QCOMPARE(session().parameters().b, 67.5);
+            QCOMPARE(part<QAbstractSpinBox>("box_b")->text(), QStringLiteral("67,5 mm"));
+        }
+        QCOMPARE(countText(1'234'567'890), QStringLiteral("1.234.567.890"));
+        QCOMPARE(countText(1000), QStringLiteral("1000"));
+        press(Qt::Key_R, Qt::ControlModifier);
+        auto *box = part<QAbstractSpinBox>("stepsBox");
+        for (const auto &[typed, steps] :
+             {std::pair("10.000", 10'000), {"1.000.000", 1'000'000}, {"1.000.001", 1'000'000}}) {
+            typeNumber(box, typed);
+            QCOMPARE(session().sampling().steps, steps);
+        }
+        QCOMPARE(box->accessibleDescription(), QStringLiteral("This must be a whole number from 1 to 1.000.000."));
+    }
+
+    void everyNumberOnTheScreenHasAComma()
+    {
+        QLocale::setDefault(QLocale(QLocale::Spanish, QLocale::Spain));
+        openWindow();
+        openSample();
+        session().setTime(0.123);
+        // A point before three digits separates thousands in Spanish.
+        const QRegularExpression point(QStringLiteral("\\d\\.(?!\\d{3}(\\D|$))\\d"));
+        const QRegularExpression comma(QStringLiteral("\\d,\\d"));
+        int commas = 0;
+        onEveryPage(*m_window, [&](const QString &) {
+            auto *plot = part("plot_R4_x");
+            QTest::mouseMove(plot, plot->rect().center() + QPoint(commas % 2, 0));
+            settle(*m_window);
+            for (const QString &text : textsOf(*m_window)) {
+                QVERIFY2(!text.contains(point), qPrintable(text));
+                commas += text.contains(comma) ? 1 : 0;
+            }
+        });
+        QVERIFY2(commas > 300, qPrintable(QString::number(commas))); // there is something to look at
+    }
+
+    void everyNumberInAFileHasAPoint()
+    {
+        QLocale::setDefault(QLocale(QLocale::Spanish, QLocale::Spain));
+        const QTemporaryDir folder;
+        openWindow();
+        session().setParameter(Parameter::B, 67.5);
+        const QString scene = folder.filePath("rig.json");
+        QVERIFY(m_window->scene().saveTo(scene) && contentOf(scene).contains("67.5"));
+        const QString data = folder.filePath("motion.csv");
+        m_window->exports().writeData(data, allChannels());
+        AWAIT_COMPARE(contentOf(data).count('\n'), 202);
+        const QList<QByteArray> lines = contentOf(data).split('\n');
+        QCOMPARE(lines[2].count(','), lines[0].count(',')); // between the columns only
+        QVERIFY(lines[2].contains("0.005"));
+        showTab(3);
+        part<QAbstractButton>("segment4")->click();
+        settle(*m_window);
+        part<QAbstractButton>("newtonTablesCopy")->click();
+        const QString copied = QApplication::clipboard()->text();
+        QVERIFY2(copied.contains(QRegularExpression(QStringLiteral(",\\d+\\.\\d+,"))), qPrintable(copied));
+        QVERIFY(!copied.contains(QRegularExpression(QStringLiteral("\"-?\\d+,"))));
+    }
+};
+
+QTEST_MAIN(TestReadability)
+#include "tst_readability.moc"

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// A window with empty settings, and hands to use it.
+
+#include "ui/widgets/message_bar.h"
+#include "ui/window/main_window.h"
+
+#include "tests/support/waiting.h"
+#include "tests/support/widget_parts.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QDropEvent>
+#include <QFile>
+#include <QImage>
+#include <QMimeData>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QStandardPaths>
+#include <QTabBar>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QUrl>
+#include <QWindow>
+
+#include <memory>
+
+namespace slidercrank
+{
+
+inline const QString kSample = QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv"); // b = 60 mm
+
+/// The name of a file with that content.
+inline QString fileWith(const QTemporaryDir &folder, const QString &name, const QByteArray &content)
+{
+    QFile file(folder.filePath(name));
+    if (!file.open(QIODevice::WriteOnly) || file.write(content) != content.size()) {
+        qFatal("cannot write %s", qPrintable(name));
+    }
+    return file.fileName();
+}
+
+inline QByteArray contentOf(const QString &path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+class WindowFixture : public QObject
+{
+protected:
+    WindowFixture()
+    {
+        QStandardPaths::setTestModeEnabled(true);
+        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_settings.path());
+        QApplication::setStyle(QStringLiteral("Fusion"));
+        QApplication::setCursorFlashTime(0);
+        QLocale::setDefault(QLocale::c());
+        forget();
+    }
+
+    /// As after the first start.
+    static void forget()
+    {
+        QSettings().clear();
+        QSettings().setValue(QStringLiteral("greeted"), true);
+    }
+
+    /// In place of the window before.
+    void openWindow()
+    {
+        m_window.reset();
+        m_window = std::make_unique<MainWindow>();
+        m_window->show();
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+    }
+
+    void openSample()
+    {
+        m_window->openReference(kSample);
+        AWAIT(m_window->session().diagnosis());
+        settle(*m_window);
+    }
+
+    Session &session() const { return m_window->session(); }
+    MessageBar *messages() const { return m_window->findChild<MessageBar *>(); }
+
+    template <typename Widget = QWidget>
+    Widget *part(const QString &name) const
+    {
+        return child<Widget>(*m_window, name);
+    }
+
+    QAction *action(const QString &text) const
+    {
+        for (QAction *candidate : m_window->findChildren<QAction *>()) {
+            if (candidate->text().remove(u'&') == text) {
+                return candidate;
+            }
+        }
+        qFatal("no action %s", qPrintable(text));
+    }
+
+    /// As the window system delivers it: to the window, which finds the focus.
+    void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) const
+    {
+        QWidget *popup = QApplication::activePopupWidget();
+        QTest::keyClick(popup ? popup->windowHandle() : m_window->windowHandle(), key, modifiers);
+    }
+
+    void showTab(int index) const
+    {
+        part<QTabBar>(QStringLiteral("tabBar"))->setCurrentIndex(index);
+        settle(*m_window);
+    }
+
+    QImage picture(const QString &name) const
+    {
+        QCoreApplication::processEvents();
+        return part(name)->grab().toImage().convertToFormat(QImage::Format_RGB32);
+    }
+
+    void drop(const QStringList &paths) const
+    {
+        QMimeData data;
+        QList<QUrl> urls;
+        for (const QString &path : paths) {
+            urls += QUrl::fromLocalFile(path);
+        }
+        data.setUrls(urls);
+        const QPointF middle = m_window->rect().center();
+        QDragEnterEvent enter(middle.toPoint(), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(m_window.get(), &enter);
+        QVERIFY(enter.isAccepted());
+        QDropEvent event(middle, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(m_window.get(), &event);
+        QVERIFY(event.isAccepted());
+    }
+
+    const QTemporaryDir m_settings;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+/// On each tab, and on each page of the tab of Newton-Raphson.
+inline void onEveryPage(MainWindow &window, const std::function<void(const QString &page)> &look)
+{
+    auto *bar = child<QTabBar>(window, QStringLiteral("tabBar"));
+    for (int tab = 0; tab < bar->count(); ++tab) {
+        bar->setCurrentIndex(tab);
+        settle(window);
+        look(bar->tabText(tab));
+        for (int page = 1; tab == 3 && page < 5; ++page) {
+            auto *button = child<QAbstractButton>(window, QStringLiteral("segment%1").arg(page));
+            button->click();
+            settle(window);
+            look(button->text());
+        }
+    }
+}
+
+} // namespace slidercrank
