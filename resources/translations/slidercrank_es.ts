@@ -2150,11 +2150,11 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
     </message>
     <message>
         <source>Slider-crank[*]</source>
-        <translation>Manivela-corredera[*]</translation>
+        <translation>Biela-manivela[*]</translation>
     </message>
     <message>
         <source>%1[*] – Slider-crank</source>
-        <translation>%1[*] – Manivela-corredera</translation>
+        <translation>%1[*] – Biela-manivela</translation>
     </message>
     <message>
         <source>Cancelled: nothing was written.</source>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Messages over the upper edge of a widget, whose layout they do not move. Hints fade; questions and problems wait for
-// a click.
+// Messages over the upper right corner of a widget, whose layout they do not move. Hints fade; questions and problems
+// wait for a click.
 
 #include <QString>
 #include <QWidget>

@@ -185,7 +185,9 @@ private:
                 openSample();
             }
             onEveryPage(*m_window, [&](const QString &) { look(m_window.get()); });
-            look(openRun());
+            QWidget *form = openRun();
+            look(form);
+            form->close();
             m_window->presentation().setOn(true);
             m_window->activateWindow();
             QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
