@@ -472,7 +472,7 @@ private slots:
         settle(*m_window);
         QVERIFY(qGray(picture("plot_theta3").pixel(2, 2)) > 200);
         m_window->setTheme(Theme::System);
-        QCOMPARE(live.size(), 9);
+        QVERIFY(live.size() > 10);
         for (qsizetype i = 0; i < live.size(); ++i) {
             QVERIFY2(live[i] == before[i], qPrintable(QString::number(i)));
         }

@@ -11,6 +11,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QButtonGroup>
 #include <QDropEvent>
 #include <QFile>
 #include <QImage>
@@ -19,6 +20,7 @@
 #include <QSignalSpy>
 #include <QStandardPaths>
 #include <QTabBar>
+#include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QUrl>
@@ -143,19 +145,20 @@ protected:
     std::unique_ptr<MainWindow> m_window;
 };
 
-/// On each tab, and on each page of the tab of Newton-Raphson.
+/// On each tab, and on each page that buttons in it choose.
 inline void onEveryPage(MainWindow &window, const std::function<void(const QString &page)> &look)
 {
-    auto *bar = child<QTabBar>(window, QStringLiteral("tabBar"));
-    for (int tab = 0; tab < bar->count(); ++tab) {
-        bar->setCurrentIndex(tab);
+    auto *tabs = window.findChild<QTabWidget *>();
+    for (int tab = 0; tab < tabs->count(); ++tab) {
+        tabs->setCurrentIndex(tab);
         settle(window);
-        look(bar->tabText(tab));
-        for (int page = 1; tab == 3 && page < 5; ++page) {
-            auto *button = child<QAbstractButton>(window, QStringLiteral("segment%1").arg(page));
-            button->click();
-            settle(window);
-            look(button->text());
+        look(tabs->tabText(tab));
+        for (auto *button : tabs->currentWidget()->findChildren<QAbstractButton *>()) {
+            if (button->group() && button->group()->exclusive() && !button->isChecked()) {
+                button->click();
+                settle(window);
+                look(button->text());
+            }
         }
     }
 }
