@@ -73,6 +73,7 @@ ResponseView::ResponseView(QWidget *parent)
         m_charts[i]->setMinimumHeight(kChartHeight);
         auto *title = new QLabel(m_charts[i]->title());
         title->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+        title->setToolTip(title->text()); // with large letters it is cut off
         auto *cell = new QVBoxLayout(m_cells[i] = new QWidget);
         cell->setContentsMargins(0, 0, 0, 0);
         cell->setSpacing(0);

@@ -129,7 +129,8 @@ private:
                 if (qobject_cast<QAbstractSpinBox *>(widget)) {
                     judgeNumber(widget);
                 }
-                if (qobject_cast<QSlider *>(widget) && value[value.size() - 1].isDigit()) {
+                if (qobject_cast<QSlider *>(widget) && widget->objectName() != "designRatio" &&
+                    value[value.size() - 1].isDigit()) {
                     m_faults << QStringLiteral("%1 \"%2\" has no unit: %3").arg(described(widget), name, value);
                 }
             }

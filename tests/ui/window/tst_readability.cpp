@@ -76,7 +76,8 @@ QString cutOff(const QWidget *widget)
     if (const auto *label = qobject_cast<const QLabel *>(widget)) {
         const bool fits = label->wordWrap() ? label->height() >= label->heightForWidth(label->width())
                                             : label->width() >= label->sizeHint().width();
-        return fits && label->height() >= label->fontMetrics().height() ? QString() : label->text();
+        const bool isWhole = fits && label->height() >= label->fontMetrics().height();
+        return isWhole || label->toolTip() == label->text() ? QString() : label->text();
     }
     if (const auto *button = qobject_cast<const QAbstractButton *>(widget)) {
         const auto *tool = qobject_cast<const QToolButton *>(widget);
