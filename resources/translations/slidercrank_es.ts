@@ -2192,20 +2192,12 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
 <context>
     <name>slidercrank::MechanismArrows</name>
     <message>
-        <source>no velocity</source>
-        <translation>sin velocidad</translation>
+        <source>at rest</source>
+        <translation>en reposo</translation>
     </message>
     <message>
-        <source>no acceleration</source>
-        <translation>sin aceleración</translation>
-    </message>
-    <message>
-        <source>Velocity scale: %1 mm = %2 mm/s</source>
-        <translation>Escala de velocidades: %1 mm = %2 mm/s</translation>
-    </message>
-    <message>
-        <source>Acceleration scale: %1 mm = %2 mm/s²</source>
-        <translation>Escala de aceleraciones: %1 mm = %2 mm/s²</translation>
+        <source>Scale: %1 mm = %2 %3</source>
+        <translation>Escala: %1 mm = %2 %3</translation>
     </message>
 </context>
 <context>
@@ -3192,10 +3184,6 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
         <translation>Errores &amp;logarítmicos</translation>
     </message>
     <message>
-        <source>File&apos;s &amp;rounding as a band</source>
-        <translation>Redondeo del archivo como &amp;banda</translation>
-    </message>
-    <message>
         <source>Over the crank &amp;angle</source>
         <translation>Sobre el án&amp;gulo de la manivela</translation>
     </message>
@@ -3242,6 +3230,10 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
     <message>
         <source>&amp;Pin this motion</source>
         <translation>&amp;Fijar este movimiento</translation>
+    </message>
+    <message>
+        <source>File&apos;s &amp;rounding</source>
+        <translation>&amp;Redondeo del archivo</translation>
     </message>
 </context>
 <context>

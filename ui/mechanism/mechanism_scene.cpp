@@ -60,13 +60,10 @@ ArrowScale computeArrowScale(const Cycle &cycle, MotionKind kind, const Mechanis
 
 QString arrowScaleText(const ArrowScale &scale, MotionKind kind)
 {
-    const bool isVelocity = kind == MotionKind::Velocity;
-    if (scale.amount == 0.0) {
-        return isVelocity ? MechanismArrows::tr("no velocity") : MechanismArrows::tr("no acceleration");
-    }
-    return (isVelocity ? MechanismArrows::tr("Velocity scale: %1 mm = %2 mm/s")
-                       : MechanismArrows::tr("Acceleration scale: %1 mm = %2 mm/s²"))
-        .arg(numberText(scale.length), numberText(scale.amount));
+    const QString unit = kind == MotionKind::Velocity ? QStringLiteral("mm/s") : QStringLiteral("mm/s²");
+    return scale.amount == 0.0 ? MechanismArrows::tr("at rest")
+                               : MechanismArrows::tr("Scale: %1 mm = %2 %3")
+                                     .arg(numberText(scale.length), numberText(scale.amount), unit);
 }
 
 const PlaneVector &arrowVector(const PointMotion &motion, MotionKind kind)

@@ -35,7 +35,7 @@ struct ArrowScale {
 /// A round scale with which no arrow of the cycle is longer than `longest` (mm).
 ArrowScale computeArrowScale(const Cycle &cycle, MotionKind kind, const Mechanism &mechanism, double longest);
 
-/// "Velocity scale: 10 mm = 50 mm/s"
+/// "Scale: 10 mm = 50 mm/s"
 QString arrowScaleText(const ArrowScale &scale, MotionKind kind);
 
 /// The vector that the arrow stands for.

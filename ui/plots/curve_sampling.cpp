@@ -39,39 +39,31 @@ std::vector<CurvePoint> decimate(std::span<const double> time, std::span<const d
                                  std::size_t columns)
 {
     assert(time.size() == values.size() && columns > 0);
-    const auto indexFrom = [&](std::size_t from, double t) {
-        return static_cast<std::size_t>(std::ranges::lower_bound(time.subspan(from), t) - time.begin());
-    };
-    std::size_t next = indexFrom(0, range.lower);
-    const std::size_t end = std::min(time.size(), indexFrom(0, std::nextafter(range.upper, kInfinity)) + 1);
+    const auto indexOf = [&](auto place) { return static_cast<std::size_t>(place - time.begin()); };
+    std::size_t next = indexOf(std::ranges::lower_bound(time, range.lower));
+    const std::size_t end = std::min(time.size(), indexOf(std::ranges::upper_bound(time, range.upper)) + 1);
     next -= next > 0 ? 1 : 0;
-    std::vector<CurvePoint> points;
-    const auto add = [&](std::size_t i) {
-        points.push_back({time[i], std::isfinite(values[i]) ? values[i] : kNoValue});
+    const bool isFew = end - next <= 2 * columns;
+    const auto columnOf = [&, scale = static_cast<double>(columns) / range.length()](std::size_t i) {
+        return std::clamp(std::floor((time[i] - range.lower) * scale), 0.0, static_cast<double>(columns) - 1.0);
     };
-    if (end - next <= 2 * columns) {
-        for (; next < end; ++next) {
-            add(next);
-        }
-        return points;
-    }
-    for (std::size_t column = 1; column <= columns; ++column) {
-        const double edge = range.lower + range.length() * static_cast<double>(column) / static_cast<double>(columns);
-        const std::size_t columnEnd = column == columns ? end : std::min(end, indexFrom(next, edge));
-        std::array<std::size_t, 3> kept{end, end, end}; // lowest, highest, first gap
-        for (; next < columnEnd; ++next) {
-            if (!std::isfinite(values[next])) {
+    std::vector<CurvePoint> points;
+    while (next < end) {
+        std::array<std::size_t, 3> kept{next, next, end}; // lowest, highest, first gap
+        const double column = columnOf(next);
+        do {
+            if (std::isfinite(values[next])) {
+                kept[0] = values[next] >= values[kept[0]] ? kept[0] : next; // also from NaN
+                kept[1] = values[next] <= values[kept[1]] ? kept[1] : next;
+            } else {
                 kept[2] = std::min(kept[2], next);
-                continue;
             }
-            kept[0] = kept[0] == end || values[next] < values[kept[0]] ? next : kept[0];
-            kept[1] = kept[1] == end || values[next] > values[kept[1]] ? next : kept[1];
-        }
+            ++next;
+        } while (!isFew && next < end && columnOf(next) == column);
         std::ranges::sort(kept);
-        for (std::size_t i = 0; i < kept.size(); ++i) {
-            if (kept[i] < end && (i == 0 || kept[i] != kept[i - 1])) {
-                add(kept[i]);
-            }
+        const auto last = std::unique(kept.begin(), kept.end());
+        for (auto i = kept.begin(); i != last && *i < end; ++i) {
+            points.push_back({time[*i], std::isfinite(values[*i]) ? values[*i] : kNoValue});
         }
     }
     return points;
@@ -187,12 +179,14 @@ std::vector<CurvePoint> clip(std::span<const CurvePoint> points, const Interval 
 
 std::vector<CurvePoint> isolatedPoints(std::span<const CurvePoint> points)
 {
-    const auto isGap = [&points](std::size_t i) { return i >= points.size() || std::isnan(points[i].value); };
     std::vector<CurvePoint> isolated;
+    bool isAfterGap = true;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        if (!isGap(i) && (i == 0 || isGap(i - 1)) && isGap(i + 1)) {
+        const bool isGap = std::isnan(points[i].value);
+        if (!isGap && isAfterGap && (i + 1 == points.size() || std::isnan(points[i + 1].value))) {
             isolated.push_back(points[i]);
         }
+        isAfterGap = isGap;
     }
     return isolated;
 }

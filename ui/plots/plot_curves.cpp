@@ -200,13 +200,20 @@ PlotCurve PlotFigure::errorCurve(std::size_t channel)
     }
     const std::span<const double> time = this->errors().time().first(errors.values.size());
     curve.points = decimate(time, errors.values, timeRange(), m_columns);
-    curve.marks = errors.undefined;
-    if (errors.series && m_settings.roundingBand) {
-        curve.band = decimate(time, errors.reference, timeRange(), m_columns);
-        for (CurvePoint &point : curve.band) {
-            const double half = 0.5 * errors.series->rounding.stepAt(point.value);
-            point.value = this->errors().error(channel, point.value + half, point.value);
-        }
+    return curve;
+}
+
+/// What the rounding of the file alone may cause.
+PlotCurve PlotFigure::roundingCurve(std::size_t channel)
+{
+    const MotionErrors::Errors &errors = this->errors()[channel];
+    PlotCurve curve{tr("file's rounding"), &SeriesColours::text};
+    curve.width = 1.0;
+    curve.dashes = {2.0, 3.0};
+    curve.points = decimate(this->errors().time(), errors.reference, timeRange(), m_columns);
+    for (CurvePoint &point : curve.points) {
+        const double half = 0.5 * errors.series->rounding.stepAt(point.value);
+        point.value = this->errors().error(channel, point.value + half, point.value);
     }
     return curve;
 }
@@ -214,19 +221,28 @@ PlotCurve PlotFigure::errorCurve(std::size_t channel)
 void PlotFigure::computeErrors(Plot &plot, std::size_t row)
 {
     for (std::size_t channel = kErrorsPerRow * row; hasErrors() && channel < kErrorsPerRow * (row + 1); ++channel) {
-        const PlotCurve &curve = plot.curves.emplace_back(errorCurve(channel));
+        const MotionErrors::Errors &errors = this->errors()[channel];
+        const PlotCurve curve = plot.curves.emplace_back(errorCurve(channel));
         if (const std::optional<Interval> extent = extremesWithin(timeRange(), curve.points)) {
-            include(plot.values,
-                    errorRange(curve.points, *extent, errors()[channel].isUnbounded, m_settings.logarithmicError));
+            include(plot.values, errorRange(curve.points, *extent, errors.isUnbounded, m_settings.logarithmicError));
+        }
+        if (errors.series && m_settings.roundingBand && errors.series->rounding.stepAt(errors.peak) > 0.0) {
+            plot.curves.push_back(roundingCurve(channel));
+        }
+        if (!errors.undefined.empty()) {
+            PlotCurve &marks = plot.curves.emplace_back(PlotCurve{tr("undefined: the reference is 0"), curve.ink});
+            for (const double t : errors.undefined) {
+                marks.dots.push_back({t, PlotCurve::kUpperEdge});
+            }
         }
     }
     if (hasErrors() && !plot.values) {
-        plot.note = missingErrors(row, plot);
+        plot.note = missingErrors(row);
     }
 }
 
 /// Why a plot shows no errors at all.
-QString PlotFigure::missingErrors(std::size_t row, const Plot &plot)
+QString PlotFigure::missingErrors(std::size_t row)
 {
     const std::size_t channel = kErrorsPerRow * row;
     if (errors()[channel].reference.empty() && errors()[channel + 1].reference.empty()) {
@@ -235,7 +251,7 @@ QString PlotFigure::missingErrors(std::size_t row, const Plot &plot)
     if (!model().curves(timeRange(), m_columns)[channel].extremes) {
         return tr("the mechanism cannot be assembled");
     }
-    if (std::ranges::any_of(plot.curves, [](const PlotCurve &curve) { return !curve.marks.empty(); })) {
+    if (!errors()[channel].undefined.empty() || !errors()[channel + 1].undefined.empty()) {
         return tr("undefined: the reference is 0");
     }
     return m_result->difference && m_result->difference->channels[channel].maxAbs == 0.0 ? tr("no difference")

@@ -60,20 +60,22 @@ QStringList motionTitles(Channel channel, const QString &unit)
 void fit(PlotCurve &curve, const Interval &time, const Interval &values, const QSize &axes)
 {
     constexpr double kInvisible = 0.1; // px
+    constexpr double kBelowEdge = 3.0; // px
+    const double pixel = values.length() / std::max(axes.height(), 1);
+    for (CurvePoint &dot : curve.dots) {
+        dot.value = dot.value == PlotCurve::kUpperEdge ? values.upper - kBelowEdge * pixel : dot.value;
+    }
     std::erase_if(curve.dots,
                   [&](const CurvePoint &dot) { return !time.contains(dot.t) || !values.contains(dot.value); });
-    std::erase_if(curve.marks, [&](double t) { return !time.contains(t); });
-    const auto isSamePixel = [&](double a, double b) { return b - a < time.length() / axes.width(); };
-    curve.marks.erase(std::ranges::unique(curve.marks, isSamePixel).begin(), curve.marks.end());
+    const auto areTooClose = [&](const CurvePoint &a, const CurvePoint &b) {
+        return b.value == a.value && b.t - a.t < time.length() / axes.width();
+    };
+    curve.dots.erase(std::ranges::unique(curve.dots, areTooClose).begin(), curve.dots.end());
     curve.points = clip(curve.points, time, values);
     if (curve.dots.empty()) {
         curve.dots = isolatedPoints(curve.points);
     }
-    curve.points = withoutNeedlessPoints(curve.points, kInvisible * values.length() / std::max(axes.height(), 1));
-    for (CurvePoint &point : curve.band) {
-        point.value = std::clamp(point.value, values.lower, values.upper);
-    }
-    curve.band = clip(curve.band, time, values);
+    curve.points = withoutNeedlessPoints(curve.points, kInvisible * pixel);
 }
 
 } // namespace
@@ -322,46 +324,13 @@ void PlotFigure::addCurve(const Plot &plot, const PlotCurve &curve)
         pen.setDashPattern(pattern);
     }
     line->setPen(pen);
-    const auto addMarks = [&](const std::vector<CurvePoint> &points, QCPScatterStyle::ScatterShape shape, double size) {
-        QCPGraph *marks = PlotDrawing::addCurve(plot.axes, graphData(points));
-        marks->setLineStyle(QCPGraph::lsNone);
-        marks->setScatterStyle(QCPScatterStyle(shape, colour, colour, size));
-        return marks;
-    };
-    QCPGraph *dots = curve.dots.empty() ? nullptr : addMarks(curve.dots, QCPScatterStyle::ssDisc, 4.0);
-    addToLegend(dots && curve.points.empty() ? dots : line, curve.name);
-    if (!curve.band.empty()) {
-        addBand(plot, curve);
+    if (!curve.dots.empty()) {
+        QCPGraph *dots = PlotDrawing::addCurve(plot.axes, graphData(curve.dots));
+        dots->setLineStyle(QCPGraph::lsNone);
+        dots->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, colour, 4.0));
+        line = curve.points.empty() ? dots : line;
     }
-    if (!curve.marks.empty()) {
-        constexpr double kMarkSize = 7.0;
-        const double top = plot.axes->axis(QCPAxis::atLeft)->pixelToCoord(plot.axes->top() + kMarkSize);
-        std::vector<CurvePoint> marks;
-        for (const double t : curve.marks) {
-            marks.push_back({t, top});
-        }
-        addToLegend(addMarks(marks, QCPScatterStyle::ssTriangle, kMarkSize), tr("undefined: the reference is 0"));
-    }
-}
-
-void PlotFigure::addBand(const Plot &plot, const PlotCurve &curve)
-{
-    constexpr int kOpacity = 50; // of 255: two bands over each other can still be told apart
-    std::vector<CurvePoint> bottom = curve.band;
-    for (CurvePoint &point : bottom) {
-        point.value = std::isnan(point.value) ? point.value : plot.axes->axis(QCPAxis::atLeft)->range().lower;
-    }
-    QCPGraph *lower = PlotDrawing::addCurve(plot.axes, graphData(bottom));
-    QCPGraph *upper = PlotDrawing::addCurve(plot.axes, graphData(curve.band));
-    for (QCPGraph *edge : {lower, upper}) {
-        edge->setPen(Qt::NoPen);
-        edge->setLayer(QStringLiteral("grid"));
-    }
-    QColor colour = m_colours.*curve.ink;
-    colour.setAlpha(kOpacity);
-    upper->setBrush(colour);
-    upper->setChannelFillGraph(lower);
-    addToLegend(upper, tr("file's rounding"));
+    addToLegend(line, curve.name);
 }
 
 void PlotFigure::addTexts(const Plot &plot)

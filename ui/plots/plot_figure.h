@@ -30,8 +30,9 @@ struct PlotCurve {
     double width = 2.0;                ///< px
     QVector<double> dashes = {};       ///< px, lengths of dashes and gaps; empty: solid
     std::vector<CurvePoint> dots = {}; ///< samples that are to be seen one by one
-    std::vector<double> marks = {};    ///< time stamps at which the value is undefined
-    std::vector<CurvePoint> band = {}; ///< upper edge of what the file's rounding alone may cause
+
+    /// The value of dots that mark a time stamp at the upper edge of the axes.
+    static constexpr double kUpperEdge = std::numeric_limits<double>::infinity();
 };
 
 class ScaleTicker;
@@ -118,7 +119,8 @@ private:
     void computeMotions(Plot &plot, std::size_t channel);
     void computeErrors(Plot &plot, std::size_t row);
     PlotCurve errorCurve(std::size_t channel);
-    QString missingErrors(std::size_t row, const Plot &plot);
+    PlotCurve roundingCurve(std::size_t channel);
+    QString missingErrors(std::size_t row);
     QString modelName() const;
     QString errorUnit(std::size_t channel) const;
 
@@ -126,7 +128,6 @@ private:
     void setTimeScale();
     void setValueScale(std::size_t index);
     void addCurve(const Plot &plot, const PlotCurve &curve);
-    void addBand(const Plot &plot, const PlotCurve &curve);
     void addTexts(const Plot &plot);
     void addToLegend(QCPGraph *graph, const QString &name);
 

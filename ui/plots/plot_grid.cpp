@@ -63,7 +63,7 @@ void PlotGrid::makeChoices()
         measures->addAction(add(text, &PlotSettings::error, measure, measure));
     }
     add(tr("&Logarithmic errors"), &PlotSettings::logarithmicError, true, false);
-    add(tr("File's &rounding as a band"), &PlotSettings::roundingBand, true, false);
+    add(tr("File's &rounding"), &PlotSettings::roundingBand, true, false);
     add(tr("Over the crank &angle"), &PlotSettings::abscissa, Abscissa::CrankAngle, Abscissa::Time);
     m_measuring = new QAction(tr("Mea&suring cursors"), this);
     m_measuring->setCheckable(true);
@@ -154,6 +154,7 @@ void PlotGrid::setMeasured(const std::optional<std::array<double, 2>> &times)
     m_measured = times;
     m_measuring->setChecked(times.has_value());
     moveCursors();
+    updateCaption();
 }
 
 QString PlotGrid::measuredText() const
@@ -238,6 +239,7 @@ void PlotGrid::placePanes()
             m_panes[plot]->update();
         }
     }
+    updateCaption();
 }
 
 /// The measured times, or how to compare with a file.
@@ -316,7 +318,9 @@ void PlotGrid::moveCursors()
     for (const std::size_t plot : m_figure.plots()) {
         m_panes[plot]->setCursors(cursors(plot), axes(plot).translated(-m_panes[plot]->pos()));
     }
-    updateCaption();
+    if (m_measured) { // else it does not change with the time, and laying it out takes longer than all cursors
+        updateCaption();
+    }
 }
 
 void PlotGrid::changeEvent(QEvent *event)

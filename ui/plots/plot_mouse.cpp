@@ -199,18 +199,16 @@ QRect PlotGrid::draggedBox() const
         return QPoint(std::clamp(place.x(), axes.left(), axes.right()),
                       std::clamp(place.y(), axes.top(), axes.bottom()));
     };
-    const QPoint start = within(m_drag->start);
-    const QPoint end = within(m_drag->last);
-    const QRect box(QPoint(std::min(start.x(), end.x()), std::min(start.y(), end.y())),
-                    QPoint(std::max(start.x(), end.x()), std::max(start.y(), end.y())));
+    QRect box = QRect(within(m_drag->start), QSize(1, 1)).united(QRect(within(m_drag->last), QSize(1, 1)));
     const bool isNarrow = box.width() <= kLeast;
     const bool isFlat = box.height() <= kLeast;
-    if (isNarrow && isFlat) {
-        return {};
+    if (isNarrow) {
+        box = QRect(axes.left(), box.top(), axes.width(), box.height());
     }
-    return isNarrow ? QRect(axes.left(), box.top(), axes.width(), box.height())
-           : isFlat ? QRect(box.left(), axes.top(), box.width(), axes.height())
-                    : box;
+    if (isFlat) {
+        box = QRect(box.left(), axes.top(), box.width(), axes.height());
+    }
+    return isNarrow && isFlat ? QRect() : box;
 }
 
 void PlotGrid::zoomInto(std::size_t plot, const QRect &box)

@@ -73,7 +73,7 @@ void PlotPane::addLabels(const Cursor &cursor)
         const double width = metrics.horizontalAdvance(text);
         const bool fits = cursor.x + kGap + width <= m_axes.right();
         const double x = fits ? cursor.x + kGap : std::max(1.0, cursor.x - kGap - width);
-        m_labels.push_back({QRectF(x, std::max(top, y), width, metrics.height()), colour, text});
+        m_labels.push_back({QRectF(x, y, width, metrics.height()), colour, text});
         top = m_labels.back().place.bottom();
     };
     for (const QString &line : cursor.heading) {
@@ -81,14 +81,9 @@ void PlotPane::addLabels(const Cursor &cursor)
     }
     std::vector<Dot> dots = cursor.dots;
     std::ranges::stable_sort(dots, {}, [](const Dot &dot) { return dot.place.y(); });
-    for (const Dot &dot : dots) {
-        add(dot.text, dot.colour, dot.place.y() - 0.5 * metrics.height());
-    }
-    double bottom = m_axes.bottom();
-    for (auto label = m_labels.rbegin(); label != m_labels.rbegin() + static_cast<std::ptrdiff_t>(dots.size());
-         ++label) {
-        label->place.moveBottom(std::min(bottom, label->place.bottom())); // up again, where they reach below the axes
-        bottom = label->place.top();
+    for (std::size_t i = 0; i < dots.size(); ++i) {
+        const double lowest = m_axes.bottom() - static_cast<double>(dots.size() - i) * metrics.height();
+        add(dots[i].text, dots[i].colour, std::min(lowest, std::max(top, dots[i].place.y() - 0.5 * metrics.height())));
     }
 }
 
