@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace slidercrank
 {
@@ -14,9 +15,9 @@ std::optional<Difference> differenceIn(const ReferenceData &data, Channel channe
 {
     constexpr std::size_t kLookedAt = 512;
     constexpr std::size_t kFewest = 12;
-    constexpr double kEvenly = 1e-2;   // of a step
-    constexpr double kMoreAlike = 4.0; // than anything else
-    constexpr double kOfItself = 1e-6; // what computing leaves
+    constexpr double kEvenly = 1e-2;    // of a step
+    constexpr double kMoreAlike = 16.0; // than anything else, in squares
+    constexpr double kOfItself = 1e-6;  // what computing leaves
     const ReferenceSeries *const rate = data.find(channel);
     const std::size_t rows = std::min(data.time.size(), kLookedAt);
     if (channel.order == Order::Position || !rate || rows < kFewest || data.crank) { // by angle there are no instants
@@ -29,19 +30,17 @@ std::optional<Difference> differenceIn(const ReferenceData &data, Channel channe
     }
     const double step = (data.time[rows - 1] - data.time[0]) / static_cast<double>(rows - 1);
     const std::vector<double> &x = base->values;
-    // Forward, backward, central, and a derivative: differences of the fourth order are as near to one as none of
-    // these.
+    // By Difference, and a derivative: differences of the fourth order are as near to one as none of these.
     std::array<double, 4> squares{};
-    std::size_t count = 0;
+    double count = 0.0;
     for (std::size_t i = 2; i + 2 < rows; ++i) {
         if (std::abs(data.time[i + 1] - data.time[i] - step) > kEvenly * step) {
             return std::nullopt;
         }
-        const std::array<double, 4> differences{(x[i + 1] - x[i]) / step, (x[i] - x[i - 1]) / step,
-                                                (x[i + 1] - x[i - 1]) / (2.0 * step),
-                                                (8.0 * (x[i + 1] - x[i - 1]) - (x[i + 2] - x[i - 2])) / (12.0 * step)};
-        const double far = x[i + 2] + x[i - 2] + rate->values[i];
-        if (!std::isfinite(far) || !std::isfinite(differences[0] + differences[1])) {
+        const double central = (x[i + 1] - x[i - 1]) / (2.0 * step);
+        const std::array<double, 4> differences{(x[i + 1] - x[i]) / step, (x[i] - x[i - 1]) / step, central,
+                                                (4.0 * central - (x[i + 2] - x[i - 2]) / (4.0 * step)) / 3.0};
+        if (!std::isfinite(differences[0] + differences[3] + rate->values[i])) {
             continue;
         }
         for (std::size_t k = 0; k < squares.size(); ++k) {
@@ -49,21 +48,15 @@ std::optional<Difference> differenceIn(const ReferenceData &data, Channel channe
         }
         ++count;
     }
-    if (count < kFewest / 2) {
-        return std::nullopt;
-    }
     const auto best = static_cast<std::size_t>(std::ranges::min_element(squares) - squares.begin());
+    const double least = squares[best];
+    squares[best] = std::numeric_limits<double>::infinity();
     const double peak = rangeOf(rate->values).size();
     const double allowed =
         base->rounding.stepAt(rangeOf(x).size()) / step + rate->rounding.stepAt(peak) + kOfItself * peak;
-    const bool isMet = squares[best] <= allowed * allowed * static_cast<double>(count);
-    for (std::size_t k = 0; k < squares.size(); ++k) {
-        if (!isMet || (k != best && !(squares[k] > kMoreAlike * kMoreAlike * squares[best]))) {
-            return std::nullopt;
-        }
-    }
-    constexpr std::array<Difference, 3> kKinds{Difference::Forward, Difference::Backward, Difference::Central};
-    return best < kKinds.size() ? std::optional(kKinds[best]) : std::nullopt;
+    const bool isMet = count >= kFewest / 2 && least <= allowed * allowed * count &&
+                       *std::ranges::min_element(squares) > kMoreAlike * least;
+    return isMet && best < 3 ? std::optional(static_cast<Difference>(best)) : std::nullopt;
 }
 
 } // namespace slidercrank

@@ -141,35 +141,6 @@ private slots:
         }
     }
 
-    /// sin θ2 >= (25 - 40)/20 = -3/4; after the arc without a position Newton-Raphson finds the same branch again.
-    void aRockerHasNoValuesBeyondItsLimits()
-    {
-        for (const Branch branch : {Branch::Open, Branch::Crossed}) {
-            Parameters parameters = withCoupler(40.0);
-            parameters.branch = branch;
-            const std::vector<double> times = Sampling{0.0, 3.0, 200}.instants();
-            const Trajectory newton = sample(Mechanism(parameters), times, plottedChannels(), kNewton);
-            const Trajectory exact = sample(Mechanism(parameters), times, plottedChannels(), kClosedForm);
-            for (std::size_t i = 0; i < times.size(); ++i) {
-                const bool exists = std::sin(2.0 * std::numbers::pi * times[i]) >= -0.75;
-                QCOMPARE(newton.status[i], exists ? Status::Solved : Status::NotAssemblable);
-                QCOMPARE(exact.status[i], newton.status[i]);
-                QVERIFY(exists ? std::abs(newton[kSlider][i] - exact[kSlider][i]) < 1e-6
-                               : std::isnan(newton[kSlider][i]) && std::isnan(exact[kSlider][i]));
-            }
-        }
-    }
-
-    void singularTimeStampsHaveAPositionOnly()
-    {
-        const Trajectory trajectory =
-            sample(Mechanism(withCoupler(45.0)), {0.75}, allChannels(), {Method::Newton, {50, 0.0}});
-        QCOMPARE(trajectory.summary.count(Status::Singular), std::size_t(1));
-        QCOMPARE(trajectory.summary.found(), std::size_t(1));
-        QVERIFY(std::abs(trajectory[Channel{Theta3, Order::Position}][0] - 90.0) < 1e-5);
-        QVERIFY(std::isnan(trajectory[Channel{R4x, Order::Acceleration}][0]));
-    }
-
     void stopsWhenAsked()
     {
         std::stop_source source;
