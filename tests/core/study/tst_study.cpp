@@ -10,8 +10,6 @@
 #include <limits>
 #include <utility>
 
-Q_DECLARE_METATYPE(slidercrank::Case)
-
 using namespace slidercrank;
 
 namespace
@@ -70,7 +68,6 @@ class tst_study : public QObject
 
 private slots:
     void namesTheMethodsOfTheContract();
-    void closedFormIsExactToTheLastDigits_data();
     void closedFormIsExactToTheLastDigits();
     void aSmallerToleranceIsNoLessExact();
     void differencesAreSecondOrderInTheStep();
@@ -106,28 +103,17 @@ void tst_study::namesTheMethodsOfTheContract()
     QCOMPARE(names, expected);
 }
 
-void tst_study::closedFormIsExactToTheLastDigits_data()
-{
-    QTest::addColumn<Case>("which");
-    for (const Case &which : nominalCases()) {
-        QTest::newRow(std::string(which.name).c_str()) << which;
-    }
-    for (const Case &which : hardCases()) {
-        const bool anyPose = which.name.find("rocker") == std::string_view::npos &&
-                             which.name.find("locked") == std::string_view::npos &&
-                             which.name.find("never") == std::string_view::npos;
-        if (anyPose) {
-            QTest::newRow(std::string(which.name).c_str()) << which;
-        }
-    }
-}
-
 void tst_study::closedFormIsExactToTheLastDigits()
 {
-    QFETCH(Case, which);
-    const CaseResult result = studied(coarse(which, 24));
-    QCOMPARE_LE(errorOf(result, "closed-form"), 1e-15);
-    QCOMPARE_LE(errorOf(result, "closed-form-batch"), 2e-15);
+    std::vector<Case> cases(nominalCases().begin(), nominalCases().end());
+    for (const char *name : {"toggle gap 1e-15, c > 0", "exact toggle, crossed", "t near 1e9 s", "b/a = 1e9"}) {
+        cases.push_back(named(name));
+    }
+    for (const Case &which : cases) {
+        const CaseResult result = studied(coarse(which, 24));
+        QCOMPARE_LE(errorOf(result, "closed-form"), 1e-15);
+        QCOMPARE_LE(errorOf(result, "closed-form-batch"), 2e-15);
+    }
 }
 
 void tst_study::aSmallerToleranceIsNoLessExact()
@@ -377,7 +363,9 @@ void tst_study::measuresTimes()
     for (const MethodResult &row : result.cases.front().methods) {
         QVERIFY2(row.nsPerState > 0.0 && row.spread >= 0.0, nameOf(row.method).c_str());
         QCOMPARE(row.iterationsPerState.has_value(), row.tolerance.has_value());
-        QVERIFY(!row.tolerance || *row.linearSolvesPerState == *row.iterationsPerState + 2.0);
+        if (row.tolerance) {
+            QCOMPARE(*row.linearSolvesPerState, *row.iterationsPerState + 2.0);
+        }
     }
 }
 
