@@ -10,6 +10,7 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QGuiApplication>
+#include <QHash>
 #include <QImage>
 #include <QPageSize>
 #include <QPainter>
@@ -123,17 +124,10 @@ QByteArray pdfOf(const QSize &size, const QString &title, const FigureDrawing &d
 
 std::optional<FigureFormat> figureFormatOf(const QString &path)
 {
-    const QString suffix = QFileInfo(path).suffix().toLower();
-    if (suffix == QLatin1String("png")) {
-        return FigureFormat::Png;
-    }
-    if (suffix == QLatin1String("svg")) {
-        return FigureFormat::Svg;
-    }
-    if (suffix == QLatin1String("pdf")) {
-        return FigureFormat::Pdf;
-    }
-    return std::nullopt;
+    static const QHash<QString, FigureFormat> kFormats{
+        {"png", FigureFormat::Png}, {"svg", FigureFormat::Svg}, {"pdf", FigureFormat::Pdf}};
+    const auto format = kFormats.constFind(QFileInfo(path).suffix().toLower());
+    return format == kFormats.constEnd() ? std::nullopt : std::optional(*format);
 }
 
 FigureDrawing withParameters(const FigureDrawing &draw, const Mechanism &mechanism, const QPalette &palette)

@@ -31,17 +31,6 @@ bool isUndo(const QKeyEvent &key)
     return key.matches(QKeySequence::Undo) || key.matches(QKeySequence::Redo);
 }
 
-/// A tenth of the power of ten of a number, seen from the side to which it moves: from 100 up by 10, down by 1.
-double adaptiveStep(double value, int direction)
-{
-    constexpr double kRounding = 1e-9;
-    if (value == 0.0) {
-        return 1.0;
-    }
-    const bool grows = (value > 0.0) == (direction > 0);
-    return std::pow(10.0, std::floor(std::log10(std::abs(value) * (grows ? 1.0 + kRounding : 1.0 - kRounding))) - 1.0);
-}
-
 } // namespace
 
 NumberBox::NumberBox(QWidget *parent)
@@ -51,6 +40,7 @@ NumberBox::NumberBox(QWidget *parent)
     setAlignment(Qt::AlignRight);
     setKeyboardTracking(false);
     setDecimals(kDecimals);
+    setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
     setRange(NumberRange());
     lineEdit()->installEventFilter(this);
     connect(this, &QDoubleSpinBox::valueChanged, this, &NumberBox::take);
@@ -104,6 +94,12 @@ void NumberBox::take(double value)
     emit edited(value);
 }
 
+void NumberBox::setStep(double step)
+{
+    setStepType(QAbstractSpinBox::DefaultStepType);
+    setSingleStep(step);
+}
+
 void NumberBox::setFixedDecimals(int decimals)
 {
     m_fixedDecimals = decimals;
@@ -135,11 +131,13 @@ QSize NumberBox::sizeHint() const
 void NumberBox::stepBy(int steps)
 {
     interpretText();
-    const double step = m_step != 0.0 ? m_step : adaptiveStep(value(), steps);
-    const double target = value() + steps * step;
-    const double grain = step * 1e-6; // 0.1 + 0.2 is 0.3
-    const double rounded = std::abs(target / grain) < 1e15 ? std::round(target / grain) * grain : target;
-    const double next = std::clamp(QString::number(rounded, 'g', 14).toDouble(), minimum(), maximum());
+    const double before = value();
+    QSignalBlocker quiet(this);
+    QDoubleSpinBox::stepBy(steps);
+    const bool isFromZero = before == 0.0 && stepType() == QAbstractSpinBox::AdaptiveDecimalStepType;
+    const double next = isFromZero ? steps : QString::number(value(), 'g', 12).toDouble(); // 0.1 + 0.2 is 0.3
+    QDoubleSpinBox::setValue(before);
+    quiet.unblock();
     if (refusalOf(next).isEmpty()) {
         QDoubleSpinBox::setValue(next);
         selectNumber();
@@ -272,7 +270,9 @@ bool NumberBox::event(QEvent *event)
         const bool isClipboard =
             is(QKeySequence::Copy) || is(QKeySequence::Cut) || is(QKeySequence::Paste) || is(QKeySequence::SelectAll);
         const bool isPlayback = key->key() == Qt::Key_Space && !isTyping();
-        const bool isMeant = isPlayback ? false : isUndo(*key) ? isTyping() : isClipboard || !key->modifiers().testFlag(Qt::ControlModifier);
+        const bool isMeant = isPlayback     ? false
+                             : isUndo(*key) ? isTyping()
+                                            : isClipboard || !key->modifiers().testFlag(Qt::ControlModifier);
         if (!isMeant) {
             event->ignore();
             return false;

@@ -44,8 +44,8 @@ public:
     /// Always that many decimals where there is space, also while edited: for a number that changes all the time.
     void setFixedDecimals(int decimals);
 
-    /// What one press of an arrow adds; 0: a tenth of the number's power of ten.
-    void setStep(double step) { m_step = step; }
+    /// What one press of an arrow adds, instead of a tenth of the number's power of ten.
+    void setStep(double step);
 
     /// The box asks for the width of this text.
     void setWidestText(const QString &text);
@@ -88,7 +88,6 @@ private:
     NumberRange m_range;
     double m_taken = 0.0; ///< the last number that was accepted
     std::optional<Unit> m_unit;
-    double m_step = 0.0;
     int m_fixedDecimals = -1; ///< negative: as many as needed
     QString m_widestText = QStringLiteral("-000.000");
     bool m_isEditing = false;  ///< it has the focus and shows every digit

@@ -5,12 +5,12 @@
 #include "ui/text/written_number.h"
 #include "ui/widgets/named.h"
 
-#include <QAbstractTableModel>
 #include <QApplication>
 #include <QClipboard>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QStandardItemModel>
 
 #include <algorithm>
 #include <cmath>
@@ -41,9 +41,18 @@ QString csvText(const TableCell &cell)
     return text == dash() ? QString() : text;
 }
 
-bool looksTheSame(const TableCell &a, const TableCell &b)
+/// Of a text on that background; none: the usual one.
+QVariant inkOf(const TableCell &cell, const QVariant &background, const QPalette &palette)
 {
-    return a.text == b.text && a.tone == b.tone && a.tint == b.tint;
+    if (background.isValid()) {
+        return QColor(qGray(background.value<QColor>().rgb()) < 140 ? Qt::white : Qt::black);
+    }
+    return cell.tone == Tone::Normal ? QVariant() : toneColour(cell.tone, palette);
+}
+
+int alignmentOf(const TableColumn &column)
+{
+    return static_cast<int>((column.isNumber ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
 }
 
 } // namespace
@@ -91,97 +100,20 @@ QColor tintColour(double tint, const QPalette &palette)
     return {mix(from.red(), to.red()), mix(from.green(), to.green()), mix(from.blue(), to.blue())};
 }
 
-class NumberTableModel : public QAbstractTableModel
-{
-public:
-    NumberTableModel(std::vector<TableColumn> columns, QTableView *view)
-        : QAbstractTableModel(view)
-        , m_view(view)
-        , m_columns(std::move(columns))
-    {
-    }
-
-    /// Whether the table has the same rows as before, apart from their numbers.
-    bool setRows(std::vector<TableRow> rows)
-    {
-        const auto name = [](const TableRow &row) -> const QString & { return row.cells[0].text; };
-        if (!std::ranges::equal(rows, m_rows, {}, name, name)) {
-            beginResetModel();
-            m_rows = std::move(rows);
-            endResetModel();
-            return false;
-        }
-        std::swap(m_rows, rows);
-        for (std::size_t row = 0; row < rows.size(); ++row) {
-            for (std::size_t column = 0; column < m_columns.size(); ++column) {
-                if (!looksTheSame(rows[row].cells[column], m_rows[row].cells[column])) {
-                    const QModelIndex cell = index(static_cast<int>(row), static_cast<int>(column));
-                    emit dataChanged(cell, cell);
-                }
-            }
-        }
-        return true;
-    }
-
-    const std::vector<TableColumn> &columns() const { return m_columns; }
-    const std::vector<TableRow> &rows() const { return m_rows; }
-
-    int rowCount(const QModelIndex &parent = {}) const override
-    {
-        return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
-    }
-
-    int columnCount(const QModelIndex &parent = {}) const override
-    {
-        return parent.isValid() ? 0 : static_cast<int>(m_columns.size());
-    }
-
-    QVariant data(const QModelIndex &index, int role) const override
-    {
-        const TableCell &cell =
-            m_rows[static_cast<std::size_t>(index.row())].cells[static_cast<std::size_t>(index.column())];
-        switch (role) {
-        case Qt::DisplayRole: return cell.text;
-        case Qt::ToolTipRole: return cell.explanation;
-        case Qt::TextAlignmentRole: return headerData(index.column(), Qt::Horizontal, role);
-        case Qt::BackgroundRole: return cell.tint == 0.0 ? QVariant() : tintColour(cell.tint, m_view->palette());
-        case Qt::ForegroundRole: {
-            if (cell.tint != 0.0) {
-                const QColor background = tintColour(cell.tint, m_view->palette());
-                return qGray(background.rgb()) < 140 ? QColor(Qt::white) : QColor(Qt::black);
-            }
-            return cell.tone == Tone::Normal ? QVariant() : toneColour(cell.tone, m_view->palette());
-        }
-        default: return {};
-        }
-    }
-
-    QVariant headerData(int section, Qt::Orientation orientation, int role) const override
-    {
-        if (orientation == Qt::Vertical) {
-            return {};
-        }
-        const TableColumn &column = m_columns[static_cast<std::size_t>(section)];
-        switch (role) {
-        case Qt::DisplayRole: return column.title;
-        case Qt::ToolTipRole: return column.explanation;
-        case Qt::TextAlignmentRole:
-            return static_cast<int>((column.isNumber ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
-        default: return {};
-        }
-    }
-
-private:
-    QTableView *m_view;
-    std::vector<TableColumn> m_columns;
-    std::vector<TableRow> m_rows;
-};
-
 NumberTable::NumberTable(const QString &name, const QString &title, std::vector<TableColumn> columns)
-    : m_model(new NumberTableModel(std::move(columns), this))
+    : m_columns(std::move(columns))
+    , m_model(new QStandardItemModel(0, static_cast<int>(m_columns.size()), this))
 {
     named(name, this, title);
+    for (int column = 0; column < m_model->columnCount(); ++column) {
+        const TableColumn &described = m_columns[static_cast<std::size_t>(column)];
+        auto *heading = new QStandardItem(described.title);
+        heading->setToolTip(described.explanation);
+        heading->setData(alignmentOf(described), Qt::TextAlignmentRole);
+        m_model->setHorizontalHeaderItem(column, heading);
+    }
     setModel(m_model);
+    setEditTriggers(QAbstractItemView::NoEditTriggers);
     setSelectionBehavior(QAbstractItemView::SelectRows);
     setSelectionMode(QAbstractItemView::ExtendedSelection);
     setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
@@ -203,26 +135,48 @@ NumberTable::NumberTable(const QString &name, const QString &title, std::vector<
 
 void NumberTable::setRows(std::vector<TableRow> rows)
 {
-    if (!m_model->setRows(std::move(rows))) {
+    const auto name = [](const TableRow &row) -> const QString & { return row.cells[0].text; };
+    if (!std::ranges::equal(rows, m_rows, {}, name, name)) { // another table
+        m_model->setRowCount(0);
         m_widths.clear();
         m_pointedRow = -1;
     }
+    m_rows = std::move(rows);
+    m_model->setRowCount(static_cast<int>(m_rows.size()));
+    fillCells();
     fitColumns();
     reportPart();
 }
 
+/// The model tells the view only of what changes.
+void NumberTable::fillCells()
+{
+    for (int row = 0; row < m_model->rowCount(); ++row) {
+        for (int column = 0; column < m_model->columnCount(); ++column) {
+            const TableCell &cell = m_rows[static_cast<std::size_t>(row)].cells[static_cast<std::size_t>(column)];
+            const QVariant background = cell.tint == 0.0 ? QVariant() : tintColour(cell.tint, palette());
+            const QModelIndex index = m_model->index(row, column);
+            m_model->setData(index, cell.text, Qt::DisplayRole);
+            m_model->setData(index, cell.explanation, Qt::ToolTipRole);
+            m_model->setData(index, alignmentOf(m_columns[static_cast<std::size_t>(column)]), Qt::TextAlignmentRole);
+            m_model->setData(index, background, Qt::BackgroundRole);
+            m_model->setData(index, inkOf(cell, background, palette()), Qt::ForegroundRole);
+        }
+    }
+}
+
 void NumberTable::copy()
 {
-    std::vector<TableRow> rows = m_model->rows();
+    std::vector<TableRow> rows = m_rows;
     QModelIndexList selected = selectionModel()->selectedRows();
     if (!selected.isEmpty()) {
         std::sort(selected.begin(), selected.end());
         rows.clear();
         for (const QModelIndex &index : selected) {
-            rows.push_back(m_model->rows()[static_cast<std::size_t>(index.row())]);
+            rows.push_back(m_rows[static_cast<std::size_t>(index.row())]);
         }
     }
-    QApplication::clipboard()->setText(csvText(m_model->columns(), rows));
+    QApplication::clipboard()->setText(csvText(m_columns, rows));
     emit copied(static_cast<int>(rows.size()));
 }
 
@@ -240,18 +194,17 @@ QSize NumberTable::contentSize() const
 void NumberTable::fitColumns()
 {
     verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 4);
-    const std::vector<TableColumn> &columns = m_model->columns();
-    m_widths.resize(columns.size());
-    for (std::size_t column = 0; column < columns.size(); ++column) {
+    m_widths.resize(m_columns.size());
+    for (std::size_t column = 0; column < m_columns.size(); ++column) {
         int &width = m_widths[column];
-        width = std::max(width, fontMetrics().horizontalAdvance(columns[column].title) + kCellMargin);
-        for (const TableRow &row : m_model->rows()) {
+        width = std::max(width, fontMetrics().horizontalAdvance(m_columns[column].title) + kCellMargin);
+        for (const TableRow &row : m_rows) {
             width = std::max(width, fontMetrics().horizontalAdvance(row.cells[column].text) + kCellMargin);
         }
     }
     const int spare = viewport()->width() - contentSize().width();
-    const int air = std::clamp(spare / static_cast<int>(columns.size()), 0, kMostAir);
-    for (std::size_t column = 0; column < columns.size(); ++column) {
+    const int air = std::clamp(spare / static_cast<int>(m_columns.size()), 0, kMostAir);
+    for (std::size_t column = 0; column < m_columns.size(); ++column) {
         setColumnWidth(static_cast<int>(column), m_widths[column] + air);
     }
 }
@@ -270,6 +223,8 @@ void NumberTable::changeEvent(QEvent *event)
         horizontalHeader()->setFont(font());
         m_widths.clear();
         fitColumns();
+    } else if (event->type() == QEvent::PaletteChange) {
+        fillCells();
     }
 }
 
@@ -296,8 +251,8 @@ void NumberTable::keyPressEvent(QKeyEvent *event)
 
 void NumberTable::goToRow(int row)
 {
-    if (row >= 0 && m_model->rows()[static_cast<std::size_t>(row)].time) {
-        emit timeRequested(*m_model->rows()[static_cast<std::size_t>(row)].time);
+    if (row >= 0 && m_rows[static_cast<std::size_t>(row)].time) {
+        emit timeRequested(*m_rows[static_cast<std::size_t>(row)].time);
     }
 }
 
@@ -339,7 +294,7 @@ void NumberTable::reportPart()
 {
     const int row = m_pointedRow >= 0 ? m_pointedRow : hasFocus() ? currentIndex().row() : -1;
     const bool exists = row >= 0 && row < m_model->rowCount();
-    const MechanismPart part = exists ? m_model->rows()[static_cast<std::size_t>(row)].part : MechanismPart::None;
+    const MechanismPart part = exists ? m_rows[static_cast<std::size_t>(row)].part : MechanismPart::None;
     if (std::exchange(m_reported, part) != part) {
         emit partHovered(part);
     }

@@ -12,6 +12,8 @@
 #include <optional>
 #include <vector>
 
+class QStandardItemModel;
+
 namespace slidercrank
 {
 
@@ -49,8 +51,6 @@ struct TableRow {
 /// A line of headings and a line for each row; numbers with every digit and a decimal point.
 QString csvText(const std::vector<TableColumn> &columns, const std::vector<TableRow> &rows);
 
-class NumberTableModel;
-
 class NumberTable : public QTableView
 {
     Q_OBJECT
@@ -84,11 +84,14 @@ protected:
 
 private:
     void goToRow(int row);
+    void fillCells();
     void fitColumns();
     void setPointedRow(int row);
     void reportPart();
 
-    NumberTableModel *m_model;
+    std::vector<TableColumn> m_columns;
+    std::vector<TableRow> m_rows{};
+    QStandardItemModel *m_model;
     std::vector<int> m_widths; ///< px, the widest that each column has needed: columns do not shrink while numbers move
     int m_pointedRow = -1;
     MechanismPart m_reported = MechanismPart::None;

@@ -43,7 +43,7 @@ void StatusBar::showResult(const Result &result)
 {
     const SamplingSummary &summary = result.summary;
     const QString samples = countText(summary.instants);
-    QStringList parts{result.mechanism.branch() == Branch::Open ? tr("Open assembly") : tr("Crossed assembly")};
+    QStringList parts;
     if (const std::size_t missing = summary.count(Status::NotAssemblable); missing > 0) {
         parts << tr("cannot be assembled at %1 of %2 time steps").arg(countText(missing), samples);
     }
