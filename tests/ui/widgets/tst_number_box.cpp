@@ -226,21 +226,6 @@ private slots:
         AWAIT_COMPARE(shown.line()->selectedText(), QStringLiteral("6.25 mm"));
     }
 
-    void undoIsTheWindowsUnlessSomethingIsTyped()
-    {
-        Shown shown;
-        const auto takesUndo = [&shown] {
-            QKeyEvent key(QEvent::ShortcutOverride, Qt::Key_Z, Qt::ControlModifier);
-            key.ignore();
-            QCoreApplication::sendEvent(shown.box, &key);
-            return key.isAccepted();
-        };
-        shown.box->setFocus();
-        QVERIFY(!takesUndo());
-        QTest::keyClicks(shown.box, "7");
-        QVERIFY(takesUndo());
-    }
-
     void readsTheNumbersOfTheLocale()
     {
         struct Row {

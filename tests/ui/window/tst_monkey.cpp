@@ -17,18 +17,15 @@
 #include <QAbstractSlider>
 #include <QAction>
 #include <QApplication>
-#include <QClipboard>
 #include <QContextMenuEvent>
 #include <QDir>
 #include <QDropEvent>
 #include <QFileDialog>
-#include <QKeyEvent>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
-#include <QMouseEvent>
 #include <QPointer>
 #include <QSettings>
 #include <QStandardPaths>
@@ -43,7 +40,6 @@
 #include <cmath>
 #include <memory>
 #include <random>
-#include <utility>
 
 using namespace slidercrank;
 
@@ -101,7 +97,7 @@ public:
         static constexpr Deed kDeeds[] = {{"a slider", 20, &Monkey::moveSlider},
                                           {"text", 12, &Monkey::type},
                                           {"a drag", 20, &Monkey::drag},
-                                          {"a click", 12, &Monkey::click},
+                                          {"a click", 14, &Monkey::click},
                                           {"the wheel", 8, &Monkey::turnWheel},
                                           {"a key", 16, &Monkey::press},
                                           {"a tab", 4, &Monkey::switchTab},
@@ -110,19 +106,12 @@ public:
                                           {"a drop", 2, &Monkey::drop},
                                           {"a file", 3, &Monkey::open},
                                           {"cancel", 3, &Monkey::cancel},
-                                          {"the size", 3, &Monkey::resize},
-                                          {"the place", 1, &Monkey::move},
-                                          {"a double click", 2, &Monkey::doubleClick},
+                                          {"the size", 4, &Monkey::resize},
                                           {"a moment", 3, &Monkey::wait}};
-        int sum = 0;
-        for (const Deed &deed : kDeeds) {
-            sum += deed.weight;
-        }
-        int choice = below(sum);
+        int choice = below(119);
         const Deed *deed = std::begin(kDeeds);
-        while (choice >= deed->weight) {
+        for (; choice >= deed->weight; ++deed) {
             choice -= deed->weight;
-            ++deed;
         }
         m_lastDeed = QLatin1String(deed->name);
         (this->*deed->act)();
@@ -241,25 +230,17 @@ private:
     void click()
     {
         const QPointer<QWidget> widget = oneShown<QWidget>();
-        if (!widget) {
-            return;
-        }
-        const QPoint at = within(*widget);
+        const QPoint at = widget ? within(*widget) : QPoint();
         const Qt::KeyboardModifiers modifiers = oneOf(kModifiers);
-        mouse(QEvent::MouseMove, *widget, at, Qt::NoButton, Qt::NoButton, modifiers);
-        if (widget) {
-            mouse(QEvent::MouseButtonPress, *widget, at, Qt::LeftButton, Qt::LeftButton, modifiers);
-        }
-        if (widget) {
-            mouse(QEvent::MouseButtonRelease, *widget, at, Qt::LeftButton, Qt::NoButton, modifiers);
-        }
-    }
-
-    void doubleClick()
-    {
-        if (auto *widget = oneShown<QWidget>()) {
-            mouse(QEvent::MouseButtonDblClick, *widget, within(*widget), Qt::LeftButton, Qt::LeftButton,
-                  Qt::NoModifier);
+        const bool isDouble = below(7) == 0;
+        for (const auto &[type, buttons] :
+             {std::pair{QEvent::MouseMove, Qt::NoButton},
+              {isDouble ? QEvent::MouseButtonDblClick : QEvent::MouseButtonPress, Qt::LeftButton},
+              {QEvent::MouseButtonRelease, Qt::NoButton}}) {
+            if (widget) {
+                const bool isMove = type == QEvent::MouseMove;
+                mouse(type, *widget, at, isMove ? Qt::NoButton : Qt::LeftButton, buttons, modifiers);
+            }
         }
     }
 
@@ -360,10 +341,14 @@ private:
         }
     }
 
-    void resize() { m_window->resize(500 + below(1200), 400 + below(800)); }
-
-    /// To another of the screens, or half over its edge.
-    void move() { m_window->move(below(3000) - 100, below(900) - 50); }
+    /// And the place: on another of the screens, or half over its edge.
+    void resize()
+    {
+        m_window->resize(500 + below(1200), 400 + below(800));
+        if (below(4) == 0) {
+            m_window->move(below(3000) - 100, below(900) - 50);
+        }
+    }
 
     /// What would be done in a moment is done now.
     void wait()
