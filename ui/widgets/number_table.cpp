@@ -156,13 +156,17 @@ void NumberTable::fillCells()
             const TableCell &cell = m_rows[static_cast<std::size_t>(row)].cells[static_cast<std::size_t>(column)];
             const QVariant background = cell.tint == 0.0 ? QVariant() : tintColour(cell.tint, palette());
             const QModelIndex index = m_model->index(row, column);
-            m_model->blockSignals(true); // it is not painted
-            m_model->setData(index, cell.explanation, Qt::ToolTipRole);
-            m_model->blockSignals(false);
-            m_model->setData(index, cell.text, Qt::DisplayRole);
-            m_model->setData(index, alignmentOf(m_columns[static_cast<std::size_t>(column)]), Qt::TextAlignmentRole);
-            m_model->setData(index, background, Qt::BackgroundRole);
-            m_model->setData(index, inkOf(cell, background, palette()), Qt::ForegroundRole);
+            const auto set = [this, index](const QVariant &value, Qt::ItemDataRole role) {
+                if (m_model->data(index, role) != value) { // an item would also tell of nothing in place of nothing
+                    m_model->setData(index, value, role);
+                }
+            };
+            set(cell.text, Qt::DisplayRole);
+            set(alignmentOf(m_columns[static_cast<std::size_t>(column)]), Qt::TextAlignmentRole);
+            set(background, Qt::BackgroundRole);
+            set(inkOf(cell, background, palette()), Qt::ForegroundRole);
+            const QSignalBlocker notPainted(m_model);
+            set(cell.explanation, Qt::ToolTipRole);
         }
     }
 }
