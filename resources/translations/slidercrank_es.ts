@@ -1562,6 +1562,88 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
     </message>
 </context>
 <context>
+    <name>slidercrank::DesignForm</name>
+    <message>
+        <source>Mechanism with a given stroke and time ratio</source>
+        <translation>Mecanismo con una carrera y una relación de tiempos dadas</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Type a stroke: the mechanism is scaled, so that its time ratio and angles stay</source>
+        <translation>Escriba una carrera: el mecanismo se escala, de modo que conserva su relación de tiempos y sus ángulos</translation>
+    </message>
+    <message>
+        <source>Type a time ratio: the mechanism with the largest minimum transmission angle is chosen, the stroke stays. A ratio below 1 exchanges the forward and the return stroke.</source>
+        <translation>Escriba una relación de tiempos: se elige el mecanismo con el mayor ángulo de transmisión mínimo y se conserva la carrera. Una relación menor que 1 intercambia la carrera de ida y la de vuelta.</translation>
+    </message>
+    <message>
+        <source>Type the smallest transmission angle that you accept: the mechanism with the largest minimum transmission angle is chosen, stroke and time ratio stay</source>
+        <translation>Escriba el menor ángulo de transmisión que acepta: se elige el mecanismo con el mayor ángulo de transmisión mínimo y se conservan la carrera y la relación de tiempos</translation>
+    </message>
+    <message>
+        <source>The freedom that stroke and time ratio leave: the ratio b/a of coupler and crank</source>
+        <translation>El grado de libertad que dejan la carrera y la relación de tiempos: la relación b/a entre biela y manivela</translation>
+    </message>
+    <message>
+        <source>Best transmission angle</source>
+        <translation>Mejor ángulo de transmisión</translation>
+    </message>
+    <message>
+        <source>The ratio b/a with the largest minimum transmission angle, at most %1</source>
+        <translation>La relación b/a con el mayor ángulo de transmisión mínimo, como máximo %1</translation>
+    </message>
+    <message>
+        <source>Stroke</source>
+        <translation>Carrera</translation>
+    </message>
+    <message>
+        <source>Time ratio</source>
+        <translation>Relación de tiempos</translation>
+    </message>
+    <message>
+        <source>Ratio b/a</source>
+        <translation>Relación b/a</translation>
+    </message>
+    <message>
+        <source>a = %1 mm, b = %2 mm, c = %3 mm, b/a = %4.</source>
+        <translation>a = %1 mm, b = %2 mm, c = %3 mm, b/a = %4.</translation>
+    </message>
+    <message>
+        <source>The crank does not make full turns: there is no time ratio.</source>
+        <translation>La manivela no da vueltas completas: no hay relación de tiempos.</translation>
+    </message>
+    <message>
+        <source>With this time ratio the minimum transmission angle is largest, %1°, for b/a = %2.</source>
+        <translation>Con esta relación de tiempos, el ángulo de transmisión mínimo es mayor, %1°, con b/a = %2.</translation>
+    </message>
+    <message>
+        <source>No length may be below 10⁻⁹ mm or above 10¹² mm.</source>
+        <translation>Ninguna longitud puede ser menor que 10⁻⁹ mm ni mayor que 10¹² mm.</translation>
+    </message>
+    <message>
+        <source>Minimum transmission angle</source>
+        <translation>Ángulo de transmisión mínimo</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::DesignText</name>
+    <message>
+        <source>The stroke must be greater than 0.</source>
+        <translation>La carrera debe ser mayor que 0.</translation>
+    </message>
+    <message>
+        <source>There is no such mechanism: a crank that makes full turns has a time ratio below 3, not %1.</source>
+        <translation>No existe tal mecanismo: una manivela que da vueltas completas tiene una relación de tiempos menor que 3, no %1.</translation>
+    </message>
+    <message>
+        <source>There is no such mechanism: with a time ratio of %1 the minimum transmission angle is at most %2°; an angle of %3° needs a time ratio below %4.</source>
+        <translation>No existe tal mecanismo: con una relación de tiempos de %1, el ángulo de transmisión mínimo es como máximo %2°; un ángulo de %3° exige una relación de tiempos menor que %4.</translation>
+    </message>
+</context>
+<context>
     <name>slidercrank::DiagnosisText</name>
     <message>
         <source>%1/a = %2</source>
@@ -1780,6 +1862,231 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
     <message>
         <source>change of the time range</source>
         <translation>cambio del intervalo de tiempo</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::ErrorPage</name>
+    <message>
+        <source>agrees</source>
+        <translation>coincide</translation>
+    </message>
+    <message>
+        <source>close</source>
+        <translation>próximo</translation>
+    </message>
+    <message>
+        <source>differs</source>
+        <translation>difiere</translation>
+    </message>
+    <message>
+        <source>%1 in the file, %2 time steps compared</source>
+        <translation>%1 en el archivo, %2 instantes comparados</translation>
+    </message>
+    <message>
+        <source>; at %1 more the model does not exist</source>
+        <translation>; en otros %1 el modelo no existe</translation>
+    </message>
+    <message>
+        <source>The file writes this channel in steps of at most %1.</source>
+        <translation>El archivo escribe este canal en pasos de a lo sumo %1.</translation>
+    </message>
+    <message>
+        <source>How the file was rounded is not known.</source>
+        <translation>No se sabe cómo se redondeó el archivo.</translation>
+    </message>
+    <message>
+        <source>Largest |model − reference|; root mean square %1.</source>
+        <translation>Máximo de |modelo − referencia|; valor eficaz %1.</translation>
+    </message>
+    <message>
+        <source>Point by point, |model − reference| / |reference|: at most %1 %, at t = %2 s.</source>
+        <translation>Punto por punto, |modelo − referencia| / |referencia|: a lo sumo %1 %, en t = %2 s.</translation>
+    </message>
+    <message>
+        <source>Point by point, relative to the reference: undefined.</source>
+        <translation>Punto por punto, relativo a la referencia: no definido.</translation>
+    </message>
+    <message>
+        <source>Undefined where the reference is zero: at %1 time steps.</source>
+        <translation>No definido donde la referencia es cero: en %1 instantes.</translation>
+    </message>
+    <message>
+        <source>max |model − reference| / max |reference| · 100</source>
+        <translation>máx. |modelo − referencia| / máx. |referencia| · 100</translation>
+    </message>
+    <message>
+        <source>Unbounded: one of the two reaches a limit position</source>
+        <translation>Sin cota: uno de los dos alcanza una posición límite</translation>
+    </message>
+    <message>
+        <source>Largest |this − pinned|; root mean square %1.</source>
+        <translation>Máximo de |este − fijado|; valor eficaz %1.</translation>
+    </message>
+    <message>
+        <source>max |this − pinned| / max |pinned| · 100</source>
+        <translation>máx. |este − fijado| / máx. |fijado| · 100</translation>
+    </message>
+    <message>
+        <source>quantity</source>
+        <translation>magnitud</translation>
+    </message>
+    <message>
+        <source>What is compared</source>
+        <translation>Lo que se compara</translation>
+    </message>
+    <message>
+        <source>t [s]</source>
+        <translation>t [s]</translation>
+    </message>
+    <message>
+        <source>Time of the largest error</source>
+        <translation>Instante del error máximo</translation>
+    </message>
+    <message>
+        <source>% of peak</source>
+        <translation>% del máximo</translation>
+    </message>
+    <message>
+        <source>Largest error relative to the largest value of the reference</source>
+        <translation>Error máximo relativo al mayor valor de la referencia</translation>
+    </message>
+    <message>
+        <source>1 row of the file was skipped (line %1)</source>
+        <translation>Se omitió 1 fila del archivo (línea %1)</translation>
+    </message>
+    <message>
+        <source>%1 rows of the file were skipped</source>
+        <translation>Se omitieron %1 filas del archivo</translation>
+    </message>
+    <message>
+        <source>Line %1, column %2: “%3” %4</source>
+        <translation>Línea %1, columna %2: «%3» %4</translation>
+    </message>
+    <message>
+        <source>… and %1 more</source>
+        <translation>… y %1 más</translation>
+    </message>
+    <message>
+        <source>1 column was ignored</source>
+        <translation>1 columna no se usó</translation>
+    </message>
+    <message>
+        <source>%1 columns were ignored</source>
+        <translation>%1 columnas no se usaron</translation>
+    </message>
+    <message>
+        <source>Ignored: %1</source>
+        <translation>Sin usar: %1</translation>
+    </message>
+    <message>
+        <source>errors</source>
+        <comment>name of a file</comment>
+        <translation>errores</translation>
+    </message>
+    <message>
+        <source>Errors, a row for each channel</source>
+        <translation>Errores, una fila por canal</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>veredicto</translation>
+    </message>
+    <message>
+        <source>agrees: at least 95 % of the values within the file&apos;s rounding, none beyond ten times that
+close: none beyond a hundred times
+differs: anything else, and errors beyond the rounding by 1 % of half the motion&apos;s range</source>
+        <translation>coincide: al menos el 95 % de los valores dentro del redondeo del archivo, ninguno más allá de diez veces
+próximo: ninguno más allá de cien veces
+difiere: lo demás, y los errores que superan el redondeo en un 1 % de la mitad del recorrido</translation>
+    </message>
+    <message>
+        <source>largest error</source>
+        <translation>error máximo</translation>
+    </message>
+    <message>
+        <source>max |model − reference|</source>
+        <translation>máx. |modelo − referencia|</translation>
+    </message>
+    <message>
+        <source>differences</source>
+        <comment>name of a file</comment>
+        <translation>diferencias</translation>
+    </message>
+    <message>
+        <source>This mechanism is the pinned one: change it to see the difference.</source>
+        <translation>Este mecanismo es el fijado: cámbielo para ver la diferencia.</translation>
+    </message>
+    <message>
+        <source>This mechanism − pinned (%1).</source>
+        <translation>Este mecanismo − fijado (%1).</translation>
+    </message>
+    <message>
+        <source>Where one of the two cannot be assembled there is nothing to compare.</source>
+        <translation>Donde uno de los dos no se puede ensamblar no hay nada que comparar.</translation>
+    </message>
+    <message>
+        <source>Differences from the pinned motion, a row for each channel</source>
+        <translation>Diferencias con el movimiento fijado, una fila por canal</translation>
+    </message>
+    <message>
+        <source>largest difference</source>
+        <translation>mayor diferencia</translation>
+    </message>
+    <message>
+        <source>max |this − pinned|</source>
+        <translation>máx. |este − fijado|</translation>
+    </message>
+    <message>
+        <source>Use this mechanism</source>
+        <translation>Usar este mecanismo</translation>
+    </message>
+    <message>
+        <source>Use the first of them</source>
+        <translation>Usar el primero de ellos</translation>
+    </message>
+    <message>
+        <source>The file fits %1</source>
+        <translation>El archivo corresponde a %1</translation>
+    </message>
+    <message>
+        <source>%1 Largest error: %2 → %3 % of peak.</source>
+        <translation>%1 Error máximo: %2 → %3 % del máximo.</translation>
+    </message>
+    <message>
+        <source>unchanged</source>
+        <translation>sin cambio</translation>
+    </message>
+    <message>
+        <source>assembly</source>
+        <translation>configuración</translation>
+    </message>
+    <message>
+        <source>Now → then (measured ± standard error)</source>
+        <translation>Ahora → después (medido ± error estándar)</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Aplicar</translation>
+    </message>
+    <message>
+        <source>The file is read differently from how it is written: %1.</source>
+        <translation>El archivo se lee de otro modo que como está escrito: %1.</translation>
+    </message>
+    <message>
+        <source>Read as written</source>
+        <translation>Leer como está escrito</translation>
+    </message>
+    <message>
+        <source>There is nothing to compare with: no file is open and no motion is pinned.</source>
+        <translation>No hay nada con que comparar: no hay ningún archivo abierto ni movimiento fijado.</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>Errores</translation>
+    </message>
+    <message>
+        <source>Click to go there</source>
+        <translation>Haga clic para ir allí</translation>
     </message>
 </context>
 <context>
@@ -2128,6 +2435,93 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
         <source>qrc:/help/english.html</source>
         <comment>a resource of the program</comment>
         <translation>qrc:/help/spanish.html</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::LimitsPage</name>
+    <message>
+        <source>value</source>
+        <translation>valor</translation>
+    </message>
+    <message>
+        <source>θ₂ [°]</source>
+        <translation>θ₂ [°]</translation>
+    </message>
+    <message>
+        <source>Crank angle, 0 to 360°</source>
+        <translation>Ángulo de la manivela, de 0 a 360°</translation>
+    </message>
+    <message>
+        <source>t [s]</source>
+        <translation>t [s]</translation>
+    </message>
+    <message>
+        <source>First time at which the crank is there</source>
+        <translation>Primer instante en que la manivela está allí</translation>
+    </message>
+    <message>
+        <source>Click or press Enter to go there</source>
+        <translation>Haga clic o pulse Intro para ir allí</translation>
+    </message>
+    <message>
+        <source>Outside the simulated time range</source>
+        <translation>Fuera del intervalo de tiempo simulado</translation>
+    </message>
+    <message>
+        <source>limits</source>
+        <comment>name of a file</comment>
+        <translation>límites</translation>
+    </message>
+    <message>
+        <source>Limits of the motion</source>
+        <translation>Límites del movimiento</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>límite</translation>
+    </message>
+    <message>
+        <source>Where slider and crank reverse, and the stroke times</source>
+        <translation>Dónde se invierten la corredera y la manivela, y los tiempos de las carreras</translation>
+    </message>
+    <message>
+        <source>Positions are those of the slider, Rₓ⁴, measured from O₂</source>
+        <translation>Las posiciones son las de la corredera, Rₓ⁴, medidas desde O₂</translation>
+    </message>
+    <message>
+        <source>Peak velocities and accelerations</source>
+        <translation>Velocidades y aceleraciones máximas</translation>
+    </message>
+    <message>
+        <source>peak value per revolution</source>
+        <translation>valor máximo por vuelta</translation>
+    </message>
+    <message>
+        <source>Largest velocities and accelerations over a whole revolution of the crank, whatever part of it is simulated</source>
+        <translation>Las mayores velocidades y aceleraciones en una vuelta completa de la manivela, sea cual sea la parte simulada</translation>
+    </message>
+    <message>
+        <source>With its sign: x to the right, angles counter-clockwise</source>
+        <translation>Con su signo: x hacia la derecha, ángulos en sentido antihorario</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::LimitsPanel</name>
+    <message>
+        <source>Motion limits</source>
+        <translation>Límites del movimiento</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Valores</translation>
+    </message>
+    <message>
+        <source>Response</source>
+        <translation>Respuesta</translation>
+    </message>
+    <message>
+        <source>Design</source>
+        <translation>Diseño</translation>
     </message>
 </context>
 <context>
@@ -2882,6 +3276,309 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
     </message>
 </context>
 <context>
+    <name>slidercrank::NewtonPages</name>
+    <message>
+        <source>ground</source>
+        <translation>bancada</translation>
+    </message>
+    <message>
+        <source>crank</source>
+        <translation>manivela</translation>
+    </message>
+    <message>
+        <source>coupler</source>
+        <translation>biela</translation>
+    </message>
+    <message>
+        <source>slider</source>
+        <translation>corredera</translation>
+    </message>
+    <message>
+        <source>pivot O₂</source>
+        <translation>pivote O₂</translation>
+    </message>
+    <message>
+        <source>pin A</source>
+        <translation>pasador A</translation>
+    </message>
+    <message>
+        <source>pin B</source>
+        <translation>pasador B</translation>
+    </message>
+    <message>
+        <source>guide</source>
+        <translation>guía</translation>
+    </message>
+    <message>
+        <source>drive</source>
+        <translation>restricción motriz</translation>
+    </message>
+    <message>
+        <source>%1, x</source>
+        <translation>%1, x</translation>
+    </message>
+    <message>
+        <source>%1, y</source>
+        <translation>%1, y</translation>
+    </message>
+    <message>
+        <source>%1, θ</source>
+        <translation>%1, θ</translation>
+    </message>
+    <message>
+        <source>%1 does not exist here</source>
+        <translation>%1 no existe aquí</translation>
+    </message>
+    <message>
+        <source>⚠ The coupler is perpendicular to the slider&apos;s line: C_q is singular. The position exists, velocity and acceleration do not.</source>
+        <translation>⚠ La biela es perpendicular a la línea de la corredera: C_q es singular. La posición existe; la velocidad y la aceleración, no.</translation>
+    </message>
+    <message>
+        <source>⚠ Not converged within %1 iterations: the last one is shown. Allow more iterations or a larger tolerance.</source>
+        <translation>⚠ No converge en %1 iteraciones: se muestra la última. Permita más iteraciones o una tolerancia mayor.</translation>
+    </message>
+    <message>
+        <source>⚠ It cannot be assembled here: the coupler is too short.</source>
+        <translation>⚠ Aquí no se puede ensamblar: la biela es demasiado corta.</translation>
+    </message>
+    <message>
+        <source>⚠ The result is too large to be a number here.</source>
+        <translation>⚠ Aquí el resultado es demasiado grande para ser un número.</translation>
+    </message>
+    <message>
+        <source>tolerance %1</source>
+        <translation>tolerancia %1</translation>
+    </message>
+    <message>
+        <source>iteration</source>
+        <translation>iteración</translation>
+    </message>
+    <message>
+        <source>‖C‖, relative</source>
+        <translation>‖C‖, relativo</translation>
+    </message>
+    <message>
+        <source>‖C‖</source>
+        <translation>‖C‖</translation>
+    </message>
+    <message>
+        <source>equations</source>
+        <comment>name of a file</comment>
+        <translation>ecuaciones</translation>
+    </message>
+    <message>
+        <source>Equations, a row for each constraint</source>
+        <translation>Ecuaciones, una fila por restricción</translation>
+    </message>
+    <message>
+        <source>joint</source>
+        <translation>par</translation>
+    </message>
+    <message>
+        <source>Joint that the equation describes</source>
+        <translation>Par que describe la ecuación</translation>
+    </message>
+    <message>
+        <source>equation</source>
+        <translation>ecuación</translation>
+    </message>
+    <message>
+        <source>C(q, t) = 0; bodies as superscripts: 1 ground, 2 crank, 3 coupler, 4 slider</source>
+        <translation>C(q, t) = 0; los cuerpos como superíndices: 1 bancada, 2 manivela, 3 biela, 4 corredera</translation>
+    </message>
+    <message>
+        <source>C</source>
+        <translation>C</translation>
+    </message>
+    <message>
+        <source>Residual of the equation, in mm or rad</source>
+        <translation>Residuo de la ecuación, en mm o rad</translation>
+    </message>
+    <message>
+        <source>Cₜ, per s</source>
+        <translation>Cₜ, por s</translation>
+    </message>
+    <message>
+        <source>∂C/∂t, in mm/s or rad/s: the velocities follow from C_q dq/dt = −Cₜ</source>
+        <translation>∂C/∂t, en mm/s o rad/s: las velocidades se obtienen de C_q dq/dt = −Cₜ</translation>
+    </message>
+    <message>
+        <source>Q_d, per s²</source>
+        <translation>Q_d, por s²</translation>
+    </message>
+    <message>
+        <source>In mm/s² or rad/s²: the accelerations follow from C_q d²q/dt² = Q_d</source>
+        <translation>En mm/s² o rad/s²: las aceleraciones se obtienen de C_q d²q/dt² = Q_d</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>unidad</translation>
+    </message>
+    <message>
+        <source>Of C; of Cₜ per s, of Q_d per s²</source>
+        <translation>De C; la de Cₜ por s, la de Q_d por s²</translation>
+    </message>
+    <message>
+        <source>Equation %1</source>
+        <translation>Ecuación %1</translation>
+    </message>
+    <message>
+        <source>C, row %1</source>
+        <translation>C, fila %1</translation>
+    </message>
+    <message>
+        <source>Cₜ, row %1</source>
+        <translation>Cₜ, fila %1</translation>
+    </message>
+    <message>
+        <source>Q_d, row %1</source>
+        <translation>Q_d, fila %1</translation>
+    </message>
+    <message>
+        <source>jacobian</source>
+        <comment>name of a file</comment>
+        <translation>jacobiano</translation>
+    </message>
+    <message>
+        <source>Jacobian C_q, a row for each constraint, a column for each coordinate</source>
+        <translation>Jacobiano C_q, una fila por restricción y una columna por coordenada</translation>
+    </message>
+    <message>
+        <source>C_q</source>
+        <translation>C_q</translation>
+    </message>
+    <message>
+        <source>∂C/∂q: a row for each constraint, a column for each coordinate</source>
+        <translation>∂C/∂q: una fila por restricción, una columna por coordenada</translation>
+    </message>
+    <message>
+        <source>Angle of the %1; lengths in mm</source>
+        <translation>Ángulo: %1; longitudes en mm</translation>
+    </message>
+    <message>
+        <source>Centre of mass of the %1</source>
+        <translation>Centro de masa: %1</translation>
+    </message>
+    <message>
+        <source>∂(%1)/∂%2</source>
+        <translation>∂(%1)/∂%2</translation>
+    </message>
+    <message>
+        <source>Condition number κ(C_q) = %1; det C_q = −b cos θ³ = %2 mm</source>
+        <translation>Número de condición κ(C_q) = %1; det C_q = −b cos θ³ = %2 mm</translation>
+    </message>
+    <message>
+        <source>κ is the largest singular value divided by the smallest, mm and rad mixed as in C_q. The larger it is, the more digits are lost; it is infinite where the coupler is perpendicular to the slider&apos;s line.</source>
+        <translation>κ es el mayor valor singular dividido por el menor, con mm y rad mezclados como en C_q. Cuanto mayor es, más cifras se pierden; es infinito donde la biela es perpendicular a la línea de la corredera.</translation>
+    </message>
+    <message>
+        <source>from a rough start</source>
+        <translation>desde un comienzo aproximado</translation>
+    </message>
+    <message>
+        <source>from %1 s earlier</source>
+        <translation>desde %1 s antes</translation>
+    </message>
+    <message>
+        <source>From a rough start: θ₂ exact, θ³ = 0 (crossed: 180°)</source>
+        <translation>Desde un comienzo aproximado: θ₂ exacto, θ³ = 0 (cruzada: 180°)</translation>
+    </message>
+    <message>
+        <source>From the position one time step before</source>
+        <translation>Desde la posición del instante anterior</translation>
+    </message>
+    <message>
+        <source>iterations</source>
+        <comment>name of a file</comment>
+        <translation>iteraciones</translation>
+    </message>
+    <message>
+        <source>Residual ‖C‖ over the iterations</source>
+        <translation>Residuo ‖C‖ a lo largo de las iteraciones</translation>
+    </message>
+    <message>
+        <source>Iterations, a row for each</source>
+        <translation>Iteraciones, una fila por cada una</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>paso</translation>
+    </message>
+    <message>
+        <source>0: the start</source>
+        <translation>0: el comienzo</translation>
+    </message>
+    <message>
+        <source>● ‖C‖</source>
+        <translation>● ‖C‖</translation>
+    </message>
+    <message>
+        <source>● θ³ [°]</source>
+        <translation>● θ³ [°]</translation>
+    </message>
+    <message>
+        <source>□ ‖C‖</source>
+        <translation>□ ‖C‖</translation>
+    </message>
+    <message>
+        <source>□ θ³ [°]</source>
+        <translation>□ θ³ [°]</translation>
+    </message>
+    <message>
+        <source>Near the solution each iteration doubles the number of correct digits: the line bends down.</source>
+        <translation>Cerca de la solución cada iteración duplica las cifras correctas: la línea se curva hacia abajo.</translation>
+    </message>
+    <message>
+        <source>coordinates</source>
+        <comment>name of a file</comment>
+        <translation>coordenadas</translation>
+    </message>
+    <message>
+        <source>Coordinates, a row for each</source>
+        <translation>Coordenadas, una fila por cada una</translation>
+    </message>
+    <message>
+        <source>coordinate</source>
+        <translation>coordenada</translation>
+    </message>
+    <message>
+        <source>Centre of mass and angle of each body</source>
+        <translation>Centro de masa y ángulo de cada eslabón</translation>
+    </message>
+    <message>
+        <source>body</source>
+        <translation>eslabón</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>posición</translation>
+    </message>
+    <message>
+        <source>q, in mm or °</source>
+        <translation>q, en mm o °</translation>
+    </message>
+    <message>
+        <source>velocity, per s</source>
+        <translation>velocidad, por s</translation>
+    </message>
+    <message>
+        <source>dq/dt, in mm/s or °/s</source>
+        <translation>dq/dt, en mm/s o °/s</translation>
+    </message>
+    <message>
+        <source>acceleration, per s²</source>
+        <translation>aceleración, por s²</translation>
+    </message>
+    <message>
+        <source>d²q/dt², in mm/s² or °/s²</source>
+        <translation>d²q/dt², en mm/s² o °/s²</translation>
+    </message>
+    <message>
+        <source>Of the position; of the velocity per s, of the acceleration per s²</source>
+        <translation>De la posición; la de la velocidad por s, la de la aceleración por s²</translation>
+    </message>
+</context>
+<context>
     <name>slidercrank::NewtonPanel</name>
     <message>
         <source>Newton-Raphson</source>
@@ -3517,6 +4214,122 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
     </message>
 </context>
 <context>
+    <name>slidercrank::ReferencePage</name>
+    <message>
+        <source>%1, 1 gap</source>
+        <translation>%1, 1 hueco</translation>
+    </message>
+    <message>
+        <source>%1, %2 gaps</source>
+        <translation>%1, %2 huecos</translation>
+    </message>
+    <message>
+        <source>Columns of the file, a row for each</source>
+        <translation>Columnas del archivo, una fila por cada una</translation>
+    </message>
+    <message>
+        <source>heading</source>
+        <translation>encabezado</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>unidad</translation>
+    </message>
+    <message>
+        <source>read as</source>
+        <translation>se lee como</translation>
+    </message>
+    <message>
+        <source>rounded to</source>
+        <translation>redondeo</translation>
+    </message>
+    <message>
+        <source>Inferred from all values of the column</source>
+        <translation>Deducido de todos los valores de la columna</translation>
+    </message>
+    <message>
+        <source>values</source>
+        <translation>valores</translation>
+    </message>
+    <message>
+        <source>why</source>
+        <translation>motivo</translation>
+    </message>
+    <message>
+        <source>Rows of the file that were skipped</source>
+        <translation>Filas del archivo que se omitieron</translation>
+    </message>
+    <message>
+        <source>skipped line</source>
+        <translation>línea omitida</translation>
+    </message>
+    <message>
+        <source>column</source>
+        <translation>columna</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>texto</translation>
+    </message>
+    <message>
+        <source>The rows are by crank angle; ω₂ and θ₂₀ give the time.</source>
+        <translation>Las filas van por ángulo de la manivela; ω₂ y θ₂₀ dan el tiempo.</translation>
+    </message>
+    <message>
+        <source>First column is the time</source>
+        <translation>La primera columna es el tiempo</translation>
+    </message>
+    <message>
+        <source>The rows are by time.</source>
+        <translation>Las filas van por tiempo.</translation>
+    </message>
+    <message>
+        <source>First column is the crank angle</source>
+        <translation>La primera columna es el ángulo de la manivela</translation>
+    </message>
+    <message>
+        <source>Searching for the mechanism of this file…</source>
+        <translation>Buscando el mecanismo de este archivo…</translation>
+    </message>
+    <message>
+        <source>Mechanism found in this file: %1</source>
+        <translation>Mecanismo hallado en este archivo: %1</translation>
+    </message>
+    <message>
+        <source>Use this mechanism</source>
+        <translation>Usar este mecanismo</translation>
+    </message>
+    <message>
+        <source>Use the first</source>
+        <translation>Usar el primero</translation>
+    </message>
+    <message>
+        <source>No file is open.</source>
+        <translation>No hay ningún archivo abierto.</translation>
+    </message>
+    <message>
+        <source>1 row</source>
+        <translation>1 fila</translation>
+    </message>
+    <message>
+        <source>%1 rows</source>
+        <translation>%1 filas</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <comment>name of a file</comment>
+        <translation>referencia</translation>
+    </message>
+    <message>
+        <source>%1. %2.</source>
+        <translation>%1. %2.</translation>
+    </message>
+    <message>
+        <source>Choose columns…</source>
+        <translation>Elegir columnas…</translation>
+    </message>
+</context>
+<context>
     <name>slidercrank::Report</name>
     <message>
         <source>crank</source>
@@ -3719,6 +4532,116 @@ SHA-256: %2</translation>
     <message>
         <source>%1 cannot be written: %2.</source>
         <translation>No se puede escribir %1: %2.</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::ResponseChart</name>
+    <message>
+        <source>stroke [mm]</source>
+        <translation>carrera [mm]</translation>
+    </message>
+    <message>
+        <source>time ratio</source>
+        <translation>relación de tiempos</translation>
+    </message>
+    <message>
+        <source>min. transmission angle [°]</source>
+        <translation>ángulo transm. mín. [°]</translation>
+    </message>
+    <message>
+        <source>peak slider speed [mm/s]</source>
+        <translation>velocidad máx. [mm/s]</translation>
+    </message>
+    <message>
+        <source>peak slider acc. [mm/s²]</source>
+        <translation>aceleración máx. [mm/s²]</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::ResponseView</name>
+    <message>
+        <source>Parameter that is varied</source>
+        <translation>Parámetro que se varía</translation>
+    </message>
+    <message>
+        <source>How the limits depend on a parameter</source>
+        <translation>Cómo dependen los límites de un parámetro</translation>
+    </message>
+    <message>
+        <source>Response to %1</source>
+        <translation>Respuesta a %1</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copiar</translation>
+    </message>
+    <message>
+        <source>Copies the charts as an image</source>
+        <translation>Copia las gráficas como imagen</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportar…</translation>
+    </message>
+    <message>
+        <source>Writes the charts to an image file, or the numbers of the curves to a CSV file</source>
+        <translation>Escribe las gráficas en un archivo de imagen, o los números de las curvas en un archivo CSV</translation>
+    </message>
+    <message>
+        <source>%1 [%2]</source>
+        <translation>%1 [%2]</translation>
+    </message>
+    <message>
+        <source>rad/s</source>
+        <translation>rad/s</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Drag a dot to change %1.</source>
+        <translation>Arrastre un punto para cambiar %1.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2.</source>
+        <translation>No se puede escribir %1: %2.</translation>
+    </message>
+    <message>
+        <source>The charts are in the clipboard.</source>
+        <translation>Las gráficas están en el portapapeles.</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tablas (*.csv)</translation>
+    </message>
+    <message>
+        <source>response.png</source>
+        <translation>respuesta.png</translation>
+    </message>
+    <message>
+        <source>With no %1 does the crank make full turns.</source>
+        <translation>Con ningún %1 da la manivela vueltas completas.</translation>
+    </message>
+    <message>
+        <source>%1 ≤ %2 ≤ %3 mm</source>
+        <translation>%1 ≤ %2 ≤ %3 mm</translation>
+    </message>
+    <message>
+        <source>%1 ≥ %2 mm</source>
+        <translation>%1 ≥ %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 ≤ %2 mm</source>
+        <translation>%1 ≤ %2 mm</translation>
+    </message>
+    <message>
+        <source>Full turns for %1, shaded elsewhere.</source>
+        <translation>Vueltas completas con %1; fuera de ahí, sombreado.</translation>
     </message>
 </context>
 <context>
@@ -4118,14 +5041,6 @@ SHA-256: %2</translation>
         <translation>Cancelar</translation>
     </message>
     <message>
-        <source>Open assembly</source>
-        <translation>Configuración abierta</translation>
-    </message>
-    <message>
-        <source>Crossed assembly</source>
-        <translation>Configuración cruzada</translation>
-    </message>
-    <message>
         <source>%1 samples in %2 ms</source>
         <translation>%1 muestras en %2 ms</translation>
     </message>
@@ -4148,6 +5063,190 @@ SHA-256: %2</translation>
     <message>
         <source>%1 of %2 time steps not solved</source>
         <translation>%1 de %2 instantes sin resolver</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::StudyPage</name>
+    <message>
+        <source>The same, started from position, velocity and acceleration of the time step before (Taylor series)</source>
+        <translation>Lo mismo, a partir de la posición, la velocidad y la aceleración del instante anterior (serie de Taylor)</translation>
+    </message>
+    <message>
+        <source>Newton-Raphson, dense</source>
+        <translation>Newton-Raphson, denso</translation>
+    </message>
+    <message>
+        <source>As in the reference report: 12 equations solved together (dense LU), started from the time step before</source>
+        <translation>Como en el informe de referencia: 12 ecuaciones resueltas juntas (LU denso), a partir del instante anterior</translation>
+    </message>
+    <message>
+        <source>dense, Taylor start</source>
+        <translation>denso, inicio de Taylor</translation>
+    </message>
+    <message>
+        <source>Newton-Raphson, structured</source>
+        <translation>Newton-Raphson, estructurado</translation>
+    </message>
+    <message>
+        <source>The same 12 equations, solved joint by joint</source>
+        <translation>Las mismas 12 ecuaciones, resueltas par por par</translation>
+    </message>
+    <message>
+        <source>structured, Taylor start</source>
+        <translation>estructurado, inicio de Taylor</translation>
+    </message>
+    <message>
+        <source>closed form</source>
+        <translation>forma cerrada</translation>
+    </message>
+    <message>
+        <source>The exact formulas, one time step after the other</source>
+        <translation>Las fórmulas exactas, un instante tras otro</translation>
+    </message>
+    <message>
+        <source>closed form, batch</source>
+        <translation>forma cerrada, en lote</translation>
+    </message>
+    <message>
+        <source>The exact formulas for several time steps at once (vector instructions)</source>
+        <translation>Las fórmulas exactas para varios instantes a la vez (instrucciones vectoriales)</translation>
+    </message>
+    <message>
+        <source>finite differences</source>
+        <translation>diferencias finitas</translation>
+    </message>
+    <message>
+        <source>Velocity and acceleration as central differences of exact positions</source>
+        <translation>Velocidad y aceleración como diferencias centrales de posiciones exactas</translation>
+    </message>
+    <message>
+        <source>Fourier series</source>
+        <translation>serie de Fourier</translation>
+    </message>
+    <message>
+        <source>The motion as a Fourier series</source>
+        <translation>El movimiento como serie de Fourier</translation>
+    </message>
+    <message>
+        <source>%1, %2 harmonics</source>
+        <translation>%1, %2 armónicos</translation>
+    </message>
+    <message>
+        <source>solved</source>
+        <translation>resueltos</translation>
+    </message>
+    <message>
+        <source>singular</source>
+        <translation>singulares</translation>
+    </message>
+    <message>
+        <source>not converged</source>
+        <translation>no convergen</translation>
+    </message>
+    <message>
+        <source>cannot be assembled</source>
+        <translation>no se puede ensamblar</translation>
+    </message>
+    <message>
+        <source>not finite</source>
+        <translation>no finitos</translation>
+    </message>
+    <message>
+        <source>, %1 wrong but called solved</source>
+        <translation>, %1 erróneos pero dados por resueltos</translation>
+    </message>
+    <message>
+        <source>%1 ns per time step (± %2), %3 channels</source>
+        <translation>%1 ns por instante (± %2), %3 canales</translation>
+    </message>
+    <message>
+        <source>Largest error: %1 of the peak</source>
+        <translation>Error máximo: %1 del máximo</translation>
+    </message>
+    <message>
+        <source>No time step is solved</source>
+        <translation>No se resuelve ningún instante</translation>
+    </message>
+    <message>
+        <source>Rounding a, b, c, ω₂, θ₂₀ and t to doubles alone may cost %1</source>
+        <translation>Solo redondear a, b, c, ω₂, θ₂₀ y t a double puede costar %1</translation>
+    </message>
+    <message>
+        <source>%1 channels</source>
+        <translation>%1 canales</translation>
+    </message>
+    <message>
+        <source>Methods that compute %1 channels, a row for each method and tolerance</source>
+        <translation>Métodos que calculan %1 canales, una fila por método y tolerancia</translation>
+    </message>
+    <message>
+        <source>How the motion is computed</source>
+        <translation>Cómo se calcula el movimiento</translation>
+    </message>
+    <message>
+        <source>tolerance</source>
+        <translation>tolerancia</translation>
+    </message>
+    <message>
+        <source>Of Newton-Raphson: absolute for the reference report&apos;s way, relative for the others</source>
+        <translation>De Newton-Raphson: absoluta en el procedimiento del informe de referencia, relativa en los demás</translation>
+    </message>
+    <message>
+        <source>time [ns]</source>
+        <translation>tiempo [ns]</translation>
+    </message>
+    <message>
+        <source>Position, velocity and acceleration at one time step: median over interleaved rounds</source>
+        <translation>Posición, velocidad y aceleración en un instante: mediana de rondas intercaladas</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>error</translation>
+    </message>
+    <message>
+        <source>Largest error of the six plotted channels, relative to the peak of the channel, over the time steps solved</source>
+        <translation>Error máximo de los seis canales representados, relativo al máximo del canal, en los instantes resueltos</translation>
+    </message>
+    <message>
+        <source>iterations</source>
+        <translation>iteraciones</translation>
+    </message>
+    <message>
+        <source>For each time step</source>
+        <translation>Por instante</translation>
+    </message>
+    <message>
+        <source>time steps</source>
+        <translation>instantes</translation>
+    </message>
+    <message>
+        <source>What the method reports</source>
+        <translation>Lo que informa el método</translation>
+    </message>
+    <message>
+        <source>time for one time step [ns]</source>
+        <translation>tiempo por instante [ns]</translation>
+    </message>
+    <message>
+        <source>error / peak</source>
+        <translation>error / máximo</translation>
+    </message>
+    <message>
+        <source>effect of rounded input</source>
+        <translation>efecto de los datos redondeados</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <comment>name of a file</comment>
+        <translation>velocidad</translation>
+    </message>
+    <message>
+        <source>Error against time for each method</source>
+        <translation>Error frente a tiempo de cada método</translation>
+    </message>
+    <message>
+        <source>How fast is each method, and how accurate? Run the study: every method is timed on the same time steps, and its error is measured against a computation with 50 digits or more.</source>
+        <translation>¿Qué rápido es cada método, y qué exacto? Ejecute el estudio: cada método se cronometra en los mismos instantes, y su error se mide frente a un cálculo con 50 cifras o más.</translation>
     </message>
 </context>
 <context>
@@ -4395,6 +5494,41 @@ Tiempos medidos en %2</translation>
     </message>
 </context>
 <context>
+    <name>slidercrank::TablePanel</name>
+    <message>
+        <source>Copy</source>
+        <translation>Copiar</translation>
+    </message>
+    <message>
+        <source>Copies the tables as CSV, with every digit</source>
+        <translation>Copia las tablas como CSV, con todas las cifras</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportar…</translation>
+    </message>
+    <message>
+        <source>Writes the tables to a CSV file, with every digit</source>
+        <translation>Escribe las tablas en un archivo CSV, con todas las cifras</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2.</source>
+        <translation>No se puede escribir %1: %2.</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tablas (*.csv)</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
+    </message>
+</context>
+<context>
     <name>slidercrank::Timeline</name>
     <message>
         <source>%1×</source>
@@ -4526,1148 +5660,6 @@ Tiempos medidos en %2</translation>
     <message>
         <source>That failed: %1.</source>
         <translation>Eso ha fallado: %1.</translation>
-    </message>
-</context>
-<context>
-    <name>slidercrank::ErrorPage</name>
-    <message>
-        <source>agrees</source>
-        <translation>coincide</translation>
-    </message>
-    <message>
-        <source>close</source>
-        <translation>próximo</translation>
-    </message>
-    <message>
-        <source>differs</source>
-        <translation>difiere</translation>
-    </message>
-    <message>
-        <source>%1 in the file, %2 time steps compared</source>
-        <translation>%1 en el archivo, %2 instantes comparados</translation>
-    </message>
-    <message>
-        <source>; at %1 more the model does not exist</source>
-        <translation>; en otros %1 el modelo no existe</translation>
-    </message>
-    <message>
-        <source>The file writes this channel in steps of at most %1.</source>
-        <translation>El archivo escribe este canal en pasos de a lo sumo %1.</translation>
-    </message>
-    <message>
-        <source>How the file was rounded is not known.</source>
-        <translation>No se sabe cómo se redondeó el archivo.</translation>
-    </message>
-    <message>
-        <source>Largest |model − reference|; root mean square %1.</source>
-        <translation>Máximo de |modelo − referencia|; valor eficaz %1.</translation>
-    </message>
-    <message>
-        <source>Point by point, |model − reference| / |reference|: at most %1 %, at t = %2 s.</source>
-        <translation>Punto por punto, |modelo − referencia| / |referencia|: a lo sumo %1 %, en t = %2 s.</translation>
-    </message>
-    <message>
-        <source>Point by point, relative to the reference: undefined.</source>
-        <translation>Punto por punto, relativo a la referencia: no definido.</translation>
-    </message>
-    <message>
-        <source>Undefined where the reference is zero: at %1 time steps.</source>
-        <translation>No definido donde la referencia es cero: en %1 instantes.</translation>
-    </message>
-    <message>
-        <source>max |model − reference| / max |reference| · 100</source>
-        <translation>máx. |modelo − referencia| / máx. |referencia| · 100</translation>
-    </message>
-    <message>
-        <source>Unbounded: one of the two reaches a limit position</source>
-        <translation>Sin cota: uno de los dos alcanza una posición límite</translation>
-    </message>
-    <message>
-        <source>Largest |this − pinned|; root mean square %1.</source>
-        <translation>Máximo de |este − fijado|; valor eficaz %1.</translation>
-    </message>
-    <message>
-        <source>max |this − pinned| / max |pinned| · 100</source>
-        <translation>máx. |este − fijado| / máx. |fijado| · 100</translation>
-    </message>
-    <message>
-        <source>quantity</source>
-        <translation>magnitud</translation>
-    </message>
-    <message>
-        <source>What is compared</source>
-        <translation>Lo que se compara</translation>
-    </message>
-    <message>
-        <source>t [s]</source>
-        <translation>t [s]</translation>
-    </message>
-    <message>
-        <source>Time of the largest error</source>
-        <translation>Instante del error máximo</translation>
-    </message>
-    <message>
-        <source>% of peak</source>
-        <translation>% del máximo</translation>
-    </message>
-    <message>
-        <source>Largest error relative to the largest value of the reference</source>
-        <translation>Error máximo relativo al mayor valor de la referencia</translation>
-    </message>
-    <message>
-        <source>1 row of the file was skipped (line %1)</source>
-        <translation>Se omitió 1 fila del archivo (línea %1)</translation>
-    </message>
-    <message>
-        <source>%1 rows of the file were skipped</source>
-        <translation>Se omitieron %1 filas del archivo</translation>
-    </message>
-    <message>
-        <source>Line %1, column %2: “%3” %4</source>
-        <translation>Línea %1, columna %2: «%3» %4</translation>
-    </message>
-    <message>
-        <source>… and %1 more</source>
-        <translation>… y %1 más</translation>
-    </message>
-    <message>
-        <source>1 column was ignored</source>
-        <translation>1 columna no se usó</translation>
-    </message>
-    <message>
-        <source>%1 columns were ignored</source>
-        <translation>%1 columnas no se usaron</translation>
-    </message>
-    <message>
-        <source>Ignored: %1</source>
-        <translation>Sin usar: %1</translation>
-    </message>
-    <message>
-        <source>errors</source>
-        <comment>name of a file</comment>
-        <translation>errores</translation>
-    </message>
-    <message>
-        <source>Errors, a row for each channel</source>
-        <translation>Errores, una fila por canal</translation>
-    </message>
-    <message>
-        <source>verdict</source>
-        <translation>veredicto</translation>
-    </message>
-    <message>
-        <source>agrees: at least 95 % of the values within the file&apos;s rounding, none beyond ten times that
-close: none beyond a hundred times
-differs: anything else, and errors beyond the rounding by 1 % of half the motion&apos;s range</source>
-        <translation>coincide: al menos el 95 % de los valores dentro del redondeo del archivo, ninguno más allá de diez veces
-próximo: ninguno más allá de cien veces
-difiere: lo demás, y los errores que superan el redondeo en un 1 % de la mitad del recorrido</translation>
-    </message>
-    <message>
-        <source>largest error</source>
-        <translation>error máximo</translation>
-    </message>
-    <message>
-        <source>max |model − reference|</source>
-        <translation>máx. |modelo − referencia|</translation>
-    </message>
-    <message>
-        <source>differences</source>
-        <comment>name of a file</comment>
-        <translation>diferencias</translation>
-    </message>
-    <message>
-        <source>This mechanism is the pinned one: change it to see the difference.</source>
-        <translation>Este mecanismo es el fijado: cámbielo para ver la diferencia.</translation>
-    </message>
-    <message>
-        <source>This mechanism − pinned (%1).</source>
-        <translation>Este mecanismo − fijado (%1).</translation>
-    </message>
-    <message>
-        <source>Where one of the two cannot be assembled there is nothing to compare.</source>
-        <translation>Donde uno de los dos no se puede ensamblar no hay nada que comparar.</translation>
-    </message>
-    <message>
-        <source>Differences from the pinned motion, a row for each channel</source>
-        <translation>Diferencias con el movimiento fijado, una fila por canal</translation>
-    </message>
-    <message>
-        <source>largest difference</source>
-        <translation>mayor diferencia</translation>
-    </message>
-    <message>
-        <source>max |this − pinned|</source>
-        <translation>máx. |este − fijado|</translation>
-    </message>
-    <message>
-        <source>Use this mechanism</source>
-        <translation>Usar este mecanismo</translation>
-    </message>
-    <message>
-        <source>Use the first of them</source>
-        <translation>Usar el primero de ellos</translation>
-    </message>
-    <message>
-        <source>The file fits %1</source>
-        <translation>El archivo corresponde a %1</translation>
-    </message>
-    <message>
-        <source>%1 Largest error: %2 → %3 % of peak.</source>
-        <translation>%1 Error máximo: %2 → %3 % del máximo.</translation>
-    </message>
-    <message>
-        <source>unchanged</source>
-        <translation>sin cambio</translation>
-    </message>
-    <message>
-        <source>assembly</source>
-        <translation>configuración</translation>
-    </message>
-    <message>
-        <source>Now → then (measured ± standard error)</source>
-        <translation>Ahora → después (medido ± error estándar)</translation>
-    </message>
-    <message>
-        <source>Apply</source>
-        <translation>Aplicar</translation>
-    </message>
-    <message>
-        <source>The file is read differently from how it is written: %1.</source>
-        <translation>El archivo se lee de otro modo que como está escrito: %1.</translation>
-    </message>
-    <message>
-        <source>Read as written</source>
-        <translation>Leer como está escrito</translation>
-    </message>
-    <message>
-        <source>There is nothing to compare with: no file is open and no motion is pinned.</source>
-        <translation>No hay nada con que comparar: no hay ningún archivo abierto ni movimiento fijado.</translation>
-    </message>
-    <message>
-        <source>Errors</source>
-        <translation>Errores</translation>
-    </message>
-    <message>
-        <source>Click to go there</source>
-        <translation>Haga clic para ir allí</translation>
-    </message>
-</context>
-<context>
-    <name>slidercrank::LimitsPage</name>
-    <message>
-        <source>value</source>
-        <translation>valor</translation>
-    </message>
-    <message>
-        <source>θ₂ [°]</source>
-        <translation>θ₂ [°]</translation>
-    </message>
-    <message>
-        <source>Crank angle, 0 to 360°</source>
-        <translation>Ángulo de la manivela, de 0 a 360°</translation>
-    </message>
-    <message>
-        <source>t [s]</source>
-        <translation>t [s]</translation>
-    </message>
-    <message>
-        <source>First time at which the crank is there</source>
-        <translation>Primer instante en que la manivela está allí</translation>
-    </message>
-    <message>
-        <source>Click or press Enter to go there</source>
-        <translation>Haga clic o pulse Intro para ir allí</translation>
-    </message>
-    <message>
-        <source>Outside the simulated time range</source>
-        <translation>Fuera del intervalo de tiempo simulado</translation>
-    </message>
-    <message>
-        <source>limits</source>
-        <comment>name of a file</comment>
-        <translation>límites</translation>
-    </message>
-    <message>
-        <source>Limits of the motion</source>
-        <translation>Límites del movimiento</translation>
-    </message>
-    <message>
-        <source>limit</source>
-        <translation>límite</translation>
-    </message>
-    <message>
-        <source>Where slider and crank reverse, and the stroke times</source>
-        <translation>Dónde se invierten la corredera y la manivela, y los tiempos de las carreras</translation>
-    </message>
-    <message>
-        <source>Positions are those of the slider, Rₓ⁴, measured from O₂</source>
-        <translation>Las posiciones son las de la corredera, Rₓ⁴, medidas desde O₂</translation>
-    </message>
-    <message>
-        <source>Peak velocities and accelerations</source>
-        <translation>Velocidades y aceleraciones máximas</translation>
-    </message>
-    <message>
-        <source>peak value per revolution</source>
-        <translation>valor máximo por vuelta</translation>
-    </message>
-    <message>
-        <source>Largest velocities and accelerations over a whole revolution of the crank, whatever part of it is simulated</source>
-        <translation>Las mayores velocidades y aceleraciones en una vuelta completa de la manivela, sea cual sea la parte simulada</translation>
-    </message>
-    <message>
-        <source>With its sign: x to the right, angles counter-clockwise</source>
-        <translation>Con su signo: x hacia la derecha, ángulos en sentido antihorario</translation>
-    </message>
-</context>
-<context>
-    <name>slidercrank::NewtonPages</name>
-    <message>
-        <source>ground</source>
-        <translation>bancada</translation>
-    </message>
-    <message>
-        <source>crank</source>
-        <translation>manivela</translation>
-    </message>
-    <message>
-        <source>coupler</source>
-        <translation>biela</translation>
-    </message>
-    <message>
-        <source>slider</source>
-        <translation>corredera</translation>
-    </message>
-    <message>
-        <source>pivot O₂</source>
-        <translation>pivote O₂</translation>
-    </message>
-    <message>
-        <source>pin A</source>
-        <translation>pasador A</translation>
-    </message>
-    <message>
-        <source>pin B</source>
-        <translation>pasador B</translation>
-    </message>
-    <message>
-        <source>guide</source>
-        <translation>guía</translation>
-    </message>
-    <message>
-        <source>drive</source>
-        <translation>restricción motriz</translation>
-    </message>
-    <message>
-        <source>%1, x</source>
-        <translation>%1, x</translation>
-    </message>
-    <message>
-        <source>%1, y</source>
-        <translation>%1, y</translation>
-    </message>
-    <message>
-        <source>%1, θ</source>
-        <translation>%1, θ</translation>
-    </message>
-    <message>
-        <source>%1 does not exist here</source>
-        <translation>%1 no existe aquí</translation>
-    </message>
-    <message>
-        <source>⚠ The coupler is perpendicular to the slider&apos;s line: C_q is singular. The position exists, velocity and acceleration do not.</source>
-        <translation>⚠ La biela es perpendicular a la línea de la corredera: C_q es singular. La posición existe; la velocidad y la aceleración, no.</translation>
-    </message>
-    <message>
-        <source>⚠ Not converged within %1 iterations: the last one is shown. Allow more iterations or a larger tolerance.</source>
-        <translation>⚠ No converge en %1 iteraciones: se muestra la última. Permita más iteraciones o una tolerancia mayor.</translation>
-    </message>
-    <message>
-        <source>⚠ It cannot be assembled here: the coupler is too short.</source>
-        <translation>⚠ Aquí no se puede ensamblar: la biela es demasiado corta.</translation>
-    </message>
-    <message>
-        <source>⚠ The result is too large to be a number here.</source>
-        <translation>⚠ Aquí el resultado es demasiado grande para ser un número.</translation>
-    </message>
-    <message>
-        <source>tolerance %1</source>
-        <translation>tolerancia %1</translation>
-    </message>
-    <message>
-        <source>iteration</source>
-        <translation>iteración</translation>
-    </message>
-    <message>
-        <source>‖C‖, relative</source>
-        <translation>‖C‖, relativo</translation>
-    </message>
-    <message>
-        <source>‖C‖</source>
-        <translation>‖C‖</translation>
-    </message>
-    <message>
-        <source>equations</source>
-        <comment>name of a file</comment>
-        <translation>ecuaciones</translation>
-    </message>
-    <message>
-        <source>Equations, a row for each constraint</source>
-        <translation>Ecuaciones, una fila por restricción</translation>
-    </message>
-    <message>
-        <source>joint</source>
-        <translation>par</translation>
-    </message>
-    <message>
-        <source>Joint that the equation describes</source>
-        <translation>Par que describe la ecuación</translation>
-    </message>
-    <message>
-        <source>equation</source>
-        <translation>ecuación</translation>
-    </message>
-    <message>
-        <source>C(q, t) = 0; bodies as superscripts: 1 ground, 2 crank, 3 coupler, 4 slider</source>
-        <translation>C(q, t) = 0; los cuerpos como superíndices: 1 bancada, 2 manivela, 3 biela, 4 corredera</translation>
-    </message>
-    <message>
-        <source>C</source>
-        <translation>C</translation>
-    </message>
-    <message>
-        <source>Residual of the equation, in mm or rad</source>
-        <translation>Residuo de la ecuación, en mm o rad</translation>
-    </message>
-    <message>
-        <source>Cₜ, per s</source>
-        <translation>Cₜ, por s</translation>
-    </message>
-    <message>
-        <source>∂C/∂t, in mm/s or rad/s: the velocities follow from C_q dq/dt = −Cₜ</source>
-        <translation>∂C/∂t, en mm/s o rad/s: las velocidades se obtienen de C_q dq/dt = −Cₜ</translation>
-    </message>
-    <message>
-        <source>Q_d, per s²</source>
-        <translation>Q_d, por s²</translation>
-    </message>
-    <message>
-        <source>In mm/s² or rad/s²: the accelerations follow from C_q d²q/dt² = Q_d</source>
-        <translation>En mm/s² o rad/s²: las aceleraciones se obtienen de C_q d²q/dt² = Q_d</translation>
-    </message>
-    <message>
-        <source>unit</source>
-        <translation>unidad</translation>
-    </message>
-    <message>
-        <source>Of C; of Cₜ per s, of Q_d per s²</source>
-        <translation>De C; la de Cₜ por s, la de Q_d por s²</translation>
-    </message>
-    <message>
-        <source>Equation %1</source>
-        <translation>Ecuación %1</translation>
-    </message>
-    <message>
-        <source>C, row %1</source>
-        <translation>C, fila %1</translation>
-    </message>
-    <message>
-        <source>Cₜ, row %1</source>
-        <translation>Cₜ, fila %1</translation>
-    </message>
-    <message>
-        <source>Q_d, row %1</source>
-        <translation>Q_d, fila %1</translation>
-    </message>
-    <message>
-        <source>jacobian</source>
-        <comment>name of a file</comment>
-        <translation>jacobiano</translation>
-    </message>
-    <message>
-        <source>Jacobian C_q, a row for each constraint, a column for each coordinate</source>
-        <translation>Jacobiano C_q, una fila por restricción y una columna por coordenada</translation>
-    </message>
-    <message>
-        <source>C_q</source>
-        <translation>C_q</translation>
-    </message>
-    <message>
-        <source>∂C/∂q: a row for each constraint, a column for each coordinate</source>
-        <translation>∂C/∂q: una fila por restricción, una columna por coordenada</translation>
-    </message>
-    <message>
-        <source>Angle of the %1; lengths in mm</source>
-        <translation>Ángulo: %1; longitudes en mm</translation>
-    </message>
-    <message>
-        <source>Centre of mass of the %1</source>
-        <translation>Centro de masa: %1</translation>
-    </message>
-    <message>
-        <source>∂(%1)/∂%2</source>
-        <translation>∂(%1)/∂%2</translation>
-    </message>
-    <message>
-        <source>Condition number κ(C_q) = %1; det C_q = −b cos θ³ = %2 mm</source>
-        <translation>Número de condición κ(C_q) = %1; det C_q = −b cos θ³ = %2 mm</translation>
-    </message>
-    <message>
-        <source>κ is the largest singular value divided by the smallest, mm and rad mixed as in C_q. The larger it is, the more digits are lost; it is infinite where the coupler is perpendicular to the slider&apos;s line.</source>
-        <translation>κ es el mayor valor singular dividido por el menor, con mm y rad mezclados como en C_q. Cuanto mayor es, más cifras se pierden; es infinito donde la biela es perpendicular a la línea de la corredera.</translation>
-    </message>
-    <message>
-        <source>from a rough start</source>
-        <translation>desde un comienzo aproximado</translation>
-    </message>
-    <message>
-        <source>from %1 s earlier</source>
-        <translation>desde %1 s antes</translation>
-    </message>
-    <message>
-        <source>From a rough start: θ₂ exact, θ³ = 0 (crossed: 180°)</source>
-        <translation>Desde un comienzo aproximado: θ₂ exacto, θ³ = 0 (cruzada: 180°)</translation>
-    </message>
-    <message>
-        <source>From the position one time step before</source>
-        <translation>Desde la posición del instante anterior</translation>
-    </message>
-    <message>
-        <source>iterations</source>
-        <comment>name of a file</comment>
-        <translation>iteraciones</translation>
-    </message>
-    <message>
-        <source>Residual ‖C‖ over the iterations</source>
-        <translation>Residuo ‖C‖ a lo largo de las iteraciones</translation>
-    </message>
-    <message>
-        <source>Iterations, a row for each</source>
-        <translation>Iteraciones, una fila por cada una</translation>
-    </message>
-    <message>
-        <source>step</source>
-        <translation>paso</translation>
-    </message>
-    <message>
-        <source>0: the start</source>
-        <translation>0: el comienzo</translation>
-    </message>
-    <message>
-        <source>● ‖C‖</source>
-        <translation>● ‖C‖</translation>
-    </message>
-    <message>
-        <source>● θ³ [°]</source>
-        <translation>● θ³ [°]</translation>
-    </message>
-    <message>
-        <source>□ ‖C‖</source>
-        <translation>□ ‖C‖</translation>
-    </message>
-    <message>
-        <source>□ θ³ [°]</source>
-        <translation>□ θ³ [°]</translation>
-    </message>
-    <message>
-        <source>Near the solution each iteration doubles the number of correct digits: the line bends down.</source>
-        <translation>Cerca de la solución cada iteración duplica las cifras correctas: la línea se curva hacia abajo.</translation>
-    </message>
-    <message>
-        <source>coordinates</source>
-        <comment>name of a file</comment>
-        <translation>coordenadas</translation>
-    </message>
-    <message>
-        <source>Coordinates, a row for each</source>
-        <translation>Coordenadas, una fila por cada una</translation>
-    </message>
-    <message>
-        <source>coordinate</source>
-        <translation>coordenada</translation>
-    </message>
-    <message>
-        <source>Centre of mass and angle of each body</source>
-        <translation>Centro de masa y ángulo de cada eslabón</translation>
-    </message>
-    <message>
-        <source>body</source>
-        <translation>eslabón</translation>
-    </message>
-    <message>
-        <source>position</source>
-        <translation>posición</translation>
-    </message>
-    <message>
-        <source>q, in mm or °</source>
-        <translation>q, en mm o °</translation>
-    </message>
-    <message>
-        <source>velocity, per s</source>
-        <translation>velocidad, por s</translation>
-    </message>
-    <message>
-        <source>dq/dt, in mm/s or °/s</source>
-        <translation>dq/dt, en mm/s o °/s</translation>
-    </message>
-    <message>
-        <source>acceleration, per s²</source>
-        <translation>aceleración, por s²</translation>
-    </message>
-    <message>
-        <source>d²q/dt², in mm/s² or °/s²</source>
-        <translation>d²q/dt², en mm/s² o °/s²</translation>
-    </message>
-    <message>
-        <source>Of the position; of the velocity per s, of the acceleration per s²</source>
-        <translation>De la posición; la de la velocidad por s, la de la aceleración por s²</translation>
-    </message>
-</context>
-<context>
-    <name>slidercrank::ReferencePage</name>
-    <message>
-        <source>%1, 1 gap</source>
-        <translation>%1, 1 hueco</translation>
-    </message>
-    <message>
-        <source>%1, %2 gaps</source>
-        <translation>%1, %2 huecos</translation>
-    </message>
-    <message>
-        <source>Columns of the file, a row for each</source>
-        <translation>Columnas del archivo, una fila por cada una</translation>
-    </message>
-    <message>
-        <source>heading</source>
-        <translation>encabezado</translation>
-    </message>
-    <message>
-        <source>unit</source>
-        <translation>unidad</translation>
-    </message>
-    <message>
-        <source>read as</source>
-        <translation>se lee como</translation>
-    </message>
-    <message>
-        <source>rounded to</source>
-        <translation>redondeo</translation>
-    </message>
-    <message>
-        <source>Inferred from all values of the column</source>
-        <translation>Deducido de todos los valores de la columna</translation>
-    </message>
-    <message>
-        <source>values</source>
-        <translation>valores</translation>
-    </message>
-    <message>
-        <source>why</source>
-        <translation>motivo</translation>
-    </message>
-    <message>
-        <source>Rows of the file that were skipped</source>
-        <translation>Filas del archivo que se omitieron</translation>
-    </message>
-    <message>
-        <source>skipped line</source>
-        <translation>línea omitida</translation>
-    </message>
-    <message>
-        <source>column</source>
-        <translation>columna</translation>
-    </message>
-    <message>
-        <source>text</source>
-        <translation>texto</translation>
-    </message>
-    <message>
-        <source>The rows are by crank angle; ω₂ and θ₂₀ give the time.</source>
-        <translation>Las filas van por ángulo de la manivela; ω₂ y θ₂₀ dan el tiempo.</translation>
-    </message>
-    <message>
-        <source>First column is the time</source>
-        <translation>La primera columna es el tiempo</translation>
-    </message>
-    <message>
-        <source>The rows are by time.</source>
-        <translation>Las filas van por tiempo.</translation>
-    </message>
-    <message>
-        <source>First column is the crank angle</source>
-        <translation>La primera columna es el ángulo de la manivela</translation>
-    </message>
-    <message>
-        <source>Searching for the mechanism of this file…</source>
-        <translation>Buscando el mecanismo de este archivo…</translation>
-    </message>
-    <message>
-        <source>Mechanism found in this file: %1</source>
-        <translation>Mecanismo hallado en este archivo: %1</translation>
-    </message>
-    <message>
-        <source>Use this mechanism</source>
-        <translation>Usar este mecanismo</translation>
-    </message>
-    <message>
-        <source>Use the first</source>
-        <translation>Usar el primero</translation>
-    </message>
-    <message>
-        <source>No file is open.</source>
-        <translation>No hay ningún archivo abierto.</translation>
-    </message>
-    <message>
-        <source>1 row</source>
-        <translation>1 fila</translation>
-    </message>
-    <message>
-        <source>%1 rows</source>
-        <translation>%1 filas</translation>
-    </message>
-    <message>
-        <source>reference</source>
-        <comment>name of a file</comment>
-        <translation>referencia</translation>
-    </message>
-    <message>
-        <source>%1. %2.</source>
-        <translation>%1. %2.</translation>
-    </message>
-    <message>
-        <source>Choose columns…</source>
-        <translation>Elegir columnas…</translation>
-    </message>
-</context>
-<context>
-    <name>slidercrank::StudyPage</name>
-    <message>
-        <source>The same, started from position, velocity and acceleration of the time step before (Taylor series)</source>
-        <translation>Lo mismo, a partir de la posición, la velocidad y la aceleración del instante anterior (serie de Taylor)</translation>
-    </message>
-    <message>
-        <source>Newton-Raphson, dense</source>
-        <translation>Newton-Raphson, denso</translation>
-    </message>
-    <message>
-        <source>As in the reference report: 12 equations solved together (dense LU), started from the time step before</source>
-        <translation>Como en el informe de referencia: 12 ecuaciones resueltas juntas (LU denso), a partir del instante anterior</translation>
-    </message>
-    <message>
-        <source>dense, Taylor start</source>
-        <translation>denso, inicio de Taylor</translation>
-    </message>
-    <message>
-        <source>Newton-Raphson, structured</source>
-        <translation>Newton-Raphson, estructurado</translation>
-    </message>
-    <message>
-        <source>The same 12 equations, solved joint by joint</source>
-        <translation>Las mismas 12 ecuaciones, resueltas par por par</translation>
-    </message>
-    <message>
-        <source>structured, Taylor start</source>
-        <translation>estructurado, inicio de Taylor</translation>
-    </message>
-    <message>
-        <source>closed form</source>
-        <translation>forma cerrada</translation>
-    </message>
-    <message>
-        <source>The exact formulas, one time step after the other</source>
-        <translation>Las fórmulas exactas, un instante tras otro</translation>
-    </message>
-    <message>
-        <source>closed form, batch</source>
-        <translation>forma cerrada, en lote</translation>
-    </message>
-    <message>
-        <source>The exact formulas for several time steps at once (vector instructions)</source>
-        <translation>Las fórmulas exactas para varios instantes a la vez (instrucciones vectoriales)</translation>
-    </message>
-    <message>
-        <source>finite differences</source>
-        <translation>diferencias finitas</translation>
-    </message>
-    <message>
-        <source>Velocity and acceleration as central differences of exact positions</source>
-        <translation>Velocidad y aceleración como diferencias centrales de posiciones exactas</translation>
-    </message>
-    <message>
-        <source>Fourier series</source>
-        <translation>serie de Fourier</translation>
-    </message>
-    <message>
-        <source>The motion as a Fourier series</source>
-        <translation>El movimiento como serie de Fourier</translation>
-    </message>
-    <message>
-        <source>%1, %2 harmonics</source>
-        <translation>%1, %2 armónicos</translation>
-    </message>
-    <message>
-        <source>solved</source>
-        <translation>resueltos</translation>
-    </message>
-    <message>
-        <source>singular</source>
-        <translation>singulares</translation>
-    </message>
-    <message>
-        <source>not converged</source>
-        <translation>no convergen</translation>
-    </message>
-    <message>
-        <source>cannot be assembled</source>
-        <translation>no se puede ensamblar</translation>
-    </message>
-    <message>
-        <source>not finite</source>
-        <translation>no finitos</translation>
-    </message>
-    <message>
-        <source>, %1 wrong but called solved</source>
-        <translation>, %1 erróneos pero dados por resueltos</translation>
-    </message>
-    <message>
-        <source>%1 ns per time step (± %2), %3 channels</source>
-        <translation>%1 ns por instante (± %2), %3 canales</translation>
-    </message>
-    <message>
-        <source>Largest error: %1 of the peak</source>
-        <translation>Error máximo: %1 del máximo</translation>
-    </message>
-    <message>
-        <source>No time step is solved</source>
-        <translation>No se resuelve ningún instante</translation>
-    </message>
-    <message>
-        <source>Rounding a, b, c, ω₂, θ₂₀ and t to doubles alone may cost %1</source>
-        <translation>Solo redondear a, b, c, ω₂, θ₂₀ y t a double puede costar %1</translation>
-    </message>
-    <message>
-        <source>%1 channels</source>
-        <translation>%1 canales</translation>
-    </message>
-    <message>
-        <source>Methods that compute %1 channels, a row for each method and tolerance</source>
-        <translation>Métodos que calculan %1 canales, una fila por método y tolerancia</translation>
-    </message>
-    <message>
-        <source>How the motion is computed</source>
-        <translation>Cómo se calcula el movimiento</translation>
-    </message>
-    <message>
-        <source>tolerance</source>
-        <translation>tolerancia</translation>
-    </message>
-    <message>
-        <source>Of Newton-Raphson: absolute for the reference report&apos;s way, relative for the others</source>
-        <translation>De Newton-Raphson: absoluta en el procedimiento del informe de referencia, relativa en los demás</translation>
-    </message>
-    <message>
-        <source>time [ns]</source>
-        <translation>tiempo [ns]</translation>
-    </message>
-    <message>
-        <source>Position, velocity and acceleration at one time step: median over interleaved rounds</source>
-        <translation>Posición, velocidad y aceleración en un instante: mediana de rondas intercaladas</translation>
-    </message>
-    <message>
-        <source>error</source>
-        <translation>error</translation>
-    </message>
-    <message>
-        <source>Largest error of the six plotted channels, relative to the peak of the channel, over the time steps solved</source>
-        <translation>Error máximo de los seis canales representados, relativo al máximo del canal, en los instantes resueltos</translation>
-    </message>
-    <message>
-        <source>iterations</source>
-        <translation>iteraciones</translation>
-    </message>
-    <message>
-        <source>For each time step</source>
-        <translation>Por instante</translation>
-    </message>
-    <message>
-        <source>time steps</source>
-        <translation>instantes</translation>
-    </message>
-    <message>
-        <source>What the method reports</source>
-        <translation>Lo que informa el método</translation>
-    </message>
-    <message>
-        <source>time for one time step [ns]</source>
-        <translation>tiempo por instante [ns]</translation>
-    </message>
-    <message>
-        <source>error / peak</source>
-        <translation>error / máximo</translation>
-    </message>
-    <message>
-        <source>effect of rounded input</source>
-        <translation>efecto de los datos redondeados</translation>
-    </message>
-    <message>
-        <source>speed</source>
-        <comment>name of a file</comment>
-        <translation>velocidad</translation>
-    </message>
-    <message>
-        <source>Error against time for each method</source>
-        <translation>Error frente a tiempo de cada método</translation>
-    </message>
-    <message>
-        <source>How fast is each method, and how accurate? Run the study: every method is timed on the same time steps, and its error is measured against a computation with 50 digits or more.</source>
-        <translation>¿Qué rápido es cada método, y qué exacto? Ejecute el estudio: cada método se cronometra en los mismos instantes, y su error se mide frente a un cálculo con 50 cifras o más.</translation>
-    </message>
-</context>
-<context>
-    <name>slidercrank::TablePanel</name>
-    <message>
-        <source>Copy</source>
-        <translation>Copiar</translation>
-    </message>
-    <message>
-        <source>Copies the tables as CSV, with every digit</source>
-        <translation>Copia las tablas como CSV, con todas las cifras</translation>
-    </message>
-    <message>
-        <source>Export…</source>
-        <translation>Exportar…</translation>
-    </message>
-    <message>
-        <source>Writes the tables to a CSV file, with every digit</source>
-        <translation>Escribe las tablas en un archivo CSV, con todas las cifras</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written: %2.</source>
-        <translation>No se puede escribir %1: %2.</translation>
-    </message>
-    <message>
-        <source>Tables (*.csv)</source>
-        <translation>Tablas (*.csv)</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Exportar</translation>
-    </message>
-</context>
-<context>
-    <name>slidercrank::DesignForm</name>
-    <message>
-        <source>Mechanism with a given stroke and time ratio</source>
-        <translation>Mecanismo con una carrera y una relación de tiempos dadas</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source>Type a stroke: the mechanism is scaled, so that its time ratio and angles stay</source>
-        <translation>Escriba una carrera: el mecanismo se escala, de modo que conserva su relación de tiempos y sus ángulos</translation>
-    </message>
-    <message>
-        <source>Type a time ratio: the mechanism with the largest minimum transmission angle is chosen, the stroke stays. A ratio below 1 exchanges the forward and the return stroke.</source>
-        <translation>Escriba una relación de tiempos: se elige el mecanismo con el mayor ángulo de transmisión mínimo y se conserva la carrera. Una relación menor que 1 intercambia la carrera de ida y la de vuelta.</translation>
-    </message>
-    <message>
-        <source>Type the smallest transmission angle that you accept: the mechanism with the largest minimum transmission angle is chosen, stroke and time ratio stay</source>
-        <translation>Escriba el menor ángulo de transmisión que acepta: se elige el mecanismo con el mayor ángulo de transmisión mínimo y se conservan la carrera y la relación de tiempos</translation>
-    </message>
-    <message>
-        <source>The freedom that stroke and time ratio leave: the ratio b/a of coupler and crank</source>
-        <translation>El grado de libertad que dejan la carrera y la relación de tiempos: la relación b/a entre biela y manivela</translation>
-    </message>
-    <message>
-        <source>Best transmission angle</source>
-        <translation>Mejor ángulo de transmisión</translation>
-    </message>
-    <message>
-        <source>The ratio b/a with the largest minimum transmission angle, at most %1</source>
-        <translation>La relación b/a con el mayor ángulo de transmisión mínimo, como máximo %1</translation>
-    </message>
-    <message>
-        <source>Stroke</source>
-        <translation>Carrera</translation>
-    </message>
-    <message>
-        <source>Time ratio</source>
-        <translation>Relación de tiempos</translation>
-    </message>
-    <message>
-        <source>Ratio b/a</source>
-        <translation>Relación b/a</translation>
-    </message>
-    <message>
-        <source>a = %1 mm, b = %2 mm, c = %3 mm, b/a = %4.</source>
-        <translation>a = %1 mm, b = %2 mm, c = %3 mm, b/a = %4.</translation>
-    </message>
-    <message>
-        <source>The crank does not make full turns: there is no time ratio.</source>
-        <translation>La manivela no da vueltas completas: no hay relación de tiempos.</translation>
-    </message>
-    <message>
-        <source>With this time ratio the minimum transmission angle is largest, %1°, for b/a = %2.</source>
-        <translation>Con esta relación de tiempos, el ángulo de transmisión mínimo es mayor, %1°, con b/a = %2.</translation>
-    </message>
-    <message>
-        <source>No length may be below 10⁻⁹ mm or above 10¹² mm.</source>
-        <translation>Ninguna longitud puede ser menor que 10⁻⁹ mm ni mayor que 10¹² mm.</translation>
-    </message>
-    <message>
-        <source>Minimum transmission angle</source>
-        <translation>Ángulo de transmisión mínimo</translation>
-    </message>
-</context>
-<context>
-    <name>slidercrank::DesignText</name>
-    <message>
-        <source>The stroke must be greater than 0.</source>
-        <translation>La carrera debe ser mayor que 0.</translation>
-    </message>
-    <message>
-        <source>There is no such mechanism: a crank that makes full turns has a time ratio below 3, not %1.</source>
-        <translation>No existe tal mecanismo: una manivela que da vueltas completas tiene una relación de tiempos menor que 3, no %1.</translation>
-    </message>
-    <message>
-        <source>There is no such mechanism: with a time ratio of %1 the minimum transmission angle is at most %2°; an angle of %3° needs a time ratio below %4.</source>
-        <translation>No existe tal mecanismo: con una relación de tiempos de %1, el ángulo de transmisión mínimo es como máximo %2°; un ángulo de %3° exige una relación de tiempos menor que %4.</translation>
-    </message>
-</context>
-<context>
-    <name>slidercrank::LimitsPanel</name>
-    <message>
-        <source>Motion limits</source>
-        <translation>Límites del movimiento</translation>
-    </message>
-    <message>
-        <source>Values</source>
-        <translation>Valores</translation>
-    </message>
-    <message>
-        <source>Response</source>
-        <translation>Respuesta</translation>
-    </message>
-    <message>
-        <source>Design</source>
-        <translation>Diseño</translation>
-    </message>
-</context>
-<context>
-    <name>slidercrank::ResponseChart</name>
-    <message>
-        <source>stroke [mm]</source>
-        <translation>carrera [mm]</translation>
-    </message>
-    <message>
-        <source>time ratio</source>
-        <translation>relación de tiempos</translation>
-    </message>
-    <message>
-        <source>min. transmission angle [°]</source>
-        <translation>ángulo transm. mín. [°]</translation>
-    </message>
-    <message>
-        <source>peak slider speed [mm/s]</source>
-        <translation>velocidad máx. [mm/s]</translation>
-    </message>
-    <message>
-        <source>peak slider acc. [mm/s²]</source>
-        <translation>aceleración máx. [mm/s²]</translation>
-    </message>
-</context>
-<context>
-    <name>slidercrank::ResponseView</name>
-    <message>
-        <source>Parameter that is varied</source>
-        <translation>Parámetro que se varía</translation>
-    </message>
-    <message>
-        <source>How the limits depend on a parameter</source>
-        <translation>Cómo dependen los límites de un parámetro</translation>
-    </message>
-    <message>
-        <source>Response to %1</source>
-        <translation>Respuesta a %1</translation>
-    </message>
-    <message>
-        <source>Copy</source>
-        <translation>Copiar</translation>
-    </message>
-    <message>
-        <source>Copies the charts as an image</source>
-        <translation>Copia las gráficas como imagen</translation>
-    </message>
-    <message>
-        <source>Export…</source>
-        <translation>Exportar…</translation>
-    </message>
-    <message>
-        <source>Writes the charts to an image file, or the numbers of the curves to a CSV file</source>
-        <translation>Escribe las gráficas en un archivo de imagen, o los números de las curvas en un archivo CSV</translation>
-    </message>
-    <message>
-        <source>%1 [%2]</source>
-        <translation>%1 [%2]</translation>
-    </message>
-    <message>
-        <source>rad/s</source>
-        <translation>rad/s</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>mm</translation>
-    </message>
-    <message>
-        <source>Drag a dot to change %1.</source>
-        <translation>Arrastre un punto para cambiar %1.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written: %2.</source>
-        <translation>No se puede escribir %1: %2.</translation>
-    </message>
-    <message>
-        <source>The charts are in the clipboard.</source>
-        <translation>Las gráficas están en el portapapeles.</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Exportar</translation>
-    </message>
-    <message>
-        <source>Tables (*.csv)</source>
-        <translation>Tablas (*.csv)</translation>
-    </message>
-    <message>
-        <source>response.png</source>
-        <translation>respuesta.png</translation>
-    </message>
-    <message>
-        <source>With no %1 does the crank make full turns.</source>
-        <translation>Con ningún %1 da la manivela vueltas completas.</translation>
-    </message>
-    <message>
-        <source>%1 ≤ %2 ≤ %3 mm</source>
-        <translation>%1 ≤ %2 ≤ %3 mm</translation>
-    </message>
-    <message>
-        <source>%1 ≥ %2 mm</source>
-        <translation>%1 ≥ %2 mm</translation>
-    </message>
-    <message>
-        <source>%1 ≤ %2 mm</source>
-        <translation>%1 ≤ %2 mm</translation>
-    </message>
-    <message>
-        <source>Full turns for %1, shaded elsewhere.</source>
-        <translation>Vueltas completas con %1; fuera de ahí, sombreado.</translation>
     </message>
 </context>
 </TS>
