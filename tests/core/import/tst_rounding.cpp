@@ -81,81 +81,77 @@ private slots:
         }
     }
 
-    void infersTheRule_data()
+    void infersTheRule()
     {
-        QTest::addColumn<QStringList>("cells");
-        QTest::addColumn<int>("rule");
-        QTest::addColumn<int>("digits");
-        const auto significant = static_cast<int>(Rule::SignificantDigits);
-        const auto decimals = static_cast<int>(Rule::Decimals);
-        const auto unknown = static_cast<int>(Rule::Unknown);
-
-        QTest::newRow("6 significant digits, printed with 6 decimals")
-            << column([](int i) { return asInventorPrints(irregular(i, 1200.0), 6); }) << significant << 6;
-        QTest::newRow("3 decimals, printed with 6")
-            << column([](int i) { return withDecimals(irregular(i, 130.0), 3) + "000"; }) << decimals << 3;
-        QTest::newRow("3 decimals in half of the rows, 6 significant digits in the others") << column([](int i) {
-            const double value = irregular(i, 48.0);
-            return i % 2 == 0 ? withDecimals(value, 3) + "000" : asInventorPrints(value, 6);
-        }) << decimals << 3;
-        QTest::newRow("6 significant digits, with more in one row of ten")
-            << column([](int i) { return asInventorPrints(irregular(i, 1200.0), i % 10 == 0 ? 8 : 6); }) << significant
-            << 6;
-        QTest::newRow("6 significant digits, with fewer in one row of ten")
-            << column([](int i) { return asInventorPrints(irregular(i, 1200.0), i % 10 == 0 ? 4 : 6); }) << significant
-            << 6;
-        QTest::newRow("a decimal comma") << column([](int i) {
-            return withDecimals(irregular(i, 130.0), 2).replace('.', ',');
-        }) << decimals << 2;
-        QTest::newRow("integers") << column([](int i) { return withDecimals(irregular(i, 900.0), 0); }) << decimals
-                                  << 0;
-        QTest::newRow("tens: whole numbers")
-            << column([](int i) { return withDecimals(irregular(i, 900.0), 0) + "0"; }) << decimals << 0;
-        QTest::newRow("all digits that a double has")
-            << column([](int i) { return QString::number(irregular(i, 75.0), 'g', 17); }) << significant << 16;
-        QTest::newRow("6 significant digits, printed with 17") << column([](int i) {
-            return QString::number(asInventorPrints(irregular(i, 75.0), 6).toDouble(), 'g', 17);
-        }) << significant << 6;
-        QTest::newRow("3 decimals, printed with 19 digits and a comma") << column([](int i) {
-            return QString::number(withDecimals(irregular(i, 130.0), 3).toDouble(), 'e', 18).replace('.', ',');
-        }) << decimals << 3;
-        QTest::newRow("6 significant digits of numbers beyond a million, printed with 6 decimals")
-            << column([](int i) { return asInventorPrints(irregular(i, 5e6), 6); }) << significant << 6;
-        QTest::newRow("4 digits with exponents")
-            << column([](int i) { return QString::number(std::exp(irregular(i, 20.0)), 'e', 3); }) << significant << 4;
-        QTest::newRow("3 decimals, and zeros")
-            << column([](int i) { return i % 3 == 0 ? "0.000000" : withDecimals(irregular(i, 130.0), 3) + "000"; })
-            << decimals << 3;
+        struct Row {
+            const char *name;
+            QStringList cells;
+            Rule rule;
+            int digits;
+        };
         QStringList fewSmall =
             column([](int i) { return asInventorPrints((i % 2 == 0 ? 1500 : 500) + irregular(i, 300.0), 6); });
         fewSmall << "12.345"
                  << "23.451"
                  << "1.234"
                  << "2.345";
-        QTest::newRow("6 significant digits, and four small values that end early") << fewSmall << significant << 6;
-        QTest::newRow("zeros") << column([](int) { return QString("0.000000"); }) << unknown << 0;
-        QTest::newRow("nothing") << QStringList() << unknown << 0;
-
-        // One number throughout: its zeros may be the number's own.
-        QTest::newRow("25 throughout, with 6 decimals: as many digits as a person chooses")
-            << column([](int) { return QString("25.000000"); }) << decimals << 2;
-        QTest::newRow("25 throughout, with 1 decimal") << column([](int) { return QString("25.0"); }) << decimals << 1;
-        QTest::newRow("360 throughout, either sign")
-            << column([](int i) { return QString(i % 2 == 0 ? "360" : "-360"); }) << decimals << 0;
-        QTest::newRow("0.1 throughout, as a double has it")
-            << column([](int) { return QString("0.10000000000000001"); }) << decimals << 4;
-        QTest::newRow("6 rad/s in degrees throughout")
-            << column([](int) { return QString("343.775000"); }) << decimals << 3;
-        QTest::newRow("a long coupler's throughout, with an exponent")
-            << column([](int) { return QString("3.07587e+07"); }) << decimals << -2;
-    }
-
-    void infersTheRule()
-    {
-        QFETCH(const QStringList, cells);
-        const Rounding rounding = inferred(cells);
-        QTEST(static_cast<int>(rounding.rule), "rule");
-        QTEST(rounding.digits, "digits");
+        // Of one number throughout, zeros may be its own.
+        const std::vector<Row> rows{
+            {"6 significant digits, printed with 6 decimals",
+             column([](int i) { return asInventorPrints(irregular(i, 1200.0), 6); }), Rule::SignificantDigits, 6},
+            {"3 decimals, printed with 6", column([](int i) { return withDecimals(irregular(i, 130.0), 3) + "000"; }),
+             Rule::Decimals, 3},
+            {"3 decimals in half of the rows, 6 significant digits in the others", column([](int i) {
+                 const double value = irregular(i, 48.0);
+                 return i % 2 == 0 ? withDecimals(value, 3) + "000" : asInventorPrints(value, 6);
+             }),
+             Rule::Decimals, 3},
+            {"6 significant digits, with more in one row of ten",
+             column([](int i) { return asInventorPrints(irregular(i, 1200.0), i % 10 == 0 ? 8 : 6); }),
+             Rule::SignificantDigits, 6},
+            {"6 significant digits, with fewer in one row of ten",
+             column([](int i) { return asInventorPrints(irregular(i, 1200.0), i % 10 == 0 ? 4 : 6); }),
+             Rule::SignificantDigits, 6},
+            {"a decimal comma", column([](int i) { return withDecimals(irregular(i, 130.0), 2).replace('.', ','); }),
+             Rule::Decimals, 2},
+            {"integers", column([](int i) { return withDecimals(irregular(i, 900.0), 0); }), Rule::Decimals, 0},
+            {"tens: whole numbers", column([](int i) { return withDecimals(irregular(i, 900.0), 0) + "0"; }),
+             Rule::Decimals, 0},
+            {"all digits that a double has", column([](int i) { return QString::number(irregular(i, 75.0), 'g', 17); }),
+             Rule::SignificantDigits, 16},
+            {"6 significant digits, printed with 17",
+             column([](int i) { return QString::number(asInventorPrints(irregular(i, 75.0), 6).toDouble(), 'g', 17); }),
+             Rule::SignificantDigits, 6},
+            {"3 decimals, printed with 19 digits and a comma", column([](int i) {
+                 return QString::number(withDecimals(irregular(i, 130.0), 3).toDouble(), 'e', 18).replace('.', ',');
+             }),
+             Rule::Decimals, 3},
+            {"6 significant digits of numbers beyond a million, printed with 6 decimals",
+             column([](int i) { return asInventorPrints(irregular(i, 5e6), 6); }), Rule::SignificantDigits, 6},
+            {"4 digits with exponents",
+             column([](int i) { return QString::number(std::exp(irregular(i, 20.0)), 'e', 3); }),
+             Rule::SignificantDigits, 4},
+            {"3 decimals, and zeros",
+             column([](int i) { return i % 3 == 0 ? "0.000000" : withDecimals(irregular(i, 130.0), 3) + "000"; }),
+             Rule::Decimals, 3},
+            {"6 significant digits, and four small values that end early", fewSmall, Rule::SignificantDigits, 6},
+            {"zeros", column([](int) { return QString("0.000000"); }), Rule::Unknown, 0},
+            {"nothing", QStringList(), Rule::Unknown, 0},
+            {"25 throughout, with 6 decimals: as many digits as a person chooses",
+             column([](int) { return QString("25.000000"); }), Rule::Decimals, 2},
+            {"25 throughout, with 1 decimal", column([](int) { return QString("25.0"); }), Rule::Decimals, 1},
+            {"360 throughout, either sign", column([](int i) { return QString(i % 2 == 0 ? "360" : "-360"); }),
+             Rule::Decimals, 0},
+            {"0.1 throughout, as a double has it", column([](int) { return QString("0.10000000000000001"); }),
+             Rule::Decimals, 4},
+            {"6 rad/s in degrees throughout", column([](int) { return QString("343.775000"); }), Rule::Decimals, 3},
+            {"a long coupler's throughout, with an exponent", column([](int) { return QString("3.07587e+07"); }),
+             Rule::Decimals, -2},
+        };
+        for (const Row &row : rows) {
+            const Rounding rounding = inferred(row.cells);
+            QVERIFY2(rounding.rule == row.rule && rounding.digits == row.digits, row.name);
+        }
     }
 
     void isNoCoarserThanWhatIsPrinted()

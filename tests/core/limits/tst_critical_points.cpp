@@ -5,9 +5,9 @@
 #include "core/limits/instant_centre.h"
 #include "core/mechanism/turn.h"
 #include "core/newton/newton.h"
-#include "core/study/cases.h"
+#include "tests/support/deviation.h"
 #include "tests/support/long_tests.h"
-#include "tests/support/random_mechanisms.h"
+#include "tests/support/mechanism_list.h"
 
 #include <QTest>
 
@@ -117,18 +117,8 @@ class TestCriticalPoints : public QObject
 private slots:
     void holdsWhateverHappensInBetween()
     {
-        for (const Case &which : allCases()) {
-            check(which.parameters, QString::fromUtf8(which.name.data(), static_cast<qsizetype>(which.name.size())));
-        }
-        RandomMechanisms random(11);
-        for (int i = 0; i < numericRuns(200, 5000); ++i) {
-            Parameters p = random.next();
-            if (i % 3 == 1) { // rockers, some of two arcs
-                p.b *= random.uniform(0.2, 0.95);
-            } else if (i % 3 == 2) { // near toggles on either side
-                p.b = (p.a + std::abs(p.c)) * (1.0 + random.uniform(-1.0, 1.0) * std::pow(10.0, -random.uniform(1, 9)));
-            }
-            check(p, QStringLiteral("random %1: a %2 b %3 c %4").arg(i).arg(p.a).arg(p.b).arg(p.c));
+        for (const NamedMechanism &each : mechanismList(numericRuns(200, 5000), 11)) {
+            check(each.parameters, QString::fromStdString(each.name + ' ' + describe(each.parameters)));
         }
     }
 

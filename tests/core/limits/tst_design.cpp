@@ -63,7 +63,8 @@ void TestDesign::meetsRandomRequests()
         QCOMPARE(limits.mobility, Mobility::FullTurn);
         QVERIFY(std::abs(*limits.stroke / request.stroke - 1.0) < 1e-12);
         // Near the ratio 3 the angle α depends on the small difference b - a, which the rounding of a and b changes.
-        const double tolerance = std::max(1e-12, 1e-15 * lengths.a / (lengths.b - lengths.a) / (3.0 - request.timeRatio));
+        const double tolerance =
+            std::max(1e-12, 1e-15 * lengths.a / (lengths.b - lengths.a) / (3.0 - request.timeRatio));
         QVERIFY(std::abs(*limits.timeRatio / request.timeRatio - 1.0) < tolerance);
         QVERIFY(minimumTransmissionAngle(lengths) >= request.transmissionAngle.value_or(0.0));
     }
@@ -75,13 +76,14 @@ void TestDesign::hasTheBestTransmissionAngle()
         const std::optional<DesignRange> range = findDesignRange(timeRatio);
         for (int i = 1; i < 1000; ++i) {
             const double ratio = 1.0 + (std::min(range->largestRatio, kLongestCoupler) - 1.0) * i / 1000.0;
-            QVERIFY(minimumTransmissionAngle(findLengths(80.0, timeRatio, ratio)) <= range->bestTransmissionAngle + 1e-9);
+            QVERIFY(minimumTransmissionAngle(findLengths(80.0, timeRatio, ratio)) <=
+                    range->bestTransmissionAngle + 1e-9);
         }
     }
 }
 
-/// In-line: half the stroke is the crank. And the dead centres of a = 20, b = 65, c = 25 (Norton, "Design of Machinery", section 3.8)
-/// lead back to that mechanism.
+/// In-line: half the stroke is the crank. And the dead centres of a = 20, b = 65, c = 25 (Norton, "Design of
+/// Machinery", section 3.8) lead back to that mechanism.
 void TestDesign::agreesWithPublishedDesigns()
 {
     const Lengths inLine = findLengths(80.0, 1.0, 4.0);
@@ -92,7 +94,8 @@ void TestDesign::agreesWithPublishedDesigns()
     const double stroke = std::sqrt(85.0 * 85.0 - 25.0 * 25.0) - std::sqrt(45.0 * 45.0 - 25.0 * 25.0);
     const double alpha = std::asin(25.0 / 45.0) - std::asin(25.0 / 85.0);
     const Lengths offset = findLengths(stroke, (std::numbers::pi + alpha) / (std::numbers::pi - alpha), 65.0 / 20.0);
-    QVERIFY(std::abs(offset.a - 20.0) < 1e-12 && std::abs(offset.b - 65.0) < 1e-12 && std::abs(offset.c - 25.0) < 1e-12);
+    QVERIFY(std::abs(offset.a - 20.0) < 1e-12 && std::abs(offset.b - 65.0) < 1e-12 &&
+            std::abs(offset.c - 25.0) < 1e-12);
 }
 
 void TestDesign::refusesWhatIsImpossible()

@@ -124,8 +124,6 @@ private slots:
     void peaksAreThoseOfAFineScan_data();
     void peaksAreThoseOfAFineScan();
     void everyPlaceHasThePeaksValue();
-    void theCouplersSpeedPeaksTwice();
-    void peaksOfTheCentralSliderCrankAreTheTextbooks();
     void speedScalesThePeaks();
     void aRockerIsUnboundedAtItsLimits();
     void anExactToggleBoundsOnlyTheSpeeds();
@@ -177,62 +175,28 @@ void tst_extremes::peaksAreThoseOfAFineScan()
     }
 }
 
+/// θ3 depends on sin θ2 alone, so that its derivatives peak twice; without an offset the slider's speed does, too.
 void tst_extremes::everyPlaceHasThePeaksValue()
 {
     RandomMechanisms random(72);
     for (int i = 0; i < 100; ++i) {
-        const Parameters p = random.next();
-        for (const Peak &peak : motionPeaks(Mechanism(p))) {
+        Parameters p = random.next();
+        p.c = i % 5 == 0 ? 0.0 : p.c;
+        const std::vector<Peak> peaks = motionPeaks(Mechanism(p));
+        for (const Peak &peak : peaks) {
             QVERIFY(!peak.places.empty());
             for (const PeakPlace &place : peak.places) {
                 const double exact = static_cast<double>(valueAt(p, peak.channel, place.theta2));
                 QVERIFY2(std::abs(place.value - exact) <= 1e-13 * peak.magnitude, describe(p).c_str());
-                QVERIFY2(std::abs(std::abs(place.value) - peak.magnitude) <= 1e-11 * peak.magnitude,
-                         describe(p).c_str());
+                QVERIFY2(std::abs(std::abs(exact) - peak.magnitude) <= 1e-11 * peak.magnitude, describe(p).c_str());
             }
         }
-    }
-}
-
-/// θ3 depends on sin θ2 alone.
-void tst_extremes::theCouplersSpeedPeaksTwice()
-{
-    RandomMechanisms random(73);
-    for (int i = 0; i < 100; ++i) {
-        const Parameters p = random.next();
-        const std::vector<Peak> peaks = motionPeaks(Mechanism(p));
         const std::vector<PeakPlace> &places = peakOf(peaks, kCouplerSpeed).places;
         QVERIFY2(places.size() == 2, describe(p).c_str());
         QVERIFY(std::abs(std::remainder(places[0].theta2 - (kPi - places[1].theta2), kTurn)) < 1e-12);
         QVERIFY(std::signbit(places[0].value) != std::signbit(places[1].value));
-        QCOMPARE(peakOf(peaks, kSliderSpeed).places.size(), std::size_t(1));
+        QCOMPARE(peakOf(peaks, kSliderSpeed).places.size(), std::size_t(p.c == 0.0 ? 2 : 1));
     }
-}
-
-/// c = 0 (Norton, "Design of Machinery", 13.2): the slider's acceleration peaks at the outer dead centre with
-/// a ω² (1 + a/b), the coupler's speed at both with ω a/b; the slider's speed either side of the outer one.
-void tst_extremes::peaksOfTheCentralSliderCrankAreTheTextbooks()
-{
-    const Parameters p{20.0, 60.0, 0.0, 10.0, 0.3, Branch::Open};
-    const std::vector<Peak> peaks = motionPeaks(Mechanism(p));
-    const Peak &acceleration = peakOf(peaks, kSliderAcceleration);
-    QCOMPARE(acceleration.magnitude, 2000.0 * (4.0 / 3.0));
-    QCOMPARE(acceleration.places.size(), std::size_t(1));
-    QVERIFY(std::abs(acceleration.places[0].theta2) < 1e-15);
-    QVERIFY(acceleration.places[0].value < 0.0);
-
-    const Peak &turning = peakOf(peaks, kCouplerSpeed);
-    QCOMPARE(turning.magnitude, 10.0 / 3.0);
-    QCOMPARE(turning.places.size(), std::size_t(2));
-
-    const Peak &speed = peakOf(peaks, kSliderSpeed);
-    QCOMPARE(speed.places.size(), std::size_t(2));
-    QVERIFY(std::abs(speed.places[0].theta2 + speed.places[1].theta2) < 1e-14);
-    QVERIFY(speed.places[0].value > 0.0 && speed.places[1].value < 0.0);
-
-    const Peak &angular = peakOf(peaks, kCouplerAcceleration);
-    QCOMPARE(angular.places.size(), std::size_t(2));
-    QVERIFY(std::abs(angular.places[0].theta2 + 0.5 * kPi) < 1e-15);
 }
 
 void tst_extremes::speedScalesThePeaks()

@@ -2,7 +2,7 @@
 #include "core/newton/constraints.h"
 #include "core/study/cases.h"
 #include "tests/support/deviation.h"
-#include "tests/support/random_mechanisms.h"
+#include "tests/support/mechanism_list.h"
 
 #include <Eigen/LU>
 
@@ -68,19 +68,6 @@ Vector12 coordinates(const ExactState<Digits50> &exact, Order order)
     return result;
 }
 
-/// Laws hold for any mechanism; each row has a few random poses.
-void addMechanisms()
-{
-    QTest::addColumn<Parameters>("parameters");
-    for (const Case &which : allCases()) {
-        QTest::newRow(std::string(which.name).c_str()) << which.parameters;
-    }
-    RandomMechanisms random(11);
-    for (int i = 0; i < 40; ++i) {
-        QTest::addRow("random %d", i) << random.next();
-    }
-}
-
 } // namespace
 
 class tst_constraints : public QObject
@@ -90,13 +77,9 @@ class tst_constraints : public QObject
 private slots:
     void rowsMeanWhatTheirNamesSay();
     void vanishOnTheExactMotion();
-    void jacobianIsTheDerivative_data() { addMechanisms(); }
     void jacobianIsTheDerivative();
-    void timeDerivativeIsTheDerivative_data() { addMechanisms(); }
     void timeDerivativeIsTheDerivative();
-    void quadraticVelocityTermIsTheDerivative_data() { addMechanisms(); }
     void quadraticVelocityTermIsTheDerivative();
-    void determinantIsMinusBCosTheta3_data() { addMechanisms(); }
     void determinantIsMinusBCosTheta3();
 };
 
@@ -179,26 +162,28 @@ void tst_constraints::vanishOnTheExactMotion()
 
 void tst_constraints::jacobianIsTheDerivative()
 {
-    QFETCH(Parameters, parameters);
-    const Mechanism mechanism(parameters);
-    RandomMechanisms random(13);
-    for (int pose = 0; pose < 4; ++pose) {
-        const Vector12 q = anywhere(parameters, random);
-        const Matrix12 Cq = constraintJacobian(mechanism, q);
-        for (Eigen::Index column = 0; column < kCoordinateCount; ++column) {
-            const double step = kStep * coordinateUnit(parameters, column);
-            Vector12 more = q;
-            Vector12 less = q;
-            more[column] += step;
-            less[column] -= step;
-            // t = 0: C_q does not depend on it, and a large ω2 t would only drown the difference.
-            const Vector12 difference =
-                (constraints(mechanism, more, 0.0) - constraints(mechanism, less, 0.0)) / (more[column] - less[column]);
-            for (Eigen::Index row = 0; row < kCoordinateCount; ++row) {
-                const double tolerance =
-                    kDifferenceTolerance * rowUnit(parameters, row) / coordinateUnit(parameters, column);
-                QVERIFY2(std::abs(Cq(row, column) - difference[row]) <= tolerance,
-                         qPrintable(entry(parameters, "Cq", row, column, Cq(row, column), difference[row], tolerance)));
+    for (const auto &[name, parameters] : mechanismList(40, 11)) {
+        const Mechanism mechanism(parameters);
+        RandomMechanisms random(13);
+        for (int pose = 0; pose < 4; ++pose) {
+            const Vector12 q = anywhere(parameters, random);
+            const Matrix12 Cq = constraintJacobian(mechanism, q);
+            for (Eigen::Index column = 0; column < kCoordinateCount; ++column) {
+                const double step = kStep * coordinateUnit(parameters, column);
+                Vector12 more = q;
+                Vector12 less = q;
+                more[column] += step;
+                less[column] -= step;
+                // t = 0: C_q does not depend on it, and a large ω2 t would only drown the difference.
+                const Vector12 difference = (constraints(mechanism, more, 0.0) - constraints(mechanism, less, 0.0)) /
+                                            (more[column] - less[column]);
+                for (Eigen::Index row = 0; row < kCoordinateCount; ++row) {
+                    const double tolerance =
+                        kDifferenceTolerance * rowUnit(parameters, row) / coordinateUnit(parameters, column);
+                    QVERIFY2(
+                        std::abs(Cq(row, column) - difference[row]) <= tolerance,
+                        qPrintable(entry(parameters, "Cq", row, column, Cq(row, column), difference[row], tolerance)));
+                }
             }
         }
     }
@@ -206,57 +191,60 @@ void tst_constraints::jacobianIsTheDerivative()
 
 void tst_constraints::timeDerivativeIsTheDerivative()
 {
-    QFETCH(Parameters, parameters);
-    const Mechanism mechanism(parameters);
-    RandomMechanisms random(14);
-    const Vector12 q = anywhere(parameters, random);
-    const Vector12 Ct = constraintTimeDerivative(mechanism);
-    const double turnTime = parameters.omega2 == 0.0 ? 1.0 : 1.0 / std::abs(parameters.omega2);
-    const double step = kStep * turnTime;
-    const double t = 0.3 * turnTime;
-    const Vector12 difference =
-        (constraints(mechanism, q, t + step) - constraints(mechanism, q, t - step)) / (2.0 * step);
-    for (Eigen::Index row = 0; row < kCoordinateCount; ++row) {
-        const double tolerance = kDifferenceTolerance * rowUnit(parameters, row) / turnTime;
-        QVERIFY2(std::abs(Ct[row] - difference[row]) <= tolerance,
-                 qPrintable(entry(parameters, "Ct", row, 0, Ct[row], difference[row], tolerance)));
+    for (const auto &[name, parameters] : mechanismList(40, 11)) {
+        const Mechanism mechanism(parameters);
+        RandomMechanisms random(14);
+        const Vector12 q = anywhere(parameters, random);
+        const Vector12 Ct = constraintTimeDerivative(mechanism);
+        const double turnTime = parameters.omega2 == 0.0 ? 1.0 : 1.0 / std::abs(parameters.omega2);
+        const double step = kStep * turnTime;
+        const double t = 0.3 * turnTime;
+        const Vector12 difference =
+            (constraints(mechanism, q, t + step) - constraints(mechanism, q, t - step)) / (2.0 * step);
+        for (Eigen::Index row = 0; row < kCoordinateCount; ++row) {
+            const double tolerance = kDifferenceTolerance * rowUnit(parameters, row) / turnTime;
+            QVERIFY2(std::abs(Ct[row] - difference[row]) <= tolerance,
+                     qPrintable(entry(parameters, "Ct", row, 0, Ct[row], difference[row], tolerance)));
+        }
     }
 }
 
 /// Along any motion q(t) with q̈ = 0 the velocity equation's left-hand side C_q q̇ + C_t changes at the rate -Q_d.
 void tst_constraints::quadraticVelocityTermIsTheDerivative()
 {
-    QFETCH(Parameters, parameters);
-    const Mechanism mechanism(parameters);
-    RandomMechanisms random(15);
-    for (int pose = 0; pose < 8; ++pose) {
-        const Vector12 q = anywhere(parameters, random);
-        const Vector12 qDot = anywhere(parameters, random);
-        const Vector12 Qd = quadraticVelocityTerm(mechanism, q, qDot);
-        const Vector12 later = constraintJacobian(mechanism, q + kStep * qDot) * qDot;
-        const Vector12 earlier = constraintJacobian(mechanism, q - kStep * qDot) * qDot;
-        const Vector12 expected = -(later - earlier) / (2.0 * kStep);
-        for (Eigen::Index row = 0; row < kCoordinateCount; ++row) {
-            // speeds of up to 5 rad/s: the third derivative is up to 5⁴ times the length
-            const double tolerance = 100.0 * kDifferenceTolerance * rowUnit(parameters, row);
-            QVERIFY2(std::abs(Qd[row] - expected[row]) <= tolerance,
-                     qPrintable(entry(parameters, "Qd", row, 0, Qd[row], expected[row], tolerance)));
+    for (const auto &[name, parameters] : mechanismList(40, 11)) {
+        const Mechanism mechanism(parameters);
+        RandomMechanisms random(15);
+        for (int pose = 0; pose < 8; ++pose) {
+            const Vector12 q = anywhere(parameters, random);
+            const Vector12 qDot = anywhere(parameters, random);
+            const Vector12 Qd = quadraticVelocityTerm(mechanism, q, qDot);
+            const Vector12 later = constraintJacobian(mechanism, q + kStep * qDot) * qDot;
+            const Vector12 earlier = constraintJacobian(mechanism, q - kStep * qDot) * qDot;
+            const Vector12 expected = -(later - earlier) / (2.0 * kStep);
+            for (Eigen::Index row = 0; row < kCoordinateCount; ++row) {
+                // speeds of up to 5 rad/s: the third derivative is up to 5⁴ times the length
+                const double tolerance = 100.0 * kDifferenceTolerance * rowUnit(parameters, row);
+                QVERIFY2(std::abs(Qd[row] - expected[row]) <= tolerance,
+                         qPrintable(entry(parameters, "Qd", row, 0, Qd[row], expected[row], tolerance)));
+            }
         }
     }
 }
 
 void tst_constraints::determinantIsMinusBCosTheta3()
 {
-    QFETCH(Parameters, parameters);
-    const Mechanism mechanism(parameters);
-    RandomMechanisms random(16);
-    for (int pose = 0; pose < 8; ++pose) {
-        const Vector12 q = anywhere(parameters, random);
-        const double determinant = constraintJacobian(mechanism, q).determinant();
-        const double expected = -parameters.b * std::cos(q[Theta3]);
-        const double tolerance = 64.0 * kUnitRoundoff * (parameters.a + parameters.b);
-        QVERIFY2(std::abs(determinant - expected) <= tolerance,
-                 qPrintable(entry(parameters, "det Cq", 0, 0, determinant, expected, tolerance)));
+    for (const auto &[name, parameters] : mechanismList(40, 11)) {
+        const Mechanism mechanism(parameters);
+        RandomMechanisms random(16);
+        for (int pose = 0; pose < 8; ++pose) {
+            const Vector12 q = anywhere(parameters, random);
+            const double determinant = constraintJacobian(mechanism, q).determinant();
+            const double expected = -parameters.b * std::cos(q[Theta3]);
+            const double tolerance = 64.0 * kUnitRoundoff * (parameters.a + parameters.b);
+            QVERIFY2(std::abs(determinant - expected) <= tolerance,
+                     qPrintable(entry(parameters, "det Cq", 0, 0, determinant, expected, tolerance)));
+        }
     }
 }
 

@@ -12,20 +12,10 @@
 
 #include <algorithm>
 
-Q_DECLARE_METATYPE(slidercrank::Case)
-
 using namespace slidercrank;
 
 namespace
 {
-
-void addCases()
-{
-    QTest::addColumn<Case>("which");
-    for (const Case &which : allCases()) {
-        QTest::newRow(std::string(which.name).c_str()) << which;
-    }
-}
 
 Parameters withCoupler(double b, double c = 25.0)
 {
@@ -54,19 +44,15 @@ class TestNewton : public QObject
 
 private slots:
     void agreesWithTheClosedFormAtEveryScale();
-    void errorIsWithinTwiceTheConditioning_data() { addCases(); }
     void errorIsWithinTwiceTheConditioning();
     void needsTheIterationsOfTheDocumentation();
     void iterationsDependNeitherOnScaleNorOnTime();
-    void bothEliminationsTakeTheSameIterations_data() { addCases(); }
     void bothEliminationsTakeTheSameIterations();
-    void coldStartConvergesWithinItsLimit_data() { addCases(); }
     void coldStartConvergesWithinItsLimit();
     void keepsTheBranchWithFewStepsATurn();
     void replacesAStartThatCannotConverge();
     void statesWhyThereIsNoPosition();
     void isSingularAtTheExactToggle();
-    void isNeverSilentlyWrong_data() { addCases(); }
     void isNeverSilentlyWrong();
     void iteratesBelowATooLargeTolerance();
     void historyHoldsEveryIterate();
@@ -115,33 +101,34 @@ void TestNewton::agreesWithTheClosedFormAtEveryScale()
 /// coupler is square.
 void TestNewton::errorIsWithinTwiceTheConditioning()
 {
-    QFETCH(Case, which);
-    const Parameters &p = which.parameters;
-    const std::vector<double> times = instantsOf(which);
-    const std::vector<double> square = squareInstants(which);
-    Deviation worst;
-    for (const WarmStart start : {WarmStart::Previous, WarmStart::Taylor}) {
-        const std::vector<NewtonInstant> done =
-            run(p, times, {50, 0.0, ToleranceKind::Absolute, start, Elimination::Structured});
-        for (std::size_t i = 0; i < times.size(); ++i) {
-            const bool isJudged = i % 2 == 0 || std::binary_search(square.begin(), square.end(), times[i]);
-            if (!isJudged || done[i].state.status != Status::Solved) {
-                continue;
-            }
-            const auto judge = [&]<class Real>(const ExactState<Real> &exact) {
-                if (exact.status == Status::Solved) {
-                    const auto sizes = roundingSizes<Real>(p, times[i], exact);
-                    worst = worse(worst,
-                                  worstDeviation(done[i].state, exact, times[i], scaled(sizes, 2.0 * kUnitRoundoff)));
+    for (const Case &which : allCases()) {
+        const Parameters &p = which.parameters;
+        const std::vector<double> times = instantsOf(which);
+        const std::vector<double> square = squareInstants(which);
+        Deviation worst;
+        for (const WarmStart start : {WarmStart::Previous, WarmStart::Taylor}) {
+            const std::vector<NewtonInstant> done =
+                run(p, times, {50, 0.0, ToleranceKind::Absolute, start, Elimination::Structured});
+            for (std::size_t i = 0; i < times.size(); ++i) {
+                const bool isJudged = i % 2 == 0 || std::binary_search(square.begin(), square.end(), times[i]);
+                if (!isJudged || done[i].state.status != Status::Solved) {
+                    continue;
                 }
-            };
-            constexpr double kEnoughClearance = 1e-4; // for 50 digits
-            const ExactState<Digits50> exact = exactState<Digits50>(p, times[i]);
-            exact.clearance > kEnoughClearance ? judge(exact) : judge(exactState<Digits100>(p, times[i]));
+                const auto judge = [&]<class Real>(const ExactState<Real> &exact) {
+                    if (exact.status == Status::Solved) {
+                        const auto sizes = roundingSizes<Real>(p, times[i], exact);
+                        worst = worse(
+                            worst, worstDeviation(done[i].state, exact, times[i], scaled(sizes, 2.0 * kUnitRoundoff)));
+                    }
+                };
+                constexpr double kEnoughClearance = 1e-4; // for 50 digits
+                const ExactState<Digits50> exact = exactState<Digits50>(p, times[i]);
+                exact.clearance > kEnoughClearance ? judge(exact) : judge(exactState<Digits100>(p, times[i]));
+            }
         }
+        qInfo("worst: %.3g u (|f| + kappa), %s", 2.0 * worst.ratio(), describe(worst).c_str());
+        QVERIFY2(worst.accepted(), describe(worst).c_str());
     }
-    qInfo("worst: %.3g u (|f| + kappa), %s", 2.0 * worst.ratio(), describe(worst).c_str());
-    QVERIFY2(worst.accepted(), describe(worst).c_str());
 }
 
 void TestNewton::needsTheIterationsOfTheDocumentation()
@@ -203,25 +190,26 @@ void TestNewton::iterationsDependNeitherOnScaleNorOnTime()
 /// satisfy an absolute tolerance of 1e-8 mm by chance only.
 void TestNewton::bothEliminationsTakeTheSameIterations()
 {
-    QFETCH(Case, which);
-    const std::vector<double> times = instantsOf(which);
-    const int mayDiffer = which.name.starts_with("change point") ? 1 : 0;
-    for (const double tolerance : {1e-4, 1e-8}) {
-        for (NewtonOptions options : everyWay(10, tolerance)) {
-            const bool isAbsolute = options.toleranceKind == ToleranceKind::Absolute;
-            if (options.elimination == Elimination::Structured || (isAbsolute && which.name == "lengths x 1e9")) {
-                continue;
-            }
-            const std::vector<NewtonInstant> dense = run(which.parameters, times, options);
-            options.elimination = Elimination::Structured;
-            const std::vector<NewtonInstant> structured = run(which.parameters, times, options);
-            int different = 0;
-            for (std::size_t i = 0; i < times.size(); ++i) {
-                const bool isSame = dense[i].iterations == structured[i].iterations &&
-                                    dense[i].positionStatus == structured[i].positionStatus;
-                different += isSame ? 0 : 1;
-                QVERIFY2(different <= mayDiffer, qPrintable(described(which.parameters, structured[i]) +
-                                                            described(which.parameters, dense[i])));
+    for (const Case &which : allCases()) {
+        const std::vector<double> times = instantsOf(which);
+        const int mayDiffer = which.name.starts_with("change point") ? 1 : 0;
+        for (const double tolerance : {1e-4, 1e-8}) {
+            for (NewtonOptions options : everyWay(10, tolerance)) {
+                const bool isAbsolute = options.toleranceKind == ToleranceKind::Absolute;
+                if (options.elimination == Elimination::Structured || (isAbsolute && which.name == "lengths x 1e9")) {
+                    continue;
+                }
+                const std::vector<NewtonInstant> dense = run(which.parameters, times, options);
+                options.elimination = Elimination::Structured;
+                const std::vector<NewtonInstant> structured = run(which.parameters, times, options);
+                int different = 0;
+                for (std::size_t i = 0; i < times.size(); ++i) {
+                    const bool isSame = dense[i].iterations == structured[i].iterations &&
+                                        dense[i].positionStatus == structured[i].positionStatus;
+                    different += isSame ? 0 : 1;
+                    QVERIFY2(different <= mayDiffer, qPrintable(described(which.parameters, structured[i]) +
+                                                                described(which.parameters, dense[i])));
+                }
             }
         }
     }
@@ -229,14 +217,15 @@ void TestNewton::bothEliminationsTakeTheSameIterations()
 
 void TestNewton::coldStartConvergesWithinItsLimit()
 {
-    QFETCH(Case, which);
-    const Mechanism mechanism(which.parameters);
-    for (const double t : instantsOf(which)) {
-        const NewtonInstant instant = solve(mechanism, t, kToTheEnd);
-        const bool exists = ClosedForm{mechanism}.motionAt(t).status != Status::NotAssemblable;
-        const Status expected = exists ? Status::Solved : Status::NotAssemblable;
-        QVERIFY2(instant.positionStatus == expected, qPrintable(described(which.parameters, instant)));
-        QVERIFY(instant.isColdStart == exists && instant.iterations <= kColdStartIterations);
+    for (const Case &which : allCases()) {
+        const Mechanism mechanism(which.parameters);
+        for (const double t : instantsOf(which)) {
+            const NewtonInstant instant = solve(mechanism, t, kToTheEnd);
+            const bool exists = ClosedForm{mechanism}.motionAt(t).status != Status::NotAssemblable;
+            const Status expected = exists ? Status::Solved : Status::NotAssemblable;
+            QVERIFY2(instant.positionStatus == expected, qPrintable(described(which.parameters, instant)));
+            QVERIFY(instant.isColdStart == exists && instant.iterations <= kColdStartIterations);
+        }
     }
 }
 
@@ -351,62 +340,63 @@ void TestNewton::isSingularAtTheExactToggle()
 /// derivative, once more for each division by it.
 void TestNewton::isNeverSilentlyWrong()
 {
-    QFETCH(Case, which);
-    const Parameters &p = which.parameters;
-    const Mechanism mechanism(p);
-    const double reach = p.a + p.b + std::abs(p.c);
-    const std::vector<double> times = instantsOf(which);
-    const std::vector<ExactState<Digits100>> exactStates = exactRun<Digits100>(p, times);
-    const std::array<double, kChannelCount> part = scaled(channelSizes<Digits100>(p, exactStates), 0.01);
-    std::vector<NewtonOptions> ways = everyWay(10, 1e-8);
-    std::ranges::copy(everyWay(50, 0.0), std::back_inserter(ways));
-    for (const NewtonOptions &options : ways) {
-        const bool isRelative = options.toleranceKind == ToleranceKind::Relative;
-        const std::vector<NewtonInstant> done = run(p, times, options);
-        for (std::size_t i = 0; i < done.size(); ++i) {
-            const NewtonInstant &instant = done[i];
-            const ExactState<Digits100> &exact = exactStates[i];
-            if (instant.positionStatus != Status::Solved) {
-                continue;
-            }
-            const QString where = described(options) + described(p, instant);
+    for (const Case &which : allCases()) {
+        const Parameters &p = which.parameters;
+        const Mechanism mechanism(p);
+        const double reach = p.a + p.b + std::abs(p.c);
+        const std::vector<double> times = instantsOf(which);
+        const std::vector<ExactState<Digits100>> exactStates = exactRun<Digits100>(p, times);
+        const std::array<double, kChannelCount> part = scaled(channelSizes<Digits100>(p, exactStates), 0.01);
+        std::vector<NewtonOptions> ways = everyWay(10, 1e-8);
+        std::ranges::copy(everyWay(50, 0.0), std::back_inserter(ways));
+        for (const NewtonOptions &options : ways) {
+            const bool isRelative = options.toleranceKind == ToleranceKind::Relative;
+            const std::vector<NewtonInstant> done = run(p, times, options);
+            for (std::size_t i = 0; i < done.size(); ++i) {
+                const NewtonInstant &instant = done[i];
+                const ExactState<Digits100> &exact = exactStates[i];
+                if (instant.positionStatus != Status::Solved) {
+                    continue;
+                }
+                const QString where = described(options) + described(p, instant);
 
-            Vector12 C = constraints(mechanism, instant.q, instant.t);
-            const Vector12 lengths = isRelative ? Vector12(C / reach) : C;
-            for (Eigen::Index row = 0; row < kCoordinateCount; ++row) {
-                const bool isAngleRow = row == GroundAngle || row == SliderAngle || row == CrankDrive;
-                C[row] = isAngleRow ? C[row] : lengths[row];
-            }
-            const double rowRounding = 64.0 * kUnitRoundoff * (isRelative ? 2.0 : reach + 1.0);
-            QVERIFY2(std::abs(instant.residual - C.norm()) <= 1e-12 * C.norm() + 0.125 * rowRounding,
-                     qPrintable(where));
-            QVERIFY2(instant.residual <= std::max(options.tolerance, rowRounding), qPrintable(where));
+                Vector12 C = constraints(mechanism, instant.q, instant.t);
+                const Vector12 lengths = isRelative ? Vector12(C / reach) : C;
+                for (Eigen::Index row = 0; row < kCoordinateCount; ++row) {
+                    const bool isAngleRow = row == GroundAngle || row == SliderAngle || row == CrankDrive;
+                    C[row] = isAngleRow ? C[row] : lengths[row];
+                }
+                const double rowRounding = 64.0 * kUnitRoundoff * (isRelative ? 2.0 : reach + 1.0);
+                QVERIFY2(std::abs(instant.residual - C.norm()) <= 1e-12 * C.norm() + 0.125 * rowRounding,
+                         qPrintable(where));
+                QVERIFY2(instant.residual <= std::max(options.tolerance, rowRounding), qPrintable(where));
 
-            // At the very limit of a rocker, rounding decides whether there is a position; the limit is the answer.
-            const bool isAtLimit = std::abs(static_cast<double>(exact.clearance)) < 1e-14;
-            if (isAtLimit && exact.status != Status::Solved) {
-                continue;
+                // At the very limit of a rocker, rounding decides whether there is a position; the limit is the answer.
+                const bool isAtLimit = std::abs(static_cast<double>(exact.clearance)) < 1e-14;
+                if (isAtLimit && exact.status != Status::Solved) {
+                    continue;
+                }
+                QVERIFY2(exact.status == Status::Solved, qPrintable(where));
+                const double cosine = std::abs(static_cast<double>(exact.cosTheta3));
+                const double theta2 = std::abs(static_cast<double>(exact.values[indexOf({Theta2, Order::Position})]));
+                const double rounding = 32.0 * kUnitRoundoff * (1.0 + theta2);
+                const double inLengths = isRelative ? options.tolerance * reach : options.tolerance;
+                const double residual = (2.0 * inLengths + rounding * reach) / p.b;
+                const double theta3Error = std::min(residual / cosine, 2.0 * std::sqrt(2.0 * residual)) + rounding;
+                std::array<double, kChannelCount> tolerances;
+                for (std::size_t index = 0; index < kChannelCount; ++index) {
+                    const Channel channel = channelAt(index);
+                    const double steepness = std::pow(cosine, -2.0 * static_cast<int>(channel.order));
+                    const double natural = naturalSize(p, channel);
+                    tolerances[index] = channel.order == Order::Position
+                                            ? natural * theta3Error
+                                            : std::min(part[index], 4.0 * natural * steepness * theta3Error);
+                }
+                tolerances[indexOf({Theta2, Order::Position})] = rounding;
+                const Order last = instant.state.status == Status::Solved ? Order::Acceleration : Order::Position;
+                const Deviation deviation = worstDeviation(instant.state, exact, instant.t, tolerances, last);
+                QVERIFY2(deviation.accepted(), qPrintable(where + QString::fromStdString(describe(deviation))));
             }
-            QVERIFY2(exact.status == Status::Solved, qPrintable(where));
-            const double cosine = std::abs(static_cast<double>(exact.cosTheta3));
-            const double theta2 = std::abs(static_cast<double>(exact.values[indexOf({Theta2, Order::Position})]));
-            const double rounding = 32.0 * kUnitRoundoff * (1.0 + theta2);
-            const double inLengths = isRelative ? options.tolerance * reach : options.tolerance;
-            const double residual = (2.0 * inLengths + rounding * reach) / p.b;
-            const double theta3Error = std::min(residual / cosine, 2.0 * std::sqrt(2.0 * residual)) + rounding;
-            std::array<double, kChannelCount> tolerances;
-            for (std::size_t index = 0; index < kChannelCount; ++index) {
-                const Channel channel = channelAt(index);
-                const double steepness = std::pow(cosine, -2.0 * static_cast<int>(channel.order));
-                const double natural = naturalSize(p, channel);
-                tolerances[index] = channel.order == Order::Position
-                                        ? natural * theta3Error
-                                        : std::min(part[index], 4.0 * natural * steepness * theta3Error);
-            }
-            tolerances[indexOf({Theta2, Order::Position})] = rounding;
-            const Order last = instant.state.status == Status::Solved ? Order::Acceleration : Order::Position;
-            const Deviation deviation = worstDeviation(instant.state, exact, instant.t, tolerances, last);
-            QVERIFY2(deviation.accepted(), qPrintable(where + QString::fromStdString(describe(deviation))));
         }
     }
 }

@@ -94,63 +94,54 @@ class TestNewtonRandom : public QObject
     Q_OBJECT
 
 private slots:
-    void callsNothingSolvedThatIsOffByOnePercent_data();
     void callsNothingSolvedThatIsOffByOnePercent();
     void givesDerivativesBesideAToggleOnlyWithTheirDigits();
     void structuredStepsAreTheDenseOnes();
-    void aRotatedCouplerIsTheSameToRounding();
 };
-
-void TestNewtonRandom::callsNothingSolvedThatIsOffByOnePercent_data()
-{
-    QTest::addColumn<int>("kind");
-    for (int i = 0; i < int(std::size(kKinds)); ++i) {
-        QTest::newRow(kKinds[i].name) << i;
-    }
-}
 
 /// With Table 2, warm started from another random time stamp.
 void TestNewtonRandom::callsNothingSolvedThatIsOffByOnePercent()
 {
-    QFETCH(int, kind);
-    constexpr double kPart = 0.01;
-    RandomMechanisms random(40 + std::uint64_t(kind));
-    int poses = 0;
-    int unsolved = 0;
-    for (int i = 0; i < numericRuns(500, 5000); ++i) {
-        Parameters p = random.next();
-        const double sign = random.uniform(-1.0, 1.0) < 0.0 ? -1.0 : 1.0;
-        kKinds[kind].change(p, sign * std::pow(10.0, random.uniform(-16.0, -1.0)), random);
-        if (findFault(p)) { // e.g. a coupler shorter than the program accepts
-            continue;
-        }
-        const Mechanism mechanism(p);
-        const std::array<double, kChannelCount> sizes = peaks(p);
-        for (int k = 0; k < 20; ++k) {
-            const double t = randomTime(p, k, random);
-            const double before = t - std::pow(10.0, random.uniform(-4.0, 0.0)) / p.omega2;
-            const NewtonInstant instant = solve(mechanism, t, kReport, solve(mechanism, before, kReport));
-            const ExactState<double> exact = closedFormState(p, t);
-            const Status status = instant.state.status;
-            if (exact.status != Status::Solved) {
+    for (std::size_t kind = 0; kind < std::size(kKinds); ++kind) {
+        constexpr double kPart = 0.01;
+        RandomMechanisms random(40 + kind);
+        int poses = 0;
+        int unsolved = 0;
+        for (int i = 0; i < numericRuns(500, 5000); ++i) {
+            Parameters p = random.next();
+            const double sign = random.uniform(-1.0, 1.0) < 0.0 ? -1.0 : 1.0;
+            kKinds[kind].change(p, sign * std::pow(10.0, random.uniform(-16.0, -1.0)), random);
+            if (findFault(p)) { // e.g. a coupler shorter than the program accepts
                 continue;
             }
-            ++poses;
-            unsolved += status == Status::Solved ? 0 : 1;
-            if (status != Status::Solved && status != Status::Singular) {
-                continue;
+            const Mechanism mechanism(p);
+            const std::array<double, kChannelCount> sizes = peaks(p);
+            for (int k = 0; k < 20; ++k) {
+                const double t = randomTime(p, k, random);
+                const double before = t - std::pow(10.0, random.uniform(-4.0, 0.0)) / p.omega2;
+                const NewtonInstant instant = solve(mechanism, t, kReport, solve(mechanism, before, kReport));
+                const ExactState<double> exact = closedFormState(p, t);
+                const Status status = instant.state.status;
+                if (exact.status != Status::Solved) {
+                    continue;
+                }
+                ++poses;
+                unsolved += status == Status::Solved ? 0 : 1;
+                if (status != Status::Solved && status != Status::Singular) {
+                    continue;
+                }
+                std::array<double, kChannelCount> tolerances;
+                for (std::size_t index = 0; index < kChannelCount; ++index) {
+                    tolerances[index] = kPart * std::max(sizes[index], std::abs(exact.values[index]));
+                }
+                const Order last = status == Status::Solved ? Order::Acceleration : Order::Position;
+                const Deviation deviation = worstDeviation(instant.state, exact, t, tolerances, last);
+                QVERIFY2(deviation.accepted(), (describe(p) + "\n    " + describe(deviation)).c_str());
             }
-            std::array<double, kChannelCount> tolerances;
-            for (std::size_t index = 0; index < kChannelCount; ++index) {
-                tolerances[index] = kPart * std::max(sizes[index], std::abs(exact.values[index]));
-            }
-            const Order last = status == Status::Solved ? Order::Acceleration : Order::Position;
-            const Deviation deviation = worstDeviation(instant.state, exact, t, tolerances, last);
-            QVERIFY2(deviation.accepted(), (describe(p) + "\n    " + describe(deviation)).c_str());
         }
+        qInfo("%s: %d of %d unsolved", kKinds[kind].name, unsolved, poses);
+        QVERIFY2(unsolved <= kKinds[kind].unsolved * poses, kKinds[kind].name);
     }
-    qInfo("%d of %d unsolved", unsolved, poses);
-    QVERIFY(unsolved <= kKinds[kind].unsolved * poses);
 }
 
 /// Within 0.03 rad of a toggle, of a limit, of an exact toggle and of a change point: what is called solved is right to
@@ -230,36 +221,6 @@ void TestNewtonRandom::structuredStepsAreTheDenseOnes()
                 QVERIFY2(static_cast<double>(difference.norm()) <= bound, std::string(which.name).c_str());
                 q += step;
             }
-        }
-    }
-}
-
-/// sin θ3 and cos θ3 rotated from those of a θ3 close by are off by two roundings at most, and ‖C‖ by that and the
-/// roundings of its sums. The step from there is exactly the one without a rotation.
-void TestNewtonRandom::aRotatedCouplerIsTheSameToRounding()
-{
-    RandomMechanisms random(32);
-    for (int i = 0; i < 1000; ++i) {
-        const Parameters p = random.next();
-        const double t = random.uniform(-10.0, 10.0);
-        Vector12 q = ClosedForm{Mechanism(p)}.stateAt(t).q;
-        q[Theta3] = random.uniform(-5.0, 5.0);
-        for (const double turn : {0x1.1p-11, 0x1.ffp-12, -0x1.ffp-12, 1e-4, -3e-6, 1e-9, -1e-13, 0.0}) {
-            Vector12 near = q;
-            near[Theta3] += turn;
-            const StructuredSystem::Coordinates there = StructuredSystem::read(near);
-            StructuredSystem rotated(Mechanism(p), t);
-            rotated.moveTo(StructuredSystem::read(q));
-            rotated.moveNear(there);
-            StructuredSystem moved(Mechanism(p), t);
-            moved.moveTo(there);
-            const double rounding = kUnitRoundoff * (4.0 * p.b + 8.0 * (p.a + p.b + std::abs(p.c)));
-            QVERIFY(std::abs(rotated.residual(1.0) - moved.residual(1.0)) <= rounding);
-            Vector12 fromRotated;
-            Vector12 fromMoved;
-            StructuredSystem::write(rotated.next(there), fromRotated);
-            StructuredSystem::write(moved.next(there), fromMoved);
-            QVERIFY(fromRotated == fromMoved);
         }
     }
 }
