@@ -47,46 +47,55 @@ bool readExponent(std::string_view text, int &exponent)
     return fault != std::errc::invalid_argument && end == text.data() + text.size();
 }
 
-/// `text`: an optional minus sign, digits with at most one decimal sign, an optional exponent; all in one pass.
+/// `text`: an optional minus sign, digits with at most one decimal sign, an optional exponent.
 CellNumber parsePlain(std::string_view text, char decimal)
 {
-    constexpr CellNumber kNone{.fault = RowFault::NotANumber};
     const bool isNegative = text.starts_with('-');
+    const std::size_t begin = isNegative ? 1 : 0;
     std::uint64_t mantissa = 0;
-    int digits = 0;
-    int significant = 0; // from the first digit other than zero on
-    int trailing = 0;    // zeros
     std::size_t point = text.npos;
-    std::size_t at = isNegative ? 1 : 0;
-    for (; at < text.size(); ++at) {
-        const auto digit = static_cast<unsigned>(text[at]) - unsigned{'0'};
+    std::size_t end = begin; // of the digits
+    for (; end < text.size(); ++end) {
+        const auto digit = static_cast<unsigned>(text[end]) - unsigned{'0'};
         if (digit <= 9) {
-            ++digits;
-            significant += significant > 0 || digit > 0 ? 1 : 0;
-            trailing = digit == 0 ? trailing + 1 : 0;
             mantissa = 10 * mantissa + digit;
-        } else if (text[at] == decimal && point == text.npos) {
-            point = at;
+        } else if (text[end] == decimal && point == text.npos) {
+            point = end;
         } else {
             break;
         }
     }
-    const bool hasExponent = at < text.size() && (text[at] == 'e' || text[at] == 'E');
+    const std::size_t length = end - begin - (point == text.npos ? 0 : 1);
+    const bool hasExponent = end < text.size() && (text[end] == 'e' || text[end] == 'E');
     int exponent = 0;
-    if (digits == 0 || (at < text.size() && !hasExponent) || !readExponent(text.substr(at), exponent)) {
-        return kNone;
+    if (length == 0 || (end < text.size() && !hasExponent) || !readExponent(text.substr(end), exponent)) {
+        return {.fault = RowFault::NotANumber};
     }
+    const auto isNothing = [decimal](char c) { return c == '0' || c == decimal; };
+    const auto placeOf = [&](std::size_t digit) {
+        const std::size_t before = point == text.npos ? end : point; // of the point
+        return exponent + static_cast<int>(before) - static_cast<int>(digit) - (digit < before ? 1 : 0);
+    };
     CellNumber number;
-    number.places.printed = exponent - (point == text.npos ? 0 : static_cast<int>(at - point) - 1);
-    number.places.zero = significant == 0;
-    if (significant > 0) {
-        number.places.first = number.places.printed + significant - 1;
-        number.places.last = number.places.printed + trailing;
+    number.places.printed = point == end - 1 ? exponent : placeOf(end - 1);
+    std::size_t first = begin;
+    while (first < end && isNothing(text[first])) {
+        ++first;
+    }
+    number.places.zero = first == end;
+    if (!number.places.zero) {
+        std::size_t last = end - 1;
+        while (isNothing(text[last])) {
+            --last;
+        }
+        number.places.first = placeOf(first);
+        number.places.last = placeOf(last);
     }
     // Both factors are doubles exactly: one correctly rounded operation.
-    constexpr int kExactDigits = 15;
+    constexpr std::size_t kMostDigits = 19; // of the mantissa
+    constexpr std::uint64_t kLargestExact = std::uint64_t{1} << 53U;
     const auto power = static_cast<std::size_t>(std::abs(number.places.printed));
-    if (significant <= kExactDigits && power < kExactPowers.size()) {
+    if (length <= kMostDigits && mantissa <= kLargestExact && power < kExactPowers.size()) {
         const auto whole = static_cast<double>(mantissa);
         const double size = number.places.printed < 0 ? whole / kExactPowers[power] : whole * kExactPowers[power];
         number.value = isNegative ? -size : size;
@@ -102,9 +111,9 @@ CellNumber parsePlain(std::string_view text, char decimal)
     const std::errc fault = std::from_chars(text.data(), text.data() + text.size(), value).ec;
     if (fault == std::errc::result_out_of_range && number.places.first > 0) {
         number.fault = RowFault::TooLarge;
-        return number;
+    } else {
+        number.value = value;
     }
-    number.value = fault == std::errc() ? value : 0.0;
     return number;
 }
 

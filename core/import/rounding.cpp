@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace slidercrank
 {
@@ -65,10 +66,8 @@ struct RoundedDecade {
     double weight;
 };
 
-struct Fit {
-    double distance;   ///< from the places of the decades, weighted
-    double coarseness; ///< breaks ties: the larger is the more careful promise
-};
+/// The distance from the places of the decades, weighted; among equal ones the coarser promise, negative, is better.
+using Fit = std::pair<double, double>;
 
 /// First and last digit of the shortest text that reads as `value`, which is printed at `places`.
 PrintedPlaces shortestPlaces(PrintedPlaces places, double value)
@@ -85,15 +84,10 @@ Fit fitOf(const std::vector<RoundedDecade> &decades, PlaceOf placeOf)
     Fit fit{0.0, 0.0};
     for (const RoundedDecade &decade : decades) {
         const int place = placeOf(decade.exponent);
-        fit.distance += decade.weight * std::abs(decade.place - place);
-        fit.coarseness += decade.weight * place;
+        fit.first += decade.weight * std::abs(decade.place - place);
+        fit.second -= decade.weight * place;
     }
     return fit;
-}
-
-bool isBetter(const Fit &fit, const Fit &best)
-{
-    return fit.distance < best.distance || (fit.distance == best.distance && fit.coarseness > best.coarseness);
 }
 
 } // namespace
@@ -233,7 +227,7 @@ Rounding RoundingObserver::inferWith(bool (*hasEnded)(double some, double all), 
     Fit best{std::numeric_limits<double>::infinity(), 0.0};
     for (int digits = 1; digits <= static_cast<int>(kMostDigits); ++digits) {
         const Fit fit = fitOf(decades, [digits](int exponent) { return exponent - digits + 1; });
-        if (isBetter(fit, best)) {
+        if (fit < best) {
             best = fit;
             rounding.rule = Rounding::Rule::SignificantDigits;
             rounding.digits = digits;
@@ -241,7 +235,7 @@ Rounding RoundingObserver::inferWith(bool (*hasEnded)(double some, double all), 
     }
     for (const RoundedDecade &candidate : decades) { // the best single place is one of theirs: a weighted median
         const Fit fit = fitOf(decades, [&candidate](int) { return candidate.place; });
-        if (isBetter(fit, best)) {
+        if (fit < best) {
             best = fit;
             rounding.rule = Rounding::Rule::Decimals;
             rounding.digits = -candidate.place;

@@ -47,13 +47,10 @@ std::optional<Channel> channelNamed(std::string_view name)
 
 std::string_view fileUnit(Channel channel)
 {
-    const bool angle = isAngle(channel.coordinate);
-    switch (channel.order) {
-    case Order::Position: return angle ? "°" : "mm";
-    case Order::Velocity: return angle ? "°/s" : "mm/s";
-    case Order::Acceleration: return angle ? "°/s²" : "mm/s²";
-    }
-    return {};
+    constexpr std::array<std::string_view, 3> kAngleUnits{"°", "°/s", "°/s²"};
+    constexpr std::array<std::string_view, 3> kLengthUnits{"mm", "mm/s", "mm/s²"};
+    const auto order = static_cast<std::size_t>(channel.order);
+    return isAngle(channel.coordinate) ? kAngleUnits[order] : kLengthUnits[order];
 }
 
 double naturalSize(const Parameters &parameters, Channel channel)

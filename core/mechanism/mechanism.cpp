@@ -7,6 +7,15 @@
 namespace slidercrank
 {
 
+namespace
+{
+
+/// By Parameter.
+constexpr std::array kMembers{&Parameters::a, &Parameters::b, &Parameters::c, &Parameters::omega2,
+                              &Parameters::theta20};
+
+} // namespace
+
 std::array<Parameters, 8> mirrorImages(const Parameters &p)
 {
     constexpr double kHalfTurn = std::numbers::pi;
@@ -23,20 +32,12 @@ std::array<Parameters, 8> mirrorImages(const Parameters &p)
 
 double &valueOf(Parameters &parameters, Parameter parameter)
 {
-    switch (parameter) {
-    case Parameter::A: return parameters.a;
-    case Parameter::B: return parameters.b;
-    case Parameter::C: return parameters.c;
-    case Parameter::Omega2: return parameters.omega2;
-    case Parameter::Theta20: return parameters.theta20;
-    }
-    return parameters.a;
+    return parameters.*kMembers[static_cast<std::size_t>(parameter)];
 }
 
 double valueOf(const Parameters &parameters, Parameter parameter)
 {
-    Parameters copy = parameters;
-    return valueOf(copy, parameter);
+    return parameters.*kMembers[static_cast<std::size_t>(parameter)];
 }
 
 std::optional<ParameterFault> findFault(const Parameters &parameters)
@@ -73,14 +74,9 @@ Mechanism withCrankAt(const Mechanism &mechanism, double theta2)
 
 std::string_view wordOf(Status status)
 {
-    switch (status) {
-    case Status::Solved: return "solved";
-    case Status::Singular: return "singular";
-    case Status::IterationLimit: return "iteration-limit";
-    case Status::NotAssemblable: return "not-assemblable";
-    case Status::NotFinite: return "not-finite";
-    }
-    return "";
+    constexpr std::array<std::string_view, kStatusCount> kWords{"solved", "singular", "iteration-limit",
+                                                                "not-assemblable", "not-finite"};
+    return kWords[static_cast<std::size_t>(status)];
 }
 
 } // namespace slidercrank

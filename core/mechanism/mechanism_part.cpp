@@ -1,45 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mechanism/mechanism_part.h"
 
+#include <array>
+
 namespace slidercrank
 {
 
 MechanismPart partOf(Constraint row)
 {
-    switch (row) {
-    case GroundX:
-    case GroundY:
-    case GroundAngle: return MechanismPart::Ground;
-    case CrankPivotX:
-    case CrankPivotY: return MechanismPart::Pivot;
-    case CrankPinX:
-    case CrankPinY: return MechanismPart::PinA;
-    case SliderPinX:
-    case SliderPinY: return MechanismPart::PinB;
-    case SliderAngle:
-    case SliderLine: return MechanismPart::Guide;
-    case CrankDrive: return MechanismPart::Drive;
-    }
-    return MechanismPart::None;
+    using enum MechanismPart;
+    constexpr std::array kParts{Ground, Ground, Ground, Pivot, Pivot, PinA, PinA, PinB, PinB, Guide, Guide, Drive};
+    return kParts[static_cast<std::size_t>(row)];
 }
 
 MechanismPart partOf(Coordinate coordinate)
 {
-    switch (coordinate) {
-    case R1x:
-    case R1y:
-    case Theta1: return MechanismPart::Ground;
-    case R2x:
-    case R2y:
-    case Theta2: return MechanismPart::Crank;
-    case R3x:
-    case R3y:
-    case Theta3: return MechanismPart::Coupler;
-    case R4x:
-    case R4y:
-    case Theta4: return MechanismPart::Slider;
-    }
-    return MechanismPart::None;
+    using enum MechanismPart;
+    constexpr std::array kBodies{Ground, Crank, Coupler, Slider};
+    return kBodies[static_cast<std::size_t>(coordinate) / 3];
 }
 
 } // namespace slidercrank

@@ -20,43 +20,16 @@ namespace
 /// Time stamps between two checks of the stop token.
 constexpr std::size_t kStopInterval = 256;
 
-/// The output arrays of the channels that are asked for.
-class Columns
-{
-public:
-    Columns(Trajectory &trajectory, const ChannelSet &channels)
-    {
-        for (std::size_t index = 0; index < kChannelCount; ++index) {
-            if (channels.test(index)) {
-                trajectory.values[index].resize(trajectory.time.size());
-                m_columns[m_count++] = {channelAt(index), trajectory.values[index].data()};
-            }
-        }
-    }
-
-    void put(std::size_t i, const State &state) const
-    {
-        for (std::size_t k = 0; k < m_count; ++k) {
-            const Channel channel = m_columns[k].channel;
-            const Vector12 *derivatives[] = {&state.q, &state.qDot, &state.qDDot};
-            const double value = (*derivatives[static_cast<std::size_t>(channel.order)])[channel.coordinate];
-            m_columns[k].values[i] = toFileUnit(channel, value);
-        }
-    }
-
-private:
-    struct Column {
-        Channel channel;
-        double *values = nullptr;
-    };
-    std::array<Column, kChannelCount> m_columns;
-    std::size_t m_count = 0;
-};
-
 /// Fills the trajectory from solve(t), which returns a State for each time stamp in turn.
 template <class Solve>
-void sampleOneByOne(Trajectory &trajectory, const Columns &columns, const std::stop_token &stop, const Solve &solve)
+void sampleOneByOne(Trajectory &trajectory, const ChannelSet &channels, const std::stop_token &stop, const Solve &solve)
 {
+    std::vector<Channel> wanted;
+    for (std::size_t index = 0; index < kChannelCount; ++index) {
+        if (channels.test(index)) {
+            wanted.push_back(channelAt(index));
+        }
+    }
     for (std::size_t i = 0; i < trajectory.time.size(); ++i) {
         if (i % kStopInterval == 0 && stop.stop_requested()) {
             trajectory.complete = false;
@@ -64,24 +37,27 @@ void sampleOneByOne(Trajectory &trajectory, const Columns &columns, const std::s
         }
         const State &state = solve(trajectory.time[i]);
         trajectory.status[i] = state.status;
-        columns.put(i, state);
+        const std::array<const Vector12 *, 3> derivatives{&state.q, &state.qDot, &state.qDDot};
+        for (const Channel channel : wanted) {
+            const double value = (*derivatives[static_cast<std::size_t>(channel.order)])[channel.coordinate];
+            trajectory.values[indexOf(channel)][i] = toFileUnit(channel, value);
+        }
     }
 }
 
-void sampleByNewton(const Mechanism &mechanism, const NewtonOptions &options, const Columns &columns,
+void sampleByNewton(const Mechanism &mechanism, const NewtonOptions &options, const ChannelSet &channels,
                     Trajectory &trajectory, const std::stop_token &stop)
 {
     NewtonInstant instant;
     SamplingSummary &summary = trajectory.summary;
-    sampleOneByOne(trajectory, columns, stop, [&](double t) -> const State & {
+    sampleOneByOne(trajectory, channels, stop, [&](double t) -> const State & {
         advance(mechanism, t, instant, options);
         if (instant.positionStatus == Status::Solved) {
-            summary.iterations += instant.iterations;
-            summary.mostIterations = std::max(summary.mostIterations, instant.iterations);
-            if (!instant.isColdStart) {
-                summary.mostWarmIterations = std::max(summary.mostWarmIterations, instant.iterations);
-            }
-            summary.largestResidual = std::max(summary.largestResidual, instant.residual);
+            const int warmIterations = instant.isColdStart ? 0 : instant.iterations;
+            summary.add({.iterations = instant.iterations,
+                         .mostIterations = instant.iterations,
+                         .mostWarmIterations = warmIterations,
+                         .largestResidual = instant.residual});
         }
         return instant.state;
     });
@@ -149,14 +125,16 @@ Trajectory sample(const Mechanism &mechanism, std::vector<double> instants, cons
     Trajectory trajectory;
     trajectory.time = std::move(instants);
     trajectory.status.resize(trajectory.time.size());
-    const Columns columns(trajectory, channels);
+    for (std::size_t index = 0; index < kChannelCount; ++index) {
+        trajectory.values[index].resize(channels.test(index) ? trajectory.time.size() : 0);
+    }
     if (settings.method == Method::Newton) {
-        sampleByNewton(mechanism, settings.newton, columns, trajectory, stop);
+        sampleByNewton(mechanism, settings.newton, channels, trajectory, stop);
     } else if ((channels & ~plottedChannels()).none()) {
         samplePlotted(mechanism, trajectory, stop);
     } else {
         const ClosedForm closedForm(mechanism);
-        sampleOneByOne(trajectory, columns, stop, [&](double t) { return closedForm.stateAt(t); });
+        sampleOneByOne(trajectory, channels, stop, [&](double t) { return closedForm.stateAt(t); });
     }
     trajectory.summary.instants = trajectory.time.size();
     for (const Status status : trajectory.status) {
