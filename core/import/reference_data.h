@@ -149,8 +149,8 @@ std::variant<ReferenceData, ReadError> readReferenceData(std::string_view bytes,
 /// plot at a time. Their rows are those of one table, whose columns are those of all files: their time stamps (or crank
 /// angles) have to be the same as far as they are printed, and a row left out of one file is left out of all. A channel
 /// comes from one file only. In `options`, columns count on from file to file; what is chosen as the time, or the
-/// angle, of the first file holds for a column of that heading in the others, too. An error has the columns of all
-/// files.
+/// angle, of the first file holds for a column of that heading in the others, too. An error has the columns of the
+/// files up to the one that cannot be read.
 std::variant<ReferenceData, ReadError> readFiles(std::span<const FileBytes> files, std::stop_token stop = {},
                                                  const ReadOptions &options = {});
 
