@@ -418,6 +418,7 @@ private slots:
         auto *plots = m_window->findChild<PlotGrid *>();
         m_window->openReference(kSample);
         AWAIT(session.diagnosis());
+        m_window->resize(1800, 1000); // the titles have space for their explanations
         settle(*m_window); // everything has its place
         plots->setZoom(closeView());
         const QString scene = m_folder->filePath(QStringLiteral("scene.json"));
