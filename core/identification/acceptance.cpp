@@ -44,10 +44,10 @@ double harmonicPart(const std::vector<double> &residuals, const std::vector<doub
     return squares > 0.0 ? std::clamp(projected.dot(matrix.ldlt().solve(projected)) / squares, 0.0, 1.0) : 0.0;
 }
 
-/// Sum of the products of values that are so many apart, over the sum of squares; values across a gap in `rows` do not
-/// count. `rows` may be empty: then all follow each other.
-double autocorrelation(const std::vector<double> &values, std::size_t lag, const std::vector<std::size_t> &rows,
-                       std::size_t stride)
+/// The correlation of values that are so many apart, in its standard deviations for independent values; values across a
+/// gap in `rows` do not count. `rows` may be empty: then all follow each other.
+double correlation(const std::vector<double> &values, std::size_t lag, const std::vector<std::size_t> &rows = {},
+                   std::size_t stride = 1)
 {
     double squares = 0.0;
     double products = 0.0;
@@ -59,7 +59,8 @@ double autocorrelation(const std::vector<double> &values, std::size_t lag, const
             pairs += 1.0;
         }
     }
-    return squares > 0.0 && pairs > 0.0 ? products / squares * static_cast<double>(values.size()) / pairs : 0.0;
+    return squares > 0.0 && pairs > 0.0 ? products / squares * static_cast<double>(values.size()) / std::sqrt(pairs)
+                                        : 0.0;
 }
 
 /// Mean fourth power over the squared mean square: 3 for normally distributed values.
@@ -80,18 +81,17 @@ bool isWhiteInTime(const std::vector<double> &values, const std::vector<std::siz
 {
     constexpr std::size_t kLags = 8;
     constexpr double kLargestSum = 30.0; // 99.98 % point of chi-square with 8 degrees of freedom
-    constexpr double kSigmas = 3.3;
+    constexpr double kSigmas = 3.7;
     constexpr double kLargestKurtosis = 9.0;
-    const auto n = static_cast<double>(values.size());
     std::size_t stride = std::numeric_limits<std::size_t>::max();
     for (std::size_t i = 1; i < rows.size(); ++i) {
         stride = std::min(stride, rows[i] - rows[i - 1]);
     }
     double sum = 0.0;
     for (std::size_t lag = 1; lag <= std::min(kLags, values.size() / 5); ++lag) {
-        const double correlation = autocorrelation(values, lag, rows, stride);
-        sum += n * correlation * correlation;
-        if (lag == 1 && std::abs(correlation) > kSigmas / std::sqrt(n)) {
+        const double deviations = correlation(values, lag, rows, stride);
+        sum += deviations * deviations;
+        if (lag == 1 && std::abs(deviations) > kSigmas) {
             return false;
         }
     }
@@ -101,7 +101,7 @@ bool isWhiteInTime(const std::vector<double> &values, const std::vector<std::siz
 /// Whether values in the order of the crank angle are neither alike from one to the next nor a function of the angle.
 bool isWhiteInAngle(const std::vector<double> &values, const std::vector<double> &angles)
 {
-    constexpr double kSigmas = 3.3;
+    constexpr double kSigmas = 3.7;
     constexpr double kDegreesOfFreedom = 2.0 * kHarmonics + 1.0;
     std::vector<std::size_t> order(values.size());
     std::iota(order.begin(), order.end(), 0U);
@@ -112,7 +112,7 @@ bool isWhiteInAngle(const std::vector<double> &values, const std::vector<double>
     }
     const auto n = static_cast<double>(values.size());
     const double explained = n * harmonicPart(values, angles);
-    return autocorrelation(sorted, 1, {}, 1) <= kSigmas / std::sqrt(n) &&
+    return correlation(sorted, 1) <= kSigmas &&
            explained <= kDegreesOfFreedom + 4.0 * std::sqrt(2.0 * kDegreesOfFreedom);
 }
 
@@ -183,7 +183,7 @@ bool looksLikeNoise(const std::vector<double> &residuals, const std::vector<doub
     constexpr double kSmooth = 0.92;             // correlation from row to row of a smooth signal
     const auto n = static_cast<double>(residuals.size());
     const double largest = std::min(kLargestHarmonicPart + (2.0 * kHarmonics + 1.0) / n, 0.95);
-    return harmonicPart(residuals, angles) <= largest && autocorrelation(residuals, 1, {}, 1) <= kSmooth;
+    return harmonicPart(residuals, angles) <= largest && correlation(residuals, 1) <= kSmooth * std::sqrt(n);
 }
 
 Candidate judgedCandidate(const Observations &data, Fit fit)

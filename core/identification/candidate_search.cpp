@@ -28,7 +28,32 @@ Hypothesis restarted(const Hypothesis &hypothesis)
     return result;
 }
 
-void addWithVariants(const Observations &data, Candidate candidate, std::vector<Candidate> &all);
+bool isSame(const Hypothesis &x, const Hypothesis &y)
+{
+    return x.timeUnit == y.timeUnit && x.columns == y.columns && x.abscissaFactor == y.abscissaFactor &&
+           x.isFree == y.isFree && x.isBalanced == y.isBalanced && areNear(middleParameters(x), middleParameters(y));
+}
+
+/// Whether two hypotheses are the same but for an image of the mechanism and the signs and half turns that go with it.
+bool isImage(const Hypothesis &x, const Hypothesis &y)
+{
+    const auto isAlike = [](const ColumnUse &one, const ColumnUse &other) {
+        return one.channel == other.channel && one.unit == other.unit && one.isUsed == other.isUsed &&
+               one.hasOffset == other.hasOffset;
+    };
+    return x.timeUnit == y.timeUnit && std::abs(x.abscissaFactor) == std::abs(y.abscissaFactor) &&
+           x.isFree == y.isFree && std::ranges::equal(x.columns, y.columns, isAlike) &&
+           std::ranges::any_of(mirrorImages(middleParameters(x)),
+                               [&](const Parameters &image) { return areNear(image, middleParameters(y)); });
+}
+
+bool isKnown(const Hypothesis &hypothesis, const std::vector<Candidate> &all)
+{
+    return std::ranges::any_of(
+        all, [&](const Candidate &candidate) { return isSame(candidate.fit.hypothesis, hypothesis); });
+}
+
+void addWithVariants(const Observations &data, Hypothesis hypothesis, std::vector<Candidate> &all);
 
 /// Adds the candidate without those of its free origins that turned out to be next to nothing.
 void addWithoutIdleOffsets(const Observations &data, const Candidate &candidate, std::vector<Candidate> &all)
@@ -43,7 +68,7 @@ void addWithoutIdleOffsets(const Observations &data, const Candidate &candidate,
             std::abs(fitted.unknowns[layout.offset[j]]) < std::max(kIdlePart * size, column.step)) {
             Hypothesis without = restarted(fitted);
             without.columns[j].hasOffset = false;
-            addWithVariants(data, fitCandidate(data, std::move(without)), all);
+            addWithVariants(data, std::move(without), all);
         }
     }
     const double plainAngle = fitted.abscissaFactor * data.origin;
@@ -52,7 +77,7 @@ void addWithoutIdleOffsets(const Observations &data, const Candidate &candidate,
         Hypothesis without = restarted(fitted);
         without.isFree[indexOf(Parameter::Theta20)] = false;
         without.unknowns[4] = plainAngle;
-        addWithVariants(data, fitCandidate(data, std::move(without)), all);
+        addWithVariants(data, std::move(without), all);
     }
 }
 
@@ -106,7 +131,7 @@ void addWithFewerColumns(const Observations &data, const Candidate &candidate, R
     }
     const auto leftOut = static_cast<std::size_t>(std::ranges::count(hypothesis.columns, false, &ColumnUse::isUsed));
     if (onlyDerivatives && (areDifferences || 2 * leftOut <= data.columns.size()) && leftOut < data.columns.size()) {
-        addWithVariants(data, fitCandidate(data, std::move(hypothesis)), all);
+        addWithVariants(data, std::move(hypothesis), all);
     } else if (areDifferences && isAsWritten(data, candidate)) {
         hypothesis = restarted(candidate.fit.hypothesis);
         for (ColumnUse &use : hypothesis.columns) {
@@ -122,49 +147,67 @@ void addWithFewerColumns(const Observations &data, const Candidate &candidate, R
     }
 }
 
-/// Adds a candidate and what follows from it.
-void addWithVariants(const Observations &data, Candidate candidate, std::vector<Candidate> &all)
+/// Fits a hypothesis and adds it, and what follows from it, unless it is known.
+void addWithVariants(const Observations &data, Hypothesis hypothesis, std::vector<Candidate> &all)
 {
-    if (!candidate.fit.exists()) {
+    constexpr double kNear = 0.3; // of the squares: nearer than that, the columns may be weighed alike
+    if (isKnown(hypothesis, all)) {
         return;
     }
+    const Candidate candidate = fitCandidate(data, std::move(hypothesis));
+    if (!candidate.fit.exists() || isKnown(candidate.fit.hypothesis, all)) {
+        return;
+    }
+    all.push_back(candidate);
     addWithoutIdleOffsets(data, candidate, all);
-    const bool isRejected = candidate.acceptance == Acceptance::Rejected;
-    if (isRejected) {
+    if (candidate.acceptance == Acceptance::Rejected) {
         addWithFewerColumns(data, candidate, Residual::Unexplained, all);
     }
     if (std::ranges::count(candidate.residuals, Residual::Systematic) > 0) {
         addWithFewerColumns(data, candidate, Residual::Systematic, all);
     }
-    all.push_back(std::move(candidate));
+    if (candidate.acceptance == Acceptance::Rejected && !candidate.fit.hypothesis.isBalanced &&
+        candidate.distance < kNear) {
+        Hypothesis balanced = restarted(candidate.fit.hypothesis);
+        balanced.isBalanced = true;
+        addWithVariants(data, std::move(balanced), all);
+    }
 }
 
 /// Shapes for columns under each other's names: the exchanges with which the motion is most like the file.
 std::vector<Fit> exchangedShapes(const Observations &data, SpeedCandidates speeds, double scoreBefore,
                                  const std::stop_token &stop)
 {
+    constexpr std::size_t kMostFitted = 6;
     constexpr std::size_t kMost = 4;
     constexpr double kLeastGain = 24.0; // the price of an exchange
     constexpr std::size_t kRows = 40;
     std::vector<ColumnUse> columns = plainColumns(data);
-    speeds.periodic.resize(std::min<std::size_t>(speeds.periodic.size(), 1));
+    if (speeds.periodic.size() > 1) {
+        speeds.periodic.erase(speeds.periodic.begin() + 1, speeds.periodic.end());
+    }
     speeds.shortArc.clear();
-    std::vector<Fit> shapes;
     const auto mayBeExchanged = [&](std::size_t j) {
         return tellsShape(data.columns[j]) &&
                (columns[j].channel.coordinate == R4x || columns[j].channel.coordinate == Theta3);
     };
+    std::vector<std::pair<double, std::vector<ColumnUse>>> exchanges; // by how unlike the nearest shape of the grid is
     for (std::size_t i = 0; i < columns.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
-            if (!mayBeExchanged(i) || !mayBeExchanged(j)) {
-                continue;
+            if (mayBeExchanged(i) && mayBeExchanged(j)) {
+                std::swap(columns[i].channel, columns[j].channel);
+                exchanges.emplace_back(leastDissimilarity(data, columns, speeds, kRows), columns);
+                std::swap(columns[i].channel, columns[j].channel);
             }
-            std::swap(columns[i].channel, columns[j].channel);
-            std::vector<Fit> fits = searchShapes(data, columns, speeds, {kRows, 2 * kRows, stop});
-            if (!fits.empty() && fits.front().score < scoreBefore - kLeastGain) {
-                shapes.push_back(std::move(fits.front()));
-            }
-            std::swap(columns[i].channel, columns[j].channel);
+        }
+    }
+    std::ranges::sort(exchanges, {}, &std::pair<double, std::vector<ColumnUse>>::first);
+    exchanges.resize(std::min(exchanges.size(), kMostFitted));
+    std::vector<Fit> shapes;
+    for (const auto &[dissimilarity, exchanged] : exchanges) {
+        std::vector<Fit> fits = searchShapes(data, exchanged, speeds, {kRows, 2 * kRows, stop});
+        if (!fits.empty() && fits.front().score < scoreBefore - kLeastGain) {
+            shapes.push_back(std::move(fits.front()));
         }
     }
     std::ranges::sort(shapes, {}, &Fit::score);
@@ -201,6 +244,28 @@ double bonusOf(const Observations &data, const Hypothesis &hypothesis, const Par
     return isAbout ? kBonus : 0.0;
 }
 
+/// Adds the images of the best candidate, each with the signs and half turns with which it is the same motion.
+void addImages(const Observations &data, InterpretationOptions options, std::vector<Candidate> &all)
+{
+    if (all.empty() || data.isByCrankAngle) {
+        return;
+    }
+    const Candidate best = all.front();
+    options.allowed = Interpretations::All;
+    std::vector<Interpretation> images;
+    addInterpretations(data, best.fit, options, images);
+    for (Interpretation &image : images) {
+        if (isImage(image.hypothesis, best.fit.hypothesis) && !isKnown(image.hypothesis, all)) {
+            image.hypothesis.abscissaStep = best.fit.hypothesis.abscissaStep;
+            image.hypothesis.isBalanced = best.fit.hypothesis.isBalanced;
+            if (Fit fit = evaluateHypothesis(data, std::move(image.hypothesis)); fit.exists()) {
+                fit.iterations = best.fit.iterations;
+                all.push_back(judgedCandidate(data, std::move(fit)));
+            }
+        }
+    }
+}
+
 /// Fits the most promising interpretations of some shapes.
 void tryInterpretations(const Observations &data, const std::vector<Fit> &shapes, const InterpretationOptions &options,
                         std::vector<Candidate> &all)
@@ -214,10 +279,6 @@ void tryInterpretations(const Observations &data, const std::vector<Fit> &shapes
         interpretation.misfit -= bonusOf(data, interpretation.hypothesis, options.given);
     }
     std::ranges::stable_sort(interpretations, {}, &Interpretation::misfit);
-    const auto isSame = [](const Hypothesis &x, const Hypothesis &y) {
-        return x.timeUnit == y.timeUnit && x.columns == y.columns && x.abscissaFactor == y.abscissaFactor &&
-               x.isFree == y.isFree && areNear(middleParameters(x), middleParameters(y));
-    };
     std::size_t tried = 0;
     for (std::size_t i = 0; i < interpretations.size() && tried < most && !options.stop.stop_requested(); ++i) {
         const Hypothesis &hypothesis = interpretations[i].hypothesis;
@@ -230,7 +291,7 @@ void tryInterpretations(const Observations &data, const std::vector<Fit> &shapes
             continue;
         }
         ++tried;
-        addWithVariants(data, fitCandidate(data, hypothesis), all);
+        addWithVariants(data, hypothesis, all);
     }
 }
 
@@ -252,14 +313,21 @@ Candidate fitCandidate(const Observations &data, Hypothesis hypothesis)
 {
     constexpr int kRounds = 12;
     Fit fit = fitHypothesis(data, std::move(hypothesis), kRounds);
-    if (fit.exists() && fit.hypothesis.abscissaStep > 0.0) {
-        Hypothesis exact = fit.hypothesis;
+    if (!fit.exists()) {
+        return {};
+    }
+    const bool isRounded = fit.hypothesis.abscissaStep > 0.0;
+    Hypothesis exact = fit.hypothesis;
+    Candidate candidate = judgedCandidate(data, std::move(fit));
+    if (isRounded) {
         exact.abscissaStep = 0.0;
-        if (Fit other = fitHypothesis(data, std::move(exact), kRounds); other.score < fit.score) {
-            fit = std::move(other);
+        fit = fitHypothesis(data, std::move(exact), kRounds);
+        if (Candidate other = fit.exists() ? judgedCandidate(data, std::move(fit)) : Candidate();
+            other.fit.exists() && isBetter(other, candidate)) {
+            return other;
         }
     }
-    return fit.exists() ? judgedCandidate(data, std::move(fit)) : Candidate();
+    return candidate;
 }
 
 std::vector<Candidate> searchCandidates(const Observations &data, const Parameters &given, const std::stop_token &stop)
@@ -283,6 +351,7 @@ std::vector<Candidate> searchCandidates(const Observations &data, const Paramete
             break;
         }
     }
+    addImages(data, options, all);
     for (Candidate &candidate : all) {
         candidate.price -= bonusOf(data, candidate.fit.hypothesis, given);
     }

@@ -208,7 +208,8 @@ SpeedCandidates speedCandidates(const Observations &data)
 std::optional<CrankSpeedChange> crankSpeedChange(const Observations &data)
 {
     constexpr std::size_t kFewestRows = 8;
-    constexpr double kErrors = 4.0; // standard errors between two speeds that differ
+    constexpr double kErrors = 4.0;     // standard errors between two speeds that differ
+    constexpr double kLeastPart = 5e-3; // of the speed: less may be an error of the file's integrator or filter
     const double speed = data.isByCrankAngle ? 0.0 : givenCrankSpeed(data);
     const CrankCourse course = speed == 0.0 ? CrankCourse() : crankCourse(data, speed);
     if (course.size() < kFewestRows) {
@@ -242,7 +243,8 @@ std::optional<CrankSpeedChange> crankSpeedChange(const Observations &data)
     const Polynomial<3> end = fitPolynomial<3>(course.rbegin(), course.rbegin() + part, step / std::sqrt(12.0));
     const CrankSpeedChange change{start.coefficients[1], end.coefficients[1]};
     const double error = std::hypot(start.standardErrors[1], end.standardErrors[1]);
-    return std::abs(change.atEnd - change.atStart) > kErrors * error ? std::optional(change) : std::nullopt;
+    const double least = std::max(kErrors * error, kLeastPart * std::abs(speed));
+    return std::abs(change.atEnd - change.atStart) > least ? std::optional(change) : std::nullopt;
 }
 
 } // namespace slidercrank

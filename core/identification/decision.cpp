@@ -105,13 +105,15 @@ bool isParabolic(const Observations &data, const Fit &fit, const Eigen::MatrixXd
                  const Eigen::VectorXd &eigenvalues)
 {
     constexpr double kErrors = 3.0;
+    constexpr double kArithmetic = 1e-12;
     const double least = chiSquareAt(data, fit, fit.hypothesis.unknowns);
     for (Eigen::Index k = 0; k < eigenvalues.size(); ++k) {
         Eigen::VectorXd step = kErrors / std::sqrt(eigenvalues[k]) * directions.col(k);
         for (std::size_t i = 0; i < kParameterCount; ++i) {
             step[static_cast<Eigen::Index>(i)] *= fit.hypothesis.isFree[i] ? 1.0 : 0.0;
         }
-        if (step.norm() == 0.0) {
+        const Eigen::VectorXd arithmetic = kArithmetic * fit.hypothesis.unknowns.cwiseAbs();
+        if ((step.cwiseAbs().array() <= arithmetic.array()).all()) { // held, or below what numbers can tell
             continue;
         }
         for (const double sign : {-1.0, 1.0}) {
@@ -299,9 +301,19 @@ Decision decideNearest(const Observations &data, std::span<const Candidate> cand
     Identification &result = decision.identification;
     result.parameters = given;
     result.claimNothing();
+    const auto beatsConstants = [&](const Candidate &candidate) {
+        for (std::size_t j = 0; j < data.columns.size(); ++j) {
+            const ObservedColumn &column = data.columns[j];
+            if (column.varies && candidate.fit.noiseVariances[j] > column.spread * column.spread) {
+                return false;
+            }
+        }
+        return true;
+    };
     const Candidate *nearest = nullptr;
     for (const Candidate &candidate : candidates) {
-        if (isAsWritten(data, candidate) && (!nearest || candidate.distance < nearest->distance)) {
+        if (isAsWritten(data, candidate) && beatsConstants(candidate) &&
+            (!nearest || candidate.distance < nearest->distance)) {
             nearest = &candidate;
         }
     }

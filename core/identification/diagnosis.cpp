@@ -139,7 +139,8 @@ void FileDiagnosis::nameLeftOut(const ReferenceData &data, const Candidate &cand
         const bool isNamed =
             candidate.residuals[j] == Residual::NotUsed || (isOfTwo && candidate.residuals[j] == Residual::Systematic);
         if (isNamed && channel != channels.end()) {
-            found.leftOut.push_back({channel->channel, channel->percentOfPeak.value_or(0.0)});
+            const double ofZeros = channel->maxAbs.value_or(0.0) > 0.0 ? 100.0 : 0.0; // of the motion's peak
+            found.leftOut.push_back({channel->channel, channel->percentOfPeak.value_or(ofZeros)});
         }
     }
 }
@@ -149,15 +150,8 @@ void FileDiagnosis::nameLeftOut(const ReferenceData &data, const Candidate &cand
 void FileDiagnosis::keepNearest(const FileSearch &search)
 {
     Identification &found = m_result.identification;
-    const std::vector<Identification::LeftOut> leftOut = found.leftOut;
-    if (!m_result.conventions.empty()) {
-        found = decideNearest(search.data, search.candidates, m_given).identification;
-        found.rejectImpossible(m_given);
-    } else {
-        found.outcome = Outcome::Nearest;
-    }
-    found.claimNothing();
-    found.leftOut = leftOut;
+    found = decideNearest(search.data, search.candidates, m_given).identification;
+    found.rejectImpossible(m_given);
     m_result.conventions.clear();
     m_result.rounded = found.parameters;
     if (found.outcome == Outcome::Nearest) {
@@ -208,8 +202,7 @@ void FileDiagnosis::interpret(const Observations &all, const FileSearch &search)
     std::erase_if(ofUsed, [](const ConventionFinding &one) { return one.convention.kind == Kind::NotDerivative; });
     const bool isOfTwo = isOfTwoMechanisms(search, best, m_given, m_stop);
     nameLeftOut(allApplied(ofUsed, own), best, search.data, isOfTwo);
-    const bool hasStranger = ofUsed.size() < m_result.conventions.size();
-    if (!doAllPay || isOfTwo || (hasStranger && found.outcome == Outcome::Approximate)) {
+    if (!doAllPay || isOfTwo) {
         keepNearest(search);
         return;
     }

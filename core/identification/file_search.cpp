@@ -179,6 +179,7 @@ Candidate extended(const Observations &all, const Observations &window, const Ob
         }
         hypothesis = std::move(fit.hypothesis);
     }
+    hypothesis.abscissaStep = all.step; // whether the time stamps are rounded shows in the whole file only
     return fitCandidate(last, std::move(hypothesis));
 }
 
@@ -193,6 +194,7 @@ std::vector<Candidate> inWholeFile(const Observations &all, const Observations &
     std::vector<Candidate> whole;
     for (const Candidate &candidate : candidates.first(std::min(kMost, candidates.size()))) {
         if (Candidate one = extended(all, window, last, candidate); one.fit.exists() && !stop.stop_requested()) {
+            one.price = candidate.price; // with the preference for the given mechanism
             whole.push_back(std::move(one));
         }
     }
@@ -230,6 +232,26 @@ bool isIdentified(const FileSearch &search)
     return !search.candidates.empty() && search.candidates.front().acceptance == Acceptance::Identified;
 }
 
+/// Whether every flagged row has a residual several times as large as all other rows of the column, and none is the
+/// first or last: beside a systematic deviation, whose residuals follow no distribution, anything else may be right,
+/// and a filter treats the ends of a file in another way.
+bool areFarAway(const Observations &data, const Candidate &candidate, const std::vector<bool> &flags)
+{
+    constexpr double kTimes = 4.0;
+    const Fit fit = evaluateHypothesis(data, candidate.fit.hypothesis);
+    std::vector<bool> isFar(flags.size(), false);
+    for (const std::vector<double> &residuals : fit.residuals) {
+        double largest = 0.0;
+        for (std::size_t i = 0; i < flags.size(); ++i) {
+            largest = flags[i] || std::isnan(residuals[i]) ? largest : std::max(largest, std::abs(residuals[i]));
+        }
+        for (std::size_t i = 0; i < flags.size(); ++i) {
+            isFar[i] = isFar[i] || std::abs(residuals[i]) > kTimes * largest;
+        }
+    }
+    return isFar == flags && !flags.front() && !flags.back();
+}
+
 /// Excludes the rows that are outliers of the best candidate, in some rounds because they may have misled it; returns
 /// whether the rest is explained.
 bool excludeOutliers(const Observations &all, const Parameters &given, const std::stop_token &stop, FileSearch &search)
@@ -254,7 +276,8 @@ bool excludeOutliers(const Observations &all, const Parameters &given, const std
     }
     const Acceptance before = search.candidates.front().acceptance;
     if (flags.empty() || nearest.acceptance == Acceptance::Rejected || nearest.acceptance > before ||
-        (nearest.acceptance == before && before != Acceptance::Identified)) {
+        (nearest.acceptance == before && before != Acceptance::Identified) ||
+        (nearest.acceptance == Acceptance::Approximate && !areFarAway(all, nearest, flags))) {
         return false;
     }
     const Observations rest = without(all, flags);

@@ -79,13 +79,14 @@ void addCrankConventions(const Observations &data, const Candidate &candidate, c
     }
 }
 
-/// Derivatives that were left out because they belong to no motion of their position: they deviate by more than
-/// differences do, and as a function of the crank angle rather than as noise.
+/// Derivatives that were left out because they belong to no motion of their position, which is known to the last digit
+/// (a filter that differentiates noisy positions may do anything to them): they deviate by more than differences do,
+/// and as a function of the crank angle rather than as noise.
 std::vector<Channel> strangeDerivatives(const Observations &data, const Candidate &candidate)
 {
     std::vector<Channel> channels;
     const std::vector<double> angles = crankAngles(data, candidate.fit.hypothesis);
-    for (std::size_t j = 0; j < data.columns.size(); ++j) {
+    for (std::size_t j = 0; j < data.columns.size() && candidate.isExact; ++j) {
         if (candidate.fit.hypothesis.columns[j].isUsed) {
             continue;
         }

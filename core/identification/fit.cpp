@@ -66,12 +66,22 @@ bool weigh(const Observations &data, Fit &fit)
         return false;
     }
     fit.noiseVariances.assign(columnCount, 0.0);
+    double common = 0.0; // sum of the noise in units of the columns' spreads
+    double varying = 0.0;
     for (std::size_t j = 0; j < columnCount; ++j) {
-        if (fit.hypothesis.columns[j].isUsed && data.columns[j].count > 0.0) {
-            fit.noiseVariances[j] = noiseVarianceOf(fit.residuals[j], fit.variances[j], data.columns[j].count);
-            for (double &variance : fit.variances[j]) {
-                variance += fit.noiseVariances[j];
-            }
+        const ObservedColumn &column = data.columns[j];
+        const double spread = column.spread * fit.hypothesis.columns[j].factor();
+        if (fit.hypothesis.columns[j].isUsed && column.count > 0.0) {
+            fit.noiseVariances[j] = noiseVarianceOf(fit.residuals[j], fit.variances[j], column.count);
+            common += column.varies ? fit.noiseVariances[j] / (spread * spread) : 0.0;
+            varying += column.varies ? 1.0 : 0.0;
+        }
+    }
+    for (std::size_t j = 0; j < columnCount; ++j) {
+        const double spread = data.columns[j].spread * fit.hypothesis.columns[j].factor();
+        const bool isBalanced = fit.hypothesis.isBalanced && data.columns[j].varies;
+        for (double &variance : fit.variances[j]) {
+            variance += isBalanced ? common / varying * spread * spread : fit.noiseVariances[j];
         }
     }
     return true;
@@ -126,6 +136,7 @@ std::pair<double, double> minimize(const Observations &data, Fit &fit)
     constexpr int kMostTrials = 8;
     constexpr double kSmallGain = 1e-5; // of chi-square
     constexpr double kNoGain = 1e-4;
+    constexpr double kUndamped = 1e-12;
     const bool hasScales = std::ranges::any_of(fit.hypothesis.columns, &ColumnUse::hasScale);
     const double first = chiSquareAt(data, fit, fit.hypothesis.unknowns);
     double chiSquare = first;
@@ -150,12 +161,18 @@ std::pair<double, double> minimize(const Observations &data, Fit &fit)
                 gain = chiSquare - tried;
                 chiSquare = tried;
                 fit.hypothesis.unknowns = unknowns;
-                lambda = std::max(lambda * 0.05, 1e-12);
+                lambda = std::max(lambda * 0.05, kUndamped);
+                break;
+            }
+            if (tried <= chiSquare * (1.0 + kSmallGain) + kNoGain) { // nothing is left but arithmetic
                 break;
             }
         }
         if (gain <= kSmallGain * chiSquare + kNoGain) {
-            break;
+            if (lambda <= kUndamped) {
+                break;
+            }
+            lambda = kUndamped; // the damping may only have held it back in a narrow valley
         }
     }
     return {first, chiSquare};

@@ -43,6 +43,7 @@ struct Hypothesis {
     double side = 1.0;           ///< 1 open, -1 crossed
     std::array<bool, kParameterCount> isFree{true, true, true, true, true};
     double abscissaStep = 0.0; ///< rounding of the abscissa that is taken into account
+    bool isBalanced = false;   ///< all columns weigh alike, as their spreads: for systematic deviations
 
     std::size_t freeParameterCount() const; ///< with offsets and scales
 };

@@ -30,6 +30,7 @@ constexpr double kPriceOfCause = 20.0;
 constexpr double kPriceOfColumn = 4.0;
 constexpr double kPriceOfHalfTurn = 14.0; // cheaper than an offset: a half turn must beat an offset of 180°
 constexpr double kPriceOfCrossed = 6.0;   // breaks ties only
+constexpr double kPriceOfOffset = 26.0;   // more than a sign: an offset of twice the height is rather one
 constexpr double kPriceOfParameter = 6.0; // about ln N
 
 bool mayHaveOffset(Channel channel)
@@ -103,7 +104,7 @@ double interpretColumn(const ObservedColumn &column, const ColumnRegression &reg
     };
     double best = misfit(aboutMean + offset * offset);
     if (allowed != Interpretations::Plain && mayHaveOffset(column.channel)) {
-        const double price = kPriceOfCause + kPriceOfParameter - (use.isHalfTurned() ? kPriceOfHalfTurn : 0.0);
+        const double price = kPriceOfOffset + kPriceOfParameter - (use.isHalfTurned() ? kPriceOfHalfTurn : 0.0);
         if (misfit(aboutMean) + price < best) {
             use.hasOffset = true;
             use.turn -= use.isHalfTurned() ? std::numbers::pi : 0.0;
@@ -342,7 +343,7 @@ double priceOf(const Observations &data, const Hypothesis &hypothesis)
             ++causes[{Kind::SwappedColumns, 0.0, false}];
         }
         perFileTime += hypothesis.timeUnit != 1.0 && use.perTime == 1.0 && use.channel.order != Order::Position ? 1 : 0;
-        price += (use.isHalfTurned() ? kPriceOfHalfTurn : 0.0) + (use.hasOffset ? kPriceOfCause : 0.0);
+        price += (use.isHalfTurned() ? kPriceOfHalfTurn : 0.0) + (use.hasOffset ? kPriceOfOffset : 0.0);
     }
     for (const auto &[cause, count] : causes) {
         const auto &[kind, amount, angle] = cause;

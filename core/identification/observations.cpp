@@ -78,107 +78,42 @@ double repetitionOf(const ObservedColumn &column)
     return column.count / (runs > 1.0 ? std::min({runs, 2.0 * stretches, column.count}) : 1.0);
 }
 
-/// The sharpened step if all levels are multiples of about `step` above the first, each rounded to the printed digits;
-/// 0 if not. The step becomes known better from level to level.
-double sharpenedStep(const std::vector<double> &levels, double step, double printedStep)
-{
-    constexpr double kSurely = 0.4; // of a step: farther from a multiple it is none, whatever the tolerance
-    double countBefore = std::max(std::round((levels[1] - levels[0]) / step), 1.0);
-    for (std::size_t i = 1; i < levels.size(); ++i) {
-        const double height = levels[i] - levels[0];
-        const double count = std::round(height / step);
-        const double tolerance = 1.02 * printedStep * (1.0 + count / countBefore);
-        if (std::abs(height - count * step) > std::min(tolerance, kSurely * step)) {
-            return 0.0;
-        }
-        step = height / count;
-        countBefore = count;
-    }
-    return step;
-}
-
-/// The step of a quantized column (encoder, converter): the values are multiples of one step that is much coarser than
-/// the printed digits. 0 if they are not.
-double quantizationStep(const std::vector<double> &values, double printedStep)
-{
-    constexpr double kCoarser = 5.0;          // printed steps at least
-    constexpr std::size_t kFewestLevels = 12; // distinct values
-    constexpr int kMostParts = 40;            // the smallest difference between two values may be so many steps
-    std::vector<double> levels;
-    levels.reserve(values.size());
-    for (const double value : values) {
-        if (!std::isnan(value)) {
-            levels.push_back(value);
-        }
-    }
-    std::ranges::sort(levels);
-    const double finest =
-        levels.empty() ? 0.0 : std::max(printedStep, kArithmeticPart * (levels.back() - levels.front()));
-    const auto isSame = [&](double x, double y) { return std::abs(x - y) <= 1.1 * finest; };
-    const auto repeats = std::ranges::unique(levels, isSame);
-    levels.erase(repeats.begin(), repeats.end());
-    if (levels.size() < kFewestLevels) {
-        return 0.0;
-    }
-    double smallest = levels[1] - levels[0];
-    for (std::size_t i = 1; i < levels.size(); ++i) {
-        smallest = std::min(smallest, levels[i] - levels[i - 1]);
-    }
-    for (int parts = 1; parts <= kMostParts && smallest / parts >= kCoarser * finest; ++parts) {
-        if (const double step = sharpenedStep(levels, smallest / parts, finest); step > 0.0) {
-            return step;
-        }
-    }
-    return 0.0;
-}
-
-/// Makes gaps of the values of a saturated sensor and returns whether there are any: a run of equal extreme values
-/// whose neighbours are much farther away than those of a rounded turning point.
+/// Makes gaps of the values of a saturated sensor and returns whether there are any: an extreme value that repeats much
+/// more often than a turning point does that was rounded, and is reached from row to row, not by single bad readings.
 bool removeSaturation(std::vector<double> &values, double step)
 {
-    constexpr std::size_t kShortestRun = 3;
-    constexpr double kMostPart = 0.4; // of the rows
-    constexpr double kSudden = 4.0;   // times the drop of a rounded parabola
-    constexpr std::size_t kBeside = 3;
+    constexpr std::ptrdiff_t kFewestRepeats = 5;
+    constexpr double kMostPart = 0.5; // of the rows: beyond, a square wave
+    constexpr double kFewSteps = 8.0; // within so many steps of its peak, a parabola has twice as many values as at it
+    constexpr double kLargestJumpPart = 0.15; // of the range, from one row to the next
+    constexpr double kMostJumps = 0.2;        // of the neighbours
     const ValueRange range = rangeOf(values);
-    if (!(range.width() > 0.0)) {
-        return false;
-    }
-    std::vector<std::pair<std::size_t, std::size_t>> runs;
-    for (std::size_t first = 0; first < values.size(); ++first) {
-        std::size_t end = first;
-        while (end < values.size() && (values[end] == range.low || values[end] == range.high) &&
-               values[end] == values[first]) {
-            ++end;
-        }
-        const bool hasBefore = first >= kBeside;
-        const bool hasBehind = end + kBeside <= values.size();
-        if (end - first >= kShortestRun && (hasBefore || hasBehind)) {
-            const double half = 0.5 * static_cast<double>(end - first);
-            const double ratio = (half + static_cast<double>(kBeside)) / half;
-            const double natural = std::max(step, kArithmeticPart * range.size()) * ratio * ratio;
-            const bool isSuddenBefore =
-                !hasBefore || std::abs(values[first - kBeside] - values[first]) > kSudden * natural;
-            const bool isSuddenBehind =
-                !hasBehind || std::abs(values[end + kBeside - 1] - values[first]) > kSudden * natural;
-            if (isSuddenBefore && isSuddenBehind) {
-                runs.emplace_back(first, end);
+    const double tolerance = std::max(step, kArithmeticPart * range.size());
+    std::vector<bool> isSaturated(values.size(), false);
+    for (const double limit : {range.low, range.high}) {
+        const auto repeats = std::ranges::count(values, limit);
+        const auto besideLimit = std::ranges::count_if(values, [&](double value) {
+            return value != limit && std::abs(value - limit) < (kFewSteps + 0.5) * tolerance;
+        });
+        double neighbours = 0.0;
+        double jumps = 0.0;
+        for (std::size_t i = 1; i < values.size(); ++i) {
+            if ((values[i] == limit) != (values[i - 1] == limit)) {
+                neighbours += 1.0;
+                jumps += std::abs(values[i] - values[i - 1]) > kLargestJumpPart * range.width() ? 1.0 : 0.0;
             }
         }
-        first = std::max(first, end == first ? first : end - 1);
+        if (repeats >= kFewestRepeats && 2 * besideLimit < repeats && jumps <= kMostJumps * neighbours &&
+            static_cast<double>(repeats) <= kMostPart * static_cast<double>(values.size()) && range.width() > 0.0) {
+            for (std::size_t i = 0; i < values.size(); ++i) {
+                isSaturated[i] = isSaturated[i] || values[i] == limit;
+            }
+        }
     }
-    std::size_t count = 0;
-    for (const auto &[first, end] : runs) {
-        count += end - first;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        values[i] = isSaturated[i] ? kNone : values[i];
     }
-    if (static_cast<double>(count) > kMostPart * static_cast<double>(values.size())) { // a square wave
-        return false;
-    }
-    for (const auto &[first, end] : runs) {
-        std::fill(values.begin() + static_cast<std::ptrdiff_t>(first),
-                  values.begin() + static_cast<std::ptrdiff_t>(end), kNone);
-    }
-    return !runs.empty();
+    return std::ranges::count(isSaturated, true) > 0;
 }
 
 /// Mean, spread, steps and variances of a column whose values are set. `unit`: mm or rad per unit of the file's
@@ -212,12 +147,10 @@ void learnStatistics(ObservedColumn &column, const Rounding &rounding, double un
     const double finest = kArithmeticPart * range.size();
     const double usual = range.size() > 0.0 ? kUsualStep * range.size() : kStepOfZeros;
     column.step = std::max(column.step > 0.0 ? column.step : usual, finest);
-    if (const double step = column.varies ? quantizationStep(column.values, column.step) : 0.0; step > 0.0) {
-        column.step = step;
-        std::ranges::fill(stepAt, step);
-    }
     column.spread = std::max(std::sqrt(squares / std::max(column.count, 1.0)), column.varies ? 0.0 : column.step);
-    const double repetition = repetitionOf(column);
+    // An encoder may count down to the step below: then all angles are half a step too small.
+    const bool mayBeTruncated = rounding.rule == Rounding::Rule::Multiples && column.channel.coordinate == Theta2;
+    const double repetition = mayBeTruncated ? column.count : repetitionOf(column);
     column.variances.reserve(stepAt.size());
     for (const double step : stepAt) {
         const double counted = std::max({step, kFinestPart * column.step, finest});

@@ -80,53 +80,26 @@ bool agreesAsWell(const Mechanism &rounded, const ReferenceData &data, std::span
     return growth <= kMostGrowth;
 }
 
-/// Whether no channel is more than a tenth farther off, rounding apart.
-bool explainsAsWell(const Mechanism &rounded, const ReferenceData &data, std::span<const ChannelComparison> identified)
+/// The largest deviation of the columns in use, root mean square, as a part of the column's range.
+double largestDeviation(const Parameters &parameters, const Identification &found, const ReferenceData &data)
 {
-    constexpr double kFactor = 1.1;
-    constexpr double kStepsOfRounding = 0.3; // root mean square of a rounding error
-    const std::optional<ReferenceData> timed = data.crank ? timedBy(rounded, data) : std::nullopt;
-    const std::vector<ChannelComparison> channels = compareExactly(rounded, timed ? *timed : data).channels;
-    for (std::size_t i = 0; i < channels.size(); ++i) {
-        const double before =
-            std::max(identified[i].rms.value_or(0.0), kStepsOfRounding * identified[i].roundingStep.value_or(0.0));
-        if (channels[i].rms.value_or(0.0) > kFactor * before) {
-            return false;
+    const std::optional<ReferenceData> timed = data.crank ? timedBy(Mechanism(parameters), data) : std::nullopt;
+    double largest = 0.0;
+    for (const ChannelComparison &channel : compareExactly(Mechanism(parameters), timed ? *timed : data).channels) {
+        const double range = rangeOf(data.find(channel.channel)->values).width();
+        const bool isLeftOut =
+            std::ranges::count(found.leftOut, channel.channel, &Identification::LeftOut::channel) > 0;
+        if (range > 0.0 && !isLeftOut) {
+            largest = std::max(largest, channel.rms.value_or(0.0) / range);
         }
     }
-    return true;
+    return largest;
 }
 
-/// Each parameter as the roundest number that its standard error, so many times, leaves room for.
-Parameters roundedBy(const Identification &found, double errorFactor)
+/// The roundest number that a value leaves room for, in any of some units.
+std::optional<double> roundNumberIn(std::span<const double> units, double value, double standardError)
 {
-    constexpr double kDegree = std::numbers::pi / 180.0;
-    constexpr double kTurnAMinute = std::numbers::pi / 30.0;
-    constexpr std::array kLengthUnits{1.0};
-    constexpr std::array kSpeedUnits{1.0, kDegree, kTurnAMinute};
-    constexpr std::array kAngleUnits{kDegree, 1.0};
-
-    const Parameters &fitted = found.parameters;
-    const auto rounded = [&](Parameter parameter, double value, double scale, std::span<const double> units) {
-        const double standardError =
-            std::max(errorFactor * found.standardError[indexOf(parameter)], kArithmetic * scale);
-        return standardError > 0.0 && std::isfinite(standardError) ? roundest(value, standardError, units) : value;
-    };
-    const double size = characteristicLength(fitted);
-    Parameters parameters = fitted;
-    parameters.a = rounded(Parameter::A, fitted.a, size, kLengthUnits);
-    parameters.b = rounded(Parameter::B, fitted.b, size, kLengthUnits);
-    parameters.c = rounded(Parameter::C, fitted.c, size, kLengthUnits);
-    parameters.omega2 = rounded(Parameter::Omega2, fitted.omega2, std::abs(fitted.omega2), kSpeedUnits);
-    parameters.theta20 = rounded(Parameter::Theta20, fitted.theta20, 1.0, kAngleUnits);
-    return parameters;
-}
-
-} // namespace
-
-double roundest(double value, double standardError, std::span<const double> units)
-{
-    double best = roundedTo(powerOfTenBelow(standardError) - 1, value);
+    std::optional<double> best;
     int fewest = std::numeric_limits<int>::max();
     for (const double unit : units) {
         const std::optional<RoundNumber> candidate = roundNumber(value / unit, standardError / unit);
@@ -138,21 +111,80 @@ double roundest(double value, double standardError, std::span<const double> unit
     return best;
 }
 
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kTurnAMinute = std::numbers::pi / 30.0;
+constexpr std::array kPlainUnit{1.0};
+constexpr std::array kSpeedUnits{1.0, kDegree, kTurnAMinute};
+constexpr std::array kAngleUnits{kDegree, 1.0};
+
+std::span<const double> unitsOf(Parameter parameter)
+{
+    return parameter == Parameter::Theta20  ? std::span<const double>(kAngleUnits)
+           : parameter == Parameter::Omega2 ? std::span<const double>(kSpeedUnits)
+                                            : std::span<const double>(kPlainUnit);
+}
+
+/// The standard error of a parameter, at least what arithmetic leaves; NaN where it is not known.
+double errorOf(const Identification &found, Parameter parameter)
+{
+    const double size = parameter == Parameter::Theta20  ? 1.0
+                        : parameter == Parameter::Omega2 ? std::abs(found.parameters.omega2)
+                                                         : characteristicLength(found.parameters);
+    const double error = found.standardError[indexOf(parameter)];
+    return std::isfinite(error) && std::max(error, size) > 0.0 ? std::max(error, kArithmetic * size) : kNone;
+}
+
+constexpr std::array kAllParameters{Parameter::A, Parameter::B, Parameter::C, Parameter::Omega2, Parameter::Theta20};
+
+/// Nominal values of an approximate mechanism: as round as explains the file equally well. A filter moves the
+/// parameters farther than any standard error tells.
+Parameters nominalParameters(const Identification &found, const ReferenceData &data)
+{
+    constexpr double kEqually = 1.1;
+    const double most = kEqually * largestDeviation(found.parameters, found, data);
+    Parameters nominal = found.parameters;
+    const auto tryRounding = [&](std::span<const Parameter> parameters) {
+        for (const double errorFactor : {1000.0, 300.0, 100.0, 30.0, 10.0, 3.0, 1.0}) {
+            Parameters tried = nominal;
+            for (const Parameter parameter : parameters) {
+                const double error = errorFactor * errorOf(found, parameter);
+                double &value = valueOf(tried, parameter);
+                value = std::isnan(error) ? value : roundNumberIn(unitsOf(parameter), value, error).value_or(value);
+            }
+            if (!findFault(tried) && largestDeviation(tried, found, data) <= most) {
+                nominal = tried;
+            }
+        }
+    };
+    tryRounding(kAllParameters);
+    tryRounding(std::span(kAllParameters).first(3));
+    for (const Parameter parameter : kAllParameters) {
+        tryRounding(std::array{parameter});
+    }
+    return nominal;
+}
+
+} // namespace
+
+double roundest(double value, double standardError, std::span<const double> units)
+{
+    return roundNumberIn(units, value, standardError).value_or(roundedTo(powerOfTenBelow(standardError) - 1, value));
+}
+
 Parameters inRoundNumbers(const Identification &found, const ReferenceData &data,
                           std::span<const ChannelComparison> identified)
 {
-    if (found.outcome != Identification::Outcome::Approximate) {
-        const Parameters rounded = roundedBy(found, 1.0);
-        const bool isGood = !findFault(rounded) && agreesAsWell(Mechanism(rounded), data, identified);
-        return isGood ? rounded : found.parameters;
+    if (found.outcome == Identification::Outcome::Approximate) {
+        return nominalParameters(found, data);
     }
-    for (const double errorFactor : {1000.0, 300.0, 100.0, 30.0, 10.0, 3.0, 1.0}) { // a filter moves the parameters far
-        const Parameters nominal = roundedBy(found, errorFactor);
-        if (!findFault(nominal) && explainsAsWell(Mechanism(nominal), data, identified)) {
-            return nominal;
+    Parameters rounded = found.parameters;
+    for (const Parameter parameter : kAllParameters) {
+        if (const double error = errorOf(found, parameter); !std::isnan(error)) {
+            valueOf(rounded, parameter) = roundest(valueOf(rounded, parameter), error, unitsOf(parameter));
         }
     }
-    return found.parameters;
+    const bool isGood = !findFault(rounded) && agreesAsWell(Mechanism(rounded), data, identified);
+    return isGood ? rounded : found.parameters;
 }
 
 } // namespace slidercrank

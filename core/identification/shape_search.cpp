@@ -114,7 +114,31 @@ bool fitStarts(const Observations &data, const Hypothesis &hypothesis, std::vect
     return isExact;
 }
 
+Hypothesis shapeHypothesis(const Observations &data, const std::vector<ColumnUse> &columns,
+                           const SpeedCandidates &speeds)
+{
+    Hypothesis hypothesis;
+    hypothesis.unknowns.resize(static_cast<Eigen::Index>(kParameterCount));
+    for (std::size_t j = 0; j < columns.size(); ++j) {
+        ColumnUse column{columns[j].channel};
+        column.isUsed = tellsShape(data.columns[j]);
+        hypothesis.columns.push_back(column);
+    }
+    hypothesis.isFree = {true, false, true, !speeds.isKnown, true}; // b = 1: a short crank is then a small number
+    return hypothesis;
+}
+
 } // namespace
+
+double leastDissimilarity(const Observations &data, const std::vector<ColumnUse> &columns,
+                          const SpeedCandidates &speeds, std::size_t rows)
+{
+    std::vector<Start> starts;
+    for (const double speed : speeds.periodic) {
+        addGridStarts(thinned(data, rows), shapeHypothesis(data, columns, speeds), speed, 1, true, starts);
+    }
+    return starts.empty() ? 0.0 : std::ranges::min_element(starts, {}, &Start::misfit)->misfit;
+}
 
 std::vector<Fit> searchShapes(const Observations &data, const std::vector<ColumnUse> &columns,
                               const SpeedCandidates &speeds, const ShapeSearchOptions &options)
@@ -124,14 +148,7 @@ std::vector<Fit> searchShapes(const Observations &data, const std::vector<Column
     constexpr std::size_t kArcs = 8;
     const Observations coarse = thinned(data, options.coarseRows);
     const Observations fine = thinned(data, options.fitRows);
-    Hypothesis hypothesis;
-    hypothesis.unknowns.resize(static_cast<Eigen::Index>(kParameterCount));
-    for (std::size_t j = 0; j < columns.size(); ++j) {
-        ColumnUse column{columns[j].channel};
-        column.isUsed = tellsShape(data.columns[j]);
-        hypothesis.columns.push_back(column);
-    }
-    hypothesis.isFree = {true, false, true, !speeds.isKnown, true}; // b = 1: a short crank is then a small number
+    const Hypothesis hypothesis = shapeHypothesis(data, columns, speeds);
     std::vector<Fit> fits;
     for (const double speed : speeds.periodic) {
         std::vector<Start> starts;

@@ -20,6 +20,10 @@ struct ShapeSearchOptions {
     std::stop_token stop;
 };
 
+/// How unlike the columns the nearest shape of a coarse grid is: Σ n ln(1 − ρ²).
+double leastDissimilarity(const Observations &data, const std::vector<ColumnUse> &columns,
+                          const SpeedCandidates &speeds, std::size_t rows);
+
 /// Fits with free scales and origins, distinct from each other, the best score first. `columns`: which channel each
 /// column is taken for.
 std::vector<Fit> searchShapes(const Observations &data, const std::vector<ColumnUse> &columns,

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace slidercrank
 {
@@ -371,8 +370,6 @@ std::string falseDeviation(const ClaimFile &file, const ReferenceData &data, con
                    percent(0.01 * finding.before);
         }
     }
-    // Until the engine names them itself.
-    const bool isLenient = std::getenv("SLIDERCRANK_CLAIM_LENIENT") != nullptr;
     const Deviations reader(file, data, claim, claim.parameters);
     const bool isIdentified = claim.outcome == ClaimedOutcome::Identified || claim.outcome == ClaimedOutcome::Ambiguous;
     const bool isApproximate = claim.outcome == ClaimedOutcome::Approximate;
@@ -382,11 +379,9 @@ std::string falseDeviation(const ClaimFile &file, const ReferenceData &data, con
         const std::vector<ColumnDeviation> deviations = reader.all();
         wrong +=
             wrong.empty() ? falseVerdict(file, claim.read, claim.identified, claim.parameters, &claim, reader) : "";
-        wrong += wrong.empty() && !isLenient ? falsePrintedDeviation(file, claim, deviations) : "";
-        wrong += wrong.empty() && isIdentified && !isLenient && !file.hasSaturation
-                     ? unnamedDeviation(claim, deviations)
-                     : "";
-        wrong += wrong.empty() && isIdentified && !isLenient && file.truth ? falseNoise(file, claim) : "";
+        wrong += wrong.empty() ? falsePrintedDeviation(file, claim, deviations) : "";
+        wrong += wrong.empty() && isIdentified && !file.hasSaturation ? unnamedDeviation(claim, deviations) : "";
+        wrong += wrong.empty() && isIdentified && file.truth ? falseNoise(file, claim) : "";
         wrong += wrong.empty() && isApproximate ? falseApproximation(claim, deviations) : "";
         if (wrong.empty() && isApproximate) {
             wrong = falseRounding(claim, deviations, Deviations(file, data, claim, claim.rounded).all());

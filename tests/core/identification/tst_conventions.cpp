@@ -505,9 +505,6 @@ private slots:
             Table table = motionAt(p, files.instants(p));
             const std::vector<Convention> expected = fault.inject(table, p, files);
             const std::vector<ConventionFinding> found = findConventions(writtenAndRead(table), Mechanism(p));
-            if (!areFound(found, expected)) {
-                QEXPECT_FAIL("the x axis reversed", "A few files are read as half a turn of a mirrored mechanism.", Abort);
-            }
             QVERIFY2(areFound(found, expected), (std::to_string(i) + ": " + inWords(found)).c_str());
         }
     }
@@ -604,9 +601,6 @@ private slots:
             const Mechanism mechanism(p);
             const Trajectory model = sample(mechanism, data.time, plottedChannels(), settings);
             for (const ChannelComparison &column : compare(mechanism, model, data)) {
-                if (!(column.percentOfPeak.value() < 0.02)) {
-                    QEXPECT_FAIL("the x axis reversed", "A few files are read as half a turn of a mirrored mechanism.", Abort);
-                }
                 QVERIFY2(column.percentOfPeak.value() < 0.02, nameOf(column.channel).data());
             }
         }
@@ -1018,7 +1012,6 @@ private slots:
             largestAllocation = 0;
             const std::vector<ConventionFinding> found = findConventions(data, Mechanism(compared));
             const std::size_t largest = largestAllocation;
-            QEXPECT_FAIL("ten thousand turns", "So many turns with all digits of a double are not identified.", Abort);
             QVERIFY2(areFound(found, {{Kind::AngleUnit, kAngles, 180.0 / kPi}}), inWords(found).c_str());
             // Read otherwise, the file is copied once, column by column; nothing is larger than one.
             QVERIFY2(largest <= sizeof(double) * instants.size(), std::to_string(largest).c_str());

@@ -330,6 +330,9 @@ private slots:
         for (double &value : valuesOf(data, kTheta)) {
             value = std::round(value / kEncoderStep) * kEncoderStep;
         }
+        Rounding &rounding = std::ranges::find(data.series, kTheta, &ReferenceSeries::channel)->rounding;
+        rounding.rule = Rounding::Rule::Multiples; // as the reader finds it
+        rounding.quantum = kEncoderStep / rounding.unitFactor;
         const ValueRange range = rangeOf(valuesOf(data, kX));
         for (double &value : valuesOf(data, kX)) {
             value = std::min(value, range.high - 0.1 * range.width());
