@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What it costs to find the mechanism that made 201 rows, and how a file has to be interpreted. The start is Table 1 of the report, which the data are far from.
+// What it costs to find the mechanism that made 201 rows, and how a file has to be interpreted. The start is Table 1 of
+// the report, which the data are far from.
 
 #include "core/identification/diagnosis.h"
 #include "tests/support/printed_motion.h"

@@ -46,8 +46,8 @@ void countStates(benchmark::State &state, std::size_t states)
 }
 
 /// All 36 channels straight from the textbook's formulas and the standard library, as anybody would write them first:
-/// the angle in one double, h rounded.
-HWY_INLINE State plainStateInlined(const Parameters &p, double t)
+/// the angle in one double, h rounded. Called as a function of a library is, like ClosedForm::stateAt.
+HWY_NOINLINE State plainStateAt(const Parameters &p, double t)
 {
     const double w = p.omega2;
     const double theta2 = w * t + p.theta20;
@@ -69,12 +69,6 @@ HWY_INLINE State plainStateInlined(const Parameters &p, double t)
     state.qDDot << 0.0, 0.0, 0.0, -0.5 * p.a * w * w * cos2, -0.5 * p.a * w * w * sin2, 0.0,
         -p.a * w * w * cos2 + 0.5 * sDDot, -0.5 * p.a * w * w * sin2, alpha3, -p.a * w * w * cos2 + sDDot, 0.0, 0.0;
     return state;
-}
-
-/// Called as a function of a library is, like ClosedForm::stateAt.
-HWY_NOINLINE State plainStateAt(const Parameters &p, double t)
-{
-    return plainStateInlined(p, t);
 }
 
 /// All 36 channels of a turn by stateAt(t).
@@ -100,13 +94,6 @@ void plainClosedForm36(benchmark::State &state)
 }
 BENCHMARK(plainClosedForm36);
 
-void plainClosedFormInlined36(benchmark::State &state)
-{
-    const Parameters parameters = nominal().parameters;
-    states36(state, nominal(), [&](double t) { return plainStateInlined(parameters, t); });
-}
-BENCHMARK(plainClosedFormInlined36);
-
 void closedForm36(benchmark::State &state)
 {
     const ClosedForm closedForm{Mechanism(nominal().parameters)};
@@ -121,35 +108,16 @@ void closedForm36Rocker(benchmark::State &state)
 }
 BENCHMARK(closedForm36Rocker);
 
-void closedForm6(benchmark::State &state)
-{
-    const ClosedForm closedForm{Mechanism(nominal().parameters)};
-    const std::vector<double> instants = nominal().sampling.instants();
-    std::vector<Motion> motions(instants.size());
-    for (auto _ : state) {
-        for (std::size_t i = 0; i < instants.size(); ++i) {
-            motions[i] = closedForm.motionAt(instants[i]);
-        }
-        benchmark::DoNotOptimize(motions.data());
-        benchmark::ClobberMemory();
-    }
-    countStates(state, instants.size());
-}
-BENCHMARK(closedForm6);
-
 /// The plotted channels on one instruction set.
-void closedFormBatch(benchmark::State &state, std::int64_t target, bool positionsOnly)
+void closedFormBatch(benchmark::State &state, std::int64_t target)
 {
     hwy::SetSupportedTargetsForTest(target);
     const ClosedForm batch{Mechanism(nominal().parameters)};
     const std::vector<double> instants = nominal().sampling.instants();
     std::vector<std::vector<double>> values(6, std::vector<double>(instants.size()));
     std::vector<Status> statuses(instants.size());
-    PlottedColumns columns{values[0].data(), values[1].data()};
-    if (!positionsOnly) {
-        columns = {values[0].data(), values[1].data(), values[2].data(),
-                   values[3].data(), values[4].data(), values[5].data()};
-    }
+    PlottedColumns columns{};
+    std::ranges::transform(values, columns.begin(), [](std::vector<double> &column) { return column.data(); });
     for (auto _ : state) {
         batch.evaluate(instants, columns, statuses);
         benchmark::DoNotOptimize(values.data());
@@ -158,22 +126,6 @@ void closedFormBatch(benchmark::State &state, std::int64_t target, bool position
     countStates(state, instants.size());
     hwy::SetSupportedTargetsForTest(0);
 }
-
-/// What the window calls: instants given, channels and statuses out, memory and all.
-void sampleClosedForm6(benchmark::State &state)
-{
-    Sampling sampling;
-    sampling.steps = static_cast<int>(state.range(0)) - 1;
-    const std::vector<double> instants = sampling.instants();
-    const Mechanism mechanism(nominal().parameters);
-    for (auto _ : state) {
-        const Trajectory trajectory = sample(mechanism, instants, plottedChannels(), {Method::ClosedForm, {}});
-        benchmark::DoNotOptimize(trajectory.status.data());
-        benchmark::ClobberMemory();
-    }
-    countStates(state, instants.size());
-}
-BENCHMARK(sampleClosedForm6)->Arg(201)->Arg(20001)->Arg(1000001);
 
 /// All 36 channels by a rung of Newton-Raphson, each instant from the one before, to the report's tolerance.
 void newton36(benchmark::State &state, const Case &which, WarmStart warmStart, Elimination elimination)
@@ -223,8 +175,7 @@ int main(int argc, char **argv)
 {
     for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
         const std::string name = hwy::TargetName(target);
-        benchmark::RegisterBenchmark(("closedFormBatch6/" + name).c_str(), closedFormBatch, target, false);
-        benchmark::RegisterBenchmark(("closedFormBatchPositions/" + name).c_str(), closedFormBatch, target, true);
+        benchmark::RegisterBenchmark(("closedFormBatch6/" + name).c_str(), closedFormBatch, target);
     }
     benchmark::Initialize(&argc, argv);
     benchmark::RunSpecifiedBenchmarks();

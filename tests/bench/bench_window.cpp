@@ -4,8 +4,6 @@
 // with QT_QPA_PLATFORM=offscreen for the figures of the README, or on a display; with SLIDERCRANK_BENCH_SIZE=1920x1080
 // and QT_SCALE_FACTOR=2 as on a large one.
 
-#include "ui/panels/limits_page.h"
-#include "ui/panels/table_panel.h"
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/panels/timeline.h"
 #include "ui/plots/plot_grid.h"
@@ -16,6 +14,7 @@
 #include <QFile>
 #include <QPainter>
 #include <QProcess>
+#include <QSet>
 #include <QSlider>
 #include <QStandardPaths>
 #include <QTimer>
@@ -33,49 +32,36 @@ using namespace slidercrank;
 namespace
 {
 
-const char *const kPlots[] = {"plot_theta3",       "plot_R4_x",       "plot_error_position",
-                              "plot_theta3_diff",  "plot_R4_x_diff",  "plot_error_velocity",
-                              "plot_theta3_diff2", "plot_R4_x_diff2", "plot_error_acceleration"};
-constexpr int kPlotCount = 9;
-
-/// Sees which of the nine plots, without a reference six, have been painted since reset().
+/// Sees whether all plots on show have been painted since reset().
 class PaintWatch : public QObject
 {
 public:
     explicit PaintWatch(QWidget &window)
+        : m_panes(window.findChildren<PlotPane *>())
     {
-        for (int i = 0; i < kPlotCount; ++i) {
-            m_plots[i] = window.findChild<QWidget *>(QLatin1String(kPlots[i]));
-            m_plots[i]->installEventFilter(this);
+        for (PlotPane *pane : m_panes) {
+            pane->installEventFilter(this);
         }
     }
 
-    void reset() { m_painted = 0; }
+    void reset() { m_painted.clear(); }
     bool allPainted() const
     {
-        for (int i = 0; i < kPlotCount; ++i) {
-            if ((m_painted & 1 << i) == 0 && !m_plots[i]->isHidden()) {
-                return false;
-            }
-        }
-        return true;
+        return std::ranges::all_of(m_panes,
+                                   [this](PlotPane *pane) { return pane->isHidden() || m_painted.contains(pane); });
     }
 
     bool eventFilter(QObject *watched, QEvent *event) override
     {
         if (event->type() == QEvent::Paint) {
-            for (int i = 0; i < kPlotCount; ++i) {
-                if (watched == m_plots[i]) {
-                    m_painted |= 1 << i;
-                }
-            }
+            m_painted.insert(watched);
         }
         return false;
     }
 
 private:
-    QWidget *m_plots[kPlotCount];
-    int m_painted = 0;
+    QList<PlotPane *> m_panes;
+    QSet<QObject *> m_painted;
 };
 
 void waitUntilPainted(const PaintWatch &watch)
@@ -250,27 +236,6 @@ void playingFrame(benchmark::State &state)
     }
 }
 BENCHMARK(playingFrame)->ArgName("arrows")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
-
-/// The limits and peaks of another mechanism, filled in and painted.
-void limitsToPainted(benchmark::State &state)
-{
-    constexpr int kMechanisms = 20;
-    std::vector<std::shared_ptr<const Result>> results;
-    for (int i = 0; i < kMechanisms; ++i) {
-        Parameters parameters;
-        parameters.b = 65.0 + 0.5 * i;
-        results.push_back(compute({Mechanism(parameters), {}, {}, nullptr}, {}));
-    }
-    std::size_t moves = 0;
-    TablePanel panel({}, {}, [&] { return limitsPage(*results[++moves % results.size()]); });
-    panel.resize(960, 200);
-    panel.show();
-    for (auto _ : state) {
-        panel.refreshNow();
-        QCoreApplication::processEvents();
-    }
-}
-BENCHMARK(limitsToPainted)->Unit(benchmark::kMillisecond);
 
 const QString kProbe = QStringLiteral("--start-probe");
 

@@ -21,30 +21,12 @@ double roundedTo(double grid, double value)
 
 std::optional<Parameter> draggedLength(DrawnPart part, bool withShift)
 {
-    switch (part) {
-    case DrawnPart::A: return withShift ? std::optional(Parameter::A) : std::nullopt;
-    case DrawnPart::Crank: return Parameter::A;
-    case DrawnPart::G3:
-    case DrawnPart::Coupler: return Parameter::B;
-    case DrawnPart::Guide: return Parameter::C;
-    default: return std::nullopt;
-    }
+    using enum DrawnPart;
+    return part == Crank || (part == A && withShift) ? std::optional(Parameter::A)
+           : part == G3 || part == Coupler           ? std::optional(Parameter::B)
+           : part == Guide                           ? std::optional(Parameter::C)
+                                                     : std::nullopt;
 }
-
-namespace
-{
-
-/// The direction (y upwards) in which pulling the part makes its length longer.
-QPointF pullDirection(const MechanismScene &scene, DrawnPart part)
-{
-    switch (draggedLength(part, true).value_or(Parameter::A)) {
-    case Parameter::B: return unitVector(scene.wristPin() - scene.crankPin());
-    case Parameter::C: return {0.0, 1.0};
-    default: return unitVector(scene.crankPin());
-    }
-}
-
-} // namespace
 
 Qt::CursorShape cursorOver(const MechanismScene &scene, DrawnPart part, bool withShift)
 {
@@ -66,7 +48,9 @@ std::optional<MechanismDrag> MechanismDrag::begin(const MechanismScene &scene, D
     drag.m_limits = scene.result->limits;
     drag.m_start = pointer;
     if (drag.m_length) {
-        drag.m_direction = pullDirection(scene, part);
+        drag.m_direction = drag.m_length == Parameter::A   ? unitVector(scene.crankPin())
+                           : drag.m_length == Parameter::B ? unitVector(scene.wristPin() - scene.crankPin())
+                                                           : QPointF(0.0, 1.0); // y upwards
         return drag;
     }
     const double omega2 = drag.m_mechanism.omega2();

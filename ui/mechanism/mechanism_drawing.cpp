@@ -170,9 +170,9 @@ void MechanismDrawing::avoid(const QLineF &line, double width)
 
 QColor MechanismDrawing::faded(const QColor &colour, double share) const
 {
-    const auto blend = [share](int x, int y) { return static_cast<int>(std::lround(share * x + (1.0 - share) * y)); };
-    return QColor(blend(colour.red(), m_paper.red()), blend(colour.green(), m_paper.green()),
-                  blend(colour.blue(), m_paper.blue()));
+    const auto blend = [share](float x, float y) { return std::lerp(y, x, static_cast<float>(share)); };
+    return QColor::fromRgbF(blend(colour.redF(), m_paper.redF()), blend(colour.greenF(), m_paper.greenF()),
+                            blend(colour.blueF(), m_paper.blueF()));
 }
 
 QColor withAlpha(QColor colour, double alpha)

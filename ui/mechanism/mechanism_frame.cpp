@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/mechanism/mechanism_frame.h"
 
-#include "ui/text/written_number.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -21,15 +19,6 @@ QRectF withMargin(const QRectF &bounds, double share)
 {
     const double margin = share * std::max(bounds.width(), bounds.height());
     return bounds.adjusted(-margin, -margin, margin, margin);
-}
-
-/// The bounds with a margin, rounded outwards to round numbers.
-QRectF frameAround(const QRectF &bounds, double share)
-{
-    const double step = nextRoundNumber(std::max(bounds.width(), bounds.height()) / 20.0);
-    const QRectF wide = withMargin(bounds, share);
-    return QRectF(QPointF(std::floor(wide.left() / step) * step, std::floor(wide.top() / step) * step),
-                  QPointF(std::ceil(wide.right() / step) * step, std::ceil(wide.bottom() / step) * step));
 }
 
 MechanismProjection projectionOnto(const QRectF &frame, const QSizeF &size)
@@ -69,18 +58,18 @@ QRectF motionBounds(const Mechanism &mechanism, const MotionLimits &limits)
 void MechanismFrame::follow(const QRectF &bounds)
 {
     constexpr double kFarTooLarge = 0.65; // the share of the frame that is still used
-    const QRectF wanted = frameAround(bounds, kMargin);
+    const QRectF wanted = withMargin(bounds, kMargin);
     if (m_fitted.isNull() ||
         (wanted.width() < kFarTooLarge * m_fitted.width() && wanted.height() < kFarTooLarge * m_fitted.height())) {
         m_fitted = wanted;
     } else if (!m_fitted.contains(withMargin(bounds, kLeastMargin))) {
-        m_fitted = m_fitted.united(frameAround(bounds, kMarginToGrow));
+        m_fitted = m_fitted.united(withMargin(bounds, kMarginToGrow));
     }
 }
 
 void MechanismFrame::fit(const QRectF &bounds)
 {
-    m_fitted = frameAround(bounds, kMargin);
+    m_fitted = withMargin(bounds, kMargin);
 }
 
 MechanismProjection MechanismFrame::projection(const QSizeF &size) const

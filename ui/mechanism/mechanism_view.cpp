@@ -18,7 +18,6 @@
 #include <QWheelEvent>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -94,6 +93,8 @@ void MechanismView::makeChoices()
         action->setCheckable(true);
         connect(action, &QAction::triggered, this,
                 [this, setting](bool on) { setSettings(with(m_scene.settings, setting, on)); });
+        connect(this, &MechanismView::settingsChanged, action,
+                [action, setting](const MechanismSettings &settings) { action->setChecked(settings.*setting); });
         m_choices << action;
     };
     const auto addZoom = [this](const QString &text, const QList<QKeySequence> &keys, const auto &change) {
@@ -125,11 +126,7 @@ void MechanismView::setSettings(const MechanismSettings &settings)
         return;
     }
     m_scene.settings = settings;
-    const std::array<bool, 7> on{settings.velocity,   settings.acceleration, settings.path,         settings.names,
-                                 settings.dimensions, settings.angles,       settings.instantCentre};
-    for (std::size_t i = 0; i < on.size(); ++i) {
-        m_choices[static_cast<qsizetype>(i)]->setChecked(on[i]);
-    }
+    emit settingsChanged(settings);
     refresh();
 }
 

@@ -82,6 +82,7 @@ signals:
     /// A length is being dragged: what is requested in between belongs together.
     void dragBegan();
     void dragEnded();
+    void settingsChanged(const slidercrank::MechanismSettings &settings);
     void enlarged(); ///< the user wants the drawing to fill the window, or no longer
 
 protected:
