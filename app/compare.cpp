@@ -138,7 +138,7 @@ ReferenceAnswer compareOne(const Streams &streams, const CompareRequest &request
     steps.add(reference.data.time, compared.comparison.status);
     const bool isOneOfSeveral = request.references.files.size() > 1;
     answer.status = steps.finish(streams, request.mechanism, request.solver.newton,
-                                 isOneOfSeveral ? shownNameOf(joinedName(reference.paths)) + QStringLiteral(": ") : QString());
+                                 isOneOfSeveral ? displayName(joinedName(reference.paths)) + QStringLiteral(": ") : QString());
     if (request.failsOnDifference && compared.verdict == Verdict::Differs) {
         answer.status = moreSevere(answer.status, ExitStatus::Differs);
     }

@@ -144,7 +144,7 @@ ReferenceAnswer identifyOne(const Streams &streams, const IdentifyRequest &reque
     answer.category = outcomeText(diagnosis.identification.outcome);
     answer.status = isFound ? ExitStatus::Success : ExitStatus::NotSolved;
     if (!isFound && (!isText || request.references.files.size() == 1)) {
-        streams.report(QStringLiteral("%1: %2").arg(shownNameOf(joinedName(reference.paths)), summaryOf(diagnosis)));
+        streams.report(QStringLiteral("%1: %2").arg(displayName(joinedName(reference.paths)), summaryOf(diagnosis)));
     } else if (isText) {
         answer.text = identificationText(reference, diagnosis);
     }

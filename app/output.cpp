@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/output.h"
 
-#include "ui/document/byte_stream.h"
+#include "ui/document/whole_file.h"
 
 #include <QDir>
 #include <QFileInfo>

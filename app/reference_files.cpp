@@ -128,7 +128,7 @@ readTimedReference(const ReferenceSource &source, const std::vector<NamedChoice>
 
 void reportDoubts(const Streams &streams, const Reference &reference)
 {
-    const QString name = shownNameOf(joinedName(reference.paths));
+    const QString name = displayName(joinedName(reference.paths));
     const ReferenceData &data = reference.data;
     if (!data.skipped.empty()) {
         const SkippedRow &first = data.skipped.front();
@@ -139,7 +139,7 @@ void reportDoubts(const Streams &streams, const Reference &reference)
     }
     QStringList ignored;
     for (const std::size_t i : ignoredColumns(data.layout)) {
-        ignored += QStringLiteral("%1 (%2)").arg(headingText(data.layout, i), shortReasonText(data.layout, i));
+        ignored += QStringLiteral("%1 (%2)").arg(headingText(data.layout, i), reasonText(data.layout, i));
     }
     if (!ignored.isEmpty()) {
         streams.report(
@@ -150,7 +150,7 @@ void reportDoubts(const Streams &streams, const Reference &reference)
         const FileColumn &column = data.layout.columns[i];
         if (column.role != ColumnRole::Ignored && isGuess(column.reason)) {
             guesses += CommandLine::tr("\"%1\" as %2 (%3)")
-                           .arg(headingText(data.layout, i), columnMeaning(column), shortReasonText(data.layout, i));
+                           .arg(headingText(data.layout, i), columnMeaning(column), reasonText(data.layout, i));
         }
     }
     if (!guesses.isEmpty()) {
@@ -167,7 +167,7 @@ QString joinedName(const QStringList &files)
 QString headline(const Reference &reference)
 {
     const ReferenceData &data = reference.data;
-    const QString name = shownNameOf(joinedName(reference.paths));
+    const QString name = displayName(joinedName(reference.paths));
     const auto number = [](double value) { return roundedText(value, 9); };
     if (data.crank) {
         return CommandLine::tr("%1: θ₂ = %3° to %4°, %2 angles, timed by ω₂ = %5 rad/s and θ₂₀ = %6°")

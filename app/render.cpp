@@ -276,7 +276,7 @@ public:
         case Subject::Plot: return drawInto(plot);
         case Subject::Mechanism: return drawInto(withParameters(drawing, m_request.mechanism(), m_palette));
         case Subject::Report:
-            m_content.checksums = m_reference ? checksumsOf(*m_reference) : QByteArrayList();
+            m_content.checksums = m_reference ? fileChecksums(*m_reference) : QByteArrayList();
             return exportReport(m_request.output, m_content, {drawing, figure});
         case Subject::Frames:
             return exportFrames(m_request, [this](QPainter &painter, const QSize &size, double time) {

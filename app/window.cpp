@@ -5,7 +5,7 @@
 #include "app/commands.h"
 #include "app/option_reader.h"
 #include "app/output.h"
-#include "ui/document/byte_stream.h"
+#include "ui/document/whole_file.h"
 #include "ui/document/scene.h"
 
 #include <QDir>

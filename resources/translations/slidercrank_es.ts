@@ -221,188 +221,16 @@
         <translation>tiempo</translation>
     </message>
     <message>
-        <source>s (none given)</source>
-        <translation>s (sin indicar)</translation>
-    </message>
-    <message>
         <source>%1 (none given)</source>
         <translation>%1 (sin indicar)</translation>
-    </message>
-    <message>
-        <source>its name is known</source>
-        <translation>su nombre es conocido</translation>
     </message>
     <message>
         <source>chosen by hand</source>
         <translation>elegido a mano</translation>
     </message>
     <message>
-        <source>guessed: its name says the quantity, and this is the body usually exported</source>
-        <translation>deducido: su nombre indica la magnitud, y este es el eslabón que suele exportarse</translation>
-    </message>
-    <message>
-        <source>guessed: P, V or A says the order, its unit says angle or length</source>
-        <translation>deducido: P, V o A indica el orden; su unidad, si es ángulo o longitud</translation>
-    </message>
-    <message>
-        <source>guessed: its values are the derivative of “%1”</source>
-        <translation>deducido: sus valores son la derivada de «%1»</translation>
-    </message>
-    <message>
-        <source>guessed: an angle that grows at an even rate, as the crank&apos;s does</source>
-        <translation>deducido: un ángulo que crece a ritmo constante, como el de la manivela</translation>
-    </message>
-    <message>
-        <source>guessed: the first column whose values only rise</source>
-        <translation>deducido: la primera columna cuyos valores solo crecen</translation>
-    </message>
-    <message>
-        <source>guessed: named as in Modelica, whose variables are in m, rad and s</source>
-        <translation>deducido: se llama como en Modelica, cuyas variables van en m, rad y s</translation>
-    </message>
-    <message>
-        <source>ignored: it counts the rows</source>
-        <translation>sin usar: numera las filas</translation>
-    </message>
-    <message>
-        <source>ignored: it belongs to other instants than those of “%1”</source>
-        <translation>sin usar: corresponde a otros instantes que los de «%1»</translation>
-    </message>
-    <message>
-        <source>ignored: the same instants as “%1”</source>
-        <translation>sin usar: los mismos instantes que «%1»</translation>
-    </message>
-    <message>
-        <source>ignored: a magnitude, without direction; “%1” is a component of it</source>
-        <translation>sin usar: es un módulo, sin sentido; «%1» es una de sus componentes</translation>
-    </message>
-    <message>
-        <source>ignored: it has no name</source>
-        <translation>sin usar: no tiene nombre</translation>
-    </message>
-    <message>
-        <source>%1; central differences, no derivative</source>
-        <translation>%1; son diferencias centrales, no una derivada</translation>
-    </message>
-    <message>
-        <source>%1; backward differences, no derivative</source>
-        <translation>%1; son diferencias hacia atrás, no una derivada</translation>
-    </message>
-    <message>
-        <source>%1; forward differences, no derivative</source>
-        <translation>%1; son diferencias hacia delante, no una derivada</translation>
-    </message>
-    <message>
-        <source>ignored: it holds no number</source>
-        <translation>sin usar: no contiene ningún número</translation>
-    </message>
-    <message>
-        <source>ignored: its unit is not known or does not suit the quantity</source>
-        <translation>sin usar: su unidad es desconocida o no corresponde a la magnitud</translation>
-    </message>
-    <message>
         <source>ignored: “%1” could be the same quantity</source>
         <translation>sin usar: «%1» podría ser la misma magnitud</translation>
-    </message>
-    <message>
-        <source>ignored: its values are not the derivative of “%1” that its name says</source>
-        <translation>sin usar: sus valores no son la derivada de «%1» que dice su nombre</translation>
-    </message>
-    <message>
-        <source>ignored: neither its unit nor its values tell an angle from a length</source>
-        <translation>sin usar: ni su unidad ni sus valores distinguen un ángulo de una longitud</translation>
-    </message>
-    <message>
-        <source>name known</source>
-        <translation>nombre conocido</translation>
-    </message>
-    <message>
-        <source>guessed by its name</source>
-        <translation>deducido por el nombre</translation>
-    </message>
-    <message>
-        <source>guessed by its unit</source>
-        <translation>deducido por la unidad</translation>
-    </message>
-    <message>
-        <source>guessed: derivative of %1</source>
-        <translation>deducido: derivada de %1</translation>
-    </message>
-    <message>
-        <source>guessed: even rate</source>
-        <translation>deducido: ritmo constante</translation>
-    </message>
-    <message>
-        <source>guessed: only rises</source>
-        <translation>deducido: solo crece</translation>
-    </message>
-    <message>
-        <source>guessed: named as in Modelica</source>
-        <translation>deducido: nombre de Modelica</translation>
-    </message>
-    <message>
-        <source>name not known</source>
-        <translation>nombre desconocido</translation>
-    </message>
-    <message>
-        <source>differences from row to row</source>
-        <translation>diferencias de fila a fila</translation>
-    </message>
-    <message>
-        <source>other instants</source>
-        <translation>otros instantes</translation>
-    </message>
-    <message>
-        <source>same instants as %1</source>
-        <translation>mismos instantes que %1</translation>
-    </message>
-    <message>
-        <source>magnitude of %1 …</source>
-        <translation>módulo de %1 …</translation>
-    </message>
-    <message>
-        <source>counts the rows</source>
-        <translation>numera las filas</translation>
-    </message>
-    <message>
-        <source>no name</source>
-        <translation>sin nombre</translation>
-    </message>
-    <message>
-        <source>no number in it</source>
-        <translation>sin ningún número</translation>
-    </message>
-    <message>
-        <source>unit not known</source>
-        <translation>unidad desconocida</translation>
-    </message>
-    <message>
-        <source>not the derivative of %1</source>
-        <translation>no es la derivada de %1</translation>
-    </message>
-    <message>
-        <source>angle or length?</source>
-        <translation>¿ángulo o longitud?</translation>
-    </message>
-    <message>
-        <source>1 significant digit</source>
-        <translation>1 cifra signif.</translation>
-    </message>
-    <message>
-        <source>%1 significant digits</source>
-        <translation>%1 cifras signif.</translation>
-    </message>
-    <message>
-        <source>whole multiples of 1e%1</source>
-        <translation>múltiplos enteros de 1e%1</translation>
-    </message>
-    <message>
-        <source>1 decimal</source>
-        <translation>1 decimal</translation>
-    </message>
-    <message>
-        <source>%1 decimals</source>
-        <translation>%1 decimales</translation>
     </message>
     <message>
         <source>decimal point</source>
@@ -413,108 +241,144 @@
         <translation>coma decimal</translation>
     </message>
     <message>
-        <source>no names of columns</source>
-        <translation>columnas sin nombres</translation>
-    </message>
-    <message>
-        <source>names in line %1</source>
-        <translation>nombres en la línea %1</translation>
-    </message>
-    <message>
         <source>units in line %1</source>
         <translation>unidades en la línea %1</translation>
-    </message>
-    <message>
-        <source>, </source>
-        <translation>, </translation>
     </message>
     <message>
         <source>crank angle</source>
         <translation>ángulo de la manivela</translation>
     </message>
     <message>
-        <source>guessed: no column is the time, and this is the angle of the crank</source>
-        <translation>deducido: ninguna columna es el tiempo, y esta es el ángulo de la manivela</translation>
-    </message>
-    <message>
-        <source>guessed: no time here</source>
-        <translation>deducido: aquí no hay tiempo</translation>
-    </message>
-    <message>
-        <source>%1 = %2 … %3°</source>
-        <translation>%1 = %2 … %3°</translation>
-    </message>
-    <message>
-        <source>t = %1 … %2 s</source>
-        <translation>t = %1 … %2 s</translation>
-    </message>
-    <message>
-        <source>ignored: its name is not known</source>
-        <translation>sin usar: su nombre es desconocido</translation>
-    </message>
-    <message>
-        <source>%1 could be it, too</source>
-        <translation>también podría ser %1</translation>
-    </message>
-    <message>
-        <source>line %1 above them skipped</source>
-        <translation>línea %1, encima, omitida</translation>
-    </message>
-    <message>
-        <source>%1 lines above them skipped</source>
-        <translation>%1 líneas, encima, omitidas</translation>
-    </message>
-    <message>
-        <source>ignored: its name does not say of which body it is</source>
-        <translation>sin usar: su nombre no dice de qué eslabón es</translation>
-    </message>
-    <message>
-        <source>of which body?</source>
-        <translation>¿de qué eslabón?</translation>
-    </message>
-    <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
     </message>
     <message>
-        <source>%1 files of one motion, joined</source>
-        <translation>%1 archivos de un mismo movimiento, leídos como uno solo</translation>
+        <source>multiples of %1</source>
+        <translation>múltiplos de %1</translation>
     </message>
     <message>
-        <source>guessed: the file&apos;s name says so</source>
-        <translation>deducido: lo dice el nombre del archivo</translation>
+        <source>recognized by its heading</source>
+        <translation>reconocida por su encabezado</translation>
     </message>
     <message>
-        <source>guessed: file&apos;s name</source>
-        <translation>deducido: nombre del archivo</translation>
+        <source>assumed: the heading names the quantity, but not the body</source>
+        <translation>supuesta: el encabezado indica la magnitud, pero no el cuerpo</translation>
     </message>
     <message>
-        <source>the instants, the same in all files</source>
+        <source>assumed from P, V or A in the heading, and from the unit</source>
+        <translation>supuesta por P, V o A en el encabezado y por la unidad</translation>
+    </message>
+    <message>
+        <source>assumed from P, V or A in the heading, and from other columns of the joint</source>
+        <translation>supuesta por P, V o A en el encabezado y por otras columnas del par</translation>
+    </message>
+    <message>
+        <source>assumed: an angle that grows at a constant rate, as that of the crank</source>
+        <translation>supuesta: un ángulo que crece a ritmo constante, como el de la manivela</translation>
+    </message>
+    <message>
+        <source>assumed from its values: an angle beyond one turn, or its derivative</source>
+        <translation>supuesta por sus valores: un ángulo de más de una vuelta, o su derivada</translation>
+    </message>
+    <message>
+        <source>assumed: the first column whose values only increase</source>
+        <translation>supuesta: la primera columna cuyos valores solo crecen</translation>
+    </message>
+    <message>
+        <source>assumed from the name of the file</source>
+        <translation>supuesta por el nombre del archivo</translation>
+    </message>
+    <message>
+        <source>assumed from the heading: named as in Modelica, in m, rad and s</source>
+        <translation>supuesta por el encabezado: se llama como en Modelica, en m, rad y s</translation>
+    </message>
+    <message>
+        <source>assumed: no column is the time, and this is the angle of the crank</source>
+        <translation>supuesta: ninguna columna es el tiempo, y esta es el ángulo de la manivela</translation>
+    </message>
+    <message>
+        <source>ignored: unknown heading</source>
+        <translation>no se usa: encabezado desconocido</translation>
+    </message>
+    <message>
+        <source>ignored: the heading does not name the body</source>
+        <translation>no se usa: el encabezado no indica el cuerpo</translation>
+    </message>
+    <message>
+        <source>ignored: it numbers the rows</source>
+        <translation>no se usa: numera las filas</translation>
+    </message>
+    <message>
+        <source>ignored: a magnitude, of which “%1” is a component</source>
+        <translation>no se usa: es un módulo, del que «%1» es una componente</translation>
+    </message>
+    <message>
+        <source>ignored: the same time stamps as “%1”</source>
+        <translation>no se usa: los mismos instantes que «%1»</translation>
+    </message>
+    <message>
+        <source>ignored: its time stamps are not those of “%1”</source>
+        <translation>no se usa: sus instantes no son los de «%1»</translation>
+    </message>
+    <message>
+        <source>ignored: no heading</source>
+        <translation>no se usa: sin encabezado</translation>
+    </message>
+    <message>
+        <source>ignored: it contains no number</source>
+        <translation>no se usa: no contiene ningún número</translation>
+    </message>
+    <message>
+        <source>ignored: its unit is unknown, or does not suit the quantity</source>
+        <translation>no se usa: su unidad es desconocida o no corresponde a la magnitud</translation>
+    </message>
+    <message>
+        <source>ignored: its values are not the derivative of “%1” that its heading names</source>
+        <translation>no se usa: sus valores no son la derivada de «%1» que indica el encabezado</translation>
+    </message>
+    <message>
+        <source>ignored: neither unit nor values tell whether it is an angle or a length</source>
+        <translation>no se usa: ni la unidad ni los valores dicen si es un ángulo o una longitud</translation>
+    </message>
+    <message>
+        <source>%1; forward differences, not a derivative</source>
+        <translation>%1; son diferencias hacia delante, no una derivada</translation>
+    </message>
+    <message>
+        <source>%1; backward differences, not a derivative</source>
+        <translation>%1; son diferencias hacia atrás, no una derivada</translation>
+    </message>
+    <message>
+        <source>%1; central differences, not a derivative</source>
+        <translation>%1; son diferencias centrales, no una derivada</translation>
+    </message>
+    <message>
+        <source>the time stamps, the same in all files</source>
         <translation>los instantes, los mismos en todos los archivos</translation>
     </message>
     <message>
-        <source>same in all files</source>
-        <translation>los mismos en todos</translation>
+        <source>significant digits: %1</source>
+        <translation>cifras significativas: %1</translation>
     </message>
     <message>
-        <source>guessed: P, V or A says the order, another column of the joint says angle or length</source>
-        <translation>supuesto: P, V o A indica el orden; otra columna de la misma unión, si es ángulo o longitud</translation>
+        <source>decimals: %1</source>
+        <translation>decimales: %1</translation>
     </message>
     <message>
-        <source>guessed: an angle beyond one turn is the crank&apos;s</source>
-        <translation>supuesto: un ángulo de más de una vuelta es el de la manivela</translation>
+        <source>joined files of one motion: %1</source>
+        <translation>archivos unidos de un mismo movimiento: %1</translation>
     </message>
     <message>
-        <source>guessed by its joint</source>
-        <translation>supuesto por su unión</translation>
+        <source>no headings</source>
+        <translation>sin encabezados</translation>
     </message>
     <message>
-        <source>guessed: beyond one turn</source>
-        <translation>supuesto: más de una vuelta</translation>
+        <source>headings in line %1</source>
+        <translation>encabezados en la línea %1</translation>
     </message>
     <message>
-        <source>multiples of %1</source>
-        <translation>múltiplos de %1</translation>
+        <source>lines skipped above them: %1</source>
+        <translation>líneas omitidas antes de ellos: %1</translation>
     </message>
 </context>
 <context>
@@ -1281,10 +1145,6 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
 <context>
     <name>slidercrank::ConventionText</name>
     <message>
-        <source>%1: in %2, but read as %3.</source>
-        <translation>%1: en %2, pero leído como %3.</translation>
-    </message>
-    <message>
         <source>degrees</source>
         <translation>grados</translation>
     </message>
@@ -1295,10 +1155,6 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
     <message>
         <source>turns</source>
         <translation>vueltas</translation>
-    </message>
-    <message>
-        <source>%1: in a unit of angle %2 times as large as the one read.</source>
-        <translation>%1: en una unidad de ángulo %2 veces mayor que la leída.</translation>
     </message>
     <message>
         <source>millimetres</source>
@@ -1317,74 +1173,6 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
         <translation>pulgadas</translation>
     </message>
     <message>
-        <source>%1: in a unit of length %2 times as large as the one read.</source>
-        <translation>%1: en una unidad de longitud %2 veces mayor que la leída.</translation>
-    </message>
-    <message>
-        <source>The time is in milliseconds, but was read as seconds</source>
-        <translation>El tiempo está en milisegundos, pero se leyó como segundos</translation>
-    </message>
-    <message>
-        <source>The time is in seconds, but was read as milliseconds</source>
-        <translation>El tiempo está en segundos, pero se leyó como milisegundos</translation>
-    </message>
-    <message>
-        <source>The time is in minutes, but was read as seconds</source>
-        <translation>El tiempo está en minutos, pero se leyó como segundos</translation>
-    </message>
-    <message>
-        <source>The unit of the time is %1 times as large as the one read</source>
-        <translation>La unidad del tiempo es %1 veces mayor que la leída</translation>
-    </message>
-    <message>
-        <source>; so are the derivatives %1</source>
-        <translation>; también las derivadas %1</translation>
-    </message>
-    <message>
-        <source> − %1°</source>
-        <translation> − %1°</translation>
-    </message>
-    <message>
-        <source> + %1°</source>
-        <translation> + %1°</translation>
-    </message>
-    <message>
-        <source>%1°</source>
-        <translation>%1°</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>%1 to the right of O₂</source>
-        <translation>%1 a la derecha de O₂</translation>
-    </message>
-    <message>
-        <source>%1 to the left of O₂</source>
-        <translation>%1 a la izquierda de O₂</translation>
-    </message>
-    <message>
-        <source>%1 above O₂</source>
-        <translation>%1 por encima de O₂</translation>
-    </message>
-    <message>
-        <source>%1 below O₂</source>
-        <translation>%1 por debajo de O₂</translation>
-    </message>
-    <message>
-        <source>Multiplies %1 by %2</source>
-        <translation>Multiplica %1 por %2</translation>
-    </message>
-    <message>
-        <source>Multiplies the instants by %1</source>
-        <translation>Multiplica los instantes por %1</translation>
-    </message>
-    <message>
-        <source>Multiplies the instants by %1, and brings %2 to the same unit</source>
-        <translation>Multiplica los instantes por %1 y lleva %2 a la misma unidad</translation>
-    </message>
-    <message>
         <source>Changes the sign of %1</source>
         <translation>Cambia el signo de %1</translation>
     </message>
@@ -1393,24 +1181,8 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
         <translation>Hace continuo %1</translation>
     </message>
     <message>
-        <source>Adds %1° to %2, made continuous</source>
-        <translation>Suma %1° a %2, hecho continuo</translation>
-    </message>
-    <message>
-        <source>Subtracts %1 from %2</source>
-        <translation>Resta %1 de %2</translation>
-    </message>
-    <message>
-        <source>Adds %1 to %2</source>
-        <translation>Suma %1 a %2</translation>
-    </message>
-    <message>
         <source>Exchanges %1</source>
         <translation>Intercambia %1</translation>
-    </message>
-    <message>
-        <source>Adds %1 s to the instants</source>
-        <translation>Suma %1 s a los instantes</translation>
     </message>
     <message>
         <source>Leaves %1 out</source>
@@ -1469,44 +1241,8 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
         <translation>eje</translation>
     </message>
     <message>
-        <source>%1: along an axis that points the other way.</source>
-        <translation>%1: a lo largo de un eje que apunta al revés.</translation>
-    </message>
-    <message>
-        <source>%1: of the opposite sign.</source>
-        <translation>%1: de signo contrario.</translation>
-    </message>
-    <message>
         <source>%1: jumps by whole turns.</source>
         <translation>%1: salta vueltas enteras.</translation>
-    </message>
-    <message>
-        <source>The file&apos;s clock is %1 s ahead: what it has at t happens that much earlier.</source>
-        <translation>El reloj del archivo va %1 s adelantado: lo que tiene en t ocurre ese tiempo antes.</translation>
-    </message>
-    <message>
-        <source>The file&apos;s clock is %1 s behind: what it has at t happens that much later.</source>
-        <translation>El reloj del archivo va %1 s atrasado: lo que tiene en t ocurre ese tiempo después.</translation>
-    </message>
-    <message>
-        <source>%1: not the time derivative of its position column.</source>
-        <translation>%1: no es la derivada temporal de su columna de posición.</translation>
-    </message>
-    <message>
-        <source>%1: central differences of the rows on both sides, and not the time derivative.</source>
-        <translation>%1: son diferencias centrales, entre la fila anterior y la siguiente, y no la derivada respecto al tiempo.</translation>
-    </message>
-    <message>
-        <source>%1: backward differences, from each row to the one before, and not the time derivative.</source>
-        <translation>%1: son diferencias hacia atrás, de cada fila a la anterior, y no la derivada respecto al tiempo.</translation>
-    </message>
-    <message>
-        <source>%1: forward differences, from each row to the next, and not the time derivative.</source>
-        <translation>%1: son diferencias hacia delante, de cada fila a la siguiente, y no la derivada respecto al tiempo.</translation>
-    </message>
-    <message>
-        <source>The slider moves along y and not along x: y is its axis, as in an upright engine.</source>
-        <translation>La corredera se mueve según y, no según x: su eje es y, como en un motor vertical.</translation>
     </message>
     <message>
         <source>%1: its largest error is %2 % of peak.</source>
@@ -1517,48 +1253,112 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
         <translation>%1: error máximo del %2&#xa0;% del pico en vez del %3&#xa0;%.</translation>
     </message>
     <message>
-        <source>%1: measured from where it began; %2 is %1%3.</source>
-        <translation>%1: medido desde donde empezó; %2 es %1%3.</translation>
-    </message>
-    <message>
-        <source>%1: measured from another direction; %2 is %1%3.</source>
-        <translation>%1: medido desde otra dirección; %2 es %1%3.</translation>
-    </message>
-    <message>
-        <source>%1: measured from where it began, %2.</source>
-        <translation>%1: medido desde donde empezó, %2.</translation>
-    </message>
-    <message>
-        <source>%1: measured from another origin, %2.</source>
-        <translation>%1: medido desde otro origen, %2.</translation>
-    </message>
-    <message>
         <source>Sets the model to the other assembly</source>
         <translation>Pone el modelo en la otra configuración</translation>
     </message>
     <message>
-        <source>%1: measured clockwise, against the sense of the model.</source>
-        <translation>%1: medido en sentido horario, contra el sentido del modelo.</translation>
+        <source>%1: in a unit of angle %3 times as large as the one read.</source>
+        <translation>%1: en una unidad de ángulo %3 veces mayor que la leída.</translation>
     </message>
     <message>
-        <source>%1: each has the other&apos;s name.</source>
-        <translation>%1: cada una lleva el nombre de la otra.</translation>
+        <source>%1: in a unit of length %3 times as large as the one read.</source>
+        <translation>%1: en una unidad de longitud %3 veces mayor que la leída.</translation>
     </message>
     <message>
-        <source>The file is of the other assembly: its slider is on the other side of A.</source>
-        <translation>El archivo es de la otra configuración: su corredera está al otro lado de A.</translation>
+        <source>The unit of time is %3 times as large as the one read.</source>
+        <translation>La unidad de tiempo es %3 veces mayor que la leída.</translation>
     </message>
     <message>
-        <source>%1: the coupler&apos;s angle seen from B, as textbooks draw θ₃; %3 is %1%2.</source>
-        <translation>%1: el ángulo de la biela visto desde B, como dibujan θ₃ los libros de texto; %3 es %1%2.</translation>
+        <source>%1: with the opposite sign.</source>
+        <translation>%1: con el signo contrario.</translation>
     </message>
     <message>
-        <source>%1: measured from the opposite direction; %3 is %1%2.</source>
-        <translation>%1: medido desde la dirección opuesta; %3 es %1%2.</translation>
+        <source>%1: measured from the opposite direction; %4 is %1 %2.</source>
+        <translation>%1: medido desde la dirección opuesta; %4 es %1 %2.</translation>
     </message>
     <message>
-        <source>%1: off by whole turns; %3 is %1%2.</source>
-        <translation>%1: desplazado vueltas enteras; %3 es %1%2.</translation>
+        <source>%1: off by whole turns; %4 is %1 %2.</source>
+        <translation>%1: difiere en vueltas enteras; %4 es %1 %2.</translation>
+    </message>
+    <message>
+        <source>%1: measured from another origin; %4 is %1 %2.</source>
+        <translation>%1: medido desde otro origen; %4 es %1 %2.</translation>
+    </message>
+    <message>
+        <source>%1: each has the heading of the other.</source>
+        <translation>%1: cada una lleva el encabezado de la otra.</translation>
+    </message>
+    <message>
+        <source>The file belongs to the other assembly: its slider is on the other side of A.</source>
+        <translation>El archivo corresponde al otro montaje: su corredera está al otro lado de A.</translation>
+    </message>
+    <message>
+        <source>The clock of the file is off by %3 s.</source>
+        <translation>El reloj del archivo está desfasado %3 s.</translation>
+    </message>
+    <message>
+        <source>%1: not the time derivative of the position column.</source>
+        <translation>%1: no es la derivada temporal de la columna de posición.</translation>
+    </message>
+    <message>
+        <source>The slider moves along y instead of x, as in an upright engine.</source>
+        <translation>La corredera se mueve a lo largo de y en lugar de x, como en un motor vertical.</translation>
+    </message>
+    <message>
+        <source>Multiplies %1 by %3</source>
+        <translation>Multiplica %1 por %3</translation>
+    </message>
+    <message>
+        <source>Multiplies the time stamps by %3, and converts derivatives</source>
+        <translation>Multiplica los instantes por %3 y convierte las derivadas</translation>
+    </message>
+    <message>
+        <source>Adds %5 to %1, made continuous</source>
+        <translation>Suma %5 a %1, hecho continuo</translation>
+    </message>
+    <message>
+        <source>Adds %5 to %1</source>
+        <translation>Suma %5 a %1</translation>
+    </message>
+    <message>
+        <source>Adds %5 to the time stamps</source>
+        <translation>Suma %5 a los instantes</translation>
+    </message>
+    <message>
+        <source>%1: forward differences, not the time derivative.</source>
+        <translation>%1: son diferencias hacia delante, no la derivada temporal.</translation>
+    </message>
+    <message>
+        <source>%1: backward differences, not the time derivative.</source>
+        <translation>%1: son diferencias hacia atrás, no la derivada temporal.</translation>
+    </message>
+    <message>
+        <source>%1: central differences, not the time derivative.</source>
+        <translation>%1: son diferencias centrales, no la derivada temporal.</translation>
+    </message>
+    <message>
+        <source>milliseconds</source>
+        <translation>milisegundos</translation>
+    </message>
+    <message>
+        <source>seconds</source>
+        <translation>segundos</translation>
+    </message>
+    <message>
+        <source>minutes</source>
+        <translation>minutos</translation>
+    </message>
+    <message>
+        <source>in %1, but read as %2</source>
+        <translation>en %1, pero leído como %2</translation>
+    </message>
+    <message>
+        <source>The time is %1.</source>
+        <translation>El tiempo está %1.</translation>
+    </message>
+    <message>
+        <source>%1: the angle of the coupler seen from B, as textbooks draw θ₃; %4 is %1 %2.</source>
+        <translation>%1: el ángulo de la biela visto desde B, como dibujan θ₃ los libros de texto; %4 es %1 %2.</translation>
     </message>
 </context>
 <context>
@@ -1819,49 +1619,6 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
     <message>
         <source>It fits the other columns, but these disagree with them: %1.</source>
         <translation>Se ajusta a las demás columnas, pero estas no concuerdan con ellas: %1.</translation>
-    </message>
-</context>
-<context>
-    <name>slidercrank::EditCommandText</name>
-    <message>
-        <source>the assembly</source>
-        <translation>la configuración</translation>
-    </message>
-    <message>
-        <source>change of %1</source>
-        <translation>cambio de %1</translation>
-    </message>
-    <message>
-        <source>change of the mechanism</source>
-        <translation>cambio del mecanismo</translation>
-    </message>
-    <message>
-        <source>closing of %1</source>
-        <translation>cierre de %1</translation>
-    </message>
-    <message>
-        <source>other reading of %1</source>
-        <translation>otra lectura de %1</translation>
-    </message>
-    <message>
-        <source>opening of %1</source>
-        <translation>apertura de %1</translation>
-    </message>
-    <message>
-        <source>change of the method</source>
-        <translation>cambio del método</translation>
-    </message>
-    <message>
-        <source>removal of the pinned motions</source>
-        <translation>retirada de los movimientos fijados</translation>
-    </message>
-    <message>
-        <source>pinning of the motion</source>
-        <translation>fijación del movimiento</translation>
-    </message>
-    <message>
-        <source>change of the time range</source>
-        <translation>cambio del intervalo de tiempo</translation>
     </message>
 </context>
 <context>
@@ -3963,24 +3720,8 @@ difiere: lo demás, y los errores que superan el redondeo en un 1 % de la mitad 
 <context>
     <name>slidercrank::ReadFaultText</name>
     <message>
-        <source>the unit is not known or does not suit the quantity: write for example [%1], rad in its place, or none.</source>
-        <translation>la unidad es desconocida o no corresponde a la magnitud: escriba por ejemplo [%1] o rad en su lugar, o ninguna.</translation>
-    </message>
-    <message>
-        <source>the unit is not known or does not suit the quantity: write for example [%1], m, cm or in in its place, or none.</source>
-        <translation>la unidad es desconocida o no corresponde a la magnitud: escriba por ejemplo [%1], m, cm o in en su lugar, o ninguna.</translation>
-    </message>
-    <message>
-        <source>the unit of the time is not known: write [s] or [ms], or none for seconds.</source>
-        <translation>la unidad del tiempo es desconocida: escriba [s] o [ms], o ninguna para segundos.</translation>
-    </message>
-    <message>
         <source>two columns are chosen as the time: keep one of the two.</source>
         <translation>dos columnas se han elegido como tiempo: deje una de las dos.</translation>
-    </message>
-    <message>
-        <source>two columns are chosen as %1: keep one of the two.</source>
-        <translation>dos columnas se han elegido como %1: deje una de las dos.</translation>
     </message>
     <message>
         <source>there is a time column already: keep one of the two.</source>
@@ -3995,40 +3736,12 @@ difiere: lo demás, y los errores que superan el redondeo en un 1 % de la mitad 
         <translation>no es un número: demasiado grande</translation>
     </message>
     <message>
-        <source>not a number: this file writes a decimal comma</source>
-        <translation>no es un número: este archivo escribe coma decimal</translation>
-    </message>
-    <message>
-        <source>not a number: this file writes a decimal point</source>
-        <translation>no es un número: este archivo escribe punto decimal</translation>
-    </message>
-    <message>
         <source>not a number</source>
         <translation>no es un número</translation>
     </message>
     <message>
-        <source>no column beside the time has a known name: name them as in theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.</source>
-        <translation>ninguna columna aparte del tiempo tiene un nombre conocido: nómbrelas como theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.</translation>
-    </message>
-    <message>
         <source>another column could be the same quantity</source>
         <translation>otra columna podría ser la misma magnitud</translation>
-    </message>
-    <message>
-        <source>its unit is not known or does not suit the quantity</source>
-        <translation>su unidad es desconocida o no corresponde a la magnitud</translation>
-    </message>
-    <message>
-        <source>its values are not the derivative that its name says</source>
-        <translation>sus valores no son la derivada que dice su nombre</translation>
-    </message>
-    <message>
-        <source>neither its unit nor its values tell an angle from a length</source>
-        <translation>ni su unidad ni sus valores distinguen un ángulo de una longitud</translation>
-    </message>
-    <message>
-        <source>numbers stand where the names of the columns should: put a line such as time,theta3,R4_x above them.</source>
-        <translation>hay números donde deberían estar los nombres de las columnas: ponga encima una línea como time,theta3,R4_x.</translation>
     </message>
     <message>
         <source>a quotation mark that is not closed at the end of the cell</source>
@@ -4071,40 +3784,16 @@ difiere: lo demás, y los errores que superan el redondeo en un 1 % de la mitad 
         <translation>el archivo contiene bytes que no son texto: exporte la tabla como CSV.</translation>
     </message>
     <message>
-        <source>the time does not increase from the row before: sort the rows by time and keep one of each instant.</source>
-        <translation>el tiempo no crece respecto a la fila anterior: ordene las filas por tiempo y deje una por instante.</translation>
-    </message>
-    <message>
         <source>Reading was stopped.</source>
         <translation>Se detuvo la lectura.</translation>
-    </message>
-    <message>
-        <source>there are no numbers below the names of the columns.</source>
-        <translation>no hay números debajo de los nombres de las columnas.</translation>
-    </message>
-    <message>
-        <source>no row can be read; here the reason is: %1. Numbers look like 0.005, or like 0,005 where semicolons or tabs separate the columns.</source>
-        <translation>no se puede leer ninguna fila; aquí el motivo es: %1. Los números se escriben como 0.005, o como 0,005 donde las columnas se separan con punto y coma o tabuladores.</translation>
-    </message>
-    <message>
-        <source>no column beside the time holds a number.</source>
-        <translation>ninguna columna aparte del tiempo contiene un número.</translation>
     </message>
     <message>
         <source>the line of units contradicts the heading, %1: correct one of the two.</source>
         <translation>la línea de unidades contradice el encabezado, %1: corrija uno de los dos.</translation>
     </message>
     <message>
-        <source>The file is empty: it needs a line with the names of the columns, and numbers below.</source>
-        <translation>El archivo está vacío: necesita una línea con los nombres de las columnas, y números debajo.</translation>
-    </message>
-    <message>
         <source>The file became shorter while it was read: open it again.</source>
         <translation>El archivo se acortó mientras se leía: ábralo de nuevo.</translation>
-    </message>
-    <message>
-        <source>There is not enough memory for a file of that size: leave out rows or columns.</source>
-        <translation>No hay memoria suficiente para un archivo de ese tamaño: quite filas o columnas.</translation>
     </message>
     <message>
         <source>the line has more than a million characters: export the table as CSV, a row a line.</source>
@@ -4115,44 +3804,108 @@ difiere: lo demás, y los errores que superan el redondeo en un 1 % de la mitad 
         <translation>no hay ninguna columna «%1».</translation>
     </message>
     <message>
-        <source>several columns are called &quot;%1&quot;: give the number of the one, as in #3.</source>
-        <translation>varias columnas se llaman «%1»: dé el número de la que sea, como en #3.</translation>
-    </message>
-    <message>
-        <source>the columns beside the time are unknown (%1: %2): name them as in theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.</source>
-        <translation>las columnas aparte del tiempo son desconocidas (%1: %2): nómbrelas como theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.</translation>
-    </message>
-    <message>
-        <source>its name does not say of which body it is</source>
-        <translation>su nombre no dice de qué eslabón es</translation>
-    </message>
-    <message>
-        <source>the crank angle goes back after %1: sort the rows by it, one row for each angle.</source>
-        <translation>el ángulo de la manivela retrocede después de %1: ordene las filas por él, una fila por ángulo.</translation>
-    </message>
-    <message>
-        <source>its instants are not those of %1: export the plots with the same start, end and step, or open one file at a time.</source>
-        <translation>sus instantes no son los de %1: exporte las gráficas con el mismo inicio, final y paso, o abra los archivos de uno en uno.</translation>
-    </message>
-    <message>
-        <source>of this file and %1, one goes by the time and the other by the crank angle: export both by the same, or open one file at a time.</source>
-        <translation>de este archivo y %1, uno va por el tiempo y el otro por el ángulo de la manivela: exporte los dos de la misma manera, o abra los archivos de uno en uno.</translation>
-    </message>
-    <message>
-        <source>it holds %1, and %2 does, too: leave one of the two out, or choose what their columns are.</source>
-        <translation>contiene %1, igual que %2: deje fuera uno de los dos, o elija qué son sus columnas.</translation>
-    </message>
-    <message>
-        <source>there is no time column: name the column of the instants &quot;time&quot;, or that of the crank&apos;s angle &quot;theta2&quot;.</source>
-        <translation>no hay columna de tiempo: llame &quot;time&quot; a la columna de los instantes, o &quot;theta2&quot; a la del ángulo de la manivela.</translation>
-    </message>
-    <message>
-        <source>the next row has the same time, and the last of such rows counts</source>
-        <translation>la fila siguiente tiene el mismo tiempo, y cuenta la última de esas filas</translation>
-    </message>
-    <message>
         <source>The file is larger than 2 GB: export fewer rows or columns.</source>
         <translation>El archivo ocupa más de 2 GB: exporte menos filas o columnas.</translation>
+    </message>
+    <message>
+        <source>its values are not the derivative that its heading names</source>
+        <translation>sus valores no son la derivada que indica su encabezado</translation>
+    </message>
+    <message>
+        <source>neither unit nor values tell whether it is an angle or a length</source>
+        <translation>ni la unidad ni los valores dicen si es un ángulo o una longitud</translation>
+    </message>
+    <message>
+        <source>its heading does not name the body</source>
+        <translation>su encabezado no indica el cuerpo</translation>
+    </message>
+    <message>
+        <source>its unit is unknown, or does not suit the quantity</source>
+        <translation>su unidad es desconocida o no corresponde a la magnitud</translation>
+    </message>
+    <message>
+        <source>The file is empty: it needs a line of headings, and numbers below it.</source>
+        <translation>El archivo está vacío: necesita una línea de encabezados y números debajo.</translation>
+    </message>
+    <message>
+        <source>numbers where the headings should be: put a line such as time,theta3,R4_x above them.</source>
+        <translation>hay números donde deberían estar los encabezados: ponga encima una línea como time,theta3,R4_x.</translation>
+    </message>
+    <message>
+        <source>unknown unit, or one of another quantity: write for example [%2], or none.</source>
+        <translation>unidad desconocida o de otra magnitud: escriba, por ejemplo, [%2], o ninguna.</translation>
+    </message>
+    <message>
+        <source>unknown unit of time: write [s] or [ms], or none for seconds.</source>
+        <translation>unidad de tiempo desconocida: escriba [s] o [ms], o ninguna si son segundos.</translation>
+    </message>
+    <message>
+        <source>several columns are called &quot;%1&quot;: give the number of one of them, as in #3.</source>
+        <translation>varias columnas se llaman «%1»: indique el número de una de ellas, como en #3.</translation>
+    </message>
+    <message>
+        <source>two columns are chosen as %2: keep one of the two.</source>
+        <translation>se han elegido dos columnas como %2: deje una de las dos.</translation>
+    </message>
+    <message>
+        <source>there is no time column: call the column of the time stamps &quot;time&quot;, or that of the crank angle &quot;theta2&quot;.</source>
+        <translation>no hay columna de tiempo: llame «time» a la columna de los instantes, o «theta2» a la del ángulo de la manivela.</translation>
+    </message>
+    <message>
+        <source>no column beside the time has a known heading: use theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.</source>
+        <translation>ninguna columna, aparte del tiempo, tiene un encabezado conocido: use theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.</translation>
+    </message>
+    <message>
+        <source>the columns beside the time are unknown (%1: %4): use theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.</source>
+        <translation>las columnas, aparte del tiempo, son desconocidas (%1: %4): use theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.</translation>
+    </message>
+    <message>
+        <source>there are no numbers below the headings.</source>
+        <translation>no hay números debajo de los encabezados.</translation>
+    </message>
+    <message>
+        <source>no row can be read, this one because of: %3. Write numbers as 0.005, or as 0,005 with columns separated by semicolons or tabs.</source>
+        <translation>no se puede leer ninguna fila, y esta por: %3. Escriba los números como 0.005, o como 0,005 con las columnas separadas por punto y coma o tabuladores.</translation>
+    </message>
+    <message>
+        <source>no column beside the time contains a number.</source>
+        <translation>ninguna columna, aparte del tiempo, contiene un número.</translation>
+    </message>
+    <message>
+        <source>the time does not increase: sort the rows by time, and keep one row for each time.</source>
+        <translation>el tiempo no crece: ordene las filas por tiempo y deje una fila por instante.</translation>
+    </message>
+    <message>
+        <source>the crank angle goes back after %1: sort the rows by it, and keep one row for each angle.</source>
+        <translation>el ángulo de la manivela retrocede después de %1: ordene las filas por él y deje una fila por ángulo.</translation>
+    </message>
+    <message>
+        <source>its time stamps are not those of %1: export the plots with the same start, end and step, or open one file at a time.</source>
+        <translation>sus instantes no son los de %1: exporte las gráficas con el mismo inicio, fin y paso, o abra los archivos de uno en uno.</translation>
+    </message>
+    <message>
+        <source>this file and %1 are not both tables by time, or by crank angle: export both in the same way, or open one file at a time.</source>
+        <translation>este archivo y %1 no son ambos tablas por tiempo, o por ángulo de manivela: exporte los dos de la misma forma, o abra los archivos de uno en uno.</translation>
+    </message>
+    <message>
+        <source>both this file and %1 contain %2: leave one of them out, or choose the meaning of their columns.</source>
+        <translation>tanto este archivo como %1 contienen %2: deje fuera uno de los dos, o elija el significado de sus columnas.</translation>
+    </message>
+    <message>
+        <source>not a number: this file uses a decimal comma</source>
+        <translation>no es un número: este archivo usa coma decimal</translation>
+    </message>
+    <message>
+        <source>not a number: this file uses a decimal point</source>
+        <translation>no es un número: este archivo usa punto decimal</translation>
+    </message>
+    <message>
+        <source>the same time as the next row, which is used</source>
+        <translation>el mismo tiempo que la fila siguiente, que es la que se usa</translation>
+    </message>
+    <message>
+        <source>There is not enough memory: leave out rows or columns.</source>
+        <translation>No hay memoria suficiente: deje fuera filas o columnas.</translation>
     </message>
 </context>
 <context>
@@ -4784,70 +4537,6 @@ SHA-256: %2</translation>
 <context>
     <name>slidercrank::SceneText</name>
     <message>
-        <source>%1: &quot;%2&quot; must be %3. Correct it there, or open another scene.</source>
-        <translation>%1: «%2» debe ser %3. Corríjalo allí, o abra otra escena.</translation>
-    </message>
-    <message>
-        <source>%1: &quot;%2&quot; is missing. Add it there, or open another scene.</source>
-        <translation>%1: falta «%2». Añádalo allí, o abra otra escena.</translation>
-    </message>
-    <message>
-        <source>a number</source>
-        <translation>un número</translation>
-    </message>
-    <message>
-        <source>a number of a magnitude up to 1e12</source>
-        <translation>un número de magnitud hasta 1e12</translation>
-    </message>
-    <message>
-        <source>a number greater than 0 and at most 1e12</source>
-        <translation>un número mayor que 0 y a lo sumo 1e12</translation>
-    </message>
-    <message>
-        <source>a number not less than 0</source>
-        <translation>un número no menor que 0</translation>
-    </message>
-    <message>
-        <source>a whole number from 1 to %1</source>
-        <translation>un número entero de 1 a %1</translation>
-    </message>
-    <message>
-        <source>true or false</source>
-        <translation>true o false</translation>
-    </message>
-    <message>
-        <source>a text in quotation marks</source>
-        <translation>un texto entre comillas</translation>
-    </message>
-    <message>
-        <source>one of %1</source>
-        <translation>uno de %1</translation>
-    </message>
-    <message>
-        <source>an object in braces</source>
-        <translation>un objeto entre llaves</translation>
-    </message>
-    <message>
-        <source>a list in brackets</source>
-        <translation>una lista entre corchetes</translation>
-    </message>
-    <message>
-        <source>two numbers in brackets, the smaller one first</source>
-        <translation>dos números entre corchetes, primero el menor</translation>
-    </message>
-    <message>
-        <source>a list of channels such as &quot;theta3&quot; or &quot;R4_x_diff&quot;</source>
-        <translation>una lista de canales como &quot;theta3&quot; o &quot;R4_x_diff&quot;</translation>
-    </message>
-    <message>
-        <source>a list of two channels</source>
-        <translation>una lista de dos canales</translation>
-    </message>
-    <message>
-        <source>the name of a file</source>
-        <translation>el nombre de un archivo</translation>
-    </message>
-    <message>
         <source>%1, line %2: this is not JSON (%3). Correct it there, or open another scene.</source>
         <translation>%1, línea %2: esto no es JSON (%3). Corríjalo allí, o abra otra escena.</translation>
     </message>
@@ -4880,47 +4569,15 @@ SHA-256: %2</translation>
         <translation>No se puede escribir %1: %2. Elija otro nombre u otra carpeta.</translation>
     </message>
     <message>
-        <source>four numbers in brackets, left, lower, right and upper, the smaller ones first</source>
-        <translation>cuatro números entre corchetes, izquierda, abajo, derecha y arriba, los menores primero</translation>
-    </message>
-    <message>
-        <source>a list of at most %1 mechanisms</source>
-        <translation>una lista de %1 mecanismos como máximo</translation>
-    </message>
-    <message>
-        <source>&quot;time&quot;, &quot;crank-angle&quot;, &quot;ignored&quot; or a channel such as &quot;theta3&quot; or &quot;R4_x_diff&quot;</source>
-        <translation>«time», «crank-angle», «ignored» o un canal como «theta3» o «R4_x_diff»</translation>
-    </message>
-    <message>
-        <source>a length from 1e-9 mm to 1e12 mm</source>
-        <translation>una longitud entre 1e-9 mm y 1e12 mm</translation>
+        <source>%1: &quot;%2&quot; is missing, or its value is not valid. Correct it there, or open another scene.</source>
+        <translation>%1: falta «%2» o su valor no es válido. Corríjalo allí o abra otra escena.</translation>
     </message>
 </context>
 <context>
     <name>slidercrank::Session</name>
     <message>
-        <source>%1 must be a number.</source>
-        <translation>%1 debe ser un número.</translation>
-    </message>
-    <message>
-        <source>%1 must not exceed %2.</source>
-        <translation>%1 no debe superar %2.</translation>
-    </message>
-    <message>
-        <source>%1 must be greater than 0.</source>
-        <translation>%1 debe ser mayor que 0.</translation>
-    </message>
-    <message>
-        <source>showing the scene in less</source>
-        <translation>escena mostrada con menos</translation>
-    </message>
-    <message>
         <source>Cancelled: what the scene asks for takes longer, and is left out. Undo computes it.</source>
         <translation>Cancelado: lo que la escena pide y tarda más se ha dejado fuera. Deshacer lo calcula.</translation>
-    </message>
-    <message>
-        <source>use of the file&apos;s mechanism</source>
-        <translation>uso del mecanismo del archivo</translation>
     </message>
     <message>
         <source>%1 must be at least %2 mm.</source>
@@ -4933,6 +4590,14 @@ SHA-256: %2</translation>
     <message>
         <source>%1 motions are already pinned: remove them before you pin another one.</source>
         <translation>Ya hay %1 movimientos fijados: quítelos antes de fijar otro.</translation>
+    </message>
+    <message>
+        <source>%1 must be a number up to %2.</source>
+        <translation>%1 debe ser un número de hasta %2.</translation>
+    </message>
+    <message>
+        <source>%1 is a pipe or a device: save the data in a file, and open that.</source>
+        <translation>%1 es una tubería o un dispositivo: guarde los datos en un archivo y abra ese archivo.</translation>
     </message>
 </context>
 <context>
@@ -5652,14 +5317,61 @@ Tiempos medidos en %2</translation>
     </message>
 </context>
 <context>
-    <name>slidercrank::WorkAside</name>
+    <name>slidercrank::BackgroundTask</name>
     <message>
-        <source>There is not enough memory for that: try fewer steps, or a smaller file.</source>
-        <translation>No hay memoria suficiente para eso: pruebe con menos pasos o con un archivo más pequeño.</translation>
+        <source>The computation failed: %1.</source>
+        <translation>El cálculo ha fallado: %1.</translation>
     </message>
     <message>
-        <source>That failed: %1.</source>
-        <translation>Eso ha fallado: %1.</translation>
+        <source>There is not enough memory: try fewer time steps, or a smaller file.</source>
+        <translation>No hay memoria suficiente: pruebe con menos pasos de tiempo o con un archivo más pequeño.</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::EditStack</name>
+    <message>
+        <source>change of the mechanism</source>
+        <translation>cambio del mecanismo</translation>
+    </message>
+    <message>
+        <source>change of %1</source>
+        <translation>cambio de %1</translation>
+    </message>
+    <message>
+        <source>closing of %1</source>
+        <translation>cierre de %1</translation>
+    </message>
+    <message>
+        <source>other reading of %1</source>
+        <translation>otra lectura de %1</translation>
+    </message>
+    <message>
+        <source>opening of %1</source>
+        <translation>apertura de %1</translation>
+    </message>
+    <message>
+        <source>change of the time range</source>
+        <translation>cambio del intervalo de tiempo</translation>
+    </message>
+    <message>
+        <source>change of the method</source>
+        <translation>cambio del método</translation>
+    </message>
+    <message>
+        <source>pinning of the motion</source>
+        <translation>fijación del movimiento</translation>
+    </message>
+    <message>
+        <source>removal of the pinned motions</source>
+        <translation>eliminación de los movimientos fijados</translation>
+    </message>
+    <message>
+        <source>use of the file&apos;s mechanism</source>
+        <translation>uso del mecanismo del archivo</translation>
+    </message>
+    <message>
+        <source>cancelling</source>
+        <translation>cancelación</translation>
     </message>
 </context>
 </TS>

@@ -131,7 +131,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *bytes, std::size_t siz
 {
     const QString path = QStringLiteral("/folder/scene.json");
     const QByteArray text(reinterpret_cast<const char *>(bytes), static_cast<qsizetype>(size));
-    const std::variant<Scene, QString> outcome = sceneOf(text, path);
+    const std::variant<Scene, QString> outcome = parseScene(text, path);
     if (const QString *sentence = std::get_if<QString>(&outcome)) {
         require(sentence->contains(QLatin1String("scene.json")) && sentence->endsWith(u'.'), "a sentence on the file");
         return 0;
@@ -141,9 +141,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *bytes, std::size_t siz
     require(scene.sampling.steps > 0 && scene.sampling.duration > 0.0 && std::isfinite(scene.sampling.start),
             "there are instants");
     require(std::isfinite(scene.time), "the instant on show is one");
-    const QByteArray saved = jsonOf(scene, path);
-    const std::variant<Scene, QString> again = sceneOf(saved, path);
+    const QByteArray saved = sceneToJson(scene, path);
+    const std::variant<Scene, QString> again = parseScene(saved, path);
     require(std::holds_alternative<Scene>(again), "what is saved can be opened");
-    require(jsonOf(std::get<Scene>(again), path) == saved, "and is the same then");
+    require(sceneToJson(std::get<Scene>(again), path) == saved, "and is the same then");
     return 0;
 }

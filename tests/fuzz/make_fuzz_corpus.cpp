@@ -48,7 +48,7 @@ std::vector<std::string> scenes()
 {
     const QString path = QStringLiteral("/folder/scene.json");
     Scene scene;
-    std::vector<std::string> texts{jsonOf(scene, path).toStdString()};
+    std::vector<std::string> texts{sceneToJson(scene, path).toStdString()};
     scene.reference = ReferenceSource{{QStringLiteral("/folder/reference.csv")},
                                       {{0, ColumnRole::Time, {}, "ms"},
                                        {1, ColumnRole::Channel, {Theta3, Order::Velocity}, "rad/s"},
@@ -56,7 +56,7 @@ std::vector<std::string> scenes()
                                       {}};
     scene.mechanismFrame = QRectF(-30.0, -20.0, 200.0, 100.0);
     scene.time = 0.25;
-    texts.push_back(jsonOf(scene, path).toStdString());
+    texts.push_back(sceneToJson(scene, path).toStdString());
     return texts;
 }
 

@@ -57,7 +57,7 @@ bool isAsWritten(const ReferenceData &data, std::size_t i, const WrittenColumn &
 QString sentenceFor(const std::variant<ReferenceData, ReadError> &outcome)
 {
     const ReadError *error = std::get_if<ReadError>(&outcome);
-    return error ? sentenceOf(*error, {QStringLiteral("file")}) : QStringLiteral("it was read");
+    return error ? readErrorText(*error, {QStringLiteral("file")}) : QStringLiteral("it was read");
 }
 
 } // namespace
@@ -126,7 +126,7 @@ private slots:
         }
         const auto outcome = readBytes(names, bytes);
         if (const ReadError *error = std::get_if<ReadError>(&outcome)) {
-            const QString sentence = sentenceOf(*error, names);
+            const QString sentence = readErrorText(*error, names);
             QVERIFY2(!plots.refusal.empty() && sentence.startsWith(QString::fromStdString(plots.refusal)),
                      qPrintable(sentence));
             return;
@@ -151,7 +151,7 @@ private slots:
                 }
                 bytes += '\n';
             }
-            return layoutOf(bytes).isOpen();
+            return layoutOf(readReferenceData(bytes.toStdString())).isOpen();
         };
         QVERIFY(isOpen("time,J1_x,J1_y,J2_x,J2_y"));
         QVERIFY(isOpen("time,body 1 velocity,body 2 velocity"));
@@ -163,7 +163,7 @@ private slots:
         QVERIFY(!isOpen("time,temperature,humidity"));
         QVERIFY(!isOpen("J1_x,J2_x"));
         for (const OtherFile &file : otherFiles()) {
-            QVERIFY2(!layoutOf(QByteArray::fromStdString(file.bytes)).isOpen(), file.name.c_str());
+            QVERIFY2(!layoutOf(readReferenceData(file.bytes)).isOpen(), file.name.c_str());
         }
     }
 

@@ -172,7 +172,7 @@ std::vector<SimulationFile> simulationFiles()
          {}, "time[s] R4_x?[mm] R4_x_diff?[mm/s] R4_x_diff2?[mm/s^2] theta3?[deg]");
     refused("Inventor, Output Grapher, without units", kInventor,
             "Time=Time|P[3.1]=X|V[3.1]=V|A[3.1]=A|P[1.1]=Theta2|V[1.1]=Omega2", {.cell = "\t"},
-            "neither its unit nor its values tell an angle from a length");
+            "neither unit nor values tell");
     read("Inventor, Output Grapher, units for the positions only", kInventor,
          "Time=Time|P[3.1] (mm)=X|V[3.1]=V|P[1.1] (deg)=Theta2|V[1.1]=Omega2", {.cell = "\t"},
          "time[] R4_x?[mm] R4_x_diff?[] theta2?[deg] theta2_diff?[]");
@@ -208,7 +208,7 @@ std::vector<SimulationFile> simulationFiles()
     refused("Adams, angular velocities of a body", kAdamsText,
             "Time=Time|X_AngVel=Zero|Y_AngVel=Zero|Z_AngVel=Omega3*rad",
             {.before = "# Slider_Case01_ADAMS\n#\n", .cell = "\t", .format = "%+.6E"},
-            "its name does not say of which body it is");
+            "its heading does not name the body");
     files.push_back({"Adams, result file",
                      "github.com/kiterunner347/3-RPR-parallel--robot RPRAdams/RPR3.res",
                      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Results "
@@ -322,7 +322,7 @@ std::vector<SimulationFile> simulationFiles()
     refused("MotionGen, curves by frame", "github.com/PMKS-Web/PMKSWeb src/test-data/motiongen/gripper-curves.csv",
             "frame=RowNumber|J1_x=X|J1_y=Offset|J2_x=V|J2_y=Zero", {}, "there is no time column");
     refused("MotionGen, curves over the time", "the names as in gripper-curves.csv; the time is a plausible form",
-            "time=Time|J1_x=X|J1_y=Offset|J2_x=V|J2_y=Zero", {}, "its name does not say of which body it is");
+            "time=Time|J1_x=X|J1_y=Offset|J2_x=V|J2_y=Zero", {}, "its heading does not name the body");
     read("MotionGen, differences", "no header found in public: a plausible form", "time=Time|x=X|vx=ForwardV", {},
          "time[] R4_x?[] R4_x_diff?[]");
 
@@ -394,7 +394,7 @@ std::vector<SimulationFile> simulationFiles()
              "Name):\ncol0 Main.MyStudy.t\ncol1 Main.MyModel.jnt.Pos\ncol2 Main.MyModel.jnt.Vel\n",
          .cell = " ",
          .format = "%22.15e"},
-        "its name does not say of which body it is");
+        "its heading does not name the body");
     read("SpiceSharpMechanical2D, slider crank",
          "its sample SliderCrank/Program.cs: \"time,crank_angle,slider_x,slider_vx,guide_error,crank_rod_error\"",
          "time=Time|crank_angle=Theta2|slider_x=X*m~1e-3|slider_vx=V*m~1e-3|guide_error=Zero|crank_rod_error=Zero",
@@ -453,7 +453,7 @@ std::vector<SimulationFile> simulationFiles()
             "reference.wolfram.com/system-modeler/UserGuide/SimulationCenterCombiTimeTableFile.html: \"#1\", \"double "
             "name(rows, columns) #comment\"",
             "=Time|=X*m", {.before = "#1\ndouble slider(101,2)\n", .cell = " ", .names = false},
-            "no column beside the time has a known name");
+            "no column beside the time has a known heading");
 
     // Measured.
     read("Tracker, video analysis", "physics.brocku.ca/Courses/2P20/Tracker, page 21: a title, then t, x, y",
@@ -566,13 +566,13 @@ std::vector<SimulationPlots> simulationPlots()
                    {plot("Plot1.csv", "Time (sec)=Time|Linear Displacement1 (mm)=X"),
                     plot("Plot2.csv", "Time (sec)=Time|Linear Displacement2 (mm)=Offset")},
                    {},
-                   "Plot2.csv: it holds R4_x, and Plot1.csv does, too"});
+                   "Plot2.csv: both this file and Plot1.csv contain R4_x"});
     all.push_back({"PMKS+, of another run",
                    kPmks,
                    {plot("Position.csv", "Time (seconds)=Time|X (cm)=X*cm"),
                     plot("Angle.csv", "Time (seconds)=Time*double|Position (deg)=Theta3")},
                    {},
-                   "Angle.csv: its instants are not those of Position.csv"});
+                   "Angle.csv: its time stamps are not those of Position.csv"});
     return all;
 }
 
@@ -580,7 +580,7 @@ std::vector<OtherFile> otherFiles()
 {
     using namespace std::string_literals;
     const char *const kNoTime = "there is no time column";
-    const char *const kNoChannel = "no column beside the time has a known name";
+    const char *const kNoChannel = "no column beside the time has a known heading";
     return {
         {"a bank statement",
          "Buchungstag;Wertstellung;Auftraggeber;Betrag "
@@ -590,10 +590,10 @@ std::vector<OtherFile> otherFiles()
         {"a weather table",
          "station,date,temperature (C),rain (mm)\nSevilla,2024-03-01,18.5,0\nSevilla,2024-03-02,19.1,2.4\n", kNoTime},
         {"weather by the hour", "time,temperature (C),humidity (%)\n0,18.5,40\n1,18.1,42\n2,17.8,45\n",
-         "no column beside the time has a known name"},
+         "no column beside the time has a known heading"},
         {"a GPS track",
          "lat,lon,ele,timestamp\n37.389,-5.984,12,2024-03-01T12:00:00Z\n37.390,-5.985,12,2024-03-01T12:00:01Z\n",
-         "no column beside the time has a known name"},
+         "no column beside the time has a known heading"},
         {"NMEA sentences",
          "$GPGGA,123519,4807.038,N,01131.000,E,1,08,0.9,545.4,M,46.9,M,,*47\n"
          "$GPGSA,A,3,04,05,,09,12,,,24,,,,,2.5,1.3,2.1*39\n",

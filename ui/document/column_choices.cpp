@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/column_choices.h"
 
+#include "ui/document/settings_fields.h"
 #include "ui/text/remember.h"
 
 #include <QCryptographicHash>
 #include <QFileInfo>
+#include <QJsonDocument>
 #include <QSettings>
-#include <QStringList>
 
 #include <algorithm>
 
@@ -16,37 +17,22 @@ namespace slidercrank
 namespace
 {
 
-constexpr char kSeparator = '\x1f'; // of the parts of a key or a choice: no heading and no unit holds it
-
-/// Headings may hold anything, and keys in the settings may not: so they are hashed.
-QString keyOf(const FileLayout &layout, const QStringList &paths)
+/// A hash, because headings may contain characters that keys may not.
+QString settingsKey(const FileLayout &layout, const QStringList &paths)
 {
-    QByteArray headings;
-    const bool named = std::any_of(layout.columns.begin(), layout.columns.end(),
-                                   [](const FileColumn &column) { return !column.heading.empty(); });
-    for (const FileColumn &column : layout.columns) {
-        headings += QByteArray::fromStdString(column.heading) + kSeparator;
-        headings += QByteArray::fromStdString(column.unit) + kSeparator;
-    }
+    QStringList parts;
     for (const std::string &file : layout.files) {
-        headings += QByteArray::fromStdString(file) + kSeparator;
+        parts += QString::fromStdString(file);
     }
-    for (const QString &path : named ? QStringList() : paths) {
-        headings += QFileInfo(path).absoluteFilePath().toUtf8();
+    for (const FileColumn &column : layout.columns) {
+        parts << QString::fromStdString(column.heading) << QString::fromStdString(column.unit);
     }
-    const QByteArray hash = QCryptographicHash::hash(headings, QCryptographicHash::Sha256).left(16);
-    return QStringLiteral("columnChoices/") + QString::fromLatin1(hash.toHex());
-}
-
-QString roleName(const ColumnChoice &choice)
-{
-    switch (choice.role) {
-    case ColumnRole::Ignored: return QStringLiteral("ignored");
-    case ColumnRole::Time: return QStringLiteral("time");
-    case ColumnRole::CrankAngle: return QStringLiteral("crank-angle");
-    case ColumnRole::Channel: return QString::fromUtf8(nameOf(choice.channel));
+    if (std::ranges::all_of(layout.columns, &std::string::empty, &FileColumn::heading)) {
+        std::ranges::transform(paths, std::back_inserter(parts),
+                               [](const QString &path) { return QFileInfo(path).absoluteFilePath(); });
     }
-    return {};
+    const QByteArray hash = QCryptographicHash::hash(parts.join(u'\x1f').toUtf8(), QCryptographicHash::Sha256);
+    return QStringLiteral("columnChoices/") + QString::fromLatin1(hash.left(16).toHex());
 }
 
 } // namespace
@@ -54,36 +40,19 @@ QString roleName(const ColumnChoice &choice)
 std::vector<ColumnChoice> rememberedChoices(const FileLayout &layout, const QStringList &paths)
 {
     std::vector<ColumnChoice> choices;
-    const QStringList lines = QSettings().value(keyOf(layout, paths)).toStringList();
-    for (const QString &line : lines) {
-        const QStringList parts = line.split(QLatin1Char(kSeparator));
-        ColumnChoice choice;
-        choice.column = parts.value(0).toULongLong();
-        choice.unit = parts.value(2).toStdString();
-        const QString role = parts.value(1);
-        if (const std::optional<Channel> channel = channelNamed(role.toStdString())) {
-            choice.role = ColumnRole::Channel;
-            choice.channel = *channel;
-        } else if (role == QLatin1String("time")) {
-            choice.role = ColumnRole::Time;
-        } else if (role == QLatin1String("crank-angle")) {
-            choice.role = ColumnRole::CrankAngle;
-        }
-        if (choice.column < layout.columns.size()) {
-            choices.push_back(choice);
-        }
+    const QByteArray json = QSettings().value(settingsKey(layout, paths)).toByteArray();
+    for (const QJsonValue &value : QJsonDocument::fromJson(json).array()) {
+        choices.push_back(fromJson<ColumnChoice>(value.toObject()));
     }
+    std::erase_if(choices, [&](const ColumnChoice &choice) { return choice.column >= layout.columns.size(); });
     return choices;
 }
 
 void rememberChoices(const FileLayout &layout, const QStringList &paths, const std::vector<ColumnChoice> &choices)
 {
-    QStringList lines;
-    for (const ColumnChoice &choice : choices) {
-        lines << QStringList{QString::number(choice.column), roleName(choice), QString::fromStdString(choice.unit)}
-                     .join(QLatin1Char(kSeparator));
-    }
-    remember({{keyOf(layout, paths), lines.isEmpty() ? QVariant() : lines}});
+    QJsonArray array;
+    std::ranges::transform(choices, std::back_inserter(array), toJson<ColumnChoice>);
+    remember({{settingsKey(layout, paths), choices.empty() ? QVariant() : QJsonDocument(array).toJson()}});
 }
 
 } // namespace slidercrank

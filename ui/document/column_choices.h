@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What a person once said of the columns of a file, kept in the settings for every file with the same headings; where a
-// file has no headings, for that file alone. Of files that are joined, for files of the same names and headings.
+// The columns that a person chose, remembered in the settings for every file with the same headings, and for a file
+// without headings by its path; for files that are joined, by their names and headings.
 
 #include "core/import/file_layout.h"
 
@@ -14,10 +14,10 @@
 namespace slidercrank
 {
 
-/// Empty: nobody said anything.
+/// Empty if nothing was chosen.
 std::vector<ColumnChoice> rememberedChoices(const FileLayout &layout, const QStringList &paths);
 
-/// No choices: forgets.
+/// Without choices, removes those that are remembered.
 void rememberChoices(const FileLayout &layout, const QStringList &paths, const std::vector<ColumnChoice> &choices);
 
 } // namespace slidercrank

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/edit_stack.h"
 
-#include "ui/text/finding_text.h"
-
-#include <QCoreApplication>
-
+#include <algorithm>
 #include <chrono>
 
 namespace slidercrank
@@ -13,77 +10,38 @@ namespace slidercrank
 namespace
 {
 
-constexpr int kMostUndone = 200;                   // steps
-constexpr std::chrono::seconds kSameStepWithin{1}; // longer than the wait before a key held down repeats itself
+constexpr int kUndoLimit = 200;
+constexpr std::chrono::seconds kSameStepWithin{1}; // longer than a key is held down before it repeats
 
-struct EditCommandText {
-    Q_DECLARE_TR_FUNCTIONS(slidercrank::EditCommandText)
-};
-
-QString changeName(const Parameters &before, const Parameters &after)
-{
-    QStringList changed;
-    for (const Parameter parameter : kParameters) {
-        if (valueOf(before, parameter) != valueOf(after, parameter)) {
-            changed << symbolOf(parameter);
-        }
-    }
-    if (before.branch != after.branch) {
-        changed << EditCommandText::tr("the assembly");
-    }
-    return changed.size() == 1 ? EditCommandText::tr("change of %1").arg(changed.first())
-                               : EditCommandText::tr("change of the mechanism");
-}
-
-/// What was changed from one to the other: "change of b".
-QString changeName(const Choices &before, const Choices &after)
-{
-    if (before.reference != after.reference) {
-        if (!after.reference) {
-            return EditCommandText::tr("closing of %1").arg(before.reference->name);
-        }
-        const bool sameFile = before.reference && before.reference->paths == after.reference->paths;
-        return (sameFile ? EditCommandText::tr("other reading of %1") : EditCommandText::tr("opening of %1"))
-            .arg(after.reference->name);
-    }
-    if (before.kept != after.kept) {
-        return after.kept.empty() ? EditCommandText::tr("removal of the pinned motions")
-                                  : EditCommandText::tr("pinning of the motion");
-    }
-    if (before.parameters != after.parameters) { // whatever follows from it
-        return changeName(before.parameters, after.parameters);
-    }
-    return before.sampling != after.sampling ? EditCommandText::tr("change of the time range")
-                                             : EditCommandText::tr("change of the method");
-}
-
-/// One edit: all that was chosen before it and after it. Edits in a row become one where `step` is the same.
+/// Is merged with the next command if that has the same number.
 class EditCommand : public QUndoCommand
 {
 public:
     EditCommand(const Choices &before, const Choices &after, const EditName &name, int step,
-                const EditStack::Show &show)
-        : QUndoCommand(name())
-        , m_before(before)
+                const EditStack::Apply &apply)
+        : m_before(before)
         , m_after(after)
         , m_name(name)
         , m_step(step)
-        , m_show(show)
+        , m_apply(apply)
     {
+        retranslate();
     }
 
-    const Choices &before() const { return m_before; }
-    const Choices &after() const { return m_after; }
+    void retranslate()
+    {
+        const QString text = EditStack::tr(m_name.text);
+        setText(text.contains(u"%1") ? text.arg(m_name.argument) : text);
+    }
 
-    void retranslate() { setText(m_name()); }
-
-    void undo() override { m_show(m_before); }
-    void redo() override { m_show(m_after); }
+    bool isOpening() const { return m_name.isOpening; }
+    void undo() override { m_apply(m_before); }
+    void redo() override { m_apply(m_after); }
     int id() const override { return m_step; }
 
     bool mergeWith(const QUndoCommand *next) override
     {
-        m_after = static_cast<const EditCommand *>(next)->m_after; // of the same id: the stack asks no other
+        m_after = static_cast<const EditCommand *>(next)->m_after;
         setObsolete(m_after == m_before);
         return true;
     }
@@ -93,84 +51,53 @@ private:
     Choices m_after;
     EditName m_name;
     int m_step;
-    EditStack::Show m_show;
+    EditStack::Apply m_apply;
 };
-
-const EditCommand &commandOf(const QUndoStack &stack, int index)
-{
-    return *static_cast<const EditCommand *>(stack.command(index));
-}
-
-/// What is chosen after so many steps; there is at least one.
-const Choices &choicesAfter(const QUndoStack &stack, int steps)
-{
-    return steps == 0 ? commandOf(stack, 0).before() : commandOf(stack, steps - 1).after();
-}
 
 } // namespace
 
-EditStack::EditStack(const Show &show, QObject *parent)
+EditStack::EditStack(const Apply &apply, QObject *parent)
     : QUndoStack(parent)
-    , m_show(show)
+    , m_apply(apply)
     , m_sameStep(parent)
 {
-    setUndoLimit(kMostUndone);
+    setUndoLimit(kUndoLimit);
     m_sameStep.setSingleShot(true);
 }
 
 void EditStack::edit(const Choices &before, const Choices &after, const EditName &name)
 {
-    const EditName difference = [before, after] { return changeName(before, after); };
-    const EditName &used = name ? name : difference;
-    const QString text = used();
-    const bool continues = text == m_last && (m_dragging || m_sameStep.isActive());
-    if (!continues) {
+    const bool isSame = name.identity != 0 && name.identity == m_identity;
+    if (!isSame || !(m_isDragging || m_sameStep.isActive())) {
         ++m_step;
     }
-    m_last = text;
+    m_identity = name.identity;
     m_sameStep.start(kSameStepWithin);
-    push(new EditCommand(before, after, used, m_step, m_show));
+    push(new EditCommand(before, after, name, m_step, m_apply));
 }
 
-void EditStack::goTo(const Choices &after, const Choices &before)
+void EditStack::setDragging(bool isDragging)
 {
-    for (int away = 1; away <= count(); ++away) {
-        for (const int steps : {index() - away, index() + away}) {
-            if (steps >= 0 && steps <= count() && choicesAfter(*this, steps) == after) {
-                setIndex(steps);
-                beginStep();
-                return;
-            }
+    m_isDragging = isDragging;
+    m_identity = 0;
+}
+
+bool EditStack::isModified() const
+{
+    const auto [first, last] = std::minmax({cleanIndex(), index()});
+    for (int i = first; i < last; ++i) {
+        if (i < 0 || !static_cast<const EditCommand *>(command(i))->isOpening()) {
+            return true;
         }
     }
-    push(new EditCommand(
-        before, after, [before, after] { return changeName(before, after); }, m_step, m_show));
-    beginStep();
-}
-
-void EditStack::beginDrag()
-{
-    beginStep();
-    m_dragging = true;
-}
-
-void EditStack::endDrag()
-{
-    beginStep();
-    m_dragging = false;
-}
-
-void EditStack::beginStep()
-{
-    m_last.clear();
+    return first < 0;
 }
 
 void EditStack::retranslate()
 {
-    for (int i = 0; i < count(); ++i) { // the stack gives its commands for reading; these are ours
-        const_cast<EditCommand &>(commandOf(*this, i)).retranslate();
+    for (int i = 0; i < count(); ++i) { // the stack returns its commands as const; these are ours
+        const_cast<EditCommand *>(static_cast<const EditCommand *>(command(i)))->retranslate();
     }
-    beginStep();
 }
 
 } // namespace slidercrank

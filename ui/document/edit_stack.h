@@ -1,66 +1,55 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Undo and redo: one command for every edit, which knows all that was chosen before it and after it.
+// Undo and redo: a command for each edit, with all choices before and after it.
 
-#include "core/mechanism/mechanism.h"
-#include "core/sampling/trajectory.h"
-#include "ui/document/reference_file.h"
+#include "ui/document/result.h"
 
-#include <QString>
 #include <QTimer>
 #include <QUndoStack>
 
 #include <functional>
-#include <memory>
-#include <vector>
 
 namespace slidercrank
 {
 
-/// Everything that an edit may change.
-struct Choices {
-    Parameters parameters;
-    Sampling sampling;
-    SolverSettings solver;
-    std::shared_ptr<const Reference> reference; ///< may be null
-    std::vector<Parameters> kept = {};          ///< motions to stay under what follows, the first kept first
+/// What an edit does.
+struct EditName {
+    const char *text;      ///< to be translated, "change of %1"
+    QString argument = {}; ///< "b"
+    int identity = 0;      ///< of what is changed, if edits of it may become one step
 
-    friend bool operator==(const Choices &, const Choices &) = default;
+    /// The opening or closing of a reference file, which counts as no change of the scene.
+    bool isOpening = false;
 };
 
-/// What was done, as it reads behind "Undo", in the language now in use.
-using EditName = std::function<QString()>;
-
-/// Of the same kind of edit, repeated at once (a key held down) or within a drag, all are undone in one step.
+/// Edits with the same identity become one step within a drag, or if they follow each other within a second, as when a
+/// key is held down.
 class EditStack : public QUndoStack
 {
+    Q_OBJECT
+
 public:
-    using Show = std::function<void(const Choices &)>;
+    using Apply = std::function<void(const Choices &)>;
 
-    /// `show` puts choices into force.
-    EditStack(const Show &show, QObject *parent);
+    EditStack(const Apply &apply, QObject *parent);
 
-    /// Without a name the difference is it.
-    void edit(const Choices &before, const Choices &after, const EditName &name = {});
+    void edit(const Choices &before, const Choices &after, const EditName &name);
 
-    /// From `before` to what was chosen some steps ago, or undone some steps ago; where it was in the middle of a step
-    /// (of a drag), what follows is taken out of the last one.
-    void goTo(const Choices &after, const Choices &before);
+    void setDragging(bool isDragging);
 
-    void beginDrag();
-    void endDrag();
-    void beginStep(); ///< with the next edit, whatever it is
+    /// Whether there are edits since the stack was clean, other than the opening of files.
+    bool isModified() const;
 
-    /// Says in the language now in use what was done.
+    /// Names the edits in the current language.
     void retranslate();
 
 private:
-    Show m_show;
-    int m_step = 0;    ///< edits of the same number are undone together
-    QString m_last;    ///< empty: the next one begins a new step
-    QTimer m_sameStep; ///< runs for a while after each edit
-    bool m_dragging = false;
+    Apply m_apply;
+    int m_identity = 0; ///< of the last edit, to which the next one may belong
+    int m_step = 0;     ///< edits with the same number are undone together
+    QTimer m_sameStep;  ///< runs for a second after each edit
+    bool m_isDragging = false;
 };
 
 } // namespace slidercrank

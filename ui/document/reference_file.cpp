@@ -3,7 +3,6 @@
 
 #include "core/import/crank_angles.h"
 #include "core/import/unit_text.h"
-#include "ui/document/byte_stream.h"
 #include "ui/document/whole_file.h"
 #include "ui/text/column_text.h"
 #include "ui/text/finding_text.h"
@@ -16,12 +15,8 @@
 #include <QFileInfo>
 
 #include <algorithm>
-#include <cmath>
-#include <functional>
 #include <new>
 #include <optional>
-#include <set>
-#include <span>
 
 namespace slidercrank
 {
@@ -29,154 +24,141 @@ namespace slidercrank
 namespace
 {
 
-std::string_view viewOf(const QByteArray &bytes)
-{
-    return {bytes.constData(), static_cast<std::size_t>(bytes.size())};
-}
-
-/// Gaps, which are NaN, are the same.
-bool isSame(std::span<const double> x, std::span<const double> y)
-{
-    return std::ranges::equal(x, y, [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); });
-}
-
-/// Whether all that the convention changes reads the same in both.
-bool isOfTheSame(const Convention &convention, const ReferenceData &x, const ReferenceData &y)
-{
-    const bool concernsTime =
-        convention.kind == Convention::Kind::TimeUnit || convention.kind == Convention::Kind::TimeShift;
-    return (!concernsTime || isSame(x.time, y.time)) && std::ranges::all_of(convention.channels, [&](Channel channel) {
-               if (x.crank && y.crank && channel == Channel{Theta2, Order::Position}) {
-                   return isSame(x.crank->degrees, y.crank->degrees);
-               }
-               const ReferenceSeries *of = x.find(channel);
-               const ReferenceSeries *other = y.find(channel);
-               return of && other && isSame(of->values, other->values);
-           });
-}
-
 struct ReferenceFileText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::ReferenceFileText)
 };
 
-FileState stateOf(const QFileInfo &info)
+constexpr auto kLargest = static_cast<qint64>(kLargestReferenceFile);
+const QString kBetweenNames = QStringLiteral(" + "); // of files that are joined
+
+std::string_view toView(const QByteArray &bytes)
 {
-    return {info.size(), info.lastModified()};
+    return {bytes.constData(), static_cast<std::size_t>(bytes.size())};
 }
 
-QString cannotBeRead(const QString &file, const QString &reason)
+std::string fileName(const QString &path)
 {
-    return ReferenceFileText::tr("%1 cannot be read: %2.").arg(file, reason);
+    return QFileInfo(path).fileName().toStdString();
 }
 
-const QString kTogether = QStringLiteral(" + "); // between the names of files that are joined
-
-QStringList shownNamesOf(const QStringList &paths)
+QString wholeFileFault(ReadFault::Kind kind, const QString &shown)
 {
-    QStringList names;
-    for (const QString &path : paths) {
-        names += shownNameOf(path);
+    return readErrorText(ReadError{0, 0, {}, {kind}}, {shown});
+}
+
+/// Appends the rest of the file to `bytes`.
+void readRest(QFile &file, const std::stop_token &stop, QByteArray &bytes)
+{
+    constexpr qsizetype kPiece = 1 << 22; // bytes
+    bytes.reserve(static_cast<qsizetype>(file.size()) + kPiece);
+    for (qint64 count = 1; count > 0 && bytes.size() <= kLargest && !stop.stop_requested();) {
+        const qsizetype done = bytes.size();
+        bytes.resize(done + kPiece);
+        count = file.read(bytes.data() + done, kPiece);
+        bytes.resize(done + std::max<qint64>(count, 0));
     }
-    return names;
 }
 
-QString nameOf(const QStringList &paths)
+/// Returns why the file cannot be read, as a sentence. Only the beginning is read of what is too large or no table of
+/// text; `mayBeTable` decides on the beginning of a pipe, which may have no end.
+template <typename MayBeTable>
+std::optional<QString> readFile(const QString &path, const std::stop_token &stop, MayBeTable mayBeTable,
+                                QByteArray &bytes)
 {
-    const QString &first = paths.first();
-    const QString name = isStandardInput(first) ? shownNameOf(first) : QFileInfo(first).fileName();
+    const QString shown = displayName(path);
+    const QFileInfo info(path);
+    if (info.isDir()) {
+        return ReferenceFileText::tr("%1 is a folder: choose a CSV file.").arg(shown);
+    }
+    QFile file;
+    if (!openForReading(file, path)) {
+        return ReferenceFileText::tr("%1 cannot be opened: %2.").arg(shown, withoutFullStop(file.errorString()));
+    }
+    const qint64 size = file.size(); // 0 for a pipe
+    bytes = file.read(kFileBeginning);
+    std::optional<ReadError> error;
+    if (size > kLargest) {
+        error = findForeignFormat(toView(bytes)).value_or(ReadError{0, 0, {}, {ReadFault::Kind::TooLarge}});
+    } else if (size == 0 && bytes.size() == static_cast<qsizetype>(kFileBeginning)) {
+        error = mayBeTable(bytes);
+    }
+    if (error) {
+        return readErrorText(*error, {shown});
+    }
+    readRest(file, stop, bytes);
+    if (file.error() != QFileDevice::NoError) {
+        return ReferenceFileText::tr("%1 cannot be read: %2.").arg(shown, withoutFullStop(file.errorString()));
+    }
+    if (bytes.size() > kLargest) {
+        return wholeFileFault(ReadFault::Kind::TooLarge, shown);
+    }
+    return bytes.size() < size && !stop.stop_requested()
+               ? std::optional(wholeFileFault(ReadFault::Kind::Unreadable, shown))
+               : std::nullopt;
+}
+
+QByteArray readBeginning(const QString &path)
+{
+    constexpr qint64 kMost = 1 << 20; // bytes: some 15 000 rows of seven columns, read in milliseconds
+    QFile file(path);
+    QByteArray bytes = QFileInfo(path).isFile() && file.open(QIODevice::ReadOnly) ? file.read(kMost) : QByteArray();
+    if (const qsizetype end = bytes.lastIndexOf('\n') + 1; !file.atEnd() && end > 0) {
+        const bool isHalf = end % 2 == 1 && end < bytes.size() && bytes[end] == '\0'; // little-endian UTF-16
+        bytes.truncate(isHalf ? end + 1 : end);
+    }
+    return bytes;
+}
+
+/// A file that is given more than once, under whatever path.
+std::optional<QString> findRepeatedFile(const QStringList &paths)
+{
+    QStringList files;
+    for (const QString &path : paths) {
+        const QString file = QFileInfo(path).canonicalFilePath(); // empty if it does not exist
+        if (!file.isEmpty() && files.contains(file)) {
+            return path;
+        }
+        files += file;
+    }
+    return std::nullopt;
+}
+
+QString joinedName(const QStringList &paths)
+{
+    const QString name =
+        isStandardInput(paths.first()) ? displayName(paths.first()) : QFileInfo(paths.first()).fileName();
     return paths.size() == 1 ? name
                              : ReferenceFileText::tr("%1 + %2 more").arg(name, QString::number(paths.size() - 1));
 }
 
-/// The bytes of a file.
-struct OpenedFile {
-    QByteArray bytes;
-    std::string name; ///< without its folder
-};
-
-/// Why the file cannot be read, as a sentence; its beginning and its size are looked at first.
-std::optional<QString> readFile(const QString &path, QByteArray &bytes)
+QStringList displayNames(const QStringList &paths)
 {
-    const QString shown = shownNameOf(path);
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly | QIODevice::Unbuffered)) {
-        return ReferenceFileText::tr("%1 cannot be opened: %2.").arg(shown, withoutFullStop(file.errorString()));
-    }
-    const qint64 size = std::max<qint64>(file.size(), 0);
-    const bool isTooLarge = static_cast<std::size_t>(size) > kLargestReferenceFile;
-    bytes = file.read(std::min(size, static_cast<qint64>(kFileBeginning)));
-    if (isTooLarge) {
-        const std::optional<ReadError> foreign = findForeignFormat(viewOf(bytes));
-        return sentenceOf(foreign.value_or(ReadError{0, 0, {}, {ReadFault::Kind::TooLarge}}), {shown});
-    }
-    const qint64 beginning = bytes.size();
-    bytes.resize(size);
-    qint64 done = beginning;
-    for (qint64 more = 1; done < size && more > 0; done += std::max<qint64>(more, 0)) {
-        more = file.read(bytes.data() + done, size - done);
-    }
-    if (file.error() != QFileDevice::NoError) {
-        return cannotBeRead(shown, withoutFullStop(file.errorString()));
-    }
-    return done < size ? std::optional(sentenceOf(ReadError{0, 0, {}, {ReadFault::Kind::Unreadable}}, {shown}))
-                       : std::nullopt;
-}
-
-/// Where it cannot be read, a sentence. `goesOn`: whether a stream that begins so is worth reading to its end.
-std::optional<QString> open(const QString &path, const std::stop_token &stop,
-                            const std::function<bool(const QByteArray &beginning)> &goesOn, OpenedFile &opened)
-{
-    const QString shown = shownNameOf(path);
-    const QFileInfo info(path);
-    opened.name = info.fileName().toStdString();
-    if (info.isDir()) {
-        return ReferenceFileText::tr("%1 is a folder: choose a CSV file.").arg(shown);
-    }
-    if (!isStandardInput(path) && !isStream(info)) {
-        return readFile(path, opened.bytes);
-    }
-    std::variant<QByteArray, QString> bytes = readStream(path, stop, goesOn);
-    if (const QString *reason = std::get_if<QString>(&bytes)) {
-        return cannotBeRead(shown, *reason);
-    }
-    opened.bytes = std::get<QByteArray>(std::move(bytes));
-    return std::nullopt;
-}
-
-FileLayout layoutIn(const std::variant<ReferenceData, ReadError> &outcome)
-{
-    const ReferenceData *data = std::get_if<ReferenceData>(&outcome);
-    return data ? data->layout : std::get<ReadError>(outcome).layout;
-}
-
-/// One that is named more than once, whatever the way there.
-std::optional<QString> namedTwice(const QStringList &paths)
-{
-    std::set<QString> before;
-    for (const QString &path : paths) {
-        const QString file = QFileInfo(path).canonicalFilePath(); // empty where there is none
-        if (!file.isEmpty() && !before.insert(file).second) {
-            return path;
-        }
-    }
-    return std::nullopt;
+    QStringList names;
+    std::ranges::transform(paths, std::back_inserter(names), [](const QString &path) { return displayName(path); });
+    return names;
 }
 
 } // namespace
 
-QString shownNameOf(const QString &path)
+FileState fileState(const QString &path)
+{
+    const QFileInfo file(path);
+    return {file.size(), file.lastModified()};
+}
+
+QString displayName(const QString &path)
 {
     return isStandardInput(path) ? ReferenceFileText::tr("Standard input") : QDir::toNativeSeparators(path);
 }
 
-QString shownNameOf(const QStringList &paths)
+QString displayName(const QStringList &paths)
 {
-    return shownNamesOf(paths).join(kTogether);
+    return displayNames(paths).join(kBetweenNames);
 }
 
-QString sentenceOf(const ReadError &error, const QStringList &files)
+QString readErrorText(const ReadError &error, const QStringList &files)
 {
-    const QString file = error.file ? files.value(static_cast<qsizetype>(*error.file)) : files.join(kTogether);
+    const QString file = error.file ? files.value(static_cast<qsizetype>(*error.file)) : files.join(kBetweenNames);
     ReadFault fault = error.fault;
     if (error.otherFile) {
         fault.heading = files.value(static_cast<qsizetype>(*error.otherFile)).toStdString();
@@ -193,59 +175,55 @@ QString sentenceOf(const ReadError &error, const QStringList &files)
         return QStringLiteral("%1: %2").arg(file, reason);
     }
     const QString line = QString::number(error.line);
-    if (error.column == 0) {
-        return ReferenceFileText::tr("%1, line %2: %3").arg(file, line, reason);
-    }
-    return ReferenceFileText::tr("%1, line %2, column %3 (\"%4\"): %5")
-        .arg(file, line, QString::number(error.column), QString::fromStdString(error.text), reason);
+    return error.column == 0
+               ? ReferenceFileText::tr("%1, line %2: %3").arg(file, line, reason)
+               : ReferenceFileText::tr("%1, line %2, column %3 (\"%4\"): %5")
+                     .arg(file, line, QString::number(error.column), QString::fromStdString(error.text), reason);
 }
 
-std::variant<std::shared_ptr<const Reference>, QString> readReference(const ReferenceSource &source,
-                                                                      std::stop_token stop, ReadOptions options)
+ReferenceOutcome readReference(const ReferenceSource &source, std::stop_token stop, ReadOptions options)
 {
-    if (const std::optional<QString> path = namedTwice(source.paths)) {
-        return ReferenceFileText::tr("%1 is named twice: give each file once.").arg(shownNameOf(*path));
+    if (const std::optional<QString> path = findRepeatedFile(source.paths)) {
+        return ReferenceFileText::tr("%1 is named twice: give each file once.").arg(displayName(*path));
     }
     options.columns = source.columns;
-    const auto goesOn = [&](const QByteArray &beginning) {
-        return source.paths.size() > 1 // what the choices say of this file, the others are needed for
-                   ? !layoutOf(beginning).columns.empty()
-                   : std::holds_alternative<ReferenceData>(
-                         readReferenceData(viewOf(beginning), {}, {options.columns, {}, options.named}));
+    const auto mayBeTable = [&](const QByteArray &beginning) {
+        const auto outcome = readReferenceData(toView(beginning), {}, {options.columns, {}, options.named});
+        const ReadError *error = std::get_if<ReadError>(&outcome);
+        return error && source.paths.size() == 1 ? std::optional(*error) : std::nullopt;
     };
     auto reference = std::make_shared<Reference>();
-    std::vector<OpenedFile> files(static_cast<std::size_t>(source.paths.size()));
-    std::vector<FileBytes> sources;
-    for (OpenedFile &file : files) {
-        const QString &path = source.paths[static_cast<qsizetype>(sources.size())];
+    QByteArrayList bytes(source.paths.size());
+    std::vector<FileBytes> files;
+    for (qsizetype i = 0; i < bytes.size(); ++i) {
+        const QString &path = source.paths[i];
         try {
-            if (const std::optional<QString> sentence = open(path, stop, goesOn, file)) {
+            if (const std::optional<QString> sentence = readFile(path, stop, mayBeTable, bytes[i])) {
                 return *sentence;
             }
         } catch (const std::bad_alloc &) {
-            return sentenceOf(ReadError{0, 0, {}, {ReadFault::Kind::NoMemory}}, {shownNameOf(path)});
+            return wholeFileFault(ReadFault::Kind::NoMemory, displayName(path));
         }
-        reference->states.push_back(stateOf(QFileInfo(path)));
-        sources.push_back({viewOf(file.bytes), file.name});
+        reference->states.push_back(fileState(path));
+        files.push_back({toView(bytes[i]), fileName(path)});
     }
-    std::variant<ReferenceData, ReadError> outcome = readFiles(sources, stop, options);
-    files.clear();
+    std::variant<ReferenceData, ReadError> outcome = readFiles(files, stop, options);
+    bytes.clear();
     if (const ReadError *error = std::get_if<ReadError>(&outcome)) {
-        return sentenceOf(*error, shownNamesOf(source.paths));
+        return readErrorText(*error, displayNames(source.paths));
     }
     reference->paths = source.paths;
-    reference->name = nameOf(source.paths);
+    reference->name = joinedName(source.paths);
     reference->data = std::move(std::get<ReferenceData>(outcome));
     reference->columns = source.columns;
-    std::shared_ptr<const Reference> read = std::move(reference);
+    std::shared_ptr<const Reference> result = std::move(reference);
     for (const Convention &convention : source.conventions) {
-        read = applied(convention, read);
+        result = applied(convention, result);
     }
-    return read;
+    return result;
 }
 
-std::variant<std::shared_ptr<const Reference>, QString> timedBy(const Mechanism &mechanism,
-                                                                const std::shared_ptr<const Reference> &reference)
+ReferenceOutcome timedBy(const Mechanism &mechanism, const std::shared_ptr<const Reference> &reference)
 {
     if (!reference || !reference->data.crank) {
         return reference;
@@ -254,7 +232,7 @@ std::variant<std::shared_ptr<const Reference>, QString> timedBy(const Mechanism 
     if (!data) {
         return ReferenceFileText::tr("%1 is a table by crank angle, and with ω₂ = %2 the crank does not pass its "
                                      "angles in that order: choose another ω₂.")
-            .arg(shownNameOf(reference->paths), parameterText(Parameter::Omega2, mechanism.omega2()));
+            .arg(displayName(reference->paths), parameterText(Parameter::Omega2, mechanism.omega2()));
     }
     auto timed = std::make_shared<Reference>(*reference);
     timed->data = *std::move(data);
@@ -270,15 +248,16 @@ std::vector<ColumnChoice> withAbscissaAs(ColumnRole role, const Reference &refer
     const auto abscissa = static_cast<std::size_t>(found - columns.begin());
     const std::string &printed = columns[abscissa].unit;
     const std::optional<Unit> unit = parseUnit(printed);
-    const bool suits = printed.empty() || (role == ColumnRole::CrankAngle ? unitsPerDegree(printed).has_value()
-                                                                          : unit && unit->dimension == Dimension::Time);
+    const bool isSuitable =
+        printed.empty() || (role == ColumnRole::CrankAngle ? unitsPerDegree(printed).has_value()
+                                                           : unit && unit->dimension == Dimension::Time);
     std::vector<ColumnChoice> choices = reference.columns;
     std::erase_if(choices, [abscissa](const ColumnChoice &choice) { return choice.column == abscissa; });
-    choices.push_back({abscissa, role, {}, suits ? "" : role == ColumnRole::CrankAngle ? "deg" : "s"});
+    choices.push_back({abscissa, role, {}, isSuitable ? "" : role == ColumnRole::CrankAngle ? "deg" : "s"});
     return choices;
 }
 
-ReferenceSource sourceOf(const Reference &reference)
+ReferenceSource toSource(const Reference &reference)
 {
     QStringList paths;
     for (const QString &path : reference.paths) {
@@ -298,56 +277,26 @@ std::shared_ptr<const Reference> applied(const Convention &convention, const std
     return reference;
 }
 
-std::shared_ptr<const Reference> withConventionsOf(const Reference &before,
-                                                   const std::shared_ptr<const Reference> &printed)
-{
-    const ReferenceData &printedBefore = before.asPrinted ? before.asPrinted->data : before.data;
-    std::shared_ptr<const Reference> reference = printed;
-    for (const Convention &convention : before.conventions) {
-        if (isOfTheSame(convention, printedBefore, printed->data)) {
-            reference = applied(convention, reference);
-        }
-    }
-    return reference;
-}
-
-QByteArrayList checksumsOf(const Reference &reference)
+QByteArrayList fileChecksums(const Reference &reference)
 {
     QByteArrayList checksums;
     for (std::size_t i = 0; i < reference.states.size(); ++i) {
         const QString &path = reference.paths[static_cast<qsizetype>(i)];
-        const QFileInfo info(path);
+        const auto isUnchanged = [&] { return fileState(path) == reference.states[i]; };
         QFile file(path);
         QCryptographicHash hash(QCryptographicHash::Sha256);
-        const bool isRead = !isStream(info) && stateOf(info) == reference.states[i] && file.open(QIODevice::ReadOnly) &&
-                            hash.addData(&file) && stateOf(QFileInfo(path)) == reference.states[i];
+        const bool isRead = QFileInfo(path).isFile() && isUnchanged() && file.open(QIODevice::ReadOnly) &&
+                            hash.addData(&file) && isUnchanged();
         checksums += isRead ? hash.result().toHex() : QByteArray();
     }
     return checksums;
 }
 
-QByteArray beginningOf(const QString &path)
-{
-    constexpr qint64 kMost = 1 << 20; // some 15 000 rows of seven columns, read again in milliseconds
-    if (isStream(QFileInfo(path))) {
-        return {}; // what is taken from it is gone
-    }
-    QFile file(path);
-    QByteArray bytes = file.open(QIODevice::ReadOnly) ? file.read(kMost) : QByteArray();
-    const qsizetype lines = bytes.lastIndexOf('\n') + 1;
-    if (!file.atEnd() && lines > 0) {
-        // In little-endian UTF-16 half of the line's end is still to come.
-        const bool half = lines % 2 == 1 && lines < bytes.size() && bytes[lines] == '\0';
-        bytes.truncate(half ? lines + 1 : lines);
-    }
-    return bytes;
-}
-
-QByteArrayList beginningsOf(const QStringList &paths)
+QByteArrayList readBeginnings(const QStringList &paths)
 {
     QByteArrayList beginnings;
     for (const QString &path : paths) {
-        beginnings += beginningOf(path);
+        beginnings += readBeginning(path);
     }
     return beginnings;
 }
@@ -357,20 +306,20 @@ std::variant<ReferenceData, ReadError> readBytes(const QStringList &paths, const
 {
     std::vector<FileBytes> files;
     for (qsizetype i = 0; i < paths.size(); ++i) {
-        const QFileInfo info(paths[i]);
-        files.push_back({viewOf(bytes[i]), info.fileName().toStdString(), bytes[i].size() < info.size()});
+        files.push_back({toView(bytes[i]), fileName(paths[i]), bytes[i].size() < QFileInfo(paths[i]).size()});
     }
     return readFiles(files, {}, options);
 }
 
-FileLayout layoutOf(const QByteArray &bytes)
+const FileLayout &layoutOf(const std::variant<ReferenceData, ReadError> &outcome)
 {
-    return layoutIn(readReferenceData(viewOf(bytes)));
+    const ReferenceData *data = std::get_if<ReferenceData>(&outcome);
+    return data ? data->layout : std::get<ReadError>(outcome).layout;
 }
 
-FileLayout layoutOf(const QStringList &paths)
+FileLayout readLayout(const QStringList &paths)
 {
-    const FileLayout layout = layoutIn(readBytes(paths, beginningsOf(paths)));
+    const FileLayout layout = layoutOf(readBytes(paths, readBeginnings(paths)));
     for (std::size_t i = 0; i < layout.files.size(); ++i) {
         if (std::ranges::count(layout.columns, i, &FileColumn::file) == 0) {
             return {};

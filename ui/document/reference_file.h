@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A reference file on disk, or several that are joined: opened under their Unicode names, read by the core, and their
-// failure put into one sentence.
+// A reference file on disk, or several that are joined: opened, read by the core, and each failure put into a sentence.
 
 #include "core/identification/convention.h"
 #include "core/import/reference_data.h"
@@ -21,7 +20,7 @@
 namespace slidercrank
 {
 
-/// What tells a file from the same one after somebody wrote to it.
+/// Changes whenever somebody writes to a file.
 struct FileState {
     qint64 size = -1; ///< bytes
     QDateTime changed;
@@ -29,71 +28,67 @@ struct FileState {
     friend bool operator==(const FileState &, const FileState &) = default;
 };
 
-/// A loaded file and where it came from; or several, a plot each, joined.
+FileState fileState(const QString &path);
+
+/// A reference file that has been read, or several that are joined.
 struct Reference {
     QStringList paths;             ///< as opened
     QString name;                  ///< file name, for legends and titles
     std::vector<FileState> states; ///< of the files when they were read
-    ReferenceData data;            ///< as it reads with the conventions below
+    ReferenceData data;            ///< with the conventions below applied
 
-    std::vector<ColumnChoice> columns;          ///< a person's, over what the names say
+    std::vector<ColumnChoice> columns;          ///< chosen by a person
     std::vector<Convention> conventions;        ///< applied, in this order
-    std::shared_ptr<const Reference> asPrinted; ///< without any; null: this is it
+    std::shared_ptr<const Reference> asPrinted; ///< without any convention; null: none is applied
 };
 
-/// Where data come from and how they were read: enough to read them again.
+/// Everything that is needed to read reference data again.
 struct ReferenceSource {
-    QStringList paths; ///< absolute, or in the program's resources
+    QStringList paths; ///< absolute, or in the program's resources; "-" is standard input
     std::vector<ColumnChoice> columns;
     std::vector<Convention> conventions;
 };
 
-ReferenceSource sourceOf(const Reference &reference);
+ReferenceSource toSource(const Reference &reference);
 
-/// The data, or one sentence that says what is wrong, where, and what to do. May run in any thread. A path "-" is
-/// standard input.
-std::variant<std::shared_ptr<const Reference>, QString>
-readReference(const ReferenceSource &source, std::stop_token stop = {}, ReadOptions options = {});
+/// The data, or one sentence that says what is wrong, where, and what to do.
+using ReferenceOutcome = std::variant<std::shared_ptr<const Reference>, QString>;
 
-/// Its choices of columns, but with its instants, or what stands in their place, taken for that: Time or CrankAngle.
+/// Reads files, pipes or standard input. May run in any thread.
+ReferenceOutcome readReference(const ReferenceSource &source, std::stop_token stop = {}, ReadOptions options = {});
+
+/// Its choices of columns, with the time (or crank angle) column taken as `role`, which is Time or CrankAngle.
 std::vector<ColumnChoice> withAbscissaAs(ColumnRole role, const Reference &reference);
 
-/// The same with the instants at which that mechanism's crank comes to the angles that the file counts by; a file with
-/// instants of its own as it is. Or a sentence, where there are no such instants.
-std::variant<std::shared_ptr<const Reference>, QString> timedBy(const Mechanism &mechanism,
-                                                                const std::shared_ptr<const Reference> &reference);
+/// A table by the crank angle with the time stamps at which that mechanism's crank reaches its angles, or a sentence if
+/// it does not reach them in their order. Other data, and null, are returned as they are.
+ReferenceOutcome timedBy(const Mechanism &mechanism, const std::shared_ptr<const Reference> &reference);
 
-/// The same as they read with that convention; Branch changes nothing here.
+/// With one more convention applied; Branch changes nothing here.
 std::shared_ptr<const Reference> applied(const Convention &convention, const std::shared_ptr<const Reference> &to);
 
-/// The file as it was printed, read with those conventions of `before` whose columns it still reads as that did: what a
-/// person said of the others was said of other data.
-std::shared_ptr<const Reference> withConventionsOf(const Reference &before,
-                                                   const std::shared_ptr<const Reference> &printed);
+/// The name of a file, or the names of joined files, in messages.
+QString displayName(const QString &path);
+QString displayName(const QStringList &paths);
 
-/// As messages call them.
-QString shownNameOf(const QString &path);
-QString shownNameOf(const QStringList &paths);
+/// "results.csv, line 3, column 2 ("abc"): …". `files`: their names in messages.
+QString readErrorText(const ReadError &error, const QStringList &files);
 
-/// "results.csv, line 3, column 2 ("abc"): …". `files`: how they are to be called.
-QString sentenceOf(const ReadError &error, const QStringList &files);
+/// SHA-256 of each file in hexadecimal; empty if the file has changed since it was read, and for a pipe. Reads the
+/// whole files; may run in any thread.
+QByteArrayList fileChecksums(const Reference &reference);
 
-/// SHA-256 of each file's bytes, in hexadecimal; empty where they are no longer those that were read, as of a pipe.
-/// Reads the whole files: may run in any thread.
-QByteArrayList checksumsOf(const Reference &reference);
+/// The first lines of each file, for a preview; empty if it cannot be read or is a pipe.
+QByteArrayList readBeginnings(const QStringList &paths);
 
-/// The first lines of a file: enough to see how it is written, and for a preview. Empty where it cannot be read.
-QByteArray beginningOf(const QString &path);
-QByteArrayList beginningsOf(const QStringList &paths);
-
-/// What files of those names read as that hold these bytes, or begin with them.
+/// What these bytes would be read as if they were the files of those names, or their beginnings.
 std::variant<ReferenceData, ReadError> readBytes(const QStringList &paths, const QByteArrayList &bytes,
                                                  const ReadOptions &options = {});
 
-/// How these bytes are written, whether or not the data are any good; no columns where they cannot be told apart.
-FileLayout layoutOf(const QByteArray &bytes);
+/// How a file is written, whether or not it could be read.
+const FileLayout &layoutOf(const std::variant<ReferenceData, ReadError> &outcome);
 
-/// The same of the beginnings of those files; no columns either where one of them has none.
-FileLayout layoutOf(const QStringList &paths);
+/// The layout of the files, read from their beginnings; without columns if one of the files has none.
+FileLayout readLayout(const QStringList &paths);
 
 } // namespace slidercrank

@@ -2,7 +2,6 @@
 #include "ui/document/result.h"
 
 #include "core/closed_form/closed_form.h"
-#include "core/import/reference_data.h"
 
 #include <QElapsedTimer>
 
@@ -18,25 +17,22 @@ namespace
 
 constexpr int kMostStepsKept = 100'000; // of the closed form
 
-/// Whether the crank turns round with room to spare, at angles that vectors are for (batch.h): then every instant is
-/// Solved, and many are computed at once.
-bool isOrdinary(const Request &request)
+/// Whether the crank clearly makes full turns, at angles for which many time steps are computed at once: then each of
+/// them is Solved.
+bool isOrdinary(const Parameters &p, const Sampling &sampling)
 {
-    constexpr double kRoomToSpare = 1.0 + 1e-9;
+    constexpr double kMargin = 1.0 + 1e-9;
     constexpr double kLargestAngle = 1e6; // rad
-    const Parameters &p = request.mechanism.parameters();
-    const Sampling &run = request.sampling;
-    const double latest = std::max(std::abs(run.start), std::abs(run.start + run.duration));
-    return p.b > kRoomToSpare * (p.a + std::abs(p.c)) &&
-           std::abs(p.theta20) + std::abs(p.omega2) * latest <= kLargestAngle;
+    const double latest = std::max(std::abs(sampling.start), std::abs(sampling.start + sampling.duration));
+    return p.b > kMargin * (p.a + std::abs(p.c)) && std::abs(p.theta20) + std::abs(p.omega2) * latest <= kLargestAngle;
 }
 
-/// Of a run in closed form.
-SamplingSummary summaryOf(const Request &request, std::stop_token stop)
+/// Of a motion in closed form that is not kept.
+SamplingSummary summarize(const Choices &choices, std::stop_token stop)
 {
     SamplingSummary summary;
-    if (isOrdinary(request)) {
-        summary.instants = static_cast<std::size_t>(request.sampling.steps) + 1;
+    if (isOrdinary(choices.parameters, choices.sampling)) {
+        summary.instants = static_cast<std::size_t>(choices.sampling.steps) + 1;
         summary.statusCounts[static_cast<std::size_t>(Status::Solved)] = summary.instants;
         return summary;
     }
@@ -44,7 +40,7 @@ SamplingSummary summaryOf(const Request &request, std::stop_token stop)
         summary.add(piece.summary);
         return true;
     };
-    sampleInPieces(request.mechanism, request.sampling, {}, request.solver, add, std::move(stop));
+    sampleInPieces(Mechanism(choices.parameters), choices.sampling, {}, choices.solver, add, std::move(stop));
     return summary;
 }
 
@@ -62,67 +58,60 @@ Pose poseAt(const Parameters &parameters, double seconds)
             .status = motion.status};
 }
 
-std::shared_ptr<const Result> compute(const Request &request, std::stop_token stop)
+std::shared_ptr<const Result> compute(const Choices &choices, std::stop_token stop)
 {
     auto result = std::make_shared<Result>();
-    result->mechanism = request.mechanism;
-    result->sampling = request.sampling;
-    result->solver = request.solver;
-    result->reference = request.reference;
-    result->kept = request.kept;
-    if (request.reference && request.reference->data.crank) {
-        const auto timed = timedBy(request.mechanism, request.reference);
-        if (const auto *reference = std::get_if<std::shared_ptr<const Reference>>(&timed)) {
-            result->reference = *reference;
-            result->untimed = request.reference;
-        }
+    const auto &[parameters, sampling, solver, reference, kept] = choices;
+    const Mechanism mechanism(parameters);
+    result->choices = choices;
+    result->mechanism = mechanism;
+    result->sampling = sampling;
+    result->solver = solver;
+    result->kept = kept;
+    const ReferenceOutcome timed = timedBy(mechanism, reference);
+    const auto *found = std::get_if<std::shared_ptr<const Reference>>(&timed);
+    result->reference = found ? *found : reference;
+    result->limits = motionLimits(mechanism);
+    if (!reference && !kept.empty()) {
+        const double end = sampling.start + sampling.duration;
+        result->difference = differenceOf(mechanism, Mechanism(kept.back()), sampling.start, end);
     }
-    result->limits = motionLimits(request.mechanism);
-    if (!request.reference && !request.kept.empty()) {
-        const Sampling &run = request.sampling;
-        result->difference =
-            differenceOf(request.mechanism, Mechanism(request.kept.back()), run.start, run.start + run.duration);
-    }
-    if (request.solver.method == Method::ClosedForm && request.sampling.steps >= kMostStepsKept) {
-        result->summary = summaryOf(request, stop);
+    if (solver.method == Method::ClosedForm && sampling.steps >= kMostStepsKept) {
+        result->summary = summarize(choices, stop);
         result->trajectory.complete = !stop.stop_requested();
     } else {
         QElapsedTimer clock;
         clock.start();
-        result->trajectory =
-            sample(request.mechanism, request.sampling.instants(), plottedChannels(), request.solver, stop);
-        if (request.solver.method == Method::Newton) {
+        result->trajectory = sample(mechanism, sampling.instants(), plottedChannels(), solver, stop);
+        if (solver.method == Method::Newton) {
             result->sampleSeconds = static_cast<double>(clock.nsecsElapsed()) * 1e-9;
         }
         result->summary = result->trajectory.summary;
     }
-    if (request.reference && result->trajectory.complete) {
+    if (reference && result->trajectory.complete) {
         const ReferenceData &data = result->reference->data;
-        result->atReference = sample(request.mechanism, data.time, channelsOf(data), request.solver, stop);
+        result->atReference = sample(mechanism, data.time, channelsOf(data), solver, stop);
         if (result->atReference.complete) {
-            result->comparison = compare(request.mechanism, result->atReference, data);
+            result->comparison = compare(mechanism, result->atReference, data);
         }
     }
-    if (!result->trajectory.complete || !result->atReference.complete) {
-        return nullptr;
-    }
-    return result;
+    return result->trajectory.complete && result->atReference.complete ? result : nullptr;
 }
 
-/// Costs per instant are those of a slow machine.
-bool takesLong(const Request &request)
+/// By the times for each time step on a slow computer.
+bool takesLong(const Choices &choices)
 {
-    constexpr double kMoment = 0.05; // s: below what a person takes for a stop
-    constexpr double kDenseSeconds = 20e-6;
-    constexpr double kStructuredSeconds = 1e-6;
-    constexpr double kClosedFormSeconds = 0.2e-6;
-    constexpr double kManyAtOnceSeconds = 40e-9;
-    const double newton = request.solver.newton.elimination == Elimination::Dense ? kDenseSeconds : kStructuredSeconds;
-    const double closedForm = isOrdinary(request) ? kManyAtOnceSeconds : kClosedFormSeconds;
-    const double each = request.solver.method == Method::Newton ? newton : closedForm;
-    const double compared = std::max(each, kClosedFormSeconds); // as long as computing it
-    const double atReference = request.reference ? static_cast<double>(request.reference->data.time.size()) : 0.0;
-    return each * (request.sampling.steps + 1.0) + compared * atReference > kMoment;
+    constexpr double kMoment = 0.05; // s: less is not noticed
+    constexpr double kDense = 20e-6;
+    constexpr double kStructured = 1e-6;
+    constexpr double kClosedForm = 0.2e-6;
+    constexpr double kManyAtOnce = 40e-9;
+    const double step = choices.solver.method == Method::Newton
+                            ? choices.solver.newton.elimination == Elimination::Dense ? kDense : kStructured
+                        : isOrdinary(choices.parameters, choices.sampling) ? kManyAtOnce
+                                                                           : kClosedForm;
+    const double rows = choices.reference ? static_cast<double>(choices.reference->data.time.size()) : 0.0;
+    return step * (choices.sampling.steps + 1.0) + std::max(step, kClosedForm) * rows > kMoment;
 }
 
 } // namespace slidercrank

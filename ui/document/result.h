@@ -32,21 +32,28 @@ Pose poseAt(const Parameters &parameters, double seconds);
 
 inline constexpr std::size_t kMostKept = 4; ///< motions; more could not be told apart
 
-/// Everything the views draw, of one moment; immutable once published.
+/// Everything that an edit may change.
+struct Choices {
+    Parameters parameters;
+    Sampling sampling;
+    SolverSettings solver;
+    std::shared_ptr<const Reference> reference; ///< may be null
+    std::vector<Parameters> kept = {};          ///< pinned motions, the oldest first
+
+    friend bool operator==(const Choices &, const Choices &) = default;
+};
+
+/// Everything that the views draw; immutable once published.
 struct Result {
+    Choices choices; ///< from which it was computed
     Mechanism mechanism;
     Sampling sampling;
     SolverSettings solver;
     SamplingSummary summary;
     Trajectory trajectory; ///< the six plotted channels; empty where !isKept()
     MotionLimits limits;
-    std::shared_ptr<const Reference> reference; ///< may be null; timed for this mechanism
-
-    /// What it was before that, where it counts by the crank's angle.
-    std::shared_ptr<const Reference> untimed;
-    const std::shared_ptr<const Reference> &chosenReference() const { return untimed ? untimed : reference; }
-
-    std::vector<Parameters> kept; ///< motions to stay under the model's, the first kept first
+    std::shared_ptr<const Reference> reference; ///< may be null; a table by the crank angle timed for this mechanism
+    std::vector<Parameters> kept;               ///< pinned motions, the oldest first
 
     /// Where there is no reference: how far the model is from the motion kept last.
     std::optional<MotionDifference> difference;
@@ -73,19 +80,10 @@ struct ReferenceDiagnosis {
     Diagnosis found;
 };
 
-/// What a Result is computed from: a value that can travel to another thread.
-struct Request {
-    Mechanism mechanism;
-    Sampling sampling;
-    SolverSettings solver;
-    std::shared_ptr<const Reference> reference;
-    std::vector<Parameters> kept = {};
-};
-
 /// Null when stopped. May run in any thread.
-std::shared_ptr<const Result> compute(const Request &request, std::stop_token stop);
+std::shared_ptr<const Result> compute(const Choices &choices, std::stop_token stop);
 
 /// Whether that would keep the window waiting for more than a moment.
-bool takesLong(const Request &request);
+bool takesLong(const Choices &choices);
 
 } // namespace slidercrank

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A scene: all that a person chose, as a JSON file. What is computed is not in it, but follows from it: a scene that is
-// opened gives to the last bit what was on show when it was saved.
+// A scene: all choices of a person as a JSON file. Results are not in it: a scene that is opened gives the results that
+// it was saved with, to the last bit.
 //
 //     { "version": 1,
 //       "mechanism": {"a", "b", "c", "omega2", "theta20", "branch": "open"|"crossed"},                   mm, rad, s
@@ -20,10 +20,10 @@
 //                     "mechanism": {"velocity", "acceleration", "path", "names", "dimensions": whether on show,
 //                                   "frame": null or [left, lower, right, upper]}} }                   mm
 //
-// Columns count from 1. The reference's file is relative to the scene's folder where it lies in or below it; where
-// several are joined, "file" is the list of them, and the columns count on from one to the next. What decides the
-// motion has to be there; the reference, what is kept and anything in the view may be missing. Keys that are not known
-// are kept, and written back.
+// Columns count from 1. The path of the reference file is relative to the scene's folder if the file lies in or below
+// it. For joined files "file" is a list, and their columns are counted through. The reference, the pinned motions
+// ("kept") and everything in the view may be missing; what determines the motion may not. Unknown keys are kept and
+// written back.
 
 #include "core/mechanism/mechanism.h"
 #include "core/sampling/trajectory.h"
@@ -47,26 +47,26 @@ struct Scene {
     Sampling sampling;
     SolverSettings solver;
     std::optional<ReferenceSource> reference;
-    std::vector<Parameters> kept; ///< motions to stay under the model's
-    double time = 0.0;            ///< s, the instant on show
+    std::vector<Parameters> kept; ///< pinned motions
+    double time = 0.0;            ///< s
     PlotSettings plots;
     PlotZoom zoom;
     MechanismSettings mechanism;
-    std::optional<QRectF> mechanismFrame; ///< mm, where somebody zoomed to it
-    QJsonObject asRead;                   ///< the file that it came from, for the keys that are not known here
+    std::optional<QRectF> mechanismFrame; ///< mm; none: the whole motion
+    QJsonObject asRead;                   ///< the file it was read from, with its unknown keys
 };
 
-/// `path`: where the text is, or is to be; the reference's is relative to it.
-QByteArray jsonOf(const Scene &scene, const QString &path);
+/// The scene as JSON text for a file at `path`; the path of its reference is relative to that.
+QByteArray sceneToJson(Scene scene, const QString &path);
 
 /// The scene, or one sentence that says what is wrong, where, and what to do.
-std::variant<Scene, QString> sceneOf(const QByteArray &json, const QString &path);
+std::variant<Scene, QString> parseScene(const QByteArray &json, const QString &path);
 std::variant<Scene, QString> readScene(const QString &path);
 
-/// Whether a file of that name is taken for a scene: .slidercrank, or .json as all were called once.
+/// Whether the name of a file is that of a scene: .slidercrank or .json.
 bool isNamedAsScene(const QString &path);
 
-/// Writes the file whole or not at all; a sentence where it cannot be written.
+/// Writes the file completely or not at all; returns a sentence if it cannot be written.
 std::optional<QString> writeScene(const Scene &scene, const QString &path);
 
 } // namespace slidercrank

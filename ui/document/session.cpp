@@ -2,13 +2,16 @@
 #include "ui/document/session.h"
 
 #include "ui/document/column_choices.h"
+#include "ui/document/whole_file.h"
 #include "ui/document/with.h"
 #include "ui/text/finding_text.h"
 
+#include <QFileInfo>
 #include <QLocale>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 namespace slidercrank
@@ -17,65 +20,75 @@ namespace slidercrank
 namespace
 {
 
-constexpr std::chrono::milliseconds kRest{200}; // parameters that move sooner than this are on the move
+constexpr std::chrono::milliseconds kRest{200}; // between two edits of parameters that are moving
 
-Request requestOf(const Choices &choices)
+// Identities of edits, beside 1 + indexOf(parameter).
+constexpr int kSamplingIdentity = 100;
+constexpr int kSolverIdentity = 101;
+
+/// From the first of these time stamps to the last; the same range if that cannot be one.
+Sampling rangeOf(const std::vector<double> &times, const Sampling &sampling)
 {
-    return {Mechanism(choices.parameters), choices.sampling, choices.solver, choices.reference, choices.kept};
+    const double start = times.empty() ? kNone : times.front();
+    const double span = times.empty() ? kNone : times.back() - start;
+    const bool isUsable = std::abs(start) <= kLargestParameter && span <= kLargestParameter;
+    return isUsable ? Sampling{start, span > 0.0 ? span : sampling.duration, sampling.steps} : sampling;
 }
 
-/// What the result was computed from.
-Choices choicesOf(const Result &result)
+/// Whether the range of `outer` contains that of `inner`, to rounding.
+bool contains(const Sampling &outer, const Sampling &inner)
 {
-    return {result.mechanism.parameters(), result.sampling, result.solver, result.chosenReference(), result.kept};
+    const double slack = 1e-9 * std::abs(outer.duration);
+    const auto [first, last] = std::minmax({outer.start, outer.start + outer.duration});
+    return inner.start >= first - slack && inner.start + inner.duration <= last + slack;
 }
 
-/// From the first of these instants to the last; the same run where that is none.
-Sampling runOf(const std::vector<double> &instants, const Sampling &run)
+/// As much of the choices as can be computed at once.
+Choices simplified(Choices choices)
 {
-    if (instants.empty()) {
-        return run;
-    }
-    const double first = instants.front();
-    const double span = instants.back() - first;
-    const bool isUsable = std::abs(first) <= kLargestParameter && span <= kLargestParameter;
-    return isUsable ? Sampling{first, span > 0.0 ? span : run.duration, run.steps} : run;
-}
-
-bool holds(const Sampling &run, const std::vector<double> &instants)
-{
-    const double end = run.start + run.duration;
-    const double room = 1e-9 * std::abs(run.duration); // of rounding
-    return instants.empty() ||
-           (instants.front() >= std::min(run.start, end) - room && instants.back() <= std::max(run.start, end) + room);
-}
-
-bool isRunOf(const std::vector<double> &instants, const Sampling &run)
-{
-    const Sampling whole = runOf(instants, run);
-    return holds(run, instants) && holds(whole, {run.start, run.start + run.duration});
-}
-
-/// As much of them as can be shown at once.
-Choices soonShown(Choices choices)
-{
-    const auto takesLong = [&choices] { return slidercrank::takesLong(requestOf(choices)); };
     choices.solver.method = Method::ClosedForm;
-    if (takesLong()) {
+    if (takesLong(choices)) {
         choices.sampling.steps = std::min(choices.sampling.steps, Sampling().steps);
     }
-    if (takesLong()) {
+    if (takesLong(choices)) {
         choices.reference = nullptr;
     }
     return choices;
 }
 
-/// Null when stopped. Takes longer than a moment.
-std::shared_ptr<const ReferenceDiagnosis> diagnosisOf(const std::shared_ptr<const Reference> &reference,
-                                                      const Mechanism &mechanism, std::stop_token stop)
+QString faultText(const ParameterFault &fault)
 {
-    ReferenceDiagnosis diagnosis{reference, mechanism.parameters(), diagnose(reference->data, mechanism, stop)};
-    return stop.stop_requested() ? nullptr : std::make_shared<const ReferenceDiagnosis>(std::move(diagnosis));
+    const QString symbol = symbolOf(fault.parameter);
+    const bool isTooShort =
+        fault.reason == ParameterFault::Reason::NotPositive || fault.reason == ParameterFault::Reason::TooShort;
+    return isTooShort ? Session::tr("%1 must be at least %2 mm.").arg(symbol, QLocale().toString(kShortestLink))
+                      : Session::tr("%1 must be a number up to %2.").arg(symbol, QLocale().toString(kLargestParameter));
+}
+
+EditName changeName(const Parameters &before, const Parameters &after)
+{
+    EditName name{QT_TRANSLATE_NOOP("slidercrank::EditStack", "change of the mechanism")};
+    Parameters changed = before;
+    for (const Parameter parameter : kParameters) {
+        changed = before;
+        valueOf(changed, parameter) = valueOf(after, parameter);
+        if (changed == after) {
+            name = {QT_TRANSLATE_NOOP("slidercrank::EditStack", "change of %1"), symbolOf(parameter),
+                    1 + static_cast<int>(indexOf(parameter))};
+        }
+    }
+    return name;
+}
+
+EditName changeName(const std::shared_ptr<const Reference> &before, const std::shared_ptr<const Reference> &after)
+{
+    if (!after) {
+        return {QT_TRANSLATE_NOOP("slidercrank::EditStack", "closing of %1"), before->name, 0, true};
+    }
+    if (before && before->paths == after->paths) {
+        return {QT_TRANSLATE_NOOP("slidercrank::EditStack", "other reading of %1"), after->name};
+    }
+    return {QT_TRANSLATE_NOOP("slidercrank::EditStack", "opening of %1"), after->name, 0, true};
 }
 
 } // namespace
@@ -83,15 +96,14 @@ std::shared_ptr<const ReferenceDiagnosis> diagnosisOf(const std::shared_ptr<cons
 Session::Session(QObject *parent)
     : QObject(parent)
 {
-    SolverSettings &solver = m_choices.solver;
-    solver.method = Method::ClosedForm; // the cheapest that is exact; Newton-Raphson where somebody chooses it,
-    solver.newton.elimination = Elimination::Structured; // with the report's iterates, an order of magnitude sooner
-    m_result = compute(requestOf(m_choices), {});
+    m_choices.solver.method = Method::ClosedForm;
+    m_choices.solver.newton.elimination = Elimination::Structured; // the same iterates, ten times faster
+    m_result = compute(m_choices, {});
     m_rest.setSingleShot(true);
-    connect(&m_rest, &QTimer::timeout, this, &Session::diagnoseAside);
-    connect(&m_reading, &WorkAside::progressed, this, &Session::readingProgressed);
-    for (const WorkAside *work : {&m_computation, &m_reading, &m_diagnosing}) {
-        connect(work, &WorkAside::runningChanged, this, [this](bool running) {
+    connect(&m_rest, &QTimer::timeout, this, &Session::startDiagnosis);
+    connect(&m_reading, &BackgroundTask::progressed, this, &Session::readingProgressed);
+    for (const BackgroundTask *task : {&m_computation, &m_reading, &m_diagnosing}) {
+        connect(task, &BackgroundTask::runningChanged, this, [this](bool running) {
             m_running += running ? 1 : -1;
             if (m_running == (running ? 1 : 0)) {
                 emit busyChanged(running);
@@ -102,37 +114,17 @@ Session::Session(QObject *parent)
 
 Session::~Session()
 {
-    m_edits.disconnect(); // it says that it empties itself, to whom is there no more
-}
-
-Pose Session::pose() const
-{
-    return poseAt(m_choices.parameters, m_time);
+    m_edits.disconnect(); // its destructor emits signals
 }
 
 void Session::setParameters(const Parameters &parameters)
 {
-    if (parameters == m_choices.parameters) {
-        return;
-    }
     if (const std::optional<ParameterFault> fault = findFault(parameters)) {
-        const QString symbol = symbolOf(fault->parameter);
-        switch (fault->reason) {
-        case ParameterFault::Reason::NotFinite: emit problemFound(tr("%1 must be a number.").arg(symbol)); break;
-        case ParameterFault::Reason::TooLarge:
-            emit problemFound(tr("%1 must not exceed %2.").arg(symbol, QLocale().toString(kLargestParameter)));
-            break;
-        case ParameterFault::Reason::NotPositive:
-            emit problemFound(tr("%1 must be greater than 0.").arg(symbol));
-            break;
-        case ParameterFault::Reason::TooShort:
-            emit problemFound(tr("%1 must be at least %2 mm.").arg(symbol, QLocale().toString(kShortestLink)));
-            break;
-        }
+        emit problemFound(faultText(*fault));
         emit parametersChanged(m_choices.parameters);
-        return;
+    } else if (parameters != m_choices.parameters) {
+        edit(with(m_choices, &Choices::parameters, parameters), changeName(m_choices.parameters, parameters));
     }
-    edit(with(m_choices, &Choices::parameters, parameters));
 }
 
 void Session::setParameter(Parameter parameter, double value)
@@ -144,12 +136,14 @@ void Session::setParameter(Parameter parameter, double value)
 
 void Session::setSampling(const Sampling &sampling)
 {
-    edit(with(m_choices, &Choices::sampling, sampling));
+    edit(with(m_choices, &Choices::sampling, sampling),
+         {QT_TRANSLATE_NOOP("slidercrank::EditStack", "change of the time range"), {}, kSamplingIdentity});
 }
 
 void Session::setSolver(const SolverSettings &solver)
 {
-    edit(with(m_choices, &Choices::solver, solver));
+    edit(with(m_choices, &Choices::solver, solver),
+         {QT_TRANSLATE_NOOP("slidercrank::EditStack", "change of the method"), {}, kSolverIdentity});
 }
 
 void Session::keep()
@@ -161,15 +155,15 @@ void Session::keep()
         emit problemFound(tr("%1 motions are already pinned: remove them before you pin another one.").arg(kMostKept));
     } else {
         kept.push_back(m_choices.parameters);
-        m_edits.beginStep();
-        edit(with(m_choices, &Choices::kept, kept));
+        edit(with(m_choices, &Choices::kept, kept),
+             {QT_TRANSLATE_NOOP("slidercrank::EditStack", "pinning of the motion")});
     }
 }
 
 void Session::forgetKept()
 {
-    m_edits.beginStep();
-    edit(with(m_choices, &Choices::kept, {}));
+    edit(with(m_choices, &Choices::kept, {}),
+         {QT_TRANSLATE_NOOP("slidercrank::EditStack", "removal of the pinned motions")});
 }
 
 void Session::edit(const Choices &choices, const EditName &name)
@@ -177,33 +171,34 @@ void Session::edit(const Choices &choices, const EditName &name)
     if (choices == m_choices) {
         return;
     }
-    const Reading timed = timedBy(Mechanism(choices.parameters), choices.reference);
+    const ReferenceOutcome timed = timedBy(Mechanism(choices.parameters), choices.reference);
     if (const QString *sentence = std::get_if<QString>(&timed)) {
         emit problemFound(*sentence);
         emit parametersChanged(m_choices.parameters);
         return;
     }
-    const std::shared_ptr<const Reference> &shown = m_result->reference;
-    const bool isOtherDrive = choices.reference && choices.reference->data.crank &&
-                              choices.reference == m_choices.reference && choices.parameters != m_choices.parameters;
-    if (isOtherDrive && shown && isRunOf(shown->data.time, choices.sampling)) { // the run that was the file's still is
-        const std::vector<double> &instants = std::get<std::shared_ptr<const Reference>>(timed)->data.time;
-        m_edits.edit(m_choices, with(choices, &Choices::sampling, runOf(instants, choices.sampling)), name);
-        return;
+    Choices complete = choices;
+    const auto &before = m_result->reference;
+    if (before && before->data.crank && choices.reference == m_choices.reference &&
+        choices.sampling == rangeOf(before->data.time, choices.sampling)) {
+        // The time range was that of a table by the crank angle, and stays so with another crank speed.
+        const auto &reference = std::get<std::shared_ptr<const Reference>>(timed);
+        complete.sampling = rangeOf(reference->data.time, choices.sampling);
     }
-    m_edits.edit(m_choices, choices, name);
+    m_edits.edit(m_choices, complete, name);
 }
 
-void Session::putInForce(const Choices &choices)
+void Session::applyChoices(const Choices &choices)
 {
     const Choices before = std::exchange(m_choices, choices);
     if (m_choices.reference != before.reference) {
-        m_diagnosing.drop();
         publishDiagnosis(nullptr);
         emit referenceLoaded(m_choices.reference);
     }
+    if (m_choices.reference != before.reference || m_choices.parameters != before.parameters) {
+        m_diagnosing.discard();
+    }
     if (m_choices.parameters != before.parameters) {
-        m_diagnosing.drop();
         emit parametersChanged(m_choices.parameters);
     }
     if (m_choices.sampling != before.sampling || m_choices.solver != before.solver) {
@@ -224,60 +219,63 @@ void Session::setTime(double seconds)
 
 void Session::recompute()
 {
-    Request request = requestOf(m_choices);
-    const bool isOnShow = m_choices == choicesOf(*m_result);
-    if (isOnShow || !takesLong(request)) {
-        m_computation.drop(); // what is still under way is out of date
-        publish(isOnShow ? m_result : compute(request, {}));
+    const bool isCurrent = m_choices == m_result->choices;
+    if (isCurrent || !takesLong(m_choices)) {
+        m_computation.discard();
+        publish(isCurrent ? m_result : compute(m_choices, {}));
         return;
     }
     m_computation.start(
-        [request = std::move(request)](const std::stop_token &stop, const auto &) { return compute(request, stop); },
+        [choices = m_choices](const std::stop_token &stop, const auto &) { return compute(choices, stop); },
         [this](const std::shared_ptr<const Result> &result) { publish(result); },
         [this](const QString &sentence) { emit problemFound(sentence); });
 }
 
 void Session::publish(std::shared_ptr<const Result> result)
 {
-    const bool newReference = result->chosenReference() != m_result->chosenReference();
+    const bool isNewReference = result->choices.reference != m_result->choices.reference;
     m_result = std::move(result);
     emit resultChanged(m_result);
     emit timeChanged(pose());
     if (m_result->reference) {
-        m_rest.start(newReference ? std::chrono::milliseconds(0) : kRest);
+        m_rest.start(isNewReference ? std::chrono::milliseconds(0) : kRest);
     }
 }
 
-void Session::diagnoseAside()
+bool Session::isDiagnosisCurrent() const
+{
+    return m_diagnosis && m_diagnosis->parameters == m_choices.parameters;
+}
+
+void Session::startDiagnosis()
 {
     const std::shared_ptr<const Reference> &reference = m_choices.reference;
-    const bool upToDate =
-        m_result->chosenReference() == reference && m_result->mechanism.parameters() == m_choices.parameters;
-    const bool known = m_diagnosis && m_diagnosis->parameters == m_choices.parameters;
-    if (!reference || !upToDate || known) {
-        return; // nothing to say, or not yet: the next result asks again
+    const bool isResultCurrent = m_choices.parameters == m_result->choices.parameters &&
+                                 reference == m_result->choices.reference; // else the next result starts it
+    if (!reference || !isResultCurrent || isDiagnosisCurrent()) {
+        return;
     }
     m_diagnosing.start(
-        [reference, mechanism = m_result->mechanism](const std::stop_token &stop, const auto &) {
-            return diagnosisOf(reference, mechanism, stop);
+        [reference, parameters = m_choices.parameters](const std::stop_token &stop, const auto &) {
+            return std::make_shared<const ReferenceDiagnosis>(
+                ReferenceDiagnosis{reference, parameters, diagnose(reference->data, Mechanism(parameters), stop)});
         },
         [this](const std::shared_ptr<const ReferenceDiagnosis> &diagnosis) { publishDiagnosis(diagnosis); },
         [this](const QString &sentence) {
-            endSearch();
+            stopDiagnosis();
             emit problemFound(sentence);
         });
 }
 
-/// Without an answer, where there is none.
-void Session::endSearch()
+/// Ends the search without an answer.
+void Session::stopDiagnosis()
 {
+    m_diagnosing.discard();
     m_rest.stop();
-    const bool isKnown = m_diagnosis && m_diagnosis->parameters == m_choices.parameters;
-    if (m_choices.reference && !isKnown) {
-        auto stopped =
-            std::make_shared<ReferenceDiagnosis>(ReferenceDiagnosis{m_choices.reference, m_choices.parameters, {}});
-        stopped->found.identification.stopped = true;
-        publishDiagnosis(std::move(stopped));
+    if (m_choices.reference && !isDiagnosisCurrent()) {
+        ReferenceDiagnosis stopped{m_choices.reference, m_choices.parameters, {}};
+        stopped.found.identification.stopped = true;
+        publishDiagnosis(std::make_shared<ReferenceDiagnosis>(std::move(stopped)));
     }
 }
 
@@ -289,151 +287,116 @@ void Session::publishDiagnosis(std::shared_ptr<const ReferenceDiagnosis> diagnos
     }
 }
 
-void Session::readAside(const Read &read, const std::function<void(const Reading &)> &done)
+void Session::read(const std::function<ReferenceSource()> &source,
+                   const std::function<void(const ReferenceOutcome &)> &done)
 {
-    const auto work = [read](const std::stop_token &stop, const WorkAside::Progress &progress) {
+    const auto work = [source](const std::stop_token &stop, const BackgroundTask::Progress &progress) {
         ReadOptions options;
         options.progress = [&progress](std::size_t bytes, std::size_t all) {
-            progress(all > 0 ? static_cast<double>(bytes) / static_cast<double>(all) : 0.0);
+            progress(static_cast<double>(bytes) / static_cast<double>(std::max(all, bytes)));
         };
-        return read(stop, options);
+        return readReference(source(), stop, options);
     };
     m_reading.start(work, done, done);
 }
 
-void Session::loadReference(const QString &path)
+void Session::loadReference(const QStringList &paths, const std::optional<std::vector<ColumnChoice>> &columns)
 {
-    loadReference(QStringList(path));
-}
-
-void Session::loadReference(const QStringList &paths)
-{
-    loadReference(paths, nullptr);
-}
-
-void Session::readColumnsAnew(const QStringList &paths)
-{
-    const bool isOnShow = m_choices.reference && m_choices.reference->paths == paths;
-    loadReference(paths, isOnShow ? m_choices.reference : nullptr);
-}
-
-void Session::loadReference(const QStringList &paths, const std::shared_ptr<const Reference> &before)
-{
-    const auto read = [paths, before](std::stop_token stop, const ReadOptions &options) {
-        const ReferenceSource source{paths, rememberedChoices(layoutOf(paths), paths), {}};
-        Reading outcome = readReference(source, stop, options);
-        if (auto *reference = std::get_if<std::shared_ptr<const Reference>>(&outcome); reference && before) {
-            *reference = withConventionsOf(*before, *reference);
-        }
-        return outcome;
+    const auto pipe = std::ranges::find_if(paths, [](const QString &path) { return isPipeOrDevice(QFileInfo(path)); });
+    if (pipe != paths.end()) { // might be waited for without end
+        emit referenceRefused(
+            paths, tr("%1 is a pipe or a device: save the data in a file, and open that.").arg(displayName(*pipe)));
+        return;
+    }
+    const auto source = [paths, columns]() -> ReferenceSource {
+        return {paths, columns ? *columns : rememberedChoices(readLayout(paths), paths), {}};
     };
-    readAside(read, [this, paths](const Reading &outcome) {
+    read(source, [this, paths, columns](const ReferenceOutcome &outcome) {
         if (const QString *sentence = std::get_if<QString>(&outcome)) {
             emit referenceRefused(paths, *sentence);
-        } else {
-            follow(std::get<std::shared_ptr<const Reference>>(outcome));
+            return;
         }
+        const auto &reference = std::get<std::shared_ptr<const Reference>>(outcome);
+        if (columns) {
+            rememberChoices(reference->data.layout, paths, *columns);
+        }
+        follow(reference);
     });
 }
 
 void Session::readAbscissaAs(ColumnRole role)
 {
-    const std::shared_ptr<const Reference> before = m_choices.reference;
-    if (!before) {
-        return;
+    if (const std::shared_ptr<const Reference> &reference = m_choices.reference) {
+        loadReference(reference->paths, withAbscissaAs(role, *reference));
     }
-    const ReferenceSource source{before->paths, withAbscissaAs(role, *before), {}};
-    const auto read = [source, before](std::stop_token stop, const ReadOptions &options) {
-        Reading outcome = readReference(source, stop, options);
-        if (auto *reference = std::get_if<std::shared_ptr<const Reference>>(&outcome)) {
-            *reference = withConventionsOf(*before, *reference);
-        }
-        return outcome;
-    };
-    readAside(read, [this, source](const Reading &outcome) {
-        if (const QString *sentence = std::get_if<QString>(&outcome)) {
-            emit referenceRefused(source.paths, *sentence);
-            return;
-        }
-        const auto &reference = std::get<std::shared_ptr<const Reference>>(outcome);
-        rememberChoices(reference->data.layout, source.paths, source.columns);
-        follow(reference);
-    });
 }
 
 void Session::open(const Choices &choices, double seconds, const std::optional<ReferenceSource> &source)
 {
     if (!source) {
-        m_reading.drop();
-        startWith(choices, seconds);
-        emit opened(QString());
+        m_reading.discard();
+        startWith(choices, seconds, {});
         return;
     }
-    readAside([source = *source](std::stop_token stop,
-                                 const ReadOptions &options) { return readReference(source, stop, options); },
-              [this, choices, seconds, before = m_choices](const Reading &read) {
-                  const auto *reference = std::get_if<std::shared_ptr<const Reference>>(&read);
-                  const Reading outcome = reference ? timedBy(Mechanism(choices.parameters), *reference) : read;
-                  const QString *problem = std::get_if<QString>(&outcome);
-                  Choices complete = choices;
-                  complete.reference = problem ? nullptr : *reference;
-                  const auto start = [this, complete, seconds, sentence = problem ? *problem : QString()] {
-                      startWith(complete, seconds);
-                      emit opened(sentence);
-                  };
-                  if (m_choices == before) {
-                      start();
-                  } else {
-                      emit editedMeanwhile(start);
-                  }
-              });
+    const auto finish = [this, choices, seconds, before = m_choices](const ReferenceOutcome &outcome) {
+        const auto *reference = std::get_if<std::shared_ptr<const Reference>>(&outcome);
+        const ReferenceOutcome timed = reference ? timedBy(Mechanism(choices.parameters), *reference) : outcome;
+        const QString *problem = std::get_if<QString>(&timed);
+        const auto start = [this, seconds, problem = problem ? *problem : QString(),
+                            complete = with(choices, &Choices::reference, problem ? nullptr : *reference)] {
+            startWith(complete, seconds, problem);
+        };
+        if (m_choices == before) {
+            start();
+        } else {
+            emit editedMeanwhile(start);
+        }
+    };
+    read([source = *source] { return source; }, finish);
 }
 
-void Session::startWith(const Choices &choices, double seconds)
+void Session::startWith(const Choices &choices, double seconds, const QString &problem)
 {
     m_edits.clear();
-    m_edits.beginStep();
-    putInForce(choices);
+    applyChoices(choices);
     setTime(seconds);
+    emit opened(problem);
 }
 
 void Session::setReference(const std::shared_ptr<const Reference> &reference)
 {
-    m_reading.drop();
-    m_edits.beginStep(); // one file opened after the other: two steps
-    edit(with(m_choices, &Choices::reference, reference));
+    m_reading.discard();
+    if (reference != m_choices.reference) {
+        edit(with(m_choices, &Choices::reference, reference), changeName(m_choices.reference, reference));
+    }
 }
 
 void Session::follow(const std::shared_ptr<const Reference> &reference)
 {
-    const Mechanism model(m_choices.parameters);
-    const Reading timed = timedBy(model, reference);
-    const Reading timedBefore = timedBy(model, m_choices.reference);
+    const ReferenceOutcome timed = timedBy(Mechanism(m_choices.parameters), reference);
     if (const QString *sentence = std::get_if<QString>(&timed)) {
         emit referenceRefused(reference->paths, *sentence);
         return;
     }
-    const std::vector<double> &instants = std::get<std::shared_ptr<const Reference>>(timed)->data.time;
     Choices choices = with(m_choices, &Choices::reference, reference);
-    const std::shared_ptr<const Reference> &before = std::get<std::shared_ptr<const Reference>>(timedBefore);
-    const bool hasFollowed = before && before->paths == reference->paths &&
-                             m_choices.sampling == runOf(before->data.time, m_choices.sampling);
-    if (hasFollowed || !holds(m_choices.sampling, instants)) {
-        choices.sampling = runOf(instants, m_choices.sampling);
+    const auto &data = std::get<std::shared_ptr<const Reference>>(timed)->data;
+    const Sampling range = rangeOf(data.time, choices.sampling);
+    const std::shared_ptr<const Reference> &before = m_result->reference;
+    const bool hasFollowed =
+        before && before->paths == reference->paths && choices.sampling == rangeOf(before->data.time, choices.sampling);
+    if (range != choices.sampling && (hasFollowed || !contains(choices.sampling, range))) {
+        choices.sampling = range;
+        emit runFollows(reference, range);
     }
-    if (choices.sampling != m_choices.sampling) {
-        emit runFollows(reference, choices.sampling);
-    }
-    m_reading.drop();
-    m_edits.beginStep();
-    edit(choices);
+    m_reading.discard();
+    edit(choices, changeName(m_choices.reference, reference));
 }
 
 void Session::takeOver()
 {
     if (m_diagnosis && m_diagnosis->found.identification.stands()) {
         edit(with(m_choices, &Choices::parameters, m_diagnosis->found.rounded),
-             [] { return tr("use of the file's mechanism"); });
+             {QT_TRANSLATE_NOOP("slidercrank::EditStack", "use of the file's mechanism")});
     }
 }
 
@@ -455,20 +418,19 @@ void Session::readAsPrinted()
 
 bool Session::cancel()
 {
-    m_computation.drop();
-    m_reading.drop();
-    m_diagnosing.drop();
-    const Choices shown = choicesOf(*m_result);
-    if (m_choices == shown) {
-        endSearch();
-    } else if (m_edits.count() > 0) {
-        m_edits.goTo(shown, m_choices);
-    } else { // they came with a scene, and no edit is to turn it into the one before
-        edit(soonShown(m_choices), [] { return tr("showing the scene in less"); });
-        emit problemFound(tr("Cancelled: what the scene asks for takes longer, and is left out. Undo computes it."));
-        return false;
+    m_computation.discard();
+    m_reading.discard();
+    const bool isScene = m_edits.count() == 0; // its result is still that of the scene before
+    if (m_choices == m_result->choices) {
+        stopDiagnosis();
+        return true;
     }
-    return true;
+    edit(isScene ? simplified(m_choices) : m_result->choices,
+         {QT_TRANSLATE_NOOP("slidercrank::EditStack", "cancelling")});
+    if (isScene) {
+        emit problemFound(tr("Cancelled: what the scene asks for takes longer, and is left out. Undo computes it."));
+    }
+    return !isScene;
 }
 
 } // namespace slidercrank

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The one mutable state: what the person chose, the reference data, the current time. Every change recomputes what is
-// on show and publishes it as one immutable Result; moving the time publishes a Pose and recomputes nothing else. What
-// a file has to say about itself follows as a ReferenceDiagnosis, when the parameters rest. Every edit can be undone.
+// The one mutable state: the choices of a person, the reference data, the current time. Every change computes an
+// immutable Result and publishes it; a change of the time publishes a Pose and computes nothing else. When the
+// parameters have rested for a moment, the reference file is identified in the background. Every edit can be undone.
 
+#include "ui/document/background_task.h"
 #include "ui/document/edit_stack.h"
 #include "ui/document/reference_file.h"
 #include "ui/document/result.h"
-#include "ui/document/work_aside.h"
 
 #include <QObject>
 #include <QString>
@@ -18,8 +18,6 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <stop_token>
-#include <variant>
 #include <vector>
 
 namespace slidercrank
@@ -37,131 +35,113 @@ public:
     const Sampling &sampling() const { return m_choices.sampling; }
     const SolverSettings &solver() const { return m_choices.solver; }
     double time() const { return m_time; }
-    Pose pose() const;
+    Pose pose() const { return poseAt(m_choices.parameters, m_time); }
     const std::shared_ptr<const Result> &result() const { return m_result; } ///< never null
     const std::shared_ptr<const Reference> &reference() const { return m_choices.reference; }
-    const std::vector<Parameters> &kept() const { return m_choices.kept; }
+    const std::vector<Parameters> &kept() const { return m_choices.kept; } ///< pinned motions
 
-    /// Null without a reference, and until it is known. Of a reference's diagnoses the last stays until the parameters
-    /// have rested and the next is there: it may be of other parameters than the ones on show
-    /// (ReferenceDiagnosis::parameters).
+    /// Null without a reference file, and until it is known. It may have been found beside other parameters than the
+    /// current ones (ReferenceDiagnosis::parameters), until these have rested and the next one is published.
     const std::shared_ptr<const ReferenceDiagnosis> &diagnosis() const { return m_diagnosis; }
 
     QUndoStack &undoStack() { return m_edits; }
 
-    /// Names the edits that can be undone in the language now in use.
+    /// Whether something was edited since the undo stack was clean; opening a reference file is no edit.
+    bool isModified() const { return m_edits.isModified(); }
+
     void retranslateEdits() { m_edits.retranslate(); }
 
-    /// Other choices and another time in place of all there was, which cannot be undone; the reference is read from
-    /// `source` first, off the GUI thread, and what is on show stays until then. opened() follows; where something was
-    /// edited meanwhile, editedMeanwhile() does.
+    /// Replaces all choices and the time; that cannot be undone. The reference is read from `source` first, in the
+    /// background. Emits opened(), or editedMeanwhile() if something was edited before the file was read.
     void open(const Choices &choices, double seconds, const std::optional<ReferenceSource> &source);
 
 public slots:
     void setParameters(const slidercrank::Parameters &parameters);
-    void setParameter(slidercrank::Parameter parameter, double value); ///< one of them, the others as they are
+    void setParameter(slidercrank::Parameter parameter, double value);
     void setSampling(const slidercrank::Sampling &sampling);
     void setSolver(const slidercrank::SolverSettings &solver);
 
-    /// The motion of the present parameters stays under all that follows; up to kMostKept do.
-    void keep();
+    void keep(); ///< pins the current motion; up to kMostKept
     void forgetKept();
 
-    /// Brought into the sampled range.
-    void setTime(double seconds);
+    void setTime(double seconds); ///< moved into the time range
 
-    /// Reads the file off the GUI thread, its columns as a person once chose them; referenceLoaded or referenceRefused
-    /// follows. What is on show stays until then. Where its instants lie outside the run, the run becomes the file's.
-    void loadReference(const QString &path);
+    /// Reads a file, or several that are joined, in the background, with the columns that a person has chosen for such
+    /// files. Emits referenceLoaded() or referenceRefused(). If the time range does not contain the data, it becomes
+    /// that of the data.
+    void loadReference(const QString &path) { loadReference(QStringList(path)); }
+    void loadReference(const QStringList &paths) { loadReference(paths, std::nullopt); }
 
-    /// Of several files, a plot each, joined.
-    void loadReference(const QStringList &paths);
-
-    /// The same for the file on show, whose columns a person chose anew; conventions applied stay as far as their
-    /// columns do.
-    void readColumnsAnew(const QStringList &paths);
-
-    /// The same as it reads with its instants, or what stands in their place, taken for that: Time or CrankAngle. The
-    /// choice is remembered as those of columns are.
+    /// Reads the current file again with its time or crank angle column taken as `role`, which is Time or CrankAngle,
+    /// and remembers that choice.
     void readAbscissaAs(slidercrank::ColumnRole role);
 
-    /// Takes one that is already read, at once; null: none. The run stays as it is.
+    /// Takes data that have been read, or null, and leaves the time range as it is.
     void setReference(const std::shared_ptr<const slidercrank::Reference> &reference);
 
-    /// The mechanism that was found for the file becomes the model, in round numbers; nothing where none was found.
+    /// Takes the mechanism that was found in the file, with nominal values; does nothing if none was found.
     void takeOver();
 
-    /// The reference as it reads with that convention; for Branch the model's other assembly.
+    /// Applies a convention to the reference data; Branch changes the assembly of the model.
     void apply(const slidercrank::Convention &convention);
 
-    /// The reference without the conventions applied.
-    void readAsPrinted();
+    void readAsPrinted(); ///< without the conventions
 
-    /// What is edited from one to the other is undone in one step. Elsewhere the same kind of edit, repeated at once
-    /// (a key held down), is one step too.
-    void beginDrag() { m_edits.beginDrag(); }
-    void endDrag() { m_edits.endDrag(); }
+    /// Edits of the same parameter between these two are undone in one step.
+    void beginDrag() { m_edits.setDragging(true); }
+    void endDrag() { m_edits.setDragging(false); }
 
-    /// Stops what is computed or read aside. What is on show stays, and edits that have not come to be shown are taken
-    /// back. False where it does not, because a scene asks for more: then problemFound says so.
+    /// Stops what is computed or read in the background, and returns to the choices of the current result. Returns
+    /// false if that is not possible because a scene was opened: then it is simplified until its result is soon there.
     bool cancel();
 
 signals:
-    void parametersChanged(const slidercrank::Parameters &parameters); ///< the return edge, to the panels
+    void parametersChanged(const slidercrank::Parameters &parameters); ///< for the controls
     void settingsChanged(const slidercrank::Sampling &sampling, const slidercrank::SolverSettings &solver);
     void resultChanged(const std::shared_ptr<const slidercrank::Result> &result);
     void timeChanged(const slidercrank::Pose &pose);
     void diagnosisChanged(const std::shared_ptr<const slidercrank::ReferenceDiagnosis> &diagnosis); ///< may be null
+    void referenceLoaded(const std::shared_ptr<const slidercrank::Reference> &reference);           ///< may be null
 
-    /// Another file, another reading of it, or none.
-    void referenceLoaded(const std::shared_ptr<const slidercrank::Reference> &reference);
-
-    /// The run is about to become that of the reference, which is about to be loaded.
+    /// Before a reference is loaded whose time range replaces the current one.
     void runFollows(const std::shared_ptr<const slidercrank::Reference> &reference,
                     const slidercrank::Sampling &sampling);
-    void referenceRefused(const QStringList &paths, const QString &sentence); ///< what is on show stays
-    void opened(const QString &problem);                     ///< by open(); not empty: why it is without its reference
-    void editedMeanwhile(const std::function<void()> &open); ///< open() is ready; its edits stay unless this is called
-    void readingProgressed(double part);                     ///< 0 … 1 of the file being read
-    void problemFound(const QString &sentence); ///< one sentence, for the message bar; nothing else changed
-    void busyChanged(bool busy);                ///< a computation or a file takes longer than a moment
+    void referenceRefused(const QStringList &paths, const QString &sentence); ///< nothing has changed
+    void opened(const QString &problem); ///< not empty: why the scene was opened without its reference
+    void editedMeanwhile(const std::function<void()> &open); ///< call it to open the scene, and lose the edits
+    void readingProgressed(double part);                     ///< 0 … 1 of the reference file
+    void problemFound(const QString &sentence);              ///< nothing has changed
+    void busyChanged(bool busy);                             ///< something is computed or read in the background
 
 private:
-    /// Puts the choices into force, as a step that can be undone. `name`: what was done, where that is more than the
-    /// difference.
-    void edit(const Choices &choices, const EditName &name = {});
-    void putInForce(const Choices &choices);
-
-    /// With the run that holds all of it, in one step.
+    void edit(const Choices &choices, const EditName &name);
+    void applyChoices(const Choices &choices);
     void follow(const std::shared_ptr<const Reference> &reference);
 
-    /// Runs read(), which reads a file, off the GUI thread, then done(outcome) in this one, unless another file was
-    /// asked for by then, or none.
-    using Reading = std::variant<std::shared_ptr<const Reference>, QString>;
-    using Read = std::function<Reading(std::stop_token stop, const ReadOptions &options)>;
-    void readAside(const Read &read, const std::function<void(const Reading &)> &done);
-
-    /// `before`: another reading of the file, whose conventions are to be kept; may be null.
-    void loadReference(const QStringList &paths, const std::shared_ptr<const Reference> &before);
-    void startWith(const Choices &choices, double seconds);
+    /// Reads in the background, with these columns or else the remembered ones, then calls follow().
+    void loadReference(const QStringList &paths, const std::optional<std::vector<ColumnChoice>> &columns);
+    void read(const std::function<ReferenceSource()> &source,
+              const std::function<void(const ReferenceOutcome &)> &done);
+    void startWith(const Choices &choices, double seconds, const QString &problem);
 
     void recompute();
     void publish(std::shared_ptr<const Result> result);
-    void diagnoseAside();
-    void endSearch();
+    void startDiagnosis();
+    bool isDiagnosisCurrent() const;
+    void stopDiagnosis();
     void publishDiagnosis(std::shared_ptr<const ReferenceDiagnosis> diagnosis);
 
     Choices m_choices;
     double m_time = 0.0;
     std::shared_ptr<const Result> m_result;
     std::shared_ptr<const ReferenceDiagnosis> m_diagnosis;
-    WorkAside m_computation{WorkAside::Kind::OfAnEdit};
-    WorkAside m_reading;
-    WorkAside m_diagnosing;
+    BackgroundTask m_computation;
+    BackgroundTask m_reading;
+    BackgroundTask m_diagnosing;
     int m_running = 0;   ///< how many of these three
-    QTimer m_rest{this}; ///< runs while the parameters may still be on the move
+    QTimer m_rest{this}; ///< runs while the parameters may still be moving
 
-    EditStack m_edits{[this](const Choices &choices) { putInForce(choices); }, this};
+    EditStack m_edits{[this](const Choices &choices) { applyChoices(choices); }, this};
 };
 
 } // namespace slidercrank

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/whole_file.h"
 
-#include "ui/document/byte_stream.h"
-
 #include <QCoreApplication>
 #include <QFileInfo>
 
@@ -22,6 +20,16 @@ struct WholeFileText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::WholeFileText)
 };
 
+/// QSaveFile::commit() synchronizes the file as well, but ignores failures.
+bool synchronize(const QSaveFile &file)
+{
+#ifdef Q_OS_UNIX
+    return ::fsync(file.handle()) == 0 || errno == EINVAL || errno == ENOTSUP; // some file systems cannot
+#else
+    return true;
+#endif
+}
+
 } // namespace
 
 WholeFile::WholeFile(const QString &path)
@@ -31,16 +39,15 @@ WholeFile::WholeFile(const QString &path)
 
 bool WholeFile::fail(const QString &reason)
 {
-    m_failed = true;
     m_reason = withoutFullStop(reason);
     m_file.cancelWriting();
     return false;
 }
 
-/// Without a buffer, because QSaveFile::commit() of Qt 6.4 does not see that the last of one finds no room.
+/// Without a buffer, because QSaveFile::commit() of Qt 6.4 ignores that the rest of a buffer cannot be written.
 bool WholeFile::open()
 {
-    if (isPipeOrDevice(QFileInfo(m_file.fileName()))) { // in whose place a file would come
+    if (isPipeOrDevice(QFileInfo(m_file.fileName()))) { // would be replaced by a file
         return fail(WholeFileText::tr("it is a pipe or a device"));
     }
     return m_file.open(QIODevice::WriteOnly | QIODevice::Unbuffered) || fail(m_file.errorString());
@@ -48,30 +55,28 @@ bool WholeFile::open()
 
 bool WholeFile::write(const QByteArray &bytes)
 {
-    for (qint64 done = 0; !m_failed && done < bytes.size();) { // what still had room is no error, the next one is
+    for (qint64 done = 0; m_reason.isEmpty() && done < bytes.size();) { // a disk that fills up takes a part first
         const qint64 count = m_file.write(bytes.constData() + done, bytes.size() - done);
         if (count <= 0) {
             return fail(m_file.errorString());
         }
         done += count;
     }
-    return !m_failed;
-}
-
-/// commit() would do the same, and not look whether it could.
-bool WholeFile::synchronize()
-{
-#ifdef Q_OS_UNIX
-    if (::fsync(m_file.handle()) != 0 && errno != EINVAL && errno != ENOTSUP) { // not every file system can
-        return fail(qt_error_string(errno));
-    }
-#endif
-    return true;
+    return m_reason.isEmpty();
 }
 
 bool WholeFile::commit(const std::stop_token &stop)
 {
-    return !m_failed && synchronize() && !stop.stop_requested() && (m_file.commit() || fail(m_file.errorString()));
+    if (!m_reason.isEmpty() || stop.stop_requested()) {
+        return false;
+    }
+    return (synchronize(m_file) || fail(qt_error_string())) && (m_file.commit() || fail(m_file.errorString()));
+}
+
+std::optional<QString> writeWhole(const QString &path, const QByteArray &bytes)
+{
+    WholeFile file(path);
+    return file.open() && file.write(bytes) && file.commit() ? std::nullopt : std::optional(file.reason());
 }
 
 QString withoutFullStop(QString reason)
@@ -82,10 +87,22 @@ QString withoutFullStop(QString reason)
     return reason;
 }
 
-std::optional<QString> writeWhole(const QString &path, const QByteArray &bytes)
+bool isStandardInput(const QString &path)
 {
-    WholeFile file(path);
-    return file.open() && file.write(bytes) && file.commit() ? std::nullopt : std::optional(file.reason());
+    return path == u"-";
+}
+
+bool isPipeOrDevice(const QFileInfo &file)
+{
+    return file.exists() && !file.isFile() && !file.isDir();
+}
+
+bool openForReading(QFile &file, const QString &path)
+{
+    constexpr int kStandardInput = 0; // a descriptor: with `stdin`, the end of a pipe would be an error
+    const QIODevice::OpenMode mode = QIODevice::ReadOnly | QIODevice::Unbuffered;
+    file.setFileName(path);
+    return isStandardInput(path) ? file.open(kStandardInput, mode) : file.open(mode);
 }
 
 } // namespace slidercrank

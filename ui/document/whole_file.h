@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A file that is written whole or not at all: until the last of it is on the disk, an older one of that name is as it
-// was. All that this program writes to a name goes through here.
+// Files that are written completely or not at all, and what else can be read from: pipes and standard input.
 
 #include <QByteArray>
 #include <QSaveFile>
@@ -11,35 +10,47 @@
 #include <optional>
 #include <stop_token>
 
+class QFile;
+class QFileInfo;
+
 namespace slidercrank
 {
 
+/// Everything that the program writes goes through this class. Until commit() succeeds, an older file of that name
+/// stays as it is.
 class WholeFile
 {
 public:
     explicit WholeFile(const QString &path);
 
-    /// These are false when it cannot be; then nothing more is written, and reason() says why.
+    /// These return false after a failure; reason() then says why, and nothing more is written.
     bool open();
     bool write(const QByteArray &bytes);
-    bool commit(const std::stop_token &stop = {}); ///< without, all was for nothing; so it is when stopped by then
+    bool commit(const std::stop_token &stop = {}); ///< also false if stopped
 
     /// Part of a sentence, without its full stop.
     QString reason() const { return m_reason; }
 
 private:
     bool fail(const QString &reason);
-    bool synchronize();
 
     QSaveFile m_file;
     QString m_reason;
-    bool m_failed = false;
 };
 
-/// What the system calls a fault, as part of a sentence: Windows makes it one of its own.
+/// Writes the whole file; returns the reason if that fails.
+std::optional<QString> writeWhole(const QString &path, const QByteArray &bytes);
+
+/// The error text of the system as part of a sentence: Windows ends it with a full stop.
 QString withoutFullStop(QString reason);
 
-/// All at once: nothing when it is written, else the reason why not.
-std::optional<QString> writeWhole(const QString &path, const QByteArray &bytes);
+/// Whether the path "-" is given, which stands for standard input.
+bool isStandardInput(const QString &path);
+
+/// Whether it exists, and is neither a file nor a folder.
+bool isPipeOrDevice(const QFileInfo &file);
+
+/// Opens a file, a pipe, or standard input for reading, without a buffer.
+bool openForReading(QFile &file, const QString &path);
 
 } // namespace slidercrank

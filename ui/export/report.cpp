@@ -2,7 +2,7 @@
 #include "ui/export/report.h"
 
 #include "core/limits/extremes.h"
-#include "ui/document/byte_stream.h"
+#include "ui/document/whole_file.h"
 #include "ui/document/whole_file.h"
 #include "ui/text/axis_scale.h"
 #include "ui/text/column_text.h"
@@ -191,7 +191,7 @@ QString fileText(const ReportContent &content)
         const QByteArray checksum = content.checksums.value(i);
         html += note(Report::tr("File: %1\nSHA-256: %2")
                          .arg(path.startsWith(u':')   ? Report::tr("the sample that comes with the program")
-                              : isStandardInput(path) ? shownNameOf(path)
+                              : isStandardInput(path) ? displayName(path)
                                                       : QDir::toNativeSeparators(QFileInfo(path).absoluteFilePath()),
                               checksum.isEmpty() ? Report::tr("unknown: the file cannot be read again, or has changed")
                                                  : QString::fromLatin1(checksum)));
@@ -204,7 +204,7 @@ QString fileText(const ReportContent &content)
                                         ? quantityOf(column.channel) + u' ' + symbolOf(column.channel)
                                         : meaningText(column);
             guessed << Report::tr("“%1” as %2 (%3)")
-                           .arg(headingText(data.layout, i), meaning, shortReasonText(data.layout, i));
+                           .arg(headingText(data.layout, i), meaning, reasonText(data.layout, i));
         }
     }
     if (!guessed.isEmpty()) {

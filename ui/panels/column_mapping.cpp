@@ -317,7 +317,7 @@ void ColumnMapping::readAgain()
     }
     const ReadError *error = std::get_if<ReadError>(&m_outcome);
     m_problem->setVisible(error);
-    m_problem->setText(error ? sentenceOf(*error, fileNames(m_paths)) : QString());
+    m_problem->setText(error ? readErrorText(*error, fileNames(m_paths)) : QString());
     m_use->setEnabled(!error);
     showPreview();
 }

@@ -329,7 +329,7 @@ QString changesText(const Parameters &before, const Diagnosis &diagnosis)
 
 bool isOfFile(const ReferenceDiagnosis *diagnosis, const Result &result)
 {
-    return diagnosis && result.reference && diagnosis->reference == result.chosenReference();
+    return diagnosis && result.reference && diagnosis->reference == result.choices.reference;
 }
 
 bool isUpToDate(const ReferenceDiagnosis *diagnosis, const Result &result)

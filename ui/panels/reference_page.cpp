@@ -52,7 +52,7 @@ TableRow columnRow(const ReferenceData &data, std::size_t column)
                             series       ? valueCountText(*series)
                             : isAbscissa ? countText(data.time.size())
                                          : dash(),
-                            shortReasonText(data.layout, column)});
+                            reasonText(data.layout, column)});
     for (TableCell &cell : row.cells) {
         cell.explanation = reasonText(data.layout, column);
         cell.tone = read.role == ColumnRole::Ignored ? Tone::Muted : Tone::Normal;
@@ -166,7 +166,7 @@ Page referencePage(const Result &result, const ReferenceDiagnosis *diagnosis)
     if (!data.time.empty()) {
         rows += QStringLiteral(", ") + abscissaText(data);
     }
-    page.sentence = shownNameOf(result.reference->paths);
+    page.sentence = displayName(result.reference->paths);
     page.fileName = ReferencePage::tr("reference", "name of a file");
     page.findings = {{Finding::Remedy::ChooseColumns,
                       {},

@@ -130,7 +130,7 @@ void ResponseView::refresh()
         return;
     }
     m_work.start(
-        [parameters, parameter, pixels](const std::stop_token &stop, const WorkAside::Progress &) {
+        [parameters, parameter, pixels](const std::stop_token &stop, const BackgroundTask::Progress &) {
             return computeResponse(parameters, parameter, responseRange(parameters, parameter), pixels, stop);
         },
         [this](const Response &response) {

@@ -6,7 +6,7 @@
 // curves are computed at the pixels, in the background.
 
 #include "ui/document/result.h"
-#include "ui/document/work_aside.h"
+#include "ui/document/background_task.h"
 #include "ui/panels/response.h"
 
 #include <QWidget>
@@ -66,7 +66,7 @@ private:
 
     std::shared_ptr<const Result> m_result;
     Response m_response;
-    WorkAside m_work{WorkAside::Kind::OfAnEdit};
+    BackgroundTask m_work;
     bool m_isOutdated = false; ///< something changed while the curves were being computed
     QComboBox *m_parameter;
     QLabel *m_sentence;

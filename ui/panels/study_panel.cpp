@@ -45,7 +45,7 @@ std::size_t silentFailures(const StudyResult &result)
 
 StudyPanel::StudyPanel(QWidget *parent)
     : QWidget(parent)
-    , m_study(new WorkAside(WorkAside::Kind::Lasting, this))
+    , m_study(new BackgroundTask(this))
     , m_runThis(named("runThisButton", new QPushButton))
     , m_runHard(named("runHardButton", new QPushButton))
     , m_progress(named("studyProgress", new QProgressBar, tr("Progress of the study")))
@@ -100,9 +100,9 @@ StudyPanel::StudyPanel(QWidget *parent)
 
 void StudyPanel::listen()
 {
-    connect(m_study, &WorkAside::progressed, this,
+    connect(m_study, &BackgroundTask::progressed, this,
             [this](double part) { m_progress->setValue(static_cast<int>(part * kProgressSteps)); });
-    connect(m_study, &WorkAside::runningChanged, this, [this](bool running) {
+    connect(m_study, &BackgroundTask::runningChanged, this, [this](bool running) {
         updateButtons();
         if (!running) {
             emit finished();
@@ -152,7 +152,7 @@ void StudyPanel::run(QPushButton *button, StudyRequest request)
     m_progress->setValue(0);
     const auto panel = [study = m_study] { return static_cast<StudyPanel *>(study->parent()); }; // see takeOver()
     m_study->start(
-        [request = std::move(request)](const std::stop_token &stop, const WorkAside::Progress &progress) {
+        [request = std::move(request)](const std::stop_token &stop, const BackgroundTask::Progress &progress) {
             return std::make_shared<const StudyResult>(runStudy(request, stop, progress));
         },
         [panel](const std::shared_ptr<const StudyResult> &result) {

@@ -5,7 +5,7 @@
 // it.
 
 #include "core/study/study.h"
-#include "ui/document/work_aside.h"
+#include "ui/document/background_task.h"
 
 #include <QWidget>
 
@@ -61,7 +61,7 @@ private:
 
     Parameters m_parameters;
     std::shared_ptr<const StudyResult> m_result;
-    WorkAside *m_study; ///< a child of the panel that it reports to
+    BackgroundTask *m_study; ///< a child of the panel that it reports to
     QPushButton *m_runThis;
     QPushButton *m_runHard;
     QPushButton *m_pressed = nullptr; ///< while the study runs: the button that cancels it

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// By which conventions a file reads otherwise than it says, as a person reads it. Numbers in QLocale(), columns by the
-// names of the author's files.
+// The conventions of a file that differ from its headings, in words. Numbers in QLocale(), columns by the names that
+// they have in files (theta3, R4_x_diff).
 
 #include "core/identification/convention.h"
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/read_fault_text.h"
 
-#include "ui/text/column_text.h"
-
 #include <QCoreApplication>
 
 namespace slidercrank
@@ -13,127 +11,116 @@ namespace
 
 struct ReadFaultText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::ReadFaultText)
-};
 
-/// Why a column whose name suggests a channel is none.
-QString clauseOf(ColumnReason reason)
-{
-    switch (reason) {
-    case ColumnReason::LikeOther: return ReadFaultText::tr("another column could be the same quantity");
-    case ColumnReason::NotDerivative: return ReadFaultText::tr("its values are not the derivative that its name says");
-    case ColumnReason::AngleOrLength:
-        return ReadFaultText::tr("neither its unit nor its values tell an angle from a length");
-    case ColumnReason::UnknownBody: return ReadFaultText::tr("its name does not say of which body it is");
-    case ColumnReason::UnknownUnit:
-    default: return ReadFaultText::tr("its unit is not known or does not suit the quantity");
+public:
+    /// Why a column whose heading suggests a channel is none.
+    static QString clause(ColumnReason reason)
+    {
+        switch (reason) {
+        case ColumnReason::LikeOther: return tr("another column could be the same quantity");
+        case ColumnReason::NotDerivative: return tr("its values are not the derivative that its heading names");
+        case ColumnReason::AngleOrLength: return tr("neither unit nor values tell whether it is an angle or a length");
+        case ColumnReason::UnknownBody: return tr("its heading does not name the body");
+        default: return tr("its unit is unknown, or does not suit the quantity");
+        }
     }
-}
+
+    /// %1 is the heading (or file), %2 the channel or its unit, %3 the reason for a row, %4 that for a column.
+    static QString sentence(ReadFault::Kind kind)
+    {
+        using enum ReadFault::Kind;
+        switch (kind) {
+        case Empty: return tr("The file is empty: it needs a line of headings, and numbers below it.");
+        case Spreadsheet: return tr("The file is a spreadsheet or an archive, not text: save the table as CSV.");
+        case Pdf: return tr("The file is a PDF document, not a table: export the table as CSV.");
+        case Markup: return tr("The file is HTML or XML, not a table of text: export the table as CSV.");
+        case Json: return tr("The file is JSON, not a table of text: export the table as CSV.");
+        case NotText: return tr("the file holds bytes that are not text: export the table as CSV.");
+        case LineTooLong:
+            return tr("the line has more than a million characters: export the table as CSV, a row a line.");
+        case UnitsContradict: return tr("the line of units contradicts the heading, %1: correct one of the two.");
+        case NamesMissing:
+            return tr("numbers where the headings should be: put a line such as time,theta3,R4_x above them.");
+        case UnknownUnit: return tr("unknown unit, or one of another quantity: write for example [%2], or none.");
+        case UnknownTimeUnit: return tr("unknown unit of time: write [s] or [ms], or none for seconds.");
+        case NoSuchColumn: return tr("there is no column \"%1\".");
+        case SeveralColumns: return tr("several columns are called \"%1\": give the number of one of them, as in #3.");
+        case ChannelTwice: return tr("there is a column of that name already: keep one of the two.");
+        case TimeTwice: return tr("there is a time column already: keep one of the two.");
+        case ChannelChosenTwice: return tr("two columns are chosen as %2: keep one of the two.");
+        case TimeChosenTwice: return tr("two columns are chosen as the time: keep one of the two.");
+        case NoTime:
+            return tr(
+                "there is no time column: call the column of the time stamps \"time\", or that of the crank angle "
+                "\"theta2\".");
+        case NoChannel:
+            return tr("no column beside the time has a known heading: use theta3, theta3_diff, theta3_diff2, R4_x, "
+                      "R4_x_diff, R4_x_diff2.");
+        case NoCertainChannel:
+            return tr("the columns beside the time are unknown (%1: %4): use theta3, theta3_diff, theta3_diff2, R4_x, "
+                      "R4_x_diff, R4_x_diff2.");
+        case NoNumbers: return tr("there are no numbers below the headings.");
+        case NoRow:
+            return tr("no row can be read, this one because of: %3. Write numbers as 0.005, or as 0,005 with columns "
+                      "separated by semicolons or tabs.");
+        case NoValues: return tr("no column beside the time contains a number.");
+        case TimeNotRising:
+            return tr("the time does not increase: sort the rows by time, and keep one row for each time.");
+        case AngleTurnsBack:
+            return tr("the crank angle goes back after %1: sort the rows by it, and keep one row for each angle.");
+        case OtherInstants:
+            return tr(
+                "its time stamps are not those of %1: export the plots with the same start, end and step, or open "
+                "one file at a time.");
+        case CountsOtherwise:
+            return tr(
+                "this file and %1 are not both tables by time, or by crank angle: export both in the same way, or "
+                "open one file at a time.");
+        case ChannelInBoth:
+            return tr(
+                "both this file and %1 contain %2: leave one of them out, or choose the meaning of their columns.");
+        case TooLarge: return tr("The file is larger than 2 GB: export fewer rows or columns.");
+        case Stopped: return tr("Reading was stopped.");
+        case Unreadable: return tr("The file became shorter while it was read: open it again.");
+        case NoMemory: return tr("There is not enough memory: leave out rows or columns.");
+        }
+        return {};
+    }
+
+    static QString row(RowFault fault)
+    {
+        using enum RowFault;
+        switch (fault) {
+        case NotANumber: return tr("not a number");
+        case TooLarge: return tr("not a number: too large");
+        case PointForComma: return tr("not a number: this file uses a decimal comma");
+        case CommaForPoint: return tr("not a number: this file uses a decimal point");
+        case OpenQuotation: return tr("a quotation mark that is not closed at the end of the cell");
+        case TooManyCells: return tr("too many cells");
+        case TooFewCells: return tr("too few cells");
+        case NoTime: return tr("no time");
+        case RepeatedTime: return tr("the same time as the next row, which is used");
+        case NotListed: return tr("this line and %1 more below it cannot be read either");
+        }
+        return {};
+    }
+};
 
 } // namespace
 
 QString reasonOf(const SkippedRow &row)
 {
-    switch (row.fault) {
-    case RowFault::NotANumber: return ReadFaultText::tr("not a number");
-    case RowFault::TooLarge: return ReadFaultText::tr("not a number: too large");
-    case RowFault::PointForComma: return ReadFaultText::tr("not a number: this file writes a decimal comma");
-    case RowFault::CommaForPoint: return ReadFaultText::tr("not a number: this file writes a decimal point");
-    case RowFault::OpenQuotation:
-        return ReadFaultText::tr("a quotation mark that is not closed at the end of the cell");
-    case RowFault::TooManyCells: return ReadFaultText::tr("too many cells");
-    case RowFault::TooFewCells: return ReadFaultText::tr("too few cells");
-    case RowFault::NoTime: return ReadFaultText::tr("no time");
-    case RowFault::RepeatedTime:
-        return ReadFaultText::tr("the next row has the same time, and the last of such rows counts");
-    case RowFault::NotListed:
-        return ReadFaultText::tr("this line and %1 more below it cannot be read either").arg(row.rows - 1);
-    }
-    return {};
+    return ReadFaultText::row(row.fault).replace(QStringLiteral("%1"), QString::number(row.rows - 1));
 }
 
 QString sentenceOf(const ReadFault &fault)
 {
-    using Kind = ReadFault::Kind;
-    switch (fault.kind) {
-    case Kind::Empty:
-        return ReadFaultText::tr(
-            "The file is empty: it needs a line with the names of the columns, and numbers below.");
-    case Kind::Spreadsheet:
-        return ReadFaultText::tr("The file is a spreadsheet or an archive, not text: save the table as CSV.");
-    case Kind::Pdf: return ReadFaultText::tr("The file is a PDF document, not a table: export the table as CSV.");
-    case Kind::Markup:
-        return ReadFaultText::tr("The file is HTML or XML, not a table of text: export the table as CSV.");
-    case Kind::Json: return ReadFaultText::tr("The file is JSON, not a table of text: export the table as CSV.");
-    case Kind::NotText: return ReadFaultText::tr("the file holds bytes that are not text: export the table as CSV.");
-    case Kind::LineTooLong:
-        return ReadFaultText::tr("the line has more than a million characters: export the table as CSV, a row a line.");
-    case Kind::UnitsContradict:
-        return ReadFaultText::tr("the line of units contradicts the heading, %1: correct one of the two.")
-            .arg(QString::fromUtf8(fault.heading));
-    case Kind::NamesMissing:
-        return ReadFaultText::tr("numbers stand where the names of the columns should: put a line such as "
-                                 "time,theta3,R4_x above them.");
-    case Kind::UnknownUnit:
-        return (isAngle(fault.channel.coordinate)
-                    ? ReadFaultText::tr("the unit is not known or does not suit the quantity: write for example [%1], "
-                                        "rad in its place, or none.")
-                    : ReadFaultText::tr("the unit is not known or does not suit the quantity: write for example [%1], "
-                                        "m, cm or in in its place, or none."))
-            .arg(QString::fromUtf8(fileUnit(fault.channel)));
-    case Kind::UnknownTimeUnit:
-        return ReadFaultText::tr("the unit of the time is not known: write [s] or [ms], or none for seconds.");
-    case Kind::NoSuchColumn:
-        return ReadFaultText::tr("there is no column \"%1\".").arg(QString::fromUtf8(fault.heading));
-    case Kind::SeveralColumns:
-        return ReadFaultText::tr("several columns are called \"%1\": give the number of the one, as in #3.")
-            .arg(QString::fromUtf8(fault.heading));
-    case Kind::ChannelTwice: return ReadFaultText::tr("there is a column of that name already: keep one of the two.");
-    case Kind::TimeTwice: return ReadFaultText::tr("there is a time column already: keep one of the two.");
-    case Kind::ChannelChosenTwice:
-        return ReadFaultText::tr("two columns are chosen as %1: keep one of the two.")
-            .arg(QString::fromUtf8(nameOf(fault.channel)));
-    case Kind::TimeChosenTwice: return ReadFaultText::tr("two columns are chosen as the time: keep one of the two.");
-    case Kind::NoTime:
-        return ReadFaultText::tr("there is no time column: name the column of the instants \"time\", or that of the "
-                                 "crank's angle \"theta2\".");
-    case Kind::NoChannel:
-        return ReadFaultText::tr("no column beside the time has a known name: name them as in theta3, theta3_diff, "
-                                 "theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.");
-    case Kind::NoCertainChannel:
-        return ReadFaultText::tr("the columns beside the time are unknown (%1: %2): name them as in theta3, "
-                                 "theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.")
-            .arg(QString::fromUtf8(fault.heading), clauseOf(fault.column));
-    case Kind::NoNumbers: return ReadFaultText::tr("there are no numbers below the names of the columns.");
-    case Kind::NoRow:
-        return ReadFaultText::tr("no row can be read; here the reason is: %1. Numbers look like 0.005, or like 0,005 "
-                                 "where semicolons or tabs separate the columns.")
-            .arg(reasonOf(SkippedRow{0, 0, {}, fault.row}));
-    case Kind::NoValues: return ReadFaultText::tr("no column beside the time holds a number.");
-    case Kind::TimeNotRising:
-        return ReadFaultText::tr("the time does not increase from the row before: sort the rows by time and keep one "
-                                 "of each instant.");
-    case Kind::AngleTurnsBack:
-        return ReadFaultText::tr("the crank angle goes back after %1: sort the rows by it, one row for each angle.")
-            .arg(QString::fromUtf8(fault.heading));
-    case Kind::OtherInstants:
-        return ReadFaultText::tr("its instants are not those of %1: export the plots with the same start, end and "
-                                 "step, or open one file at a time.")
-            .arg(QString::fromUtf8(fault.heading));
-    case Kind::CountsOtherwise:
-        return ReadFaultText::tr("of this file and %1, one goes by the time and the other by the crank angle: export "
-                                 "both by the same, or open one file at a time.")
-            .arg(QString::fromUtf8(fault.heading));
-    case Kind::ChannelInBoth:
-        return ReadFaultText::tr("it holds %1, and %2 does, too: leave one of the two out, or choose what their "
-                                 "columns are.")
-            .arg(QString::fromUtf8(nameOf(fault.channel)), QString::fromUtf8(fault.heading));
-    case Kind::TooLarge: return ReadFaultText::tr("The file is larger than 2 GB: export fewer rows or columns.");
-    case Kind::Stopped: return ReadFaultText::tr("Reading was stopped.");
-    case Kind::Unreadable: return ReadFaultText::tr("The file became shorter while it was read: open it again.");
-    case Kind::NoMemory:
-        return ReadFaultText::tr("There is not enough memory for a file of that size: leave out rows or columns.");
-    }
-    return {};
+    const bool namesUnit = fault.kind == ReadFault::Kind::UnknownUnit;
+    return ReadFaultText::sentence(fault.kind)
+        .replace(QStringLiteral("%4"), ReadFaultText::clause(fault.column))
+        .replace(QStringLiteral("%3"), ReadFaultText::row(fault.row))
+        .replace(QStringLiteral("%2"), QString::fromUtf8(namesUnit ? fileUnit(fault.channel) : nameOf(fault.channel)))
+        .replace(QStringLiteral("%1"), QString::fromUtf8(fault.heading));
 }
 
 } // namespace slidercrank

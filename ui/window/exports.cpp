@@ -33,16 +33,16 @@ Exports::Exports(Session *session, const Views &views, QWidget *window)
     , m_session(session)
     , m_views(views)
     , m_window(window)
-    , m_task(new WorkAside(WorkAside::Kind::Lasting, this))
+    , m_task(new BackgroundTask(this))
 {
-    connect(m_task, &WorkAside::progressed, this, &Exports::progressed);
-    connect(m_task, &WorkAside::runningChanged, this, &Exports::busyChanged);
+    connect(m_task, &BackgroundTask::progressed, this, &Exports::progressed);
+    connect(m_task, &BackgroundTask::runningChanged, this, &Exports::busyChanged);
 }
 
 bool Exports::cancel()
 {
     const bool wasWriting = isWriting();
-    m_task->drop();
+    m_task->discard();
     return wasWriting;
 }
 
@@ -127,7 +127,7 @@ void Exports::chooseData()
 void Exports::writeData(const QString &path, const ChannelSet &channels, double crankStep)
 {
     writeInBackground(path, [path, channels, crankStep, result = m_session->result()](
-                                const std::stop_token &stop, const WorkAside::Progress &progress) {
+                                const std::stop_token &stop, const BackgroundTask::Progress &progress) {
         return exportMotion(path, *result, channels, crankStep, stop, progress);
     });
 }
@@ -159,10 +159,10 @@ void Exports::writeReport(const QString &path)
     const auto diagnosis = m_session->diagnosis(); // perhaps of another file, or of other parameters
     const auto prepare = [content, diagnosis](const std::stop_token &stop, const auto &) -> Problem {
         const Result &result = *content->result;
-        const bool isCurrent = diagnosis && diagnosis->reference == result.chosenReference() &&
+        const bool isCurrent = diagnosis && diagnosis->reference == result.choices.reference &&
                                diagnosis->parameters == result.mechanism.parameters();
         content->diagnosis = isCurrent ? diagnosis->found : diagnose(result.reference->data, result.mechanism, stop);
-        content->checksums = checksumsOf(*result.reference);
+        content->checksums = fileChecksums(*result.reference);
         return std::nullopt;
     };
     writeInBackground(path, prepare, write);

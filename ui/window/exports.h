@@ -4,7 +4,7 @@
 // What the window shows, to files and to the clipboard.
 
 #include "core/mechanism/channel.h"
-#include "ui/document/work_aside.h"
+#include "ui/document/background_task.h"
 #include "ui/export/figure_export.h"
 #include "ui/window/views.h"
 
@@ -74,14 +74,14 @@ private:
 
     /// Runs work() in another thread, then finish() in this one; each returns a sentence if it fails.
     using Problem = std::optional<QString>;
-    using Work = std::function<Problem(const std::stop_token &, const WorkAside::Progress &)>;
+    using Work = std::function<Problem(const std::stop_token &, const BackgroundTask::Progress &)>;
     void writeInBackground(const QString &path, const Work &work, const std::function<Problem()> &finish = {});
     void tellOutcome(const QString &path, const Problem &problem);
 
     Session *m_session;
     const Views &m_views;
     QWidget *m_window;
-    WorkAside *m_task;
+    BackgroundTask *m_task;
 };
 
 } // namespace slidercrank

@@ -349,7 +349,7 @@ void MainWindow::followReference(const std::shared_ptr<const Reference> &referen
 {
     showTitle();
     if (reference && reference->paths != QStringList(kSamplePath)) {
-        rememberReference(sourceOf(*reference).paths);
+        rememberReference(toSource(*reference).paths);
     }
 }
 
@@ -375,9 +375,9 @@ void MainWindow::chooseColumns(const QStringList &paths)
     if (auto *open = findChild<ColumnMapping *>()) {
         open->close();
     }
-    auto *dialog = new ColumnMapping(paths, beginningsOf(paths), this);
+    auto *dialog = new ColumnMapping(paths, readBeginnings(paths), this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &ColumnMapping::chosen, m_session, &Session::readColumnsAnew);
+    connect(dialog, &ColumnMapping::chosen, m_session, qOverload<const QStringList &>(&Session::loadReference));
     dialog->show();
 }
 

@@ -89,7 +89,7 @@ void Menus::addFile()
     menu->addAction(tr("Open the samp&le"), &m_window, &MainWindow::openSample);
     QAction *close = menu->addAction(tr("&Close reference"), Qt::CTRL | Qt::Key_W, session,
                                      [session] { session->setReference(nullptr); });
-    enableWhile(close, *session, [](const Result &result) { return result.chosenReference() != nullptr; });
+    enableWhile(close, *session, [](const Result &result) { return result.choices.reference != nullptr; });
     menu->addSeparator();
     menu->addAction(tr("&Save scene"), QKeySequence::Save, scene, [scene] { scene->save(); });
     menu->addAction(tr("Save scene &as…"), Qt::CTRL | Qt::SHIFT | Qt::Key_S, scene, [scene] { scene->saveAs(); });

@@ -83,7 +83,7 @@ void Messages::showRefused(const QStringList &paths, const QString &sentence)
 {
     m_refused = paths;
     Message message{kReference, Message::Kind::Problem, sentence};
-    if (!layoutOf(paths).columns.empty()) { // other meanings of the columns may help
+    if (!readLayout(paths).columns.empty()) { // other meanings of the columns may help
         message.actionText = tr("Choose columns…");
         message.action = [this, paths] { emit columnsRequested(paths); };
     }

@@ -22,12 +22,6 @@ namespace slidercrank
 namespace
 {
 
-FileState stateOf(const QString &path)
-{
-    const QFileInfo file(path);
-    return {file.size(), file.lastModified()};
-}
-
 QMessageBox *makeQuestion(const char *name, const QString &title, const QString &text, QWidget *window)
 {
     if (auto *asked = window->findChild<QMessageBox *>(QLatin1String(name))) {
@@ -48,6 +42,7 @@ SceneFile::SceneFile(Session *session, const Views &views, QWidget *window)
     , m_window(window)
 {
     connect(&session->undoStack(), &QUndoStack::cleanChanged, this, &SceneFile::changed);
+    connect(&session->undoStack(), &QUndoStack::indexChanged, this, &SceneFile::changed);
     connect(session, &Session::referenceLoaded, this, [this] { m_missing.reset(); });
     connect(session, &Session::opened, this, &SceneFile::finishOpening);
     connect(session, &Session::editedMeanwhile, this, &SceneFile::askThen);
@@ -55,7 +50,7 @@ SceneFile::SceneFile(Session *session, const Views &views, QWidget *window)
 
 bool SceneFile::isModified() const
 {
-    return !m_session->undoStack().isClean();
+    return m_session->isModified();
 }
 
 void SceneFile::enterTypedNumber()
@@ -70,7 +65,7 @@ Scene SceneFile::scene() const
     return {.parameters = m_session->parameters(),
             .sampling = m_session->sampling(),
             .solver = m_session->solver(),
-            .reference = m_session->reference() ? std::optional(sourceOf(*m_session->reference())) : m_missing,
+            .reference = m_session->reference() ? std::optional(toSource(*m_session->reference())) : m_missing,
             .kept = m_session->kept(),
             .time = m_session->time(),
             .plots = m_views.plots->settings(),
@@ -107,7 +102,7 @@ void SceneFile::askThen(const std::function<void()> &proceed)
 void SceneFile::open(const QString &path, const QStringList &reference)
 {
     const QString absolute = QFileInfo(path).absoluteFilePath();
-    const FileState state = stateOf(absolute);
+    const FileState state = fileState(absolute);
     const std::variant<Scene, QString> outcome = readScene(absolute);
     if (const QString *sentence = std::get_if<QString>(&outcome)) {
         emit problemFound(*sentence);
@@ -180,7 +175,7 @@ void SceneFile::save(const std::function<void()> &proceed)
     enterTypedNumber();
     if (m_path.isEmpty()) {
         saveAs(proceed);
-    } else if (QFileInfo::exists(m_path) && stateOf(m_path) != m_state) {
+    } else if (QFileInfo::exists(m_path) && fileState(m_path) != m_state) {
         askToReplace(proceed);
     } else if (saveTo(m_path) && proceed) {
         proceed();
@@ -227,7 +222,7 @@ bool SceneFile::saveTo(const QString &path)
         return false;
     }
     m_path = absolute;
-    m_state = stateOf(absolute);
+    m_state = fileState(absolute);
     m_session->undoStack().setClean();
     rememberFile(kRecentScenes, m_path);
     emit changed();

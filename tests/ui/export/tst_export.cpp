@@ -291,7 +291,7 @@ private slots:
         file.close();
         const std::shared_ptr<const Reference> reference = referenceIn({file.fileName()});
         ReportContent content = contentWith(65.0, reference);
-        content.checksums = checksumsOf(*reference);
+        content.checksums = fileChecksums(*reference);
         content.written = QDateTime({2024, 5, 17}, {9, 41, 5}, Qt::UTC);
         QString text = reportText(content);
         for (const char *words :
@@ -302,7 +302,7 @@ private slots:
         QVERIFY(!text.contains(QStringLiteral("theta3”"))); // its name is known
         QVERIFY(file.open(QIODevice::Append) && file.write("0.03,80.7,19.5\n") > 0);
         file.close();
-        content.checksums = checksumsOf(*reference); // no longer what was read
+        content.checksums = fileChecksums(*reference); // no longer what was read
         QVERIFY(reportText(content).contains(QStringLiteral("SHA-256: unknown")));
 
         auto changed = std::make_shared<Reference>(*referenceIn({kSample}));

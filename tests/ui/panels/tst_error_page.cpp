@@ -278,7 +278,7 @@ private slots:
         const Page page = referencePage(resultWith({}, reference), nullptr);
         QVERIFY(page.sentence.contains("results.csv"));
         QCOMPARE(page.findings[0].remedy, Finding::Remedy::ChooseColumns);
-        for (const char *part : {"UTF-8", "semicolons", "decimal comma", "names in line 1", "2 rows", "0 … 1 s"}) {
+        for (const char *part : {"UTF-8", "semicolons", "decimal comma", "headings in line 1", "2 rows", "0 … 1 s"}) {
             QVERIFY2(page.findings[0].sentence.contains(QString::fromUtf8(part)),
                      qPrintable(page.findings[0].sentence));
         }

@@ -31,7 +31,7 @@ inline std::shared_ptr<const Result> resultOf(const Shown &shown)
 {
     SolverSettings solver;
     solver.method = shown.method;
-    return compute({Mechanism(shown.model), shown.sampling, solver, shown.reference, shown.pinned}, {});
+    return compute({shown.model, shown.sampling, solver, shown.reference, shown.pinned}, {});
 }
 
 /// The motion of another mechanism at 41 time stamps, as if a file had been read: all channels or the first ones.

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/document/settings_fields.h"
+
+#include <limits>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+constexpr double kLeastPositive = std::numeric_limits<double>::denorm_min();
+
+constexpr int kMostSteps = 1'000'000;
+constexpr int kMostIterations = 1000;
+constexpr int kMostColumns = 1'000'000;
+
+/// Roles other than ColumnRole::Channel, in files.
+constexpr std::array kRoles{"ignored", "time", "crank-angle"};
+
+} // namespace
+
+void describe(Parameters &parameters, JsonFields &fields)
+{
+    fields("a", parameters.a, kShortestLink);
+    fields("b", parameters.b, kShortestLink);
+    fields("c", parameters.c);
+    fields("omega2", parameters.omega2);
+    fields("theta20", parameters.theta20);
+    fields("branch", parameters.branch, {"open", "crossed"});
+}
+
+void describe(Sampling &sampling, JsonFields &fields)
+{
+    fields("start", sampling.start);
+    fields("duration", sampling.duration, kLeastPositive);
+    fields("steps", sampling.steps, kMostSteps);
+}
+
+void describe(SolverSettings &solver, JsonFields &fields)
+{
+    NewtonOptions &newton = solver.newton;
+    fields("method", solver.method, {"newton", "closed-form"});
+    fields("maxIterations", newton.maxIterations, kMostIterations);
+    fields("tolerance", newton.tolerance, 0.0, std::numeric_limits<double>::max());
+    fields("toleranceKind", newton.toleranceKind, {"absolute", "relative"});
+    fields("warmStart", newton.warmStart, {"previous", "taylor"});
+    fields("elimination", newton.elimination, {"dense", "structured"});
+}
+
+void describe(ColumnChoice &choice, JsonFields &fields)
+{
+    int number = static_cast<int>(choice.column) + 1;
+    fields("column", number, kMostColumns);
+    choice.column = static_cast<std::size_t>(number) - 1;
+
+    QString use = choice.role == ColumnRole::Channel ? QString::fromUtf8(nameOf(choice.channel))
+                                                     : QLatin1String(kRoles[static_cast<std::size_t>(choice.role)]);
+    fields("use", use);
+    const std::optional<Channel> channel = channelNamed(use.toStdString());
+    const auto role = std::ranges::find(kRoles, use.toStdString());
+    fields.check(channel || role != kRoles.end(), "use");
+    choice.role = static_cast<ColumnRole>(role - kRoles.begin()); // past the others stands Channel
+    choice.channel = channel.value_or(Channel());
+
+    QString unit = QString::fromStdString(choice.unit);
+    fields("unit", unit);
+    choice.unit = unit.toStdString();
+}
+
+void describe(Convention &convention, JsonFields &fields)
+{
+    using Kind = Convention::Kind;
+    fields("kind", convention.kind,
+           {"angle-unit", "length-unit", "time-unit", "sign", "half-turn", "whole-turns", "zero-point",
+            "swapped-columns", "branch", "time-shift", "not-derivative", "axis"});
+    fields("channels", convention.channels);
+    fields.check(convention.kind != Kind::SwappedColumns || convention.channels.size() == 2, "channels");
+    fields("amount", convention.amount, convention.kind <= Kind::TimeUnit ? kLeastPositive : -kLargestParameter);
+}
+
+void describe(ReferenceSource &source, JsonFields &fields)
+{
+    fields("file", source.paths);
+    fields.check(!source.paths.isEmpty() && !source.paths.contains(QString()), "file");
+    fields("columns", source.columns);
+    fields("conventions", source.conventions);
+}
+
+void describe(PlotSettings &plots, JsonFields &fields)
+{
+    fields("error", plots.error, {"percent", "absolute", "of-peak"});
+    fields("logarithmicError", plots.logarithmicError);
+    fields("roundingBand", plots.roundingBand);
+    fields("abscissa", plots.abscissa, {"time", "crank-angle"});
+}
+
+void describe(PlotZoom &zoom, JsonFields &fields)
+{
+    fields("time", zoom.time);
+    for (std::size_t plot = 0; plot < kPlotCount; ++plot) {
+        fields(plotName(plot).toLatin1().constData(), zoom.values[plot]);
+    }
+}
+
+void describe(MechanismSettings &settings, JsonFields &fields)
+{
+    fields("velocity", settings.velocity);
+    fields("acceleration", settings.acceleration);
+    fields("path", settings.path);
+    fields("names", settings.names);
+    fields("dimensions", settings.dimensions);
+    fields("angles", settings.angles);
+    fields("instantCentre", settings.instantCentre);
+}
+
+} // namespace slidercrank
