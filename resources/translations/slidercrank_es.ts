@@ -76,6 +76,17 @@
     </message>
 </context>
 <context>
+    <name>slidercrank::BackgroundTask</name>
+    <message>
+        <source>The computation failed: %1.</source>
+        <translation>El cálculo ha fallado: %1.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory: try fewer time steps, or a smaller file.</source>
+        <translation>No hay memoria suficiente: pruebe con menos pasos de tiempo o con un archivo más pequeño.</translation>
+    </message>
+</context>
+<context>
     <name>slidercrank::ColumnMapping</name>
     <message>
         <source>ignored</source>
@@ -433,7 +444,7 @@
     </message>
     <message>
         <source>% of peak</source>
-        <translation>% del pico</translation>
+        <translation>% del máximo</translation>
     </message>
     <message>
         <source>rounding step</source>
@@ -1246,11 +1257,11 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
     </message>
     <message>
         <source>%1: its largest error is %2 % of peak.</source>
-        <translation>%1: su error máximo es el %2&#xa0;% del pico.</translation>
+        <translation>%1: su error máximo es el %2&#xa0;% del máximo.</translation>
     </message>
     <message>
         <source>%1: largest error %2 % of peak instead of %3 %.</source>
-        <translation>%1: error máximo del %2&#xa0;% del pico en vez del %3&#xa0;%.</translation>
+        <translation>%1: error máximo del %2&#xa0;% del máximo en vez del %3&#xa0;%.</translation>
     </message>
     <message>
         <source>Sets the model to the other assembly</source>
@@ -1446,60 +1457,8 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
 <context>
     <name>slidercrank::DiagnosisText</name>
     <message>
-        <source>%1/a = %2</source>
-        <translation>%1/a = %2</translation>
-    </message>
-    <message>
-        <source>%1 = %2</source>
-        <translation>%1 = %2</translation>
-    </message>
-    <message>
-        <source>These columns cannot tell it from its mirror image (c, ω₂ and θ₂₀ negated).</source>
-        <translation>Estas columnas no lo distinguen de su imagen especular (c, ω₂ y θ₂₀ cambiados de signo).</translation>
-    </message>
-    <message>
-        <source>These columns cannot tell it from one that turns the other way, from 180° − θ₂₀.</source>
-        <translation>Estas columnas no lo distinguen de uno que gira en sentido contrario, desde 180° − θ₂₀.</translation>
-    </message>
-    <message>
-        <source>These columns cannot tell it from the other assembly with c negated and θ₂₀ half a turn on.</source>
-        <translation>Estas columnas no lo distinguen de la otra configuración con c cambiado de signo y θ₂₀ media vuelta más allá.</translation>
-    </message>
-    <message>
         <source>These columns cannot tell it from %1.</source>
         <translation>Estas columnas no lo distinguen de %1.</translation>
-    </message>
-    <message>
-        <source>, </source>
-        <translation>, </translation>
-    </message>
-    <message>
-        <source> (mirror image)</source>
-        <translation> (imagen especular)</translation>
-    </message>
-    <message>
-        <source> (turning the other way)</source>
-        <translation> (girando en sentido contrario)</translation>
-    </message>
-    <message>
-        <source> (the other assembly)</source>
-        <translation> (la otra configuración)</translation>
-    </message>
-    <message>
-        <source> (another speed that meets the same instants)</source>
-        <translation> (otra velocidad que pasa por los mismos instantes)</translation>
-    </message>
-    <message>
-        <source>%1 mechanisms explain this file equally: %2.</source>
-        <translation>%1 mecanismos explican este archivo por igual: %2.</translation>
-    </message>
-    <message>
-        <source>; or </source>
-        <translation>; o </translation>
-    </message>
-    <message>
-        <source>More instants a turn, derivatives or θ₂ would tell them apart.</source>
-        <translation>Más instantes por vuelta, derivadas o θ₂ los distinguirían.</translation>
     </message>
     <message>
         <source>Nothing moves in these data: export the motion of a turning crank.</source>
@@ -1510,52 +1469,16 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
         <translation>Muchos mecanismos se mueven casi como estos datos: exporte un movimiento más largo, más cifras, o más columnas.</translation>
     </message>
     <message>
-        <source>The crank speed is not constant: θ₂ turns at %1 rad/s at the start and %2 rad/s at the end.</source>
-        <translation>La velocidad de la manivela no es constante: θ₂ gira a %1 rad/s al principio y a %2 rad/s al final.</translation>
-    </message>
-    <message>
         <source>%1 a</source>
         <translation>%1 a</translation>
-    </message>
-    <message>
-        <source>The file does not say the unit of its lengths, and they were read as mm: if they are metres, a = %1; then write [m] behind the names.</source>
-        <translation>El archivo no dice en qué unidad están las longitudes, y se leyeron en mm: si son metros, a = %1; en ese caso, escriba [m] detrás de los nombres.</translation>
     </message>
     <message>
         <source>The search was stopped.</source>
         <translation>La búsqueda se detuvo.</translation>
     </message>
     <message>
-        <source>The file&apos;s own mechanism: %1</source>
-        <translation>El mecanismo propio del archivo: %1</translation>
-    </message>
-    <message>
-        <source>This error looks like %1 = %2 instead of %3%4, which explains %5 % of it.</source>
-        <translation>Este error parece deberse a %1 = %2 en lugar de %3%4, que explica el %5&#xa0;% de él.</translation>
-    </message>
-    <message>
-        <source>There are too few instants to find the mechanism: export more of them.</source>
-        <translation>Hay muy pocos instantes para hallar el mecanismo: exporte más.</translation>
-    </message>
-    <message>
-        <source>So few values fit many mechanisms by chance: export more instants, or more columns.</source>
-        <translation>Tan pocos valores se ajustan por azar a muchos mecanismos: exporte más instantes, o más columnas.</translation>
-    </message>
-    <message>
         <source>These data do not determine %1: export a longer motion, more digits, or more columns.</source>
         <translation>Estos datos no determinan %1: exporte un movimiento más largo, más cifras, o más columnas.</translation>
-    </message>
-    <message>
-        <source>No mechanism was found that explains this file. The nearest: %1.</source>
-        <translation>No se halló ningún mecanismo que explique este archivo. El más cercano: %1.</translation>
-    </message>
-    <message>
-        <source>No mechanism was found that explains this file. The nearest: %1, off by up to %2 % of peak, in %3.</source>
-        <translation>No se halló ningún mecanismo que explique este archivo. El más cercano: %1, que se aparta hasta un %2&#xa0;% del pico, en %3.</translation>
-    </message>
-    <message>
-        <source>The coupler angle θ³ alone determines only b/a and c/a; a = %1 is taken as given.</source>
-        <translation>El ángulo de la biela θ³ por sí solo determina únicamente b/a y c/a; se toma a = %1 como dado.</translation>
     </message>
     <message>
         <source>The data do not determine %1: kept as given.</source>
@@ -1566,59 +1489,155 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
         <translation>Lo que queda parece ruido: %1 (rms).</translation>
     </message>
     <message>
-        <source>No mechanism was found that explains this file.</source>
-        <translation>No se halló ningún mecanismo que explique este archivo.</translation>
-    </message>
-    <message>
-        <source>No mechanism was found that explains this file: check which column is which, and their units.</source>
-        <translation>No se halló ningún mecanismo que explique este archivo: revise qué columna es cuál, y sus unidades.</translation>
-    </message>
-    <message>
         <source>Read this way, it does not differ from this mechanism.</source>
         <translation>Leído así, no difiere de este mecanismo.</translation>
-    </message>
-    <message>
-        <source>Round numbers fit the data as well: %1.</source>
-        <translation>Unos números redondos se ajustan igual de bien a los datos: %1.</translation>
-    </message>
-    <message>
-        <source>There are too few values of the coupler angle θ³, the slider position Rₓ⁴, the coupler&apos;s centre R³ and their derivatives to find the mechanism: export more instants, or more columns.</source>
-        <translation>Hay muy pocos valores del ángulo de la biela θ³, la posición de la corredera Rₓ⁴, el centro de la biela R³ y sus derivadas para hallar el mecanismo: exporte más instantes, o más columnas.</translation>
     </message>
     <message>
         <source>The file is a table by crank angle: ω₂ follows from its derivatives.</source>
         <translation>El archivo es una tabla por ángulo de la manivela: ω₂ resulta de sus derivadas.</translation>
     </message>
     <message>
-        <source>%1 ≈ %2</source>
-        <translation>%1 ≈ %2</translation>
-    </message>
-    <message>
-        <source>%1/a ≈ %2</source>
-        <translation>%1/a ≈ %2</translation>
-    </message>
-    <message>
-        <source>%1, %2 explain the file up to %3 % of peak; the rest is systematic (filtered, interpolated or integrated data?), so no standard errors can be given.</source>
-        <translation>%1, %2 explican el archivo hasta un %3 % del pico; el resto es sistemático (¿datos filtrados, interpolados o integrados?), por lo que no se pueden dar errores estándar.</translation>
-    </message>
-    <message>
-        <source>%1 deviates by %2 % of its peak from the motion of the other columns and was left out.</source>
-        <translation>%1 se aparta un %2 % de su pico del movimiento de las demás columnas y se dejó fuera.</translation>
-    </message>
-    <message numerus="yes">
-        <source>Rows far off the motion were left out: %n, line %1.</source>
-        <translation>
-            <numerusform>Se dejó fuera %n fila muy apartada del movimiento: línea %1.</numerusform>
-            <numerusform>Se dejaron fuera %n filas muy apartadas del movimiento: líneas %1.</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>%1 (%2 % of its peak)</source>
-        <translation>%1 (%2 % de su pico)</translation>
+        <translation>%1 (%2 % de su máximo)</translation>
     </message>
     <message>
         <source>It fits the other columns, but these disagree with them: %1.</source>
         <translation>Se ajusta a las demás columnas, pero estas no concuerdan con ellas: %1.</translation>
+    </message>
+    <message>
+        <source>Too few time steps to find the mechanism: export more of them.</source>
+        <translation>Hay muy pocos instantes para hallar el mecanismo: exporte más.</translation>
+    </message>
+    <message>
+        <source>So few values fit many mechanisms by chance: export more time steps, or more columns.</source>
+        <translation>Tan pocos valores se ajustan por azar a muchos mecanismos: exporte más instantes o más columnas.</translation>
+    </message>
+    <message>
+        <source>Too few values of the coupler angle θ³, the slider position Rₓ⁴, the coupler&apos;s centre R³ and their derivatives to find the mechanism: export more time steps, or more columns.</source>
+        <translation>Hay muy pocos valores del ángulo de la biela θ³, de la posición de la corredera Rₓ⁴, del centro de la biela R³ y de sus derivadas para hallar el mecanismo: exporte más instantes o más columnas.</translation>
+    </message>
+    <message>
+        <source>its mirror image, with c, ω₂ and θ₂₀ negated</source>
+        <translation>su imagen especular, con c, ω₂ y θ₂₀ de signo contrario</translation>
+    </message>
+    <message>
+        <source>one that turns the other way, from 180° − θ₂₀</source>
+        <translation>el que gira en sentido contrario, desde 180° − θ₂₀</translation>
+    </message>
+    <message>
+        <source>the other assembly, with c negated and θ₂₀ half a turn on</source>
+        <translation>el otro montaje, con c de signo contrario y θ₂₀ media vuelta más allá</translation>
+    </message>
+    <message>
+        <source>another crank speed with the same values at these time steps</source>
+        <translation>otra velocidad de la manivela con los mismos valores en estos instantes</translation>
+    </message>
+    <message>
+        <source>%1 mechanisms fit this file equally well: %2.</source>
+        <translation>%1 mecanismos se ajustan igual de bien a este archivo: %2.</translation>
+    </message>
+    <message>
+        <source>More time steps per revolution, derivatives or θ₂ would tell them apart.</source>
+        <translation>Con más instantes por vuelta, derivadas o θ₂ se podrían distinguir.</translation>
+    </message>
+    <message>
+        <source>%1 fit the file up to %2 % of peak; the rest is systematic (filtered, interpolated or integrated data?), so no standard errors can be given.</source>
+        <translation>%1 se ajustan al archivo salvo un %2 % del máximo; el resto es sistemático (¿datos filtrados, interpolados o integrados?), por lo que no se pueden dar errores típicos.</translation>
+    </message>
+    <message>
+        <source>No mechanism fits this file.</source>
+        <translation>Ningún mecanismo se ajusta a este archivo.</translation>
+    </message>
+    <message>
+        <source>No mechanism fits this file: check the meaning and the units of its columns.</source>
+        <translation>Ningún mecanismo se ajusta a este archivo: compruebe el significado y las unidades de sus columnas.</translation>
+    </message>
+    <message>
+        <source>No mechanism fits this file. The nearest: %1.</source>
+        <translation>Ningún mecanismo se ajusta a este archivo. El más próximo: %1.</translation>
+    </message>
+    <message>
+        <source>No mechanism fits this file. The nearest: %1, off by up to %2 % of peak, in %3.</source>
+        <translation>Ningún mecanismo se ajusta a este archivo. El más próximo: %1, con una desviación de hasta el %2 % del máximo, en %3.</translation>
+    </message>
+    <message>
+        <source>The crank speed is not constant: %1 rad/s at the start and %2 rad/s at the end.</source>
+        <translation>La velocidad de la manivela no es constante: %1 rad/s al principio y %2 rad/s al final.</translation>
+    </message>
+    <message>
+        <source>The coupler angle θ³ alone determines only b/a and c/a; %1 is taken as given.</source>
+        <translation>El ángulo de la biela θ³ por sí solo determina únicamente b/a y c/a; %1 se toma como dato.</translation>
+    </message>
+    <message>
+        <source>The file does not give the unit of its lengths, which were read as mm: if they are metres, %1; then write [m] behind the headings.</source>
+        <translation>El archivo no indica la unidad de sus longitudes, que se han leído como mm: si son metros, %1; en ese caso escriba [m] detrás de los encabezados.</translation>
+    </message>
+    <message>
+        <source>Columns left out, because they deviate from the motion of the others: %1.</source>
+        <translation>Columnas excluidas porque se desvían del movimiento de las demás: %1.</translation>
+    </message>
+    <message>
+        <source>Rows left out, because they are far off the motion: line %1.</source>
+        <translation>Filas excluidas porque están muy lejos del movimiento: línea %1.</translation>
+    </message>
+    <message>
+        <source>Mechanism found in this file: %1</source>
+        <translation>Mecanismo hallado en este archivo: %1</translation>
+    </message>
+    <message>
+        <source>Nominal values fit equally well: %1.</source>
+        <translation>Los valores nominales se ajustan igual de bien: %1.</translation>
+    </message>
+    <message>
+        <source>With %1 instead of %2, %3 % of the difference disappears.</source>
+        <translation>Con %1 en lugar de %2, desaparece el %3 % de la diferencia.</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::EditStack</name>
+    <message>
+        <source>change of the mechanism</source>
+        <translation>cambio del mecanismo</translation>
+    </message>
+    <message>
+        <source>change of %1</source>
+        <translation>cambio de %1</translation>
+    </message>
+    <message>
+        <source>closing of %1</source>
+        <translation>cierre de %1</translation>
+    </message>
+    <message>
+        <source>other reading of %1</source>
+        <translation>otra lectura de %1</translation>
+    </message>
+    <message>
+        <source>opening of %1</source>
+        <translation>apertura de %1</translation>
+    </message>
+    <message>
+        <source>change of the time range</source>
+        <translation>cambio del intervalo de tiempo</translation>
+    </message>
+    <message>
+        <source>change of the method</source>
+        <translation>cambio del método</translation>
+    </message>
+    <message>
+        <source>pinning of the motion</source>
+        <translation>fijación del movimiento</translation>
+    </message>
+    <message>
+        <source>removal of the pinned motions</source>
+        <translation>eliminación de los movimientos fijados</translation>
+    </message>
+    <message>
+        <source>use of the file&apos;s mechanism</source>
+        <translation>uso del mecanismo del archivo</translation>
+    </message>
+    <message>
+        <source>cancelling</source>
+        <translation>cancelación</translation>
     </message>
 </context>
 <context>
@@ -1975,32 +1994,8 @@ difiere: lo demás, y los errores que superan el redondeo en un 1 % de la mitad 
 <context>
     <name>slidercrank::FindingText</name>
     <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source> rad/s</source>
-        <translation> rad/s</translation>
-    </message>
-    <message>
-        <source>°</source>
-        <translation>°</translation>
-    </message>
-    <message>
         <source>%1 and %2</source>
         <translation>%1 y %2</translation>
-    </message>
-    <message>
-        <source>, </source>
-        <translation>, </translation>
-    </message>
-    <message>
-        <source>%1 = %2</source>
-        <translation>%1 = %2</translation>
-    </message>
-    <message>
-        <source>%1 ± %2</source>
-        <translation>%1 ± %2</translation>
     </message>
     <message>
         <source>differs: nothing to compare with</source>
@@ -2011,48 +2006,8 @@ difiere: lo demás, y los errores que superan el redondeo en un 1 % de la mitad 
         <translation>difiere</translation>
     </message>
     <message>
-        <source>At no instant of the file do both the model and the file have a value.</source>
-        <translation>En ningún instante del archivo tienen valor a la vez el modelo y el archivo.</translation>
-    </message>
-    <message>
-        <source> At %1 instants the model has no value to compare with.</source>
-        <translation> En %1 instantes el modelo no tiene valor con el que comparar.</translation>
-    </message>
-    <message>
         <source>The file has no column that this program knows.</source>
         <translation>El archivo no tiene ninguna columna que este programa conozca.</translation>
-    </message>
-    <message>
-        <source>in its one channel</source>
-        <translation>en su único canal</translation>
-    </message>
-    <message>
-        <source>in %1 of %2 channels</source>
-        <translation>en %1 de %2 canales</translation>
-    </message>
-    <message>
-        <source>Comes close to this mechanism in every channel, a little beyond the rounding of the file.</source>
-        <translation>Se aproxima a este mecanismo en todos los canales, algo más allá del redondeo del archivo.</translation>
-    </message>
-    <message>
-        <source>Agrees with this mechanism %1, within the rounding of the file</source>
-        <translation>Coincide con este mecanismo %1, dentro del redondeo del archivo</translation>
-    </message>
-    <message>
-        <source>%1; close in the others.</source>
-        <translation>%1; se aproxima en los demás.</translation>
-    </message>
-    <message>
-        <source>Differs from this mechanism %1</source>
-        <translation>Difiere de este mecanismo %1</translation>
-    </message>
-    <message>
-        <source>, most in %1: by up to %2 % of its peak</source>
-        <translation>, sobre todo en %1: hasta un %2&#xa0;% de su pico</translation>
-    </message>
-    <message>
-        <source>At %1 of the file&apos;s instants the mechanism cannot be assembled, or has no derivatives.</source>
-        <translation>En %1 de los instantes del archivo el mecanismo no se puede ensamblar, o no tiene derivadas.</translation>
     </message>
     <message>
         <source>open</source>
@@ -2065,34 +2020,6 @@ difiere: lo demás, y los errores que superan el redondeo en un 1 % de la mitad 
     <message>
         <source>%1 assembly</source>
         <translation>configuración %1</translation>
-    </message>
-    <message>
-        <source>agrees within the file&apos;s rounding</source>
-        <translation>coincide dentro del redondeo del archivo</translation>
-    </message>
-    <message>
-        <source>close, if the file&apos;s instants are rounded</source>
-        <translation>próximo, si los instantes del archivo están redondeados</translation>
-    </message>
-    <message>
-        <source>close: within %1 × the file&apos;s rounding</source>
-        <translation>próximo: dentro de %1 × el redondeo del archivo</translation>
-    </message>
-    <message>
-        <source>|model − reference| ≤ bound for at least %1 % of the values, ≤ %2 · bound for all; none beyond it by more than %3 % of half the motion&apos;s range.</source>
-        <translation>|modelo − referencia| ≤ cota para al menos el %1&#xa0;% de los valores, ≤ %2 · cota para todos; ninguno la rebasa en más del %3&#xa0;% de la mitad del recorrido.</translation>
-    </message>
-    <message>
-        <source>|model − reference| ≤ %1 · bound for all values; none beyond it by more than %2 % of half the motion&apos;s range.</source>
-        <translation>|modelo − referencia| ≤ %1 · cota para todos los valores; ninguno la rebasa en más del %2&#xa0;% de la mitad del recorrido.</translation>
-    </message>
-    <message>
-        <source>|model − reference| &gt; %1 · bound somewhere, or beyond it by more than %2 % of half the motion&apos;s range.</source>
-        <translation>|modelo − referencia| &gt; %1 · cota en alguna parte, o la rebasa en más del %2&#xa0;% de la mitad del recorrido.</translation>
-    </message>
-    <message>
-        <source>Here: %1 of %2 within the bound, the worst %3 · bound, beyond it by %4 %.</source>
-        <translation>Aquí: %1 de %2 dentro de la cota, el peor a %3 · cota, y la rebasa en un %4&#xa0;%.</translation>
     </message>
     <message>
         <source>ground</source>
@@ -2159,20 +2086,60 @@ difiere: lo demás, y los errores que superan el redondeo en un 1 % de la mitad 
         <translation>aceleración en y del centro de la %1</translation>
     </message>
     <message>
-        <source>The bound: half a unit of the value&apos;s last digit, plus how far the motion goes in half a unit of the instant&apos;s, though the instants are evenly spaced.</source>
-        <translation>La cota: media unidad de la última cifra del valor más lo que el movimiento avanza en media unidad de la del instante, aunque los instantes estén a intervalos iguales.</translation>
-    </message>
-    <message>
-        <source>The bound: half a unit of the value&apos;s last digit, plus how far the motion goes in half a unit of the instant&apos;s; evenly spaced instants count as exact.</source>
-        <translation>La cota: media unidad de la última cifra del valor más lo que el movimiento avanza en media unidad de la del instante; los instantes a intervalos iguales cuentan como exactos.</translation>
-    </message>
-    <message>
-        <source>Comes close to this mechanism in every channel, provided that the file&apos;s instants, though evenly spaced, were rounded.</source>
-        <translation>Se aproxima a este mecanismo en todos los canales, siempre que los instantes del archivo, aun a intervalos iguales, estén redondeados.</translation>
-    </message>
-    <message>
         <source>pinned</source>
         <translation>fijado</translation>
+    </message>
+    <message>
+        <source>agrees within the rounding of the file</source>
+        <translation>coincide dentro del redondeo del archivo</translation>
+    </message>
+    <message>
+        <source>close, if the time stamps of the file are rounded</source>
+        <translation>próximo, si los instantes del archivo están redondeados</translation>
+    </message>
+    <message>
+        <source>close: within %1 times the rounding of the file</source>
+        <translation>próximo: dentro de %1 veces el redondeo del archivo</translation>
+    </message>
+    <message>
+        <source>At no time step do both the model and the file have a value.</source>
+        <translation>En ningún instante tienen valor tanto el modelo como el archivo.</translation>
+    </message>
+    <message>
+        <source>Here: %1 of %2 values within the bound, the worst at %3 times the bound, or %4 % of half the range beyond it.</source>
+        <translation>Aquí: %1 de %2 valores dentro de la cota, el peor a %3 veces la cota, o un %4 % del semirrango más allá de ella.</translation>
+    </message>
+    <message>
+        <source>Bound: half a unit of the last digit of the value, plus the motion during half a unit of the last digit of the time stamp. Evenly spaced time stamps count as exact.
+Agrees: at least %1 % of the values within the bound, all within %2 times, none beyond it by more than %3 % of half the range of the motion.
+Close: all within %4 times, none beyond it by more than %5 %.</source>
+        <translation>Cota: media unidad de la última cifra del valor, más el movimiento durante media unidad de la última cifra del instante. Los instantes equiespaciados se toman como exactos.
+Coincide: al menos el %1 % de los valores dentro de la cota, todos dentro de %2 veces, ninguno más allá de ella en más del %3 % del semirrango del movimiento.
+Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</translation>
+    </message>
+    <message>
+        <source>Match: %1 of %2 quantities agree within the rounding of the file.</source>
+        <translation>Coincide: %1 de %2 magnitudes concuerdan dentro del redondeo del archivo.</translation>
+    </message>
+    <message>
+        <source>Close match, if the time stamps of the file are rounded.</source>
+        <translation>Coincidencia aproximada, si los instantes del archivo están redondeados.</translation>
+    </message>
+    <message>
+        <source>Close match: %1 of %2 quantities agree within the rounding of the file, the others nearly.</source>
+        <translation>Coincidencia aproximada: %1 de %2 magnitudes concuerdan dentro del redondeo del archivo; las demás, casi.</translation>
+    </message>
+    <message>
+        <source>No match: %1 of %2 quantities differ, most of all the %3, by %4 % of its peak.</source>
+        <translation>No coincide: difieren %1 de %2 magnitudes; la mayor diferencia: %3, un %4 % de su máximo.</translation>
+    </message>
+    <message>
+        <source>No match: %1 of %2 quantities differ.</source>
+        <translation>No coincide: difieren %1 de %2 magnitudes.</translation>
+    </message>
+    <message>
+        <source>Time steps at which the mechanism cannot be assembled, or has no derivatives: %1.</source>
+        <translation>Instantes en los que el mecanismo no puede ensamblarse o no tiene derivadas: %1.</translation>
     </message>
 </context>
 <context>
@@ -2820,24 +2787,8 @@ difiere: lo demás, y los errores que superan el redondeo en un 1 % de la mitad 
 <context>
     <name>slidercrank::MotionFacts</name>
     <message>
-        <source>mm</source>
-        <translation>mm</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>%1 %2 %3 mm</source>
-        <translation>%1 %2 %3 mm</translation>
-    </message>
-    <message>
         <source>%1 or %2</source>
         <translation>%1 o %2</translation>
-    </message>
-    <message>
-        <source>, </source>
-        <translation>, </translation>
     </message>
     <message>
         <source>outer dead centre</source>
@@ -2864,10 +2815,6 @@ difiere: lo demás, y los errores que superan el redondeo en un 1 % de la mitad 
         <translation>relación de tiempos</translation>
     </message>
     <message>
-        <source>slider acceleration</source>
-        <translation>aceleración de la corredera</translation>
-    </message>
-    <message>
         <source>throughout</source>
         <translation>siempre</translation>
     </message>
@@ -2890,22 +2837,6 @@ difiere: lo demás, y los errores que superan el redondeo en un 1 % de la mitad 
     <message>
         <source>unbounded</source>
         <translation>sin cota</translation>
-    </message>
-    <message>
-        <source>%1 in all, at most %2 an instant</source>
-        <translation>%1 en total, máx. %2 por instante</translation>
-    </message>
-    <message>
-        <source>%1 samples a turn are too few for a curve: %2 steps would do.</source>
-        <translation>%1 muestras por vuelta son pocas para una curva: bastarían %2 pasos.</translation>
-    </message>
-    <message>
-        <source>%1 in all, at most %2 from one instant to the next, %3 where it had a rough start</source>
-        <translation>%1 en total, máx. %2 de un instante al siguiente, %3 donde partió de un comienzo aproximado</translation>
-    </message>
-    <message>
-        <source>%1 in all, at most %2 where it had a rough start</source>
-        <translation>%1 en total, máx. %2 donde partió de un comienzo aproximado</translation>
     </message>
     <message>
         <source>It would make full turns if %1.</source>
@@ -2934,18 +2865,6 @@ difiere: lo demás, y los errores que superan el redondeo en un 1 % de la mitad 
     <message>
         <source>Time of the slower stroke divided by the time of the faster one</source>
         <translation>El tiempo de la carrera más lenta dividido por el de la más rápida</translation>
-    </message>
-    <message>
-        <source>slider velocity</source>
-        <translation>velocidad de la corredera</translation>
-    </message>
-    <message>
-        <source>coupler angular velocity</source>
-        <translation>velocidad angular de la biela</translation>
-    </message>
-    <message>
-        <source>coupler angular acceleration</source>
-        <translation>aceleración angular de la biela</translation>
     </message>
     <message>
         <source>The crank makes full turns: b = %1 ≥ a + |c| = %2.</source>
@@ -3016,20 +2935,32 @@ difiere: lo demás, y los errores que superan el redondeo en un 1 % de la mitad 
         <translation>El mayor valor en una vuelta de la manivela, donde su derivada es cero</translation>
     </message>
     <message>
-        <source>The crank just makes full turns: b = a = %1, c = 0, a change point. At θ₂ = 90° and 270° the coupler is perpendicular to the slider&apos;s line, and the velocities jump.</source>
-        <translation>La manivela da justo vueltas completas: b = a = %1, c = 0, un punto de cambio. En θ₂ = 90° y 270° la biela es perpendicular a la línea de la corredera, y las velocidades saltan.</translation>
-    </message>
-    <message>
-        <source>The crank just makes full turns: b = a + |c| = %1. At θ₂ = %2° the coupler is perpendicular to the slider&apos;s line, and the velocities jump.</source>
-        <translation>La manivela da justo vueltas completas: b = a + |c| = %1. En θ₂ = %2° la biela es perpendicular a la línea de la corredera, y las velocidades saltan.</translation>
-    </message>
-    <message>
         <source>The coupler is perpendicular to the slider&apos;s line, and the velocities jump</source>
         <translation>La biela es perpendicular a la línea de la corredera, y las velocidades saltan</translation>
     </message>
     <message>
         <source>The crank is at rest, ω₂ = 0; it could make full turns: b = %1 ≥ a + |c| = %2.</source>
         <translation>La manivela está en reposo, ω₂ = 0; podría dar vueltas completas: b = %1 ≥ a + |c| = %2.</translation>
+    </message>
+    <message>
+        <source>The crank just makes full turns: b = a = %1, c = 0, a change point. At θ₂ = %2 the coupler is perpendicular to the slider&apos;s line, and the velocities jump.</source>
+        <translation>La manivela da justo vueltas completas: b = a = %1, c = 0, un punto de cambio. En θ₂ = %2 la biela es perpendicular a la línea de la corredera y las velocidades saltan.</translation>
+    </message>
+    <message>
+        <source>The crank just makes full turns: b = a + |c| = %1. At θ₂ = %2 the coupler is perpendicular to the slider&apos;s line, and the velocities jump.</source>
+        <translation>La manivela da justo vueltas completas: b = a + |c| = %1. En θ₂ = %2 la biela es perpendicular a la línea de la corredera y las velocidades saltan.</translation>
+    </message>
+    <message>
+        <source>90° and 270°</source>
+        <translation>90° y 270°</translation>
+    </message>
+    <message>
+        <source>%1 samples per revolution are too few for a curve: %2 steps are enough.</source>
+        <translation>%1 muestras por vuelta son muy pocas para una curva: bastan %2 pasos.</translation>
+    </message>
+    <message>
+        <source>%1 in total, at most %2 at a time step</source>
+        <translation>%1 en total, a lo sumo %2 en un instante</translation>
     </message>
 </context>
 <context>
@@ -3532,7 +3463,7 @@ difiere: lo demás, y los errores que superan el redondeo en un 1 % de la mitad 
     <name>slidercrank::PlotFigure</name>
     <message>
         <source>% of peak</source>
-        <translation>% del pico</translation>
+        <translation>% del máximo</translation>
     </message>
     <message>
         <source>not in the file</source>
@@ -3631,7 +3562,7 @@ difiere: lo demás, y los errores que superan el redondeo en un 1 % de la mitad 
     </message>
     <message>
         <source>Error in % of the &amp;peak</source>
-        <translation>Error en % del &amp;pico</translation>
+        <translation>Error en % del má&amp;ximo</translation>
     </message>
     <message>
         <source>&amp;Logarithmic errors</source>
@@ -4126,7 +4057,7 @@ difiere: lo demás, y los errores que superan el redondeo en un 1 % de la mitad 
     </message>
     <message>
         <source>% of peak</source>
-        <translation>% del pico</translation>
+        <translation>% del máximo</translation>
     </message>
     <message>
         <source>verdict</source>
@@ -5094,68 +5025,32 @@ Tiempos medidos en %2</translation>
         <translation>otra</translation>
     </message>
     <message>
-        <source>%1 times as fast as the report&apos;s way</source>
-        <translation>%1 veces más rápida que el método del informe</translation>
-    </message>
-    <message>
-        <source>as fast as the report&apos;s way</source>
-        <translation>tan rápida como el método del informe</translation>
-    </message>
-    <message>
-        <source>takes %1 times as long as the report&apos;s way</source>
-        <translation>tarda %1 veces lo que el método del informe</translation>
-    </message>
-    <message>
-        <source>, but it solves no instant here</source>
-        <translation>, pero aquí no resuelve ningún instante</translation>
-    </message>
-    <message>
-        <source>, which solves no instant here</source>
-        <translation>, que aquí no resuelve ningún instante</translation>
-    </message>
-    <message>
-        <source> and %1 times as exact here</source>
-        <translation> y aquí %1 veces más exacta</translation>
-    </message>
-    <message>
-        <source> and right to the last digit here</source>
-        <translation> y aquí exacta hasta la última cifra</translation>
-    </message>
-    <message>
-        <source> and as exact here</source>
-        <translation> e igual de exacta aquí</translation>
-    </message>
-    <message>
-        <source>, but its error is %1 times as large here</source>
-        <translation>, pero aquí su error es %1 veces el de este</translation>
-    </message>
-    <message>
-        <source>, which is right to the last digit here</source>
-        <translation>, que aquí es exacto hasta la última cifra</translation>
-    </message>
-    <message>
-        <source>Neither the closed form nor the report&apos;s way solves an instant here.</source>
-        <translation>Ni la forma cerrada ni el método del informe resuelven aquí ningún instante.</translation>
-    </message>
-    <message>
-        <source>Closed form: %1%2.</source>
-        <translation>Forma cerrada: %1%2.</translation>
-    </message>
-    <message>
-        <source>It solves %1 of %2 instants, the report&apos;s way %3.</source>
-        <translation>Resuelve %1 de %2 instantes; el método del informe, %3.</translation>
-    </message>
-    <message>
-        <source>At %1 instants the report&apos;s way is wrong without saying so.</source>
-        <translation>En %1 instantes el método del informe falla sin avisar.</translation>
-    </message>
-    <message>
         <source>%1 (%2 to %3)</source>
         <translation>%1 (de %2 a %3)</translation>
     </message>
     <message>
-        <source>; both are as exact as the rounding of the data allows</source>
-        <translation>; ambos son tan exactos como permite el redondeo de los datos</translation>
+        <source>Neither the closed form nor dense Newton-Raphson solves a time step here.</source>
+        <translation>Aquí ni la forma cerrada ni el Newton-Raphson denso resuelven ningún instante.</translation>
+    </message>
+    <message>
+        <source>Closed form: %1 times faster than dense Newton-Raphson</source>
+        <translation>Forma cerrada: %1 veces más rápida que el Newton-Raphson denso</translation>
+    </message>
+    <message>
+        <source>Closed form: not faster than dense Newton-Raphson</source>
+        <translation>Forma cerrada: no más rápida que el Newton-Raphson denso</translation>
+    </message>
+    <message>
+        <source>%1; largest error %2 of the peak instead of %3.</source>
+        <translation>%1; error máximo de %2 del máximo en lugar de %3.</translation>
+    </message>
+    <message>
+        <source>Time steps that are solved: %1 instead of %2.</source>
+        <translation>Instantes resueltos: %1 en lugar de %2.</translation>
+    </message>
+    <message>
+        <source>Undetected failures of dense Newton-Raphson: %1.</source>
+        <translation>Fallos no detectados del Newton-Raphson denso: %1.</translation>
     </message>
 </context>
 <context>
@@ -5314,64 +5209,6 @@ Tiempos medidos en %2</translation>
     <message>
         <source>it is a pipe or a device</source>
         <translation>es una tubería o un dispositivo</translation>
-    </message>
-</context>
-<context>
-    <name>slidercrank::BackgroundTask</name>
-    <message>
-        <source>The computation failed: %1.</source>
-        <translation>El cálculo ha fallado: %1.</translation>
-    </message>
-    <message>
-        <source>There is not enough memory: try fewer time steps, or a smaller file.</source>
-        <translation>No hay memoria suficiente: pruebe con menos pasos de tiempo o con un archivo más pequeño.</translation>
-    </message>
-</context>
-<context>
-    <name>slidercrank::EditStack</name>
-    <message>
-        <source>change of the mechanism</source>
-        <translation>cambio del mecanismo</translation>
-    </message>
-    <message>
-        <source>change of %1</source>
-        <translation>cambio de %1</translation>
-    </message>
-    <message>
-        <source>closing of %1</source>
-        <translation>cierre de %1</translation>
-    </message>
-    <message>
-        <source>other reading of %1</source>
-        <translation>otra lectura de %1</translation>
-    </message>
-    <message>
-        <source>opening of %1</source>
-        <translation>apertura de %1</translation>
-    </message>
-    <message>
-        <source>change of the time range</source>
-        <translation>cambio del intervalo de tiempo</translation>
-    </message>
-    <message>
-        <source>change of the method</source>
-        <translation>cambio del método</translation>
-    </message>
-    <message>
-        <source>pinning of the motion</source>
-        <translation>fijación del movimiento</translation>
-    </message>
-    <message>
-        <source>removal of the pinned motions</source>
-        <translation>eliminación de los movimientos fijados</translation>
-    </message>
-    <message>
-        <source>use of the file&apos;s mechanism</source>
-        <translation>uso del mecanismo del archivo</translation>
-    </message>
-    <message>
-        <source>cancelling</source>
-        <translation>cancelación</translation>
     </message>
 </context>
 </TS>

@@ -21,20 +21,14 @@ public:
                 const EditStack::Apply &apply)
         : m_before(before)
         , m_after(after)
-        , m_name(name)
+        , m_isOpening(name.isOpening)
         , m_step(step)
         , m_apply(apply)
     {
-        retranslate();
+        setText(name.text);
     }
 
-    void retranslate()
-    {
-        const QString text = EditStack::tr(m_name.text);
-        setText(text.contains(u"%1") ? text.arg(m_name.argument) : text);
-    }
-
-    bool isOpening() const { return m_name.isOpening; }
+    bool isOpening() const { return m_isOpening; }
     void undo() override { m_apply(m_before); }
     void redo() override { m_apply(m_after); }
     int id() const override { return m_step; }
@@ -49,7 +43,7 @@ public:
 private:
     Choices m_before;
     Choices m_after;
-    EditName m_name;
+    bool m_isOpening;
     int m_step;
     EditStack::Apply m_apply;
 };
@@ -67,8 +61,8 @@ EditStack::EditStack(const Apply &apply, QObject *parent)
 
 void EditStack::edit(const Choices &before, const Choices &after, const EditName &name)
 {
-    const bool isSame = name.identity != 0 && name.identity == m_identity;
-    if (!isSame || !(m_isDragging || m_sameStep.isActive())) {
+    const bool isRepeated = m_sameStep.isActive() && name.identity == m_identity;
+    if (name.identity == 0 || m_identity == 0 || !(m_isDragging || isRepeated)) {
         ++m_step;
     }
     m_identity = name.identity;
@@ -91,13 +85,6 @@ bool EditStack::isModified() const
         }
     }
     return first < 0;
-}
-
-void EditStack::retranslate()
-{
-    for (int i = 0; i < count(); ++i) { // the stack returns its commands as const; these are ours
-        const_cast<EditCommand *>(static_cast<const EditCommand *>(command(i)))->retranslate();
-    }
 }
 
 } // namespace slidercrank

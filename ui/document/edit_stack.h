@@ -15,16 +15,15 @@ namespace slidercrank
 
 /// What an edit does.
 struct EditName {
-    const char *text;      ///< to be translated, "change of %1"
-    QString argument = {}; ///< "b"
-    int identity = 0;      ///< of what is changed, if edits of it may become one step
+    QString text;     ///< "change of b"
+    int identity = 0; ///< of what is changed, if edits of it may become one step; otherwise 0
 
     /// The opening or closing of a reference file, which counts as no change of the scene.
     bool isOpening = false;
 };
 
-/// Edits with the same identity become one step within a drag, or if they follow each other within a second, as when a
-/// key is held down.
+/// Edits that have an identity become one step within a drag. Elsewhere those of the same identity do if they follow each
+/// other within a second, as when a key is held down.
 class EditStack : public QUndoStack
 {
     Q_OBJECT
@@ -40,9 +39,6 @@ public:
 
     /// Whether there are edits since the stack was clean, other than the opening of files.
     bool isModified() const;
-
-    /// Names the edits in the current language.
-    void retranslate();
 
 private:
     Apply m_apply;

@@ -10,6 +10,7 @@
 #include <QLocale>
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 #include <cmath>
 #include <utility>
@@ -22,7 +23,7 @@ namespace
 
 constexpr std::chrono::milliseconds kRest{200}; // between two edits of parameters that are moving
 
-// Identities of edits, beside 1 + indexOf(parameter).
+// Identities of edits, beside the set of parameters that change.
 constexpr int kSamplingIdentity = 100;
 constexpr int kSolverIdentity = 101;
 
@@ -67,28 +68,27 @@ QString faultText(const ParameterFault &fault)
 
 EditName changeName(const Parameters &before, const Parameters &after)
 {
-    EditName name{QT_TRANSLATE_NOOP("slidercrank::EditStack", "change of the mechanism")};
-    Parameters changed = before;
+    int changed = before.branch == after.branch ? 0 : 1 << kParameterCount; // a bit for each parameter
+    QString symbol;
     for (const Parameter parameter : kParameters) {
-        changed = before;
-        valueOf(changed, parameter) = valueOf(after, parameter);
-        if (changed == after) {
-            name = {QT_TRANSLATE_NOOP("slidercrank::EditStack", "change of %1"), symbolOf(parameter),
-                    1 + static_cast<int>(indexOf(parameter))};
+        if (valueOf(before, parameter) != valueOf(after, parameter)) {
+            changed |= 1 << indexOf(parameter);
+            symbol = symbolOf(parameter);
         }
     }
-    return name;
+    const bool isOne = !symbol.isEmpty() && std::has_single_bit(static_cast<unsigned>(changed));
+    return {isOne ? EditStack::tr("change of %1").arg(symbol) : EditStack::tr("change of the mechanism"), changed};
 }
 
 EditName changeName(const std::shared_ptr<const Reference> &before, const std::shared_ptr<const Reference> &after)
 {
     if (!after) {
-        return {QT_TRANSLATE_NOOP("slidercrank::EditStack", "closing of %1"), before->name, 0, true};
+        return {EditStack::tr("closing of %1").arg(before->name), 0, true};
     }
     if (before && before->paths == after->paths) {
-        return {QT_TRANSLATE_NOOP("slidercrank::EditStack", "other reading of %1"), after->name};
+        return {EditStack::tr("other reading of %1").arg(after->name)};
     }
-    return {QT_TRANSLATE_NOOP("slidercrank::EditStack", "opening of %1"), after->name, 0, true};
+    return {EditStack::tr("opening of %1").arg(after->name), 0, true};
 }
 
 } // namespace
@@ -136,14 +136,12 @@ void Session::setParameter(Parameter parameter, double value)
 
 void Session::setSampling(const Sampling &sampling)
 {
-    edit(with(m_choices, &Choices::sampling, sampling),
-         {QT_TRANSLATE_NOOP("slidercrank::EditStack", "change of the time range"), {}, kSamplingIdentity});
+    edit(with(m_choices, &Choices::sampling, sampling), {EditStack::tr("change of the time range"), kSamplingIdentity});
 }
 
 void Session::setSolver(const SolverSettings &solver)
 {
-    edit(with(m_choices, &Choices::solver, solver),
-         {QT_TRANSLATE_NOOP("slidercrank::EditStack", "change of the method"), {}, kSolverIdentity});
+    edit(with(m_choices, &Choices::solver, solver), {EditStack::tr("change of the method"), kSolverIdentity});
 }
 
 void Session::keep()
@@ -155,15 +153,13 @@ void Session::keep()
         emit problemFound(tr("%1 motions are already pinned: remove them before you pin another one.").arg(kMostKept));
     } else {
         kept.push_back(m_choices.parameters);
-        edit(with(m_choices, &Choices::kept, kept),
-             {QT_TRANSLATE_NOOP("slidercrank::EditStack", "pinning of the motion")});
+        edit(with(m_choices, &Choices::kept, kept), {EditStack::tr("pinning of the motion")});
     }
 }
 
 void Session::forgetKept()
 {
-    edit(with(m_choices, &Choices::kept, {}),
-         {QT_TRANSLATE_NOOP("slidercrank::EditStack", "removal of the pinned motions")});
+    edit(with(m_choices, &Choices::kept, {}), {EditStack::tr("removal of the pinned motions")});
 }
 
 void Session::edit(const Choices &choices, const EditName &name)
@@ -396,7 +392,7 @@ void Session::takeOver()
 {
     if (m_diagnosis && m_diagnosis->found.identification.stands()) {
         edit(with(m_choices, &Choices::parameters, m_diagnosis->found.rounded),
-             {QT_TRANSLATE_NOOP("slidercrank::EditStack", "use of the file's mechanism")});
+             {EditStack::tr("use of the file's mechanism")});
     }
 }
 
@@ -425,8 +421,7 @@ bool Session::cancel()
         stopDiagnosis();
         return true;
     }
-    edit(isScene ? simplified(m_choices) : m_result->choices,
-         {QT_TRANSLATE_NOOP("slidercrank::EditStack", "cancelling")});
+    edit(isScene ? simplified(m_choices) : m_result->choices, {EditStack::tr("cancelling")});
     if (isScene) {
         emit problemFound(tr("Cancelled: what the scene asks for takes longer, and is left out. Undo computes it."));
     }

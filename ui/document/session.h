@@ -49,8 +49,6 @@ public:
     /// Whether something was edited since the undo stack was clean; opening a reference file is no edit.
     bool isModified() const { return m_edits.isModified(); }
 
-    void retranslateEdits() { m_edits.retranslate(); }
-
     /// Replaces all choices and the time; that cannot be undone. The reference is read from `source` first, in the
     /// background. Emits opened(), or editedMeanwhile() if something was edited before the file was read.
     void open(const Choices &choices, double seconds, const std::optional<ReferenceSource> &source);

@@ -13,20 +13,6 @@ namespace slidercrank
 namespace
 {
 
-/// 1, 2 or 5 times a power of ten, at least `step`.
-double niceStep(double step)
-{
-    const double power = std::pow(10.0, std::floor(std::log10(step)));
-    const double mantissa = step / power;
-    constexpr double kRoundingRoom = 1e-9; // 2.0000000001 is 2
-    for (const double nice : {1.0, 2.0, 5.0}) {
-        if (mantissa <= nice + kRoundingRoom) {
-            return nice * power;
-        }
-    }
-    return 10.0 * power;
-}
-
 double largestMagnitude(const Interval &range)
 {
     return std::max(std::abs(range.lower), std::abs(range.upper));
@@ -66,7 +52,7 @@ int AxisScale::labelLength(const Interval &range) const
 AxisScale axisScale(const Interval &range, double intervals)
 {
     AxisScale scale;
-    scale.step = niceStep(range.length() / std::max(intervals, 1.0));
+    scale.step = nextRoundNumber(range.length() / std::max(intervals, 1.0));
     constexpr double kSmallestPlain = 1e-4;
     constexpr double kLargestPlain = 1e5;
     const double largest = largestMagnitude(range);
@@ -91,14 +77,14 @@ AxisScale degreeScale(const Interval &range, double intervals)
         return scale;
     }
     const auto part = std::lower_bound(kPartsOfATurn.begin(), kPartsOfATurn.end(), wanted);
-    scale.step = part != kPartsOfATurn.end() ? *part : kTurn * std::max(1.0, niceStep(wanted / kTurn));
+    scale.step = part != kPartsOfATurn.end() ? *part : kTurn * std::max(1.0, nextRoundNumber(wanted / kTurn));
     scale.decimals = 0;
     return scale;
 }
 
 AxisScale logarithmicScale(const Interval &range, double intervals)
 {
-    return {.step = std::max(1.0, niceStep(range.length() / std::max(intervals, 1.0))), .isLogarithmic = true};
+    return {.step = std::max(1.0, nextRoundNumber(range.length() / std::max(intervals, 1.0))), .isLogarithmic = true};
 }
 
 Interval roundedOutwards(const Interval &range)
@@ -113,39 +99,11 @@ Interval roundedOutwards(const Interval &range)
     }
     constexpr double kRoom = 0.03;
     constexpr double kParts = 16.0;
-    const double step = niceStep(range.length() / kParts);
+    const double step = nextRoundNumber(range.length() / kParts);
     const double room = kRoom * range.length();
     // Room below a range that starts at zero would only suggest negative values.
     const double lower = range.lower == 0.0 ? 0.0 : std::floor((range.lower - room) / step) * step;
     return {lower, std::ceil((range.upper + room) / step) * step};
-}
-
-QString shortNumber(double value, int digits, const QLocale &locale)
-{
-    if (!std::isfinite(value)) {
-        return std::isnan(value) ? dash() : value > 0.0 ? QStringLiteral("∞") : QStringLiteral("−∞");
-    }
-    if (value == 0.0) {
-        return locale.toString(0);
-    }
-    QLocale plain = locale; // groups of three are for counts: beside a decimal comma they mislead
-    plain.setNumberOptions(locale.numberOptions() | QLocale::OmitGroupSeparator);
-    int exponent = static_cast<int>(std::floor(std::log10(std::abs(value))));
-    if (exponent >= -6 && exponent < 6) {
-        return plain.toString(value, 'f', std::max(0, digits - 1 - exponent));
-    }
-    double mantissa = value / std::pow(10.0, exponent);
-    const double unit = std::pow(10.0, digits - 1);
-    if (std::round(std::abs(mantissa) * unit) >= 10.0 * unit) { // 9.996 is written 1.00·10¹
-        mantissa /= 10.0;
-        ++exponent;
-    }
-    return withPowerOfTen(locale.toString(mantissa, 'f', digits - 1), exponent);
-}
-
-QString shortNumber(std::optional<double> value, int digits)
-{
-    return value ? shortNumber(*value, digits) : dash();
 }
 
 } // namespace slidercrank

@@ -5,6 +5,7 @@
 // values: very large and very small ones share a power of a thousand, which goes to the unit ("[10⁻³ %]").
 
 #include "ui/text/interval.h"
+#include "ui/text/written_number.h"
 
 #include <QLocale>
 #include <QString>
@@ -43,11 +44,5 @@ AxisScale logarithmicScale(const Interval &range, double intervals);
 /// The range widened a little and rounded outwards, so that the axis stands still while the values change a little.
 /// A range without length gets one.
 Interval roundedOutwards(const Interval &range);
-
-/// As many significant digits, written out between 1e-6 and 1e6, else with a power of ten: "1.54·10⁻⁷".
-QString shortNumber(double value, int digits, const QLocale &locale = QLocale());
-
-/// A dash for what does not exist.
-QString shortNumber(std::optional<double> value, int digits);
 
 } // namespace slidercrank

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/written_number.h"
 
+#include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace slidercrank
 {
@@ -10,55 +10,65 @@ namespace slidercrank
 namespace
 {
 
-struct Scientific {
-    QString mantissa;
-    std::optional<int> exponent; ///< none where the machine wrote none
-};
-
-/// Of what a locale wrote, such as "1.5e-08".
-Scientific partsOf(const QString &number)
+/// A power of a thousand apart, grouped digits mislead beside a decimal comma.
+QLocale withoutGroups(QLocale locale)
 {
-    const qsizetype e = number.indexOf(u'e', 0, Qt::CaseInsensitive);
-    if (e < 0) {
-        return {number, std::nullopt};
-    }
-    return {number.first(e), QLocale().toInt(number.mid(e + 1))};
+    locale.setNumberOptions(locale.numberOptions() | QLocale::OmitGroupSeparator | QLocale::RejectGroupSeparator);
+    return locale;
 }
 
-QString digitsOf(double value, int significantDigits)
+/// What the locale writes as "1.5e-08", with the exponent written by `write`.
+template <typename Write>
+QString withExponent(double value, int significantDigits, Write write)
 {
-    return localeWithoutGroups().toString(value == 0.0 ? 0.0 : value, 'g', significantDigits);
+    const QString text = localeWithoutGroups().toString(value + 0.0, 'g', significantDigits);
+    const qsizetype e = text.indexOf(u'e', 0, Qt::CaseInsensitive);
+    return e < 0 ? text : write(text.first(e), QLocale().toInt(text.mid(e + 1)));
 }
 
 } // namespace
 
 QLocale localeWithoutGroups()
 {
-    QLocale locale;
-    locale.setNumberOptions(locale.numberOptions() | QLocale::OmitGroupSeparator | QLocale::RejectGroupSeparator);
-    return locale;
+    return withoutGroups(QLocale());
 }
 
 QString numberText(double value, int significantDigits)
 {
-    const auto [mantissa, exponent] = partsOf(digitsOf(value, significantDigits));
-    return exponent ? withPowerOfTen(mantissa, *exponent) : mantissa;
+    return withExponent(value, significantDigits, withPowerOfTen);
 }
 
 QString typedNumberText(double value)
 {
-    const auto [mantissa, exponent] = partsOf(digitsOf(value, QLocale::FloatingPointShortest));
-    return exponent ? QStringLiteral("%1e%2").arg(mantissa).arg(*exponent) : mantissa;
+    return withExponent(value, QLocale::FloatingPointShortest, [](const QString &mantissa, int exponent) {
+        return QStringLiteral("%1e%2").arg(mantissa).arg(exponent);
+    });
+}
+
+QString shortNumber(double value, int digits, const QLocale &locale)
+{
+    if (!std::isfinite(value)) {
+        return std::isnan(value) ? dash() : value > 0.0 ? QStringLiteral("∞") : QStringLiteral("−∞");
+    }
+    if (value == 0.0) {
+        return locale.toString(0);
+    }
+    const int exponent = static_cast<int>(std::floor(std::log10(std::abs(value))));
+    if (exponent >= -6 && exponent < 6) {
+        return withoutGroups(locale).toString(value, 'f', std::max(0, digits - 1 - exponent));
+    }
+    const QString text = locale.toString(value, 'e', digits - 1); // rounds 9.996e1 to 1.00e2
+    const qsizetype e = text.indexOf(u'e', 0, Qt::CaseInsensitive);
+    return withPowerOfTen(text.first(e), locale.toInt(text.mid(e + 1)));
 }
 
 QString powerOfTen(int exponent)
 {
-    static const QString kDigits = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
-    QString text = exponent < 0 ? QStringLiteral("10⁻") : QStringLiteral("10");
-    for (const QChar digit : QString::number(std::abs(exponent))) {
-        text += kDigits[digit.digitValue()];
+    QString text = QString::number(exponent);
+    for (QChar &sign : text) {
+        sign = sign == u'-' ? QChar(u'⁻') : QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹")[sign.digitValue()];
     }
-    return text;
+    return QStringLiteral("10") + text;
 }
 
 QString withPowerOfTen(const QString &mantissa, int exponent)
@@ -74,6 +84,11 @@ QString numberText(std::optional<double> value, int significantDigits)
     return value ? numberText(*value, significantDigits) : dash();
 }
 
+QString shortNumber(std::optional<double> value, int digits)
+{
+    return value ? shortNumber(*value, digits) : dash();
+}
+
 QString countText(std::size_t count)
 {
     const QLocale locale;
@@ -81,7 +96,7 @@ QString countText(std::size_t count)
     QString text = locale.toString(static_cast<qulonglong>(count));
     constexpr qsizetype kGroup = 3;
     if (const qsizetype first = text.indexOf(separator); !separator.isEmpty() && first > kGroup) {
-        text.insert(first - kGroup, separator); // Qt has 1000.000 for a million in Spanish
+        text.insert(first - kGroup, separator); // Qt writes 1000.000 for a million in Spanish
     }
     return text;
 }
@@ -93,7 +108,7 @@ QString dash()
 
 double nextRoundNumber(double value)
 {
-    constexpr double kSlack = 1e-9; // 0.1 · 20 is 2, whatever its last digit
+    constexpr double kSlack = 1e-9; // 0.1 · 20 is 2, to rounding
     const double decade = std::pow(10.0, std::floor(std::log10(value)));
     for (const double mantissa : {1.0, 2.0, 5.0}) {
         if (mantissa * decade >= value * (1.0 - kSlack)) {

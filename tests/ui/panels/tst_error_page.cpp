@@ -40,6 +40,7 @@ Result resultWith(const std::vector<ChannelComparison> &comparison, const std::s
 {
     Result result;
     result.reference = reference ? reference : std::make_shared<Reference>();
+    result.choices.reference = result.reference;
     result.comparison = comparison;
     return result;
 }
@@ -118,7 +119,7 @@ private slots:
         QVERIFY(cell(page, 0, LargestError).explanation.contains("0.001 °")); // the rounding step
         QCOMPARE(cell(page, 0, Outcome).text.front(), QChar(u'✓'));
         QCOMPARE(cell(page, 1, Outcome).text.front(), QChar(u'≈'));
-        QVERIFY(cell(page, 1, Outcome).explanation.contains("· bound"));
+        QVERIFY(cell(page, 1, Outcome).explanation.contains("the bound"));
     }
 
     void theVerdictOnTheFileIsThatOfItsWorstChannel()
@@ -217,7 +218,7 @@ private slots:
         result.comparison[0].verdict = Verdict::Agrees; // nothing to explain
         QVERIFY(!errorPage(result, &diagnosis).keepsFindings);
         result.comparison[0].verdict = Verdict::Differs;
-        result.reference = std::make_shared<Reference>(); // another file
+        result.choices.reference = std::make_shared<Reference>(); // another file
         QVERIFY(!errorPage(result, &diagnosis).keepsFindings);
         QVERIFY(errorPage(result, &diagnosis).findings.empty());
     }
@@ -299,7 +300,7 @@ private slots:
             rounded += QByteArray::number(i) + ',' + QByteArray::number(0.5 + 0.456789 * i, 'f', 3) + '\n';
         }
         QCOMPARE(cell(referencePage(resultWith({}, referenceOf(rounded)), nullptr), 1, RoundedTo).text,
-                 QString("3 decimals"));
+                 QString("decimals: 3"));
     }
 
     void saysWhichMechanismWasFoundInTheFile()

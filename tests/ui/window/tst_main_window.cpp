@@ -114,7 +114,7 @@ private slots:
         m_window->exports().copy(m_window->exports().figure());
         QCOMPARE(messages()->text().count('\n'), 2);
         session().setParameter(Parameter::B, 64.0);
-        QVERIFY(!messages()->text().contains("greater than 0")); // it no longer applies
+        QVERIFY(!messages()->text().contains("at least")); // it no longer applies
         letTimePass(*part("confirmation"));                      // a hint fades
         settle();
         QVERIFY(messages()->text().startsWith("/no/such/folder/figure.png cannot be written"));
@@ -280,7 +280,7 @@ private slots:
             QStringList paths;
             const char *says;
         };
-        for (const Row &row : {Row{{plots[1], kSample}, "does, too: leave one of the two out"},
+        for (const Row &row : {Row{{plots[1], kSample}, "both this file and"},
                                Row{{plots[1], folder.filePath("gone.csv")}, "gone.csv cannot be opened"},
                                Row{{plots[1], folder.filePath("rig.slidercrank")}, "rig.slidercrank is a scene"}}) {
             drop(row.paths);
