@@ -3427,14 +3427,6 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
         <translation>ángulo inicial</translation>
     </message>
     <message>
-        <source>Flips to the other way of assembling the same links</source>
-        <translation>Cambia al otro modo de ensamblar los mismos eslabones</translation>
-    </message>
-    <message>
-        <source>⇄ %1</source>
-        <translation>⇄ %1</translation>
-    </message>
-    <message>
         <source>Shaded: above %1 the crank cannot make a full turn</source>
         <translation>Sombreado: por encima de %1 la manivela no puede dar una vuelta completa</translation>
     </message>

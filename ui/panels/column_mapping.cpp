@@ -17,6 +17,7 @@
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QScreen>
 #include <QScrollArea>
 #include <QSignalBlocker>
@@ -32,41 +33,28 @@ namespace slidercrank
 namespace
 {
 
-// What an entry in the list of meanings stands for: the index of a channel, or
-constexpr int kTime = -1;
-constexpr int kIgnored = -2;
-constexpr int kCrankAngle = -3;
+/// The data of an entry in the list of meanings: a role and, of ColumnRole::Channel, the channel.
+constexpr int kChannels = 100; // more than there are
 
-int meaningOf(ColumnRole role, Channel channel)
+int meaningOf(ColumnRole role, Channel channel = {})
 {
-    switch (role) {
-    case ColumnRole::Ignored: return kIgnored;
-    case ColumnRole::Time: return kTime;
-    case ColumnRole::CrankAngle: return kCrankAngle;
-    case ColumnRole::Channel: return static_cast<int>(indexOf(channel));
-    }
-    return kIgnored;
+    return kChannels * static_cast<int>(role) + (role == ColumnRole::Channel ? static_cast<int>(indexOf(channel)) : 0);
 }
 
 /// The choice without its column and unit.
 ColumnChoice choiceOf(int meaning)
 {
     ColumnChoice choice;
-    choice.role = meaning == kIgnored      ? ColumnRole::Ignored
-                  : meaning == kTime       ? ColumnRole::Time
-                  : meaning == kCrankAngle ? ColumnRole::CrankAngle
-                                           : ColumnRole::Channel;
-    if (choice.role == ColumnRole::Channel) {
-        choice.channel = channelAt(static_cast<std::size_t>(meaning));
-    }
+    choice.role = static_cast<ColumnRole>(meaning / kChannels);
+    choice.channel = channelAt(static_cast<std::size_t>(meaning % kChannels));
     return choice;
 }
 
 void fillMeanings(QComboBox &combo)
 {
-    combo.addItem(ColumnMapping::tr("ignored"), kIgnored);
-    combo.addItem(ColumnMapping::tr("time"), kTime);
-    combo.addItem(ColumnMapping::tr("crank angle, instead of a time"), kCrankAngle);
+    combo.addItem(ColumnMapping::tr("ignored"), meaningOf(ColumnRole::Ignored));
+    combo.addItem(ColumnMapping::tr("time"), meaningOf(ColumnRole::Time));
+    combo.addItem(ColumnMapping::tr("crank angle, instead of a time"), meaningOf(ColumnRole::CrankAngle));
     const std::pair<QString, std::vector<Coordinate>> groups[] = {
         {ColumnMapping::tr("Slider"), {R4x}},
         {ColumnMapping::tr("Coupler"), {Theta3}},
@@ -80,7 +68,7 @@ void fillMeanings(QComboBox &combo)
                 const Channel channel{coordinate, order};
                 combo.addItem(
                     QStringLiteral("%1  %2  (%3)").arg(quantityOf(channel), symbolOf(channel), columnNameOf(channel)),
-                    static_cast<int>(indexOf(channel)));
+                    meaningOf(ColumnRole::Channel, channel));
             }
         }
     }
@@ -88,24 +76,21 @@ void fillMeanings(QComboBox &combo)
 }
 
 /// The units that a column of that meaning may have; the first entry is the file's own.
-void fillUnits(QComboBox &combo, int meaning, const FileColumn &column)
+void fillUnits(QComboBox &combo, const ColumnChoice &choice, const FileColumn &column)
 {
     const QString kept = combo.currentData().toString();
     combo.clear();
-    combo.setEnabled(meaning != kIgnored);
-    if (meaning == kIgnored) {
+    combo.setEnabled(choice.role != ColumnRole::Ignored);
+    if (choice.role == ColumnRole::Ignored) {
         return;
     }
     QStringList units{"s", "ms"};
     QString usual = units.first();
-    if (meaning != kTime) {
-        const Channel channel = meaning == kCrankAngle ? Channel{Theta2, Order::Position} : choiceOf(meaning).channel;
+    if (choice.role != ColumnRole::Time) {
+        const Channel channel = choice.role == ColumnRole::CrankAngle ? Channel{Theta2, Order::Position} : choice.channel;
         units = isAngle(channel.coordinate) ? QStringList{"°", "rad"} : QStringList{"mm", "cm", "m", "in"};
         usual = unitOf(channel);
-        const QString perTime = usual.mid(units.first().size()); // "/s²"
-        for (QString &unit : units) {
-            unit += perTime;
-        }
+        units.replaceInStrings(QRegularExpression("$"), usual.mid(units.first().size())); // "/s²"
     }
     combo.addItem(column.unit.empty() ? ColumnMapping::tr("none given: %1").arg(usual)
                                       : ColumnMapping::tr("as printed: %1").arg(QString::fromUtf8(column.unit)),
@@ -136,18 +121,6 @@ QString firstValues(const FileLayout &layout, std::size_t column)
         }
     }
     return values.join("  ");
-}
-
-/// Of the values that exist, made longer where they are all the same.
-Interval rangeOfValues(std::span<const double> values)
-{
-    Interval range{INFINITY, -INFINITY};
-    for (const double value : values) {
-        if (std::isfinite(value)) {
-            range = {std::min(range.lower, value), std::max(range.upper, value)};
-        }
-    }
-    return range;
 }
 
 } // namespace
@@ -192,7 +165,10 @@ ColumnMapping::ColumnMapping(const QStringList &paths, const QByteArrayList &beg
     constexpr int kAround = 40;  // px of the screen
     resize(std::min(kWidth, screen()->availableGeometry().width() - kAround), 640);
 
-    showRemembered();
+    for (const ColumnChoice &choice : rememberedChoices(m_layout, m_paths)) {
+        showChoice(choice.column, choice);
+        m_rows[choice.column].isChosen = true;
+    }
     // A person comes here for the first column that is open, or was guessed.
     const auto open = std::ranges::find_if(m_layout.columns, [this](const FileColumn &column) {
         return m_layout.isOpen() ? leavesOpen(column.reason)
@@ -273,28 +249,23 @@ std::vector<ColumnChoice> ColumnMapping::choices() const
     return choices;
 }
 
-void ColumnMapping::showRemembered()
+void ColumnMapping::showChoice(std::size_t row, const ColumnChoice &choice)
 {
-    for (const ColumnChoice &choice : rememberedChoices(m_layout, m_paths)) {
-        Row &row = m_rows[choice.column];
-        const QSignalBlocker quietMeaning(row.meaning);
-        const QSignalBlocker quietUnit(row.unit);
-        const int meaning = meaningOf(choice.role, choice.channel);
-        row.meaning->setCurrentIndex(row.meaning->findData(meaning));
-        fillUnits(*row.unit, meaning, m_layout.columns[choice.column]);
-        row.unit->setCurrentIndex(std::max(0, row.unit->findData(QString::fromStdString(choice.unit))));
-        row.isChosen = true;
-    }
+    const QSignalBlocker quietMeaning(m_rows[row].meaning);
+    const QSignalBlocker quietUnit(m_rows[row].unit);
+    QComboBox &unit = *m_rows[row].unit;
+    m_rows[row].meaning->setCurrentIndex(m_rows[row].meaning->findData(meaningOf(choice.role, choice.channel)));
+    fillUnits(unit, choice, m_layout.columns[row]);
+    unit.setCurrentIndex(std::max(0, unit.findData(QString::fromStdString(choice.unit))));
 }
 
 void ColumnMapping::choose(std::size_t row)
 {
     m_rows[row].isChosen = true;
     m_current = row;
-    {
-        const QSignalBlocker quiet(m_rows[row].unit);
-        fillUnits(*m_rows[row].unit, m_rows[row].meaning->currentData().toInt(), m_layout.columns[row]);
-    }
+    ColumnChoice choice = choiceOf(m_rows[row].meaning->currentData().toInt());
+    choice.unit = m_rows[row].unit->currentData().toString().toStdString();
+    showChoice(row, choice);
     readAgain();
 }
 
@@ -325,80 +296,56 @@ void ColumnMapping::readAgain()
 void ColumnMapping::showRow(std::size_t row)
 {
     const FileColumn &column = m_layout.columns[row];
-    Row &shown = m_rows[row];
-    if (!shown.isChosen) {
-        const QSignalBlocker quietMeaning(shown.meaning);
-        const QSignalBlocker quietUnit(shown.unit);
-        const int meaning = meaningOf(column.role, column.channel);
-        shown.meaning->setCurrentIndex(shown.meaning->findData(meaning));
-        shown.unit->clear(); // what was chosen for another meaning is not kept
-        fillUnits(*shown.unit, meaning, column);
+    if (!m_rows[row].isChosen) {
+        showChoice(row, {row, column.role, column.channel, {}});
     }
-    shown.why->setText(shown.isChosen ? tr("chosen by hand") : reasonText(m_layout, row));
+    m_rows[row].why->setText(m_rows[row].isChosen ? tr("chosen by hand") : reasonText(m_layout, row));
 }
 
+/// The curve of the current column and what it is. A column that is ignored is read all the same: its numbers may show what it is.
 void ColumnMapping::showPreview()
 {
-    const ReferenceData *read = std::get_if<ReferenceData>(&m_outcome);
     if (m_current >= m_rows.size()) {
         return;
     }
     const FileColumn &column = m_layout.columns[m_current];
-    const QString heading = headingText(m_layout, m_current);
-    if (column.role == ColumnRole::Ignored) {
-        previewIgnored();
-        return;
+    const bool isIgnored = column.role == ColumnRole::Ignored;
+    Channel channel = column.channel;
+    std::variant<ReferenceData, ReadError> outcome = m_outcome;
+    if (isIgnored) {
+        channel = {R1x, Order::Position};
+        std::vector<ColumnChoice> all = choices();
+        std::erase_if(all, [this](const ColumnChoice &choice) { return choice.column == m_current; });
+        all.push_back({m_current, ColumnRole::Channel, channel, "mm"});
+        outcome = readWith(all);
     }
-    if (!read) {
-        preview({});
-        return;
-    }
-    const QString span = abscissaText(*read);
-    if (column.role != ColumnRole::Channel) {
-        preview(tr("%1: %2").arg(heading, span), read->time,
-                column.role == ColumnRole::Time ? read->time : read->crank->degrees);
-    } else if (const ReferenceSeries *series = read->find(column.channel)) {
-        const Interval range = rangeOfValues(series->values);
-        preview(tr("%1: %2 from %3 to %4 %5, %6")
-                    .arg(heading, symbolOf(column.channel), numberText(range.lower), numberText(range.upper),
-                         unitOf(column.channel), span),
-                read->time, series->values);
-    }
-}
-
-/// A column that is ignored is read all the same: its numbers may show what it is.
-void ColumnMapping::previewIgnored()
-{
-    const QString heading = headingText(m_layout, m_current);
-    const Channel any{R1x, Order::Position};
-    std::vector<ColumnChoice> choices = this->choices();
-    std::erase_if(choices, [this](const ColumnChoice &choice) { return choice.column == m_current; });
-    choices.push_back({m_current, ColumnRole::Channel, any, "mm"});
-    const std::variant<ReferenceData, ReadError> outcome = readWith(choices);
     const ReferenceData *read = std::get_if<ReferenceData>(&outcome);
-    const ReferenceSeries *series = read ? read->find(any) : nullptr;
-    if (!series) {
-        preview(tr("%1 is ignored").arg(heading));
-        return;
+    const ReferenceSeries *series = read && (isIgnored || column.role == ColumnRole::Channel) ? read->find(channel) : nullptr;
+    const QString heading = headingText(m_layout, m_current);
+    QString caption = isIgnored ? tr("%1 is ignored").arg(heading) : read ? tr("%1: %2").arg(heading, abscissaText(*read)) : QString();
+    ChartContent content;
+    if (series) {
+        constexpr std::size_t kPoints = 600; // enough to recognize a quantity by its shape
+        ChartSeries curve{.name = {}, .colour = &SeriesColours::reference, .line = ChartSeries::Line::Solid};
+        Interval range{INFINITY, -INFINITY};
+        for (std::size_t i = 0; i < read->time.size(); ++i) {
+            if (const double value = series->values[i]; std::isfinite(value)) {
+                range = {std::min(range.lower, value), std::max(range.upper, value)};
+            }
+            if (i % (1 + read->time.size() / kPoints) == 0) {
+                curve.points.push_back({read->time[i], series->values[i]});
+            }
+        }
+        const auto longer = [](const Interval &axis) { // if all values are the same
+            return axis.upper > axis.lower ? axis : Interval{axis.lower - 1.0, axis.lower + 1.0};
+        };
+        content = {{{}, longer({read->time.front(), read->time.back()})}, {{}, longer(range)}, {curve}};
+        caption = isIgnored ? tr("%1 is ignored: from %2 to %3").arg(heading, numberText(range.lower), numberText(range.upper))
+                            : tr("%1: %2 from %3 to %4 %5, %6")
+                                  .arg(heading, symbolOf(channel), numberText(range.lower), numberText(range.upper), unitOf(channel),
+                                       abscissaText(*read));
     }
-    const Interval range = rangeOfValues(series->values);
-    preview(tr("%1 is ignored: from %2 to %3").arg(heading, numberText(range.lower), numberText(range.upper)),
-            read->time, series->values);
-}
-
-/// The curve in a few hundred points, without a legend: enough to recognize a quantity by its shape.
-void ColumnMapping::preview(const QString &caption, std::span<const double> time, std::span<const double> values)
-{
-    constexpr std::size_t kPoints = 600;
-    ChartSeries curve{.name = {}, .colour = &SeriesColours::reference, .line = ChartSeries::Line::Solid};
-    for (std::size_t i = 0; i < time.size(); i += 1 + time.size() / kPoints) {
-        curve.points.push_back({time[i], values[i]});
-    }
-    const auto axis = [](std::span<const double> numbers) {
-        const Interval range = rangeOfValues(numbers);
-        return ChartAxis{{}, range.upper > range.lower ? range : Interval{range.lower - 1.0, range.lower + 1.0}};
-    };
-    m_preview->setContent(time.empty() ? ChartContent() : ChartContent{axis(time), axis(values), {curve}});
+    m_preview->setContent(content);
     m_preview->setAccessibleDescription(caption);
     m_caption->setText(caption);
 }

@@ -10,7 +10,6 @@
 #include <QDialog>
 #include <QStringList>
 
-#include <span>
 #include <variant>
 #include <vector>
 
@@ -53,14 +52,12 @@ private:
     void addRow(QGridLayout *grid, int line, std::size_t column);
     std::variant<ReferenceData, ReadError> readWith(const std::vector<ColumnChoice> &choices) const;
     std::vector<ColumnChoice> choices() const; ///< of the rows that the person chose
-    void showRemembered();
+    void showChoice(std::size_t row, const ColumnChoice &choice); ///< in its two lists
     void choose(std::size_t row);
     void detectAgain();
     void readAgain();
     void showRow(std::size_t row);
     void showPreview();
-    void preview(const QString &caption, std::span<const double> time = {}, std::span<const double> values = {});
-    void previewIgnored();
 
     QStringList m_paths;
     QByteArrayList m_beginnings;

@@ -14,7 +14,6 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QPainter>
-#include <QPushButton>
 #include <QSignalBlocker>
 #include <QStyleOptionSlider>
 #include <QToolButton>
@@ -162,7 +161,6 @@ private:
 ParameterPanel::ParameterPanel(QWidget *parent)
     : QWidget(parent)
     , m_rows{{{Parameter::A}, {Parameter::B}, {Parameter::C}, {Parameter::Omega2}, {Parameter::Theta20}}}
-    , m_branch(named("branchButton", new QPushButton))
     , m_grid(new QGridLayout(this))
     , m_chosen(named("parameterBox", new QComboBox(this), tr("Parameter to change")))
 {
@@ -175,14 +173,6 @@ ParameterPanel::ParameterPanel(QWidget *parent)
         addRow(row);
         m_chosen->addItem(tr("%1 %2").arg(symbolOf(row.parameter), row.text->noun));
     }
-    m_branch->setToolTip(tr("Flips to the other way of assembling the same links"));
-    m_branch->setFocusPolicy(Qt::TabFocus);
-    m_grid->addWidget(m_branch, static_cast<int>(m_rows.size()), 1, 1, 4);
-    connect(m_branch, &QPushButton::clicked, this, [this] {
-        m_parameters.branch = m_parameters.branch == Branch::Open ? Branch::Crossed : Branch::Open;
-        showParameters();
-        emit edited(m_parameters);
-    });
     m_chosen->setToolTip(tr("Parameter to change"));
     m_chosen->setCurrentIndex(static_cast<int>(Parameter::B));
     m_chosen->hide();
@@ -278,7 +268,6 @@ void ParameterPanel::showRows()
             }
         }
     }
-    m_branch->setVisible(!m_isBrief);
     m_chosen->setVisible(m_isBrief);
     if (m_isBrief) {
         m_grid->addWidget(m_chosen, m_chosen->currentIndex(), 0);
@@ -339,7 +328,6 @@ void ParameterPanel::showParameters()
     for (const Row &row : m_rows) {
         showRow(row);
     }
-    m_branch->setText(tr("⇄ %1").arg(withNoun(m_parameters.branch)));
     shade();
 }
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A slider, a box and a reset button for each of a, b, c, ω₂, θ₂₀, and a button that flips the assembly. Keeps every
-// number exact: what is shown may be shortened, what was given is what comes back.
+// A slider, a box and a reset button for each of a, b, c, ω₂, θ₂₀. Keeps every number exact: what is shown may be shortened, what was given is what comes back.
 
 #include "core/mechanism/mechanism.h"
 
@@ -14,7 +13,6 @@
 class QComboBox;
 class QGridLayout;
 class QLabel;
-class QPushButton;
 class QToolButton;
 
 namespace slidercrank
@@ -40,7 +38,7 @@ public slots:
     void setParameters(const slidercrank::Parameters &parameters);
 
 signals:
-    /// Somebody moved, typed, reset or flipped. Only what can be used is emitted.
+    /// Somebody moved, typed or reset. Only what can be used is emitted.
     void edited(const slidercrank::Parameters &parameters);
 
     /// A slider is pressed, is released: what is edited between belongs together.
@@ -77,7 +75,6 @@ private:
 
     Parameters m_parameters;
     std::array<Row, 5> m_rows;
-    QPushButton *m_branch;
     QGridLayout *m_grid;
     QComboBox *m_chosen; ///< while brief: the row on show
     bool m_isBrief = false;

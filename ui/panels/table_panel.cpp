@@ -169,6 +169,7 @@ NumberTable *TablePanel::tableFor(const PageTable &content)
     NumberTable *&table = m_tables[content.name];
     if (!table) {
         table = new NumberTable(content.name, content.title, content.columns);
+        table->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored); // its minimum height is what it needs
         m_beside->addWidget(table, 1);
         connect(table, &NumberTable::timeRequested, this, &TablePanel::timeRequested);
         connect(table, &NumberTable::partHovered, this, &TablePanel::partHovered);

@@ -17,6 +17,7 @@
 #include <QLocale>
 #include <QMenu>
 #include <QPainter>
+#include <QStyle>
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -58,15 +59,16 @@ QIcon colouredIcon(const QWidget &widget, QStyle::StandardPixmap symbol)
 Timeline::Timeline(QWidget *parent)
     : QWidget(parent)
     , m_clock(steadySeconds)
+    , m_speeds(new QActionGroup(this))
+    , m_runForm(new RunForm(this))
 {
     named("timeline", this, tr("Timeline"));
     m_frames.setInterval(16);
     m_frames.setTimerType(Qt::PreciseTimer);
     connect(&m_frames, &QTimer::timeout, this, &Timeline::nextFrame);
-    createActions();
-    m_runForm = new RunForm(this);
     connect(m_runForm, &RunForm::edited, this, &Timeline::samplingEdited);
     connect(m_runForm, &RunForm::speedEdited, this, &Timeline::setSpeed);
+    createActions();
     auto *rows = new QVBoxLayout(this);
     rows->setContentsMargins(6, 4, 6, 4);
     rows->setSpacing(3);
@@ -77,33 +79,39 @@ Timeline::Timeline(QWidget *parent)
     setSpeed(m_speed);
 }
 
-QAction *Timeline::addAction(const QString &text, const QKeySequence &shortcut, void (Timeline::*slot)())
+void Timeline::addAction(Command command, const QString &text, const QKeySequence &shortcut, const std::function<void()> &act)
 {
-    auto *action = new QAction(text, this);
+    auto *action = m_actions[command] = new QAction(text, this);
     action->setShortcut(shortcut);
     const QString name = QString(text).remove(u'&').remove(u'…');
     action->setToolTip(tr("%1 (%2)").arg(name, shortcut.toString(QKeySequence::NativeText)));
-    connect(action, &QAction::triggered, this, slot);
-    return action;
+    if (act) {
+        connect(action, &QAction::triggered, this, act);
+    }
 }
 
 void Timeline::createActions()
 {
-    m_play = addAction(tr("&Play or pause"), Qt::Key_Space, &Timeline::togglePlaying);
-    m_play->setAutoRepeat(false);
-    m_forward = addAction(tr("Step &forward"), Qt::Key_Right, &Timeline::stepForward);
-    m_back = addAction(tr("Step &back"), Qt::Key_Left, &Timeline::stepBack);
-    m_start = addAction(tr("To the &start"), Qt::Key_Home, &Timeline::toStart);
-    m_end = addAction(tr("To the &end"), Qt::Key_End, &Timeline::toEnd);
-    m_faster = addAction(tr("F&aster"), Qt::SHIFT | Qt::Key_Right, &Timeline::faster);
-    m_slower = addAction(tr("Slo&wer"), Qt::SHIFT | Qt::Key_Left, &Timeline::slower);
-    m_openRun = addAction(tr("&Time range and speed…"), Qt::CTRL | Qt::Key_R, &Timeline::openRun);
-    m_loop = new QAction(tr("&Loop"), this);
-    m_loop->setShortcut(Qt::CTRL | Qt::Key_L);
-    m_loop->setToolTip(tr("Start again at the end (Ctrl+L)"));
-    m_loop->setCheckable(true);
-    m_loop->setChecked(true);
-    m_speeds = new QActionGroup(this);
+    addAction(Play, tr("&Play or pause"), Qt::Key_Space, [this] { togglePlaying(); });
+    m_actions[Play]->setAutoRepeat(false);
+    addAction(Forward, tr("Step &forward"), Qt::Key_Right, [this] { stepTo(std::floor(stepsAt(m_pose.time) + 1.0)); });
+    addAction(Back, tr("Step &back"), Qt::Key_Left, [this] { stepTo(std::ceil(stepsAt(m_pose.time) - 1.0)); });
+    addAction(Start, tr("To the &start"), Qt::Key_Home, [this] { emit timeRequested(m_sampling.start); });
+    addAction(End, tr("To the &end"), Qt::Key_End, [this] { emit timeRequested(last()); });
+    addAction(Loop, tr("&Loop"), Qt::CTRL | Qt::Key_L);
+    m_actions[Loop]->setToolTip(tr("Start again at the end (Ctrl+L)"));
+    m_actions[Loop]->setCheckable(true);
+    m_actions[Loop]->setChecked(true);
+    addAction(Faster, tr("F&aster"), Qt::SHIFT | Qt::Key_Right, [this] {
+        const auto next = std::ranges::upper_bound(kSpeeds, m_speed);
+        setSpeed(next == kSpeeds.end() ? m_speed : *next);
+    });
+    addAction(Slower, tr("Slo&wer"), Qt::SHIFT | Qt::Key_Left, [this] {
+        const auto next = std::ranges::lower_bound(kSpeeds, m_speed);
+        setSpeed(next == kSpeeds.begin() ? m_speed : *std::prev(next));
+    });
+    addAction(OpenRun, tr("&Time range and speed…"), Qt::CTRL | Qt::Key_R, [this] { openRun(); });
+    m_speeds->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional); // a typed speed is none of them
     for (const double speed : kSpeeds) {
         QAction *action = m_speeds->addAction(speedText(speed));
         action->setCheckable(true);
@@ -113,27 +121,29 @@ void Timeline::createActions()
 
 void Timeline::fillMenu(QMenu *menu)
 {
-    menu->addActions({m_play, m_forward, m_back, m_start, m_end, m_loop});
+    const QList<QAction *> actions(m_actions.begin(), m_actions.end());
+    menu->addActions(actions.first(Faster));
     menu->addSeparator();
     menu->addMenu(tr("Spee&d"))->addActions(m_speeds->actions());
-    menu->addActions({m_faster, m_slower, m_openRun});
+    menu->addActions(actions.sliced(Faster));
 }
 
 QLayout *Timeline::createScrubbing()
 {
-    m_timeBox = named("timeBox", new NumberBox, tr("Time in seconds"));
-    m_timeBox->setToolTip(tr("Time"));
-    m_timeBox->setButtonSymbols(QAbstractSpinBox::NoButtons);
-    m_timeBox->setSuffix(tr(" s"));
-    m_timeBox->setUnit(kSecond);
+    const auto makeBox = [](const char *name, const QString &spoken, const QString &explanation, const QString &suffix, const Unit &unit) {
+        auto *box = named(name, new NumberBox, spoken);
+        box->setToolTip(explanation);
+        box->setButtonSymbols(QAbstractSpinBox::NoButtons);
+        box->setSuffix(suffix);
+        box->setUnit(unit);
+        return box;
+    };
+    m_timeBox = makeBox("timeBox", tr("Time in seconds"), tr("Time"), tr(" s"), kSecond);
     connect(m_timeBox, &NumberBox::edited, this, &Timeline::timeRequested);
 
     constexpr double kLargestAngle = 1e300; // degrees: every angle that a mechanism can reach
-    m_angleBox = named("angleBox", new NumberBox, tr("Crank angle in degrees"));
-    m_angleBox->setToolTip(tr("Crank angle: type one to go to the time when the crank first passes it"));
-    m_angleBox->setButtonSymbols(QAbstractSpinBox::NoButtons);
-    m_angleBox->setSuffix(tr("°"));
-    m_angleBox->setUnit(kDegree);
+    m_angleBox = makeBox("angleBox", tr("Crank angle in degrees"),
+                         tr("Crank angle: type one to go to the time when the crank first passes it"), tr("°"), kDegree);
     m_angleBox->setRange({.smallest = -kLargestAngle, .largest = kLargestAngle});
     m_angleBox->setFixedDecimals(2);
     m_angleBox->setStep(1.0);
@@ -157,87 +167,75 @@ QLayout *Timeline::createScrubbing()
     return row;
 }
 
-QToolButton *Timeline::addButton(QLayout *row, const QString &objectName, QAction *action)
-{
-    auto *button = named(objectName, new QToolButton);
-    button->setDefaultAction(action);
-    button->setAutoRaise(true);
-    button->setFocusPolicy(Qt::TabFocus);
-    row->addWidget(button);
-    return button;
-}
-
 QLayout *Timeline::createButtons()
 {
     auto *row = new QHBoxLayout;
     row->setSpacing(2);
-    addButton(row, "startButton", m_start);
-    addButton(row, "backButton", m_back)->setAutoRepeat(true);
-    m_playButton = addButton(row, "playButton", m_play);
-    addButton(row, "forwardButton", m_forward)->setAutoRepeat(true);
-    addButton(row, "endButton", m_end);
+    const auto addButton = [row](const char *name, QAction *action) {
+        auto *button = named(name, new QToolButton);
+        if (action) {
+            button->setDefaultAction(action);
+        }
+        button->setAutoRaise(true);
+        button->setFocusPolicy(Qt::TabFocus);
+        row->addWidget(button);
+        return button;
+    };
+    addButton("startButton", m_actions[Start]);
+    addButton("backButton", m_actions[Back])->setAutoRepeat(true);
+    m_playButton = addButton("playButton", m_actions[Play]);
+    addButton("forwardButton", m_actions[Forward])->setAutoRepeat(true);
+    addButton("endButton", m_actions[End]);
     row->addSpacing(8);
-    addButton(row, "loopButton", m_loop);
+    addButton("loopButton", m_actions[Loop]);
     row->addStretch(1);
-    m_run = named("runButton", new QToolButton, tr("Time range and speed"));
-    m_run->setAutoRaise(true);
-    m_run->setFocusPolicy(Qt::TabFocus);
+    m_run = addButton("runButton", nullptr);
+    m_run->setAccessibleName(tr("Time range and speed"));
     m_run->setToolTip(tr("Start, duration, steps, one revolution, and the playback speed (Ctrl+R)"));
     connect(m_run, &QToolButton::clicked, this, &Timeline::openRun);
-    row->addWidget(m_run);
     return row;
 }
 
 void Timeline::colourIcons()
 {
-    m_start->setIcon(colouredIcon(*this, QStyle::SP_MediaSkipBackward));
-    m_back->setIcon(colouredIcon(*this, QStyle::SP_MediaSeekBackward));
-    m_play->setIcon(colouredIcon(*this, isPlaying() ? QStyle::SP_MediaPause : QStyle::SP_MediaPlay));
-    m_forward->setIcon(colouredIcon(*this, QStyle::SP_MediaSeekForward));
-    m_end->setIcon(colouredIcon(*this, QStyle::SP_MediaSkipForward));
-    m_loop->setIcon(colouredIcon(*this, QStyle::SP_BrowserReload));
+    using enum QStyle::StandardPixmap;
+    for (const auto &[command, symbol] : {std::pair{Start, SP_MediaSkipBackward}, std::pair{Back, SP_MediaSeekBackward},
+                                          std::pair{Play, isPlaying() ? SP_MediaPause : SP_MediaPlay},
+                                          std::pair{Forward, SP_MediaSeekForward}, std::pair{End, SP_MediaSkipForward},
+                                          std::pair{Loop, SP_BrowserReload}}) {
+        m_actions[command]->setIcon(colouredIcon(*this, symbol));
+    }
     m_playButton->setAccessibleName(isPlaying() ? tr("Pause") : tr("Play"));
 }
 
 void Timeline::changeEvent(QEvent *event)
 {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange && m_playButton) {
+    if (event->type() == QEvent::PaletteChange) {
         colourIcons();
     }
-}
-
-double Timeline::first() const
-{
-    return std::min(m_sampling.start, m_sampling.start + m_sampling.duration);
-}
-
-double Timeline::last() const
-{
-    return std::max(m_sampling.start, m_sampling.start + m_sampling.duration);
 }
 
 void Timeline::setSampling(const Sampling &sampling)
 {
     m_sampling = sampling;
-    const double step = std::abs(sampling.duration) / sampling.steps;
-    const int decimals = step > 0.0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(step))), 3, 9) : 3;
+    const double step = sampling.duration / sampling.steps;
+    const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(step))), 3, 9);
     m_timeBox->setFixedDecimals(decimals);
     m_timeBox->setStep(step);
-    m_timeBox->setRange({.smallest = first(), .largest = last(), .takesNearest = true});
-    const double largest = std::max(std::abs(first()), std::abs(last()));
+    m_timeBox->setRange({.smallest = m_sampling.start, .largest = last(), .takesNearest = true});
+    const double largest = std::max(std::abs(m_sampling.start), std::abs(last()));
     m_timeBox->setWidestText(QLocale().toString(-largest, 'f', decimals));
     {
         const QSignalBlocker quiet(m_slider);
-        m_slider->setScale(sampling.start, sampling.duration / sampling.steps);
+        m_slider->setScale(sampling.start, step);
         m_slider->setRange(0, sampling.steps);
         m_slider->setPageStep(std::max(1, sampling.steps / 20));
     }
     if (isPlaying()) {
-        restartClock(std::clamp(m_requested, first(), last()));
+        restartClock(std::clamp(m_requested, m_sampling.start, last()));
     }
     m_runForm->setSampling(sampling);
-    showRun();
     showTime();
 }
 
@@ -257,80 +255,32 @@ void Timeline::setParameters(const Parameters &parameters)
     m_runForm->setParameters(parameters);
 }
 
-void Timeline::togglePlaying()
-{
-    if (isPlaying()) {
-        pause();
-    } else {
-        play();
-    }
-}
-
 void Timeline::play()
 {
-    if (isPlaying()) {
-        return;
+    if (!isPlaying()) {
+        restartClock(m_pose.time < last() ? m_pose.time : m_sampling.start);
+        m_frames.start();
+        colourIcons();
     }
-    restartClock(m_pose.time < last() ? m_pose.time : first());
-    m_frames.start();
-    colourIcons();
-    emit playingChanged(true);
 }
 
 void Timeline::pause()
 {
-    if (!isPlaying()) {
-        return;
-    }
     m_frames.stop();
     colourIcons();
-    emit playingChanged(false);
-}
-
-void Timeline::stepForward()
-{
-    stepTo(std::floor(stepsAt(m_pose.time) + 1.0));
-}
-
-void Timeline::stepBack()
-{
-    stepTo(std::ceil(stepsAt(m_pose.time) - 1.0));
-}
-
-void Timeline::toStart()
-{
-    emit timeRequested(m_sampling.start);
-}
-
-void Timeline::toEnd()
-{
-    emit timeRequested(m_sampling.start + m_sampling.duration);
 }
 
 void Timeline::setSpeed(double speed)
 {
-    m_speed = speed > 0.0 ? std::clamp(speed, kSlowestPlayback, kFastestPlayback) : kSlowestPlayback; // also for NaN
+    m_speed = std::clamp(speed, kSlowestPlayback, kFastestPlayback);
     m_runForm->setSpeed(m_speed);
     for (std::size_t i = 0; i < kSpeeds.size(); ++i) {
         m_speeds->actions()[static_cast<int>(i)]->setChecked(kSpeeds[i] == m_speed);
     }
-    showRun();
     if (isPlaying()) {
         restartClock(m_requested);
     }
-    emit speedChanged(m_speed);
-}
-
-void Timeline::faster()
-{
-    const auto next = std::ranges::upper_bound(kSpeeds, m_speed);
-    setSpeed(next == kSpeeds.end() ? std::max(m_speed, kSpeeds.back()) : *next);
-}
-
-void Timeline::slower()
-{
-    const auto next = std::ranges::lower_bound(kSpeeds, m_speed);
-    setSpeed(next == kSpeeds.begin() ? std::min(m_speed, kSpeeds.front()) : *std::prev(next));
+    showTime();
 }
 
 void Timeline::openRun()
@@ -340,12 +290,7 @@ void Timeline::openRun()
 
 bool Timeline::isLooping() const
 {
-    return m_loop->isChecked();
-}
-
-void Timeline::setLooping(bool looping)
-{
-    m_loop->setChecked(looping);
+    return m_actions[Loop]->isChecked();
 }
 
 void Timeline::restartClock(double from)
@@ -357,32 +302,22 @@ void Timeline::restartClock(double from)
 
 void Timeline::nextFrame()
 {
-    const double run = last() - first();
-    double time = m_playedFrom + m_speed * (m_clock() - m_playedSince);
-    bool ended = false;
-    if (time >= last()) {
-        if (isLooping() && run > 0.0) {
-            time = first() + std::fmod(time - first(), run);
-        } else {
-            time = last();
-            ended = true;
-        }
-    }
-    m_requested = time;
-    emit timeRequested(time);
-    if (ended) {
+    const double time = m_playedFrom + m_speed * (m_clock() - m_playedSince);
+    const bool isOver = time >= last() && !isLooping();
+    m_requested = time < last() ? time
+                  : isOver      ? last()
+                                : m_sampling.start + std::fmod(time - m_sampling.start, m_sampling.duration);
+    emit timeRequested(m_requested);
+    if (isOver) {
         pause();
     }
 }
 
+/// A time that is a time step up to rounding is that time step.
 double Timeline::stepsAt(double time) const
 {
-    if (m_sampling.duration == 0.0) {
-        return 0.0;
-    }
-    const double steps = (time - m_sampling.start) / m_sampling.duration * m_sampling.steps;
-    // A time that is a time step up to rounding is that time step.
     constexpr double kSame = 1e-6; // of a step
+    const double steps = (time - m_sampling.start) / m_sampling.duration * m_sampling.steps;
     const double nearest = std::round(steps);
     return std::abs(steps - nearest) < kSame ? nearest : steps;
 }
@@ -400,24 +335,16 @@ void Timeline::goToAngle(double degrees)
     if (omega2 != 0.0) {
         double time =
             (degrees / kDegreesPerRadian - m_parameters.theta20) / omega2; // the very angle, whole turns included
-        if (!(time >= first() && time <= last())) {
+        if (!(time >= m_sampling.start && time <= last())) {
             const double period = kTurn / std::abs(omega2);
-            time = instantAtCrankAngle(Mechanism(m_parameters), degrees / kDegreesPerRadian, first()).value_or(first());
+            time = instantAtCrankAngle(Mechanism(m_parameters), degrees / kDegreesPerRadian, m_sampling.start).value_or(m_sampling.start);
             if (time > last()) { // not passed: whichever end is nearer
-                time = first() - (time - period) < time - last() ? first() : last();
+                time = m_sampling.start - (time - period) < time - last() ? m_sampling.start : last();
             }
         }
         emit timeRequested(time);
     }
     showTime();
-}
-
-/// The button shows what is chosen.
-void Timeline::showRun()
-{
-    constexpr int kDigits = 3;
-    m_run->setText(tr("%1 s · %2 ▾", "duration, playback speed")
-                       .arg(numberText(m_sampling.duration, kDigits), speedText(m_speed)));
 }
 
 void Timeline::showTime()
@@ -427,6 +354,9 @@ void Timeline::showTime()
     const QSignalBlocker quiet(m_slider);
     m_slider->setValue(
         static_cast<int>(std::lround(std::clamp(stepsAt(m_pose.time), 0.0, static_cast<double>(m_sampling.steps)))));
+    constexpr int kDigits = 3;
+    m_run->setText(tr("%1 s · %2 ▾", "duration, playback speed")
+                       .arg(numberText(m_sampling.duration, kDigits), speedText(m_speed)));
 }
 
 } // namespace slidercrank

@@ -9,16 +9,15 @@
 #include "core/sampling/trajectory.h"
 #include "ui/document/result.h"
 
-#include <QStyle>
 #include <QTimer>
 #include <QWidget>
 
 #include <array>
 #include <functional>
-#include <map>
 
 class QAction;
 class QActionGroup;
+class QLayout;
 class QMenu;
 class QToolButton;
 
@@ -56,45 +55,34 @@ public slots:
     /// The drive, ω₂ and θ₂₀: which time a typed crank angle means.
     void setParameters(const slidercrank::Parameters &parameters);
 
-    void togglePlaying();
+    void togglePlaying() { isPlaying() ? pause() : play(); }
     void play();
     void pause();
-    void stepForward(); ///< one sampling step
-    void stepBack();
-    void toStart();
-    void toEnd();
-    void setLooping(bool looping);
     void setSpeed(double speed);
-    void faster(); ///< the next of kSpeeds
-    void slower();
     void openRun(); ///< time range and speed
 
 signals:
     void timeRequested(double seconds);
-    void playingChanged(bool playing);
-    void loopingChanged(bool looping);
-    void speedChanged(double speed);
     void samplingEdited(const slidercrank::Sampling &sampling);
 
 protected:
     void changeEvent(QEvent *event) override;
 
 private:
-    QAction *addAction(const QString &text, const QKeySequence &shortcut, void (Timeline::*slot)());
-    QToolButton *addButton(QLayout *row, const QString &objectName, QAction *action);
+    enum Command { Play, Forward, Back, Start, End, Loop, Faster, Slower, OpenRun, CommandCount };
+
+    void addAction(Command command, const QString &text, const QKeySequence &shortcut, const std::function<void()> &act = {});
+    void createActions();
     QLayout *createScrubbing();
     QLayout *createButtons();
-    void createActions();
     void colourIcons();
-    double first() const; ///< of the time range, s
-    double last() const;
+    double last() const { return m_sampling.start + m_sampling.duration; } ///< of the time range, s
     void nextFrame();
     void restartClock(double from);
     double stepsAt(double time) const; ///< since the start
     void stepTo(double step);
     void goToAngle(double degrees);
     void showTime();
-    void showRun();
 
     Sampling m_sampling;
     Parameters m_parameters;
@@ -108,22 +96,14 @@ private:
     double m_requested = 0.0;
     double m_speed = 1.0;
 
-    QAction *m_play;
-    QAction *m_forward;
-    QAction *m_back;
-    QAction *m_start;
-    QAction *m_end;
-    QAction *m_loop;
-    QAction *m_faster;
-    QAction *m_slower;
-    QAction *m_openRun;
+    std::array<QAction *, CommandCount> m_actions{};
     QActionGroup *m_speeds; ///< one action for each of kSpeeds
-    QToolButton *m_playButton = nullptr;
-    QToolButton *m_run = nullptr;
-    RunForm *m_runForm = nullptr;
-    NumberSlider *m_slider = nullptr;
-    NumberBox *m_timeBox = nullptr;
-    NumberBox *m_angleBox = nullptr;
+    QToolButton *m_playButton;
+    QToolButton *m_run;
+    RunForm *m_runForm;
+    NumberSlider *m_slider;
+    NumberBox *m_timeBox;
+    NumberBox *m_angleBox;
 };
 
 } // namespace slidercrank

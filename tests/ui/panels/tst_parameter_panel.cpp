@@ -81,7 +81,6 @@ private slots:
                                         std::pair{"omega2", "3"}, std::pair{"theta20", "28.6479"}}) {
             QCOMPARE(shown.part<NumberBox>(QString("box_") + key)->text(), QString(text));
         }
-        QVERIFY(shown.part<QAbstractButton>("branchButton")->text().contains("crossed"));
     }
 
     void eachControlChangesItsOwnParameterOnly()
@@ -108,12 +107,6 @@ private slots:
             QCOMPARE(shown.received().*member, Parameters().*member);
             QVERIFY(!reset->isEnabled());
         }
-        Shown shown;
-        shown.part<QAbstractButton>("branchButton")->click();
-        Parameters flipped = givenParameters();
-        flipped.branch = Branch::Open;
-        QCOMPARE(shown.received(), flipped);
-        QVERIFY(shown.part<QAbstractButton>("branchButton")->text().contains("open"));
     }
 
     void aDragOfASliderBelongsTogether()
