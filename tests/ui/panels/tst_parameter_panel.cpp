@@ -8,6 +8,7 @@
 
 #include <QAbstractButton>
 #include <QComboBox>
+#include <QLabel>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTest>
@@ -89,17 +90,14 @@ private slots:
             Shown shown;
             auto *slider = shown.part<QSlider>(QString("slider_") + key);
             slider->setValue(slider->value() + 7);
-            Parameters expected = shown.received();
-            QVERIFY2(expected.*member > givenParameters().*member, key);
-            Parameters rest = expected;
-            rest.*member = givenParameters().*member;
-            QCOMPARE(rest, givenParameters());
-
+            Parameters received = shown.received();
+            QVERIFY2(received.*member > givenParameters().*member, key);
+            received.*member = givenParameters().*member;
+            QCOMPARE(received, givenParameters());
             typeNumber(shown.part<NumberBox>(QString("box_") + key), "12.5");
-            expected = shown.received();
-            rest = expected;
-            rest.*member = givenParameters().*member;
-            QCOMPARE(rest, givenParameters());
+            received = shown.received();
+            received.*member = givenParameters().*member;
+            QCOMPARE(received, givenParameters());
 
             auto *reset = shown.part<QAbstractButton>(QString("reset_") + key);
             QVERIFY(reset->isEnabled());
@@ -122,42 +120,36 @@ private slots:
         QCOMPARE(ended.count(), 1);
     }
 
-    void keepsExactNumbers()
+    void keepsExactNumbersAndConvertsUnitsExactly()
     {
         Parameters exact = givenParameters();
         exact.b = 60.12345678901234;
         exact.omega2 = std::nextafter(1.0 / 3.0, 1.0);
         exact.theta20 = 0.1234567890123456;
-        Shown shown(exact);
+        Shown given(exact);
         for (const char *name : {"box_omega2", "box_theta20", "box_b"}) {
-            shown.part<NumberBox>(name)->setFocus();
-            QTest::keyClick(shown.part<NumberBox>(name), Qt::Key_Return);
+            given.part<NumberBox>(name)->setFocus();
+            QTest::keyClick(given.part<NumberBox>(name), Qt::Key_Return);
         }
-        typeNumber(shown.part<NumberBox>("box_a"), "25");
+        typeNumber(given.part<NumberBox>("box_a"), "25");
         exact.a = 25.0;
-        QVERIFY(shown.received() == exact);
-    }
-
-    void convertsUnitsExactly()
-    {
+        QVERIFY(given.received() == exact);
         struct Row {
-            const char *key;
+            Parameter parameter;
             int shownUnit;
             const char *typed;
             double value; ///< rad/s, rad
         };
-        for (const Row &row : {Row{"omega2", 0, "60 rpm", 2.0 * kPi}, Row{"omega2", 2, "120", 4.0 * kPi},
-                               Row{"omega2", 1, "360", 2.0 * kPi}, Row{"omega2", 2, "4 rad/s", 4.0},
-                               Row{"omega2", 2, "−90 °/s", -kPi / 2.0}, Row{"theta20", 0, "90", kPi / 2.0},
-                               Row{"theta20", 1, "30 deg", kPi / 6.0}, Row{"theta20", 0, "0.25rad", 0.25}}) {
+        for (const Row &row : {Row{Parameter::Omega2, 0, "60 rpm", 2.0 * kPi}, Row{Parameter::Omega2, 2, "120", 4.0 * kPi},
+                               Row{Parameter::Omega2, 1, "360", 2.0 * kPi}, Row{Parameter::Omega2, 2, "4 rad/s", 4.0},
+                               Row{Parameter::Omega2, 2, "−90 °/s", -kPi / 2.0}, Row{Parameter::Theta20, 0, "90", kPi / 2.0},
+                               Row{Parameter::Theta20, 1, "30 deg", kPi / 6.0}, Row{Parameter::Theta20, 0, "0.25rad", 0.25}}) {
             Shown shown;
-            const QString key = row.key;
+            const QString key = row.parameter == Parameter::Omega2 ? "omega2" : "theta20";
             shown.part<QComboBox>("unit_" + key)->setCurrentIndex(row.shownUnit);
             QVERIFY(shown.edits.isEmpty()); // another unit is no other number
             typeNumber(shown.part<NumberBox>("box_" + key), QString::fromUtf8(row.typed));
-            const Parameters received = shown.received();
-            const double value = key == "omega2" ? received.omega2 : received.theta20;
-            QVERIFY2(std::abs(value - row.value) <= 1e-15 * std::abs(row.value), row.typed);
+            QVERIFY2(std::abs(valueOf(shown.received(), row.parameter) / row.value - 1.0) <= 1e-15, row.typed);
         }
         for (const int degrees : {370, 10, 123, -725}) {
             Shown shown;
@@ -217,6 +209,17 @@ private slots:
                 QVERIFY2(slider->toolTip().contains(QString::fromUtf8(row.tip)), qPrintable(slider->toolTip()));
             }
         }
+    }
+
+    void aClickOnANameAsksForTheResponse()
+    {
+        const Shown shown;
+        QSignalSpy asked(&shown.panel, &ParameterPanel::responseRequested);
+        for (QLabel *label : shown.panel.findChildren<QLabel *>()) {
+            QTest::mouseClick(label, Qt::LeftButton);
+        }
+        QCOMPARE(asked.size(), 4); // nothing depends on θ₂₀
+        QCOMPARE(asked[1][0].value<Parameter>(), Parameter::B);
     }
 
     void showsOneParameterWhileBrief()
