@@ -1419,10 +1419,6 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
         <translation>Relación b/a</translation>
     </message>
     <message>
-        <source>a = %1 mm, b = %2 mm, c = %3 mm, b/a = %4.</source>
-        <translation>a = %1 mm, b = %2 mm, c = %3 mm, b/a = %4.</translation>
-    </message>
-    <message>
         <source>The crank does not make full turns: there is no time ratio.</source>
         <translation>La manivela no da vueltas completas: no hay relación de tiempos.</translation>
     </message>
@@ -1437,6 +1433,10 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
     <message>
         <source>Minimum transmission angle</source>
         <translation>Ángulo de transmisión mínimo</translation>
+    </message>
+    <message>
+        <source>b/a = %1.</source>
+        <translation>b/a = %1.</translation>
     </message>
 </context>
 <context>
@@ -4280,16 +4280,8 @@ SHA-256: %2</translation>
         <translation>Arrastre un punto para cambiar %1.</translation>
     </message>
     <message>
-        <source>%1 cannot be written: %2.</source>
-        <translation>No se puede escribir %1: %2.</translation>
-    </message>
-    <message>
         <source>The charts are in the clipboard.</source>
         <translation>Las gráficas están en el portapapeles.</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Exportar</translation>
     </message>
     <message>
         <source>Tables (*.csv)</source>
@@ -4298,10 +4290,6 @@ SHA-256: %2</translation>
     <message>
         <source>response.png</source>
         <translation>respuesta.png</translation>
-    </message>
-    <message>
-        <source>With no %1 does the crank make full turns.</source>
-        <translation>Con ningún %1 da la manivela vueltas completas.</translation>
     </message>
     <message>
         <source>%1 ≤ %2 ≤ %3 mm</source>
@@ -4318,6 +4306,10 @@ SHA-256: %2</translation>
     <message>
         <source>Full turns for %1, shaded elsewhere.</source>
         <translation>Vueltas completas con %1; fuera de ahí, sombreado.</translation>
+    </message>
+    <message>
+        <source>The crank makes full turns for no value of %1.</source>
+        <translation>La manivela no da vueltas completas con ningún valor de %1.</translation>
     </message>
 </context>
 <context>
@@ -4776,10 +4768,6 @@ SHA-256: %2</translation>
         <translation>tolerancia</translation>
     </message>
     <message>
-        <source>Of Newton-Raphson: absolute for the reference report&apos;s way, relative for the others</source>
-        <translation>De Newton-Raphson: absoluta en el procedimiento del informe de referencia, relativa en los demás</translation>
-    </message>
-    <message>
         <source>time [ns]</source>
         <translation>tiempo [ns]</translation>
     </message>
@@ -4836,6 +4824,10 @@ SHA-256: %2</translation>
         <source>How fast is each method, and how accurate? Run the study: every method is timed on the same time steps, and its error is measured against a computation with 50 digits or more.</source>
         <translation>¿Qué rápido es cada método, y qué exacto? Ejecute el estudio: cada método se cronometra en los mismos instantes, y su error se mide frente a un cálculo con 50 cifras o más.</translation>
     </message>
+    <message>
+        <source>Of Newton-Raphson: absolute for the dense method of the reference report, relative for the others</source>
+        <translation>De Newton-Raphson: absoluta para el método denso del informe de referencia, relativa para los demás</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::StudyPanel</name>
@@ -4860,16 +4852,8 @@ SHA-256: %2</translation>
         <translation>Progreso del estudio</translation>
     </message>
     <message>
-        <source>Export</source>
-        <translation>Exportar</translation>
-    </message>
-    <message>
         <source>There is nothing to export yet: run the study first.</source>
         <translation>Todavía no hay nada que exportar: haga primero la medición.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written: %2.</source>
-        <translation>No se puede escribir %1: %2.</translation>
     </message>
     <message>
         <source>speed.csv</source>

@@ -112,13 +112,13 @@ void DesignForm::showWanted()
     const double ratio = m_parameters.b / m_parameters.a;
     m_stroke->setValue(m_wanted.stroke);
     m_timeRatio->setValue(std::max(m_wanted.timeRatio, 1.0 / m_wanted.timeRatio));
-    m_transmissionAngle->setValue(90.0 - kDegreesPerRadian * m_limits.largestPressureAngle);
     const std::optional<DesignRange> range = findDesignRange(m_wanted.timeRatio);
+    const double best = range ? range->bestTransmissionAngle : 0.0;
+    m_transmissionAngle->setValue(turns ? 90.0 - kDegreesPerRadian * m_limits.largestPressureAngle : kDegreesPerRadian * best);
     m_ratio->setEnabled(turns && range);
     m_best->setEnabled(range.has_value());
     const auto number = [](double value) { return numberText(value, 5); };
-    QString text = tr("a = %1 mm, b = %2 mm, c = %3 mm, b/a = %4.")
-                       .arg(number(m_parameters.a), number(m_parameters.b), number(m_parameters.c), number(ratio));
+    QString text = tr("b/a = %1.").arg(number(ratio));
     if (!turns) {
         text += u' ' + tr("The crank does not make full turns: there is no time ratio.");
     } else if (range) {
@@ -130,7 +130,7 @@ void DesignForm::showWanted()
                           std::max(1, static_cast<int>(std::ceil((last - 1.0) / step)) - 1)); // both ends are excluded
         m_ratio->setValue(m_ratio->positionOf(ratio));
         text += u' ' + tr("With this time ratio the minimum transmission angle is largest, %1°, for b/a = %2.")
-                           .arg(number(range->bestTransmissionAngle * kDegreesPerRadian), number(range->bestRatio));
+                           .arg(number(kDegreesPerRadian * best), number(range->bestRatio));
     }
     m_lengths->setText(text);
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/response_view.h"
 
-#include "ui/document/whole_file.h"
 #include "ui/export/figure_export.h"
 #include "ui/panels/response_chart.h"
+#include "ui/panels/table_panel.h"
 #include "ui/text/axis_scale.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/written_number.h"
@@ -12,11 +12,9 @@
 #include "ui/widgets/save_dialog.h"
 
 #include <QComboBox>
-#include <QDir>
 #include <QGridLayout>
 #include <QPainter>
 #include <QScrollArea>
-#include <QScrollBar>
 #include <QToolButton>
 
 #include <algorithm>
@@ -28,8 +26,7 @@ namespace
 {
 
 constexpr QSize kFigureSize(1500, 330); // px, of the exported charts
-constexpr int kChartWidth = 165;        // px, at least
-constexpr int kChartHeight = 130;
+constexpr QSize kChartSize(165, 90);    // px, at least; the rest scrolls
 
 } // namespace
 
@@ -37,7 +34,6 @@ ResponseView::ResponseView(QWidget *parent)
     : QWidget(parent)
     , m_parameter(named("responseParameter", new QComboBox, tr("Parameter that is varied")))
     , m_sentence(named("responseSentence", plainText()))
-    , m_scroll(new QScrollArea)
 {
     named("responseView", this, tr("How the limits depend on a parameter"));
     for (const Parameter parameter : kVariedParameters) {
@@ -65,35 +61,30 @@ ResponseView::ResponseView(QWidget *parent)
     setContextMenuPolicy(Qt::ActionsContextMenu);
 
     auto *charts = new QWidget;
-    m_grid = new QGridLayout(charts);
-    m_grid->setContentsMargins(0, 0, 0, 0);
-    m_grid->setSpacing(2);
+    auto *grid = new QGridLayout(charts);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setSpacing(2);
+    grid->setRowStretch(1, 1);
     for (std::size_t i = 0; i < kLimitCount; ++i) {
-        m_charts[i] = named(QStringLiteral("responseChart%1").arg(i), new ResponseChart(static_cast<Limit>(i)));
-        m_charts[i]->setMinimumHeight(kChartHeight);
-        auto *title = new QLabel(m_charts[i]->title());
-        title->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-        title->setToolTip(title->text()); // with large letters it is cut off
-        auto *cell = new QVBoxLayout(m_cells[i] = new QWidget);
-        cell->setContentsMargins(0, 0, 0, 0);
-        cell->setSpacing(0);
-        cell->addWidget(title);
-        cell->addWidget(m_charts[i], 1);
-        connect(m_charts[i], &ResponseChart::requested, this,
+        auto *chart = m_charts[i] = named(QStringLiteral("responseChart%1").arg(i), new ResponseChart(static_cast<Limit>(i)));
+        chart->setMinimumSize(kChartSize);
+        grid->addWidget(new QLabel(chart->title()), 0, static_cast<int>(i));
+        grid->addWidget(chart, 1, static_cast<int>(i));
+        connect(chart, &ResponseChart::requested, this,
                 [this](double value) { emit parameterRequested(m_response.parameter, value); });
-        connect(m_charts[i], &ResponseChart::dragBegan, this, &ResponseView::dragBegan);
-        connect(m_charts[i], &ResponseChart::dragEnded, this, &ResponseView::dragEnded);
+        connect(chart, &ResponseChart::dragBegan, this, &ResponseView::dragBegan);
+        connect(chart, &ResponseChart::dragEnded, this, &ResponseView::dragEnded);
     }
-    m_scroll->setFrameShape(QFrame::NoFrame);
-    m_scroll->setFocusPolicy(Qt::NoFocus);
-    m_scroll->setWidgetResizable(true);
-    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_scroll->setWidget(charts);
+    auto *scroll = new QScrollArea;
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    scroll->setWidgetResizable(true);
+    scroll->setWidget(charts);
     auto *rows = new QVBoxLayout(this);
     rows->setContentsMargins(2, 0, 0, 0);
     rows->setSpacing(3);
     rows->addLayout(head);
-    rows->addWidget(m_scroll, 1);
+    rows->addWidget(scroll, 1);
 }
 
 void ResponseView::setResult(const std::shared_ptr<const Result> &result)
@@ -156,7 +147,7 @@ void ResponseView::showResponse(bool isNew)
     const QString bounds = hasLower && hasUpper ? tr("%1 ≤ %2 ≤ %3 mm").arg(lower, symbol, upper)
                            : hasLower           ? tr("%1 ≥ %2 mm").arg(symbol, lower)
                                                 : tr("%1 ≤ %2 mm").arg(symbol, upper);
-    m_sentence->setText((turning.length() < 0.0 ? tr("With no %1 does the crank make full turns.").arg(symbol)
+    m_sentence->setText((turning.length() < 0.0 ? tr("The crank makes full turns for no value of %1.").arg(symbol)
                          : hasLower || hasUpper ? tr("Full turns for %1, shaded elsewhere.").arg(bounds)
                                                 : QString()) +
                         u' ' + tr("Drag a dot to change %1.").arg(symbol));
@@ -170,17 +161,6 @@ void ResponseView::showResponse(bool isNew)
         }
         chart->setDots(dots);
     }
-}
-
-void ResponseView::arrange()
-{
-    const int columns = std::clamp(m_scroll->width() / kChartWidth, 1, static_cast<int>(kLimitCount));
-    for (int i = 0; i < static_cast<int>(kLimitCount); ++i) {
-        m_grid->addWidget(m_cells[static_cast<std::size_t>(i)], i / columns, i % columns);
-        m_grid->setColumnStretch(i, i < columns ? 1 : 0);
-    }
-    m_grid->activate();
-    refresh();
 }
 
 void ResponseView::paint(QPainter &painter, const QSize &size) const
@@ -220,9 +200,7 @@ std::optional<QString> ResponseView::exportTo(const QString &path) const
         return exportFigure(path, {kFigureSize, 2.0}, accessibleName(),
                             withParameters(draw, Mechanism(m_response.parameters), paletteFor(Theme::Light)));
     }
-    const std::optional<QString> reason = writeWhole(path, csv());
-    return reason ? std::optional(tr("%1 cannot be written: %2.").arg(QDir::toNativeSeparators(path), *reason))
-                  : std::nullopt;
+    return writeText(path, csv());
 }
 
 void ResponseView::copy()
@@ -237,25 +215,20 @@ void ResponseView::copy()
 
 void ResponseView::chooseFile()
 {
-    chooseFileToSave(this, {tr("Export"), figureFilters() + QStringList(tr("Tables (*.csv)")),
-                            lastFolder(QStandardPaths::PicturesLocation), tr("response.png"),
-                            [this](const QString &path, const QString &) {
-                                if (const std::optional<QString> problem = exportTo(path)) {
-                                    emit problemFound(*problem);
-                                }
-                            }});
+    chooseExport(this, figureFilters() + QStringList(tr("Tables (*.csv)")), tr("response.png"),
+                 [this](const QString &path) { return exportTo(path); }, [this](const QString &problem) { emit problemFound(problem); });
 }
 
 void ResponseView::showEvent(QShowEvent *event)
 {
     QWidget::showEvent(event);
-    arrange();
+    refresh();
 }
 
 void ResponseView::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
-    arrange();
+    refresh();
 }
 
 } // namespace slidercrank

@@ -14,9 +14,7 @@
 #include <memory>
 
 class QComboBox;
-class QGridLayout;
 class QLabel;
-class QScrollArea;
 
 namespace slidercrank
 {
@@ -57,7 +55,6 @@ protected:
 
 private:
     void refresh();
-    void arrange();
     void showResponse(bool isNew); ///< else only the dots have moved
     void paint(QPainter &painter, const QSize &size) const;
     QByteArray csv() const;
@@ -70,10 +67,7 @@ private:
     bool m_isOutdated = false; ///< something changed while the curves were being computed
     QComboBox *m_parameter;
     QLabel *m_sentence;
-    QScrollArea *m_scroll;
-    QGridLayout *m_grid;
     std::array<ResponseChart *, kLimitCount> m_charts;
-    std::array<QWidget *, kLimitCount> m_cells; ///< a chart with its title
 };
 
 } // namespace slidercrank

@@ -137,7 +137,7 @@ PageTable tableFor(const CaseResult &result, int channels)
         StudyPage::tr("Methods that compute %1 channels, a row for each method and tolerance").arg(channels),
         {{title, StudyPage::tr("How the motion is computed"), "method", false},
          {StudyPage::tr("tolerance"),
-          StudyPage::tr("Of Newton-Raphson: absolute for the reference report's way, relative for the others"),
+          StudyPage::tr("Of Newton-Raphson: absolute for the dense method of the reference report, relative for the others"),
           "tolerance"},
          {StudyPage::tr("time [ns]"),
           StudyPage::tr("Position, velocity and acceleration at one time step: median over interleaved rounds"),

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/study_panel.h"
 
-#include "ui/document/whole_file.h"
 #include "ui/panels/study_page.h"
 #include "ui/panels/table_panel.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/study_text.h"
 #include "ui/text/written_number.h"
 #include "ui/widgets/named.h"
-#include "ui/widgets/save_dialog.h"
 
 #include <QComboBox>
-#include <QDir>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
@@ -232,23 +229,14 @@ std::optional<QString> StudyPanel::exportNumbers(const QString &path) const
         return tr("There is nothing to export yet: run the study first.");
     }
     const bool json = path.endsWith(".json", Qt::CaseInsensitive);
-    const std::optional<QString> reason =
-        writeWhole(path, QByteArray::fromStdString(json ? studyJson(*m_result) : studyCsv(*m_result)));
-    return reason ? std::optional(tr("%1 cannot be written: %2.").arg(QDir::toNativeSeparators(path), *reason))
-                  : std::nullopt;
+    return writeText(path, QByteArray::fromStdString(json ? studyJson(*m_result) : studyCsv(*m_result)));
 }
 
 void StudyPanel::chooseFile()
 {
-    chooseFileToSave(this, {tr("Export"),
-                            {tr("Tables (*.csv)"), "JSON (*.json)"},
-                            lastFolder(QStandardPaths::DocumentsLocation),
-                            tr("speed.csv"),
-                            [this](const QString &path, const QString &) {
-                                if (const std::optional<QString> problem = exportNumbers(path)) {
-                                    emit problemFound(*problem);
-                                }
-                            }});
+    chooseExport(this, {tr("Tables (*.csv)"), "JSON (*.json)"}, tr("speed.csv"),
+                 [this](const QString &path) { return exportNumbers(path); },
+                 [this](const QString &problem) { emit problemFound(problem); });
 }
 
 } // namespace slidercrank

@@ -240,9 +240,7 @@ std::optional<QString> TablePanel::exportTo(const QString &path) const
             chart.paint(painter, size, paletteFor(Theme::Light));
         });
     }
-    const std::optional<QString> reason = writeWhole(path, csvOf(page).toUtf8());
-    return reason ? std::optional(tr("%1 cannot be written: %2.").arg(QDir::toNativeSeparators(path), *reason))
-                  : std::nullopt;
+    return writeText(path, csvOf(page).toUtf8());
 }
 
 void TablePanel::chooseFile()
@@ -252,12 +250,8 @@ void TablePanel::chooseFile()
     if (page.chart) {
         filters += figureFilters();
     }
-    chooseFileToSave(this, {tr("Export"), filters, lastFolder(QStandardPaths::DocumentsLocation),
-                            page.fileName + QStringLiteral(".csv"), [this](const QString &path, const QString &) {
-                                if (const std::optional<QString> problem = exportTo(path)) {
-                                    emit problemFound(*problem);
-                                }
-                            }});
+    chooseExport(this, filters, page.fileName + QStringLiteral(".csv"), [this](const QString &path) { return exportTo(path); },
+                 [this](const QString &problem) { emit problemFound(problem); });
 }
 
 void TablePanel::showEvent(QShowEvent *event)
@@ -281,6 +275,25 @@ void TablePanel::changeEvent(QEvent *event)
         event->type() == QEvent::FontChange) {
         refresh();
     }
+}
+
+std::optional<QString> writeText(const QString &path, const QByteArray &text)
+{
+    const std::optional<QString> reason = writeWhole(path, text);
+    return reason ? std::optional(TablePanel::tr("%1 cannot be written: %2.").arg(QDir::toNativeSeparators(path), *reason))
+                  : std::nullopt;
+}
+
+void chooseExport(QWidget *parent, const QStringList &filters, const QString &name,
+                  const std::function<std::optional<QString>(const QString &path)> &write,
+                  const std::function<void(const QString &problem)> &report)
+{
+    chooseFileToSave(parent, {TablePanel::tr("Export"), filters, lastFolder(QStandardPaths::DocumentsLocation), name,
+                              [write, report](const QString &path, const QString &) {
+                                  if (const std::optional<QString> problem = write(path)) {
+                                      report(*problem);
+                                  }
+                              }});
 }
 
 QString csvOf(const Page &page)

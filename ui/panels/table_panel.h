@@ -76,6 +76,14 @@ private:
     QLabel *m_note;
 };
 
+/// A sentence if the file could not be written.
+std::optional<QString> writeText(const QString &path, const QByteArray &text);
+
+/// Asks for a file and has it written; `write` returns why it could not be, for `report`.
+void chooseExport(QWidget *parent, const QStringList &filters, const QString &name,
+                  const std::function<std::optional<QString>(const QString &path)> &write,
+                  const std::function<void(const QString &problem)> &report);
+
 /// The tables of a page as CSV, one after the other; equal headings are not repeated.
 QString csvOf(const Page &page);
 

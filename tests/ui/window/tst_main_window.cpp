@@ -243,7 +243,7 @@ private slots:
         QTest::mouseClick(const_cast<QAbstractButton *>(choose), Qt::LeftButton);
         auto *dialog = part<QDialog>("columnMapping");
         auto *second = child<QComboBox>(*dialog, "meaning2");
-        second->setCurrentIndex(second->findData(static_cast<int>(indexOf({R4x, Order::Position}))));
+        second->setCurrentIndex(second->findText("(R4_x)", Qt::MatchContains));
         QTest::mouseClick(child<QAbstractButton>(*dialog, "useButton"), Qt::LeftButton);
         const Channel slider{R4x, Order::Position};
         AWAIT(session().reference() && session().reference()->data.find(slider) &&
