@@ -3395,10 +3395,6 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
         <translation>Restablecer %1</translation>
     </message>
     <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
         <source>Back to the initial value</source>
         <translation>Volver al valor inicial</translation>
     </message>
@@ -3425,26 +3421,6 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
     <message>
         <source>initial angle</source>
         <translation>ángulo inicial</translation>
-    </message>
-    <message>
-        <source>Shaded: above %1 the crank cannot make a full turn</source>
-        <translation>Sombreado: por encima de %1 la manivela no puede dar una vuelta completa</translation>
-    </message>
-    <message>
-        <source>Shaded: with this coupler and offset no crank can make a full turn</source>
-        <translation>Sombreado: con esta biela y este descentrado ninguna manivela puede dar una vuelta completa</translation>
-    </message>
-    <message>
-        <source>Shaded: below %1 the crank cannot make a full turn</source>
-        <translation>Sombreado: por debajo de %1 la manivela no puede dar una vuelta completa</translation>
-    </message>
-    <message>
-        <source>Shaded: beyond ±%1 the crank cannot make a full turn</source>
-        <translation>Sombreado: más allá de ±%1 la manivela no puede dar una vuelta completa</translation>
-    </message>
-    <message>
-        <source>Shaded: a crank longer than the coupler cannot make a full turn with any offset</source>
-        <translation>Sombreado: una manivela más larga que la biela no puede dar una vuelta completa con ningún descentrado</translation>
     </message>
     <message>
         <source>Click: how the limits of the motion depend on %1</source>
@@ -4290,26 +4266,6 @@ SHA-256: %2</translation>
     <message>
         <source>response.png</source>
         <translation>respuesta.png</translation>
-    </message>
-    <message>
-        <source>%1 ≤ %2 ≤ %3 mm</source>
-        <translation>%1 ≤ %2 ≤ %3 mm</translation>
-    </message>
-    <message>
-        <source>%1 ≥ %2 mm</source>
-        <translation>%1 ≥ %2 mm</translation>
-    </message>
-    <message>
-        <source>%1 ≤ %2 mm</source>
-        <translation>%1 ≤ %2 mm</translation>
-    </message>
-    <message>
-        <source>Full turns for %1, shaded elsewhere.</source>
-        <translation>Vueltas completas con %1; fuera de ahí, sombreado.</translation>
-    </message>
-    <message>
-        <source>The crank makes full turns for no value of %1.</source>
-        <translation>La manivela no da vueltas completas con ningún valor de %1.</translation>
     </message>
 </context>
 <context>
@@ -5185,6 +5141,25 @@ Tiempos medidos en %2</translation>
     <message>
         <source>it is a pipe or a device</source>
         <translation>es una tubería o un dispositivo</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::ResponseText</name>
+    <message>
+        <source>The crank makes full turns for no value of %1.</source>
+        <translation>La manivela no da vueltas completas con ningún valor de %1.</translation>
+    </message>
+    <message>
+        <source>Full turns for %1 ≤ %2 ≤ %3 mm, shaded elsewhere.</source>
+        <translation>Vueltas completas con %1 ≤ %2 ≤ %3 mm; fuera de ahí, sombreado.</translation>
+    </message>
+    <message>
+        <source>Full turns for %1 ≥ %2 mm, shaded elsewhere.</source>
+        <translation>Vueltas completas con %1 ≥ %2 mm; por debajo, sombreado.</translation>
+    </message>
+    <message>
+        <source>Full turns for %1 ≤ %2 mm, shaded elsewhere.</source>
+        <translation>Vueltas completas con %1 ≤ %2 mm; por encima, sombreado.</translation>
     </message>
 </context>
 </TS>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/parameter_panel.h"
 
-#include "core/limits/mobility.h"
+#include "ui/panels/response.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/theme.h"
 #include "ui/text/written_number.h"
@@ -115,11 +115,10 @@ public:
         setValue(positionOf(value));
     }
 
-    void setFree(double from, double to)
+    void setFree(const Interval &range)
     {
-        if (from != m_freeFrom || to != m_freeTo) {
-            m_freeFrom = from;
-            m_freeTo = to;
+        if (range != m_free) {
+            m_free = range;
             update();
         }
     }
@@ -142,20 +141,17 @@ protected:
         colour.setAlphaF(kOpacity);
         QPainter painter(this);
         const double top = handle.center().y() - 0.5 * kBand;
-        if (m_freeFrom > lowest) {
-            painter.fillRect(QRectF(0.0, top, pixel(m_freeFrom), kBand), colour);
-        }
-        if (m_freeTo < highest && m_freeTo >= m_freeFrom) {
-            painter.fillRect(QRectF(pixel(m_freeTo), top, width() - pixel(m_freeTo), kBand), colour);
-        }
+        const double from = m_free.length() < 0.0 ? width() : m_free.lower > lowest ? pixel(m_free.lower) : 0.0;
+        const double to = m_free.upper < highest ? std::max(from, pixel(m_free.upper)) : width();
+        painter.fillRect(QRectF(0.0, top, from, kBand), colour);
+        painter.fillRect(QRectF(to, top, width() - to, kBand), colour);
         painter.end();
         NumberSlider::paintEvent(event);
     }
 
 private:
     double m_range = 0.0;
-    double m_freeFrom = -kLargestParameter;
-    double m_freeTo = kLargestParameter;
+    Interval m_free{-kLargestParameter, kLargestParameter};
 };
 
 ParameterPanel::ParameterPanel(QWidget *parent)
@@ -334,25 +330,12 @@ void ParameterPanel::showParameters()
 /// Shades the lengths with which the crank cannot make a full turn.
 void ParameterPanel::shade()
 {
-    const Mechanism mechanism(m_parameters);
-    const double longestCrank = longestCrankForFullTurn(mechanism);
-    const double shortestCoupler = shortestCouplerForFullTurn(mechanism);
-    const double largestOffset = largestOffsetForFullTurn(mechanism);
-    const auto shadeRow = [this](Parameter parameter, double from, double to, const QString &why) {
+    for (const Parameter parameter : {Parameter::A, Parameter::B, Parameter::C}) {
         const Row &row = m_rows[indexOf(parameter)];
-        row.slider->setFree(from, to);
-        row.slider->setToolTip(row.text->explanation + u'\n' + why);
-    };
-    const auto limitText = [](double limit) { return tr("%1 mm").arg(numberText(limit)); };
-    shadeRow(Parameter::A, longestCrank > 0.0 ? 0.0 : kLargestParameter, std::max(0.0, longestCrank),
-             longestCrank > 0.0 ? tr("Shaded: above %1 the crank cannot make a full turn").arg(limitText(longestCrank))
-                                : tr("Shaded: with this coupler and offset no crank can make a full turn"));
-    shadeRow(Parameter::B, shortestCoupler, kLargestParameter,
-             tr("Shaded: below %1 the crank cannot make a full turn").arg(limitText(shortestCoupler)));
-    shadeRow(Parameter::C, largestOffset >= 0.0 ? -largestOffset : kLargestParameter, largestOffset,
-             largestOffset >= 0.0
-                 ? tr("Shaded: beyond ±%1 the crank cannot make a full turn").arg(limitText(largestOffset))
-                 : tr("Shaded: a crank longer than the coupler cannot make a full turn with any offset"));
+        const ResponseRange range = responseRange(m_parameters, parameter);
+        row.slider->setFree(range.fullTurn);
+        row.slider->setToolTip(row.text->explanation + u'\n' + fullTurnText(parameter, range));
+    }
 }
 
 } // namespace slidercrank

@@ -3,13 +3,25 @@
 
 #include "core/limits/extremes.h"
 #include "core/limits/mobility.h"
+#include "ui/text/finding_text.h"
 #include "ui/text/written_number.h"
+
+#include <QCoreApplication>
 
 #include <algorithm>
 #include <cmath>
 
 namespace slidercrank
 {
+
+namespace
+{
+
+struct ResponseText {
+    Q_DECLARE_TR_FUNCTIONS(slidercrank::ResponseText)
+};
+
+} // namespace
 
 LimitValues limitValues(const Mechanism &mechanism)
 {
@@ -42,7 +54,7 @@ ResponseRange responseRange(const Parameters &parameters, Parameter parameter)
         break;
     case Parameter::B:
         assembled = {std::max(kShortestLink, c - a), upTo(3.0 * (a + c))};
-        fullTurn = {a + c, assembled.upper};
+        fullTurn = {a + c, kLargestParameter};
         break;
     case Parameter::C:
         assembled = {-(a + b), a + b};
@@ -57,6 +69,20 @@ ResponseRange responseRange(const Parameters &parameters, Parameter parameter)
     }
     }
     return {assembled, fullTurn};
+}
+
+QString fullTurnText(Parameter parameter, const ResponseRange &range)
+{
+    const auto &[lower, upper] = range.fullTurn;
+    const bool hasLower = lower > range.assembled.lower;
+    const bool hasUpper = upper < range.assembled.upper;
+    const QString symbol = symbolOf(parameter);
+    return lower > upper          ? ResponseText::tr("The crank makes full turns for no value of %1.").arg(symbol)
+           : hasLower && hasUpper ? ResponseText::tr("Full turns for %1 ≤ %2 ≤ %3 mm, shaded elsewhere.")
+                                        .arg(numberText(lower), symbol, numberText(upper))
+           : hasLower             ? ResponseText::tr("Full turns for %1 ≥ %2 mm, shaded elsewhere.").arg(symbol, numberText(lower))
+           : hasUpper             ? ResponseText::tr("Full turns for %1 ≤ %2 mm, shaded elsewhere.").arg(symbol, numberText(upper))
+                                  : QString();
 }
 
 Response computeResponse(const Parameters &parameters, Parameter parameter, const ResponseRange &range, int count,

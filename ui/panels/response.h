@@ -6,6 +6,8 @@
 #include "core/mechanism/mechanism.h"
 #include "ui/text/interval.h"
 
+#include <QString>
+
 #include <array>
 #include <stop_token>
 #include <vector>
@@ -26,11 +28,14 @@ inline constexpr std::array kVariedParameters{Parameter::A, Parameter::B, Parame
 
 struct ResponseRange {
     Interval assembled; ///< where the mechanism can be assembled; cut where that has no end
-    Interval fullTurn;  ///< within it; lower > upper if there is no such value
+    Interval fullTurn;  ///< may reach beyond it; lower > upper if there is no such value
 };
 
 /// With all other parameters as they are. Contains the present value wherever the mechanism can be assembled.
 ResponseRange responseRange(const Parameters &parameters, Parameter parameter);
+
+/// For which values the crank makes full turns; empty if for all.
+QString fullTurnText(Parameter parameter, const ResponseRange &range);
 
 struct Response {
     Parameters parameters;

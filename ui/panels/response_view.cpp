@@ -6,7 +6,6 @@
 #include "ui/panels/table_panel.h"
 #include "ui/text/axis_scale.h"
 #include "ui/text/finding_text.h"
-#include "ui/text/written_number.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/paragraph.h"
 #include "ui/widgets/save_dialog.h"
@@ -139,18 +138,7 @@ void ResponseView::showResponse(bool isNew)
     const auto &[parameters, parameter, range, values, limits] = m_response;
     const QString symbol = symbolOf(parameter);
     const QString title = tr("%1 [%2]").arg(symbol, parameter == Parameter::Omega2 ? tr("rad/s") : tr("mm"));
-    const Interval &turning = range.fullTurn;
-    const bool hasLower = turning.lower > range.assembled.lower;
-    const bool hasUpper = turning.upper < range.assembled.upper;
-    const QString lower = numberText(turning.lower);
-    const QString upper = numberText(turning.upper);
-    const QString bounds = hasLower && hasUpper ? tr("%1 ≤ %2 ≤ %3 mm").arg(lower, symbol, upper)
-                           : hasLower           ? tr("%1 ≥ %2 mm").arg(symbol, lower)
-                                                : tr("%1 ≤ %2 mm").arg(symbol, upper);
-    m_sentence->setText((turning.length() < 0.0 ? tr("The crank makes full turns for no value of %1.").arg(symbol)
-                         : hasLower || hasUpper ? tr("Full turns for %1, shaded elsewhere.").arg(bounds)
-                                                : QString()) +
-                        u' ' + tr("Drag a dot to change %1.").arg(symbol));
+    m_sentence->setText(fullTurnText(parameter, range) + u' ' + tr("Drag a dot to change %1.").arg(symbol));
     ResponseChart::Dots dots{{valueOf(parameters, parameter), limitValues(Mechanism(parameters))}};
     for (const Parameters &pinned : m_result->kept) {
         dots.push_back({valueOf(pinned, parameter), limitValues(Mechanism(pinned))});

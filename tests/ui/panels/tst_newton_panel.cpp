@@ -180,12 +180,9 @@ private slots:
                  qPrintable(warnings->text()));
         QVERIFY(!warnings->text().contains("%"));
 
-        for (const int most : {1, 2, 3, 10}) { // only the time steps that were solved are spoken of
-            run = show(resultWith({Method::Newton, {most, 1e-8}}, 65.0, 20));
-            QVERIFY2(!outcome->text().contains("60"), qPrintable(outcome->text()));
-            QCOMPARE(outcome->text().contains("All 21"), run.count(Status::Solved) == 21);
-            QCOMPARE(outcome->text().contains("Iterations: –"), run.found() == 0);
-        }
+        run = show(resultWith({Method::Newton, {1, 1e-8}}, 65.0, 20)); // of the time steps that were solved alone
+        QCOMPARE(outcome->text().contains("All 21"), run.count(Status::Solved) == 21);
+        QCOMPARE(outcome->text().contains("Iterations: –"), run.found() == 0);
     }
 
     void computesOnlyThePageOnShowAtTheTimeOnShow()

@@ -97,6 +97,7 @@ private slots:
         panel.show();
         QVERIFY(!panel.findChild<QTableView *>());
         auto *run = child<QPushButton>(panel, "runThisButton");
+        auto *hard = child<QPushButton>(panel, "runHardButton");
         panel.activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&panel));
         run->setFocus();
@@ -104,53 +105,39 @@ private slots:
         QTest::keyClick(run, Qt::Key_Space);
         QCOMPARE(finished.count(), 0); // it came back at once
         QVERIFY(child<QProgressBar>(panel, "studyProgress")->isVisible());
-        QVERIFY(!child<QPushButton>(panel, "runHardButton")->isEnabled());
-        QVERIFY(run->isEnabled() && run->hasFocus()); // now it cancels
+        QVERIFY(!hard->isEnabled() && run->isEnabled()); // now it cancels
         QVERIFY(finished.wait(kPatience));
-        QVERIFY(run->hasFocus() && child<QPushButton>(panel, "runHardButton")->isEnabled());
-        QVERIFY(child<QTableView>(panel, "studyTable36")->model()->rowCount() > 0);
-        QVERIFY(child<QTableView>(panel, "studyTable6")->model()->rowCount() > 0);
+        QVERIFY(run->hasFocus() && hard->isEnabled());
+        for (const char *table : {"studyTable36", "studyTable6"}) {
+            QVERIFY(child<QTableView>(panel, table)->model()->rowCount() > 0);
+        }
         const auto *summary = child<QLabel>(panel, "studySummary");
         QVERIFY(!summary->text().contains("run again"));
         panel.setParameters({.b = 70.0});
         QVERIFY(summary->text().contains("run again"));
-    }
 
-    void theButtonThatStartedItCancelsIt()
-    {
-        StudyPanel panel;
-        panel.show();
-        QSignalSpy finished(&panel, &StudyPanel::finished);
-        panel.runHardCases();
-        QTest::mouseClick(child<QPushButton>(panel, "runHardButton"), Qt::LeftButton);
+        hard->click();
+        hard->click();
         QVERIFY(finished.wait(kPatience));
-        QVERIFY(child<QProgressBar>(panel, "studyProgress")->value() <
-                child<QProgressBar>(panel, "studyProgress")->maximum());
-        QVERIFY(child<QPushButton>(panel, "runThisButton")->isEnabled());
+        const auto *progress = child<QProgressBar>(panel, "studyProgress");
+        QVERIFY(progress->value() < progress->maximum() && run->isEnabled());
     }
 
     void anotherPanelContinuesWithWhatRuns()
     {
-        StudyPanel panel;
-        QSignalSpy finished(&panel, &StudyPanel::finished);
+        auto panel = std::make_unique<StudyPanel>();
+        QSignalSpy finished(panel.get(), &StudyPanel::finished);
         {
             StudyPanel before;
             before.runThisMechanism();
-            panel.takeOver(before);
+            panel->takeOver(before);
         }
-        QVERIFY(!child<QPushButton>(panel, "runHardButton")->isEnabled());
         QVERIFY(finished.wait(kPatience));
-        panel.show();
-        QVERIFY(child<QTableView>(panel, "studyTable36")->model()->rowCount() > 0);
-    }
-
-    void mayBeClosedWhileItRuns()
-    {
-        auto panel = std::make_unique<StudyPanel>();
-        auto *progress = child<QProgressBar>(*panel, "studyProgress");
+        panel->show();
+        QVERIFY(child<QTableView>(*panel, "studyTable36")->model()->rowCount() > 0);
         panel->runHardCases();
-        AWAIT(progress->value() > 0);
-        panel.reset();
+        AWAIT(child<QProgressBar>(*panel, "studyProgress")->value() > 0);
+        panel.reset(); // while it runs
         finishAside();
     }
 

@@ -128,43 +128,23 @@ private slots:
         QCOMPARE(removals.count(), 1);
     }
 
-    void aRowLeadsToItsTime()
+    void aRowLeadsToItsTimeAndReportsItsPart()
     {
         Shown shown(pageWith({1.0, 2.0}));
         QSignalSpy times(&shown.panel, &TablePanel::timeRequested);
         const QRect cell = shown.table()->visualRect(shown.table()->model()->index(1, 1));
         QTest::mouseClick(shown.table()->viewport(), Qt::LeftButton, {}, cell.center());
         QCOMPARE(times.takeFirst()[0].toDouble(), 1.5);
+        QSignalSpy parts(&shown.panel, &TablePanel::partHovered);
+        shown.table()->setFocus();
         shown.table()->setCurrentIndex(shown.table()->model()->index(0, 0));
+        QCOMPARE(parts.value(0).value(0).value<MechanismPart>(), MechanismPart::PinA);
         QTest::keyClick(shown.table(), Qt::Key_Return);
         QCOMPARE(times.takeFirst()[0].toDouble(), 0.5);
         shown.page.tables[0].rows[0].time.reset();
         shown.show(shown.page);
         QTest::keyClick(shown.table(), Qt::Key_Return);
         QVERIFY(times.isEmpty());
-    }
-
-    void reportsThePartOfTheRowPointedAtOrCurrent()
-    {
-        Shown shown(pageWith({1.0, 2.0}));
-        shown.panel.activateWindow();
-        QVERIFY(QTest::qWaitForWindowActive(&shown.panel));
-        QSignalSpy parts(&shown.panel, &TablePanel::partHovered);
-        const auto reported = [&parts] {
-            return parts.isEmpty() ? MechanismPart::None : parts.last()[0].value<MechanismPart>();
-        };
-        NumberTable *table = shown.table();
-        table->clearFocus();
-        QTest::mouseMove(table->viewport(), table->visualRect(table->model()->index(1, 1)).center());
-        QCOMPARE(reported(), MechanismPart::PinA);
-        QEvent leave(QEvent::Leave);
-        QCoreApplication::sendEvent(table->viewport(), &leave);
-        QCOMPARE(reported(), MechanismPart::None);
-        table->setFocus();
-        table->setCurrentIndex(table->model()->index(0, 0));
-        QCOMPARE(reported(), MechanismPart::PinA);
-        child<QToolButton>(shown.panel, "panelCopy")->setFocus();
-        QCOMPARE(reported(), MechanismPart::None);
     }
 
     void copiesEveryDigitWithAPointInAnyLocale()
@@ -247,37 +227,37 @@ private slots:
         QVERIFY(isInSight());
     }
 
-    /// "0.00000…" was said of an angle of ten decimals.
-    void noNumberIsEverCutOff()
+    /// "0.00000…" was said of an angle of ten decimals, and the header kept the large font of the presentation mode.
+    void noNumberIsCutOffAndTheHeaderFollowsTheFontAlsoWhileHidden()
     {
-        Shown shown(pageWith({1.0}), QSize(200, 120));
-        shown.page.tables[0].rows[0].cells[1].text = "-123.0123456789";
-        for (const int pixels : {11, 30}) {
+        Page wide = pageWith({1.0});
+        wide.tables[0].rows[0].cells[1].text = "-123.0123456789";
+        Shown shown(wide, QSize(200, 120));
+        for (const int pixels : {11, 40, 12}) {
+            shown.show({}); // the table is not on the page any more
             QFont font = shown.panel.font();
             font.setPixelSize(pixels);
             shown.panel.setFont(font);
-            shown.show(shown.page);
+            shown.show(wide);
             settle(shown.panel);
             const NumberTable *table = shown.table();
             const QString text = table->model()->index(0, 1).data().toString();
             QVERIFY(table->columnWidth(1) >= table->fontMetrics().horizontalAdvance(text) + 8);
+            QCOMPARE(table->horizontalHeader()->font().pixelSize(), pixels);
+            QCOMPARE(table->font().pixelSize(), pixels);
         }
     }
 
-    /// The header kept the large font of the presentation mode.
-    void theHeaderFollowsTheFontAlsoWhileTheTableIsHidden()
+    /// Beside the errors stood a scroll bar with nothing to scroll.
+    void aTableWithSpaceForItsRowsHasNoScrollBar()
     {
-        Shown shown(pageWith({1.0}));
-        const QFont usual = shown.table()->horizontalHeader()->font();
-        QFont large = usual;
-        large.setPixelSize(40);
-        shown.panel.setFont(large);
-        QCOMPARE(shown.table()->horizontalHeader()->font().pixelSize(), 40);
-        shown.show({}); // the table is not on the page any more
-        shown.panel.setFont(QFont());
-        shown.show(pageWith({1.0}));
-        QCOMPARE(shown.table()->horizontalHeader()->font().pixelSize(), usual.pixelSize());
-        QCOMPARE(shown.table()->font().pixelSize(), usual.pixelSize());
+        Page page = pageWith({1.0, 2.0, 3.0});
+        page.findings = {{Finding::Remedy::TakeOver, {}, "It is another mechanism.", "Use it", {}}};
+        Shown shown(page);
+        settle(shown.panel);
+        for (const auto *scroll : shown.panel.findChildren<QScrollBar *>()) {
+            QVERIFY(!scroll->isVisible());
+        }
     }
 
     void tintsAreToldApartByEveryEye()
