@@ -1735,24 +1735,12 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
         <translation>Se omitieron %1 filas del archivo</translation>
     </message>
     <message>
-        <source>Line %1, column %2: “%3” %4</source>
-        <translation>Línea %1, columna %2: «%3» %4</translation>
-    </message>
-    <message>
-        <source>… and %1 more</source>
-        <translation>… y %1 más</translation>
-    </message>
-    <message>
         <source>1 column was ignored</source>
         <translation>1 columna no se usó</translation>
     </message>
     <message>
         <source>%1 columns were ignored</source>
         <translation>%1 columnas no se usaron</translation>
-    </message>
-    <message>
-        <source>Ignored: %1</source>
-        <translation>Sin usar: %1</translation>
     </message>
     <message>
         <source>errors</source>
@@ -1863,6 +1851,10 @@ difiere: lo demás, y los errores que superan el redondeo en un 1 % de la mitad 
     <message>
         <source>Click to go there</source>
         <translation>Haga clic para ir allí</translation>
+    </message>
+    <message>
+        <source>%1 (see Reference).</source>
+        <translation>%1 (véase Referencia).</translation>
     </message>
 </context>
 <context>

@@ -143,35 +143,19 @@ TableColumn percentColumn()
             "percent_of_peak"};
 }
 
-/// Rows and columns of the file that were not used: a line, and its details as rich text.
-void noteWhatWasLeftOut(const ReferenceData &data, Page &page)
+/// How many rows and columns of the file were not used; the reference page lists them.
+QString leftOutText(const ReferenceData &data)
 {
-    constexpr std::size_t kMostDetails = 12;
     QStringList parts;
-    QStringList details;
-    if (const std::size_t skipped = data.skippedRowCount(); skipped > 0) {
-        parts << (skipped == 1 ? ErrorPage::tr("1 row of the file was skipped (line %1)")
-                                     .arg(lineText(data.layout, data.skipped[0]))
-                               : ErrorPage::tr("%1 rows of the file were skipped").arg(countText(skipped)));
-        for (std::size_t i = 0; i < std::min(kMostDetails, data.skipped.size()); ++i) {
-            const SkippedRow &row = data.skipped[i];
-            details << ErrorPage::tr("Line %1, column %2: “%3” %4")
-                           .arg(lineText(data.layout, row).toHtmlEscaped(), QString::number(row.column),
-                                QString::fromUtf8(row.text).toHtmlEscaped(), reasonOf(row));
-        }
-        if (skipped > kMostDetails) {
-            details << ErrorPage::tr("… and %1 more").arg(countText(skipped - kMostDetails));
-        }
+    if (const std::size_t skipped = data.skippedRowCount(); skipped == 1) {
+        parts << ErrorPage::tr("1 row of the file was skipped (line %1)").arg(lineText(data.layout, data.skipped[0]));
+    } else if (skipped > 1) {
+        parts << ErrorPage::tr("%1 rows of the file were skipped").arg(countText(skipped));
     }
-    if (const QStringList ignored = ignoredHeadings(data.layout); !ignored.isEmpty()) {
-        parts << (ignored.size() == 1 ? ErrorPage::tr("1 column was ignored")
-                                      : ErrorPage::tr("%1 columns were ignored").arg(ignored.size()));
-        details << ErrorPage::tr("Ignored: %1").arg(ignored.join(", ").toHtmlEscaped());
+    if (const qsizetype ignored = ignoredHeadings(data.layout).size(); ignored > 0) {
+        parts << (ignored == 1 ? ErrorPage::tr("1 column was ignored") : ErrorPage::tr("%1 columns were ignored").arg(ignored));
     }
-    if (!parts.isEmpty()) {
-        page.note = parts.join("; ") + u'.';
-        page.noteDetails = details.join("<br>");
-    }
+    return parts.isEmpty() ? QString() : ErrorPage::tr("%1 (see Reference).").arg(parts.join("; "));
 }
 
 Page filePage(const Result &result, const ReferenceDiagnosis *diagnosis)
@@ -207,7 +191,7 @@ Page filePage(const Result &result, const ReferenceDiagnosis *diagnosis)
         table.rows.push_back(fileRow(channel));
     }
     page.tables = {table};
-    noteWhatWasLeftOut(result.reference->data, page);
+    page.note = leftOutText(result.reference->data);
     return page;
 }
 
