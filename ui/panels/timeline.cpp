@@ -111,7 +111,6 @@ void Timeline::createActions()
         setSpeed(next == kSpeeds.begin() ? m_speed : *std::prev(next));
     });
     addAction(OpenRun, tr("&Time range and speed…"), Qt::CTRL | Qt::Key_R, [this] { openRun(); });
-    m_speeds->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional); // a typed speed is none of them
     for (const double speed : kSpeeds) {
         QAction *action = m_speeds->addAction(speedText(speed));
         action->setCheckable(true);
