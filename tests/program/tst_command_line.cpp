@@ -6,6 +6,7 @@
 #include "app/command_line.h"
 #include "app/help.h"
 #include "app/option_table.h"
+#include "tests/support/suite.h"
 
 #include "tests/support/waiting.h"
 
@@ -936,5 +937,5 @@ void TestCommandLine::writesTheSameNumbersInEveryLanguage()
     QVERIFY(start({"solve", "--help"}, {}, {"LC_ALL=es_ES.UTF-8", "LANGUAGE=es"}).output.contains("Mecanismo"));
 }
 
-QTEST_MAIN(TestCommandLine)
+const Suite suite("tst_command_line", runWithWidgets<TestCommandLine>);
 #include "tst_command_line.moc"

@@ -5,6 +5,7 @@
 
 #include "tests/support/printed_picture.h"
 #include "tests/support/study_of_a_turn.h"
+#include "tests/support/suite.h"
 #include "tests/support/waiting.h"
 #include "ui/export/animation_export.h"
 #include "ui/mechanism/mechanism_view.h"
@@ -609,6 +610,6 @@ private:
     MessageBar *m_said = nullptr;
 };
 
-QTEST_MAIN(TestExports)
+const Suite suite("tst_exports", runWithWidgets<TestExports>);
 
 #include "tst_exports.moc"

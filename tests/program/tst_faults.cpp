@@ -7,6 +7,7 @@
 #include "tests/support/failing_calls.h"
 #include "tests/support/long_tests.h"
 #include "tests/support/place_of_a_save.h"
+#include "tests/support/suite.h"
 #include "tests/support/study_of_a_turn.h"
 #include "tests/support/waiting.h"
 #include "ui/document/scene.h"
@@ -518,7 +519,7 @@ void TstFaults::isKilledAtAnyInstant()
         const bool isScene = save.arguments.isEmpty();
         const QString program = isScene ? QCoreApplication::applicationFilePath() : QStringLiteral(SLIDERCRANK_PROGRAM);
         const auto argumentsFor = [&](const Place &place) {
-            return isScene ? QStringList{QStringLiteral("--save-scenes"), place.path()}
+            return isScene ? QStringList{QStringLiteral("tst_faults"), QStringLiteral("--save-scenes"), place.path()}
                            : save.arguments + QStringList{QStringLiteral("--output"), place.path()};
         };
         qint64 duration = 200; // ms
@@ -546,7 +547,7 @@ void TstFaults::isKilledAtAnyInstant()
     QVERIFY2(m_faults.isEmpty(), qPrintable(m_faults.join(u'\n')));
 }
 
-int main(int argc, char *argv[])
+static int runSuite(int argc, char *argv[])
 {
     if (argc == 3 && QByteArrayView(argv[1]) == "--save-scenes") {
         return saveScenes(QString::fromLocal8Bit(argv[2]));
@@ -556,4 +557,5 @@ int main(int argc, char *argv[])
     return QTest::qExec(&test, argc, argv);
 }
 
+const Suite suite("tst_faults", runSuite);
 #include "tst_faults.moc"

@@ -2,6 +2,8 @@
 
 // Every command of the README runs, and prints the lines that the README shows.
 
+#include "tests/support/suite.h"
+
 #include <QDir>
 #include <QFile>
 #include <QProcess>
@@ -66,5 +68,5 @@ void TestReadme::commandsRunAndPrintWhatIsShown()
     }
 }
 
-QTEST_GUILESS_MAIN(TestReadme)
+const slidercrank::Suite suite("tst_readme", slidercrank::runWithEventLoop<TestReadme>);
 #include "tst_readme.moc"

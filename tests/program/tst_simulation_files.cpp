@@ -4,6 +4,7 @@
 
 #include "core/import/reference_data.h"
 #include "tests/support/simulation_files.h"
+#include "tests/support/suite.h"
 #include "ui/document/reference_file.h"
 
 #include <QTest>
@@ -184,6 +185,6 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSimulationFiles)
+const Suite suite("tst_simulation_files", runWithoutApplication<TestSimulationFiles>);
 
 #include "tst_simulation_files.moc"

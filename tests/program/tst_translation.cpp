@@ -10,6 +10,7 @@
 #include "ui/window/main_window.h"
 
 #include "tests/support/study_of_a_turn.h"
+#include "tests/support/suite.h"
 #include "tests/support/waiting.h"
 
 #include <QAbstractButton>
@@ -537,5 +538,5 @@ private:
     QTemporaryDir m_settings;
 };
 
-QTEST_MAIN(TestTranslation)
+const Suite suite("tst_translation", runWithWidgets<TestTranslation>);
 #include "tst_translation.moc"

@@ -3,6 +3,7 @@
 // Files as big as they should not be, files that are none, and no memory for them: the program says so in one line,
 // soon, and in little memory. What is sparse takes no room on the disk.
 
+#include "tests/support/suite.h"
 #include "tests/support/waiting.h"
 
 #include <QFile>
@@ -247,5 +248,5 @@ private:
     QString m_file;
 };
 
-QTEST_GUILESS_MAIN(TestWrongFiles)
+const slidercrank::Suite suite("tst_wrong_files", slidercrank::runWithEventLoop<TestWrongFiles>);
 #include "tst_wrong_files.moc"

@@ -5,6 +5,7 @@
 #include "core/closed_form/state_at.h"
 #include "tests/support/deviation.h"
 #include "tests/support/mechanism_list.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 #include <hwy/highway.h>
@@ -420,5 +421,5 @@ void tst_closed_form::saysWhatDoesNotExist()
     QVERIFY(locked.q.allFinite() && locked.qDot.array().isNaN().all() && locked.qDDot.array().isNaN().all());
 }
 
-QTEST_APPLESS_MAIN(tst_closed_form)
+const Suite suite("tst_closed_form", runWithoutApplication<tst_closed_form>);
 #include "tst_closed_form.moc"

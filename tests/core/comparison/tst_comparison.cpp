@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/comparison/comparison.h"
+#include "tests/support/suite.h"
 
 #include <QFile>
 #include <QTest>
@@ -333,5 +334,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestComparison)
+const Suite suite("tst_comparison", runWithoutApplication<TestComparison>);
 #include "tst_comparison.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/closed_form/state_at.h"
 #include "core/comparison/reference_pose.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -127,5 +128,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestReferencePose)
+const Suite suite("tst_reference_pose", runWithoutApplication<TestReferencePose>);
 #include "tst_reference_pose.moc"

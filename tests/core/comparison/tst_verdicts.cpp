@@ -8,6 +8,7 @@
 #include "tests/support/long_tests.h"
 #include "tests/support/printed_motion.h"
 #include "tests/support/random_mechanisms.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -243,5 +244,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestVerdicts)
+const Suite suite("tst_verdicts", runWithoutApplication<TestVerdicts>);
 #include "tst_verdicts.moc"

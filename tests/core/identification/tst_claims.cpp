@@ -6,6 +6,7 @@
 #include "tests/support/claim_judge.h"
 #include "tests/support/claim_suite.h"
 #include "tests/support/long_tests.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -81,5 +82,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestClaims)
+const Suite suite("tst_claims", runWithoutApplication<TestClaims>);
 #include "tst_claims.moc"

@@ -6,6 +6,7 @@
 #include "tests/support/long_tests.h"
 #include "tests/support/printed_motion.h"
 #include "tests/support/random_mechanisms.h"
+#include "tests/support/suite.h"
 
 #include <QFile>
 #include <QTest>
@@ -871,5 +872,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestConventions)
+const Suite suite("tst_conventions", runWithoutApplication<TestConventions>);
 #include "tst_conventions.moc"

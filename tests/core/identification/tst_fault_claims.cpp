@@ -5,6 +5,7 @@
 #include "tests/support/claim_judge.h"
 #include "tests/support/claim_suite.h"
 #include "tests/support/long_tests.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -93,5 +94,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestFaultClaims)
+const Suite suite("tst_fault_claims", runWithoutApplication<TestFaultClaims>);
 #include "tst_fault_claims.moc"

@@ -4,6 +4,7 @@
 #include "tests/support/long_tests.h"
 #include "tests/support/printed_motion.h"
 #include "tests/support/random_mechanisms.h"
+#include "tests/support/suite.h"
 
 #include <QFile>
 #include <QTest>
@@ -353,5 +354,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestIdentification)
+const Suite suite("tst_identification", runWithoutApplication<TestIdentification>);
 #include "tst_identification.moc"

@@ -4,6 +4,7 @@
 #include "core/identification/diagnosis.h"
 #include "tests/support/printed_motion.h"
 #include "tests/support/random_mechanisms.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -155,5 +156,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRoundNumbers)
+const Suite suite("tst_round_numbers", runWithoutApplication<TestRoundNumbers>);
 #include "tst_round_numbers.moc"

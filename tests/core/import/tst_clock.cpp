@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/import/clock.h"
 #include "core/import/reference_data.h"
+#include "tests/support/suite.h"
 
 #include <QByteArray>
 #include <QTest>
@@ -91,5 +92,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestClock)
+const Suite suite("tst_clock", runWithoutApplication<TestClock>);
 #include "tst_clock.moc"

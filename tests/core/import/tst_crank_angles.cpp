@@ -2,6 +2,7 @@
 #include "core/import/crank_angles.h"
 
 #include "tests/support/described_reading.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -86,5 +87,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestCrankAngles)
+const Suite suite("tst_crank_angles", runWithoutApplication<TestCrankAngles>);
 #include "tst_crank_angles.moc"

@@ -3,6 +3,7 @@
 // Several files of one motion, read as one table.
 
 #include "tests/support/described_reading.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -122,5 +123,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestJoinedFiles)
+const Suite suite("tst_joined_files", runWithoutApplication<TestJoinedFiles>);
 #include "tst_joined_files.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/import/quantity.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -97,5 +98,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestQuantity)
+const Suite suite("tst_quantity", runWithEventLoop<TestQuantity>);
 #include "tst_quantity.moc"

@@ -3,6 +3,7 @@
 
 #include "tests/support/described_reading.h"
 #include "tests/support/long_tests.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -482,5 +483,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestReferenceData)
+const Suite suite("tst_reference_data", runWithoutApplication<TestReferenceData>);
 #include "tst_reference_data.moc"

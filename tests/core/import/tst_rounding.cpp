@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/import/cells.h"
+#include "tests/support/suite.h"
 
 #include <QStringList>
 #include <QTest>
@@ -244,5 +245,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRounding)
+const Suite suite("tst_rounding", runWithoutApplication<TestRounding>);
 #include "tst_rounding.moc"

@@ -182,5 +182,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestCriticalPoints)
+const Suite suite("tst_critical_points", runWithEventLoop<TestCriticalPoints>);
 #include "tst_critical_points.moc"

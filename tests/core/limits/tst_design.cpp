@@ -4,6 +4,7 @@
 
 #include "core/limits/design.h"
 #include "core/limits/mobility.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -125,5 +126,5 @@ void TestDesign::exchangesTheDirectionsBelowARatioOfOne()
     QVERIFY(*limitsOf(slowOut).angleOutwards > *limitsOf(slowOut).angleInwards);
 }
 
-QTEST_APPLESS_MAIN(TestDesign)
+const Suite suite("tst_design", runWithoutApplication<TestDesign>);
 #include "tst_design.moc"

@@ -4,6 +4,7 @@
 #include "core/study/cases.h"
 #include "tests/support/deviation.h"
 #include "tests/support/random_mechanisms.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -298,5 +299,5 @@ void tst_extremes::nothingMovesWithoutSpeedOrRoom()
     }
 }
 
-QTEST_APPLESS_MAIN(tst_extremes)
+const Suite suite("tst_extremes", runWithoutApplication<tst_extremes>);
 #include "tst_extremes.moc"

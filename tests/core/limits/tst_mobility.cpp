@@ -5,6 +5,7 @@
 #include "core/study/cases.h"
 #include "tests/support/deviation.h"
 #include "tests/support/random_mechanisms.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -444,5 +445,5 @@ void tst_mobility::sliderPositionsLeadBackToTheCrank()
     QVERIFY(checked > 500);
 }
 
-QTEST_APPLESS_MAIN(tst_mobility)
+const Suite suite("tst_mobility", runWithoutApplication<tst_mobility>);
 #include "tst_mobility.moc"

@@ -2,6 +2,7 @@
 #include "core/mechanism/channel.h"
 #include "core/mechanism/mechanism.h"
 #include "core/study/cases.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -129,5 +130,5 @@ void tst_mechanism::naturalSizeFollowsLengthAndSpeed()
     QCOMPARE(naturalSize(parameters, {Theta4, Order::Acceleration}), 9.0);
 }
 
-QTEST_APPLESS_MAIN(tst_mechanism)
+const Suite suite("tst_mechanism", runWithoutApplication<tst_mechanism>);
 #include "tst_mechanism.moc"

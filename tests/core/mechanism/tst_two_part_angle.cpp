@@ -2,6 +2,7 @@
 #include "core/mechanism/two_part_angle.h"
 #include "core/study/exact_motion.h"
 #include "tests/support/random_mechanisms.h"
+#include "tests/support/suite.h"
 
 #include <boost/multiprecision/cpp_int.hpp>
 
@@ -162,5 +163,5 @@ void tst_two_part_angle::fineSineHasTwiceTheDigits()
     qInfo("worst: %.3g of the tolerance", worst);
 }
 
-QTEST_APPLESS_MAIN(tst_two_part_angle)
+const Suite suite("tst_two_part_angle", runWithoutApplication<tst_two_part_angle>);
 #include "tst_two_part_angle.moc"

@@ -248,5 +248,5 @@ void tst_constraints::determinantIsMinusBCosTheta3()
     }
 }
 
-QTEST_APPLESS_MAIN(tst_constraints)
+const Suite suite("tst_constraints", runWithoutApplication<tst_constraints>);
 #include "tst_constraints.moc"

@@ -7,6 +7,7 @@
 #include "tests/core/newton/newton_runs.h"
 #include "tests/support/long_tests.h"
 #include "tests/support/random_mechanisms.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -489,5 +490,5 @@ void TestNewton::eachIterationSquaresTheErrorOfTheCouplerAngle()
     QVERIFY(judged >= 2);
 }
 
-QTEST_APPLESS_MAIN(TestNewton)
+const Suite suite("tst_newton", runWithoutApplication<TestNewton>);
 #include "tst_newton.moc"

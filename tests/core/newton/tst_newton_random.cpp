@@ -7,6 +7,7 @@
 #include "tests/core/newton/newton_runs.h"
 #include "tests/support/long_tests.h"
 #include "tests/support/random_mechanisms.h"
+#include "tests/support/suite.h"
 
 #include <Eigen/LU>
 #include <Eigen/SVD>
@@ -225,5 +226,5 @@ void TestNewtonRandom::structuredStepsAreTheDenseOnes()
     }
 }
 
-QTEST_APPLESS_MAIN(TestNewtonRandom)
+const Suite suite("tst_newton_random", runWithoutApplication<TestNewtonRandom>);
 #include "tst_newton_random.moc"

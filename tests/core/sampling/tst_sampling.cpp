@@ -10,6 +10,7 @@
 #include "core/sampling/instant_equations.h"
 #include "core/study/cases.h"
 #include "tests/support/random_mechanisms.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -254,5 +255,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSampling)
+const Suite suite("tst_sampling", runWithoutApplication<TestSampling>);
 #include "tst_sampling.moc"

@@ -3,6 +3,7 @@
 #include "core/study/harmonic_series.h"
 #include "core/study/study.h"
 #include "core/study/study_methods.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -369,5 +370,5 @@ void tst_study::measuresTimes()
     }
 }
 
-QTEST_APPLESS_MAIN(tst_study)
+const Suite suite("tst_study", runWithoutApplication<tst_study>);
 #include "tst_study.moc"

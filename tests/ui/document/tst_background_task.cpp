@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/suite.h"
 #include "ui/document/background_task.h"
 
 #include "tests/support/waiting.h"
@@ -211,5 +212,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(tst_background_task)
+const Suite suite("tst_background_task", runWithEventLoop<tst_background_task>);
 #include "tst_background_task.moc"

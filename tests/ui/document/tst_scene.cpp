@@ -3,6 +3,7 @@
 // The file of a scene: what is written is read back to the last bit; what is no scene is refused, with its place.
 
 #include "tests/support/random_mechanisms.h"
+#include "tests/support/suite.h"
 #include "tests/support/waiting.h"
 #include "ui/document/scene.h"
 #include "ui/document/session.h"
@@ -399,5 +400,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestScene)
+const Suite suite("tst_scene", runWithWidgets<TestScene>);
 #include "tst_scene.moc"

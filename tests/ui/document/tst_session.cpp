@@ -2,6 +2,7 @@
 #include "ui/document/session.h"
 
 #include "core/closed_form/closed_form.h"
+#include "tests/support/suite.h"
 
 #include "tests/support/waiting.h"
 #include "ui/document/with.h"
@@ -658,5 +659,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSession)
+const Suite suite("tst_session", runWithEventLoop<TestSession>);
 #include "tst_session.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/suite.h"
 #include "tests/support/text_recorder.h"
 #include "tests/support/waiting.h"
 #include "ui/document/session.h"
@@ -522,5 +523,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestMechanismView)
+const Suite suite("tst_mechanism_view", runWithWidgets<TestMechanismView>);
 #include "tst_mechanism_view.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/suite.h"
 #include "ui/document/column_choices.h"
 #include "ui/document/reference_file.h"
 #include "ui/document/session.h"
@@ -276,5 +277,5 @@ private:
     QTemporaryDir m_folder;
 };
 
-QTEST_MAIN(TestColumnMapping)
+const Suite suite("tst_column_mapping", runWithWidgets<TestColumnMapping>);
 #include "tst_column_mapping.moc"

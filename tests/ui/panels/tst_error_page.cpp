@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/suite.h"
 #include "ui/panels/error_page.h"
 #include "ui/panels/reference_page.h"
 
@@ -322,5 +323,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestErrorPage)
+const Suite suite("tst_error_page", runWithoutApplication<TestErrorPage>);
 #include "tst_error_page.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/closed_form/closed_form.h"
+#include "tests/support/suite.h"
 #include "ui/panels/limits_page.h"
 
 #include <QLocale>
@@ -232,5 +233,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestLimitsPage)
+const Suite suite("tst_limits_page", runWithoutApplication<TestLimitsPage>);
 #include "tst_limits_page.moc"

@@ -4,6 +4,7 @@
 
 #include "core/limits/design.h"
 #include "core/limits/extremes.h"
+#include "tests/support/suite.h"
 #include "ui/document/with.h"
 #include "ui/panels/limits_panel.h"
 #include "ui/panels/parameter_panel.h"
@@ -358,5 +359,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestLimitsPanel)
+const Suite suite("tst_limits_panel", runWithWidgets<TestLimitsPanel>);
 #include "tst_limits_panel.moc"

@@ -2,6 +2,7 @@
 #include "core/closed_form/state_at.h"
 #include "core/newton/constraints.h"
 #include "core/newton/newton.h"
+#include "tests/support/suite.h"
 #include "ui/document/session.h"
 #include "ui/panels/newton_pages.h"
 #include "ui/panels/newton_panel.h"
@@ -205,5 +206,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestNewtonPanel)
+const Suite suite("tst_newton_panel", runWithWidgets<TestNewtonPanel>);
 #include "tst_newton_panel.moc"

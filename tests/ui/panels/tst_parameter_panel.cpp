@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/suite.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/text/theme.h"
 #include "ui/widgets/number_box.h"
@@ -234,5 +235,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestParameterPanel)
+const Suite suite("tst_parameter_panel", runWithWidgets<TestParameterPanel>);
 #include "tst_parameter_panel.moc"

@@ -3,6 +3,7 @@
 #include "ui/panels/study_panel.h"
 
 #include "tests/support/study_of_a_turn.h"
+#include "tests/support/suite.h"
 #include "tests/support/waiting.h"
 #include "tests/support/widget_parts.h"
 
@@ -160,5 +161,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestStudyPanel)
+const Suite suite("tst_study_panel", runWithWidgets<TestStudyPanel>);
 #include "tst_study_panel.moc"

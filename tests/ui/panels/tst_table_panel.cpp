@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/suite.h"
 #include "ui/panels/table_panel.h"
 #include "ui/plots/chart.h"
 #include "ui/text/theme.h"
@@ -271,5 +272,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestTablePanel)
+const Suite suite("tst_table_panel", runWithWidgets<TestTablePanel>);
 #include "tst_table_panel.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/suite.h"
 #include "ui/document/session.h"
 #include "ui/panels/timeline.h"
 #include "ui/widgets/number_box.h"
@@ -300,5 +301,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestTimeline)
+const Suite suite("tst_timeline", runWithWidgets<TestTimeline>);
 #include "tst_timeline.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/suite.h"
 #include "tests/support/text_recorder.h"
 #include "tests/support/waiting.h"
 #include "ui/plots/chart.h"
@@ -94,5 +95,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestChart)
+const Suite suite("tst_chart", runWithWidgets<TestChart>);
 #include "tst_chart.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/suite.h"
 #include "ui/plots/curve_sampling.h"
 
 #include <QTest>
@@ -128,5 +129,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestCurveSampling)
+const Suite suite("tst_curve_sampling", runWithoutApplication<TestCurveSampling>);
 #include "tst_curve_sampling.moc"

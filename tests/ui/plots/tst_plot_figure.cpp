@@ -2,6 +2,7 @@
 #include "ui/plots/plot_figure.h"
 
 #include "core/closed_form/closed_form.h"
+#include "tests/support/suite.h"
 #include "tests/ui/plots/plot_results.h"
 
 #include <QTest>
@@ -336,5 +337,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestPlotFigure)
+const Suite suite("tst_plot_figure", runWithWidgets<TestPlotFigure>);
 #include "tst_plot_figure.moc"

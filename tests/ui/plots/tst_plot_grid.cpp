@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/suite.h"
 #include "ui/plots/plot_grid.h"
 
 #include "tests/support/text_recorder.h"
@@ -424,5 +425,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestPlotGrid)
+const Suite suite("tst_plot_grid", runWithWidgets<TestPlotGrid>);
 #include "tst_plot_grid.moc"

@@ -8,6 +8,7 @@
 #include "core/closed_form/closed_form.h"
 #include "core/limits/extremes.h"
 #include "core/mechanism/turn.h"
+#include "tests/support/suite.h"
 
 #include <QImage>
 #include <QTest>
@@ -346,5 +347,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestTrueCurves)
+const Suite suite("tst_true_curves", runWithWidgets<TestTrueCurves>);
 #include "tst_true_curves.moc"

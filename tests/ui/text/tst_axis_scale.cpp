@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/suite.h"
 #include "ui/text/axis_scale.h"
 
 #include <QTest>
@@ -95,5 +96,5 @@ private:
     static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 };
 
-QTEST_APPLESS_MAIN(TstAxisScale)
+const Suite suite("tst_axis_scale", runWithoutApplication<TstAxisScale>);
 #include "tst_axis_scale.moc"

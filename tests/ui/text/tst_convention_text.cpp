@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/suite.h"
 #include "ui/text/convention_text.h"
 
 #include <QLocale>
@@ -114,5 +115,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestConventionText)
+const Suite suite("tst_convention_text", runWithEventLoop<TestConventionText>);
 #include "tst_convention_text.moc"

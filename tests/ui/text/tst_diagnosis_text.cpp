@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/suite.h"
 #include "ui/text/diagnosis_text.h"
 #include "ui/text/finding_text.h"
 
@@ -257,5 +258,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestDiagnosisText)
+const Suite suite("tst_diagnosis_text", runWithEventLoop<TestDiagnosisText>);
 #include "tst_diagnosis_text.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/suite.h"
 #include "ui/text/finding_text.h"
 
 #include <QLocale>
@@ -173,5 +174,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestFindingText)
+const Suite suite("tst_finding_text", runWithEventLoop<TestFindingText>);
 #include "tst_finding_text.moc"

@@ -76,5 +76,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestReadFaultText)
+const Suite suite("tst_read_fault_text", runWithEventLoop<TestReadFaultText>);
 #include "tst_read_fault_text.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/suite.h"
 #include "ui/widgets/number_box.h"
 
 #include "tests/support/waiting.h"
@@ -250,5 +251,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestNumberBox)
+const Suite suite("tst_number_box", runWithWidgets<TestNumberBox>);
 #include "tst_number_box.moc"

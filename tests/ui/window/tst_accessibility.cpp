@@ -2,6 +2,7 @@
 
 // The window for those who cannot see it, or have no mouse: what a screen reader is told, where the Tab key leads.
 
+#include "tests/support/suite.h"
 #include "tests/ui/window/window_fixture.h"
 
 #include "ui/widgets/number_slider.h"
@@ -250,5 +251,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestAccessibility)
+const Suite suite("tst_accessibility", runWithWidgets<TestAccessibility>);
 #include "tst_accessibility.moc"

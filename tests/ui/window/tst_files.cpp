@@ -2,6 +2,7 @@
 
 // Scenes and exports as files: opened, saved, named in dialogs; and what is asked before something is lost.
 
+#include "tests/support/suite.h"
 #include "tests/ui/window/window_fixture.h"
 
 #include "ui/export/animation_export.h"
@@ -411,5 +412,5 @@ private:
     std::unique_ptr<QTemporaryDir> m_folder;
 };
 
-QTEST_MAIN(TestFiles)
+const Suite suite("tst_files", runWithWidgets<TestFiles>);
 #include "tst_files.moc"

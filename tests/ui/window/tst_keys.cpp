@@ -2,6 +2,7 @@
 
 // Keys and wheel as a person uses them: pressed on the window, wherever the focus is.
 
+#include "tests/support/suite.h"
 #include "tests/ui/window/window_fixture.h"
 
 #include "ui/panels/timeline.h"
@@ -410,5 +411,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestKeys)
+const Suite suite("tst_keys", runWithWidgets<TestKeys>);
 #include "tst_keys.moc"

@@ -2,6 +2,7 @@
 
 // The window as a person uses it: with the mouse and the keys, judged by what is painted.
 
+#include "tests/support/suite.h"
 #include "tests/ui/window/window_fixture.h"
 
 #include "ui/mechanism/mechanism_view.h"
@@ -582,5 +583,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestMainWindow)
+const Suite suite("tst_main_window", runWithWidgets<TestMainWindow>);
 #include "tst_main_window.moc"

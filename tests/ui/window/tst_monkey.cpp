@@ -11,6 +11,7 @@
 #include "ui/window/status_bar.h"
 
 #include "tests/support/long_tests.h"
+#include "tests/support/suite.h"
 #include "tests/support/waiting.h"
 
 #include <QAbstractButton>
@@ -465,7 +466,7 @@ void takeTwoScreens(const QString &file)
     }
 }
 
-int main(int argc, char *argv[])
+static int run(int argc, char *argv[])
 {
     const QTemporaryDir folder;
     takeTwoScreens(folder.filePath(QStringLiteral("screens.json")));
@@ -473,5 +474,5 @@ int main(int argc, char *argv[])
     TestMonkey test;
     return QTest::qExec(&test, argc, argv);
 }
-
+const Suite suite("tst_monkey", run);
 #include "tst_monkey.moc"

@@ -3,6 +3,7 @@
 // Texts in both languages, larger than usual and on small screens: nothing is cut off or out of reach. Numbers on the
 // screen as the user writes them, here with a decimal comma; in files with a point, always.
 
+#include "tests/support/suite.h"
 #include "tests/ui/window/window_fixture.h"
 
 #include "ui/document/scene.h"
@@ -292,5 +293,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestReadability)
+const Suite suite("tst_readability", runWithWidgets<TestReadability>);
 #include "tst_readability.moc"

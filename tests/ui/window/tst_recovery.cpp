@@ -2,6 +2,7 @@
 
 // What a crash leaves: windows in other processes are killed, and the next one is asked what it offers.
 
+#include "tests/support/suite.h"
 #include "tests/ui/window/window_fixture.h"
 
 #include "ui/window/recovery.h"
@@ -237,7 +238,7 @@ private:
     void editElsewhere(const QString &scene = {})
     {
         m_other.setProcessEnvironment(QProcessEnvironment::systemEnvironment());
-        m_other.start(QCoreApplication::applicationFilePath(), {"--edit", m_folder->path(), scene});
+        m_other.start(QCoreApplication::applicationFilePath(), {"tst_recovery", "--edit", m_folder->path(), scene});
         AWAIT(!copies().isEmpty());
     }
 
@@ -252,7 +253,7 @@ private:
     QProcess m_other;
 };
 
-int main(int argc, char *argv[])
+static int run(int argc, char *argv[])
 {
     QApplication application(argc, argv);
     QStandardPaths::setTestModeEnabled(true);
@@ -263,5 +264,5 @@ int main(int argc, char *argv[])
     TestRecovery tests;
     return QTest::qExec(&tests, argc, argv);
 }
-
+const Suite suite("tst_recovery", run);
 #include "tst_recovery.moc"

@@ -4,6 +4,7 @@
 // pixels there are, not made larger from fewer: neighbouring pixels may differ as much as anywhere, wherever they are.
 // Also on another screen, with twice the ratio, to which the window is moved.
 
+#include "tests/support/suite.h"
 #include "tests/ui/window/window_fixture.h"
 
 #include <QAbstractButton>
@@ -155,7 +156,7 @@ private slots:
     }
 };
 
-int main(int argc, char *argv[])
+static int run(int argc, char *argv[])
 {
     const QTemporaryDir folder;
     QFile screens(folder.filePath(QStringLiteral("screens.json")));
@@ -169,5 +170,5 @@ int main(int argc, char *argv[])
     TestSharpness test;
     return QTest::qExec(&test, argc, argv);
 }
-
+const Suite suite("tst_sharpness", run);
 #include "tst_sharpness.moc"

@@ -4,6 +4,7 @@
 // Fernandes, "A Physiologically-based Model for Simulation of Color Vision Deficiency", IEEE TVCG 15 (2009), the
 // matrices of severity 1; CIE 1976 L*a*b* differences; the contrast of the W3C's WCAG 2.1.
 
+#include "tests/support/suite.h"
 #include "ui/text/theme.h"
 
 #include <QTest>
@@ -142,5 +143,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestTheme)
+const Suite suite("tst_theme", runWithWidgets<TestTheme>);
 #include "tst_theme.moc"
