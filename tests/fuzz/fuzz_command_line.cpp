@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Arbitrary arguments, one a line of the input: they are refused, or become a command that can run.
+// Arbitrary arguments, one in each line of the input: they are refused, or become a command that can run.
 
 #include "app/command_line.h"
 #include "tests/fuzz/promise.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Any bytes into the reader, as libFuzzer finds them: it must come back, within the bytes it was given, with data or a
-// reason that hold together, whatever a person then chooses of the columns.
+// Arbitrary bytes for the reader: it returns consistent data or a reason, whatever meaning the columns are then given.
 
 #include "core/import/reference_data.h"
 #include "tests/fuzz/promise.h"
@@ -28,7 +27,7 @@ void check(const FileLayout &layout)
 
 void check(const ReadError &error)
 {
-    require(error.fault.kind < ReadFault::Kind::Stopped, "nobody stops the reading, and nothing is missing");
+    require(error.fault.kind < ReadFault::Kind::Stopped, "the reason is in the bytes");
     check(error.layout);
 }
 
@@ -38,12 +37,12 @@ void check(const ReferenceData &data)
     require(std::is_sorted(data.time.begin(), data.time.end(), std::less_equal<>()), "the time increases");
     ChannelSet seen;
     for (const ReferenceSeries &series : data.series) {
-        require(series.values.size() == data.time.size(), "a value for each instant");
+        require(series.values.size() == data.time.size(), "a value for each time stamp");
         require(!seen.test(indexOf(series.channel)), "each channel once");
         seen.set(indexOf(series.channel));
         require(
             std::none_of(series.values.begin(), series.values.end(), [](double value) { return std::isinf(value); }),
-            "values are finite, or gaps");
+            "no value is infinite");
         require(!(series.rounding.stepAt(series.values.front()) < 0.0), "no step is negative");
     }
     ChannelSet named;
@@ -55,7 +54,7 @@ void check(const ReferenceData &data)
         }
     }
     require(times == 1 && named == seen, "the columns are those of the data");
-    require(!data.crank || data.crank->degrees.size() == data.time.size(), "an angle for each instant");
+    require(!data.crank || data.crank->degrees.size() == data.time.size(), "an angle for each time stamp");
     check(data.layout);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Writes what the fuzz targets begin with into a folder for each subject: make_fuzz_corpus FOLDER
+// Writes the first inputs of the fuzz targets, a folder for each target: make_fuzz_corpus FOLDER
 
 #include "tests/support/simulation_files.h"
 #include "ui/document/scene.h"
@@ -31,7 +31,7 @@ bool writeAll(const std::filesystem::path &folder, const std::vector<std::string
     return written;
 }
 
-/// What a fuzzer changes should be small: names and a few rows.
+/// Small inputs are changed most effectively: headings and a few rows.
 std::vector<std::string> tables()
 {
     std::vector<std::string> texts;
@@ -60,7 +60,7 @@ std::vector<std::string> scenes()
     return texts;
 }
 
-/// A word a line.
+/// One argument in each line.
 std::vector<std::string> commandLines()
 {
     return {"solve\n--a\n20\n--b=65\n--c\n-2.5\n--omega2\n6.28\n--theta20\n0\n--branch\ncrossed\n--steps\n10",

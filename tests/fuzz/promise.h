@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What every fuzz target judges with: where a promise is broken, it ends there and then.
+// Ends the program at once when a promise is broken, for all fuzz targets.
 
 #include <cstdio>
 #include <cstdlib>

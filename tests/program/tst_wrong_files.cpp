@@ -228,9 +228,9 @@ private slots:
             least += 32;
             QVERIFY(least < 8192);
         }
-        QVERIFY(write(m_file, rows(3'000'000), rows(3'000'000).size()));
+        QVERIFY(write(m_file, rows(1'000'000), rows(1'000'000).size()));
         int refused = 0;
-        for (rlim_t more = 0; more < 1024; more += 32) {
+        for (rlim_t more = 0; more < 512; more += 16) {
             const Outcome outcome = within(least + more);
             if (outcome.status == 0) {
                 break;
