@@ -5,10 +5,9 @@
 #include "app/help.h"
 #include "app/option_reader.h"
 #include "app/output.h"
-#include "app/window_system.h"
 
-#include <array>
 #include <algorithm>
+#include <array>
 
 namespace slidercrank
 {
@@ -18,36 +17,20 @@ namespace
 
 Command commandWriting(const QString &text)
 {
-    Command command;
-    command.run = [text](const Streams &streams) { return writeOutput(streams, {}, text.toUtf8()); };
-    return command;
-}
-
-Command prepare(Subcommand subcommand, OptionReader &options)
-{
-    switch (subcommand) {
-    case Subcommand::Window: return prepareWindow(options);
-    case Subcommand::Solve: return prepareSolve(options);
-    case Subcommand::Limits: return prepareLimits(options);
-    case Subcommand::Compare: return prepareCompare(options);
-    case Subcommand::Identify: return prepareIdentify(options);
-    case Subcommand::Study: return prepareStudy(options);
-    case Subcommand::Render: return prepareRender(options);
-    }
-    return {};
+    return {[text](const Streams &streams) { return writeOutput(streams, {}, text.toUtf8()); }};
 }
 
 /// `help [COMMAND]`, and the forms of the help for other programs: the manual page.
 Command prepareHelp(const QStringList &topics)
 {
-    if (topics == QStringList(QStringLiteral("--man-page"))) {
+    if (topics == QStringList("--man-page")) {
         return commandWriting(manualPage());
     }
     const std::optional<Subcommand> subcommand =
         topics.isEmpty() ? Subcommand::Window : subcommandNamed(topics.front());
     if (!subcommand || topics.size() > 1) {
         throw UsageError{CommandLine::tr("There is no help for \"%1\": choose one of %2.")
-                             .arg(topics.join(u' '), subcommandNames().join(QStringLiteral(", ")))};
+                             .arg(topics.join(' '), subcommandNames().join(", "))};
     }
     return commandWriting(helpText(*subcommand));
 }
@@ -65,10 +48,12 @@ Command parse(const QStringList &arguments)
         return commandWriting(helpText(subcommand));
     }
     if (options.has("version")) {
-        return commandWriting(QStringLiteral("slidercrank " SLIDERCRANK_VERSION "\n" SLIDERCRANK_BUILT_OF "\n"));
+        return commandWriting("slidercrank " SLIDERCRANK_VERSION "\n" SLIDERCRANK_BUILT_OF "\n");
     }
     options.readScene();
-    Command command = prepare(subcommand, options);
+    constexpr std::array kPrepare{prepareWindow,   prepareSolve, prepareLimits, prepareCompare,
+                                  prepareIdentify, prepareStudy, prepareRender}; // by Subcommand
+    Command command = kPrepare[static_cast<std::size_t>(subcommand)](options);
     command.choosesPlatform = !named && choosesPlatform(arguments);
     return command;
 }
@@ -92,12 +77,10 @@ Command parseCommandLine(const QStringList &arguments)
     try {
         return parse(arguments);
     } catch (const UsageError &usageError) {
-        Command command;
-        command.run = [usageError](const Streams &streams) {
+        return {[usageError](const Streams &streams) {
             streams.report(usageError.message);
             return usageError.status;
-        };
-        return command;
+        }};
     }
 }
 

@@ -22,11 +22,6 @@ namespace
 
 using Outcome = Identification::Outcome;
 
-struct IdentifyRequest {
-    Mechanism mechanism; ///< supplies what a file does not determine
-    ReferenceFiles references;
-};
-
 /// By Identification::Outcome.
 constexpr std::array kOutcomeNames{"identified", "ambiguous", "approximate", "insufficient", "nearest", "none"};
 
@@ -46,10 +41,12 @@ QString outcomeText(Outcome outcome)
     return {};
 }
 
-QJsonObject jsonIdentification(const Reference &reference, const Diagnosis &diagnosis)
+QJsonObject jsonIdentification(const ReferenceData &data, const Diagnosis &diagnosis)
 {
     const Identification &found = diagnosis.identification;
-    const bool hasMechanism = found.stands() || found.outcome == Outcome::Nearest;
+    const auto mechanismIf = [](bool exists, const Parameters &parameters) {
+        return exists ? QJsonValue(jsonMechanism(parameters)) : QJsonValue();
+    };
     QJsonObject standardErrors, identifiable, noise;
     for (const Parameter parameter : kParameters) {
         const std::size_t i = indexOf(parameter);
@@ -60,36 +57,30 @@ QJsonObject jsonIdentification(const Reference &reference, const Diagnosis &diag
     for (const Identification::Noise &column : found.noise) {
         noise.insert(columnNameOf(column.channel), jsonNumber(column.rms));
     }
-    QJsonArray alternatives, leftOut, excludedRows;
-    for (const Identification::Alternative &alternative : found.alternatives) {
-        alternatives += QJsonObject{{"mechanism", jsonMechanism(alternative.parameters)},
-                                    {"why", kAlternativeNames[static_cast<std::size_t>(alternative.why)]}};
-    }
-    for (const auto &column : found.leftOut) {
-        leftOut += QJsonObject{{"channel", columnNameOf(column.channel)},
-                               {"percentOfPeak", jsonNumber(column.percentOfPeak)}};
-    }
-    for (const std::size_t line : found.excludedRows) {
-        excludedRows += static_cast<double>(line);
-    }
-    QJsonObject object = jsonFileMembers(reference);
-    object.insert("outcome", kOutcomeNames[static_cast<std::size_t>(found.outcome)]);
-    object.insert("mechanism", hasMechanism ? QJsonValue(jsonMechanism(found.parameters)) : QJsonValue());
-    object.insert("standardError", standardErrors);
-    object.insert("identifiable", identifiable);
-    object.insert("alternatives", alternatives);
-    object.insert("rounded",
-                  found.outcome == Outcome::Identified ? QJsonValue(jsonMechanism(diagnosis.rounded)) : QJsonValue());
-    object.insert("noise", noise);
-    object.insert("iterations", found.iterations);
-    object.insert("conditionNumber", found.stands() ? jsonNumber(found.conditionNumber) : QJsonValue());
-    object.insert("channels", jsonComparisons(diagnosis.identified, reference.data));
-    object.insert("columns", jsonColumns(reference.data.layout));
-    object.insert("conventions", jsonConventions(diagnosis.conventions, reference.data));
-    object.insert("leftOut", leftOut);
-    object.insert("excludedRows", excludedRows);
-    object.insert("summary", summaryOf(diagnosis));
-    return object;
+    const auto jsonAlternative = [](const Identification::Alternative &alternative) {
+        return QJsonObject{{"mechanism", jsonMechanism(alternative.parameters)},
+                           {"why", kAlternativeNames[static_cast<std::size_t>(alternative.why)]}};
+    };
+    const auto jsonLeftOut = [](const auto &column) {
+        return QJsonObject{{"channel", columnNameOf(column.channel)},
+                           {"percentOfPeak", jsonNumber(column.percentOfPeak)}};
+    };
+    const auto jsonComparison = [](const ChannelComparison &channel) { return jsonObject(comparisonRecord(channel)); };
+    return {{"outcome", kOutcomeNames[static_cast<std::size_t>(found.outcome)]},
+            {"mechanism", mechanismIf(found.stands() || found.outcome == Outcome::Nearest, found.parameters)},
+            {"standardError", standardErrors},
+            {"identifiable", identifiable},
+            {"alternatives", jsonList(found.alternatives, jsonAlternative)},
+            {"rounded", mechanismIf(found.outcome == Outcome::Identified, diagnosis.rounded)},
+            {"noise", noise},
+            {"iterations", found.iterations},
+            {"conditionNumber", found.stands() ? jsonNumber(found.conditionNumber) : QJsonValue()},
+            {"channels", jsonList(diagnosis.identified, jsonComparison)},
+            {"columns", jsonColumns(data.layout)},
+            {"conventions", jsonConventions(diagnosis.conventions, data)},
+            {"leftOut", jsonList(found.leftOut, jsonLeftOut)},
+            {"excludedRows", jsonList(found.excludedRows, [](std::size_t line) { return static_cast<double>(line); })},
+            {"summary", summaryOf(diagnosis)}};
 }
 
 /// "--a 20 --b …": options for the next command.
@@ -97,12 +88,12 @@ QString optionsFor(const Parameters &parameters)
 {
     QString text;
     for (const Parameter parameter : kParameters) {
-        text += QStringLiteral("--%1 %2%3 ")
-                    .arg(QLatin1String(wordOf(parameter)),
+        text += QString("--%1 %2%3 ")
+                    .arg(wordOf(parameter),
                          QString::number(valueOf(parameters, parameter), 'g', QLocale::FloatingPointShortest),
-                         parameter == Parameter::Theta20 ? QStringLiteral("rad") : QString());
+                         parameter == Parameter::Theta20 ? "rad" : "");
     }
-    return text + (parameters.branch == Branch::Open ? QStringLiteral("--branch open") : QStringLiteral("--branch crossed"));
+    return text + (parameters.branch == Branch::Open ? "--branch open" : "--branch crossed");
 }
 
 QString identificationText(const Reference &reference, const Diagnosis &diagnosis)
@@ -110,11 +101,11 @@ QString identificationText(const Reference &reference, const Diagnosis &diagnosi
     const Identification &found = diagnosis.identification;
     const ReferenceData &data = reference.data;
     if (!found.stands()) {
-        return headline(reference) + summaryOf(diagnosis) + u'\n';
+        return headline(reference) + summaryOf(diagnosis) + '\n';
     }
     QStringList lines{headline(reference).trimmed()};
     for (const ConventionFinding &finding : diagnosis.conventions) {
-        lines += explanationOf(finding.convention, data) + u' ' + effectOf(finding);
+        lines += explanationOf(finding.convention, data) + ' ' + effectOf(finding);
     }
     lines += summaryOf(diagnosis);
     if (found.outcome != Outcome::Approximate) {
@@ -123,7 +114,7 @@ QString identificationText(const Reference &reference, const Diagnosis &diagnosi
     }
     const std::optional<ReferenceData> timed =
         data.crank ? timedBy(Mechanism(found.parameters), data) : std::nullopt; // the data that were compared
-    lines += u'\n' + recordTable(comparisonFields(timed ? *timed : data), diagnosis.identified);
+    lines += '\n' + comparisonTable(diagnosis.identified, timed ? *timed : data);
     if (found.noise.empty()) { // otherwise the summary has named the noise
         lines += summaryOf(diagnosis.identified);
     }
@@ -132,24 +123,24 @@ QString identificationText(const Reference &reference, const Diagnosis &diagnosi
                                                   : CommandLine::tr("Options for this mechanism: %1"))
                  .arg(optionsFor(diagnosis.rounded));
     lines.removeAll(QString());
-    return lines.join(u'\n') + u'\n';
+    return lines.join('\n') + '\n';
 }
 
-ReferenceAnswer identifyOne(const Streams &streams, const IdentifyRequest &request, const Reference &reference)
+ReferenceAnswer identifyOne(const Streams &streams, const ReferenceQuestion &question, const Reference &reference)
 {
-    const Diagnosis diagnosis = diagnose(reference.data, request.mechanism);
+    const Diagnosis diagnosis = diagnose(reference.data, question.mechanism);
     const bool isFound = diagnosis.identification.stands();
-    const bool isText = request.references.format == Format::Text;
+    const bool isText = question.format == Format::Text;
     ReferenceAnswer answer;
     answer.category = outcomeText(diagnosis.identification.outcome);
     answer.status = isFound ? ExitStatus::Success : ExitStatus::NotSolved;
-    if (!isFound && (!isText || request.references.files.size() == 1)) {
-        streams.report(QStringLiteral("%1: %2").arg(displayName(joinedName(reference.paths)), summaryOf(diagnosis)));
+    if (!isFound && (!isText || question.files.size() == 1)) {
+        streams.report(displayName(joinedName(reference.paths)) + ": " + summaryOf(diagnosis));
     } else if (isText) {
         answer.text = identificationText(reference, diagnosis);
     }
     const EnglishTexts english(!isText);
-    answer.json = jsonIdentification(reference, diagnosis);
+    answer.json = jsonIdentification(reference.data, diagnosis);
     return answer;
 }
 
@@ -157,13 +148,10 @@ ReferenceAnswer identifyOne(const Streams &streams, const IdentifyRequest &reque
 
 Command prepareIdentify(OptionReader &options)
 {
-    const IdentifyRequest request{readMechanism(options), readReferenceOptions(options)};
-    Command command;
-    command.run = [request](const Streams &streams) {
-        return answerEach(streams, request.references, request.mechanism, {},
-                          [&](const Reference &reference) { return identifyOne(streams, request, reference); });
-    };
-    return command;
+    return {[question = ReferenceQuestion(options)](const Streams &streams) {
+        return question.answerEach(
+            streams, [&](const Reference &reference) { return identifyOne(streams, question, reference); });
+    }};
 }
 
 } // namespace slidercrank

@@ -23,16 +23,17 @@ namespace
 
 void setApplicationNames()
 {
-    QCoreApplication::setOrganizationName(QStringLiteral("slidercrank")); // names the folder of the settings
-    QCoreApplication::setApplicationName(QStringLiteral("slidercrank"));
-    QCoreApplication::setApplicationVersion(QStringLiteral(SLIDERCRANK_VERSION));
+    QCoreApplication::setOrganizationName("slidercrank"); // names the folder of the settings
+    QCoreApplication::setApplicationName("slidercrank");
+    QCoreApplication::setApplicationVersion(SLIDERCRANK_VERSION);
 }
 
 int run(const Command &command)
 {
     QFile output;
     QFile error;
-    if (!error.open(stderr, QIODevice::WriteOnly | QIODevice::Unbuffered) || !output.open(stdout, QIODevice::WriteOnly)) {
+    if (!error.open(stderr, QIODevice::WriteOnly | QIODevice::Unbuffered) ||
+        !output.open(stdout, QIODevice::WriteOnly)) {
         return static_cast<int>(ExitStatus::FileError);
     }
     const Streams streams{output, error};
@@ -104,15 +105,16 @@ int main(int argc, char *argv[])
         }
 #endif
     } else if (!hasDisplay() && !command.choosesPlatform) {
-        std::fprintf(stderr, "%s\n", qPrintable(CommandLine::tr("There is no display for the window: set DISPLAY, or use a "
-                                                                "command, such as solve, which needs none.")));
+        std::fprintf(stderr, "%s\n",
+                     qPrintable(CommandLine::tr("There is no display for the window: set DISPLAY, or use a "
+                                                "command, such as solve, which needs none.")));
         return static_cast<int>(ExitStatus::UsageError);
     } else {
         qInstallMessageHandler(nullptr);
         leaveConsole();
     }
     const QApplication application(argc, argv);
-    QApplication::setStyle(QStringLiteral("Fusion")); // its palette can be chosen on every platform
+    QApplication::setStyle("Fusion"); // its palette can be chosen on every platform
     setApplicationNames();
     setLanguage(draws ? Language::System : chosenLanguage());
     return draws ? run(command) : openWindow(command);

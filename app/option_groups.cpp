@@ -23,26 +23,6 @@ namespace
 
 constexpr int kLargestStepCount = 100'000'000;
 
-/// "30" could be degrees or radians; only 0 needs no unit.
-void requireUnitOfAngle(const OptionReader &options)
-{
-    const QString name = QLatin1String(wordOf(Parameter::Theta20));
-    const QString text = options.text(wordOf(Parameter::Theta20));
-    const Quantity bare = readQuantity(text, {}, QLocale::c());
-    if (!bare.fault && bare.value != 0.0) {
-        throw UsageError{CommandLine::tr("--%1 %2: add a unit, %2deg or %2rad.").arg(name, text)};
-    }
-}
-
-QStringList channelNames()
-{
-    QStringList names;
-    for (std::size_t index = 0; index < kChannelCount; ++index) {
-        names += columnNameOf(channelAt(index));
-    }
-    return names;
-}
-
 /// "R4_x [m]", "time" or "ignored": the meaning that --column gives a column.
 NamedChoice readMeaning(const QString &meaning)
 {
@@ -64,8 +44,7 @@ NamedChoice readMeaning(const QString &meaning)
         expected = kDegree;
     } else if (meaning != u"ignored") {
         throwUnknownName(CommandLine::tr("--column: there is no channel \"%1\"").arg(name), name,
-                         QStringList{QStringLiteral("time"), QStringLiteral("crank-angle"), QStringLiteral("ignored")} +
-                             channelNames());
+                         QStringList{"time", "crank-angle", "ignored"} + channelNames());
     }
     const std::optional<Unit> unit = parseUnit(choice.unit);
     const bool fits = unit && expected && unit->dimension == expected->dimension && unit->order == expected->order;
@@ -90,26 +69,39 @@ Unit unitOf(Parameter parameter)
     return {};
 }
 
+QStringList channelNames()
+{
+    QStringList names;
+    for (std::size_t index = 0; index < kChannelCount; ++index) {
+        names += columnNameOf(channelAt(index));
+    }
+    return names;
+}
+
 Mechanism readMechanism(const OptionReader &options)
 {
+    const QString angle = options.text("theta20");
+    const Quantity withoutUnit = readQuantity(angle, {}, QLocale::c());
+    if (!withoutUnit.fault && withoutUnit.value != 0.0) { // degrees or radians?
+        throw UsageError{CommandLine::tr("--%1 %2: add a unit, %2deg or %2rad.").arg("theta20", angle)};
+    }
     Parameters parameters = options.scene().parameters;
-    requireUnitOfAngle(options);
     for (const Parameter parameter : kParameters) {
         double &value = valueOf(parameters, parameter);
         value = options.number(wordOf(parameter), value, unitOf(parameter));
     }
     parameters.branch = options.choice("branch", parameters.branch);
     if (const std::optional<ParameterFault> fault = findFault(parameters)) {
-        const QLatin1String name(wordOf(fault->parameter));
+        const char *const name = wordOf(fault->parameter);
         switch (fault->reason) {
         case ParameterFault::Reason::NotPositive:
-            throw UsageError{CommandLine::tr("--%1 must be greater than 0, not %2.").arg(name, options.text(name.data()))};
+            throw UsageError{CommandLine::tr("--%1 must be greater than 0, not %2.").arg(name, options.text(name))};
         case ParameterFault::Reason::TooShort:
-            throw UsageError{CommandLine::tr("--%1 must be at least 1e-9 mm, not %2.").arg(name, options.text(name.data()))};
+            throw UsageError{CommandLine::tr("--%1 must be at least 1e-9 mm, not %2.").arg(name, options.text(name))};
         case ParameterFault::Reason::NotFinite:
-        case ParameterFault::Reason::TooLarge: break;
+        case ParameterFault::Reason::TooLarge:
+            throw UsageError{CommandLine::tr("--%1 must not exceed 1e12 in magnitude.").arg(name)};
         }
-        throw UsageError{CommandLine::tr("--%1 must not exceed 1e12 in magnitude.").arg(name)};
     }
     return Mechanism(parameters);
 }
@@ -124,8 +116,9 @@ Sampling readSampling(const OptionReader &options)
     const double farthest = std::max(std::abs(sampling.start), std::abs(sampling.start + sampling.duration));
     const double spacing = std::nextafter(farthest, std::numeric_limits<double>::infinity()) - farthest;
     if (sampling.duration / sampling.steps < 2.0 * spacing) {
-        throw UsageError{CommandLine::tr("The time steps are too short to be distinguished: choose fewer --steps, a longer "
-                                         "--duration or a --start nearer to 0.")};
+        throw UsageError{
+            CommandLine::tr("The time steps are too short to be distinguished: choose fewer --steps, a longer "
+                            "--duration or a --start nearer to 0.")};
     }
     return sampling;
 }
@@ -145,9 +138,11 @@ SolverSettings readSolver(const OptionReader &options)
 
 Format readFormat(const OptionReader &options, Format defaultFormat)
 {
+    if (!options.has("format")) {
+        return defaultFormat;
+    }
     options.choice("format", defaultFormat); // throws for a word that the command does not know
-    const qsizetype index = QStringList{"text", "csv", "json"}.indexOf(options.text("format"));
-    return index < 0 ? defaultFormat : static_cast<Format>(index);
+    return static_cast<Format>(QStringList{"text", "csv", "json"}.indexOf(options.text("format")));
 }
 
 std::optional<double> readTimeStamp(const OptionReader &options, const Mechanism &mechanism, double start)
@@ -185,11 +180,12 @@ std::vector<NamedChoice> readColumns(const OptionReader &options)
         choices.push_back({"#1", isTime ? ColumnRole::Time : ColumnRole::CrankAngle, {}, {}});
     }
     for (const QString &text : options.texts("column")) {
-        const qsizetype equals = text.lastIndexOf(u'='); // a heading may contain one, a meaning does not
+        const qsizetype equals = text.lastIndexOf('='); // a heading may contain one, a meaning does not
         if (equals < 1) {
-            throw UsageError{CommandLine::tr("--column must be a heading, = and a meaning, such as \"slider.s=R4_x [m]\", "
-                                             "\"#1=time\" or \"id=ignored\", not \"%1\".")
-                                 .arg(text)};
+            throw UsageError{
+                CommandLine::tr("--column must be a heading, = and a meaning, such as \"slider.s=R4_x [m]\", "
+                                "\"#1=time\" or \"id=ignored\", not \"%1\".")
+                    .arg(text)};
         }
         NamedChoice choice = readMeaning(text.sliced(equals + 1).trimmed());
         choice.heading = text.first(equals).trimmed().toStdString();
@@ -214,28 +210,11 @@ QString readOutput(const OptionReader &options, const QStringList &inputFiles)
     return output;
 }
 
-QList<QStringList> readReferenceFiles(const OptionReader &options)
-{
-    const QStringList files = options.files();
-    if (files.isEmpty() || files.contains(QString())) {
-        throw UsageError{CommandLine::tr("\"slidercrank %1\" needs a file: slidercrank %1 FILE…")
-                             .arg(nameOf(options.subcommand()))};
-    }
-    if (options.has("join")) {
-        return {files};
-    }
-    QList<QStringList> references;
-    for (const QString &file : files) {
-        references += QStringList(file);
-    }
-    return references;
-}
-
 void refuseFiles(const OptionReader &options)
 {
     if (!options.files().isEmpty()) {
         throw UsageError{CommandLine::tr("\"slidercrank %1\" takes options only: remove \"%2\".")
-                             .arg(nameOf(options.subcommand()), options.files().first())};
+                             .arg(describe(options.subcommand()).name, options.files().first())};
     }
 }
 

@@ -8,8 +8,6 @@
 #include "core/sampling/trajectory.h"
 #include "ui/document/reference_file.h"
 
-#include <QList>
-
 #include <optional>
 #include <vector>
 
@@ -17,6 +15,8 @@ namespace slidercrank
 {
 
 enum class Format { Text, Csv, Json };
+
+QStringList channelNames();
 
 /// The unit of a number that is given without one.
 Unit unitOf(Parameter parameter);
@@ -34,9 +34,6 @@ std::vector<NamedChoice> readColumns(const OptionReader &options);
 
 /// --output, which must be none of the files that are read. Empty: standard output.
 QString readOutput(const OptionReader &options, const QStringList &inputFiles = {});
-
-/// The files that are no options, each by itself, or all of them together with --join. At least one.
-QList<QStringList> readReferenceFiles(const OptionReader &options);
 
 void refuseFiles(const OptionReader &options);
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace slidercrank
 {
@@ -38,7 +39,8 @@ QStringList similarNames(const QString &word, const QStringList &names)
     QStringList similar;
     for (const QString &name : names) {
         const bool isBeginning = word.size() > 1 && name.startsWith(word, Qt::CaseInsensitive);
-        const qsizetype distance = std::min(editDistance(word, name), isBeginning ? qsizetype(1) : word.size() + name.size());
+        const qsizetype distance =
+            std::min(editDistance(word, name), isBeginning ? qsizetype(1) : word.size() + name.size());
         if (distance < smallest) {
             similar.clear();
             smallest = distance;
@@ -54,17 +56,15 @@ QStringList similarNames(const QString &word, const QStringList &names)
 
 QString joinedByOr(const QStringList &names)
 {
-    return names.size() < 2 ? names.join(QString())
-                            : CommandLine::tr("%1 or %2").arg(names.first(names.size() - 1).join(QStringLiteral(", ")),
-                                                              names.last());
+    return names.size() < 2 ? names.join("")
+                            : CommandLine::tr("%1 or %2").arg(names.first(names.size() - 1).join(", "), names.last());
 }
 
 void throwUnknownName(const QString &message, const QString &name, const QStringList &names)
 {
     const QStringList similar = similarNames(name, names);
-    throw UsageError{similar.isEmpty()
-                         ? CommandLine::tr("%1: choose one of %2.").arg(message, names.join(QStringLiteral(", ")))
-                         : CommandLine::tr("%1: did you mean %2?").arg(message, joinedByOr(similar))};
+    throw UsageError{similar.isEmpty() ? CommandLine::tr("%1: choose one of %2.").arg(message, names.join(", "))
+                                       : CommandLine::tr("%1: did you mean %2?").arg(message, joinedByOr(similar))};
 }
 
 OptionReader::OptionReader(Subcommand subcommand, const QStringList &arguments)
@@ -73,43 +73,42 @@ OptionReader::OptionReader(Subcommand subcommand, const QStringList &arguments)
 {
     m_parser.setSingleDashWordOptionMode(QCommandLineParser::ParseAsLongOptions);
     for (const OptionDescription &option : m_descriptions) {
-        QStringList names{QLatin1String(option.name)};
-        if (option.shortName) {
-            names += QLatin1String(option.shortName);
-        }
-        m_parser.addOption(QCommandLineOption(names, QString(), QLatin1String(option.value)));
+        const QStringList names =
+            option.shortName ? QStringList{option.name, option.shortName} : QStringList{option.name};
+        m_parser.addOption(QCommandLineOption(names, {}, option.value));
     }
-    checkSyntax(m_parser.parse(QStringList(QStringLiteral("slidercrank")) + arguments));
-    m_scene.solver.newton.elimination = Elimination::Structured; // the same iterates as the dense solver, ten times faster
+    const bool isParsed = m_parser.parse(QStringList("slidercrank") + arguments);
+    if (!has("help")) {
+        checkSyntax(isParsed);
+    }
+    m_scene.solver.newton.elimination =
+        Elimination::Structured; // the same iterates as the dense solver, ten times faster
 }
 
-void OptionReader::checkSyntax(bool parsed) const
+void OptionReader::checkSyntax(bool isParsed) const
 {
-    if (has("help")) {
-        return;
-    }
     if (const QStringList unknown = m_parser.unknownOptionNames(); !unknown.isEmpty()) {
         QStringList names;
         for (const OptionDescription &option : m_descriptions) {
-            names += QStringLiteral("--") + QLatin1String(option.name);
+            names += QString("--") + option.name;
         }
-        const QString name = QStringLiteral("--") + unknown.first();
+        const QString name = "--" + unknown.first();
         throwUnknownName(CommandLine::tr("There is no option %1 here").arg(name), name, names);
     }
-    if (!parsed) {
+    if (!isParsed) {
         throw UsageError{m_parser.errorText()};
     }
     for (const OptionDescription &option : m_descriptions) {
         if (texts(option.name).size() > 1 && !option.mayRepeat) {
-            throw UsageError{CommandLine::tr("--%1 is given more than once: keep one of them.").arg(QLatin1String(option.name))};
+            throw UsageError{CommandLine::tr("--%1 is given more than once: keep one of them.").arg(option.name)};
         }
     }
-    if ((files() + texts("scene") + texts("reference")).count(QStringLiteral("-")) > 1) {
+    if ((files() + texts("scene") + texts("reference")).count("-") > 1) {
         throw UsageError{CommandLine::tr("Standard input can be read only once: give one \"-\".")};
     }
     for (const char *name : {"scene", "reference", "output"}) {
-        if (texts(name).contains(QString())) {
-            throw UsageError{CommandLine::tr("--%1 needs the name of a file.").arg(QLatin1String(name))};
+        if (texts(name).contains("")) {
+            throw UsageError{CommandLine::tr("--%1 needs the name of a file.").arg(name)};
         }
     }
 }
@@ -146,11 +145,10 @@ QStringList OptionReader::texts(const char *name) const
 
 qsizetype OptionReader::choiceIndex(const char *name) const
 {
-    const QStringList words = QString::fromLatin1(description(name)->value).split(u'|');
+    const QStringList words = QString(description(name)->value).split('|');
     const qsizetype index = words.indexOf(text(name));
     if (index < 0) {
-        throw UsageError{
-            CommandLine::tr("--%1 must be %2, not \"%3\".").arg(QLatin1String(name), joinedByOr(words), text(name))};
+        throw UsageError{CommandLine::tr("--%1 must be %2, not \"%3\".").arg(name, joinedByOr(words), text(name))};
     }
     return index;
 }
@@ -160,56 +158,46 @@ double OptionReader::number(const char *name, double defaultValue, const std::op
     if (!has(name)) {
         return defaultValue;
     }
-    const Quantity quantity = readQuantity(text(name), unit, QLocale::c());
-    if (!quantity.fault) {
-        checkMagnitude(name, quantity.value);
-        return quantity.value;
+    const auto &[value, fault] = readQuantity(text(name), unit, QLocale::c());
+    if (fault == QuantityFault::TooLarge || (!fault && std::abs(value) > kLargestParameter)) {
+        throw UsageError{CommandLine::tr("--%1 must not exceed 1e12 in magnitude.").arg(name)};
     }
-    const bool unitIsWrong = *quantity.fault == QuantityFault::UnknownUnit || *quantity.fault == QuantityFault::WrongUnit;
-    if (*quantity.fault == QuantityFault::TooLarge) {
-        checkMagnitude(name, std::numeric_limits<double>::infinity());
+    if (fault && unit && (fault == QuantityFault::UnknownUnit || fault == QuantityFault::WrongUnit)) {
+        throw UsageError{CommandLine::tr("--%1 must be a number, alone or followed by %2, not \"%3\".")
+                             .arg(name, joinedByOr(unitsFor(*unit)), text(name))};
     }
-    throw UsageError{unit && unitIsWrong
-                         ? CommandLine::tr("--%1 must be a number, alone or followed by %2, not \"%3\".")
-                               .arg(QLatin1String(name), joinedByOr(unitsFor(*unit)), text(name))
-                         : CommandLine::tr("--%1 must be a number with a decimal point, such as 60 or -0.5, not \"%2\".")
-                               .arg(QLatin1String(name), text(name))};
+    if (fault) {
+        throw UsageError{CommandLine::tr("--%1 must be a number with a decimal point, such as 60 or -0.5, not \"%2\".")
+                             .arg(name, text(name))};
+    }
+    return value;
 }
 
 double OptionReader::positiveNumber(const char *name, double defaultValue, const std::optional<Unit> &unit) const
 {
     const double value = number(name, defaultValue, unit);
     if (!(value > 0.0)) {
-        throw UsageError{CommandLine::tr("--%1 must be greater than 0, not %2.").arg(QLatin1String(name), text(name))};
+        throw UsageError{CommandLine::tr("--%1 must be greater than 0, not %2.").arg(name, text(name))};
     }
     return value;
 }
 
 int OptionReader::integer(const char *name, int defaultValue, int smallest, int largest) const
 {
-    if (!has(name)) {
-        return defaultValue;
-    }
-    const double value = readQuantity(text(name), {}, QLocale::c()).value; // NaN if it is no number
+    const double value =
+        has(name) ? readQuantity(text(name), {}, QLocale::c()).value : defaultValue; // NaN if it is no number
     if (!(value >= smallest && value <= largest) || value != std::round(value)) {
         throw UsageError{CommandLine::tr("--%1 must be a whole number from %2 to %3, not \"%4\".")
-                             .arg(QLatin1String(name), QString::number(smallest), QString::number(largest), text(name))};
+                             .arg(name, QString::number(smallest), QString::number(largest), text(name))};
     }
     return static_cast<int>(value);
-}
-
-void OptionReader::checkMagnitude(const char *name, double value) const
-{
-    if (std::abs(value) > kLargestParameter) {
-        throw UsageError{CommandLine::tr("--%1 must not exceed 1e12 in magnitude.").arg(QLatin1String(name))};
-    }
 }
 
 void OptionReader::refuse(const std::vector<const char *> &names, const QString &message) const
 {
     for (const char *name : names) {
         if (has(name)) {
-            throw UsageError{message.arg(QStringLiteral("--") + QLatin1String(name))};
+            throw UsageError{message.arg(QString("--") + name)};
         }
     }
 }

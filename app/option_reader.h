@@ -46,8 +46,8 @@ public:
     double positiveNumber(const char *name, double defaultValue, const std::optional<Unit> &unit = {}) const;
     int integer(const char *name, int defaultValue, int smallest, int largest) const;
 
-    /// The value of an option with a fixed list of words, "open|crossed" in the option table: the enumerator with the number that
-    /// the word has in the list.
+    /// The value of an option with a fixed list of words, "open|crossed" in the option table: the enumerator with the
+    /// number that the word has in the list.
     template <typename Enum>
     Enum choice(const char *name, Enum defaultValue) const
     {
@@ -61,9 +61,8 @@ public:
     void refuse(const std::vector<const char *> &names, const QString &message) const;
 
 private:
-    void checkSyntax(bool parsed) const;
+    void checkSyntax(bool isParsed) const;
     qsizetype choiceIndex(const char *name) const;
-    void checkMagnitude(const char *name, double value) const;
 
     Subcommand m_subcommand;
     std::vector<OptionDescription> m_descriptions;

@@ -4,7 +4,6 @@
 #include <QCoreApplication>
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 #include <utility>
 
@@ -14,20 +13,75 @@ namespace slidercrank
 namespace
 {
 
-constexpr std::array<std::pair<Subcommand, const char *>, 6> kNames{{{Subcommand::Solve, "solve"},
-                                                                    {Subcommand::Limits, "limits"},
-                                                                    {Subcommand::Compare, "compare"},
-                                                                    {Subcommand::Identify, "identify"},
-                                                                    {Subcommand::Study, "study"},
-                                                                    {Subcommand::Render, "render"}}};
+constexpr CommandDescription kCommands[] = {
+    {"", "[SCENE | FILE.csv…] [options]", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "opens the window"),
+     QT_TRANSLATE_NOOP("slidercrank::CommandLine",
+                       "Motion of an offset slider-crank. Several CSV files are read as one motion. "
+                       "\"slidercrank help COMMAND\" describes a command.")},
+    {"solve", "[options]", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "the motion as CSV or JSON"),
+     QT_TRANSLATE_NOOP(
+         "slidercrank::CommandLine",
+         "Computes the motion and writes a row for each time step: time, then the channels: positions (R1_x, R1_y, "
+         "theta1, R2_x … theta4), first derivatives (theta3_diff) and second derivatives (theta3_diff2), with 17 "
+         "significant digits. A value that does not exist is nan in CSV and null in JSON. A column name stands alone "
+         "if its unit is mm, ° or s; any other unit follows the name: theta3_diff [rad/s].")},
+    {"limits", "[options]",
+     QT_TRANSLATE_NOOP("slidercrank::CommandLine", "dead centres, stroke, transmission angle, peaks"),
+     QT_TRANSLATE_NOOP(
+         "slidercrank::CommandLine",
+         "Prints whether the crank makes full turns and why, the dead centres, the stroke, angles and times of both "
+         "strokes, the time ratio, the minimum transmission angle, mean and peak speeds and peak accelerations, and "
+         "where and when they occur. Angles in JSON and CSV are in degrees. The exit status is 4 if the mechanism "
+         "cannot be assembled at all.")},
+    {"compare", "FILE… [options]",
+     QT_TRANSLATE_NOOP("slidercrank::CommandLine", "how far simulations' files are from the model"),
+     QT_TRANSLATE_NOOP(
+         "slidercrank::CommandLine",
+         "Reads CSV files of simulations (time,R4_x,theta3_diff,…) and prints how far each column is from the model "
+         "at the file's own time stamps. A value is uncertain by half a unit of its last digit and by the motion "
+         "within half a unit of its time stamp. A column agrees if at least 95 % of its errors are within that bound "
+         "and none exceeds ten times the bound; it is close if none exceeds a hundred times the bound; otherwise it "
+         "differs. It also differs if an error exceeds its bound by 1 % of half the range of the motion. For a file "
+         "that differs, the program says what would explain the difference. A file that cannot be read is reported, "
+         "and the others are still compared. FILE may be - for standard input.")},
+    {"identify", "FILE… [options]",
+     QT_TRANSLATE_NOOP("slidercrank::CommandLine", "the mechanism that each file belongs to"),
+     QT_TRANSLATE_NOOP(
+         "slidercrank::CommandLine",
+         "Finds the mechanism that a simulation's file belongs to, from all of its columns, and how certain each "
+         "parameter is. Where a column means something else than its heading says (radians, another origin, another "
+         "sign …), the program says so and reads the file accordingly. The options of the mechanism supply what the "
+         "file does not determine. R4_x and R4_y are measured from the crank pivot O₂, angles counter-clockwise from "
+         "x. FILE may be - for standard input. Outcomes: identified, the residuals are rounding or white noise; "
+         "approximate, a mechanism explains the file up to a systematic deviation of at most 1 %; ambiguous, several "
+         "mechanisms explain the file equally well; insufficient, the file holds too little to decide; nearest, no "
+         "mechanism explains the file and the nearest one is printed; none, there is no such mechanism either.")},
+    {"study", "[options]", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "speed against error of every method"),
+     QT_TRANSLATE_NOOP(
+         "slidercrank::CommandLine",
+         "Times every method on the same time stamps and measures its error against the exact motion in 50 to 100 "
+         "digits: the largest error of the six plotted channels, relative to the channel's peak, over the time "
+         "stamps that the method reports as solved. Times depend on the machine: compare them within one run.")},
+    {"render", "--output FILE [options]",
+     QT_TRANSLATE_NOOP("slidercrank::CommandLine", "a picture, an animation or a report"),
+     QT_TRANSLATE_NOOP(
+         "slidercrank::CommandLine",
+         "Draws what the window shows into a file, or writes a report of it. Needs no display. A scene (--scene) also "
+         "supplies what the window showed: arrows, path, names, dimensions, zoom, abscissa and error measure.")},
+};
 
-constexpr int kWindow = static_cast<int>(Subcommand::Window);
-constexpr int kSolve = static_cast<int>(Subcommand::Solve);
-constexpr int kLimits = static_cast<int>(Subcommand::Limits);
-constexpr int kCompare = static_cast<int>(Subcommand::Compare);
-constexpr int kIdentify = static_cast<int>(Subcommand::Identify);
-constexpr int kStudy = static_cast<int>(Subcommand::Study);
-constexpr int kRender = static_cast<int>(Subcommand::Render);
+constexpr int bit(Subcommand subcommand)
+{
+    return 1 << static_cast<int>(subcommand);
+}
+
+constexpr int kWindow = bit(Subcommand::Window);
+constexpr int kSolve = bit(Subcommand::Solve);
+constexpr int kLimits = bit(Subcommand::Limits);
+constexpr int kCompare = bit(Subcommand::Compare);
+constexpr int kIdentify = bit(Subcommand::Identify);
+constexpr int kStudy = bit(Subcommand::Study);
+constexpr int kRender = bit(Subcommand::Render);
 constexpr int kWithMechanism = kSolve | kLimits | kCompare | kIdentify | kStudy | kRender;
 
 constexpr const char *kMechanism = QT_TRANSLATE_NOOP("slidercrank::CommandLine", "Mechanism");
@@ -38,10 +92,8 @@ constexpr const char *kResult = QT_TRANSLATE_NOOP("slidercrank::CommandLine", "R
 constexpr const char *kOther = QT_TRANSLATE_NOOP("slidercrank::CommandLine", "Other");
 
 constexpr OptionDescription kOptions[] = {
-    {kWithMechanism, kMechanism, "a", "MM",
-     QT_TRANSLATE_NOOP("slidercrank::CommandLine", "crank length O₂A (20)")},
-    {kWithMechanism, kMechanism, "b", "MM",
-     QT_TRANSLATE_NOOP("slidercrank::CommandLine", "coupler length AB (65)")},
+    {kWithMechanism, kMechanism, "a", "MM", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "crank length O₂A (20)")},
+    {kWithMechanism, kMechanism, "b", "MM", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "coupler length AB (65)")},
     {kWithMechanism, kMechanism, "c", "MM",
      QT_TRANSLATE_NOOP("slidercrank::CommandLine", "offset of the slider's line from O₂ (25)")},
     {kWithMechanism, kMechanism, "omega2", "RAD_PER_S",
@@ -80,8 +132,9 @@ constexpr OptionDescription kOptions[] = {
                        "absolute: ‖C‖ in mm and rad; relative: lengths divided by a + b + |c| (absolute)")},
 
     {kCompare | kIdentify, kFiles, "join", nullptr,
-     QT_TRANSLATE_NOOP("slidercrank::CommandLine",
-                       "the files are of one motion: read them as one; their columns are numbered on from file to file")},
+     QT_TRANSLATE_NOOP(
+         "slidercrank::CommandLine",
+         "the files are of one motion: read them as one; their columns are numbered on from file to file")},
     {kWindow | kRender, kFiles, "reference", "FILE",
      QT_TRANSLATE_NOOP("slidercrank::CommandLine",
                        "a simulation's CSV file; repeat it for several files of one motion"),
@@ -92,8 +145,9 @@ constexpr OptionDescription kOptions[] = {
                        "\"id=ignored\"; #3 is the third column"),
      nullptr, true},
     {kCompare | kIdentify | kRender, kFiles, "abscissa", "time|angle",
-     QT_TRANSLATE_NOOP("slidercrank::CommandLine",
-                       "the first column holds time stamps, or crank angles, which --omega2 and --theta20 turn into time")},
+     QT_TRANSLATE_NOOP(
+         "slidercrank::CommandLine",
+         "the first column holds time stamps, or crank angles, which --omega2 and --theta20 turn into time")},
 
     {kSolve, kResult, "channels", "LIST",
      QT_TRANSLATE_NOOP("slidercrank::CommandLine", "all, or names separated by commas: theta3,R4_x_diff (all)")},
@@ -106,12 +160,12 @@ constexpr OptionDescription kOptions[] = {
     {kLimits, kResult, "vary", "NAME=FROM..TO",
      QT_TRANSLATE_NOOP("slidercrank::CommandLine",
                        "a row of limits for each of several values of a parameter: b=50..120 (csv or json)")},
-    {kLimits, kResult, "count", "N",
-     QT_TRANSLATE_NOOP("slidercrank::CommandLine", "number of values of --vary (100)")},
+    {kLimits, kResult, "count", "N", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "number of values of --vary (100)")},
     {kLimits, kResult, "design", "LIST",
-     QT_TRANSLATE_NOOP("slidercrank::CommandLine",
-                       "the mechanism with this stroke and time ratio: stroke=80,time-ratio=1.2; its minimum transmission "
-                       "angle is as large as possible, and at least that of ,transmission-angle=40")},
+     QT_TRANSLATE_NOOP(
+         "slidercrank::CommandLine",
+         "the mechanism with this stroke and time ratio: stroke=80,time-ratio=1.2; its minimum transmission "
+         "angle is as large as possible, and at least that of ,transmission-angle=40")},
     {kCompare, kResult, "fail-on-difference", nullptr,
      QT_TRANSLATE_NOOP("slidercrank::CommandLine", "exit with status 1 if a channel differs")},
     {kStudy, kResult, "cases", "nominal|hard|all",
@@ -130,7 +184,8 @@ constexpr OptionDescription kOptions[] = {
      QT_TRANSLATE_NOOP("slidercrank::CommandLine", "pixels of a PNG per pixel of --size, 0.1 to 10 (1)")},
     {kRender, kResult, "theme", "light|dark", QT_TRANSLATE_NOOP("slidercrank::CommandLine", "colours (light)")},
     {kRender, kResult, "at", "SECONDS",
-     QT_TRANSLATE_NOOP("slidercrank::CommandLine", "time at which the mechanism is drawn, marked in the plots (--start)")},
+     QT_TRANSLATE_NOOP("slidercrank::CommandLine",
+                       "time at which the mechanism is drawn, marked in the plots (--start)")},
     {kRender, kResult, "at-angle", "DEGREES",
      QT_TRANSLATE_NOOP("slidercrank::CommandLine",
                        "the same by crank angle: the first time from --start on with the crank at this angle")},
@@ -155,32 +210,36 @@ constexpr OptionDescription kOptions[] = {
 
 } // namespace
 
+std::span<const CommandDescription> allCommands()
+{
+    return kCommands;
+}
+
 QStringList subcommandNames()
 {
     QStringList names;
-    for (const auto &[subcommand, name] : kNames) {
-        names += QLatin1String(name);
+    for (const CommandDescription &command : allCommands().subspan(1)) {
+        names += command.name;
     }
     return names;
 }
 
-QString nameOf(Subcommand subcommand)
+const CommandDescription &describe(Subcommand subcommand)
 {
-    const auto found = std::ranges::find(kNames, subcommand, &std::pair<Subcommand, const char *>::first);
-    return found == kNames.end() ? QString() : QString::fromLatin1(found->second);
+    return kCommands[static_cast<std::size_t>(subcommand)];
 }
 
 std::optional<Subcommand> subcommandNamed(const QString &name)
 {
-    const auto found = std::ranges::find_if(kNames, [&](const auto &entry) { return name == QLatin1String(entry.second); });
-    return found == kNames.end() ? std::nullopt : std::optional(found->first);
+    const qsizetype index = subcommandNames().indexOf(name);
+    return index < 0 ? std::nullopt : std::optional(static_cast<Subcommand>(index + 1));
 }
 
 std::vector<OptionDescription> optionsOf(Subcommand subcommand)
 {
     std::vector<OptionDescription> options;
     std::ranges::copy_if(kOptions, std::back_inserter(options), [subcommand](const OptionDescription &option) {
-        return (option.commands & static_cast<int>(subcommand)) != 0;
+        return (option.commands & bit(subcommand)) != 0;
     });
     return options;
 }

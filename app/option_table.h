@@ -13,16 +13,22 @@
 namespace slidercrank
 {
 
-/// Each is a bit, so that an option can name the commands that take it.
-enum class Subcommand { Window = 1, Solve = 2, Limits = 4, Compare = 8, Identify = 16, Study = 32, Render = 64 };
+enum class Subcommand { Window, Solve, Limits, Compare, Identify, Study, Render };
 
-/// "solve", "limits" …; the window has no name.
-QStringList subcommandNames();
-QString nameOf(Subcommand subcommand);
+/// By Subcommand.
+struct CommandDescription {
+    const char *name; ///< "solve", "limits" …; empty for the window
+    const char *arguments;
+    const char *summary; ///< a few words, untranslated
+    const char *text;    ///< a paragraph, untranslated
+};
+std::span<const CommandDescription> allCommands(); ///< the window first
+const CommandDescription &describe(Subcommand subcommand);
 std::optional<Subcommand> subcommandNamed(const QString &name);
+QStringList subcommandNames(); ///< without the window
 
 struct OptionDescription {
-    int commands = 0;            ///< the bits of the subcommands that take it
+    int commands = 0;            ///< a bit for each subcommand that takes it
     const char *group = nullptr; ///< heading in the help, untranslated
     const char *name = nullptr;  ///< without dashes
     const char *value = nullptr; ///< what stands for the value in the help, "open|crossed" for a choice; null: a switch

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A record is described once, by a list of its fields; from that list follow its JSON object, its row of CSV and its row in a
-// table of text.
+// A record is described once, by the list of its fields; its JSON object, its line of CSV and its line in a table of
+// text follow from that list.
 
 #include "core/mechanism/mechanism.h"
 
 #include <QByteArray>
+#include <QJsonArray>
 #include <QJsonObject>
 #include <QJsonValue>
 #include <QString>
 
-#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -19,46 +19,49 @@
 namespace slidercrank
 {
 
-template <typename Record>
-struct Field {
-    using Value = std::function<QJsonValue(const Record &)>;
-    using Cell = std::function<QString(const Record &)>;
+/// Keys and values in the order of CSV; null for a value that does not exist.
+using Record = std::vector<std::pair<QString, QJsonValue>>;
 
-    Field(const char *fieldKey, const Value &fieldValue, const QString &tableHeading = {}, const Cell &tableCell = {})
-        : key(fieldKey)
-        , value(fieldValue)
-        , heading(tableHeading)
-        , cell(tableCell)
-    {
-    }
+QJsonObject jsonObject(const Record &record);
 
-    const char *key; ///< in JSON and CSV
-    Value value;     ///< null, or NaN, for what does not exist
-    QString heading; ///< of the table; empty: the field is not in the table
-    Cell cell;       ///< in the table; none: the value with three significant digits
+/// A heading and a line for each record, with the shortest numbers that read back the same.
+QByteArray csvText(const std::vector<Record> &records);
+
+/// A column of a table of text.
+struct Column {
+    const char *key;
+    QString heading;
+    int digits = 3; ///< significant digits of a number
 };
-
-template <typename Record>
-using Fields = std::vector<Field<Record>>;
-
-/// The shortest number that reads back the same, quoted text, or nothing for what does not exist.
-QByteArray csvCell(const QJsonValue &value);
+QString recordTable(const std::vector<Column> &columns, const std::vector<Record> &records);
 
 /// Columns as wide as their widest cell; a column is right-aligned if `isNumeric` says so.
 QString alignedTable(const std::vector<QStringList> &rows, const std::vector<bool> &isNumeric);
 
-/// Three significant digits as they are typed, 5.03e-6; a dash for what does not exist.
+/// The number as it is typed, 5.03e-6; a dash for what does not exist.
 QString roundedText(std::optional<double> value, int digits = 3);
 
 QJsonValue jsonNumber(std::optional<double> value);
+QJsonValue jsonText(const QString &text); ///< null for an empty text
+
+template <typename Range, typename ToJson>
+QJsonArray jsonList(const Range &range, ToJson toJson)
+{
+    QJsonArray array;
+    for (const auto &element : range) {
+        array += toJson(element);
+    }
+    return array;
+}
 
 /// {"a", "b", "c", "omega2", "theta20", "branch"} in mm, rad and s.
 QJsonObject jsonMechanism(const Parameters &parameters);
 
 /// A JSON document in one line.
-QByteArray jsonText(const QJsonObject &object);
+QByteArray jsonDocument(const QJsonObject &object);
 
-/// While one exists, texts are English and their numbers have decimal points: JSON and CSV are the same in every language.
+/// While one exists, texts are English and their numbers have decimal points: JSON and CSV are the same in every
+/// language.
 class EnglishTexts
 {
 public:
@@ -69,57 +72,5 @@ public:
 private:
     bool m_isNeeded;
 };
-
-template <typename Record>
-QJsonObject jsonRecord(const Fields<Record> &fields, const Record &record)
-{
-    QJsonObject object;
-    for (const Field<Record> &field : fields) {
-        object.insert(QLatin1String(field.key), field.value(record));
-    }
-    return object;
-}
-
-template <typename Record>
-QByteArray csvHeading(const Fields<Record> &fields)
-{
-    QByteArrayList cells;
-    for (const Field<Record> &field : fields) {
-        cells += field.key;
-    }
-    return cells.join(',');
-}
-
-template <typename Record>
-QByteArray csvRecord(const Fields<Record> &fields, const Record &record)
-{
-    QByteArrayList cells;
-    for (const Field<Record> &field : fields) {
-        cells += csvCell(field.value(record));
-    }
-    return cells.join(',');
-}
-
-template <typename Record>
-QString recordTable(const Fields<Record> &fields, const std::vector<Record> &records)
-{
-    std::vector<QStringList> rows(records.size() + 1);
-    std::vector<bool> isNumeric;
-    for (const Field<Record> &field : fields) {
-        if (field.heading.isEmpty()) {
-            continue;
-        }
-        rows[0] += field.heading;
-        isNumeric.push_back(!records.empty() && !field.value(records.front()).isString());
-        for (std::size_t i = 0; i < records.size(); ++i) {
-            const QJsonValue value = field.value(records[i]);
-            rows[i + 1] += field.cell        ? field.cell(records[i])
-                           : value.isString() ? value.toString()
-                           : value.isDouble() ? roundedText(value.toDouble())
-                                              : roundedText(std::nullopt);
-        }
-    }
-    return alignedTable(rows, isNumeric);
-}
 
 } // namespace slidercrank

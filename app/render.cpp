@@ -8,7 +8,7 @@
 #include "app/time_step_report.h"
 #include "core/comparison/reference_pose.h"
 #include "core/identification/diagnosis.h"
-#include "ui/document/session.h"
+#include "ui/document/result.h"
 #include "ui/export/animation_export.h"
 #include "ui/export/figure_export.h"
 #include "ui/export/report.h"
@@ -18,13 +18,11 @@
 #include "ui/text/finding_text.h"
 #include "ui/text/theme.h"
 
-#include <QEventLoop>
 #include <QFileInfo>
 #include <QPalette>
 #include <QRegularExpression>
 
 #include <algorithm>
-#include <atomic>
 #include <csignal>
 #include <memory>
 #include <span>
@@ -35,15 +33,15 @@ namespace slidercrank
 namespace
 {
 
-enum class Subject { Figure, Mechanism, Plot, Report, Frames };
+enum class Subject { Figure, Mechanism, Report, Frames, Plot };
 
 constexpr int kLargestSide = 20'000; // pixels; more than anybody can have meant, less than a PNG can hold
 
 struct RenderRequest {
     Subject subject = Subject::Figure;
-    QString plot;    ///< Subject::Plot: the name of a channel, or error_position, error_velocity, error_acceleration
-    Choices choices; ///< without the reference
-    Scene scene;     ///< supplies what the window showed
+    QString plot;  ///< Subject::Plot: the name of a channel, or error_position, error_velocity, error_acceleration
+    Request model; ///< without the reference
+    Scene scene;   ///< supplies what the window showed
     std::optional<ReferenceSource> reference;
     std::vector<NamedChoice> columns; ///< of the reference
     double time = 0.0;                ///< s, of the drawing and of the cursor in the plots
@@ -52,13 +50,11 @@ struct RenderRequest {
     double speed = 1.0; ///< Subject::Frames: seconds of the motion per second
     Theme theme = Theme::Light;
 
-    Mechanism mechanism() const { return Mechanism(choices.parameters); }
-
     Animation animation() const
     {
         Animation animation;
-        animation.start = choices.sampling.start;
-        animation.duration = choices.sampling.duration;
+        animation.start = model.sampling.start;
+        animation.duration = model.sampling.duration;
         animation.speed = speed;
         animation.size = size;
         return animation;
@@ -67,19 +63,20 @@ struct RenderRequest {
 
 void readSubject(const OptionReader &options, RenderRequest &request)
 {
-    const QString what = options.has("what") ? options.text("what") : QStringLiteral("figure");
+    request.plot = options.has("what") ? options.text("what") : "figure";
     QStringList plots{"error_position", "error_velocity", "error_acceleration"};
     for (const Channel channel : kPlottedChannels) {
         plots += columnNameOf(channel);
     }
-    const qsizetype index = QStringList{"figure", "mechanism", "", "report", "frames"}.indexOf(what);
-    if (index < 0 && !plots.contains(what)) {
-        throw UsageError{CommandLine::tr("--what must be figure, mechanism, frames, report or one of the plots %1, not \"%2\".")
-                             .arg(joinedByOr(plots), what)};
+    const qsizetype index = QStringList{"figure", "mechanism", "report", "frames"}.indexOf(request.plot);
+    if (index < 0 && !plots.contains(request.plot)) {
+        throw UsageError{
+            CommandLine::tr("--what must be figure, mechanism, frames, report or one of the plots %1, not \"%2\".")
+                .arg(joinedByOr(plots), request.plot)};
     }
     request.subject = index < 0 ? Subject::Plot : static_cast<Subject>(index);
-    request.plot = what;
-    constexpr std::array kSizes{QSize(1400, 1800), QSize(900, 700), QSize(900, 600), QSize(), QSize(900, 700)}; // by Subject
+    constexpr std::array kSizes{QSize(1400, 1800), QSize(900, 700), QSize(), QSize(900, 700),
+                                QSize(900, 600)}; // by Subject
     request.size.size = kSizes[static_cast<std::size_t>(request.subject)];
 }
 
@@ -87,13 +84,14 @@ void readSubject(const OptionReader &options, RenderRequest &request)
 void readSize(const OptionReader &options, RenderRequest &request)
 {
     if (options.has("size")) {
-        static const QRegularExpression syntax(QStringLiteral("^(\\d{3,5})x(\\d{3,5})$"));
+        static const QRegularExpression syntax("^(\\d{3,5})x(\\d{3,5})$");
         const QRegularExpressionMatch match = syntax.match(options.text("size"));
         const QSize size(match.captured(1).toInt(), match.captured(2).toInt());
         if (!match.hasMatch() || std::max(size.width(), size.height()) > kLargestSide) {
-            throw UsageError{CommandLine::tr("--size must be width x height in pixels, each from 100 to %1, such as 900x600, "
-                                             "not \"%2\".")
-                                 .arg(QString::number(kLargestSide), options.text("size"))};
+            throw UsageError{
+                CommandLine::tr("--size must be width x height in pixels, each from 100 to %1, such as 900x600, "
+                                "not \"%2\".")
+                    .arg(QString::number(kLargestSide), options.text("size"))};
         }
         request.size.size = size;
     }
@@ -101,9 +99,11 @@ void readSize(const OptionReader &options, RenderRequest &request)
     if (!(request.size.scale >= 0.1 && request.size.scale <= 10.0)) {
         throw UsageError{CommandLine::tr("--scale must be from 0.1 to 10, not %1.").arg(options.text("scale"))};
     }
-    if (request.size.scale * std::max(request.size.size.width(), request.size.size.height()) > kLargestSide) {
-        throw UsageError{CommandLine::tr("The picture would be larger than %1 pixels: choose a smaller --size or --scale.")
-                             .arg(kLargestSide)};
+    const QSize &size = request.size.size;
+    if (request.size.scale * std::max(size.width(), size.height()) > kLargestSide) {
+        throw UsageError{
+            CommandLine::tr("The picture would be larger than %1 pixels: choose a smaller --size or --scale.")
+                .arg(kLargestSide)};
     }
 }
 
@@ -112,14 +112,17 @@ void checkOutput(const RenderRequest &request)
 {
     const std::optional<FigureFormat> format = figureFormatOf(request.output);
     if (request.output.isEmpty()) {
-        throw UsageError{CommandLine::tr("\"slidercrank render\" needs --output with a name that ends in .png, .svg or .pdf.")};
+        throw UsageError{
+            CommandLine::tr("\"slidercrank render\" needs --output with a name that ends in .png, .svg or .pdf.")};
     }
     if (request.subject == Subject::Report && format != FigureFormat::Pdf) {
-        throw UsageError{CommandLine::tr("A report is a PDF: --output must end in .pdf, not \"%1\".").arg(request.output)};
+        throw UsageError{
+            CommandLine::tr("A report is a PDF: --output must end in .pdf, not \"%1\".").arg(request.output)};
     }
     if (request.subject == Subject::Frames && format) {
-        throw UsageError{CommandLine::tr("Frames are written to a new folder or as a video: --output must not end in .%1.")
-                             .arg(QFileInfo(request.output).suffix())};
+        throw UsageError{
+            CommandLine::tr("Frames are written to a new folder or as a video: --output must not end in .%1.")
+                .arg(QFileInfo(request.output).suffix())};
     }
     if (request.subject != Subject::Frames && !format) {
         throw UsageError{CommandLine::tr("--output must end in .png, .svg or .pdf, not \"%1\".").arg(request.output)};
@@ -129,77 +132,53 @@ void checkOutput(const RenderRequest &request)
 /// Frames show the whole time range, everything else one time.
 void readTime(const OptionReader &options, RenderRequest &request)
 {
-    const Sampling &sampling = request.choices.sampling;
+    const Sampling &sampling = request.model.sampling;
     const double end = sampling.start + sampling.duration;
     if (request.subject == Subject::Frames) {
-        options.refuse({"at", "at-angle"}, CommandLine::tr("Frames show the whole time range: remove %1, or choose the range "
-                                                           "with --start and --duration."));
+        options.refuse({"at", "at-angle"},
+                       CommandLine::tr("Frames show the whole time range: remove %1, or choose the range "
+                                       "with --start and --duration."));
         request.speed = options.positiveNumber("speed", request.speed);
         if (request.animation().frameCount() > Animation::kMostFrames) {
-            throw UsageError{CommandLine::tr("There would be more than %1 frames: choose a shorter --duration or a greater "
-                                             "--speed.")
-                                 .arg(Animation::kMostFrames)};
+            throw UsageError{
+                CommandLine::tr("There would be more than %1 frames: choose a shorter --duration or a greater "
+                                "--speed.")
+                    .arg(Animation::kMostFrames)};
         }
     } else {
         options.refuse({"speed"}, CommandLine::tr("Only --what frames has a speed: remove %1."));
     }
-    const double sceneTime = options.has("scene") ? std::clamp(request.scene.time, sampling.start, end) : sampling.start;
-    request.time = readTimeStamp(options, request.mechanism(), sampling.start).value_or(sceneTime);
+    const double sceneTime =
+        options.has("scene") ? std::clamp(request.scene.time, sampling.start, end) : sampling.start;
+    request.time = readTimeStamp(options, request.model.mechanism, sampling.start).value_or(sceneTime);
     if (request.subject != Subject::Mechanism && (request.time < sampling.start || request.time > end)) {
-        throw UsageError{CommandLine::tr("t = %1 s lies outside the time range from %2 s to %3 s: choose another time, or "
-                                         "another --start or --duration.")
-                             .arg(roundedText(request.time, 6), roundedText(sampling.start, 6), roundedText(end, 6))};
+        throw UsageError{
+            CommandLine::tr("t = %1 s lies outside the time range from %2 s to %3 s: choose another time, or "
+                            "another --start or --duration.")
+                .arg(roundedText(request.time, 6), roundedText(sampling.start, 6), roundedText(end, 6))};
     }
 }
 
-/// Returns when the session has computed everything; the message if that failed.
-std::optional<QString> computeResult(Session &session, const RenderRequest &request,
-                                     const std::shared_ptr<const Reference> &reference)
-{
-    bool isBusy = false;
-    std::optional<QString> problem;
-    QEventLoop loop;
-    QObject::connect(&session, &Session::problemFound, &loop, [&](const QString &message) { problem = message; });
-    QObject::connect(&session, &Session::busyChanged, &loop, [&](bool busy) {
-        isBusy = busy;
-        if (!busy) {
-            loop.quit();
-        }
-    });
-    Choices choices = request.choices;
-    choices.reference = reference;
-    if (request.subject == Subject::Mechanism) {
-        choices.sampling.start = request.time; // the mechanism can be drawn at any time, and the session shows its time range
-    }
-    session.open(choices, request.time, {});
-    if (isBusy) {
-        loop.exec();
-        session.setTime(request.time);
-    }
-    return problem;
-}
-
-std::atomic<int> interruption = 0; // the signal that asked the program to end
-static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may write nothing else");
+volatile std::sig_atomic_t interruption = 0; // the signal that asked the program to end
 
 /// Handles the signals that ask the program to end, except those that are ignored, as under nohup.
 void handleTermination(void (*handler)(int))
 {
-    constexpr int kSignals[] = {
-        SIGINT, SIGTERM,
+    for (const int signal : {
+             SIGINT,
+             SIGTERM,
 #ifdef SIGHUP
-        SIGHUP,
+             SIGHUP,
 #endif
-    };
-    for (const int signal : kSignals) {
+         }) {
         if (std::signal(signal, SIG_IGN) != SIG_IGN) {
             std::signal(signal, handler);
         }
     }
 }
 
-/// Writes frames or a video; the message if that failed. After an interruption nothing is left on the disk, and the function does
-/// not return.
+/// Writes frames or a video; the message if that failed. After an interruption nothing is left on the disk, and the
+/// function does not return.
 std::optional<QString> exportFrames(const RenderRequest &request, const FrameDrawing &draw)
 {
     handleTermination([](int signal) { interruption = signal; });
@@ -212,50 +191,50 @@ std::optional<QString> exportFrames(const RenderRequest &request, const FrameDra
     return problem;
 }
 
-ExitStatus reportTimeSteps(const Streams &streams, const RenderRequest &request, const Session &session)
+ExitStatus reportTimeSteps(const Streams &streams, const RenderRequest &request, const Result &result)
 {
     TimeStepReport steps;
-    const auto addPose = [&steps](const Pose &pose) { steps.add(std::span(&pose.time, 1), std::span(&pose.status, 1)); };
+    const auto addPose = [&](double time) {
+        const Pose pose = poseAt(request.model.mechanism.parameters(), time);
+        steps.add(std::span(&pose.time, 1), std::span(&pose.status, 1));
+    };
     if (request.subject == Subject::Frames) {
         const Animation animation = request.animation();
         for (int frame = 0; frame < animation.frameCount(); ++frame) {
-            addPose(poseAt(request.choices.parameters, animation.timeOfFrame(frame)));
+            addPose(animation.timeOfFrame(frame));
         }
     } else if (request.subject == Subject::Mechanism) {
-        addPose(session.pose());
+        addPose(request.time);
     } else {
-        const Result &result = *session.result();
         sampleInPieces(result.mechanism, result.sampling, {}, result.solver, [&steps](const Trajectory &piece) {
             steps.add(piece.time, piece.status);
             return true;
         });
         steps.add(result.atReference.time, result.atReference.status);
     }
-    return steps.finish(streams, request.mechanism(), request.choices.solver.newton);
+    return steps.finish(streams, result.mechanism, result.solver.newton);
 }
 
 /// The views of the window, with everything that the request shows.
 class Views
 {
 public:
-    Views(const RenderRequest &request, const Session &session, const std::shared_ptr<const Reference> &reference)
+    Views(const RenderRequest &request, const std::shared_ptr<const Result> &result)
         : m_request(request)
-        , m_reference(reference)
         , m_palette(paletteFor(request.theme))
     {
-        m_content.result = session.result();
+        m_content.result = result;
         m_plots.setSettings(request.scene.plots);
-        m_plots.setResult(session.result());
+        m_plots.setResult(result);
         m_plots.setZoom(request.scene.zoom);
-        if (request.time != request.choices.sampling.start) {
+        if (request.time != request.model.sampling.start) {
             m_plots.markTime(request.time);
         }
-        m_mechanism.setResult(session.result());
+        m_mechanism.setResult(result);
         m_mechanism.setSettings(request.scene.mechanism);
         m_mechanism.setZoom(request.scene.mechanismFrame);
-        m_mechanism.setPose(session.pose());
         chooseGhost();
-        showGhost(request.time);
+        showTime(request.time);
         m_content.hasGhost = m_mechanism.hasGhost();
     }
 
@@ -269,19 +248,19 @@ public:
             m_mechanism.paintMechanism(painter, size, m_palette);
         };
         const FigureDrawing plot = [this](QPainter &painter, const QSize &size) {
-            m_plots.paintPlot(painter, QStringLiteral("plot_") + m_request.plot, size, m_palette);
+            m_plots.paintPlot(painter, "plot_" + m_request.plot, size, m_palette);
         };
         switch (m_request.subject) {
         case Subject::Figure: return drawInto(figure);
         case Subject::Plot: return drawInto(plot);
-        case Subject::Mechanism: return drawInto(withParameters(drawing, m_request.mechanism(), m_palette));
+        case Subject::Mechanism: return drawInto(withParameters(drawing, m_request.model.mechanism, m_palette));
         case Subject::Report:
-            m_content.checksums = m_reference ? fileChecksums(*m_reference) : QByteArrayList();
+            m_content.checksums =
+                m_content.result->reference ? fileChecksums(*m_content.result->reference) : QByteArrayList();
             return exportReport(m_request.output, m_content, {drawing, figure});
         case Subject::Frames:
             return exportFrames(m_request, [this](QPainter &painter, const QSize &size, double time) {
-                m_mechanism.setPose(poseAt(m_request.choices.parameters, time));
-                showGhost(time);
+                showTime(time);
                 m_mechanism.paintMechanism(painter, size, m_palette);
             });
         }
@@ -291,36 +270,40 @@ public:
 private:
     std::optional<QString> drawInto(const FigureDrawing &draw) const
     {
-        return exportFigure(m_request.output, m_request.size, CommandLine::tr("Motion of an offset slider-crank"), draw);
+        return exportFigure(m_request.output, m_request.size, CommandLine::tr("Motion of an offset slider-crank"),
+                            draw);
     }
 
     /// The linkage of the file, or of the motion pinned last, under the model's.
     void chooseGhost()
     {
         const Result &result = *m_content.result;
-        if (m_reference && m_request.subject != Subject::Figure && m_request.subject != Subject::Plot) {
-            m_content.diagnosis = diagnose(m_reference->data, m_request.mechanism());
+        const bool showsMechanism = m_request.subject != Subject::Figure && m_request.subject != Subject::Plot;
+        if (result.reference && showsMechanism) {
+            m_content.diagnosis = diagnose(result.reference->data, result.mechanism);
             const Diagnosis &diagnosis = m_content.diagnosis;
             if (diagnosis.conventions.empty() && !diagnosis.isOfMechanismAtHand) {
-                m_ghost = diagnosis.identification.stands() ? Mechanism(diagnosis.identification.parameters)
-                                                            : m_request.mechanism();
-                m_mechanism.setGhostBounds(motionBounds(*m_ghost, motionLimits(*m_ghost)));
+                const Identification &found = diagnosis.identification;
+                m_ghost = found.stands() ? Mechanism(found.parameters) : result.mechanism;
             }
-        } else if (result.difference && result.kept.back() != m_request.choices.parameters) {
+        } else if (!result.reference && result.difference && Mechanism(result.kept.back()) != result.mechanism) {
             m_ghost = Mechanism(result.kept.back());
+        }
+        if (m_ghost) {
             m_mechanism.setGhostBounds(motionBounds(*m_ghost, motionLimits(*m_ghost)));
         }
     }
 
-    void showGhost(double time)
+    void showTime(double time)
     {
-        m_mechanism.setGhost(!m_ghost      ? ReferencePose()
-                           : m_reference ? referencePoseAt(m_reference->data, *m_ghost, time)
+        const auto &reference = m_content.result->reference;
+        m_mechanism.setPose(poseAt(m_request.model.mechanism.parameters(), time));
+        m_mechanism.setGhost(!m_ghost    ? ReferencePose()
+                             : reference ? referencePoseAt(reference->data, *m_ghost, time)
                                          : referencePoseAt(*m_ghost, time));
     }
 
     const RenderRequest &m_request;
-    std::shared_ptr<const Reference> m_reference;
     QPalette m_palette;
     PlotGrid m_plots;
     MechanismView m_mechanism;
@@ -330,26 +313,25 @@ private:
 
 ExitStatus render(const Streams &streams, const RenderRequest &request)
 {
-    std::shared_ptr<const Reference> reference;
+    Request model = request.model;
+    if (request.subject == Subject::Mechanism) {
+        model.sampling.start = request.time; // the mechanism can be drawn at any time
+    }
     if (request.reference) {
-        const auto outcome = readTimedReference(*request.reference, request.columns, request.mechanism());
+        const auto outcome = readTimedReference(*request.reference, request.columns, model.mechanism);
         if (const QString *message = std::get_if<QString>(&outcome)) {
             streams.report(*message);
             return ExitStatus::FileError;
         }
-        reference = std::get<std::shared_ptr<const Reference>>(outcome);
-        reportDoubts(streams, *reference);
+        model.reference = std::get<std::shared_ptr<const Reference>>(outcome);
+        reportDoubts(streams, *model.reference);
     }
-    Session session;
-    std::optional<QString> problem = computeResult(session, request, reference);
-    if (!problem) {
-        problem = Views(request, session, reference).draw();
-    }
-    if (problem) {
+    const std::shared_ptr<const Result> result = compute(model, {});
+    if (const std::optional<QString> problem = Views(request, result).draw()) {
         streams.report(*problem);
         return ExitStatus::FileError;
     }
-    return reportTimeSteps(streams, request, session);
+    return reportTimeSteps(streams, request, *result);
 }
 
 } // namespace
@@ -361,7 +343,7 @@ Command prepareRender(OptionReader &options)
     readSubject(options, request);
     request.output = readOutput(options, options.texts("reference"));
     checkOutput(request);
-    request.choices = {readMechanism(options).parameters(), readSampling(options), readSolver(options), {}, request.scene.kept};
+    request.model = {readMechanism(options), readSampling(options), readSolver(options), {}, request.scene.kept};
     request.reference = request.scene.reference;
     if (const QStringList files = options.texts("reference"); !files.isEmpty()) {
         request.reference = ReferenceSource{files, {}, {}};
@@ -372,16 +354,14 @@ Command prepareRender(OptionReader &options)
     }
     request.theme = options.choice("theme", 0) == 0 ? Theme::Light : Theme::Dark;
     if (request.subject == Subject::Report) {
-        options.refuse({"size", "scale", "theme"}, CommandLine::tr("A report is printed on A4, black on white: remove %1."));
+        options.refuse({"size", "scale", "theme"},
+                       CommandLine::tr("A report is printed on A4, black on white: remove %1."));
     } else {
         readSize(options, request);
     }
     readTime(options, request);
     refuseFiles(options);
-    Command command;
-    command.platform = Command::Platform::Offscreen;
-    command.run = [request](const Streams &streams) { return render(streams, request); };
-    return command;
+    return {[request](const Streams &streams) { return render(streams, request); }, Command::Platform::Offscreen};
 }
 
 } // namespace slidercrank

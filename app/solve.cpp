@@ -38,16 +38,12 @@ ChannelSet readChannels(const OptionReader &options)
     if (!options.has("channels") || options.text("channels") == u"all") {
         return allChannels();
     }
-    QStringList names;
-    for (std::size_t index = 0; index < kChannelCount; ++index) {
-        names += columnNameOf(channelAt(index));
-    }
     ChannelSet channels;
-    for (const QString &part : options.text("channels").split(u',')) {
+    for (const QString &part : options.text("channels").split(',')) {
         const QString name = part.trimmed();
         const std::optional<Channel> channel = channelNamed(name.toStdString());
         if (!channel) {
-            throwUnknownName(CommandLine::tr("--channels: there is no channel \"%1\"").arg(name), name, names);
+            throwUnknownName(CommandLine::tr("--channels: there is no channel \"%1\"").arg(name), name, channelNames());
         }
         channels.set(indexOf(*channel));
     }
@@ -92,7 +88,7 @@ QByteArray jsonArray(const std::vector<double> &values, double factor)
 /// Written piece by piece: a long motion as a document in memory would take ten times its size.
 void writeJson(const Trajectory &trajectory, const SolveRequest &request, Output &output)
 {
-    const QByteArray mechanism = jsonText(jsonMechanism(request.mechanism.parameters())).trimmed();
+    const QByteArray mechanism = jsonDocument(jsonMechanism(request.mechanism.parameters())).trimmed();
     const bool isNewton = request.solver.method == Method::Newton;
     output.write("{\"mechanism\":" + mechanism + ",\"method\":" + (isNewton ? "\"newton\"" : "\"closed-form\"") +
                  ",\"units\":{\"length\":\"mm\",\"angle\":" +
@@ -100,8 +96,8 @@ void writeJson(const Trajectory &trajectory, const SolveRequest &request, Output
     output.write(jsonArray(trajectory.time, 1.0) + ",\"channels\":{");
     const char *separator = "\"";
     for (const Channel channel : listed(request.channels)) {
-        output.write(separator + columnNameOf(channel).toUtf8() + "\":" +
-                     jsonArray(trajectory[channel], factorTo(request.angleUnit, channel)));
+        output.write(separator + columnNameOf(channel).toUtf8() +
+                     "\":" + jsonArray(trajectory[channel], factorTo(request.angleUnit, channel)));
         separator = ",\"";
     }
     output.write("}}\n");
@@ -152,8 +148,7 @@ Command prepareSolve(OptionReader &options)
         const double start = options.number("start", options.scene().sampling.start, kSecond);
         request.timeStamp = readTimeStamp(options, request.mechanism, start);
     } else if (options.has("step-angle")) {
-        options.refuse({"steps", "duration"},
-                       CommandLine::tr("--step-angle covers one revolution: remove %1."));
+        options.refuse({"steps", "duration"}, CommandLine::tr("--step-angle covers one revolution: remove %1."));
         request.sampling = oneRevolution(options, request.mechanism);
     } else {
         request.sampling = readSampling(options);
@@ -164,9 +159,7 @@ Command prepareSolve(OptionReader &options)
     request.format = readFormat(options, Format::Csv);
     request.output = readOutput(options);
     refuseFiles(options);
-    Command command;
-    command.run = [request](const Streams &streams) { return solve(streams, request); };
-    return command;
+    return {[request](const Streams &streams) { return solve(streams, request); }};
 }
 
 } // namespace slidercrank

@@ -2,11 +2,11 @@
 
 // `slidercrank study`: speed against error of every method.
 
+#include "core/study/study.h"
 #include "app/commands.h"
 #include "app/option_groups.h"
 #include "app/output.h"
 #include "app/records.h"
-#include "core/study/study.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/study_text.h"
 
@@ -29,10 +29,10 @@ QString outcomeText(const MethodResult &method)
     QStringList parts;
     for (std::size_t i = 0; i < kStatusCount; ++i) {
         if (method.counts[i] > 0) {
-            parts += QString::number(method.counts[i]) + u' ' + names[static_cast<qsizetype>(i)];
+            parts += QString::number(method.counts[i]) + ' ' + names[static_cast<qsizetype>(i)];
         }
     }
-    return parts.size() == 1 ? parts.front().section(u' ', 1) : parts.join(QStringLiteral(", "));
+    return parts.size() == 1 ? parts.front().section(' ', 1) : parts.join(", ");
 }
 
 QString caseTable(const CaseResult &result)
@@ -42,8 +42,9 @@ QString caseTable(const CaseResult &result)
                             QString::number(result.instants)) +
                    u'\n';
     std::vector<QStringList> rows{{CommandLine::tr("method"), CommandLine::tr("tolerance"), CommandLine::tr("channels"),
-                                   CommandLine::tr("ns/state"), CommandLine::tr("spread"), CommandLine::tr("iterations"),
-                                   CommandLine::tr("error"), CommandLine::tr("rounding"), CommandLine::tr("outcome")}};
+                                   CommandLine::tr("ns/state"), CommandLine::tr("spread"),
+                                   CommandLine::tr("iterations"), CommandLine::tr("error"), CommandLine::tr("rounding"),
+                                   CommandLine::tr("outcome")}};
     for (const MethodResult &method : result.methods) {
         QString outcome = outcomeText(method);
         if (method.silentFailures.value_or(0) > 0) {
@@ -69,13 +70,14 @@ QString studyText(const StudyResult &result)
             silentFailures += method.silentFailures.value_or(0);
         }
     }
-    text += CommandLine::tr(
-                "Errors are the worst of the six plotted channels, relative to the channel's peak, against "
-                "50 to 100 digits,\n"
-                "over the time stamps that a method reports as solved. Rounding: the error that rounding the parameters "
-                "causes by itself.\n"
-                "Time stamps that are wrong without a warning: %1. Machine: %2. Time: %3 s.\n")
-                .arg(QString::number(silentFailures), machineText(result.machine), roundedText(result.seconds));
+    text +=
+        CommandLine::tr(
+            "Errors are the worst of the six plotted channels, relative to the channel's peak, against "
+            "50 to 100 digits,\n"
+            "over the time stamps that a method reports as solved. Rounding: the error that rounding the parameters "
+            "causes by itself.\n"
+            "Time stamps that are wrong without a warning: %1. Machine: %2. Time: %3 s.\n")
+            .arg(QString::number(silentFailures), machineText(result.machine), roundedText(result.seconds));
     return text;
 }
 
@@ -106,15 +108,13 @@ Command prepareStudy(OptionReader &options)
     const Format format = readFormat(options, Format::Text);
     const QString output = readOutput(options);
     refuseFiles(options);
-    Command command;
-    command.run = [request, format, output](const Streams &streams) {
+    return {[request, format, output](const Streams &streams) {
         const StudyResult result = runStudy(request);
         const QByteArray bytes = format == Format::Text  ? studyText(result).toUtf8()
                                  : format == Format::Csv ? QByteArray::fromStdString(studyCsv(result))
                                                          : QByteArray::fromStdString(studyJson(result));
         return writeOutput(streams, output, bytes);
-    };
-    return command;
+    }};
 }
 
 } // namespace slidercrank

@@ -49,28 +49,32 @@ QString TimeStepReport::message(Status status, const Mechanism &mechanism, const
     switch (status) {
     case Status::Solved: return {};
     case Status::NotAssemblable:
-        return CommandLine::tr("The mechanism cannot be assembled at %1: the coupler must be at least %2 mm long for the "
-                               "crank to make full turns (--b).")
+        return CommandLine::tr(
+                   "The mechanism cannot be assembled at %1: the coupler must be at least %2 mm long for the "
+                   "crank to make full turns (--b).")
             .arg(where, QString::number(shortestCouplerForFullTurn(mechanism), 'g', QLocale::FloatingPointShortest));
     case Status::IterationLimit: {
         const double size = mechanism.a() + mechanism.b() + std::abs(mechanism.c());
         constexpr double kHugeLength = 1e6; // mm: the rounding of such lengths exceeds the usual absolute tolerance
-        const QString advice = newton.toleranceKind == ToleranceKind::Absolute && size > kHugeLength
-                                   ? CommandLine::tr("use --tolerance-kind relative, because an absolute tolerance cannot "
-                                                     "be met with lengths of %1 mm")
-                                         .arg(roundedText(size))
-                                   : CommandLine::tr("allow more than %1 iterations (--max-iterations) or a larger residual "
-                                                     "(--tolerance)")
-                                         .arg(newton.maxIterations);
+        const QString advice =
+            newton.toleranceKind == ToleranceKind::Absolute && size > kHugeLength
+                ? CommandLine::tr("use --tolerance-kind relative, because an absolute tolerance cannot "
+                                  "be met with lengths of %1 mm")
+                      .arg(roundedText(size))
+                : CommandLine::tr("allow more than %1 iterations (--max-iterations) or a larger residual "
+                                  "(--tolerance)")
+                      .arg(newton.maxIterations);
         return CommandLine::tr("Newton-Raphson did not converge at %1: %2.").arg(where, advice);
     }
     case Status::Singular:
-        return CommandLine::tr("Velocity and acceleration do not exist at %1: the coupler is perpendicular to the slider's "
-                               "line there; a longer coupler (--b) avoids it.")
+        return CommandLine::tr(
+                   "Velocity and acceleration do not exist at %1: the coupler is perpendicular to the slider's "
+                   "line there; a longer coupler (--b) avoids it.")
             .arg(where);
     case Status::NotFinite:
-        return CommandLine::tr("The motion is too large to be computed at %1: choose a smaller --omega2, or times nearer "
-                               "to 0.")
+        return CommandLine::tr(
+                   "The motion is too large to be computed at %1: choose a smaller --omega2, or times nearer "
+                   "to 0.")
             .arg(where);
     }
     return {};

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The time steps at which the motion could not be computed, or only in part: the exit status, and the message about them.
+// The time steps at which the motion could not be computed, or only in part: the exit status, and the message about
+// them.
 
 #include "app/command_line.h"
 #include "core/mechanism/mechanism.h"

@@ -28,13 +28,15 @@ ExitStatus resetSettings(const Streams &streams)
         streams.report(CommandLine::tr("Cannot write the settings in %1: remove that file.").arg(settings.fileName()));
         return ExitStatus::FileError;
     }
-    return writeOutput(streams, {},
-                       CommandLine::tr("Removed: layout, recent files, language, theme, meanings of columns.").toUtf8() + '\n');
+    return writeOutput(
+        streams, {},
+        CommandLine::tr("Removed: layout, recent files, language, theme, meanings of columns.").toUtf8() + '\n');
 }
 
 [[noreturn]] void throwMissingFile(const QString &file)
 {
-    throw UsageError{CommandLine::tr("There is no file %1.").arg(QDir::toNativeSeparators(file)), ExitStatus::FileError};
+    throw UsageError{CommandLine::tr("There is no file %1.").arg(QDir::toNativeSeparators(file)),
+                     ExitStatus::FileError};
 }
 
 /// An argument that is neither a scene nor a file.
@@ -43,11 +45,12 @@ void requireFile(const QString &argument)
     if (subcommandNames().contains(argument)) {
         throw UsageError{CommandLine::tr("The command must come first: slidercrank %1 …").arg(argument)};
     }
-    static const QRegularExpression partOfFileName(QStringLiteral("[./\\\\]"));
+    static const QRegularExpression partOfFileName("[./\\\\]");
     if (argument.contains(partOfFileName)) {
         throwMissingFile(argument);
     }
-    throwUnknownName(CommandLine::tr("There is no command and no file \"%1\"").arg(argument), argument, subcommandNames());
+    throwUnknownName(CommandLine::tr("There is no command and no file \"%1\"").arg(argument), argument,
+                     subcommandNames());
 }
 
 /// The files of one motion, as if they were dropped on the window.
@@ -67,6 +70,26 @@ QStringList referenceFiles(const QStringList &files)
 
 } // namespace
 
+QStringList withoutWindowSystemOptions(const QStringList &arguments)
+{
+    static const QRegularExpression option(
+        "^--?(display|geometry|platform|platformtheme|qwindowgeometry|qwindowtitle|session|style|stylesheet|title)$");
+    QStringList rest;
+    for (qsizetype i = 0; i < arguments.size(); ++i) {
+        if (option.match(arguments[i]).hasMatch()) {
+            ++i; // its value
+        } else {
+            rest += arguments[i];
+        }
+    }
+    return rest;
+}
+
+bool choosesPlatform(const QStringList &arguments)
+{
+    return !arguments.filter(QRegularExpression("-(platform|display)")).isEmpty();
+}
+
 Command prepareWindow(OptionReader &options)
 {
     Command command;
@@ -81,7 +104,7 @@ Command prepareWindow(OptionReader &options)
     command.platform = Command::Platform::Window;
     command.run = [](const Streams &) { return ExitStatus::Success; };
     command.referenceFiles = options.texts("reference");
-    if ((command.referenceFiles + files).contains(QStringLiteral("-"))) {
+    if ((command.referenceFiles + files).contains("-")) {
         throw UsageError{CommandLine::tr("The window cannot read standard input: save it as a file first.")};
     }
     if (files.isEmpty()) {
@@ -98,7 +121,8 @@ Command prepareWindow(OptionReader &options)
     } else {
         command.scene = first;
         if (!isPipeOrDevice(QFileInfo(first))) { // which the window refuses
-            const std::variant<Scene, QString> scene = readScene(first); // an error is reported before there is a window
+            const std::variant<Scene, QString> scene =
+                readScene(first); // an error is reported before there is a window
             if (const QString *message = std::get_if<QString>(&scene)) {
                 throw UsageError{*message, ExitStatus::FileError};
             }
