@@ -3,10 +3,12 @@
 // Files as the field's programs write them: each is read for what it is, or refused with what to do.
 
 #include "core/import/reference_data.h"
+#include "tests/support/printed_motion.h"
 #include "tests/support/simulation_files.h"
 #include "tests/support/suite.h"
 #include "ui/document/reference_file.h"
 
+#include <QFile>
 #include <QTest>
 
 #include <algorithm>
@@ -182,6 +184,31 @@ private slots:
         QFETCH(const OtherFile, file);
         const QString sentence = sentenceFor(readReferenceData(file.bytes));
         QVERIFY2(sentence.contains(QString::fromStdString(file.refusal)), qPrintable(sentence));
+    }
+
+    /// By the textbook's formulas, with six significant digits and six decimals.
+    void theSampleIsAsComputed()
+    {
+        const auto print = [](long double value) {
+            const double rounded = QByteArray::number(static_cast<double>(value), 'e', 5).toDouble();
+            const QByteArray text = QByteArray::number(rounded, 'f', 6);
+            return text == "-0.000000" ? text.sliced(1) : text;
+        };
+        Parameters parameters;
+        parameters.b = 60.0;
+        QByteArray expected = "\xEF\xBB\xBFtime,R4_x,R4_x_diff,R4_x_diff2,theta3,theta3_diff,theta3_diff2\n";
+        for (int step = 0; step <= 200; ++step) {
+            const long double time = step / 200.0L;
+            const PrintedRow row = textbookMotion(parameters, time);
+            QByteArrayList cells{print(time)};
+            for (const std::size_t channel : {1U, 3U, 5U, 0U, 2U, 4U}) { // R4_x before theta3
+                cells += print(row[channel]);
+            }
+            expected += cells.join(',') + '\n';
+        }
+        QFile sample(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv");
+        QVERIFY(sample.open(QIODevice::ReadOnly));
+        QCOMPARE(sample.readAll(), expected);
     }
 };
 
