@@ -40,7 +40,7 @@ constexpr int kLargestSide = 20'000; // pixels; more than anybody can have meant
 struct RenderRequest {
     Subject subject = Subject::Figure;
     QString plot;  ///< Subject::Plot: the name of a channel, or error_position, error_velocity, error_acceleration
-    Request model; ///< without the reference
+    Choices model; ///< without the reference
     Scene scene;   ///< supplies what the window showed
     std::optional<ReferenceSource> reference;
     std::vector<NamedChoice> columns; ///< of the reference
@@ -150,7 +150,7 @@ void readTime(const OptionReader &options, RenderRequest &request)
     }
     const double sceneTime =
         options.has("scene") ? std::clamp(request.scene.time, sampling.start, end) : sampling.start;
-    request.time = readTimeStamp(options, request.model.mechanism, sampling.start).value_or(sceneTime);
+    request.time = readTimeStamp(options, Mechanism(request.model.parameters), sampling.start).value_or(sceneTime);
     if (request.subject != Subject::Mechanism && (request.time < sampling.start || request.time > end)) {
         throw UsageError{
             CommandLine::tr("t = %1 s lies outside the time range from %2 s to %3 s: choose another time, or "
@@ -195,7 +195,7 @@ ExitStatus reportTimeSteps(const Streams &streams, const RenderRequest &request,
 {
     TimeStepReport steps;
     const auto addPose = [&](double time) {
-        const Pose pose = poseAt(request.model.mechanism.parameters(), time);
+        const Pose pose = poseAt(request.model.parameters, time);
         steps.add(std::span(&pose.time, 1), std::span(&pose.status, 1));
     };
     if (request.subject == Subject::Frames) {
@@ -253,7 +253,7 @@ public:
         switch (m_request.subject) {
         case Subject::Figure: return drawInto(figure);
         case Subject::Plot: return drawInto(plot);
-        case Subject::Mechanism: return drawInto(withParameters(drawing, m_request.model.mechanism, m_palette));
+        case Subject::Mechanism: return drawInto(withParameters(drawing, Mechanism(m_request.model.parameters), m_palette));
         case Subject::Report:
             m_content.checksums =
                 m_content.result->reference ? fileChecksums(*m_content.result->reference) : QByteArrayList();
@@ -297,7 +297,7 @@ private:
     void showTime(double time)
     {
         const auto &reference = m_content.result->reference;
-        m_mechanism.setPose(poseAt(m_request.model.mechanism.parameters(), time));
+        m_mechanism.setPose(poseAt(m_request.model.parameters, time));
         m_mechanism.setGhost(!m_ghost    ? ReferencePose()
                              : reference ? referencePoseAt(reference->data, *m_ghost, time)
                                          : referencePoseAt(*m_ghost, time));
@@ -313,12 +313,12 @@ private:
 
 ExitStatus render(const Streams &streams, const RenderRequest &request)
 {
-    Request model = request.model;
+    Choices model = request.model;
     if (request.subject == Subject::Mechanism) {
         model.sampling.start = request.time; // the mechanism can be drawn at any time
     }
     if (request.reference) {
-        const auto outcome = readTimedReference(*request.reference, request.columns, model.mechanism);
+        const auto outcome = readTimedReference(*request.reference, request.columns, Mechanism(model.parameters));
         if (const QString *message = std::get_if<QString>(&outcome)) {
             streams.report(*message);
             return ExitStatus::FileError;
@@ -343,7 +343,7 @@ Command prepareRender(OptionReader &options)
     readSubject(options, request);
     request.output = readOutput(options, options.texts("reference"));
     checkOutput(request);
-    request.model = {readMechanism(options), readSampling(options), readSolver(options), {}, request.scene.kept};
+    request.model = {readMechanism(options).parameters(), readSampling(options), readSolver(options), {}, request.scene.kept};
     request.reference = request.scene.reference;
     if (const QStringList files = options.texts("reference"); !files.isEmpty()) {
         request.reference = ReferenceSource{files, {}, {}};
