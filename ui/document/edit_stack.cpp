@@ -61,10 +61,12 @@ EditStack::EditStack(const Apply &apply, QObject *parent)
 
 void EditStack::edit(const Choices &before, const Choices &after, const EditName &name)
 {
-    const bool isRepeated = m_sameStep.isActive() && name.identity == m_identity;
-    if (name.identity == 0 || m_identity == 0 || !(m_isDragging || isRepeated)) {
+    const bool continuesDrag = m_isDragging && m_dragHasEdit;
+    const bool isRepeated = name.identity != 0 && name.identity == m_identity && m_sameStep.isActive();
+    if (!continuesDrag && !isRepeated) {
         ++m_step;
     }
+    m_dragHasEdit = m_isDragging;
     m_identity = name.identity;
     m_sameStep.start(kSameStepWithin);
     push(new EditCommand(before, after, name, m_step, m_apply));
@@ -73,6 +75,7 @@ void EditStack::edit(const Choices &before, const Choices &after, const EditName
 void EditStack::setDragging(bool isDragging)
 {
     m_isDragging = isDragging;
+    m_dragHasEdit = false;
     m_identity = 0;
 }
 

@@ -46,6 +46,7 @@ private:
     int m_step = 0;     ///< edits with the same number are undone together
     QTimer m_sameStep;  ///< runs for a second after each edit
     bool m_isDragging = false;
+    bool m_dragHasEdit = false;
 };
 
 } // namespace slidercrank
