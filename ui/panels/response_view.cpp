@@ -25,7 +25,7 @@ namespace
 {
 
 constexpr QSize kFigureSize(1500, 330); // px, of the exported charts
-constexpr QSize kChartSize(165, 90);    // px, at least; the rest scrolls
+constexpr QSize kResponseChartSize(165, 90);    // px, at least; the rest scrolls
 
 } // namespace
 
@@ -66,7 +66,7 @@ ResponseView::ResponseView(QWidget *parent)
     grid->setRowStretch(1, 1);
     for (std::size_t i = 0; i < kLimitCount; ++i) {
         auto *chart = m_charts[i] = named(QStringLiteral("responseChart%1").arg(i), new ResponseChart(static_cast<Limit>(i)));
-        chart->setMinimumSize(kChartSize);
+        chart->setMinimumSize(kResponseChartSize);
         grid->addWidget(new QLabel(chart->title()), 0, static_cast<int>(i));
         grid->addWidget(chart, 1, static_cast<int>(i));
         connect(chart, &ResponseChart::requested, this,
