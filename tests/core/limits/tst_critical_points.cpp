@@ -8,6 +8,7 @@
 #include "tests/support/deviation.h"
 #include "tests/support/long_tests.h"
 #include "tests/support/mechanism_list.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 

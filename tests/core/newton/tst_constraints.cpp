@@ -3,6 +3,7 @@
 #include "core/study/cases.h"
 #include "tests/support/deviation.h"
 #include "tests/support/mechanism_list.h"
+#include "tests/support/suite.h"
 
 #include <Eigen/LU>
 

@@ -2,6 +2,7 @@
 
 // Why a file, or a row of it, cannot be read: a sentence for each reason, in both languages.
 
+#include "tests/support/suite.h"
 #include "ui/text/language.h"
 #include "ui/text/read_fault_text.h"
 
