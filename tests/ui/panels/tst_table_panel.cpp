@@ -132,11 +132,13 @@ private slots:
     void aRowLeadsToItsTimeAndReportsItsPart()
     {
         Shown shown(pageWith({1.0, 2.0}));
+        shown.panel.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&shown.panel));
         QSignalSpy times(&shown.panel, &TablePanel::timeRequested);
+        QSignalSpy parts(&shown.panel, &TablePanel::partHovered); // told once: both rows are about pin A
         const QRect cell = shown.table()->visualRect(shown.table()->model()->index(1, 1));
         QTest::mouseClick(shown.table()->viewport(), Qt::LeftButton, {}, cell.center());
         QCOMPARE(times.takeFirst()[0].toDouble(), 1.5);
-        QSignalSpy parts(&shown.panel, &TablePanel::partHovered);
         shown.table()->setFocus();
         shown.table()->setCurrentIndex(shown.table()->model()->index(0, 0));
         QCOMPARE(parts.value(0).value(0).value<MechanismPart>(), MechanismPart::PinA);
