@@ -373,7 +373,7 @@ private slots:
         QVERIFY(process.waitForFinished(kPatience));
         const QString text = QString::fromUtf8(process.readAllStandardOutput()).replace(QChar::Nbsp, u' ');
         QCOMPARE(text.contains(QStringLiteral("inventor_sample.csv")), hasReference);
-        const QString instead = QStringLiteral("b = 60 instead of %1 mm").arg(isDiagnosed ? 65 : 64);
+        const QString instead = QStringLiteral("b = 60 mm instead of %1 mm").arg(isDiagnosed ? 65 : 64);
         QVERIFY2(text.contains(instead) == hasReference, qPrintable(text));
     }
 
