@@ -99,7 +99,7 @@ struct Finding {
 };
 
 /// One true way to read a file.
-struct Interpretation {
+struct ExpectedInterpretation {
     Parameters mechanism;
     std::vector<Finding> findings{};
 };
@@ -139,7 +139,7 @@ struct ClaimFile {
     int number = 0; ///< of the file in its kind, for kinds that go through a list
 
     std::optional<Parameters> truth; ///< none: no slider-crank made it
-    std::vector<Interpretation>
+    std::vector<ExpectedInterpretation>
         interpretations{}; ///< the true ones; if empty when finished, the truth without findings
     Parameters given{};    ///< the mechanism that the program is asked with
 

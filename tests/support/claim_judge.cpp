@@ -209,7 +209,7 @@ std::string falseMechanism(const ClaimFile &file, const ProgramClaim &claim, con
 {
     std::string why = "finds " + describe(claim.findings) + " where there is " +
                       (file.interpretations.empty() ? "no slider-crank" : describe(file.interpretations[0].findings));
-    for (const Interpretation &interpretation : file.interpretations) {
+    for (const ExpectedInterpretation &interpretation : file.interpretations) {
         for (const Parameters &image : mirrorImages(interpretation.mechanism)) {
             const Likeness likeness = compareImage(file, interpretation.mechanism, image, claim);
             if (!likeness.isSame ||
@@ -268,7 +268,7 @@ std::string falseFindings(const ClaimFile &file, const ProgramClaim &claim)
         std::ranges::all_of(claim.findings, [](const Finding &finding) { return finding.name == "zero-point"; })) {
         return {};
     }
-    const auto isTrue = [&](const Interpretation &interpretation) {
+    const auto isTrue = [&](const ExpectedInterpretation &interpretation) {
         const auto isExpected = [&](const Finding &finding) {
             return finding.name == "whole-turns" ||
                    std::ranges::any_of(interpretation.findings, [&](const Finding &expected) {

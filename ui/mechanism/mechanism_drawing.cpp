@@ -160,7 +160,8 @@ double MechanismDrawing::cornerLineTop(int line) const
 
 void MechanismDrawing::avoid(const QLineF &line, double width)
 {
-    const int pieces = 1 + static_cast<int>(line.length() / std::max(3.0, width));
+    constexpr double kMostPieces = 1000.0; // an arrow may be longer than any screen
+    const int pieces = 1 + static_cast<int>(std::min(kMostPieces, line.length() / std::max(3.0, width)));
     for (int i = 0; i <= pieces; ++i) {
         QRectF box(0.0, 0.0, width, width);
         box.moveCenter(line.pointAt(static_cast<double>(i) / pieces));
