@@ -148,6 +148,7 @@ private slots:
         shown.show(shown.page);
         QTest::keyClick(shown.table(), Qt::Key_Return);
         QVERIFY(times.isEmpty());
+        shown.table()->clearFocus(); // it reports that no part is current, while the panel exists
     }
 
     void copiesEveryDigitWithAPointInAnyLocale()
