@@ -94,9 +94,29 @@ extern "C" int clone(int (*function)(void *), void *stack, int flags, void *argu
     return real(function, stack, flags & ~(CLONE_VM | CLONE_VFORK), argument, parentsName, threadsOwn, childsName);
 }
 
+static void startHanded(QThreadPool *pool, std::function<void()> work, int priority)
+{
+    using Start = void (*)(QThreadPool *, QRunnable *, int);
+    static const auto start = reinterpret_cast<Start>(dlsym(RTLD_NEXT, "_ZN11QThreadPool5startEP9QRunnablei"));
+    start(pool, new Handed(std::move(work)), priority);
+}
+
 void QThreadPool::start(std::function<void()> work, int priority)
 {
-    start(new Handed(std::move(work)), priority);
+    startHanded(this, std::move(work), priority);
+}
+
+/// QtConcurrent::run() calls this.
+void QThreadPool::start(QRunnable *runnable, int priority)
+{
+    const auto work = [runnable] {
+        const bool isOwned = runnable->autoDelete();
+        runnable->run();
+        if (isOwned) {
+            delete runnable;
+        }
+    };
+    startHanded(this, work, priority);
 }
 
 bool QThreadPool::waitForDone(int milliseconds)
