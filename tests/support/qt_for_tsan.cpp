@@ -4,6 +4,7 @@
 // compiled with it. Here are the ways that the program uses, told to it. Linked to what it watches only: these stand in
 // front of Qt's functions of the same names.
 
+#include <QFutureInterface>
 #include <QMetaObject>
 #include <QRunnable>
 #include <QThreadPool>
@@ -117,6 +118,24 @@ void QThreadPool::start(QRunnable *runnable, int priority)
         }
     };
     startHanded(this, work, priority);
+}
+
+void QFutureInterfaceBase::reportFinished()
+{
+    using Report = void (*)(QFutureInterfaceBase *);
+    static const auto report =
+        reinterpret_cast<Report>(dlsym(RTLD_NEXT, "_ZN20QFutureInterfaceBase14reportFinishedEv"));
+    __tsan_release(&allThatEnded);
+    report(this);
+}
+
+void QFutureInterfaceBase::waitForResult(int index)
+{
+    using Wait = void (*)(QFutureInterfaceBase *, int);
+    static const auto wait =
+        reinterpret_cast<Wait>(dlsym(RTLD_NEXT, "_ZN20QFutureInterfaceBase13waitForResultEi"));
+    wait(this, index);
+    __tsan_acquire(&allThatEnded);
 }
 
 bool QThreadPool::waitForDone(int milliseconds)
