@@ -102,9 +102,10 @@ SkippedRow findFault(const RawTable &table, std::size_t row)
 {
     for (std::size_t file = 0; file < table.files.size(); ++file) {
         const TableFile &own = table.files[file];
-        for (const BadCell &bad : std::ranges::equal_range(own.badCells, row, {}, &BadCell::row)) {
-            if (bad.spoilsRow || isUsed(table.layout.columns[own.firstColumn + bad.column])) {
-                return {own.lines[row], bad.column + 1, bad.text, bad.fault, 1, file};
+        auto bad = std::ranges::lower_bound(own.badCells, row, {}, &BadCell::row);
+        for (; bad != own.badCells.end() && bad->row == row; ++bad) {
+            if (bad->spoilsRow || isUsed(table.layout.columns[own.firstColumn + bad->column])) {
+                return {own.lines[row], bad->column + 1, bad->text, bad->fault, 1, file};
             }
         }
     }
