@@ -1,15 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What must be on the system to build and run the program and its tests. Sourced by app/run and tests/run.
+# Packages that the program and its tests need, and how to install them. Sourced by app/run and tests/run.
 # shellcheck shell=bash disable=SC2034
 
 programPackages=(g++ cmake ninja-build libeigen3-dev libhwy-dev libqcustomplot-dev qt6-base-dev qt6-svg-dev
     qt6-tools-dev qt6-l10n-tools qt6-translations-l10n libboost-dev fonts-dejavu-core)
 
-# Programs that are none of ours and open what this one exports, for tests/run alone. Where one is missing, its tests are
-# skipped.
+# Programs that open exported files, for tests/run only. If one is missing, its tests are skipped.
 testPackages=(poppler-utils librsvg2-bin netpbm)
 
-# Own packages only in newer releases (Debian 13); before that, part of one of those above.
+# Packages that exist since Debian 13 only; before, their files are part of a package above.
 packagesSplitOff=(qt6-svg-plugins)
 
 requirements="a C++20 compiler, CMake 3.25 or later, Ninja, Eigen 3.4 or later, Highway 1.0.3 or later, \
@@ -20,7 +19,7 @@ isInstalled() {
     [[ $(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null) == installed* ]]
 }
 
-# asRoot COMMAND…: through sudo where need be.
+# asRoot COMMAND…: runs a command as root, with sudo if necessary.
 asRoot() {
     if ((EUID == 0)); then
         "$@"
@@ -29,11 +28,11 @@ asRoot() {
     fi
 }
 
-# Without a network apt's own patience is minutes.
+# Without a network, apt would wait for minutes.
 aptOptions=(-o Acquire::Retries=1 -o DPkg::Lock::Timeout=300)
 
-# installMissing LOG PACKAGE…: installs those that are missing, and says so. On a system without apt it leaves it to CMake to
-# tell what is missing.
+# installMissing LOG PACKAGE…: installs the missing packages and prints their names. On a system without apt it does nothing,
+# and CMake reports what is missing.
 installMissing() {
     local log=$1 package missing=()
     shift
@@ -43,7 +42,7 @@ installMissing() {
     done
     if ((${#missing[@]} > 0)); then
         echo "Installing ${missing[*]}" >&2
-        # A list that cannot be brought up to date may still be good enough.
+        # If the package lists cannot be updated, the old ones may be sufficient.
         asRoot apt-get update "${aptOptions[@]}" >"$log" 2>&1 </dev/null || true
     fi
     for package in "${packagesSplitOff[@]}"; do

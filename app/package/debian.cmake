@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The Debian package, by `cpack -G DEB` in the folder of a Release build (app/package/deb does that).
+# Describes the Debian package. `cpack -G DEB` in the folder of a Release build makes it (app/package/deb does that).
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME ${PROJECT_NAME})
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
@@ -20,7 +20,7 @@ The results of another simulation, saved as CSV, are laid over the plots, and
 told in numbers how far they are from the model, and whose motion they are.
 Everything can also be done from the command line.")
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_DEPENDS "libqt6svg6 (<< 6.7.2-5~) | qt6-svg-plugins") # the window's icon; a plugin no linker knows of
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "libqt6svg6 (<< 6.7.2-5~) | qt6-svg-plugins") # a plugin, loaded at run time for the window's icon
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "fonts-dejavu-core | fonts-noto-core, qt6-translations-l10n, qt6-wayland")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "ffmpeg")
 

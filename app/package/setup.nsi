@@ -1,6 +1,6 @@
 ; SPDX-License-Identifier: GPL-3.0-or-later
-; The setup, for one person, who need not be administrator. app/package/windows names VERSION, FILES (the folder of what is
-; to be installed) and OUTPUT.
+; Installs the program for the current user, without administrator rights. app/package/windows defines VERSION, FILES (the
+; folder with the files to install) and OUTPUT.
 Target amd64-unicode
 SetCompressor /SOLID lzma
 SetCompressorDictSize 64 ; MB: the two programs are nearly the same
@@ -38,7 +38,7 @@ LangString program ${LANG_SPANISH} "Manivela-Corredera"
 LangString scene ${LANG_ENGLISH} "Slider-crank scene"
 LangString scene ${LANG_SPANISH} "Escena de manivela-corredera"
 
-; Explorer is to show the scenes' icon at once, or no more.
+; Tells Explorer that the icon of scene files has changed.
 !macro tellOfFileTypes
     System::Call "shell32::SHChangeNotify(i 0x08000000, i 0, p 0, p 0)" ; SHCNE_ASSOCCHANGED
 !macroend
@@ -53,7 +53,7 @@ Section
     WriteRegStr HKCU "${CLASSES}\slidercrank.scene" "" "$(scene)"
     WriteRegStr HKCU "${CLASSES}\slidercrank.scene\DefaultIcon" "" "$INSTDIR\slidercrank.exe,1"
     WriteRegStr HKCU "${CLASSES}\slidercrank.scene\shell\open\command" "" '"$INSTDIR\slidercrank.exe" "%1"'
-    ; Among what tables can be opened with.
+    ; Adds the program to the "Open with" list of tables.
     WriteRegStr HKCU "${OPENS}" "FriendlyAppName" "$(program)"
     WriteRegStr HKCU "${OPENS}\shell\open\command" "" '"$INSTDIR\slidercrank.exe" "%1"'
     WriteRegStr HKCU "${OPENS}\SupportedTypes" ".csv" ""
@@ -72,7 +72,7 @@ Section
     WriteRegDWORD HKCU "${UNINSTALL}" NoRepair 1
 SectionEnd
 
-; What the setup brought; the folder only when nothing else is in it. What a person chose in the program stays.
+; Removes the installed files, and the folder if it is empty then. The user's settings are kept.
 Section Uninstall
     Delete "$INSTDIR\slidercrank.exe"
     Delete "$INSTDIR\slidercrank.com"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Programs for 64-bit Windows, compiled on Debian, which need nothing but Windows itself (app/package/windows).
+# Toolchain to cross-compile programs for 64-bit Windows on Debian, linked statically (app/package/windows).
 set(CMAKE_SYSTEM_NAME Windows)
 set(CMAKE_SYSTEM_PROCESSOR x86_64)
 set(CMAKE_C_COMPILER x86_64-w64-mingw32-gcc-posix)
@@ -10,7 +10,7 @@ set(CMAKE_EXE_LINKER_FLAGS_INIT
     "-static -Wl,--whole-archive,${libraries}/lib/libmathematics.a,--no-whole-archive")
 set(CMAKE_EXE_LINKER_FLAGS_RELEASE_INIT -s)
 
-# What runs while building is Debian's, what is linked is not.
+# Programs that run during the build come from Debian, libraries and headers from the cross-compiled folder.
 set(CMAKE_FIND_ROOT_PATH ${libraries} /usr/x86_64-w64-mingw32)
 set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
 set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What the program is on Windows besides (app/package/windows makes it).
+# Additions for the Windows program, which app/package/windows builds.
 
-# slidercrank.exe opens no console. A command line does not wait for such a program, and gets neither its exit status nor
-# Control C to it: a command, typed as `slidercrank`, is slidercrank.com, the same but for the word in its head that asks
-# for a console.
+# slidercrank.exe opens no console. A command prompt does not wait for such a program, does not see its exit status and cannot
+# interrupt it. Therefore slidercrank.com, which Windows prefers when `slidercrank` is typed, is a copy whose header requests
+# a console.
 set_target_properties(slidercrank PROPERTIES WIN32_EXECUTABLE ON)
 set(console $<TARGET_FILE_DIR:slidercrank>/slidercrank.com)
 add_custom_command(TARGET slidercrank POST_BUILD VERBATIM
@@ -15,7 +15,7 @@ if(NOT QT6_IS_SHARED_LIBS_BUILD)
         Qt6::QWindowsIntegrationPlugin Qt6::QOffscreenIntegrationPlugin Qt6::QSvgPlugin Qt6::QSvgIconPlugin)
 endif()
 
-# Qt's own Spanish words, which on Debian are a package.
+# Qt's own Spanish translation, which on Debian is a package of its own.
 find_file(QT_IN_SPANISH qtbase_es.qm PATHS /usr/share/qt6/translations NO_CMAKE_FIND_ROOT_PATH REQUIRED)
 cmake_path(GET QT_IN_SPANISH PARENT_PATH folder)
 file(CONFIGURE OUTPUT qt.conf CONTENT "[Paths]\nTranslations=:/translations\n")
@@ -23,7 +23,7 @@ qt_add_resources(slidercrank qt_in_spanish PREFIX /translations BASE ${folder} F
 qt_add_resources(slidercrank qt_conf PREFIX /qt/etc BASE ${CMAKE_CURRENT_BINARY_DIR}
     FILES ${CMAKE_CURRENT_BINARY_DIR}/qt.conf)
 
-# Icons, the first the program's own, the second that of its scenes; and what Explorer tells of it.
+# Icons (first the program's, then that of scene files) and the version information that Explorer shows.
 find_program(RSVG_CONVERT rsvg-convert REQUIRED)
 find_program(ICOTOOL icotool REQUIRED)
 foreach(name IN ITEMS slidercrank slidercrank-scene)
