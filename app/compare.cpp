@@ -67,7 +67,7 @@ ReferenceAnswer compareOne(const Streams &streams, const CompareRequest &request
         explanation = explanationLines(diagnosis, data, question.mechanism);
         jsonExplanation =
             QJsonObject{{"sentence", explanation.join(' ')},
-                        {"mechanism", found.stands() ? QJsonValue(jsonMechanism(found.parameters)) : QJsonValue()},
+                        {"mechanism", found.hasMechanism() ? QJsonValue(jsonMechanism(found.parameters)) : QJsonValue()},
                         {"conventions", jsonConventions(diagnosis.conventions, data)}};
     }
     QJsonArray channels;

@@ -67,14 +67,14 @@ QJsonObject jsonIdentification(const ReferenceData &data, const Diagnosis &diagn
     };
     const auto jsonComparison = [](const ChannelComparison &channel) { return jsonObject(comparisonRecord(channel)); };
     return {{"outcome", kOutcomeNames[static_cast<std::size_t>(found.outcome)]},
-            {"mechanism", mechanismIf(found.stands() || found.outcome == Outcome::Nearest, found.parameters)},
+            {"mechanism", mechanismIf(found.hasMechanism() || found.outcome == Outcome::Nearest, found.parameters)},
             {"standardError", standardErrors},
             {"identifiable", identifiable},
             {"alternatives", jsonList(found.alternatives, jsonAlternative)},
             {"rounded", mechanismIf(found.outcome == Outcome::Identified, diagnosis.rounded)},
             {"noise", noise},
             {"iterations", found.iterations},
-            {"conditionNumber", found.stands() ? jsonNumber(found.conditionNumber) : QJsonValue()},
+            {"conditionNumber", found.hasMechanism() ? jsonNumber(found.conditionNumber) : QJsonValue()},
             {"channels", jsonList(diagnosis.identified, jsonComparison)},
             {"columns", jsonColumns(data.layout)},
             {"conventions", jsonConventions(diagnosis.conventions, data)},
@@ -100,7 +100,7 @@ QString identificationText(const Reference &reference, const Diagnosis &diagnosi
 {
     const Identification &found = diagnosis.identification;
     const ReferenceData &data = reference.data;
-    if (!found.stands()) {
+    if (!found.hasMechanism()) {
         return headline(reference) + summaryOf(diagnosis) + '\n';
     }
     QStringList lines{headline(reference).trimmed()};
@@ -129,7 +129,7 @@ QString identificationText(const Reference &reference, const Diagnosis &diagnosi
 ReferenceAnswer identifyOne(const Streams &streams, const ReferenceQuestion &question, const Reference &reference)
 {
     const Diagnosis diagnosis = diagnose(reference.data, question.mechanism);
-    const bool isFound = diagnosis.identification.stands();
+    const bool isFound = diagnosis.identification.hasMechanism();
     const bool isText = question.format == Format::Text;
     ReferenceAnswer answer;
     answer.category = outcomeText(diagnosis.identification.outcome);

@@ -282,9 +282,9 @@ private:
         if (result.reference && showsMechanism) {
             m_content.diagnosis = diagnose(result.reference->data, result.mechanism);
             const Diagnosis &diagnosis = m_content.diagnosis;
-            if (diagnosis.conventions.empty() && !diagnosis.isOfMechanismAtHand) {
+            if (diagnosis.conventions.empty() && !diagnosis.agreesWithGiven) {
                 const Identification &found = diagnosis.identification;
-                m_ghost = found.stands() ? Mechanism(found.parameters) : result.mechanism;
+                m_ghost = found.hasMechanism() ? Mechanism(found.parameters) : result.mechanism;
             }
         } else if (!result.reference && result.difference && Mechanism(result.kept.back()) != result.mechanism) {
             m_ghost = Mechanism(result.kept.back());

@@ -245,12 +245,12 @@ std::optional<Lack> findLack(const Observations &data)
         }
     }
     if (data.isEmpty()) {
-        return Lack::FewInstants;
+        return Lack::FewTimeStamps;
     }
     if (values < kFewestValues) {
         return Lack::FewValues;
     }
-    return std::ranges::count(hasValue, true) < kFewestRows ? std::optional(Lack::FewInstants)
+    return std::ranges::count(hasValue, true) < kFewestRows ? std::optional(Lack::FewTimeStamps)
            : moves                                          ? std::nullopt
                                                             : std::optional(Lack::NothingMoves);
 }
@@ -352,7 +352,7 @@ Decision decide(const Observations &data, std::span<const Candidate> candidates,
         result.outcome = Outcome::Insufficient;
         result.lack = decision.uncertainty.evidence < kLeastEvidence ? Lack::NoEvidence
                       : isOpen                                       ? Lack::OpenParameters
-                                                                     : Lack::Crooked;
+                                                                     : Lack::NotParabolic;
         return decision;
     }
     result.parameters = parametersOf(data, best.fit.hypothesis);

@@ -171,7 +171,7 @@ void FileDiagnosis::interpret(const Observations &all, const FileSearch &search)
     if (found.outcome == Outcome::Nearest) {
         keepNearest(search);
     }
-    if (!found.stands()) {
+    if (!found.hasMechanism()) {
         return;
     }
     const Candidate &best = *decision.candidate;
@@ -192,7 +192,7 @@ void FileDiagnosis::interpret(const Observations &all, const FileSearch &search)
         found.onlyRatios ? std::vector<ConventionFinding>() : findFaultsOfWholeFile(own, m_given, found);
     std::ranges::copy(ofFile, std::back_inserter(m_result.conventions));
     found.rejectImpossible(m_given);
-    if (!found.stands()) {
+    if (!found.hasMechanism()) {
         m_result.conventions.clear();
         return;
     }
@@ -221,9 +221,9 @@ void FileDiagnosis::compareWith(const ReferenceData &read)
     m_result.rounded =
         found.outcome == Outcome::Ambiguous ? found.parameters : inRoundNumbers(found, read, m_result.identified);
     const ReferenceData asGiven = timed(read, m_given);
-    m_result.isOfMechanismAtHand =
+    m_result.agreesWithGiven =
         !m_result.conventions.empty() && !differs(compareExactly(m_mechanism, asGiven, m_stop).channels);
-    if (!m_result.isOfMechanismAtHand && !found.onlyRatios) {
+    if (!m_result.agreesWithGiven && !found.onlyRatios) {
         m_result.change = findParameterChange(read, m_given, m_result.rounded);
     }
     if (found.outcome == Outcome::Approximate) {
@@ -236,9 +236,9 @@ Diagnosis FileDiagnosis::compute()
     Identification &found = m_result.identification;
     found.parameters = m_result.rounded = m_given;
     found.claimNothing();
-    m_result.isOfMechanismAtHand =
+    m_result.agreesWithGiven =
         !m_data.series.empty() && !differs(compareExactly(m_mechanism, timed(m_data, m_given), m_stop).channels);
-    const bool isAsGiven = m_result.isOfMechanismAtHand;
+    const bool isAsGiven = m_result.agreesWithGiven;
     const Observations all = observe(m_data);
     if (const std::optional<Identification::Lack> lack = findLack(all)) {
         found.outcome = Outcome::Insufficient;
@@ -247,7 +247,7 @@ Diagnosis FileDiagnosis::compute()
     }
     m_result.unevenCrank = crankSpeedChange(all);
     interpret(all, searchFile(all, m_given, m_stop));
-    m_result.isOfMechanismAtHand = m_result.isOfMechanismAtHand || (isAsGiven && m_result.conventions.empty());
+    m_result.agreesWithGiven = m_result.agreesWithGiven || (isAsGiven && m_result.conventions.empty());
     found.stopped = m_stop.stop_requested();
     return m_result;
 }
@@ -276,7 +276,7 @@ std::optional<Diagnosis> turnedDiagnosis(const ReferenceData &data, const Mechan
     const bool explainsSlider = std::ranges::any_of(result.identified, [](const ChannelComparison &channel) {
         return channel.channel.coordinate == R4x && channel.verdict != Verdict::Differs;
     });
-    if (!result.identification.stands() || !explainsSlider) {
+    if (!result.identification.hasMechanism() || !explainsSlider) {
         return std::nullopt;
     }
     result.conventions.insert(result.conventions.begin(), ConventionFinding{*axis});
@@ -296,7 +296,7 @@ Diagnosis diagnose(const ReferenceData &data, const Mechanism &mechanism, std::s
     }
     Diagnosis result = turned ? *std::move(turned) : FileDiagnosis(data, mechanism, stop).compute();
     constexpr double kShortCrank = 1.0; // mm
-    result.mayBeInMetres = result.identification.stands() && !result.identification.onlyRatios &&
+    result.mayBeInMetres = result.identification.hasMechanism() && !result.identification.onlyRatios &&
                            result.identification.parameters.a < kShortCrank && hasNoLengthUnit(data.layout) &&
                            std::ranges::none_of(result.conventions, [](const ConventionFinding &finding) {
                                return finding.convention.kind == Kind::LengthUnit;

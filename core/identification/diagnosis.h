@@ -35,7 +35,7 @@ struct Diagnosis {
     std::vector<ConventionFinding> conventions;
 
     /// With them (without, where there are none) no channel differs from the mechanism at hand.
-    bool isOfMechanismAtHand = false;
+    bool agreesWithGiven = false;
 
     // All these of the data as they read with the conventions.
     Identification identification;

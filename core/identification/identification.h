@@ -27,7 +27,7 @@ struct Identification {
     bool stopped = false; ///< nothing else counts
 
     /// Whether there is a mechanism that explains the file, at least approximately.
-    bool stands() const { return hasOneMechanism() || (!stopped && outcome == Outcome::Ambiguous); }
+    bool hasMechanism() const { return hasOneMechanism() || (!stopped && outcome == Outcome::Ambiguous); }
 
     /// Whether there is exactly one such mechanism.
     bool hasOneMechanism() const
@@ -44,7 +44,7 @@ struct Identification {
     /// onlyRatios), and unless Identified or Ambiguous.
     std::array<double, kParameterCount> standardError{};
 
-    /// All true where stands() (but see onlyRatios), all false else.
+    /// All true where hasMechanism() (but see onlyRatios), all false else.
     std::array<bool, kParameterCount> identifiable{};
 
     /// θ3 alone, with or without its derivatives: only the ratios b/a and c/a are fixed. a is as it was, b and c follow
@@ -70,11 +70,11 @@ struct Identification {
     enum class Lack {
         Nothing,        ///< it is not
         FewValues,      ///< of the six channels
-        FewInstants,    ///< with values
+        FewTimeStamps,    ///< with values
         NothingMoves,   ///< the values are the same throughout
         NoEvidence,     ///< what fits could fit by chance: too few values for so many free parameters
         OpenParameters, ///< some parameters are not fixed: openParameters names them
-        Crooked         ///< fits, but a family of others nearly as well
+        NotParabolic         ///< fits, but a family of others nearly as well
     };
     Lack lack = Lack::Nothing;
     std::array<bool, kParameterCount> openParameters{};

@@ -390,7 +390,7 @@ void Session::follow(const std::shared_ptr<const Reference> &reference)
 
 void Session::takeOver()
 {
-    if (m_diagnosis && m_diagnosis->found.identification.stands()) {
+    if (m_diagnosis && m_diagnosis->found.identification.hasMechanism()) {
         edit(with(m_choices, &Choices::parameters, m_diagnosis->found.rounded),
              {EditStack::tr("use of the file's mechanism")});
     }

@@ -96,7 +96,7 @@ QString parameterName(Parameter parameter)
 
 bool isFound(const ReportContent &content)
 {
-    return content.result->reference && content.diagnosis.identification.stands();
+    return content.result->reference && content.diagnosis.identification.hasMechanism();
 }
 
 /// The parameters of the model and of the mechanism that was found for the file.
@@ -246,7 +246,7 @@ QString comparisonText(const ReportContent &content)
                                 "%2); ± is one standard error.")
                          .arg(diagnosis.identification.iterations)
                          .arg(shortNumber(diagnosis.identification.conditionNumber, kDigits)));
-    } else if (!diagnosis.isOfMechanismAtHand) {
+    } else if (!diagnosis.agreesWithGiven) {
         html += paragraph(summaryOf(diagnosis));
     }
     return html + errorTable(result.comparison) +

@@ -252,11 +252,11 @@ Finding mechanismFinding(const Result &result, const ReferenceDiagnosis &diagnos
 {
     const Identification &found = diagnosis.found.identification;
     Finding finding;
-    if (!diagnosis.found.conventions.empty() && diagnosis.found.isOfMechanismAtHand) {
+    if (!diagnosis.found.conventions.empty() && diagnosis.found.agreesWithGiven) {
         return finding; // read with the conventions, the file belongs to the model
     }
     const QString summary = summaryOf(diagnosis.found);
-    if (!found.stands()) {
+    if (!found.hasMechanism()) {
         finding.sentence = summary;
         return finding;
     }

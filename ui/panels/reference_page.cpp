@@ -141,7 +141,7 @@ Finding mechanismFound(const Result &result, const ReferenceDiagnosis *diagnosis
     if (const QString rounded = roundNumbersText(found); !rounded.isEmpty()) {
         finding.sentence += u'\n' + rounded;
     }
-    if (found.identification.stands() && result.mechanism.parameters() != found.rounded) {
+    if (found.identification.hasMechanism() && result.mechanism.parameters() != found.rounded) {
         const bool isUnique = found.identification.hasOneMechanism();
         finding.remedy = Finding::Remedy::TakeOver;
         finding.remedyText = isUnique ? ReferencePage::tr("Use this mechanism") : ReferencePage::tr("Use the first");

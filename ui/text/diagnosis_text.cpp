@@ -32,13 +32,13 @@ public:
         switch (lack) {
         case Nothing:
         case FewValues: break;
-        case FewInstants: return tr("Too few time steps to find the mechanism: export more of them.");
+        case FewTimeStamps: return tr("Too few time steps to find the mechanism: export more of them.");
         case NothingMoves: return tr("Nothing moves in these data: export the motion of a turning crank.");
         case NoEvidence:
             return tr("So few values fit many mechanisms by chance: export more time steps, or more columns.");
         case OpenParameters:
             return tr("These data do not determine %1: export a longer motion, more digits, or more columns.");
-        case Crooked:
+        case NotParabolic:
             return tr("Many mechanisms move nearly as these data do: export a longer motion, more digits, or more "
                       "columns.");
         }
@@ -296,7 +296,7 @@ QString summaryOf(const Diagnosis &diagnosis)
     if (found.stopped) {
         return DiagnosisText::tr("The search was stopped.");
     }
-    if (found.stands()) {
+    if (found.hasMechanism()) {
         const QString caveats = caveatsOf(diagnosis);
         return identifiedText(diagnosis) + (caveats.isEmpty() ? caveats : u' ' + caveats);
     }
@@ -310,7 +310,7 @@ QStringList differenceLines(const Diagnosis &diagnosis, const ReferenceData &dat
     for (const ConventionFinding &finding : diagnosis.conventions) {
         lines << explanationOf(finding.convention, data) + u' ' + effectOf(finding);
     }
-    if (!lines.isEmpty() && diagnosis.isOfMechanismAtHand) {
+    if (!lines.isEmpty() && diagnosis.agreesWithGiven) {
         lines << DiagnosisText::tr("Read this way, it does not differ from this mechanism.");
     } else if (const QString change = changeText(diagnosis, mechanism); !change.isEmpty()) {
         lines << change;
@@ -321,7 +321,7 @@ QStringList differenceLines(const Diagnosis &diagnosis, const ReferenceData &dat
 QStringList explanationLines(const Diagnosis &diagnosis, const ReferenceData &data, const Mechanism &mechanism)
 {
     QStringList lines = differenceLines(diagnosis, data, mechanism);
-    if (!diagnosis.isOfMechanismAtHand) {
+    if (!diagnosis.agreesWithGiven) {
         const QString summary = summaryOf(diagnosis);
         lines << (diagnosis.identification.hasOneMechanism()
                       ? DiagnosisText::tr("Mechanism found in this file: %1").arg(summary)

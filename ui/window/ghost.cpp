@@ -32,7 +32,7 @@ void Ghost::update()
     const auto &diagnosis = m_session->diagnosis();
     std::optional<Mechanism> lengths; // the file does not state them: those of the mechanism found in it
     if (m_isWanted && std::ranges::count(result.comparison, Verdict::Differs, &ChannelComparison::verdict) > 0) {
-        const bool isFound = diagnosis && diagnosis->found.identification.stands();
+        const bool isFound = diagnosis && diagnosis->found.identification.hasMechanism();
         lengths.emplace(isFound ? diagnosis->found.identification.parameters : m_session->parameters());
         m_motion = [lengths = *lengths, reference = result.reference](double time) {
             return referencePoseAt(reference->data, lengths, time);

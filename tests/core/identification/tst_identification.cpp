@@ -315,7 +315,7 @@ private slots:
         printing.channels = "010000";
         QCOMPARE(identified(printedData(standing)).lack, Lack::NothingMoves);
         QCOMPARE(identified(printedData(Parameters(), printing)).lack, Lack::FewValues);
-        QCOMPARE(identified(ReferenceData()).lack, Lack::FewInstants);
+        QCOMPARE(identified(ReferenceData()).lack, Lack::FewTimeStamps);
         printing.rows = 7; // of seven numbers to six digits five parameters are chance
         QCOMPARE(identified(printedData(Parameters(), printing)).outcome, Outcome::Insufficient);
     }

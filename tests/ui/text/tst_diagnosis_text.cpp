@@ -193,8 +193,8 @@ private slots:
         QStringList sentences{summaryOf(none)};
         found.outcome = Outcome::Insufficient;
         found.openParameters = {false, true, true, false, true};
-        for (const auto lack : {Lack::FewValues, Lack::FewInstants, Lack::NothingMoves, Lack::NoEvidence,
-                                Lack::OpenParameters, Lack::Crooked}) {
+        for (const auto lack : {Lack::FewValues, Lack::FewTimeStamps, Lack::NothingMoves, Lack::NoEvidence,
+                                Lack::OpenParameters, Lack::NotParabolic}) {
             found.lack = lack;
             sentences << summaryOf(none);
         }
@@ -218,7 +218,7 @@ private slots:
         Diagnosis given; // read differently, it is the given mechanism, but too little to identify it
         given.identification.outcome = Outcome::Insufficient;
         given.conventions = {{{Convention::Kind::AngleUnit, {kTheta3}, kDegreesPerRadian}, 98.0, 1e-3}};
-        given.isOfMechanismAtHand = true;
+        given.agreesWithGiven = true;
         const QStringList lines = explanationLines(given, {}, Mechanism());
         QCOMPARE(lines.size(), qsizetype(2));
         QVERIFY(lines.first().startsWith("theta3: in radians, but read as degrees. Multiplies theta3"));
