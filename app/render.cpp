@@ -286,8 +286,8 @@ private:
                 const Identification &found = diagnosis.identification;
                 m_ghost = found.hasMechanism() ? Mechanism(found.parameters) : result.mechanism;
             }
-        } else if (!result.reference && result.difference && Mechanism(result.kept.back()) != result.mechanism) {
-            m_ghost = Mechanism(result.kept.back());
+        } else if (!result.reference && result.difference && Mechanism(result.pinned.back()) != result.mechanism) {
+            m_ghost = Mechanism(result.pinned.back());
         }
         if (m_ghost) {
             m_mechanism.setGhostBounds(motionBounds(*m_ghost, motionLimits(*m_ghost)));
@@ -343,7 +343,7 @@ Command prepareRender(OptionReader &options)
     readSubject(options, request);
     request.output = readOutput(options, options.texts("reference"));
     checkOutput(request);
-    request.model = {readMechanism(options).parameters(), readSampling(options), readSolver(options), {}, request.scene.kept};
+    request.model = {readMechanism(options).parameters(), readSampling(options), readSolver(options), {}, request.scene.pinned};
     request.reference = request.scene.reference;
     if (const QStringList files = options.texts("reference"); !files.isEmpty()) {
         request.reference = ReferenceSource{files, {}, {}};

@@ -15,7 +15,7 @@ namespace slidercrank
 namespace
 {
 
-constexpr int kMostStepsKept = 100'000; // of the closed form
+constexpr int kMaxStoredSteps = 100'000; // longer motions in closed form are computed where they are needed
 
 /// Whether the crank clearly makes full turns, at angles for which many time steps are computed at once: then each of
 /// them is Solved.
@@ -27,7 +27,7 @@ bool isOrdinary(const Parameters &p, const Sampling &sampling)
     return p.b > kMargin * (p.a + std::abs(p.c)) && std::abs(p.theta20) + std::abs(p.omega2) * latest <= kLargestAngle;
 }
 
-/// Of a motion in closed form that is not kept.
+/// The summary of a motion in closed form whose samples are not stored.
 SamplingSummary summarize(const Choices &choices, std::stop_token stop)
 {
     SamplingSummary summary;
@@ -61,22 +61,22 @@ Pose poseAt(const Parameters &parameters, double seconds)
 std::shared_ptr<const Result> compute(const Choices &choices, std::stop_token stop)
 {
     auto result = std::make_shared<Result>();
-    const auto &[parameters, sampling, solver, reference, kept] = choices;
+    const auto &[parameters, sampling, solver, reference, pinned] = choices;
     const Mechanism mechanism(parameters);
     result->choices = choices;
     result->mechanism = mechanism;
     result->sampling = sampling;
     result->solver = solver;
-    result->kept = kept;
+    result->pinned = pinned;
     const ReferenceOutcome timed = timedBy(mechanism, reference);
     const auto *found = std::get_if<std::shared_ptr<const Reference>>(&timed);
     result->reference = found ? *found : reference;
     result->limits = motionLimits(mechanism);
-    if (!reference && !kept.empty()) {
+    if (!reference && !pinned.empty()) {
         const double end = sampling.start + sampling.duration;
-        result->difference = differenceOf(mechanism, Mechanism(kept.back()), sampling.start, end);
+        result->difference = differenceOf(mechanism, Mechanism(pinned.back()), sampling.start, end);
     }
-    if (solver.method == Method::ClosedForm && sampling.steps >= kMostStepsKept) {
+    if (solver.method == Method::ClosedForm && sampling.steps >= kMaxStoredSteps) {
         result->summary = summarize(choices, stop);
         result->trajectory.complete = !stop.stop_requested();
     } else {

@@ -30,7 +30,7 @@ struct Pose {
 
 Pose poseAt(const Parameters &parameters, double seconds);
 
-inline constexpr std::size_t kMostKept = 4; ///< motions; more could not be told apart
+inline constexpr std::size_t kMaxPinned = 4; ///< Largest number of pinned motions: more curves could not be told apart.
 
 /// Everything that an edit may change.
 struct Choices {
@@ -38,7 +38,7 @@ struct Choices {
     Sampling sampling;
     SolverSettings solver;
     std::shared_ptr<const Reference> reference; ///< may be null
-    std::vector<Parameters> kept = {};          ///< pinned motions, the oldest first
+    std::vector<Parameters> pinned = {};        ///< pinned motions, the oldest first
 
     friend bool operator==(const Choices &, const Choices &) = default;
 };
@@ -50,15 +50,15 @@ struct Result {
     Sampling sampling;
     SolverSettings solver;
     SamplingSummary summary;
-    Trajectory trajectory; ///< the six plotted channels; empty where !isKept()
+    Trajectory trajectory; ///< the six plotted channels; empty where !hasSamples()
     MotionLimits limits;
     std::shared_ptr<const Reference> reference; ///< may be null; a table by the crank angle timed for this mechanism
-    std::vector<Parameters> kept;               ///< pinned motions, the oldest first
+    std::vector<Parameters> pinned;             ///< pinned motions, the oldest first
 
-    /// Where there is no reference: how far the model is from the motion kept last.
+    /// How far the model is from the motion that was pinned last; nullopt if there is a reference.
     std::optional<MotionDifference> difference;
 
-    /// With a file, or with a motion that was kept.
+    /// Whether the model is compared with a file or with a pinned motion.
     bool isCompared() const { return reference || difference; }
 
     // Filled when there is a reference: the model at the file's own instants, one comparison per series of the file.
@@ -69,7 +69,7 @@ struct Result {
     std::optional<double> sampleSeconds;
 
     /// A long run in closed form is not: it takes less time to compute than to store.
-    bool isKept() const { return trajectory.time.size() == summary.instants; }
+    bool hasSamples() const { return trajectory.time.size() == summary.instants; }
 };
 
 /// Whose motion a file is: the mechanism it belongs to, the one parameter that explains the difference, the conventions

@@ -34,8 +34,8 @@ void describe(Scene &scene, JsonFields &fields)
     fields.object("sampling", [&](JsonFields &part) { describe(scene.sampling, part); });
     fields.object("solver", [&](JsonFields &part) { describe(scene.solver, part); });
     fields("reference", scene.reference);
-    fields("kept", scene.kept);
-    fields.check(scene.kept.size() <= kMostKept, "kept");
+    fields("kept", scene.pinned);
+    fields.check(scene.pinned.size() <= kMaxPinned, "kept");
     constexpr bool kOptional = true;
     const auto describeView = [&](JsonFields &view) {
         view("time", scene.time, -kLargestTime, kLargestTime);

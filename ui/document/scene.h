@@ -47,7 +47,7 @@ struct Scene {
     Sampling sampling;
     SolverSettings solver;
     std::optional<ReferenceSource> reference;
-    std::vector<Parameters> kept; ///< pinned motions
+    std::vector<Parameters> pinned; ///< pinned motions
     double time = 0.0;            ///< s
     PlotSettings plots;
     PlotZoom zoom;

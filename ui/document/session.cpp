@@ -144,22 +144,22 @@ void Session::setSolver(const SolverSettings &solver)
     edit(with(m_choices, &Choices::solver, solver), {EditStack::tr("change of the method"), kSolverIdentity});
 }
 
-void Session::keep()
+void Session::pinMotion()
 {
-    std::vector<Parameters> kept = m_choices.kept;
-    if (std::ranges::count(kept, m_choices.parameters) > 0) {
+    std::vector<Parameters> pinned = m_choices.pinned;
+    if (std::ranges::count(pinned, m_choices.parameters) > 0) {
         emit problemFound(tr("This motion is already pinned: change the mechanism to see the difference."));
-    } else if (kept.size() == kMostKept) {
-        emit problemFound(tr("%1 motions are already pinned: remove them before you pin another one.").arg(kMostKept));
+    } else if (pinned.size() == kMaxPinned) {
+        emit problemFound(tr("%1 motions are already pinned: remove them before you pin another one.").arg(kMaxPinned));
     } else {
-        kept.push_back(m_choices.parameters);
-        edit(with(m_choices, &Choices::kept, kept), {EditStack::tr("pinning of the motion")});
+        pinned.push_back(m_choices.parameters);
+        edit(with(m_choices, &Choices::pinned, pinned), {EditStack::tr("pinning of the motion")});
     }
 }
 
-void Session::forgetKept()
+void Session::unpinMotions()
 {
-    edit(with(m_choices, &Choices::kept, {}), {EditStack::tr("removal of the pinned motions")});
+    edit(with(m_choices, &Choices::pinned, {}), {EditStack::tr("removal of the pinned motions")});
 }
 
 void Session::edit(const Choices &choices, const EditName &name)
@@ -382,13 +382,13 @@ void Session::follow(const std::shared_ptr<const Reference> &reference)
         before && before->paths == reference->paths && choices.sampling == rangeOf(before->data.time, choices.sampling);
     if (range != choices.sampling && (hasFollowed || !contains(choices.sampling, range))) {
         choices.sampling = range;
-        emit runFollows(reference, range);
+        emit timeRangeReplaced(reference, range);
     }
     m_reading.discard();
     edit(choices, changeName(m_choices.reference, reference));
 }
 
-void Session::takeOver()
+void Session::useFoundMechanism()
 {
     if (m_diagnosis && m_diagnosis->found.identification.hasMechanism()) {
         edit(with(m_choices, &Choices::parameters, m_diagnosis->found.rounded),

@@ -38,7 +38,7 @@ public:
     Pose pose() const { return poseAt(m_choices.parameters, m_time); }
     const std::shared_ptr<const Result> &result() const { return m_result; } ///< never null
     const std::shared_ptr<const Reference> &reference() const { return m_choices.reference; }
-    const std::vector<Parameters> &kept() const { return m_choices.kept; } ///< pinned motions
+    const std::vector<Parameters> &pinned() const { return m_choices.pinned; } ///< pinned motions
 
     /// Null without a reference file, and until it is known. It may have been found beside other parameters than the
     /// current ones (ReferenceDiagnosis::parameters), until these have rested and the next one is published.
@@ -59,8 +59,8 @@ public slots:
     void setSampling(const slidercrank::Sampling &sampling);
     void setSolver(const slidercrank::SolverSettings &solver);
 
-    void keep(); ///< pins the current motion; up to kMostKept
-    void forgetKept();
+    void pinMotion(); ///< pins the current motion; up to kMaxPinned
+    void unpinMotions();
 
     void setTime(double seconds); ///< moved into the time range
 
@@ -78,7 +78,7 @@ public slots:
     void setReference(const std::shared_ptr<const slidercrank::Reference> &reference);
 
     /// Takes the mechanism that was found in the file, with nominal values; does nothing if none was found.
-    void takeOver();
+    void useFoundMechanism();
 
     /// Applies a convention to the reference data; Branch changes the assembly of the model.
     void apply(const slidercrank::Convention &convention);
@@ -102,7 +102,7 @@ signals:
     void referenceLoaded(const std::shared_ptr<const slidercrank::Reference> &reference);           ///< may be null
 
     /// Before a reference is loaded whose time range replaces the current one.
-    void runFollows(const std::shared_ptr<const slidercrank::Reference> &reference,
+    void timeRangeReplaced(const std::shared_ptr<const slidercrank::Reference> &reference,
                     const slidercrank::Sampling &sampling);
     void referenceRefused(const QStringList &paths, const QString &sentence); ///< nothing has changed
     void opened(const QString &problem); ///< not empty: why the scene was opened without its reference

@@ -137,8 +137,8 @@ QString limitTable(const Result &result)
 QString pinnedText(const Result &result)
 {
     QStringList motions;
-    for (const Parameters &pinned : result.kept) {
-        motions << keptText(pinned, result.mechanism.parameters());
+    for (const Parameters &pinned : result.pinned) {
+        motions << pinnedText(pinned, result.mechanism.parameters());
     }
     return motions.isEmpty() ? QString() : Report::tr("Thin curves: pinned motions, %1.").arg(motions.join(u", "));
 }
@@ -158,7 +158,7 @@ QString differenceTable(const Result &result)
                         shortNumber(channel.percentOfPeak, kDigits)});
     }
     return heading(Report::tr("This mechanism − pinned %1")
-                       .arg(keptText(result.kept.back(), result.mechanism.parameters()))) +
+                       .arg(pinnedText(result.pinned.back(), result.mechanism.parameters()))) +
            table(rows);
 }
 

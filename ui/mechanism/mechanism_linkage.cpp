@@ -162,7 +162,7 @@ void MechanismSketch::addGhost()
         return;
     }
     const bool isFile = !m_scene.result->difference;
-    const QColor &colour = isFile ? m_colours.reference : m_colours.kept;
+    const QColor &colour = isFile ? m_colours.reference : m_colours.pinned;
     const QLineF coupler(toPixels({ghost.pinX, ghost.pinY}), toPixels({ghost.sliderX, ghost.sliderY}));
     QPainterPath path = sliderPath(coupler.p2());
     path.moveTo(m_O2);

@@ -198,12 +198,12 @@ Page filePage(const Result &result, const ReferenceDiagnosis *diagnosis)
 Page pinnedPage(const Result &result)
 {
     const Parameters &present = result.mechanism.parameters();
-    const Parameters &pinned = result.kept.back();
+    const Parameters &pinned = result.pinned.back();
     Page page;
     page.fileName = ErrorPage::tr("differences", "name of a file");
     page.sentence = present == pinned
                         ? ErrorPage::tr("This mechanism is the pinned one: change it to see the difference.")
-                        : ErrorPage::tr("This mechanism − pinned (%1).").arg(keptText(pinned, present));
+                        : ErrorPage::tr("This mechanism − pinned (%1).").arg(pinnedText(pinned, present));
     if (result.difference->hasGaps) {
         page.sentence += u' ' + ErrorPage::tr("Where one of the two cannot be assembled there is nothing to compare.");
     }
@@ -264,7 +264,7 @@ Finding mechanismFinding(const Result &result, const ReferenceDiagnosis &diagnos
     finding.sentence = isUnique ? changeText(diagnosis.found, Mechanism(diagnosis.parameters)) : summary;
     const bool takesOver = isBetter(diagnosis.found.identified, result.comparison);
     if (takesOver) {
-        finding.remedy = Finding::Remedy::TakeOver;
+        finding.remedy = Finding::Remedy::UseFoundMechanism;
         finding.remedyText = isUnique ? ErrorPage::tr("Use this mechanism") : ErrorPage::tr("Use the first of them");
         finding.details = changesText(result.mechanism.parameters(), diagnosis.found);
     }

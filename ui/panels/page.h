@@ -18,7 +18,7 @@ namespace slidercrank
 struct Finding {
     enum class Remedy {
         None,
-        TakeOver,      ///< the mechanism that was found becomes the model
+        UseFoundMechanism, ///< the mechanism that was found becomes the model
         Apply,         ///< the file is read with the convention
         ReadAsPrinted, ///< the file is read without the conventions applied
         ChooseColumns, ///< a person says what the columns are

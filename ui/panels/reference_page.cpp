@@ -143,7 +143,7 @@ Finding mechanismFound(const Result &result, const ReferenceDiagnosis *diagnosis
     }
     if (found.identification.hasMechanism() && result.mechanism.parameters() != found.rounded) {
         const bool isUnique = found.identification.hasOneMechanism();
-        finding.remedy = Finding::Remedy::TakeOver;
+        finding.remedy = Finding::Remedy::UseFoundMechanism;
         finding.remedyText = isUnique ? ReferencePage::tr("Use this mechanism") : ReferencePage::tr("Use the first");
         finding.details = changesText(result.mechanism.parameters(), found);
     }

@@ -148,7 +148,7 @@ void ResponseChart::paintDots(QPainter &painter, const QPalette &palette)
         if (!std::isfinite(m_dots[i].limits[m_limit]) || !m_range.assembled.contains(m_dots[i].value)) {
             continue;
         }
-        const QColor colour = i == 0 ? colours.cursor : colours.kept;
+        const QColor colour = i == 0 ? colours.cursor : colours.pinned;
         painter.setPen(colour);
         painter.setBrush(i == 0 ? colour : colours.background);
         painter.drawEllipse(dot, kRadius, kRadius);

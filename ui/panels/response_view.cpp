@@ -140,7 +140,7 @@ void ResponseView::showResponse(bool isNew)
     const QString title = tr("%1 [%2]").arg(symbol, parameter == Parameter::Omega2 ? tr("rad/s") : tr("mm"));
     m_sentence->setText(fullTurnText(parameter, range) + u' ' + tr("Drag a dot to change %1.").arg(symbol));
     ResponseChart::Dots dots{{valueOf(parameters, parameter), limitValues(Mechanism(parameters))}};
-    for (const Parameters &pinned : m_result->kept) {
+    for (const Parameters &pinned : m_result->pinned) {
         dots.push_back({valueOf(pinned, parameter), limitValues(Mechanism(pinned))});
     }
     for (ResponseChart *chart : m_charts) {

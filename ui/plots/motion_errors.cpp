@@ -39,7 +39,7 @@ MotionErrors::MotionErrors(const Result &result, const PlotSettings &settings, c
     const Reference *file = result.reference.get();
     MotionSamples model;
     if (!file) {
-        const Mechanism pinned(result.kept.back());
+        const Mechanism pinned(result.pinned.back());
         const double speed = std::max(std::abs(result.mechanism.omega2()), std::abs(pinned.omega2()));
         m_pinned = sampleMotion(ClosedForm(pinned), timeStamps(range, speed * range.length() / kTurn, columns));
         model = sampleMotion(ClosedForm(result.mechanism), m_pinned.time);

@@ -23,7 +23,7 @@ constexpr std::size_t kErrorsPerRow = 2;
 
 /// Dashes and gaps, px. Pinned motions are told apart by them, the first pinned first.
 const QVector<double> kReferenceDashes{7.0, 6.0};
-const std::array<QVector<double>, kMostKept> kPinnedDashes{{{}, {13.0, 4.0}, {5.0, 4.0}, {2.0, 3.0}}};
+const std::array<QVector<double>, kMaxPinned> kPinnedDashes{{{}, {13.0, 4.0}, {5.0, 4.0}, {2.0, 3.0}}};
 
 Interval unite(const Interval &a, const Interval &b)
 {
@@ -124,7 +124,7 @@ MotionCurves &PlotFigure::model()
         const Interval time = sampledRange();
         m_model = m_result->solver.method == Method::ClosedForm ? MotionCurves(m_result->mechanism, time)
                                                                 : MotionCurves(m_result->trajectory);
-        for (const Parameters &parameters : m_result->kept) {
+        for (const Parameters &parameters : m_result->pinned) {
             m_pinned.emplace_back(Mechanism(parameters), time);
         }
     }
@@ -150,7 +150,7 @@ void PlotFigure::computeMotions(Plot &plot, std::size_t channel)
     const auto isDense = [this](const PlotCurve &curve) { return 2 * curve.points.size() >= 3 * m_columns; };
     const MotionCurves::Curve &motion = model().curves(time, m_columns)[channel];
     for (std::size_t i = 0; i < m_pinned.size(); ++i) {
-        PlotCurve &curve = add(keptText(m_result->kept[i], m_result->mechanism.parameters()), &SeriesColours::kept,
+        PlotCurve &curve = add(pinnedText(m_result->pinned[i], m_result->mechanism.parameters()), &SeriesColours::pinned,
                                m_pinned[i].curves(time, m_columns)[channel]);
         curve.dashes = isDense(curve) ? QVector<double>() : kPinnedDashes[i];
         curve.width = m_isPresentation ? curve.width : 1.0;
@@ -265,8 +265,8 @@ QString PlotFigure::modelName() const
     const QString tooFew = model.omega2 != 0.0 && m_result->solver.method == Method::Newton
                                ? fewSamplesSentence(m_result->mechanism, m_result->sampling)
                                : QString();
-    const bool isNamed = m_isPresentation && !m_result->kept.empty() && m_result->kept.back() != model;
-    return !tooFew.isEmpty() ? tooFew : isNamed ? keptText(model, m_result->kept.back()) : tr("model");
+    const bool isNamed = m_isPresentation && !m_result->pinned.empty() && m_result->pinned.back() != model;
+    return !tooFew.isEmpty() ? tooFew : isNamed ? pinnedText(model, m_result->pinned.back()) : tr("model");
 }
 
 QString PlotFigure::errorUnit(std::size_t channel) const
@@ -312,7 +312,7 @@ std::vector<PlotReading> PlotFigure::readings(std::size_t plot, const ReadTime &
         const std::size_t channel = channelOf(plot);
         add(modelAt(channel), &SeriesColours::model);
         for (const MotionCurves &pinned : m_pinned) {
-            add(pinned.value(channel, time.t), &SeriesColours::kept);
+            add(pinned.value(channel, time.t), &SeriesColours::pinned);
         }
         if (time.row) {
             const ReferenceSeries *series = m_result->reference->data.find(kPlottedChannels[channel]);

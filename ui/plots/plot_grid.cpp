@@ -246,7 +246,7 @@ void PlotGrid::placePanes()
 void PlotGrid::updateCaption()
 {
     const std::shared_ptr<const Result> &result = m_figure.result();
-    const bool isAlone = result && !result->reference && result->kept.empty() && !m_figure.isPresentation();
+    const bool isAlone = result && !result->reference && result->pinned.empty() && !m_figure.isPresentation();
     const QString hint = tr("To compare with a simulation, <a href=\"open\">open its CSV…</a> or drop it here.");
     const QString text = m_measured ? measuredText() : isAlone && !m_maximized ? hint : QString();
     if (text != m_caption->text()) {

@@ -82,7 +82,7 @@ signals:
     void openReferenceRequested();
     void exportPlotRequested(const QString &plotName);
     void copyPlotRequested(const QString &plotName);
-    void keepRequested(); ///< of the motion on show
+    void pinRequested(); ///< of the motion on show
     void settingsChanged(const slidercrank::PlotSettings &settings);
 
 protected:

@@ -297,7 +297,7 @@ void PlotGrid::contextMenuEvent(QContextMenuEvent *event)
     menu->addAction(tr("Copy the &values here"), this, [this, plot, time] { copyValues(plot, time); });
     menu->addAction(tr("&Copy this plot"), this, [this, plot] { emit copyPlotRequested(plotName(plot)); });
     menu->addAction(tr("&Export this plot…"), this, [this, plot] { emit exportPlotRequested(plotName(plot)); });
-    menu->addAction(tr("&Pin this motion"), this, &PlotGrid::keepRequested);
+    menu->addAction(tr("&Pin this motion"), this, &PlotGrid::pinRequested);
     menu->addSeparator();
     menu->addActions(m_choices);
     menu->popup(event->globalPos());

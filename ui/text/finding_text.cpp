@@ -139,16 +139,16 @@ QString mechanismText(const Mechanism &mechanism, int digits)
     return (parts << withNoun(mechanism.branch())).join(QStringLiteral(", "));
 }
 
-QString keptText(const Parameters &kept, const Parameters &present)
+QString pinnedText(const Parameters &pinned, const Parameters &present)
 {
     QStringList parts;
     for (const Parameter parameter : kParameters) {
-        if (valueOf(kept, parameter) != valueOf(present, parameter)) {
-            parts << equationText(parameter, valueOf(kept, parameter));
+        if (valueOf(pinned, parameter) != valueOf(present, parameter)) {
+            parts << equationText(parameter, valueOf(pinned, parameter));
         }
     }
-    if (kept.branch != present.branch) {
-        parts << withNoun(kept.branch);
+    if (pinned.branch != present.branch) {
+        parts << withNoun(pinned.branch);
     }
     return parts.isEmpty() ? FindingText::tr("pinned") : parts.join(QStringLiteral(", "));
 }

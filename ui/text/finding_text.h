@@ -66,7 +66,7 @@ QString parameterText(Parameter parameter, double value, int digits = 6);
 QString mechanismText(const Mechanism &mechanism, int digits = 6);
 
 /// What differs in a pinned mechanism: "b = 65 mm, crossed assembly", or "pinned" if nothing does.
-QString keptText(const Parameters &kept, const Parameters &present);
+QString pinnedText(const Parameters &pinned, const Parameters &present);
 
 /// A value down to the first digit of its standard error: "20.000001 ± 0.000003". The value alone if there is no
 /// standard error (NaN), or only that of rounding numbers of size `scale`.

@@ -22,7 +22,7 @@ QPalette paletteFor(Theme theme);
 struct SeriesColours {
     QColor model;      ///< solid curves, the mechanism's links
     QColor reference;  ///< dashed curves
-    QColor kept;       ///< thin curves of motions that were kept
+    QColor pinned;     ///< thin curves of pinned motions
     QColor error;      ///< angle errors
     QColor errorOther; ///< length errors, drawn in the same axes
     QColor cursor;     ///< the current instant

@@ -37,8 +37,8 @@ void Ghost::update()
         m_motion = [lengths = *lengths, reference = result.reference](double time) {
             return referencePoseAt(reference->data, lengths, time);
         };
-    } else if (m_isWanted && result.difference && result.kept.back() != result.mechanism.parameters()) {
-        lengths.emplace(result.kept.back());
+    } else if (m_isWanted && result.difference && result.pinned.back() != result.mechanism.parameters()) {
+        lengths.emplace(result.pinned.back());
         m_motion = [pinned = *lengths](double time) { return referencePoseAt(pinned, time); };
     } else {
         m_motion = nullptr;

@@ -251,7 +251,7 @@ void MainWindow::connectPlots()
     follow(&Session::resultChanged, plots, &PlotGrid::setResult, m_session->result());
     connect(m_session, &Session::timeChanged, plots, &PlotGrid::setPose);
     connect(plots, &PlotGrid::timeRequested, m_session, &Session::setTime);
-    connect(plots, &PlotGrid::keepRequested, m_session, &Session::keep);
+    connect(plots, &PlotGrid::pinRequested, m_session, &Session::pinMotion);
     connect(plots, &PlotGrid::openReferenceRequested, this, &MainWindow::chooseReference);
     connect(plots, &PlotGrid::exportPlotRequested, m_exports,
             [this](const QString &name) { m_exports->choose(m_exports->plot(name)); });
@@ -385,7 +385,7 @@ void MainWindow::applyRemedy(const Finding &finding)
 {
     switch (finding.remedy) {
     case Finding::Remedy::None: break;
-    case Finding::Remedy::TakeOver: m_session->takeOver(); break;
+    case Finding::Remedy::UseFoundMechanism: m_session->useFoundMechanism(); break;
     case Finding::Remedy::Apply: m_session->apply(finding.convention); break;
     case Finding::Remedy::ReadAsPrinted: m_session->readAsPrinted(); break;
     case Finding::Remedy::ReadByAngle: m_session->readAbscissaAs(ColumnRole::CrankAngle); break;

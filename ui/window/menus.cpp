@@ -140,10 +140,10 @@ void Menus::addEdit()
     menu->addAction(tr("&Copy figure"), QKeySequence::Copy, exports, [exports] { exports->copy(exports->figure()); });
     menu->addAction(tr("Copy &mechanism"), exports, [exports] { exports->copy(exports->mechanism()); });
     menu->addSeparator();
-    menu->addAction(tr("P&in this motion"), Qt::CTRL | Qt::Key_K, session, &Session::keep);
+    menu->addAction(tr("P&in this motion"), Qt::CTRL | Qt::Key_K, session, &Session::pinMotion);
     QAction *unpin =
-        menu->addAction(tr("Remo&ve pinned motions"), Qt::CTRL | Qt::SHIFT | Qt::Key_K, session, &Session::forgetKept);
-    enableWhile(unpin, *session, [](const Result &result) { return !result.kept.empty(); });
+        menu->addAction(tr("Remo&ve pinned motions"), Qt::CTRL | Qt::SHIFT | Qt::Key_K, session, &Session::unpinMotions);
+    enableWhile(unpin, *session, [](const Result &result) { return !result.pinned.empty(); });
     menu->addAction(tr("Rese&t all parameters"), session, [session] { session->setParameters(Parameters()); });
 }
 

@@ -35,7 +35,7 @@ Messages::Messages(Session *session, SceneFile *scene, MessageBar *bar)
     connect(session, &Session::problemFound, this,
             [this](const QString &sentence) { showAboutResult(Message::Kind::Problem, sentence); });
     connect(session, &Session::resultChanged, this, [this] { m_bar->removeMessage(kResult); });
-    connect(session, &Session::runFollows, this, &Messages::showTimeRange);
+    connect(session, &Session::timeRangeReplaced, this, &Messages::showTimeRange);
     connect(session, &Session::settingsChanged, this, &Messages::followSampling);
     connect(session, &Session::referenceRefused, this, &Messages::showRefused);
     connect(session, &Session::referenceLoaded, this, &Messages::showReading);

@@ -66,7 +66,7 @@ Scene SceneFile::scene() const
             .sampling = m_session->sampling(),
             .solver = m_session->solver(),
             .reference = m_session->reference() ? std::optional(toSource(*m_session->reference())) : m_missing,
-            .kept = m_session->kept(),
+            .pinned = m_session->pinned(),
             .time = m_session->time(),
             .plots = m_views.plots->settings(),
             .zoom = m_views.plots->zoom(),
@@ -125,7 +125,7 @@ void SceneFile::show(const Opening &opening, const std::optional<ReferenceSource
 {
     m_opening = opening;
     const Scene &scene = opening.scene;
-    m_session->open({scene.parameters, scene.sampling, scene.solver, nullptr, scene.kept}, scene.time, reference);
+    m_session->open({scene.parameters, scene.sampling, scene.solver, nullptr, scene.pinned}, scene.time, reference);
 }
 
 void SceneFile::finishOpening(const QString &problem)

@@ -83,7 +83,7 @@ Scene randomScene(RandomMechanisms &random, const QString &folder)
         scene.reference = randomReference(random, folder);
     }
     for (int i = pick(random, {0, 1, 4}); i > 0; --i) {
-        scene.kept.push_back(random.next());
+        scene.pinned.push_back(random.next());
     }
     scene.time = random.uniform(-10.0, 10.0);
     scene.plots = {pick(random, {ErrorMeasure::Percent, ErrorMeasure::Absolute, ErrorMeasure::OfPeak}), flip(), flip(),
@@ -97,7 +97,7 @@ Scene randomScene(RandomMechanisms &random, const QString &folder)
 
 Choices toChoices(const Scene &scene)
 {
-    return {scene.parameters, scene.sampling, scene.solver, nullptr, scene.kept};
+    return {scene.parameters, scene.sampling, scene.solver, nullptr, scene.pinned};
 }
 
 QJsonObject toObject(const Scene &scene)
@@ -137,7 +137,7 @@ private slots:
             QCOMPARE(writeScene(scene, path), std::nullopt);
             const Scene back = std::get<Scene>(readScene(path));
             QVERIFY2(back.parameters == scene.parameters, readFile(path).constData()); // to the last bit
-            QVERIFY(back.sampling == scene.sampling && back.solver == scene.solver && back.kept == scene.kept);
+            QVERIFY(back.sampling == scene.sampling && back.solver == scene.solver && back.pinned == scene.pinned);
             QVERIFY(back.time == scene.time && back.plots == scene.plots && back.zoom == scene.zoom);
             QVERIFY(back.mechanism == scene.mechanism && back.mechanismFrame == scene.mechanismFrame);
             QCOMPARE(back.reference.has_value(), scene.reference.has_value());

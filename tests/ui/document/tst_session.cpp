@@ -162,7 +162,7 @@ private slots:
             Session session;
             session.setSampling(before);
             QSignalSpy loaded(&session, &Session::referenceLoaded);
-            QSignalSpy follows(&session, &Session::runFollows);
+            QSignalSpy follows(&session, &Session::timeRangeReplaced);
             session.loadReference(path);
             QVERIFY(loaded.wait(kPatience));
             QCOMPARE(session.sampling(), after);
@@ -457,7 +457,7 @@ private slots:
         finishAside();
         letTimePass(session);
         QVERIFY(!session.diagnosis());
-        session.takeOver();
+        session.useFoundMechanism();
         QCOMPARE(session.parameters().b, 70.0);
     }
 
@@ -475,7 +475,7 @@ private slots:
         QVERIFY(std::abs(diagnosis.found.change->value - 60.0) < 1e-4);
         QVERIFY(diagnosis.found.change->explained > 0.999999);
 
-        session.takeOver();
+        session.useFoundMechanism();
         QCOMPARE(session.parameters(), withCoupler(60.0)); // not 19.9999997 and 60.0000003
         QCOMPARE(session.result()->comparison.size(), std::size_t(6));
         QVERIFY(allAgree(session.result()->comparison));
@@ -548,7 +548,7 @@ private slots:
         session.setSampling({0.0, 1.0, 100});
         useNewton(session);
         session.setReference(reference);
-        session.keep();
+        session.pinMotion();
         const QStringList names{"change of b", "change of the time range", "change of the method", "opening of ",
                                 "pinning of the motion"};
         QCOMPARE(session.undoStack().count(), names.size());
@@ -562,7 +562,7 @@ private slots:
         QCOMPARE(results.count(), names.size());
         QCOMPARE(parameters.count(), 1);
         QCOMPARE(settings.count(), 2);
-        QVERIFY(!session.reference() && session.kept().empty() && !session.result()->reference);
+        QVERIFY(!session.reference() && session.pinned().empty() && !session.result()->reference);
         QCOMPARE(session.result()->solver.method, Method::ClosedForm);
         QCOMPARE(session.result()->trajectory.time.size(), std::size_t(201));
         QCOMPARE(session.result()->mechanism.b(), 65.0);
@@ -571,19 +571,19 @@ private slots:
         QCOMPARE(session.sampling().steps, 100);
         QCOMPARE(session.solver().method, Method::Newton);
         QCOMPARE(session.reference(), reference);
-        QCOMPARE(session.kept().size(), std::size_t(1));
+        QCOMPARE(session.pinned().size(), std::size_t(1));
     }
 
     void motionsArePinnedAndRemoved()
     {
         Session session;
         QSignalSpy problems(&session, &Session::problemFound);
-        session.keep();
-        session.keep(); // is already pinned
+        session.pinMotion();
+        session.pinMotion(); // is already pinned
         QCOMPARE(problems.count(), 1);
         session.setParameter(Parameter::B, 80.0);
         const std::shared_ptr<const Result> result = session.result();
-        QVERIFY(result->kept == session.kept() && !result->reference && result->isCompared());
+        QVERIFY(result->pinned == session.pinned() && !result->reference && result->isCompared());
         const Motion now = ClosedForm(Mechanism(session.parameters())).motionAt(0.0);
         const Motion pinned = ClosedForm(Mechanism(Parameters())).motionAt(0.0);
         QVERIFY(result->difference->channels[1].maxAbs >= now.R4x - pinned.R4x);
@@ -591,19 +591,19 @@ private slots:
         QVERIFY(session.result()->reference && !session.result()->difference);
         session.setReference(nullptr);
 
-        session.keep();
+        session.pinMotion();
         QCOMPARE(session.result()->difference->channels[1].maxAbs, 0.0); // from the one pinned last
         for (const double b : {81.0, 82.0, 83.0}) {
             session.setParameter(Parameter::B, b);
-            session.keep();
+            session.pinMotion();
         }
-        QCOMPARE(session.kept().size(), kMostKept);
+        QCOMPARE(session.pinned().size(), kMaxPinned);
         QCOMPARE(problems.count(), 2);
-        session.forgetKept();
-        QVERIFY(session.kept().empty() && !session.result()->isCompared());
+        session.unpinMotions();
+        QVERIFY(session.pinned().empty() && !session.result()->isCompared());
         QCOMPARE(session.undoStack().undoText(), QStringLiteral("removal of the pinned motions"));
         session.undoStack().undo();
-        QCOMPARE(session.kept().size(), kMostKept);
+        QCOMPARE(session.pinned().size(), kMaxPinned);
     }
 
     void oneDragIsOneStep()

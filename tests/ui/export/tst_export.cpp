@@ -317,7 +317,7 @@ private slots:
     void reportsPinnedMotionsAndTheMethod()
     {
         Session session;
-        session.keep();
+        session.pinMotion();
         session.setParameter(Parameter::B, 80.0);
         SolverSettings solver;
         solver.newton.tolerance = 2.5e-12;
@@ -331,7 +331,7 @@ private slots:
         }
         solver.method = Method::ClosedForm;
         session.setSolver(solver);
-        session.forgetKept();
+        session.unpinMotions();
         text = reportText({session.result(), {}, false});
         QVERIFY(text.contains("Closed form, exact to rounding.") && !text.contains("pinned"));
     }

@@ -171,7 +171,7 @@ private slots:
         QVERIFY(errorPage(result, nullptr).findings.empty()); // not known yet
         ReferenceDiagnosis diagnosis = diagnosisOf(result);
         Page page = errorPage(result, &diagnosis);
-        QCOMPARE(remediesOf(page), std::vector{Finding::Remedy::TakeOver});
+        QCOMPARE(remediesOf(page), std::vector{Finding::Remedy::UseFoundMechanism});
         QVERIFY(page.findings[0].sentence.contains("60") && page.findings[0].sentence.contains("65 mm"));
         QVERIFY(page.findings[0].details.contains("60.00001 ± 0.00003"));
 
@@ -203,7 +203,7 @@ private slots:
             diagnosis.found.identified[0].verdict = row.verdictThen;
             diagnosis.found.identified[0].percentOfPeak = row.percentThen;
             const Page page = errorPage(result, &diagnosis);
-            const bool offers = !page.findings.empty() && page.findings[0].remedy == Finding::Remedy::TakeOver;
+            const bool offers = !page.findings.empty() && page.findings[0].remedy == Finding::Remedy::UseFoundMechanism;
             QCOMPARE(offers, row.offered);
         }
     }
@@ -254,7 +254,7 @@ private slots:
         Result result;
         Parameters pinned;
         const auto pin = [&] {
-            result.kept = {pinned};
+            result.pinned = {pinned};
             result.difference = differenceOf(result.mechanism, Mechanism(pinned), 0.0, 1.0);
             return errorPage(result, nullptr);
         };
@@ -312,7 +312,7 @@ private slots:
         ReferenceDiagnosis diagnosis = diagnosisOf(result);
         diagnosis.found.conventions = {{kDegrees, 98.0, 1e-3}, {kLate, 30.0, 1e-3}};
         const Page page = referencePage(result, &diagnosis);
-        QCOMPARE(remediesOf(page), (std::vector{Finding::Remedy::ChooseColumns, Finding::Remedy::TakeOver,
+        QCOMPARE(remediesOf(page), (std::vector{Finding::Remedy::ChooseColumns, Finding::Remedy::UseFoundMechanism,
                                                 Finding::Remedy::Apply, Finding::Remedy::Apply}));
         QVERIFY(page.findings[1].sentence.contains("60.00001"));
 

@@ -240,7 +240,7 @@ private slots:
     {
         Shown shown;
         shown.respond(Parameter::B);
-        shown.session().keep();
+        shown.session().pinMotion();
         shown.session().setParameter(Parameter::A, 30.0);
         shown.finish();
         QCOMPARE(shown.view->response().parameters.a, 30.0);

@@ -191,7 +191,7 @@ private slots:
     {
         Page page = pageWith({1.0});
         page.findings = {{Finding::Remedy::None, {}, "Only a sentence.", {}, {}},
-                         {Finding::Remedy::TakeOver, {}, "It is another mechanism.", "Use it", "details"}};
+                         {Finding::Remedy::UseFoundMechanism, {}, "It is another mechanism.", "Use it", "details"}};
         Shown shown(page);
         auto *button = child<QPushButton>(shown.panel, "remedyButton");
         QCOMPARE(button->toolTip(), QString("details"));
@@ -199,7 +199,7 @@ private slots:
         // What follows the click makes the findings anew, while the button is still in its own handler.
         connect(&shown.panel, &TablePanel::remedyRequested, &shown.panel, [&shown] { shown.show(pageWith({1.0})); });
         button->click();
-        QCOMPARE(remedies.value(0).value(0).value<Finding>().remedy, Finding::Remedy::TakeOver);
+        QCOMPARE(remedies.value(0).value(0).value<Finding>().remedy, Finding::Remedy::UseFoundMechanism);
         settle();
         QVERIFY(shown.panel.findChildren<QPushButton *>("remedyButton").isEmpty());
 
@@ -256,7 +256,7 @@ private slots:
     void aTableWithSpaceForItsRowsHasNoScrollBar()
     {
         Page page = pageWith({1.0, 2.0, 3.0});
-        page.findings = {{Finding::Remedy::TakeOver, {}, "It is another mechanism.", "Use it", {}}};
+        page.findings = {{Finding::Remedy::UseFoundMechanism, {}, "It is another mechanism.", "Use it", {}}};
         Shown shown(page);
         settle(shown.panel);
         for (const auto *scroll : shown.panel.findChildren<QScrollBar *>()) {

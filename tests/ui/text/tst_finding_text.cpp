@@ -86,13 +86,13 @@ private slots:
     {
         const Parameters present;
         Parameters pinned;
-        QCOMPARE(keptText(pinned, present), QString("pinned"));
+        QCOMPARE(pinnedText(pinned, present), QString("pinned"));
         pinned.b = 80.0;
-        QCOMPARE(keptText(pinned, present), QString("b = 80 mm"));
+        QCOMPARE(pinnedText(pinned, present), QString("b = 80 mm"));
         pinned.theta20 = 1.0;
         pinned.branch = Branch::Crossed;
-        QCOMPARE(keptText(pinned, present), QString("b = 80 mm, θ₂₀ = 57.2958°, crossed assembly"));
-        QCOMPARE(keptText(present, pinned), QString("b = 65 mm, θ₂₀ = 0°, open assembly"));
+        QCOMPARE(pinnedText(pinned, present), QString("b = 80 mm, θ₂₀ = 57.2958°, crossed assembly"));
+        QCOMPARE(pinnedText(present, pinned), QString("b = 65 mm, θ₂₀ = 0°, open assembly"));
     }
 
     void writesAsManyDigitsAsTheErrorLeaves()

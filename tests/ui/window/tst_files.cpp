@@ -45,7 +45,7 @@ private slots:
         const QString rig = path("rig.slidercrank");
         openSample();
         session().setParameter(Parameter::B, 61.25);
-        session().keep();
+        session().pinMotion();
         session().setTime(0.3);
         const PlotSettings settings{.error = ErrorMeasure::Absolute, .abscissa = Abscissa::CrankAngle};
         PlotZoom zoom;
@@ -69,7 +69,7 @@ private slots:
         drop({rig});
         AWAIT(opened.count() == 1);
         QCOMPARE(session().parameters().b, 61.25);
-        QCOMPARE(session().kept().size(), std::size_t(1));
+        QCOMPARE(session().pinned().size(), std::size_t(1));
         QCOMPARE(session().time(), 0.3);
         QVERIFY(plots()->settings() == settings && plots()->zoom() == zoom);
         QVERIFY(mechanism()->settings() == drawing && mechanism()->zoom() == frame);

@@ -294,7 +294,7 @@ private slots:
     {
         const QImage linkage = picture("mechanismView");
         press(Qt::Key_K, Qt::ControlModifier);
-        QVERIFY(session().kept() == std::vector<Parameters>{Parameters()});
+        QVERIFY(session().pinned() == std::vector<Parameters>{Parameters()});
         QCOMPARE(picture("mechanismView"), linkage); // they are the same
         session().setParameter(Parameter::B, 80.0);
         const QImage both = picture("plot_R4_x");
@@ -307,11 +307,11 @@ private slots:
         QVERIFY(part<QLabel>("errorPanelSentence")->text().contains("b = 65 mm"));
         QVERIFY(!isBlank(picture("plot_error_velocity")));
         press(Qt::Key_K, Qt::ControlModifier | Qt::ShiftModifier);
-        QVERIFY(session().kept().empty() && picture("plot_R4_x") != both && picture("mechanismView") != ghost);
+        QVERIFY(session().pinned().empty() && picture("plot_R4_x") != both && picture("mechanismView") != ghost);
         press(Qt::Key_Z, Qt::ControlModifier);
         QCOMPARE(picture("plot_R4_x"), both);
-        emit m_window->findChild<PlotGrid *>()->keepRequested(); // from its menu
-        QCOMPARE(session().kept().size(), std::size_t(2));
+        emit m_window->findChild<PlotGrid *>()->pinRequested(); // from its menu
+        QCOMPARE(session().pinned().size(), std::size_t(2));
     }
 
     void theStatusLineTellsWhatWasComputed()
@@ -469,7 +469,7 @@ private slots:
         AWAIT_COMPARE(columns->sizes().first(), sizes.first());
         QCOMPARE(QFontInfo(m_window->findChild<PlotGrid *>()->font()).pixelSize(), usual);
         QCOMPARE(header(), usualHeader); // it kept the large letters
-        session().forgetKept();
+        session().unpinMotions();
         settle(*m_window);
         QCOMPARE(picture("errorPanel"), errors);
 

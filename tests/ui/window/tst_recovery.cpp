@@ -104,7 +104,7 @@ private slots:
         Scene scene;
         scene.parameters.a = 12.0;
         scene.reference = ReferenceSource{{kSample, fileWith(*m_folder, "height.csv", height)}, {}, {}};
-        scene.kept = {Parameters()};
+        scene.pinned = {Parameters()};
         QCOMPARE(writeScene(scene, rig), std::nullopt);
         editElsewhere(rig);
         crash();
@@ -116,7 +116,7 @@ private slots:
         QCOMPARE(session().reference()->paths, scene.reference->paths);
         QCOMPARE(session().parameters().a, 12.0);
         QCOMPARE(session().parameters().b, 70.0);
-        QVERIFY(session().kept() == scene.kept);
+        QVERIFY(session().pinned() == scene.pinned);
         QVERIFY(m_window->isWindowModified() && offer().isEmpty());
         QCOMPARE(m_window->scene().path(), QString()); // a name is asked for: the file may be newer
         QCOMPARE(copies().size(), 1);                  // it is still not saved
