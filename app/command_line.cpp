@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line.h"
 
-#include "app/commands.h"
 #include "app/help.h"
 #include "app/option_reader.h"
 #include "app/output.h"
+
+#include <QRegularExpression>
 
 #include <algorithm>
 #include <array>
@@ -15,47 +16,58 @@ namespace slidercrank
 namespace
 {
 
-Command commandWriting(const QString &text)
+Command printText(const QString &text)
 {
     return {[text](const Streams &streams) { return writeOutput(streams, {}, text.toUtf8()); }};
 }
 
-/// `help [COMMAND]`, and the forms of the help for other programs: the manual page.
+/// `help [COMMAND]` or `help --man-page`.
 Command prepareHelp(const QStringList &topics)
 {
     if (topics == QStringList("--man-page")) {
-        return commandWriting(manualPage());
+        return printText(manualPage());
     }
-    const std::optional<Subcommand> subcommand =
-        topics.isEmpty() ? Subcommand::Window : subcommandNamed(topics.front());
-    if (!subcommand || topics.size() > 1) {
+    const CommandDescription *command = topics.isEmpty() ? &allCommands().front() : findCommand(topics.front());
+    if (!command || topics.size() > 1) {
         throw UsageError{CommandLine::tr("There is no help for \"%1\": choose one of %2.")
-                             .arg(topics.join(' '), subcommandNames().join(", "))};
+                             .arg(topics.join(' '), commandNames().join(", "))};
     }
-    return commandWriting(helpText(*subcommand));
+    return printText(helpText(*command));
+}
+
+/// Returns the arguments without the options that Qt itself reads, such as "-platform offscreen".
+QStringList withoutQtOptions(const QStringList &arguments)
+{
+    static const QRegularExpression option(
+        "^--?(display|geometry|platform|platformtheme|qwindowgeometry|qwindowtitle|session|style|stylesheet|title)$");
+    QStringList rest;
+    for (qsizetype i = 0; i < arguments.size(); ++i) {
+        if (option.match(arguments[i]).hasMatch()) {
+            ++i; // its value
+        } else {
+            rest += arguments[i];
+        }
+    }
+    return rest;
 }
 
 Command parse(const QStringList &arguments)
 {
-    const QString word = arguments.value(1);
-    if (word == u"help") {
+    const QString name = arguments.value(1);
+    if (name == u"help") {
         return prepareHelp(arguments.mid(2));
     }
-    const std::optional<Subcommand> named = subcommandNamed(word);
-    const Subcommand subcommand = named.value_or(Subcommand::Window);
-    OptionReader options(subcommand, named ? arguments.mid(2) : withoutWindowSystemOptions(arguments.mid(1)));
+    const CommandDescription *named = findCommand(name);
+    const CommandDescription &command = named ? *named : allCommands().front();
+    OptionReader options(command, named ? arguments.mid(2) : withoutQtOptions(arguments.mid(1)));
     if (options.has("help")) {
-        return commandWriting(helpText(subcommand));
+        return printText(helpText(command));
     }
     if (options.has("version")) {
-        return commandWriting("slidercrank " SLIDERCRANK_VERSION "\n" SLIDERCRANK_BUILT_OF "\n");
+        return printText("slidercrank " SLIDERCRANK_VERSION "\n" SLIDERCRANK_BUILT_OF "\n");
     }
     options.readScene();
-    constexpr std::array kPrepare{prepareWindow,   prepareSolve, prepareLimits, prepareCompare,
-                                  prepareIdentify, prepareStudy, prepareRender}; // by Subcommand
-    Command command = kPrepare[static_cast<std::size_t>(subcommand)](options);
-    command.choosesPlatform = !named && choosesPlatform(arguments);
-    return command;
+    return command.prepare(options);
 }
 
 } // namespace

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The subcommands. Each function reads its options completely, throws UsageError if one is wrong, and returns what is
-// then to be run.
+// The subcommands. Each function reads and checks all options, throws UsageError if one of them is wrong, and returns
+// the command that is to be run.
 
 #include "app/command_line.h"
 
@@ -12,19 +12,11 @@ namespace slidercrank
 class OptionReader;
 
 Command prepareWindow(OptionReader &options);
-
-/// The arguments without the options that Qt reads itself, such as "-platform offscreen". Qt takes them with one dash
-/// or two.
-QStringList withoutWindowSystemOptions(const QStringList &arguments);
-
-/// Whether an option of Qt selects the display.
-bool choosesPlatform(const QStringList &arguments);
-
-Command prepareSolve(OptionReader &options);    ///< the motion as CSV or JSON
-Command prepareLimits(OptionReader &options);   ///< dead centres, stroke, transmission angle, peak values
-Command prepareCompare(OptionReader &options);  ///< how far reference files are from the model
-Command prepareIdentify(OptionReader &options); ///< the mechanism that each reference file belongs to
-Command prepareStudy(OptionReader &options);    ///< speed against error
-Command prepareRender(OptionReader &options);   ///< what the window shows, drawn into a file
+Command prepareSolve(OptionReader &options);    ///< writes the motion as CSV or JSON
+Command prepareLimits(OptionReader &options);   ///< prints dead centres, stroke, transmission angle and peak values
+Command prepareCompare(OptionReader &options);  ///< prints how far reference files are from the model
+Command prepareIdentify(OptionReader &options); ///< finds the mechanism that each reference file belongs to
+Command prepareStudy(OptionReader &options);    ///< measures speed and error of every method
+Command prepareRender(OptionReader &options);   ///< draws what the window shows into a file
 
 } // namespace slidercrank

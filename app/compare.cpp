@@ -6,6 +6,7 @@
 #include "app/reference_files.h"
 #include "app/time_step_report.h"
 #include "core/identification/diagnosis.h"
+#include "ui/document/settings_fields.h"
 #include "ui/text/column_text.h"
 #include "ui/text/diagnosis_text.h"
 #include "ui/text/finding_text.h"
@@ -67,7 +68,7 @@ ReferenceAnswer compareOne(const Streams &streams, const CompareRequest &request
         explanation = explanationLines(diagnosis, data, question.mechanism);
         jsonExplanation =
             QJsonObject{{"sentence", explanation.join(' ')},
-                        {"mechanism", found.hasMechanism() ? QJsonValue(jsonMechanism(found.parameters)) : QJsonValue()},
+                        {"mechanism", found.hasMechanism() ? QJsonValue(toJson(found.parameters)) : QJsonValue()},
                         {"conventions", jsonConventions(diagnosis.conventions, data)}};
     }
     QJsonArray channels;
@@ -78,7 +79,7 @@ ReferenceAnswer compareOne(const Streams &streams, const CompareRequest &request
         row.insert(row.end(), {{"fileVerdict", verdictName(verdict)}, {"sentence", explanation.join(' ')}});
         answer.rows.push_back(row);
     }
-    answer.json = {{"mechanism", jsonMechanism(question.mechanism.parameters())},
+    answer.json = {{"mechanism", toJson(question.mechanism.parameters())},
                    {"verdict", verdictName(verdict)},
                    {"channels", channels},
                    {"columns", jsonColumns(data.layout)},

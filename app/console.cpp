@@ -26,7 +26,7 @@ namespace slidercrank
 namespace
 {
 
-bool isBorrowed = false; // slidercrank.exe has no console of its own, slidercrank.com has (app/package/windows.cmake)
+bool isAttached = false; // slidercrank.exe has no console of its own, slidercrank.com has (app/package/windows.cmake)
 UINT codePageBefore = 0;
 
 } // namespace
@@ -35,18 +35,18 @@ void prepareStreams() {}
 
 void useConsole()
 {
-    isBorrowed = AttachConsole(ATTACH_PARENT_PROCESS) != FALSE;
+    isAttached = AttachConsole(ATTACH_PARENT_PROCESS) != FALSE;
     codePageBefore = GetConsoleOutputCP();
     SetConsoleOutputCP(CP_UTF8);
     std::atexit(leaveConsole);
     for (FILE *stream : {stdout, stderr}) {
-        if (isBorrowed && _fileno(stream) < 0) { // neither a file nor a pipe
+        if (isAttached && _fileno(stream) < 0) { // neither a file nor a pipe
             std::freopen("CONOUT$", "w", stream);
         }
     }
     for (FILE *stream : {stdin, stdout, stderr}) {
         if (_fileno(stream) >= 0) {
-            _setmode(_fileno(stream), _O_BINARY); // or an end of line becomes two bytes, and 0x1a the end of all
+            _setmode(_fileno(stream), _O_BINARY); // text mode changes line ends, and ends the input at byte 0x1a
         }
     }
 }
@@ -57,22 +57,22 @@ void leaveConsole()
     if (codePageBefore != 0) {
         SetConsoleOutputCP(std::exchange(codePageBefore, 0));
     }
-    if (std::exchange(isBorrowed, false)) {
+    if (std::exchange(isAttached, false)) {
         FreeConsole();
     }
 }
 
 #else
 
-/// Closed ones are filled with what can be used no more than they can.
 void prepareStreams()
 {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
         if (::fcntl(stream, F_GETFD) < 0) {
-            ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY); // as the first that is free
+            // Takes the lowest free descriptor, which is this one; reading or writing the stream still fails.
+            ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
         }
     }
-    std::signal(SIGXFSZ, SIG_IGN); // then writing fails
+    std::signal(SIGXFSZ, SIG_IGN);
 }
 
 void useConsole() {}

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The streams of a command: the same bytes on every system, UTF-8 where a person reads them.
+// Prepares the standard streams, so that a command writes the same bytes on every system.
 
 namespace slidercrank
 {
 
-/// To be called first. One that is closed would be the next file that is opened, and what is said would stand in it; a
-/// file that has grown to its limit would be the end without a word.
+/// Must be called before any file is opened. Makes sure that no file gets the descriptor of a closed standard stream,
+/// and that writing beyond the size limit of a file fails instead of ending the program.
 void prepareStreams();
 
-/// On Windows they are made so, on the console of whoever started the program where they go nowhere else.
+/// On Windows: switches the streams to binary mode and the console to UTF-8. Streams without a target are connected to
+/// the console from which the program was started.
 void useConsole();
 
-/// Leaves it as it was found: a window has nothing to do with it. At the end of the program at the latest.
+/// On Windows: undoes useConsole(). Called before the window opens, and at the end of the program.
 void leaveConsole();
 
 } // namespace slidercrank

@@ -3,31 +3,32 @@
 
 #include "app/command_line.h"
 
-#include <QRegularExpression>
-
 namespace slidercrank
 {
 
 namespace
 {
 
-constexpr qsizetype kLineWidth = 100;
-constexpr qsizetype kOptionWidth = 34;
+constexpr qsizetype kLineWidth = 100;  // characters
+constexpr qsizetype kOptionWidth = 34; // characters before the description of an option
 
+bool isWindow(const CommandDescription &command)
+{
+    return &command == &allCommands().front();
+}
+
+/// "slidercrank solve [options]"
 QString usage(const CommandDescription &command)
 {
-    return (QStringList{"slidercrank", command.name, command.arguments}).filter(QRegularExpression(".")).join(' ');
+    return (isWindow(command) ? "slidercrank " : QString("slidercrank %1 ").arg(command.name)) + command.arguments;
 }
 
 QString exitStatusText()
 {
     return CommandLine::tr("Exit status: 0 success; 1 --fail-on-difference was given and a channel differs; 2 usage "
-                           "error; 3 a file cannot "
-                           "be read or written; 4 the mechanism cannot be assembled at some time step (the other steps "
-                           "are still written); "
-                           "5 not converged or singular at some time step, or no mechanism identified. If several "
-                           "apply: 3 before 4 before "
-                           "5 before 1.");
+                           "error; 3 a file cannot be read or written; 4 the mechanism cannot be assembled at some "
+                           "time step (the other steps are still written); 5 not converged or singular at some time "
+                           "step, or no mechanism identified. If several apply: 3 before 4 before 5 before 1.");
 }
 
 QString unitsText()
@@ -36,7 +37,7 @@ QString unitsText()
         "A number alone is in the unit shown; 2.5cm, 1in, 60rpm, 360deg/s, 30deg, 5ms are understood.");
 }
 
-/// Breaks the text into lines; all but the first are indented.
+/// Breaks the text into lines. The first line starts at `firstColumn`, all others are indented.
 QString wrapped(const QString &text, qsizetype indent, qsizetype firstColumn)
 {
     QString result;
@@ -62,6 +63,7 @@ QString optionSyntax(const OptionDescription &option)
     return QString("--") + option.name + shortName + (option.value ? QString(" ") + option.value : QString());
 }
 
+/// Escapes text for the manual page.
 QString roff(QString text)
 {
     return text.replace('\\', "\\e").replace('-', "\\-");
@@ -69,20 +71,18 @@ QString roff(QString text)
 
 } // namespace
 
-QString helpText(Subcommand subcommand)
+QString helpText(const CommandDescription &command)
 {
-    const CommandDescription &command = describe(subcommand);
-    const bool isWindow = subcommand == Subcommand::Window;
     QString text =
         CommandLine::tr("Usage:") + ' ' + usage(command) + "\n\n" + wrapped(CommandLine::tr(command.text), 0, 0);
-    if (isWindow) {
+    if (isWindow(command)) {
         text += '\n';
         for (const CommandDescription &each : allCommands()) {
             text += "  " + usage(each).leftJustified(44) + ' ' + CommandLine::tr(each.summary) + '\n';
         }
     }
     const char *group = nullptr;
-    for (const OptionDescription &option : optionsOf(subcommand)) {
+    for (const OptionDescription &option : optionsOf(command)) {
         if (option.group != group) {
             group = option.group;
             text += '\n' + CommandLine::tr(group) + '\n';
@@ -92,7 +92,8 @@ QString helpText(Subcommand subcommand)
                                              : syntax + '\n' + QString(kOptionWidth, ' ');
         text += wrapped(CommandLine::tr(option.text), kOptionWidth, kOptionWidth);
     }
-    return text + '\n' + (isWindow ? QString() : wrapped(unitsText(), 0, 0) + '\n') + wrapped(exitStatusText(), 0, 0);
+    return text + '\n' + (isWindow(command) ? QString() : wrapped(unitsText(), 0, 0) + '\n') +
+           wrapped(exitStatusText(), 0, 0);
 }
 
 QString manualPage()
@@ -103,11 +104,10 @@ QString manualPage()
     for (const CommandDescription &command : allCommands()) {
         text += roff(usage(command)) + "\n.br\n";
     }
-    for (std::size_t i = 0; i < allCommands().size(); ++i) {
-        const CommandDescription &command = allCommands()[i];
-        text += ".SH " + (i == 0 ? "DESCRIPTION" : QString(command.name).toUpper()) + '\n' +
+    for (const CommandDescription &command : allCommands()) {
+        text += ".SH " + (isWindow(command) ? "DESCRIPTION" : QString(command.name).toUpper()) + '\n' +
                 roff(CommandLine::tr(command.text)) + '\n';
-        for (const OptionDescription &option : optionsOf(static_cast<Subcommand>(i))) {
+        for (const OptionDescription &option : optionsOf(command)) {
             text += ".TP\n.B " + roff(optionSyntax(option)) + '\n' + roff(CommandLine::tr(option.text)) + '\n';
         }
     }

@@ -6,6 +6,7 @@
 #include "app/reference_files.h"
 #include "core/identification/diagnosis.h"
 #include "core/import/crank_angles.h"
+#include "ui/document/settings_fields.h"
 #include "ui/text/convention_text.h"
 #include "ui/text/diagnosis_text.h"
 #include "ui/text/finding_text.h"
@@ -45,7 +46,7 @@ QJsonObject jsonIdentification(const ReferenceData &data, const Diagnosis &diagn
 {
     const Identification &found = diagnosis.identification;
     const auto mechanismIf = [](bool exists, const Parameters &parameters) {
-        return exists ? QJsonValue(jsonMechanism(parameters)) : QJsonValue();
+        return exists ? QJsonValue(toJson(parameters)) : QJsonValue();
     };
     QJsonObject standardErrors, identifiable, noise;
     for (const Parameter parameter : kParameters) {
@@ -58,7 +59,7 @@ QJsonObject jsonIdentification(const ReferenceData &data, const Diagnosis &diagn
         noise.insert(columnNameOf(column.channel), jsonNumber(column.rms));
     }
     const auto jsonAlternative = [](const Identification::Alternative &alternative) {
-        return QJsonObject{{"mechanism", jsonMechanism(alternative.parameters)},
+        return QJsonObject{{"mechanism", toJson(alternative.parameters)},
                            {"why", kAlternativeNames[static_cast<std::size_t>(alternative.why)]}};
     };
     const auto jsonLeftOut = [](const auto &column) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// `slidercrank limits`: dead centres, stroke, time ratio, transmission angle and peak values; how they depend on one
-// parameter; and which mechanism has a wanted stroke and time ratio.
+// `slidercrank limits`: prints dead centres, stroke, time ratio, transmission angle and peak values. --vary prints how
+// they depend on one parameter; --design finds the mechanism with a given stroke and time ratio.
 
 #include "app/commands.h"
 #include "app/option_groups.h"
@@ -12,6 +12,7 @@
 #include "core/limits/extremes.h"
 #include "core/limits/mobility.h"
 #include "core/sampling/crank_instant.h"
+#include "ui/document/settings_fields.h"
 #include "ui/text/design_text.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/motion_facts.h"
@@ -30,7 +31,7 @@ namespace slidercrank
 namespace
 {
 
-/// One parameter over a range.
+/// The values of one parameter, from `from` to `to`.
 struct Variation {
     Parameter parameter = Parameter::B;
     double from = 0.0;
@@ -43,18 +44,13 @@ struct LimitsRequest {
     Format format = Format::Text;
     QString output;
     std::optional<Variation> variation = {};
-    bool isDesigned = false; ///< the lengths are part of the answer
+    bool isDesigned = false; ///< by --design: the lengths are part of the answer
 };
 
-/// By Mobility.
+/// Names in JSON, by Mobility.
 constexpr std::array kMobilityNames{"full-turn", "rocker", "locked", "impossible"};
 
-std::optional<double> degrees(std::optional<double> angle)
-{
-    return angle ? std::optional(kDegreesPerRadian * *angle) : std::nullopt;
-}
-
-/// In [0, 360).
+/// Returns the crank angle in degrees, within [0, 360).
 double degreesFromZero(double theta2)
 {
     constexpr double kRounding = 1e-9; // 0 may have been computed as slightly less
@@ -62,12 +58,17 @@ double degreesFromZero(double theta2)
     return angle < -kRounding ? angle + 360.0 : std::max(angle, 0.0);
 }
 
+std::optional<double> degrees(std::optional<double> radians)
+{
+    return radians ? std::optional(kDegreesPerRadian * *radians) : std::nullopt;
+}
+
 std::optional<double> quotient(std::optional<double> dividend, std::optional<double> divisor)
 {
     return dividend && divisor && *divisor > 0.0 ? std::optional(*dividend / *divisor) : std::nullopt;
 }
 
-/// The limits of a mechanism, whether they exist or not, in the order of the contract.
+/// Returns all limits in the order of the contract. A limit that does not exist has no value.
 std::vector<Record> listLimits(const Mechanism &mechanism, const MotionLimits &limits)
 {
     std::vector<Record> list;
@@ -84,7 +85,7 @@ std::vector<Record> listLimits(const Mechanism &mechanism, const MotionLimits &l
         add(name, "mm", deadCentre ? std::optional(deadCentre->R4x) : std::nullopt,
             deadCentre ? std::optional(deadCentre->theta2) : std::nullopt);
     };
-    // A row for each crank angle at which the peak is reached, with the sign that the motion has there.
+    // Adds a row for each crank angle at which the peak is reached. The value has the sign of the motion there.
     const std::vector<Peak> peaks = motionPeaks(mechanism);
     const auto addPeaks = [&](const char *name, const char *unit, Channel channel) {
         const auto peak = std::ranges::find(peaks, channel, &Peak::channel);
@@ -98,8 +99,9 @@ std::vector<Record> listLimits(const Mechanism &mechanism, const MotionLimits &l
             add(name, unit, toFileUnit(channel, place.value), place.theta2);
         }
     };
-    const std::optional<double> forwardTime = quotient(limits.angleOutwards, std::abs(mechanism.omega2()));
-    const std::optional<double> returnTime = quotient(limits.angleInwards, std::abs(mechanism.omega2()));
+    const double speed = std::abs(mechanism.omega2());
+    const std::optional<double> forwardTime = quotient(limits.angleOutwards, speed);
+    const std::optional<double> returnTime = quotient(limits.angleInwards, speed);
     addDeadCentre("outer-dead-centre", limits.outer);
     addDeadCentre("inner-dead-centre", limits.inner);
     add("stroke", "mm", limits.stroke);
@@ -123,7 +125,7 @@ std::vector<Record> listLimits(const Mechanism &mechanism, const MotionLimits &l
     return list;
 }
 
-/// The content of the tab "Motion limits" for one revolution.
+/// Returns the content of the tab "Motion limits" for one revolution.
 QString textLimits(const Mechanism &mechanism, const MotionLimits &limits)
 {
     Sampling revolution;
@@ -146,7 +148,8 @@ QString textLimits(const Mechanism &mechanism, const MotionLimits &limits)
     return mobilitySentence(mechanism, limits) + '\n' + alignedTable(rows, {false, true, false});
 }
 
-/// A row per value of the parameter: the value, then the limits by their names. Of two equal peaks the first.
+/// Returns a row for each value of the parameter: the value, then the limits by their names. Of several equal peaks the
+/// row has the first.
 std::vector<Record> varyLimits(const Mechanism &mechanism, const Variation &variation)
 {
     std::vector<Record> rows;
@@ -168,7 +171,7 @@ std::vector<Record> varyLimits(const Mechanism &mechanism, const Variation &vari
     return rows;
 }
 
-/// "b=50..120"
+/// Reads --vary, such as "b=50..120".
 Variation readVariation(const OptionReader &options, const Mechanism &mechanism)
 {
     const QString text = options.text("vary");
@@ -182,8 +185,8 @@ Variation readVariation(const OptionReader &options, const Mechanism &mechanism)
             CommandLine::tr("--vary must name a parameter and its range, such as b=50..120, not \"%1\".").arg(text)};
     }
     variation.parameter = *parameter;
-    const Quantity from = readQuantity(ends[0], unitOf(*parameter), QLocale::c());
-    const Quantity to = readQuantity(ends[1], unitOf(*parameter), QLocale::c());
+    const Quantity from = readQuantity(ends[0], defaultUnit(*parameter), QLocale::c());
+    const Quantity to = readQuantity(ends[1], defaultUnit(*parameter), QLocale::c());
     for (const Quantity &end : {from, to}) {
         Parameters parameters = mechanism.parameters();
         valueOf(parameters, *parameter) = end.value;
@@ -198,7 +201,7 @@ Variation readVariation(const OptionReader &options, const Mechanism &mechanism)
     return variation;
 }
 
-/// "stroke=80,time-ratio=1.2,transmission-angle=40"
+/// Reads --design, such as "stroke=80,time-ratio=1.2,transmission-angle=40".
 DesignRequest readDesign(const OptionReader &options)
 {
     DesignRequest request;
@@ -227,7 +230,7 @@ DesignRequest readDesign(const OptionReader &options)
     return request;
 }
 
-/// The mechanism with the lengths that the request asks for, and otherwise with these parameters.
+/// Returns the mechanism with the lengths that the request asks for. All other parameters are those given.
 Mechanism designMechanism(const DesignRequest &request, Parameters parameters)
 {
     const std::variant<Lengths, DesignFault> designed = design(request);
@@ -257,7 +260,7 @@ ExitStatus limits(const Streams &streams, const LimitsRequest &request)
     } else if (request.variation) {
         bytes = jsonDocument({{"rows", jsonList(list, jsonObject)}});
     } else {
-        bytes = jsonDocument({{"mechanism", jsonMechanism(mechanism.parameters())},
+        bytes = jsonDocument({{"mechanism", toJson(mechanism.parameters())},
                               {"mobility", kMobilityNames[static_cast<std::size_t>(motion.mobility)]},
                               {"reason", mobilitySentence(mechanism, motion)},
                               {"limits", jsonList(list, jsonObject)}});
@@ -272,7 +275,7 @@ ExitStatus limits(const Streams &streams, const LimitsRequest &request)
 Command prepareLimits(OptionReader &options)
 {
     LimitsRequest request{readMechanism(options), readFormat(options, Format::Text), readOutput(options)};
-    refuseFiles(options);
+    options.refuseFiles();
     if (options.has("design")) {
         options.refuse({"a", "b", "c", "vary"}, CommandLine::tr("--design computes a, b and c: remove %1."));
         request.mechanism = designMechanism(readDesign(options), request.mechanism.parameters());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Starts the window or runs a command. Only the window needs a display.
+// Runs a command or opens the window. Only the window needs a display.
 
 #include "app/command_line.h"
 #include "app/console.h"
@@ -12,6 +12,7 @@
 #include <QCoreApplication>
 #include <QFile>
 #include <QLocale>
+#include <QRegularExpression>
 
 #include <cstdio>
 #include <new>
@@ -45,18 +46,20 @@ int run(const Command &command)
     }
 }
 
-/// On X11 and Wayland a window needs one of these variables; without them Qt would abort.
-bool hasDisplay()
+/// Whether a window can open. On X11 and Wayland, Qt would abort without one of these options and variables.
+bool hasDisplay(const QStringList &arguments)
 {
 #if defined(Q_OS_UNIX) && !defined(Q_OS_DARWIN)
-    return !qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") ||
-           !qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM");
+    const auto isSet = [](const char *variable) { return !qEnvironmentVariableIsEmpty(variable); };
+    return isSet("DISPLAY") || isSet("WAYLAND_DISPLAY") || isSet("QT_QPA_PLATFORM") ||
+           arguments.contains(QRegularExpression("^--?(platform|display)$"));
 #else
+    Q_UNUSED(arguments)
     return true;
 #endif
 }
 
-/// Standard error is for messages of this program; of Qt's only the fatal ones are shown.
+/// Of Qt's own messages, only fatal ones are written to standard error.
 void hideMessagesOfQt()
 {
     qInstallMessageHandler([](QtMsgType type, const QMessageLogContext &, const QString &text) {
@@ -85,26 +88,28 @@ int main(int argc, char *argv[])
     prepareStreams();
     Command command;
     command.platform = Command::Platform::Window;
+    QStringList arguments;
     if (argc > 1) {
         useConsole();
         hideMessagesOfQt();
         const QCoreApplication application(argc, argv);
         setApplicationNames();
         setLanguage(Language::System);
-        command = parseCommandLine(QCoreApplication::arguments());
+        arguments = QCoreApplication::arguments();
+        command = parseCommandLine(arguments);
         if (command.platform == Command::Platform::None) {
-            QLocale::setDefault(QLocale::c()); // numbers in a stream are the same everywhere
+            QLocale::setDefault(QLocale::c()); // numbers in the output are the same everywhere
             return run(command);
         }
     }
-    const bool draws = command.platform == Command::Platform::Offscreen;
-    if (draws) {
-#ifndef Q_OS_WIN // where drawing needs no display, and fonts are found only with the native platform
+    const bool isOffscreen = command.platform == Command::Platform::Offscreen;
+    if (isOffscreen) {
+#ifndef Q_OS_WIN // on Windows drawing needs no display, and only the native platform finds fonts
         if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
             qputenv("QT_QPA_PLATFORM", "offscreen");
         }
 #endif
-    } else if (!hasDisplay() && !command.choosesPlatform) {
+    } else if (!hasDisplay(arguments)) {
         std::fprintf(stderr, "%s\n",
                      qPrintable(CommandLine::tr("There is no display for the window: set DISPLAY, or use a "
                                                 "command, such as solve, which needs none.")));
@@ -114,8 +119,8 @@ int main(int argc, char *argv[])
         leaveConsole();
     }
     const QApplication application(argc, argv);
-    QApplication::setStyle("Fusion"); // its palette can be chosen on every platform
+    QApplication::setStyle("Fusion"); // its colours can be chosen on every platform
     setApplicationNames();
-    setLanguage(draws ? Language::System : chosenLanguage());
-    return draws ? run(command) : openWindow(command);
+    setLanguage(isOffscreen ? Language::System : chosenLanguage());
+    return isOffscreen ? run(command) : openWindow(command);
 }

@@ -5,6 +5,7 @@
 #include "core/import/quantity.h"
 #include "core/mechanism/channel.h"
 #include "core/sampling/crank_instant.h"
+#include "ui/document/settings_fields.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/quantity_text.h"
 
@@ -23,28 +24,23 @@ namespace
 
 constexpr int kLargestStepCount = 100'000'000;
 
-/// "R4_x [m]", "time" or "ignored": the meaning that --column gives a column.
-NamedChoice readMeaning(const QString &meaning)
+/// Parses the meaning that --column gives a column: "R4_x [m]", "time" or "ignored".
+NamedChoice parseMeaning(const QString &text)
 {
-    const Heading heading = parseHeading(meaning.toStdString());
+    const Heading heading = parseHeading(text.toStdString());
     const QString name = QString::fromStdString(heading.name);
     NamedChoice choice;
     choice.unit = heading.unit;
-    std::optional<Unit> expected;
-    if (const std::optional<Channel> channel = channelNamed(heading.name)) {
-        choice.role = ColumnRole::Channel;
-        choice.channel = *channel;
-        const Dimension dimension = isAngle(channel->coordinate) ? Dimension::Angle : Dimension::Length;
-        expected = Unit{dimension, static_cast<int>(channel->order), 1.0};
-    } else if (name == u"time") {
-        choice.role = ColumnRole::Time;
-        expected = kSecond;
-    } else if (name == u"crank-angle") {
-        choice.role = ColumnRole::CrankAngle;
-        expected = kDegree;
-    } else if (meaning != u"ignored") {
+    if (!readMeaning(name, choice.role, choice.channel)) {
         throwUnknownName(CommandLine::tr("--column: there is no channel \"%1\"").arg(name), name,
                          QStringList{"time", "crank-angle", "ignored"} + channelNames());
+    }
+    std::optional<Unit> expected;
+    switch (choice.role) {
+    case ColumnRole::Ignored: break;
+    case ColumnRole::Time: expected = kSecond; break;
+    case ColumnRole::CrankAngle: expected = kDegree; break;
+    case ColumnRole::Channel: expected = parseUnit(fileUnit(choice.channel)); break;
     }
     const std::optional<Unit> unit = parseUnit(choice.unit);
     const bool fits = unit && expected && unit->dimension == expected->dimension && unit->order == expected->order;
@@ -57,7 +53,7 @@ NamedChoice readMeaning(const QString &meaning)
 
 } // namespace
 
-Unit unitOf(Parameter parameter)
+Unit defaultUnit(Parameter parameter)
 {
     switch (parameter) {
     case Parameter::A:
@@ -88,20 +84,12 @@ Mechanism readMechanism(const OptionReader &options)
     Parameters parameters = options.scene().parameters;
     for (const Parameter parameter : kParameters) {
         double &value = valueOf(parameters, parameter);
-        value = options.number(wordOf(parameter), value, unitOf(parameter));
+        value = options.number(wordOf(parameter), value, defaultUnit(parameter));
     }
     parameters.branch = options.choice("branch", parameters.branch);
-    if (const std::optional<ParameterFault> fault = findFault(parameters)) {
+    if (const std::optional<ParameterFault> fault = findFault(parameters)) { // number() has refused what is too large
         const char *const name = wordOf(fault->parameter);
-        switch (fault->reason) {
-        case ParameterFault::Reason::NotPositive:
-            throw UsageError{CommandLine::tr("--%1 must be greater than 0, not %2.").arg(name, options.text(name))};
-        case ParameterFault::Reason::TooShort:
-            throw UsageError{CommandLine::tr("--%1 must be at least 1e-9 mm, not %2.").arg(name, options.text(name))};
-        case ParameterFault::Reason::NotFinite:
-        case ParameterFault::Reason::TooLarge:
-            throw UsageError{CommandLine::tr("--%1 must not exceed 1e12 in magnitude.").arg(name)};
-        }
+        throw UsageError{CommandLine::tr("--%1 must be at least 1e-9 mm, not %2.").arg(name, options.text(name))};
     }
     return Mechanism(parameters);
 }
@@ -112,13 +100,12 @@ Sampling readSampling(const OptionReader &options)
     sampling.start = options.number("start", sampling.start, kSecond);
     sampling.duration = options.positiveNumber("duration", sampling.duration, kSecond);
     sampling.steps = options.integer("steps", sampling.steps, 1, kLargestStepCount);
-    // Doubles are furthest apart at the end that is farther from 0.
+    // Doubles are farthest apart at the end of the time range that is farther from 0.
     const double farthest = std::max(std::abs(sampling.start), std::abs(sampling.start + sampling.duration));
     const double spacing = std::nextafter(farthest, std::numeric_limits<double>::infinity()) - farthest;
     if (sampling.duration / sampling.steps < 2.0 * spacing) {
-        throw UsageError{
-            CommandLine::tr("The time steps are too short to be distinguished: choose fewer --steps, a longer "
-                            "--duration or a --start nearer to 0.")};
+        throw UsageError{CommandLine::tr("The time steps are too short to be distinguished: choose fewer --steps, a "
+                                         "longer --duration or a --start nearer to 0.")};
     }
     return sampling;
 }
@@ -141,7 +128,7 @@ Format readFormat(const OptionReader &options, Format defaultFormat)
     if (!options.has("format")) {
         return defaultFormat;
     }
-    options.choice("format", defaultFormat); // throws for a word that the command does not know
+    options.choice("format", defaultFormat); // throws if the command does not support the format
     return static_cast<Format>(QStringList{"text", "csv", "json"}.indexOf(options.text("format")));
 }
 
@@ -176,18 +163,17 @@ std::vector<NamedChoice> readColumns(const OptionReader &options)
     std::vector<NamedChoice> choices;
     if (options.has("abscissa")) {
         const bool isTime = options.text("abscissa") == u"time";
-        options.choice("abscissa", 0); // throws for any other word than time and angle
+        options.choice("abscissa", 0); // throws unless it is time or angle
         choices.push_back({"#1", isTime ? ColumnRole::Time : ColumnRole::CrankAngle, {}, {}});
     }
     for (const QString &text : options.texts("column")) {
         const qsizetype equals = text.lastIndexOf('='); // a heading may contain one, a meaning does not
         if (equals < 1) {
-            throw UsageError{
-                CommandLine::tr("--column must be a heading, = and a meaning, such as \"slider.s=R4_x [m]\", "
-                                "\"#1=time\" or \"id=ignored\", not \"%1\".")
-                    .arg(text)};
+            throw UsageError{CommandLine::tr("--column must be a heading, = and a meaning, such as \"slider.s=R4_x "
+                                             "[m]\", \"#1=time\" or \"id=ignored\", not \"%1\".")
+                                 .arg(text)};
         }
-        NamedChoice choice = readMeaning(text.sliced(equals + 1).trimmed());
+        NamedChoice choice = parseMeaning(text.sliced(equals + 1).trimmed());
         choice.heading = text.first(equals).trimmed().toStdString();
         if (std::ranges::find(choices, choice.heading, &NamedChoice::heading) != choices.end()) {
             throw UsageError{CommandLine::tr("--column gives \"%1\" two meanings: keep one of them.")
@@ -208,14 +194,6 @@ QString readOutput(const OptionReader &options, const QStringList &inputFiles)
         }
     }
     return output;
-}
-
-void refuseFiles(const OptionReader &options)
-{
-    if (!options.files().isEmpty()) {
-        throw UsageError{CommandLine::tr("\"slidercrank %1\" takes options only: remove \"%2\".")
-                             .arg(describe(options.subcommand()).name, options.files().first())};
-    }
 }
 
 } // namespace slidercrank

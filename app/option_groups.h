@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The groups of options that several commands share. All functions throw UsageError.
+// Reads the groups of options that several commands share. All functions throw UsageError.
 
 #include "app/option_reader.h"
 #include "core/mechanism/mechanism.h"
@@ -16,25 +16,25 @@ namespace slidercrank
 
 enum class Format { Text, Csv, Json };
 
+/// The names of all 36 channels.
 QStringList channelNames();
 
-/// The unit of a number that is given without one.
-Unit unitOf(Parameter parameter);
+/// The unit of a parameter that is given without a unit.
+Unit defaultUnit(Parameter parameter);
 
 Mechanism readMechanism(const OptionReader &options);
 Sampling readSampling(const OptionReader &options);
 SolverSettings readSolver(const OptionReader &options);
 Format readFormat(const OptionReader &options, Format defaultFormat);
 
-/// The time stamp that --at or --at-angle asks for (s), if one of them is given; angles count from `start` on.
+/// The time (s) that --at or --at-angle asks for, if one of them is given. An angle stands for the first time from
+/// `start` on at which the crank has it.
 std::optional<double> readTimeStamp(const OptionReader &options, const Mechanism &mechanism, double start);
 
-/// --column and --abscissa.
+/// Reads --column and --abscissa.
 std::vector<NamedChoice> readColumns(const OptionReader &options);
 
-/// --output, which must be none of the files that are read. Empty: standard output.
+/// Reads --output, which must not name an input file. Empty: standard output.
 QString readOutput(const OptionReader &options, const QStringList &inputFiles = {});
-
-void refuseFiles(const OptionReader &options);
 
 } // namespace slidercrank

@@ -16,7 +16,7 @@ namespace slidercrank
 namespace
 {
 
-/// The Levenshtein distance of two words, ignoring case.
+/// Returns the Levenshtein distance of two words, ignoring case.
 qsizetype editDistance(const QString &from, const QString &to)
 {
     std::vector<qsizetype> row(static_cast<std::size_t>(to.size()) + 1);
@@ -32,15 +32,15 @@ qsizetype editDistance(const QString &from, const QString &to)
     return row.back();
 }
 
-/// The names with the smallest distance from the word, at most four; none if a third of the letters differ.
+/// Returns the names with the smallest distance from the word, or none if a third of the letters differ.
 QStringList similarNames(const QString &word, const QStringList &names)
 {
+    constexpr qsizetype kMaxNames = 4;
     qsizetype smallest = (word.size() + 1) / 3;
     QStringList similar;
     for (const QString &name : names) {
         const bool isBeginning = word.size() > 1 && name.startsWith(word, Qt::CaseInsensitive);
-        const qsizetype distance =
-            std::min(editDistance(word, name), isBeginning ? qsizetype(1) : word.size() + name.size());
+        const qsizetype distance = isBeginning ? 1 : editDistance(word, name);
         if (distance < smallest) {
             similar.clear();
             smallest = distance;
@@ -49,7 +49,7 @@ QStringList similarNames(const QString &word, const QStringList &names)
             similar += name;
         }
     }
-    return similar.first(std::min<qsizetype>(similar.size(), 4));
+    return similar.mid(0, kMaxNames);
 }
 
 } // namespace
@@ -67,38 +67,39 @@ void throwUnknownName(const QString &message, const QString &name, const QString
                                        : CommandLine::tr("%1: did you mean %2?").arg(message, joinedByOr(similar))};
 }
 
-OptionReader::OptionReader(Subcommand subcommand, const QStringList &arguments)
-    : m_subcommand(subcommand)
-    , m_descriptions(optionsOf(subcommand))
+OptionReader::OptionReader(const CommandDescription &command, const QStringList &arguments)
+    : m_command(command)
+    , m_options(optionsOf(command))
 {
     m_parser.setSingleDashWordOptionMode(QCommandLineParser::ParseAsLongOptions);
-    for (const OptionDescription &option : m_descriptions) {
-        const QStringList names =
-            option.shortName ? QStringList{option.name, option.shortName} : QStringList{option.name};
+    for (const OptionDescription &option : m_options) {
+        QStringList names(option.name);
+        if (option.shortName) {
+            names += option.shortName;
+        }
         m_parser.addOption(QCommandLineOption(names, {}, option.value));
     }
-    const bool isParsed = m_parser.parse(QStringList("slidercrank") + arguments);
+    m_parser.parse(QStringList("slidercrank") + arguments);
     if (!has("help")) {
-        checkSyntax(isParsed);
+        checkSyntax();
     }
-    m_scene.solver.newton.elimination =
-        Elimination::Structured; // the same iterates as the dense solver, ten times faster
+    m_scene.solver.newton.elimination = Elimination::Structured; // the same iterates as Dense, ten times faster
 }
 
-void OptionReader::checkSyntax(bool isParsed) const
+void OptionReader::checkSyntax() const
 {
     if (const QStringList unknown = m_parser.unknownOptionNames(); !unknown.isEmpty()) {
         QStringList names;
-        for (const OptionDescription &option : m_descriptions) {
+        for (const OptionDescription &option : m_options) {
             names += QString("--") + option.name;
         }
         const QString name = "--" + unknown.first();
         throwUnknownName(CommandLine::tr("There is no option %1 here").arg(name), name, names);
     }
-    if (!isParsed) {
-        throw UsageError{m_parser.errorText()};
+    if (const QString error = m_parser.errorText(); !error.isEmpty()) {
+        throw UsageError{error};
     }
-    for (const OptionDescription &option : m_descriptions) {
+    for (const OptionDescription &option : m_options) {
         if (texts(option.name).size() > 1 && !option.mayRepeat) {
             throw UsageError{CommandLine::tr("--%1 is given more than once: keep one of them.").arg(option.name)};
         }
@@ -125,27 +126,35 @@ void OptionReader::readScene()
     m_scene = std::get<Scene>(std::move(scene));
 }
 
-const OptionDescription *OptionReader::description(const char *name) const
+void OptionReader::refuseFiles() const
 {
-    const auto found = std::ranges::find_if(m_descriptions, [name](const OptionDescription &option) {
+    if (!files().isEmpty()) {
+        throw UsageError{CommandLine::tr("\"slidercrank %1\" takes options only: remove \"%2\".")
+                             .arg(m_command.name, files().first())};
+    }
+}
+
+const OptionDescription *OptionReader::find(const char *name) const
+{
+    const auto found = std::ranges::find_if(m_options, [name](const OptionDescription &option) {
         return QLatin1String(option.name) == QLatin1String(name);
     });
-    return found == m_descriptions.end() ? nullptr : &*found;
+    return found == m_options.end() ? nullptr : &*found;
 }
 
 bool OptionReader::has(const char *name) const
 {
-    return description(name) && m_parser.isSet(QLatin1String(name));
+    return find(name) && m_parser.isSet(QLatin1String(name));
 }
 
 QStringList OptionReader::texts(const char *name) const
 {
-    return description(name) ? m_parser.values(QLatin1String(name)) : QStringList();
+    return find(name) ? m_parser.values(QLatin1String(name)) : QStringList();
 }
 
 qsizetype OptionReader::choiceIndex(const char *name) const
 {
-    const QStringList words = QString(description(name)->value).split('|');
+    const QStringList words = QString(find(name)->value).split('|');
     const qsizetype index = words.indexOf(text(name));
     if (index < 0) {
         throw UsageError{CommandLine::tr("--%1 must be %2, not \"%3\".").arg(name, joinedByOr(words), text(name))};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The values of the options of one command, each checked when it is read. All functions throw UsageError.
+// Reads the options of a command and checks each value. All functions throw UsageError.
 
 #include "app/command_line.h"
 #include "app/option_table.h"
@@ -21,51 +21,52 @@ namespace slidercrank
 /// "x", "x or y", "x, y or z".
 QString joinedByOr(const QStringList &names);
 
-/// Throws that there is no such name, with the most similar of the names that exist.
+/// Throws `message` with the names that are similar to `name`, or else with all names.
 [[noreturn]] void throwUnknownName(const QString &message, const QString &name, const QStringList &names);
 
 class OptionReader
 {
 public:
-    /// `arguments`: without the names of program and command.
-    OptionReader(Subcommand subcommand, const QStringList &arguments);
+    /// `arguments`: those that follow the names of the program and of the command.
+    OptionReader(const CommandDescription &command, const QStringList &arguments);
 
-    Subcommand subcommand() const { return m_subcommand; }
+    const CommandDescription &command() const { return m_command; }
 
-    /// What holds where no option says otherwise: the scene of --scene, or the defaults.
+    /// Supplies the values of options that are not given: the scene of --scene, or the defaults.
     const Scene &scene() const { return m_scene; }
     void readScene();
 
     bool has(const char *name) const;
     QString text(const char *name) const { return m_parser.value(QLatin1String(name)); }
-    QStringList texts(const char *name) const;
-    QStringList files() const { return m_parser.positionalArguments(); } ///< the arguments that are no options
+    QStringList texts(const char *name) const; ///< of an option that may be repeated
 
-    /// In `unit`, whatever unit the number was given in; without a unit, a number alone.
+    QStringList files() const { return m_parser.positionalArguments(); } ///< the arguments that are not options
+    void refuseFiles() const;                                            ///< throws if there are any
+
+    /// The value in `unit`. The text may contain another unit of the same dimension, or no unit. With nullopt, the text
+    /// must be a number without a unit.
     double number(const char *name, double defaultValue, const std::optional<Unit> &unit = {}) const;
     double positiveNumber(const char *name, double defaultValue, const std::optional<Unit> &unit = {}) const;
     int integer(const char *name, int defaultValue, int smallest, int largest) const;
 
-    /// The value of an option with a fixed list of words, "open|crossed" in the option table: the enumerator with the
-    /// number that the word has in the list.
+    /// The value of an option that the option table describes as "open|crossed": the enumerator whose number is the
+    /// position of the given word.
     template <typename Enum>
     Enum choice(const char *name, Enum defaultValue) const
     {
         return has(name) ? static_cast<Enum>(choiceIndex(name)) : defaultValue;
     }
 
-    /// The option as the table describes it for this command; null if the command does not take it.
-    const OptionDescription *description(const char *name) const;
-
-    /// Throws if any of these options was given, with a message that names the option.
+    /// Throws if any of these options was given. %1 in the message becomes the name of the option.
     void refuse(const std::vector<const char *> &names, const QString &message) const;
 
 private:
-    void checkSyntax(bool isParsed) const;
+    void checkSyntax() const;
+    const OptionDescription *find(const char *name) const; ///< null if the command does not take the option
     qsizetype choiceIndex(const char *name) const;
 
-    Subcommand m_subcommand;
-    std::vector<OptionDescription> m_descriptions;
+    const CommandDescription &m_command;
+    std::vector<OptionDescription> m_options;
     QCommandLineParser m_parser;
     Scene m_scene;
 };

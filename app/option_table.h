@@ -1,43 +1,49 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// One description of each option: the parser, the help, the manual page and the completion are made from it.
+// Describes every command and every option once. The parser, the help, the manual page and the completion are made
+// from these descriptions.
 
 #include <QString>
 #include <QStringList>
 
-#include <optional>
 #include <span>
 #include <vector>
 
 namespace slidercrank
 {
 
-enum class Subcommand { Window, Solve, Limits, Compare, Identify, Study, Render };
+struct Command;
+class OptionReader;
 
-/// By Subcommand.
 struct CommandDescription {
-    const char *name; ///< "solve", "limits" …; empty for the window
-    const char *arguments;
-    const char *summary; ///< a few words, untranslated
-    const char *text;    ///< a paragraph, untranslated
+    const char *name;                   ///< "solve", "limits", …; "window" for the program without a command
+    const char *arguments;              ///< as in the line "Usage:"
+    const char *summary;                ///< a few words, untranslated
+    const char *text;                   ///< a paragraph, untranslated
+    Command (*prepare)(OptionReader &); ///< reads the options and returns the command that is to be run
 };
-std::span<const CommandDescription> allCommands(); ///< the window first
-const CommandDescription &describe(Subcommand subcommand);
-std::optional<Subcommand> subcommandNamed(const QString &name);
-QStringList subcommandNames(); ///< without the window
+
+/// All commands. The first one is the window, whose name is not typed.
+std::span<const CommandDescription> allCommands();
+
+/// Returns the command of that name, or null if there is none.
+const CommandDescription *findCommand(const QString &name);
+
+/// The names that can be typed: all but the window's.
+QStringList commandNames();
 
 struct OptionDescription {
-    int commands = 0;            ///< a bit for each subcommand that takes it
-    const char *group = nullptr; ///< heading in the help, untranslated
-    const char *name = nullptr;  ///< without dashes
-    const char *value = nullptr; ///< what stands for the value in the help, "open|crossed" for a choice; null: a switch
-    const char *text = nullptr;  ///< what it does, untranslated
+    const char *commands; ///< names of the commands that take the option, separated by spaces
+    const char *group;    ///< heading in the help, untranslated
+    const char *name;     ///< without dashes
+    const char *value;    ///< placeholder of the value in the help, "open|crossed" for a choice; null for a switch
+    const char *text;     ///< what the option does, untranslated
     const char *shortName = nullptr;
     bool mayRepeat = false;
 };
 
-/// The options of a subcommand, in the order of the help.
-std::vector<OptionDescription> optionsOf(Subcommand subcommand);
+/// The options that the command takes, in the order of the help.
+std::vector<OptionDescription> optionsOf(const CommandDescription &command);
 
 } // namespace slidercrank

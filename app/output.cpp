@@ -13,8 +13,8 @@ Output::Output(const Streams &streams, const QString &path)
     : m_streams(streams)
     , m_path(path)
     , m_isPlainFile(!path.isEmpty() && !isPipeOrDevice(QFileInfo(path)))
-    , m_device(path)
     , m_file(path)
+    , m_device(path)
 {
 }
 
@@ -42,7 +42,7 @@ bool Output::write(const QByteArray &bytes)
     if (!m_failed && m_isPlainFile) {
         m_failed = !m_file.write(bytes);
     } else if (!m_failed) {
-        m_failed = (m_path.isEmpty() ? m_streams.output : m_device).write(bytes) != bytes.size();
+        m_failed = device().write(bytes) != bytes.size();
     }
     return !m_failed;
 }
@@ -52,10 +52,9 @@ ExitStatus Output::finish()
     if (m_isPlainFile) {
         return (!m_failed && m_file.commit()) || fail(m_file.reason()) ? ExitStatus::Success : ExitStatus::FileError;
     }
-    QIODevice &device = m_path.isEmpty() ? m_streams.output : m_device;
-    QFileDevice *const file = qobject_cast<QFileDevice *>(&device);
-    const bool written = !m_failed && (!file || file->flush());
-    return written || fail(device.errorString()) ? ExitStatus::Success : ExitStatus::FileError;
+    QFileDevice *const file = qobject_cast<QFileDevice *>(&device());
+    const bool isWritten = !m_failed && (!file || file->flush());
+    return isWritten || fail(device().errorString()) ? ExitStatus::Success : ExitStatus::FileError;
 }
 
 ExitStatus writeOutput(const Streams &streams, const QString &path, const QByteArray &bytes)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Where a command writes its result: a file, whole or not at all; a device or a pipe; or standard output.
+// Writes the result of a command to a file, which is written completely or not at all, to a device or a pipe, or to
+// standard output.
 
 #include "app/command_line.h"
 #include "ui/document/whole_file.h"
@@ -17,27 +18,28 @@ public:
     /// An empty path stands for standard output.
     Output(const Streams &streams, const QString &path);
 
-    /// False if it cannot be written to; the reason is reported, here and below.
+    /// Returns false if nothing can be written there, and reports the reason.
     bool open();
 
-    /// False after a failure; then nothing more is written, so that long work can stop.
+    /// Returns false after a failure. Then nothing more is written, so that a long computation can stop.
     bool write(const QByteArray &bytes);
 
-    /// FileError if anything failed; then a file of that name is as it was before.
+    /// Returns FileError if anything failed, and reports the reason. Then an existing file of that name is unchanged.
     ExitStatus finish();
 
 private:
     bool fail(const QString &reason);
+    QIODevice &device() { return m_path.isEmpty() ? m_streams.output : m_device; }
 
     const Streams &m_streams;
     QString m_path;
     bool m_isPlainFile;
-    QFile m_device; ///< a device or a pipe, which cannot be replaced as a whole
-    WholeFile m_file;
+    WholeFile m_file; ///< a plain file
+    QFile m_device;   ///< a device or a pipe
     bool m_failed = false;
 };
 
-/// Writes everything at once.
+/// Writes all bytes at once.
 ExitStatus writeOutput(const Streams &streams, const QString &path, const QByteArray &bytes);
 
 } // namespace slidercrank

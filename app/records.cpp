@@ -20,19 +20,9 @@ namespace
 
 QByteArray csvCell(const QJsonValue &value)
 {
-    if (value.isString()) {
-        static const QRegularExpression needsQuotes("[,\"\n ]");
-        QString text = value.toString();
-        return (text.contains(needsQuotes) ? '"' + text.replace("\"", "\"\"") + '"' : text).toUtf8();
-    }
-    if (!value.isDouble()) {
-        return {};
-    }
-    constexpr double kLargestInDigits = 1e15;
-    const double number = value.toDouble();
-    const bool isWhole = std::abs(number) < kLargestInDigits && number == std::trunc(number); // a count has no exponent
-    return isWhole ? QByteArray::number(value.toInteger())
-                   : QByteArray::number(number, 'g', QLocale::FloatingPointShortest);
+    static const QRegularExpression needsQuotes("[,\"\n ]");
+    QString text = value.toVariant().toString(); // the shortest number that reads back the same
+    return (text.contains(needsQuotes) ? '"' + text.replace("\"", "\"\"") + '"' : text).toUtf8();
 }
 
 } // namespace
@@ -73,28 +63,29 @@ QString recordTable(const std::vector<Column> &columns, const std::vector<Record
         for (std::size_t i = 0; i < records.size(); ++i) {
             const QJsonValue value = jsonObject(records[i])[QLatin1String(column.key)];
             isText = isText || value.isString();
-            rows[i + 1] +=
-                value.isString()
-                    ? value.toString()
-                    : roundedText(value.isDouble() ? std::optional(value.toDouble()) : std::nullopt, column.digits);
+            const std::optional<double> number = value.isDouble() ? std::optional(value.toDouble()) : std::nullopt;
+            rows[i + 1] += value.isString() ? value.toString() : roundedText(number, column.digits);
         }
         isNumeric.push_back(!isText);
     }
     return alignedTable(rows, isNumeric);
 }
 
-QString alignedTable(const std::vector<QStringList> &rows, const std::vector<bool> &isNumeric)
+QString alignedTable(const std::vector<QStringList> &rows, const std::vector<bool> &isRightAligned)
 {
-    QString table;
-    for (const QStringList &row : rows) {
-        QString line;
-        for (qsizetype column = 0; column < row.size(); ++column) {
-            const auto width = [column](const QStringList &cells) { return cells[column].size(); };
-            const qsizetype widest = width(*std::ranges::max_element(rows, {}, width));
-            line += isNumeric[static_cast<std::size_t>(column)] ? row[column].rightJustified(widest)
-                                                                : row[column].leftJustified(widest);
-            line += "  ";
+    std::vector<QString> lines(rows.size());
+    for (std::size_t column = 0; !rows.empty() && column < isRightAligned.size(); ++column) {
+        const auto cell = [column](const QStringList &row) { return row[static_cast<qsizetype>(column)]; };
+        const auto width = [cell](const QStringList &row) { return cell(row).size(); };
+        const qsizetype widest = width(*std::ranges::max_element(rows, {}, width));
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            lines[i] +=
+                isRightAligned[column] ? cell(rows[i]).rightJustified(widest) : cell(rows[i]).leftJustified(widest);
+            lines[i] += "  ";
         }
+    }
+    QString table;
+    for (const QString &line : lines) {
         table += line.trimmed() + '\n';
     }
     return table;
@@ -108,21 +99,12 @@ QString roundedText(std::optional<double> value, int digits)
 QJsonValue jsonNumber(std::optional<double> value)
 {
     const bool exists = value && std::isfinite(*value);
-    return exists ? QJsonValue(*value == 0.0 ? 0.0 : *value) : QJsonValue(); // 0 without a sign
+    return exists ? QJsonValue(*value == 0.0 ? 0.0 : *value) : QJsonValue(); // without the sign of a negative zero
 }
 
 QJsonValue jsonText(const QString &text)
 {
     return text.isEmpty() ? QJsonValue() : QJsonValue(text);
-}
-
-QJsonObject jsonMechanism(const Parameters &parameters)
-{
-    QJsonObject object{{"branch", parameters.branch == Branch::Open ? "open" : "crossed"}};
-    for (const Parameter parameter : kParameters) {
-        object.insert(QLatin1String(wordOf(parameter)), jsonNumber(valueOf(parameters, parameter)));
-    }
-    return object;
 }
 
 QByteArray jsonDocument(const QJsonObject &object)

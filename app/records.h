@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A record is described once, by the list of its fields; its JSON object, its line of CSV and its line in a table of
-// text follow from that list.
-
-#include "core/mechanism/mechanism.h"
+// A record is a list of keys and values. It can be written as a JSON object, as a line of CSV, and as a row of a table
+// of text.
 
 #include <QByteArray>
 #include <QJsonArray>
@@ -19,12 +17,12 @@
 namespace slidercrank
 {
 
-/// Keys and values in the order of CSV; null for a value that does not exist.
+/// Keys and values in the order of CSV. A value that does not exist is null.
 using Record = std::vector<std::pair<QString, QJsonValue>>;
 
 QJsonObject jsonObject(const Record &record);
 
-/// A heading and a line for each record, with the shortest numbers that read back the same.
+/// Returns a line of keys and a line for each record. Numbers have as few digits as read back the same number.
 QByteArray csvText(const std::vector<Record> &records);
 
 /// A column of a table of text.
@@ -33,17 +31,23 @@ struct Column {
     QString heading;
     int digits = 3; ///< significant digits of a number
 };
+
+/// Columns of numbers are right-aligned.
 QString recordTable(const std::vector<Column> &columns, const std::vector<Record> &records);
 
-/// Columns as wide as their widest cell; a column is right-aligned if `isNumeric` says so.
-QString alignedTable(const std::vector<QStringList> &rows, const std::vector<bool> &isNumeric);
+/// Returns the cells in columns that are as wide as their widest cell.
+QString alignedTable(const std::vector<QStringList> &rows, const std::vector<bool> &isRightAligned);
 
-/// The number as it is typed, 5.03e-6; a dash for what does not exist.
+/// Formats a number as one would type it, such as 5.03e-6; a dash if there is none.
 QString roundedText(std::optional<double> value, int digits = 3);
 
+/// Null if there is no value, or if it is not finite.
 QJsonValue jsonNumber(std::optional<double> value);
-QJsonValue jsonText(const QString &text); ///< null for an empty text
 
+/// Null if the text is empty.
+QJsonValue jsonText(const QString &text);
+
+/// Converts each element of a range by `toJson`.
 template <typename Range, typename ToJson>
 QJsonArray jsonList(const Range &range, ToJson toJson)
 {
@@ -54,14 +58,11 @@ QJsonArray jsonList(const Range &range, ToJson toJson)
     return array;
 }
 
-/// {"a", "b", "c", "omega2", "theta20", "branch"} in mm, rad and s.
-QJsonObject jsonMechanism(const Parameters &parameters);
-
-/// A JSON document in one line.
+/// Returns a JSON document of one line.
 QByteArray jsonDocument(const QJsonObject &object);
 
-/// While one exists, texts are English and their numbers have decimal points: JSON and CSV are the same in every
-/// language.
+/// While this object exists, texts are in English and numbers in them have decimal points. JSON and CSV are written so,
+/// and are the same in every language.
 class EnglishTexts
 {
 public:

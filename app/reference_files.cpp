@@ -2,6 +2,7 @@
 #include "app/reference_files.h"
 
 #include "app/output.h"
+#include "ui/document/settings_fields.h"
 #include "ui/text/column_text.h"
 #include "ui/text/convention_text.h"
 #include "ui/text/finding_text.h"
@@ -16,37 +17,31 @@ namespace slidercrank
 namespace
 {
 
+/// "theta3" or "time"; empty for a column that is ignored.
 QString columnMeaning(const FileColumn &column)
 {
-    switch (column.role) {
-    case ColumnRole::Ignored: return {};
-    case ColumnRole::Time: return "time";
-    case ColumnRole::CrankAngle: return "crank-angle";
-    case ColumnRole::Channel: return columnNameOf(column.channel);
-    }
-    return {};
+    return column.role == ColumnRole::Ignored ? QString() : meaningName(column.role, column.channel);
 }
 
-/// How a kind of convention appears in JSON, by Convention::Kind.
-struct ConventionForm {
-    const char *name;
-    bool hasAmount = true;
-    const char *unit = ""; ///< of the amount
-};
-constexpr std::array kConventionForms{
-    ConventionForm{"angle-unit"},
-    ConventionForm{"length-unit"},
-    ConventionForm{"time-unit"},
-    ConventionForm{"sign"},
-    ConventionForm{"half-turn", true, "°"},
-    ConventionForm{"whole-turns", true, "°"},
-    ConventionForm{"zero-point"}, // in the unit of the channel
-    ConventionForm{"swapped-columns", false},
-    ConventionForm{"branch", false},
-    ConventionForm{"time-shift", true, "s"},
-    ConventionForm{"not-derivative", false},
-    ConventionForm{"axis", false},
-};
+/// The unit of a convention's amount; nullopt if the convention has no amount.
+std::optional<QString> amountUnit(const Convention &convention)
+{
+    switch (convention.kind) {
+    case Convention::Kind::AngleUnit:
+    case Convention::Kind::LengthUnit:
+    case Convention::Kind::TimeUnit:
+    case Convention::Kind::Sign: return "";
+    case Convention::Kind::HalfTurn:
+    case Convention::Kind::WholeTurns: return "°";
+    case Convention::Kind::ZeroPoint: return unitOf(convention.channels.front());
+    case Convention::Kind::TimeShift: return "s";
+    case Convention::Kind::SwappedColumns:
+    case Convention::Kind::Branch:
+    case Convention::Kind::NotDerivative:
+    case Convention::Kind::Axis: break;
+    }
+    return std::nullopt;
+}
 
 } // namespace
 
@@ -57,8 +52,8 @@ ReferenceQuestion::ReferenceQuestion(const OptionReader &options)
     , output(readOutput(options, options.files()))
 {
     if (options.files().isEmpty() || options.files().contains(QString())) {
-        throw UsageError{CommandLine::tr("\"slidercrank %1\" needs a file: slidercrank %1 FILE…")
-                             .arg(describe(options.subcommand()).name)};
+        throw UsageError{
+            CommandLine::tr("\"slidercrank %1\" needs a file: slidercrank %1 FILE…").arg(options.command().name)};
     }
     for (const QString &file : options.files()) {
         if (options.has("join") && !files.isEmpty()) {
@@ -73,7 +68,7 @@ ExitStatus ReferenceQuestion::answerEach(const Streams &streams,
                                          const std::function<ReferenceAnswer(const Reference &)> &answer) const
 {
     ExitStatus status = ExitStatus::Success;
-    std::map<QString, int> counts; // by category
+    std::map<QString, int> counts; // of the references in each category
     QStringList texts;
     std::vector<Record> rows;
     QJsonArray json;
@@ -98,7 +93,7 @@ ExitStatus ReferenceQuestion::answerEach(const Streams &streams,
         }
         json += answered.json;
     }
-    if (json.isEmpty()) { // nothing could be read: no output file is made
+    if (json.isEmpty()) { // no file could be read: writes no output file
         return status;
     }
     if (files.size() > 1) {
@@ -115,10 +110,10 @@ ExitStatus ReferenceQuestion::answerEach(const Streams &streams,
     return bytes.isEmpty() ? status : moreSevere(status, writeOutput(streams, output, bytes));
 }
 
-std::variant<std::shared_ptr<const Reference>, QString>
-readTimedReference(const ReferenceSource &source, const std::vector<NamedChoice> &columns, const Mechanism &mechanism)
+ReferenceOutcome readTimedReference(const ReferenceSource &source, const std::vector<NamedChoice> &columns,
+                                    const Mechanism &mechanism)
 {
-    const auto outcome = readReference(source, {}, {{}, {}, columns});
+    const ReferenceOutcome outcome = readReference(source, {}, {{}, {}, columns});
     const auto *reference = std::get_if<std::shared_ptr<const Reference>>(&outcome);
     return reference ? timedBy(mechanism, *reference) : outcome;
 }
@@ -198,17 +193,15 @@ QJsonArray jsonConventions(const std::vector<ConventionFinding> &findings, const
 {
     return jsonList(findings, [&data](const ConventionFinding &finding) {
         const Convention &convention = finding.convention;
-        const ConventionForm &form = kConventionForms[static_cast<std::size_t>(convention.kind)];
+        const std::optional<QString> unit = amountUnit(convention);
         QStringList channels;
         for (const Channel channel : convention.channels) {
             channels += columnNameOf(channel);
         }
-        const QString unit =
-            convention.kind == Convention::Kind::ZeroPoint ? unitOf(convention.channels.front()) : form.unit;
-        return QJsonObject{{"name", form.name},
+        return QJsonObject{{"name", toJson(convention)["kind"]},
                            {"channel", jsonText(channels.join(','))},
-                           {"amount", form.hasAmount ? QJsonValue(convention.amount) : QJsonValue()},
-                           {"unit", jsonText(unit)},
+                           {"amount", unit ? QJsonValue(convention.amount) : QJsonValue()},
+                           {"unit", jsonText(unit.value_or(""))},
                            {"explanation", explanationOf(convention, data)},
                            {"standardError", jsonNumber(finding.standardError)},
                            {"before", jsonNumber(finding.before)},
@@ -246,7 +239,7 @@ QString comparisonTable(const std::vector<ChannelComparison> &channels, const Re
     std::vector<Record> rows;
     for (const ChannelComparison &channel : channels) {
         ChannelComparison shown = channel;
-        if (data.crank) { // the place of an error is a crank angle
+        if (data.crank) { // shows crank angles instead of times
             for (double *place : {&shown.timeOfMaxAbs, &shown.timeOfMaxPercent}) {
                 *place = (data.crank->omega2 * *place + data.crank->theta20) * kDegreesPerRadian;
             }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What `compare` and `identify` share: both answer a question about each of several reference files.
+// What `compare` and `identify` have in common: both answer a question about each of several reference files.
 
 #include "app/option_groups.h"
 #include "app/records.h"
@@ -9,8 +9,6 @@
 #include "core/identification/convention.h"
 
 #include <functional>
-#include <memory>
-#include <variant>
 
 namespace slidercrank
 {
@@ -18,15 +16,15 @@ namespace slidercrank
 /// The answer about one reference.
 struct ReferenceAnswer {
     ExitStatus status = ExitStatus::Success;
-    QString category;         ///< for the last line about several files: "identified", "differ"
-    QString text;             ///< Format::Text
-    std::vector<Record> rows; ///< Format::Csv
-    QJsonObject json;         ///< Format::Json, without the members that name the files
+    QString category;         ///< counted in the last line if there are several files: "identified", "differ"
+    QString text;             ///< for Format::Text
+    std::vector<Record> rows; ///< for Format::Csv
+    QJsonObject json;         ///< for Format::Json, without the members that name the files
 };
 
 struct ReferenceQuestion {
     Mechanism mechanism;
-    QList<QStringList> files; ///< each element is one reference, read from one file or joined from several
+    QList<QStringList> files; ///< each element is one reference: a file, or several files that are joined
     std::vector<NamedChoice> columns;
     Format format = Format::Text;
     QString output; ///< empty: standard output
@@ -39,9 +37,9 @@ struct ReferenceQuestion {
                           const std::function<ReferenceAnswer(const Reference &)> &answer) const;
 };
 
-/// The reference, with time stamps for this mechanism if the file counts by the crank angle; or the reason why not.
-std::variant<std::shared_ptr<const Reference>, QString>
-readTimedReference(const ReferenceSource &source, const std::vector<NamedChoice> &columns, const Mechanism &mechanism);
+/// Reads a reference. A table by crank angle gets the time stamps of this mechanism. Returns a sentence if it fails.
+ReferenceOutcome readTimedReference(const ReferenceSource &source, const std::vector<NamedChoice> &columns,
+                                    const Mechanism &mechanism);
 
 /// Reports rows that were skipped, columns that were not used, and columns whose meaning was guessed.
 void reportDoubts(const Streams &streams, const Reference &reference);
@@ -58,7 +56,7 @@ QJsonArray jsonConventions(const std::vector<ConventionFinding> &findings, const
 Record comparisonRecord(const ChannelComparison &channel);
 QString comparisonTable(const std::vector<ChannelComparison> &channels, const ReferenceData &data);
 
-/// "agrees", "close", "differs"
+/// "agrees", "close" or "differs".
 const char *verdictName(Verdict verdict);
 
 } // namespace slidercrank

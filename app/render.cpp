@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// `slidercrank render`: what the window shows, drawn into a file by the window's own views.
+// `slidercrank render`: draws what the window shows into a file, by the views of the window.
 
 #include "app/commands.h"
 #include "app/option_groups.h"
@@ -35,16 +35,16 @@ namespace
 
 enum class Subject { Figure, Mechanism, Report, Frames, Plot };
 
-constexpr int kLargestSide = 20'000; // pixels; more than anybody can have meant, less than a PNG can hold
+constexpr int kLargestSide = 20'000; // pixels
 
 struct RenderRequest {
     Subject subject = Subject::Figure;
     QString plot;  ///< Subject::Plot: the name of a channel, or error_position, error_velocity, error_acceleration
     Choices model; ///< without the reference
-    Scene scene;   ///< supplies what the window showed
+    Scene scene;   ///< supplies the settings of the views
     std::optional<ReferenceSource> reference;
     std::vector<NamedChoice> columns; ///< of the reference
-    double time = 0.0;                ///< s, of the drawing and of the cursor in the plots
+    double time = 0.0;                ///< s, at which the mechanism is drawn and the plots are marked
     QString output;
     FigureSize size;
     double speed = 1.0; ///< Subject::Frames: seconds of the motion per second
@@ -89,8 +89,8 @@ void readSize(const OptionReader &options, RenderRequest &request)
         const QSize size(match.captured(1).toInt(), match.captured(2).toInt());
         if (!match.hasMatch() || std::max(size.width(), size.height()) > kLargestSide) {
             throw UsageError{
-                CommandLine::tr("--size must be width x height in pixels, each from 100 to %1, such as 900x600, "
-                                "not \"%2\".")
+                CommandLine::tr(
+                    "--size must be width x height in pixels, each from 100 to %1, such as 900x600, not \"%2\".")
                     .arg(QString::number(kLargestSide), options.text("size"))};
         }
         request.size.size = size;
@@ -107,7 +107,7 @@ void readSize(const OptionReader &options, RenderRequest &request)
     }
 }
 
-/// The name of the file has to suit the subject.
+/// Throws unless the name of the output suits the subject.
 void checkOutput(const RenderRequest &request)
 {
     const std::optional<FigureFormat> format = figureFormatOf(request.output);
@@ -129,20 +129,20 @@ void checkOutput(const RenderRequest &request)
     }
 }
 
-/// Frames show the whole time range, everything else one time.
+/// Reads --speed for frames, and --at and --at-angle for everything else.
 void readTime(const OptionReader &options, RenderRequest &request)
 {
     const Sampling &sampling = request.model.sampling;
     const double end = sampling.start + sampling.duration;
     if (request.subject == Subject::Frames) {
-        options.refuse({"at", "at-angle"},
-                       CommandLine::tr("Frames show the whole time range: remove %1, or choose the range "
-                                       "with --start and --duration."));
+        options.refuse(
+            {"at", "at-angle"},
+            CommandLine::tr(
+                "Frames show the whole time range: remove %1, or choose the range with --start and --duration."));
         request.speed = options.positiveNumber("speed", request.speed);
         if (request.animation().frameCount() > Animation::kMostFrames) {
             throw UsageError{
-                CommandLine::tr("There would be more than %1 frames: choose a shorter --duration or a greater "
-                                "--speed.")
+                CommandLine::tr("There would be more than %1 frames: choose a shorter --duration or a greater --speed.")
                     .arg(Animation::kMostFrames)};
         }
     } else {
@@ -152,16 +152,15 @@ void readTime(const OptionReader &options, RenderRequest &request)
         options.has("scene") ? std::clamp(request.scene.time, sampling.start, end) : sampling.start;
     request.time = readTimeStamp(options, Mechanism(request.model.parameters), sampling.start).value_or(sceneTime);
     if (request.subject != Subject::Mechanism && (request.time < sampling.start || request.time > end)) {
-        throw UsageError{
-            CommandLine::tr("t = %1 s lies outside the time range from %2 s to %3 s: choose another time, or "
-                            "another --start or --duration.")
-                .arg(roundedText(request.time, 6), roundedText(sampling.start, 6), roundedText(end, 6))};
+        throw UsageError{CommandLine::tr("t = %1 s lies outside the time range from %2 s to %3 s: choose another time, "
+                                         "or another --start or --duration.")
+                             .arg(roundedText(request.time, 6), roundedText(sampling.start, 6), roundedText(end, 6))};
     }
 }
 
-volatile std::sig_atomic_t interruption = 0; // the signal that asked the program to end
+volatile std::sig_atomic_t interruption = 0; // the signal that asked the program to end, or 0
 
-/// Handles the signals that ask the program to end, except those that are ignored, as under nohup.
+/// Sets the handler of the signals that ask the program to end, except those that are ignored, as under nohup.
 void handleTermination(void (*handler)(int))
 {
     for (const int signal : {
@@ -177,8 +176,8 @@ void handleTermination(void (*handler)(int))
     }
 }
 
-/// Writes frames or a video; the message if that failed. After an interruption nothing is left on the disk, and the
-/// function does not return.
+/// Writes frames or a video. Returns a sentence if that fails. If a signal asks the program to end, this function
+/// removes what it has written and ends the program.
 std::optional<QString> exportFrames(const RenderRequest &request, const FrameDrawing &draw)
 {
     handleTermination([](int signal) { interruption = signal; });
@@ -186,7 +185,7 @@ std::optional<QString> exportFrames(const RenderRequest &request, const FrameDra
         exportAnimation(request.output, request.animation(), draw, [](int) { return interruption == 0; });
     handleTermination(SIG_DFL);
     if (const int signal = interruption; signal != 0) {
-        std::raise(signal); // whoever started the program sees how it ended
+        std::raise(signal); // reports the signal to the parent process
     }
     return problem;
 }
@@ -194,28 +193,27 @@ std::optional<QString> exportFrames(const RenderRequest &request, const FrameDra
 ExitStatus reportTimeSteps(const Streams &streams, const RenderRequest &request, const Result &result)
 {
     TimeStepReport steps;
-    const auto addPose = [&](double time) {
-        const Pose pose = poseAt(request.model.parameters, time);
-        steps.add(std::span(&pose.time, 1), std::span(&pose.status, 1));
+    const auto add = [&steps](const Trajectory &motion) {
+        steps.add(motion.time, motion.status);
+        return true;
     };
     if (request.subject == Subject::Frames) {
         const Animation animation = request.animation();
+        std::vector<double> times;
         for (int frame = 0; frame < animation.frameCount(); ++frame) {
-            addPose(animation.timeOfFrame(frame));
+            times.push_back(animation.timeOfFrame(frame));
         }
+        add(sample(result.mechanism, times, {}, {}));
     } else if (request.subject == Subject::Mechanism) {
-        addPose(request.time);
+        add(sample(result.mechanism, {request.time}, {}, {}));
     } else {
-        sampleInPieces(result.mechanism, result.sampling, {}, result.solver, [&steps](const Trajectory &piece) {
-            steps.add(piece.time, piece.status);
-            return true;
-        });
-        steps.add(result.atReference.time, result.atReference.status);
+        sampleInPieces(result.mechanism, result.sampling, {}, result.solver, add);
+        add(result.atReference);
     }
     return steps.finish(streams, result.mechanism, result.solver.newton);
 }
 
-/// The views of the window, with everything that the request shows.
+/// The plots and the drawing of the window, as the request asks for them.
 class Views
 {
 public:
@@ -238,7 +236,7 @@ public:
         m_content.hasGhost = m_mechanism.hasGhost();
     }
 
-    /// Draws the subject into the file; the message if that failed.
+    /// Draws the subject into the file. Returns a sentence if that fails.
     std::optional<QString> draw()
     {
         const FigureDrawing figure = [this](QPainter &painter, const QSize &size) {
@@ -253,7 +251,8 @@ public:
         switch (m_request.subject) {
         case Subject::Figure: return drawInto(figure);
         case Subject::Plot: return drawInto(plot);
-        case Subject::Mechanism: return drawInto(withParameters(drawing, Mechanism(m_request.model.parameters), m_palette));
+        case Subject::Mechanism:
+            return drawInto(withParameters(drawing, Mechanism(m_request.model.parameters), m_palette));
         case Subject::Report:
             m_content.checksums =
                 m_content.result->reference ? fileChecksums(*m_content.result->reference) : QByteArrayList();
@@ -274,7 +273,7 @@ private:
                             draw);
     }
 
-    /// The linkage of the file, or of the motion pinned last, under the model's.
+    /// Chooses the linkage that is drawn behind the mechanism: that of the file, or of the motion that was pinned last.
     void chooseGhost()
     {
         const Result &result = *m_content.result;
@@ -318,7 +317,8 @@ ExitStatus render(const Streams &streams, const RenderRequest &request)
         model.sampling.start = request.time; // the mechanism can be drawn at any time
     }
     if (request.reference) {
-        const auto outcome = readTimedReference(*request.reference, request.columns, Mechanism(model.parameters));
+        const ReferenceOutcome outcome =
+            readTimedReference(*request.reference, request.columns, Mechanism(model.parameters));
         if (const QString *message = std::get_if<QString>(&outcome)) {
             streams.report(*message);
             return ExitStatus::FileError;
@@ -343,7 +343,8 @@ Command prepareRender(OptionReader &options)
     readSubject(options, request);
     request.output = readOutput(options, options.texts("reference"));
     checkOutput(request);
-    request.model = {readMechanism(options).parameters(), readSampling(options), readSolver(options), {}, request.scene.pinned};
+    request.model = {
+        readMechanism(options).parameters(), readSampling(options), readSolver(options), {}, request.scene.pinned};
     request.reference = request.scene.reference;
     if (const QStringList files = options.texts("reference"); !files.isEmpty()) {
         request.reference = ReferenceSource{files, {}, {}};
@@ -360,7 +361,7 @@ Command prepareRender(OptionReader &options)
         readSize(options, request);
     }
     readTime(options, request);
-    refuseFiles(options);
+    options.refuseFiles();
     return {[request](const Streams &streams) { return render(streams, request); }, Command::Platform::Offscreen};
 }
 

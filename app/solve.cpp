@@ -8,6 +8,7 @@
 #include "app/records.h"
 #include "app/time_step_report.h"
 #include "core/import/quantity.h"
+#include "ui/document/settings_fields.h"
 #include "ui/export/motion_csv.h"
 #include "ui/text/finding_text.h"
 
@@ -88,7 +89,7 @@ QByteArray jsonArray(const std::vector<double> &values, double factor)
 /// Written piece by piece: a long motion as a document in memory would take ten times its size.
 void writeJson(const Trajectory &trajectory, const SolveRequest &request, Output &output)
 {
-    const QByteArray mechanism = jsonDocument(jsonMechanism(request.mechanism.parameters())).trimmed();
+    const QByteArray mechanism = jsonDocument(toJson(request.mechanism.parameters())).trimmed();
     const bool isNewton = request.solver.method == Method::Newton;
     output.write("{\"mechanism\":" + mechanism + ",\"method\":" + (isNewton ? "\"newton\"" : "\"closed-form\"") +
                  ",\"units\":{\"length\":\"mm\",\"angle\":" +
@@ -158,7 +159,7 @@ Command prepareSolve(OptionReader &options)
     request.angleUnit = options.choice("angle-unit", request.angleUnit);
     request.format = readFormat(options, Format::Csv);
     request.output = readOutput(options);
-    refuseFiles(options);
+    options.refuseFiles();
     return {[request](const Streams &streams) { return solve(streams, request); }};
 }
 

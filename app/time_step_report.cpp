@@ -19,62 +19,62 @@ void TimeStepReport::add(std::span<const double> time, std::span<const Status> s
             steps.first = time[i];
         }
     }
-    m_total += status.size();
 }
 
 ExitStatus TimeStepReport::finish(const Streams &streams, const Mechanism &mechanism, const NewtonOptions &newton,
                                   const QString &prefix) const
 {
-    const auto count = [this](Status status) { return m_steps[static_cast<std::size_t>(status)].count; };
-    if (count(Status::Solved) == m_total) {
-        return ExitStatus::Success;
-    }
+    ExitStatus exitStatus = ExitStatus::Success;
     QStringList messages;
     for (const Status status : {Status::NotAssemblable, Status::IterationLimit, Status::Singular, Status::NotFinite}) {
-        if (count(status) > 0) {
+        if (m_steps[static_cast<std::size_t>(status)].count > 0) {
             messages += message(status, mechanism, newton);
+            exitStatus = moreSevere(exitStatus, status == Status::NotAssemblable ? ExitStatus::NotAssemblable
+                                                                                 : ExitStatus::NotSolved);
         }
     }
-    streams.report(prefix + messages.join(u' '));
-    return count(Status::NotAssemblable) > 0 ? ExitStatus::NotAssemblable : ExitStatus::NotSolved;
+    if (!messages.isEmpty()) {
+        streams.report(prefix + messages.join(u' '));
+    }
+    return exitStatus;
 }
 
 QString TimeStepReport::message(Status status, const Mechanism &mechanism, const NewtonOptions &newton) const
 {
     const Steps &steps = m_steps[static_cast<std::size_t>(status)];
+    std::size_t total = 0;
+    for (const Steps &each : m_steps) {
+        total += each.count;
+    }
     const double theta2 = crankAngle(mechanism.omega2(), steps.first, mechanism.theta20()).hi;
     const QString where = CommandLine::tr("%1 of %2 time steps, first at t = %3 s (θ₂ = %4°)")
-                              .arg(QString::number(steps.count), QString::number(m_total), roundedText(steps.first, 6),
+                              .arg(QString::number(steps.count), QString::number(total), roundedText(steps.first, 6),
                                    roundedText(theta2 * kDegreesPerRadian, 6));
     switch (status) {
     case Status::Solved: return {};
     case Status::NotAssemblable:
-        return CommandLine::tr(
-                   "The mechanism cannot be assembled at %1: the coupler must be at least %2 mm long for the "
-                   "crank to make full turns (--b).")
+        return CommandLine::tr("The mechanism cannot be assembled at %1: the coupler must be at least %2 mm long for "
+                               "the crank to make full turns (--b).")
             .arg(where, QString::number(shortestCouplerForFullTurn(mechanism), 'g', QLocale::FloatingPointShortest));
     case Status::IterationLimit: {
         const double size = mechanism.a() + mechanism.b() + std::abs(mechanism.c());
-        constexpr double kHugeLength = 1e6; // mm: the rounding of such lengths exceeds the usual absolute tolerance
+        constexpr double kHugeLength = 1e6; // mm; rounding errors of such lengths exceed the default tolerance
         const QString advice =
             newton.toleranceKind == ToleranceKind::Absolute && size > kHugeLength
-                ? CommandLine::tr("use --tolerance-kind relative, because an absolute tolerance cannot "
-                                  "be met with lengths of %1 mm")
+                ? CommandLine::tr("use --tolerance-kind relative, because an absolute tolerance cannot be met with "
+                                  "lengths of %1 mm")
                       .arg(roundedText(size))
-                : CommandLine::tr("allow more than %1 iterations (--max-iterations) or a larger residual "
-                                  "(--tolerance)")
+                : CommandLine::tr("allow more than %1 iterations (--max-iterations) or a larger residual (--tolerance)")
                       .arg(newton.maxIterations);
         return CommandLine::tr("Newton-Raphson did not converge at %1: %2.").arg(where, advice);
     }
     case Status::Singular:
-        return CommandLine::tr(
-                   "Velocity and acceleration do not exist at %1: the coupler is perpendicular to the slider's "
-                   "line there; a longer coupler (--b) avoids it.")
+        return CommandLine::tr("Velocity and acceleration do not exist at %1: the coupler is perpendicular to the "
+                               "slider's line there; a longer coupler (--b) avoids it.")
             .arg(where);
     case Status::NotFinite:
         return CommandLine::tr(
-                   "The motion is too large to be computed at %1: choose a smaller --omega2, or times nearer "
-                   "to 0.")
+                   "The motion is too large to be computed at %1: choose a smaller --omega2, or times nearer to 0.")
             .arg(where);
     }
     return {};

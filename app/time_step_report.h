@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The time steps at which the motion could not be computed, or only in part: the exit status, and the message about
-// them.
+// Reports the time steps at which the motion could not be computed completely.
 
 #include "app/command_line.h"
 #include "core/mechanism/mechanism.h"
@@ -20,8 +19,8 @@ class TimeStepReport
 public:
     void add(std::span<const double> time, std::span<const Status> status);
 
-    /// Success; or NotAssemblable or NotSolved after a message that begins with `prefix` and says how many steps are
-    /// affected, where the first of them is, and what to do.
+    /// Returns Success if all time steps are solved. Otherwise reports how many are affected, where the first of them
+    /// is, and what to do, and returns NotAssemblable or NotSolved. The message begins with `prefix`.
     ExitStatus finish(const Streams &streams, const Mechanism &mechanism, const NewtonOptions &newton,
                       const QString &prefix = {}) const;
 
@@ -34,7 +33,6 @@ private:
     QString message(Status status, const Mechanism &mechanism, const NewtonOptions &newton) const;
 
     std::array<Steps, kStatusCount> m_steps; ///< by Status
-    std::size_t m_total = 0;
 };
 
 } // namespace slidercrank

@@ -395,26 +395,6 @@
 <context>
     <name>slidercrank::CommandLine</name>
     <message>
-        <source>solved</source>
-        <translation>resueltos</translation>
-    </message>
-    <message>
-        <source>singular</source>
-        <translation>singulares</translation>
-    </message>
-    <message>
-        <source>iteration-limit</source>
-        <translation>no convergen</translation>
-    </message>
-    <message>
-        <source>not-assemblable</source>
-        <translation>no ensamblables</translation>
-    </message>
-    <message>
-        <source>not-finite</source>
-        <translation>no finitos</translation>
-    </message>
-    <message>
         <source>channel</source>
         <translation>canal</translation>
     </message>
@@ -551,38 +531,6 @@
         <translation>Movimiento de un mecanismo biela-manivela descentrado</translation>
     </message>
     <message>
-        <source>method</source>
-        <translation>método</translation>
-    </message>
-    <message>
-        <source>tolerance</source>
-        <translation>tolerancia</translation>
-    </message>
-    <message>
-        <source>channels</source>
-        <translation>canales</translation>
-    </message>
-    <message>
-        <source>ns/state</source>
-        <translation>ns/estado</translation>
-    </message>
-    <message>
-        <source>spread</source>
-        <translation>dispersión</translation>
-    </message>
-    <message>
-        <source>iterations</source>
-        <translation>iteraciones</translation>
-    </message>
-    <message>
-        <source>error</source>
-        <translation>error</translation>
-    </message>
-    <message>
-        <source>outcome</source>
-        <translation>resultado</translation>
-    </message>
-    <message>
         <source>pixels (figure 1400x1800, mechanism and frames 900x700, plot 900x600)</source>
         <translation>píxeles (figure 1400x1800, mechanism y frames 900x700, una gráfica 900x600)</translation>
     </message>
@@ -605,10 +553,6 @@
     <message>
         <source>, t = %1 s</source>
         <translation>, t = %1 s</translation>
-    </message>
-    <message>
-        <source>rounding</source>
-        <translation>redondeo</translation>
     </message>
     <message>
         <source>Model: %1</source>
@@ -1079,20 +1023,6 @@
         <translation>%1: %2; %3 instantes</translation>
     </message>
     <message>
-        <source>, %1 of them wrong without a warning</source>
-        <translation>, %1 de ellos erróneos sin aviso</translation>
-    </message>
-    <message>
-        <source>Errors are the worst of the six plotted channels, relative to the channel&apos;s peak, against 50 to 100 digits,
-over the time stamps that a method reports as solved. Rounding: the error that rounding the parameters causes by itself.
-Time stamps that are wrong without a warning: %1. Machine: %2. Time: %3 s.
-</source>
-        <translation>Los errores son los mayores de los seis canales representados, relativos al máximo del canal, respecto a 50 a 100 cifras,
-en los instantes que un método da por resueltos. Redondeo: el error que causa por sí solo redondear los parámetros.
-Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
-</translation>
-    </message>
-    <message>
         <source>%1 of %2 time steps, first at t = %3 s (θ₂ = %4°)</source>
         <translation>%1 de %2 pasos de tiempo, el primero en t = %3 s (θ₂ = %4°)</translation>
     </message>
@@ -1151,6 +1081,16 @@ Instantes erróneos sin aviso: %1. Equipo: %2. Tiempo: %3 s.
     <message>
         <source>--%1 must be at least 1e-9 mm, not %2.</source>
         <translation>--%1 debe ser al menos 1e-9 mm, no %2.</translation>
+    </message>
+    <message>
+        <source>Errors are the largest of the six plotted channels, relative to the channel&apos;s peak, over the time steps that a method solves.
+They are measured against a computation with 50 to 100 digits.
+Machine: %1. Time: %2 s.
+</source>
+        <translation>Los errores son los mayores de los seis canales representados, relativos al máximo del canal, en los pasos de tiempo que un método resuelve.
+Se miden respecto a un cálculo con 50 a 100 cifras.
+Equipo: %1. Tiempo: %2 s.
+</translation>
     </message>
 </context>
 <context>
@@ -4202,6 +4142,25 @@ SHA-256: %2</translation>
     </message>
 </context>
 <context>
+    <name>slidercrank::ResponseText</name>
+    <message>
+        <source>The crank makes full turns for no value of %1.</source>
+        <translation>La manivela no da vueltas completas con ningún valor de %1.</translation>
+    </message>
+    <message>
+        <source>Full turns for %1 ≤ %2 ≤ %3 mm, shaded elsewhere.</source>
+        <translation>Vueltas completas con %1 ≤ %2 ≤ %3 mm; fuera de ahí, sombreado.</translation>
+    </message>
+    <message>
+        <source>Full turns for %1 ≥ %2 mm, shaded elsewhere.</source>
+        <translation>Vueltas completas con %1 ≥ %2 mm; por debajo, sombreado.</translation>
+    </message>
+    <message>
+        <source>Full turns for %1 ≤ %2 mm, shaded elsewhere.</source>
+        <translation>Vueltas completas con %1 ≤ %2 mm; por encima, sombreado.</translation>
+    </message>
+</context>
+<context>
     <name>slidercrank::ResponseView</name>
     <message>
         <source>Parameter that is varied</source>
@@ -5133,25 +5092,6 @@ Tiempos medidos en %2</translation>
     <message>
         <source>it is a pipe or a device</source>
         <translation>es una tubería o un dispositivo</translation>
-    </message>
-</context>
-<context>
-    <name>slidercrank::ResponseText</name>
-    <message>
-        <source>The crank makes full turns for no value of %1.</source>
-        <translation>La manivela no da vueltas completas con ningún valor de %1.</translation>
-    </message>
-    <message>
-        <source>Full turns for %1 ≤ %2 ≤ %3 mm, shaded elsewhere.</source>
-        <translation>Vueltas completas con %1 ≤ %2 ≤ %3 mm; fuera de ahí, sombreado.</translation>
-    </message>
-    <message>
-        <source>Full turns for %1 ≥ %2 mm, shaded elsewhere.</source>
-        <translation>Vueltas completas con %1 ≥ %2 mm; por debajo, sombreado.</translation>
-    </message>
-    <message>
-        <source>Full turns for %1 ≤ %2 mm, shaded elsewhere.</source>
-        <translation>Vueltas completas con %1 ≤ %2 mm; por encima, sombreado.</translation>
     </message>
 </context>
 </TS>

@@ -863,13 +863,15 @@ void TestCommandLine::removesSettings()
 
 void TestCommandLine::helpsInShortLines()
 {
-    for (const QString &name : QStringList(QString()) + subcommandNames()) {
-        const QByteArray help = run(name.isEmpty() ? QStringList{"--help"} : QStringList{name, "-h"}).output;
-        QCOMPARE(run(QStringList{"help"} + (name.isEmpty() ? QStringList() : QStringList(name))).output, help);
+    for (const CommandDescription &command : allCommands()) {
+        const bool isWindow = &command == &allCommands().front();
+        const QStringList name = isWindow ? QStringList() : QStringList(command.name);
+        const QByteArray help = run(name + QStringList("-h")).output;
+        QCOMPARE(run(QStringList("help") + name).output, help);
         for (const QString &line : QString::fromUtf8(help).split('\n')) {
             QVERIFY2(line.size() <= 100, qPrintable(line));
         }
-        for (const OptionDescription &option : optionsOf(name.isEmpty() ? Subcommand::Window : *subcommandNamed(name))) {
+        for (const OptionDescription &option : optionsOf(command)) {
             QVERIFY2(help.contains(QByteArray("--") + option.name), option.name);
             QVERIFY2(manualPage().contains(QString("\\-\\-") + QString(option.name).replace("-", "\\-")), option.name);
         }

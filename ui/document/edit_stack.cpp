@@ -11,9 +11,9 @@ namespace
 {
 
 constexpr int kUndoLimit = 200;
-constexpr std::chrono::seconds kSameStepWithin{1}; // longer than a key is held down before it repeats
+constexpr std::chrono::seconds kSameStepWithin{1}; // longer than the delay before a key that is held down repeats
 
-/// Is merged with the next command if that has the same number.
+/// Restores the choices before or after an edit. Qt merges successive commands with the same id().
 class EditCommand : public QUndoCommand
 {
 public:
@@ -61,12 +61,11 @@ EditStack::EditStack(const Apply &apply, QObject *parent)
 
 void EditStack::edit(const Choices &before, const Choices &after, const EditName &name)
 {
-    const bool continuesDrag = m_isDragging && m_dragHasEdit;
-    const bool isRepeated = name.identity != 0 && name.identity == m_identity && m_sameStep.isActive();
-    if (!continuesDrag && !isRepeated) {
+    const bool isRepeated = m_sameStep.isActive() && name.identity == m_identity;
+    const bool isMergeable = name.identity != 0 && m_identity != 0;
+    if (!isMergeable || !(m_isDragging || isRepeated)) {
         ++m_step;
     }
-    m_dragHasEdit = m_isDragging;
     m_identity = name.identity;
     m_sameStep.start(kSameStepWithin);
     push(new EditCommand(before, after, name, m_step, m_apply));
@@ -75,8 +74,7 @@ void EditStack::edit(const Choices &before, const Choices &after, const EditName
 void EditStack::setDragging(bool isDragging)
 {
     m_isDragging = isDragging;
-    m_dragHasEdit = false;
-    m_identity = 0;
+    m_identity = 0; // the next edit is a new step
 }
 
 bool EditStack::isModified() const

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Undo and redo: a command for each edit, with all choices before and after it.
+// Undo and redo: one command per edit, which holds all choices before and after the edit.
 
 #include "ui/document/result.h"
 
@@ -13,17 +13,17 @@
 namespace slidercrank
 {
 
-/// What an edit does.
+/// Describes an edit.
 struct EditName {
-    QString text;     ///< "change of b"
-    int identity = 0; ///< of what is changed, if edits of it may become one step; otherwise 0
+    QString text;     ///< "change of b", for the menu
+    int identity = 0; ///< Identifies the settings that change; 0 if the edit is always a step of its own.
 
-    /// The opening or closing of a reference file, which counts as no change of the scene.
+    /// Whether a reference file is opened or closed, which does not modify the scene.
     bool isOpening = false;
 };
 
-/// Edits that have an identity become one step within a drag. Elsewhere those of the same identity do if they follow each
-/// other within a second, as when a key is held down.
+/// The undo stack of a session. During a drag, edits with an identity are merged into one step. Otherwise edits of the
+/// same identity are merged if they follow each other within a second, as when a key is held down.
 class EditStack : public QUndoStack
 {
     Q_OBJECT
@@ -31,22 +31,23 @@ class EditStack : public QUndoStack
 public:
     using Apply = std::function<void(const Choices &)>;
 
+    /// `apply` makes the choices of a command the current ones.
     EditStack(const Apply &apply, QObject *parent);
 
+    /// Makes `after` the current choices, as an edit that can be undone.
     void edit(const Choices &before, const Choices &after, const EditName &name);
 
     void setDragging(bool isDragging);
 
-    /// Whether there are edits since the stack was clean, other than the opening of files.
+    /// Whether anything but opening and closing files was done since the stack was clean.
     bool isModified() const;
 
 private:
     Apply m_apply;
-    int m_identity = 0; ///< of the last edit, to which the next one may belong
-    int m_step = 0;     ///< edits with the same number are undone together
+    int m_identity = 0; ///< of the last edit; 0 if the next edit starts a new step
+    int m_step = 0;     ///< Edits with the same number are undone together.
     QTimer m_sameStep;  ///< runs for a second after each edit
     bool m_isDragging = false;
-    bool m_dragHasEdit = false;
 };
 
 } // namespace slidercrank

@@ -15,10 +15,25 @@ constexpr int kMostSteps = 1'000'000;
 constexpr int kMostIterations = 1000;
 constexpr int kMostColumns = 1'000'000;
 
-/// Roles other than ColumnRole::Channel, in files.
+/// Names of the roles other than ColumnRole::Channel, by ColumnRole.
 constexpr std::array kRoles{"ignored", "time", "crank-angle"};
 
 } // namespace
+
+QString meaningName(ColumnRole role, Channel channel)
+{
+    return role == ColumnRole::Channel ? QString::fromUtf8(nameOf(channel))
+                                       : QLatin1String(kRoles[static_cast<std::size_t>(role)]);
+}
+
+bool readMeaning(const QString &name, ColumnRole &role, Channel &channel)
+{
+    const std::optional<Channel> named = channelNamed(name.toStdString());
+    const auto found = std::ranges::find(kRoles, name.toStdString());
+    role = static_cast<ColumnRole>(found - kRoles.begin()); // ColumnRole::Channel follows the roles that have names
+    channel = named.value_or(Channel());
+    return named || found != kRoles.end();
+}
 
 void describe(Parameters &parameters, JsonFields &fields)
 {
@@ -54,14 +69,9 @@ void describe(ColumnChoice &choice, JsonFields &fields)
     fields("column", number, kMostColumns);
     choice.column = static_cast<std::size_t>(number) - 1;
 
-    QString use = choice.role == ColumnRole::Channel ? QString::fromUtf8(nameOf(choice.channel))
-                                                     : QLatin1String(kRoles[static_cast<std::size_t>(choice.role)]);
+    QString use = meaningName(choice.role, choice.channel);
     fields("use", use);
-    const std::optional<Channel> channel = channelNamed(use.toStdString());
-    const auto role = std::ranges::find(kRoles, use.toStdString());
-    fields.check(channel || role != kRoles.end(), "use");
-    choice.role = static_cast<ColumnRole>(role - kRoles.begin()); // past the others stands Channel
-    choice.channel = channel.value_or(Channel());
+    fields.check(readMeaning(use, choice.role, choice.channel), "use");
 
     QString unit = QString::fromStdString(choice.unit);
     fields("unit", unit);

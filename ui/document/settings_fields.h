@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The fields of each struct of settings, described once: their names in files and their limits. Scenes, recovery files
-// and remembered choices are read and written by these functions.
+// Describes the fields of each struct of settings once, by their names in files and their limits. Scenes, recovery files,
+// saved column choices and the JSON of the command line are read and written by these functions.
 
 #include "core/sampling/trajectory.h"
 #include "ui/document/json_fields.h"
@@ -17,12 +17,18 @@ void describe(Sampling &sampling, JsonFields &fields);
 void describe(SolverSettings &solver, JsonFields &fields);
 void describe(ColumnChoice &choice, JsonFields &fields);
 void describe(Convention &convention, JsonFields &fields);
-void describe(ReferenceSource &source, JsonFields &fields); ///< its paths as they are
+void describe(ReferenceSource &source, JsonFields &fields); ///< with its paths unchanged
 void describe(PlotSettings &plots, JsonFields &fields);
 void describe(PlotZoom &zoom, JsonFields &fields);
 void describe(MechanismSettings &settings, JsonFields &fields);
 
-/// What settings of that type would be written as.
+/// The name of a column's meaning in files and options: "ignored", "time", "crank-angle", or that of the channel.
+QString meaningName(ColumnRole role, Channel channel);
+
+/// Reads a name that meaningName() returns. Returns false if it is not one.
+bool readMeaning(const QString &name, ColumnRole &role, Channel &channel);
+
+/// Returns the settings as a JSON object.
 template <typename Settings>
 QJsonObject toJson(Settings settings)
 {
@@ -31,7 +37,8 @@ QJsonObject toJson(Settings settings)
     return fields.written();
 }
 
-/// The settings that a remembered object holds; the usual ones where a field is missing, or if any is wrong.
+/// Returns the settings in a JSON object. Fields that are missing have their default values; if any value is not valid,
+/// all have.
 template <typename Settings>
 Settings fromJson(const QJsonObject &object)
 {
