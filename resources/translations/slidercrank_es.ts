@@ -1548,10 +1548,6 @@ Equipo: %1. Tiempo: %2 s.
         <translation>cierre de %1</translation>
     </message>
     <message>
-        <source>other reading of %1</source>
-        <translation>otra lectura de %1</translation>
-    </message>
-    <message>
         <source>opening of %1</source>
         <translation>apertura de %1</translation>
     </message>
@@ -1578,6 +1574,10 @@ Equipo: %1. Tiempo: %2 s.
     <message>
         <source>cancelling</source>
         <translation>cancelación</translation>
+    </message>
+    <message>
+        <source>new interpretation of %1</source>
+        <translation>otra interpretación de %1</translation>
     </message>
 </context>
 <context>
@@ -3789,12 +3789,12 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
         <translation>%1 es una tabla por ángulo de la manivela, y con ω₂ = %2 la manivela no pasa por sus ángulos en ese orden: elija otra ω₂.</translation>
     </message>
     <message>
-        <source>%1 is named twice: give each file once.</source>
-        <translation>%1 está dos veces: indique cada archivo una sola vez.</translation>
-    </message>
-    <message>
         <source>%1 + %2 more</source>
         <translation>%1 + %2 más</translation>
+    </message>
+    <message>
+        <source>%1 is given twice: give each file once.</source>
+        <translation>%1 está dos veces: indique cada archivo una sola vez.</translation>
     </message>
 </context>
 <context>
@@ -4363,28 +4363,12 @@ SHA-256: %2</translation>
         <translation>%1, línea %2: esto no es JSON (%3). Corríjalo allí, o abra otra escena.</translation>
     </message>
     <message>
-        <source>%1 is no scene: it has no &quot;version&quot; that is a number. Open a file that this program saved.</source>
-        <translation>%1 no es una escena: no tiene un &quot;version&quot; que sea un número. Abra un archivo guardado por este programa.</translation>
-    </message>
-    <message>
-        <source>%1 was saved by a newer slidercrank (scene version %2, this one reads up to %3). Open it with that.</source>
-        <translation>%1 se guardó con un slidercrank más nuevo (versión de escena %2; este lee hasta la %3). Ábrala con aquel.</translation>
-    </message>
-    <message>
-        <source>%1 is a folder: choose a scene&apos;s file.</source>
-        <translation>%1 es una carpeta: elija el archivo de una escena.</translation>
-    </message>
-    <message>
         <source>%1 cannot be opened: %2.</source>
         <translation>No se puede abrir %1: %2.</translation>
     </message>
     <message>
         <source>%1 cannot be read: %2.</source>
         <translation>No se puede leer %1: %2.</translation>
-    </message>
-    <message>
-        <source>%1 is no scene: it is too large. Open a file that this program saved.</source>
-        <translation>%1 no es una escena: es demasiado grande. Abra un archivo guardado por este programa.</translation>
     </message>
     <message>
         <source>%1 cannot be written: %2. Choose another name or folder.</source>
@@ -4394,13 +4378,25 @@ SHA-256: %2</translation>
         <source>%1: &quot;%2&quot; is missing, or its value is not valid. Correct it there, or open another scene.</source>
         <translation>%1: falta «%2» o su valor no es válido. Corríjalo allí o abra otra escena.</translation>
     </message>
+    <message>
+        <source>%1 is not a scene: it has no &quot;version&quot; that is a number. Open a file that this program saved.</source>
+        <translation>%1 no es una escena: no tiene un &quot;version&quot; que sea un número. Abra un archivo guardado por este programa.</translation>
+    </message>
+    <message>
+        <source>%1 was saved by a newer slidercrank (scene version %2; this one reads up to %3). Open it with the newer one.</source>
+        <translation>%1 se guardó con un slidercrank más nuevo (versión de escena %2; este lee hasta la %3). Ábrala con el más nuevo.</translation>
+    </message>
+    <message>
+        <source>%1 is a folder: choose a scene file.</source>
+        <translation>%1 es una carpeta: elija el archivo de una escena.</translation>
+    </message>
+    <message>
+        <source>%1 is not a scene: it is too large. Open a file that this program saved.</source>
+        <translation>%1 no es una escena: es demasiado grande. Abra un archivo guardado por este programa.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::Session</name>
-    <message>
-        <source>Cancelled: what the scene asks for takes longer, and is left out. Undo computes it.</source>
-        <translation>Cancelado: lo que la escena pide y tarda más se ha dejado fuera. Deshacer lo calcula.</translation>
-    </message>
     <message>
         <source>%1 must be at least %2 mm.</source>
         <translation>%1 debe ser al menos %2 mm.</translation>
@@ -4420,6 +4416,10 @@ SHA-256: %2</translation>
     <message>
         <source>%1 is a pipe or a device: save the data in a file, and open that.</source>
         <translation>%1 es una tubería o un dispositivo: guarde los datos en un archivo y abra ese archivo.</translation>
+    </message>
+    <message>
+        <source>Cancelled: the parts of the scene that take long to compute are left out. Undo computes them.</source>
+        <translation>Cancelado: se han omitido las partes de la escena que tardan mucho en calcularse. Deshacer las calcula.</translation>
     </message>
 </context>
 <context>

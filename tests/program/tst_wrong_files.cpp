@@ -191,21 +191,6 @@ private slots:
 #endif
     }
 
-    void aPipeWithoutEndIsLeftOnceItIsNoTable()
-    {
-#ifdef Q_OS_UNIX
-        QProcess writer;
-        QProcess program;
-        writer.setStandardOutputProcess(&program);
-        writer.start(QStringLiteral("yes"), QStringList());
-        program.start(QStringLiteral(SLIDERCRANK_PROGRAM), {QStringLiteral("compare"), QStringLiteral("/dev/stdin")});
-        const Outcome outcome = outcomeOf(program);
-        QVERIFY2(isOneLine(outcome.err) && outcome.err.contains("no time column"), outcome.err.constData());
-        QCOMPARE(outcome.status, 3);
-        QVERIFY(writer.waitForFinished(slidercrank::kPatience)); // nobody reads any more
-#endif
-    }
-
     /// In whatever thread, and whatever is the first that there is none for.
     void saysWhenThereIsNoMemory()
     {

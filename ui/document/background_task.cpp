@@ -18,12 +18,12 @@ namespace
 
 constexpr int kProgressSteps = 1000;
 
-/// The application waits for this pool when it ends. It has a thread for each long task, so that no edit waits for
-/// them.
+/// The application waits for this pool when it ends. The pool has an additional thread for each long task, so that
+/// short tasks do not wait for long ones.
 QThreadPool *threadPool()
 {
     constexpr int kLongTasks =
-        8; // study, export, recovery file, reference file, identification, and some being stopped
+        8; // study, export, recovery file, reference file, identification, and some that are stopping
     QThreadPool *pool = QThreadPool::globalInstance();
     static const bool isLarge = (pool->setMaxThreadCount(pool->maxThreadCount() + kLongTasks), true);
     Q_UNUSED(isLarge)
@@ -72,7 +72,7 @@ void BackgroundTask::run(const Work &work, const std::function<void(const std::a
     }
 }
 
-/// Stops the work and disconnects from it.
+/// Stops the work, and disconnects from it.
 void BackgroundTask::release()
 {
     m_stop.request_stop();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Work that may take longer than a moment, in another thread: value in, value out, with progress and cancellation.
+// Runs a function in another thread, with progress and cancellation.
 
 #include <QFutureWatcher>
 #include <QObject>
@@ -16,8 +16,8 @@
 namespace slidercrank
 {
 
-/// Runs one piece of work at a time. It is used in the GUI thread, and calls back in that thread only. The destructor
-/// stops the work, and nobody is called any more.
+/// Runs one function at a time. Must be used in the GUI thread, and calls back in that thread. The destructor stops the
+/// function; after it nothing is called any more.
 class BackgroundTask : public QObject
 {
     Q_OBJECT
@@ -26,12 +26,12 @@ public:
     using QObject::QObject;
     ~BackgroundTask() override;
 
-    /// To be called with 0 … 1, ascending.
+    /// Takes the part that is done, 0 … 1, in ascending order.
     using Progress = std::function<void(double part)>;
     using Failed = std::function<void(const QString &sentence)>;
 
-    /// Runs work(std::stop_token, const Progress &) in another thread, and discards what was running. Then calls
-    /// done(its value), or failed() if it threw an exception.
+    /// Discards what is running, and runs work(std::stop_token, const Progress &) in another thread. Then calls done()
+    /// with the value that it returned, or failed() if it threw an exception.
     template <typename Work, typename Done>
     void start(Work work, Done done, Failed failed)
     {
@@ -46,12 +46,12 @@ public:
     bool isRunning() const { return m_watcher; }
 
 public slots:
-    void cancel() { m_stop.request_stop(); } ///< the work ends early, and done() is called with its value
-    void discard();                          ///< the work ends early, and nobody is called
+    void cancel() { m_stop.request_stop(); } ///< stops the work early; done() is called with its value
+    void discard();                          ///< stops the work early; neither done() nor failed() is called
 
 signals:
     void progressed(double part);
-    void runningChanged(bool running); ///< false: after done() or failed(), or when the work is discarded
+    void runningChanged(bool running); ///< false after done() or failed(), and when the work is discarded
 
 private:
     struct Outcome {

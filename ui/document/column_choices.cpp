@@ -17,7 +17,7 @@ namespace slidercrank
 namespace
 {
 
-/// A hash, because headings may contain characters that keys may not.
+/// Returns the key of the choices for such files: a hash, because headings may contain characters that keys may not.
 QString settingsKey(const FileLayout &layout, const QStringList &paths)
 {
     QStringList parts;
@@ -37,7 +37,7 @@ QString settingsKey(const FileLayout &layout, const QStringList &paths)
 
 } // namespace
 
-std::vector<ColumnChoice> rememberedChoices(const FileLayout &layout, const QStringList &paths)
+std::vector<ColumnChoice> savedChoices(const FileLayout &layout, const QStringList &paths)
 {
     std::vector<ColumnChoice> choices;
     const QByteArray json = QSettings().value(settingsKey(layout, paths)).toByteArray();
@@ -48,7 +48,7 @@ std::vector<ColumnChoice> rememberedChoices(const FileLayout &layout, const QStr
     return choices;
 }
 
-void rememberChoices(const FileLayout &layout, const QStringList &paths, const std::vector<ColumnChoice> &choices)
+void saveChoices(const FileLayout &layout, const QStringList &paths, const std::vector<ColumnChoice> &choices)
 {
     QJsonArray array;
     std::ranges::transform(choices, std::back_inserter(array), toJson<ColumnChoice>);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The columns that a person chose, remembered in the settings for every file with the same headings, and for a file
-// without headings by its path; for files that are joined, by their names and headings.
+// Saves the columns that the user chose in the settings of the program. They apply to every file with the same
+// headings, or to the same path if a file has no headings, or to files of the same names and headings if several are
+// joined.
 
 #include "core/import/file_layout.h"
 
@@ -14,10 +15,10 @@
 namespace slidercrank
 {
 
-/// Empty if nothing was chosen.
-std::vector<ColumnChoice> rememberedChoices(const FileLayout &layout, const QStringList &paths);
+/// Returns the saved choices for such files; empty if there are none.
+std::vector<ColumnChoice> savedChoices(const FileLayout &layout, const QStringList &paths);
 
-/// Without choices, removes those that are remembered.
-void rememberChoices(const FileLayout &layout, const QStringList &paths, const std::vector<ColumnChoice> &choices);
+/// Saves the choices for such files. Without choices, removes those that are saved.
+void saveChoices(const FileLayout &layout, const QStringList &paths, const std::vector<ColumnChoice> &choices);
 
 } // namespace slidercrank

@@ -33,7 +33,7 @@ void JsonFields::write(const char *name, const QJsonValue &value)
     }
 }
 
-/// Writes the value, or reads one of the same type: Undefined if there is none.
+/// Writes the value, or reads a value of the same type. Returns Undefined if there is none.
 QJsonValue JsonFields::exchange(const char *name, const QJsonValue &value)
 {
     write(name, value);
@@ -52,7 +52,7 @@ void JsonFields::operator()(const char *name, double &value, double least, doubl
 void JsonFields::operator()(const char *name, int &value, int most)
 {
     const QJsonValue found = exchange(name, value);
-    value = found.toInt(found.isDouble() ? 0 : value); // 0: no whole number
+    value = found.toInt(found.isDouble() ? 0 : value); // 0 if the number is not whole
     check(value >= 1 && value <= most, name);
 }
 
@@ -82,7 +82,7 @@ void JsonFields::operator()(const char *name, std::vector<Channel> &value)
     }
 }
 
-/// Writes null if there are no numbers.
+/// Writes the numbers, or null if there are none; or reads `count` numbers.
 std::vector<double> JsonFields::exchangeNumbers(const char *name, const std::vector<double> &numbers, std::size_t count)
 {
     QJsonArray array;

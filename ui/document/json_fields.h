@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Reads the fields of a struct from a JSON object, or writes them into one: the visitor of describe() in
-// settings_fields.h.
+// Reads the fields of a struct from a JSON object, or writes them into one. The functions describe() in
+// settings_fields.h call it for each field.
 
 #include "core/mechanism/channel.h"
 #include "ui/text/interval.h"
@@ -24,14 +24,14 @@ namespace slidercrank
 /// Names of the enumerators in files, in the order of the enumerators.
 using EnumNames = std::initializer_list<const char *>;
 
-/// One object, with the objects in it. When it is read, a field that is missing or null keeps its value. That is a
-/// fault, unless the object is optional; only lists and std::optional fields may always be missing.
+/// A JSON object that is read or written. When it is read, a field that is missing or null keeps its value; that is a
+/// fault unless the object is optional. Lists and std::optional fields may always be missing.
 class JsonFields
 {
 public:
-    JsonFields() = default; ///< to be written
+    JsonFields() = default; ///< writes an object
 
-    /// To be read. `fault` becomes the place of the first fault, "mechanism.b".
+    /// Reads an object. `fault` becomes the place of the first fault, such as "mechanism.b".
     JsonFields(QString &fault, const QJsonObject &object, const QString &place = {}, bool isOptional = false)
         : m_fault(&fault)
         , m_object(object)
@@ -43,15 +43,15 @@ public:
     bool isReading() const { return m_fault; }
     const QJsonObject &written() const { return m_object; }
 
-    /// Whatever is not valid is a fault when it is read.
+    /// Records a fault at the field `name` if `isValid` is false and the object is read.
     void check(bool isValid, const char *name) const { checkAt(isValid, placeOf(name)); }
 
     void operator()(const char *name, bool &value) { value = exchange(name, value).toBool(value); }
     void operator()(const char *name, QString &value) { value = exchange(name, value).toString(value); }
     void operator()(const char *name, double &value, double least = -kLargestParameter,
                     double most = kLargestParameter);
-    void operator()(const char *name, int &value, int most); ///< from 1 on
-    void operator()(const char *name, QStringList &value);   ///< a text, or a list of texts
+    void operator()(const char *name, int &value, int most); ///< from 1 to `most`
+    void operator()(const char *name, QStringList &value);   ///< a string, or a list of strings
     void operator()(const char *name, std::vector<Channel> &value);
     void operator()(const char *name, std::optional<Interval> &value);
     void operator()(const char *name, std::optional<QRectF> &value);
@@ -66,7 +66,7 @@ public:
         value = match == names.end() ? value : static_cast<Enum>(match - names.begin());
     }
 
-    /// fill(fields) describes the object of that name.
+    /// Reads or writes the object of that name by fill(JsonFields &).
     template <typename Fill>
     void object(const char *name, Fill fill, bool isOptional = false)
     {
@@ -101,11 +101,11 @@ public:
     }
 
 private:
-    bool isThere(const char *name) const; ///< to be read
+    bool isThere(const char *name) const; ///< whether there is a value to read
     QString placeOf(const char *name) const;
     void checkAt(bool isValid, const QString &place) const;
 
-    void write(const char *name, const QJsonValue &value); ///< unless the object is read
+    void write(const char *name, const QJsonValue &value); ///< does nothing if the object is read
     QJsonValue exchange(const char *name, const QJsonValue &value);
     QJsonArray readList(const char *name)
     {
@@ -114,7 +114,7 @@ private:
     std::vector<double> exchangeNumbers(const char *name, const std::vector<double> &numbers, std::size_t count);
     JsonFields child(const QJsonValue &value, const QString &place, bool isOptional) const;
 
-    QString *m_fault = nullptr; ///< null: the object is written
+    QString *m_fault = nullptr; ///< null if the object is written
     QJsonObject m_object;
     QString m_place;
     bool m_isOptional = false;

@@ -29,7 +29,7 @@ struct ReferenceFileText {
 };
 
 constexpr auto kLargest = static_cast<qint64>(kLargestReferenceFile);
-const QString kBetweenNames = QStringLiteral(" + "); // of files that are joined
+const QString kNameSeparator = QStringLiteral(" + "); // between the names of joined files
 
 std::string_view toView(const QByteArray &bytes)
 {
@@ -41,75 +41,65 @@ std::string fileName(const QString &path)
     return QFileInfo(path).fileName().toStdString();
 }
 
-QString wholeFileFault(ReadFault::Kind kind, const QString &shown)
+/// The sentence about a fault that concerns a file as a whole.
+QString wholeFileFault(ReadFault::Kind kind, const QString &shownName)
 {
-    return readErrorText(ReadError{0, 0, {}, {kind}}, {shown});
+    return readErrorText(ReadError{0, 0, {}, {kind}}, {shownName});
 }
 
-/// Appends the rest of the file to `bytes`.
-void readRest(QFile &file, const std::stop_token &stop, QByteArray &bytes)
+/// Reads a file, a pipe or standard input. Returns a sentence if that fails. If the beginning is not text, or if the
+/// file is too large, nothing but the beginning is read.
+std::optional<QString> readFile(const QString &path, const std::stop_token &stop, QByteArray &bytes)
 {
-    constexpr qsizetype kPiece = 1 << 22; // bytes
-    bytes.reserve(static_cast<qsizetype>(file.size()) + kPiece);
-    for (qint64 count = 1; count > 0 && bytes.size() <= kLargest && !stop.stop_requested();) {
-        const qsizetype done = bytes.size();
-        bytes.resize(done + kPiece);
-        count = file.read(bytes.data() + done, kPiece);
-        bytes.resize(done + std::max<qint64>(count, 0));
-    }
-}
-
-/// Returns why the file cannot be read, as a sentence. Only the beginning is read of what is too large or no table of
-/// text; `mayBeTable` decides on the beginning of a pipe, which may have no end.
-template <typename MayBeTable>
-std::optional<QString> readFile(const QString &path, const std::stop_token &stop, MayBeTable mayBeTable,
-                                QByteArray &bytes)
-{
-    const QString shown = displayName(path);
-    const QFileInfo info(path);
-    if (info.isDir()) {
-        return ReferenceFileText::tr("%1 is a folder: choose a CSV file.").arg(shown);
+    constexpr qsizetype kBlock = 1 << 22; // bytes
+    const QString name = displayName(path);
+    if (QFileInfo(path).isDir()) {
+        return ReferenceFileText::tr("%1 is a folder: choose a CSV file.").arg(name);
     }
     QFile file;
     if (!openForReading(file, path)) {
-        return ReferenceFileText::tr("%1 cannot be opened: %2.").arg(shown, withoutFullStop(file.errorString()));
+        return ReferenceFileText::tr("%1 cannot be opened: %2.").arg(name, withoutFullStop(file.errorString()));
     }
     const qint64 size = file.size(); // 0 for a pipe
     bytes = file.read(kFileBeginning);
-    std::optional<ReadError> error;
+    if (const std::optional<ReadError> error = findForeignFormat(toView(bytes))) {
+        return readErrorText(*error, {name});
+    }
     if (size > kLargest) {
-        error = findForeignFormat(toView(bytes)).value_or(ReadError{0, 0, {}, {ReadFault::Kind::TooLarge}});
-    } else if (size == 0 && bytes.size() == static_cast<qsizetype>(kFileBeginning)) {
-        error = mayBeTable(bytes);
+        return wholeFileFault(ReadFault::Kind::TooLarge, name);
     }
-    if (error) {
-        return readErrorText(*error, {shown});
-    }
-    readRest(file, stop, bytes);
+    bytes.reserve(static_cast<qsizetype>(size) + kBlock);
+    qint64 count = 0;
+    do {
+        const qsizetype done = bytes.size();
+        bytes.resize(done + kBlock);
+        count = file.read(bytes.data() + done, kBlock);
+        bytes.resize(done + std::max<qint64>(count, 0));
+    } while (count > 0 && bytes.size() <= kLargest && !stop.stop_requested());
     if (file.error() != QFileDevice::NoError) {
-        return ReferenceFileText::tr("%1 cannot be read: %2.").arg(shown, withoutFullStop(file.errorString()));
+        return ReferenceFileText::tr("%1 cannot be read: %2.").arg(name, withoutFullStop(file.errorString()));
     }
     if (bytes.size() > kLargest) {
-        return wholeFileFault(ReadFault::Kind::TooLarge, shown);
+        return wholeFileFault(ReadFault::Kind::TooLarge, name);
     }
-    return bytes.size() < size && !stop.stop_requested()
-               ? std::optional(wholeFileFault(ReadFault::Kind::Unreadable, shown))
-               : std::nullopt;
+    const bool isComplete = bytes.size() >= size || stop.stop_requested();
+    return isComplete ? std::nullopt : std::optional(wholeFileFault(ReadFault::Kind::Unreadable, name));
 }
 
+/// Returns the first lines of a file; empty if it cannot be read.
 QByteArray readBeginning(const QString &path)
 {
-    constexpr qint64 kMost = 1 << 20; // bytes: some 15 000 rows of seven columns, read in milliseconds
+    constexpr qint64 kLimit = 1 << 20; // bytes: about 15 000 rows of seven columns, which are read in milliseconds
     QFile file(path);
-    QByteArray bytes = QFileInfo(path).isFile() && file.open(QIODevice::ReadOnly) ? file.read(kMost) : QByteArray();
+    QByteArray bytes = QFileInfo(path).isFile() && file.open(QIODevice::ReadOnly) ? file.read(kLimit) : QByteArray();
     if (const qsizetype end = bytes.lastIndexOf('\n') + 1; !file.atEnd() && end > 0) {
-        const bool isHalf = end % 2 == 1 && end < bytes.size() && bytes[end] == '\0'; // little-endian UTF-16
-        bytes.truncate(isHalf ? end + 1 : end);
+        const bool isUtf16 = end % 2 == 1 && end < bytes.size() && bytes[end] == '\0'; // little-endian: "\n\0"
+        bytes.truncate(isUtf16 ? end + 1 : end);
     }
     return bytes;
 }
 
-/// A file that is given more than once, under whatever path.
+/// Returns a path that leads to the same file as an earlier one.
 std::optional<QString> findRepeatedFile(const QStringList &paths)
 {
     QStringList files;
@@ -123,7 +113,8 @@ std::optional<QString> findRepeatedFile(const QStringList &paths)
     return std::nullopt;
 }
 
-QString joinedName(const QStringList &paths)
+/// The name for legends: "results.csv", or "results.csv + 2 more".
+QString shortName(const QStringList &paths)
 {
     const QString name =
         isStandardInput(paths.first()) ? displayName(paths.first()) : QFileInfo(paths.first()).fileName();
@@ -153,12 +144,12 @@ QString displayName(const QString &path)
 
 QString displayName(const QStringList &paths)
 {
-    return displayNames(paths).join(kBetweenNames);
+    return displayNames(paths).join(kNameSeparator);
 }
 
 QString readErrorText(const ReadError &error, const QStringList &files)
 {
-    const QString file = error.file ? files.value(static_cast<qsizetype>(*error.file)) : files.join(kBetweenNames);
+    const QString file = error.file ? files.value(static_cast<qsizetype>(*error.file)) : files.join(kNameSeparator);
     ReadFault fault = error.fault;
     if (error.otherFile) {
         fault.heading = files.value(static_cast<qsizetype>(*error.otherFile)).toStdString();
@@ -184,21 +175,16 @@ QString readErrorText(const ReadError &error, const QStringList &files)
 ReferenceOutcome readReference(const ReferenceSource &source, std::stop_token stop, ReadOptions options)
 {
     if (const std::optional<QString> path = findRepeatedFile(source.paths)) {
-        return ReferenceFileText::tr("%1 is named twice: give each file once.").arg(displayName(*path));
+        return ReferenceFileText::tr("%1 is given twice: give each file once.").arg(displayName(*path));
     }
     options.columns = source.columns;
-    const auto mayBeTable = [&](const QByteArray &beginning) {
-        const auto outcome = readReferenceData(toView(beginning), {}, {options.columns, {}, options.named});
-        const ReadError *error = std::get_if<ReadError>(&outcome);
-        return error && source.paths.size() == 1 ? std::optional(*error) : std::nullopt;
-    };
     auto reference = std::make_shared<Reference>();
     QByteArrayList bytes(source.paths.size());
     std::vector<FileBytes> files;
     for (qsizetype i = 0; i < bytes.size(); ++i) {
         const QString &path = source.paths[i];
         try {
-            if (const std::optional<QString> sentence = readFile(path, stop, mayBeTable, bytes[i])) {
+            if (const std::optional<QString> sentence = readFile(path, stop, bytes[i])) {
                 return *sentence;
             }
         } catch (const std::bad_alloc &) {
@@ -213,7 +199,7 @@ ReferenceOutcome readReference(const ReferenceSource &source, std::stop_token st
         return readErrorText(*error, displayNames(source.paths));
     }
     reference->paths = source.paths;
-    reference->name = joinedName(source.paths);
+    reference->name = shortName(source.paths);
     reference->data = std::move(std::get<ReferenceData>(outcome));
     reference->columns = source.columns;
     std::shared_ptr<const Reference> result = std::move(reference);

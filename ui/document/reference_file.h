@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A reference file on disk, or several that are joined: opened, read by the core, and each failure put into a sentence.
+// Reads reference files from the disk, from a pipe or from standard input, and puts each failure into a sentence.
 
 #include "core/identification/convention.h"
 #include "core/import/reference_data.h"
@@ -20,26 +20,26 @@
 namespace slidercrank
 {
 
-/// Changes whenever somebody writes to a file.
+/// Identifies a version of a file: it changes when the file is written.
 struct FileState {
     qint64 size = -1; ///< bytes
-    QDateTime changed;
+    QDateTime modified;
 
     friend bool operator==(const FileState &, const FileState &) = default;
 };
 
 FileState fileState(const QString &path);
 
-/// A reference file that has been read, or several that are joined.
+/// A reference file that has been read, or several files of one motion that were joined.
 struct Reference {
-    QStringList paths;             ///< as opened
+    QStringList paths;             ///< as given
     QString name;                  ///< file name, for legends and titles
-    std::vector<FileState> states; ///< of the files when they were read
+    std::vector<FileState> states; ///< states of the files when they were read
     ReferenceData data;            ///< with the conventions below applied
 
-    std::vector<ColumnChoice> columns;          ///< chosen by a person
-    std::vector<Convention> conventions;        ///< applied, in this order
-    std::shared_ptr<const Reference> asPrinted; ///< without any convention; null: none is applied
+    std::vector<ColumnChoice> columns;          ///< the columns whose meaning the user chose
+    std::vector<Convention> conventions;        ///< applied to the data, in this order
+    std::shared_ptr<const Reference> asPrinted; ///< the data without the conventions; null if there are none
 };
 
 /// Everything that is needed to read reference data again.
@@ -57,38 +57,39 @@ using ReferenceOutcome = std::variant<std::shared_ptr<const Reference>, QString>
 /// Reads files, pipes or standard input. May run in any thread.
 ReferenceOutcome readReference(const ReferenceSource &source, std::stop_token stop = {}, ReadOptions options = {});
 
-/// Its choices of columns, with the time (or crank angle) column taken as `role`, which is Time or CrankAngle.
+/// Returns the column choices of the reference with its time or crank angle column read as `role`, which is Time or
+/// CrankAngle.
 std::vector<ColumnChoice> withAbscissaAs(ColumnRole role, const Reference &reference);
 
-/// A table by the crank angle with the time stamps at which that mechanism's crank reaches its angles, or a sentence if
-/// it does not reach them in their order. Other data, and null, are returned as they are.
+/// Returns a table by crank angle with the time stamps at which the crank of that mechanism reaches its angles, or a
+/// sentence if the crank does not reach them in their order. Returns other data, and null, unchanged.
 ReferenceOutcome timedBy(const Mechanism &mechanism, const std::shared_ptr<const Reference> &reference);
 
-/// With one more convention applied; Branch changes nothing here.
+/// Returns the reference with one more convention applied. Convention::Kind::Branch does not change the data.
 std::shared_ptr<const Reference> applied(const Convention &convention, const std::shared_ptr<const Reference> &to);
 
 /// The name of a file, or the names of joined files, in messages.
 QString displayName(const QString &path);
 QString displayName(const QStringList &paths);
 
-/// "results.csv, line 3, column 2 ("abc"): …". `files`: their names in messages.
+/// Returns a sentence such as "results.csv, line 3, column 2 ("abc"): …". `files`: the names of the files in messages.
 QString readErrorText(const ReadError &error, const QStringList &files);
 
-/// SHA-256 of each file in hexadecimal; empty if the file has changed since it was read, and for a pipe. Reads the
-/// whole files; may run in any thread.
+/// Returns the SHA-256 of each file in hexadecimal; empty for a pipe, and for a file that has changed since it was
+/// read. Reads the whole files. May run in any thread.
 QByteArrayList fileChecksums(const Reference &reference);
 
-/// The first lines of each file, for a preview; empty if it cannot be read or is a pipe.
+/// Returns the first lines of each file, for a preview; empty for a pipe, and for a file that cannot be read.
 QByteArrayList readBeginnings(const QStringList &paths);
 
-/// What these bytes would be read as if they were the files of those names, or their beginnings.
+/// Reads these bytes as if they were the content, or the beginning, of the files at `paths`.
 std::variant<ReferenceData, ReadError> readBytes(const QStringList &paths, const QByteArrayList &bytes,
                                                  const ReadOptions &options = {});
 
-/// How a file is written, whether or not it could be read.
+/// Returns the layout of a file, whether or not the file could be read.
 const FileLayout &layoutOf(const std::variant<ReferenceData, ReadError> &outcome);
 
-/// The layout of the files, read from their beginnings; without columns if one of the files has none.
+/// Reads the layout of the files from their first lines. The layout has no columns if one of the files has none.
 FileLayout readLayout(const QStringList &paths);
 
 } // namespace slidercrank

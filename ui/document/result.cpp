@@ -17,8 +17,8 @@ namespace
 
 constexpr int kMaxStoredSteps = 100'000; // longer motions in closed form are computed where they are needed
 
-/// Whether the crank clearly makes full turns, at angles for which many time steps are computed at once: then each of
-/// them is Solved.
+/// Whether the crank clearly makes full turns, at angles for which many time steps are computed at once. Then every
+/// time step is Solved.
 bool isOrdinary(const Parameters &p, const Sampling &sampling)
 {
     constexpr double kMargin = 1.0 + 1e-9;
@@ -98,10 +98,10 @@ std::shared_ptr<const Result> compute(const Choices &choices, std::stop_token st
     return result->trajectory.complete && result->atReference.complete ? result : nullptr;
 }
 
-/// By the times for each time step on a slow computer.
+/// Estimates the duration from the times per time step on a slow computer.
 bool takesLong(const Choices &choices)
 {
-    constexpr double kMoment = 0.05; // s: less is not noticed
+    constexpr double kNoticeable = 0.05; // s
     constexpr double kDense = 20e-6;
     constexpr double kStructured = 1e-6;
     constexpr double kClosedForm = 0.2e-6;
@@ -111,7 +111,7 @@ bool takesLong(const Choices &choices)
                         : isOrdinary(choices.parameters, choices.sampling) ? kManyAtOnce
                                                                            : kClosedForm;
     const double rows = choices.reference ? static_cast<double>(choices.reference->data.time.size()) : 0.0;
-    return step * (choices.sampling.steps + 1.0) + std::max(step, kClosedForm) * rows > kMoment;
+    return step * (choices.sampling.steps + 1.0) + std::max(step, kClosedForm) * rows > kNoticeable;
 }
 
 } // namespace slidercrank

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What the views draw: of one moment, as plain data. Session publishes it.
+// The immutable data that the views draw. Session computes and publishes it.
 
 #include "core/comparison/comparison.h"
 #include "core/identification/diagnosis.h"
@@ -17,14 +17,16 @@
 namespace slidercrank
 {
 
-/// The mechanism at one instant, by one closed-form evaluation. Lengths mm, angles rad.
+/// The mechanism at one time, in closed form. Lengths in mm, angles in rad.
 struct Pose {
     double time = 0.0;
-    double theta2 = 0.0; ///< not wrapped
+    double theta2 = 0.0; ///< not wrapped to one turn
     double theta3 = 0.0;
-    double pinX = 0.0, pinY = 0.0;  ///< A
-    double sliderX = 0.0;           ///< B, at y = c
-    Status status = Status::Solved; ///< Solved or Singular: the pose exists
+    double pinX = 0.0, pinY = 0.0; ///< A
+    double sliderX = 0.0;          ///< B, at y = c
+    Status status = Status::Solved;
+
+    /// Whether the mechanism can be assembled at this time.
     bool exists() const { return status == Status::Solved || status == Status::Singular; }
 };
 
@@ -32,7 +34,7 @@ Pose poseAt(const Parameters &parameters, double seconds);
 
 inline constexpr std::size_t kMaxPinned = 4; ///< Largest number of pinned motions: more curves could not be told apart.
 
-/// Everything that an edit may change.
+/// The settings that an edit may change.
 struct Choices {
     Parameters parameters;
     Sampling sampling;
@@ -45,14 +47,14 @@ struct Choices {
 
 /// Everything that the views draw; immutable once published.
 struct Result {
-    Choices choices; ///< from which it was computed
+    Choices choices; ///< from which the result was computed
     Mechanism mechanism;
     Sampling sampling;
     SolverSettings solver;
     SamplingSummary summary;
-    Trajectory trajectory; ///< the six plotted channels; empty where !hasSamples()
+    Trajectory trajectory; ///< the six plotted channels; empty if !hasSamples()
     MotionLimits limits;
-    std::shared_ptr<const Reference> reference; ///< may be null; a table by the crank angle timed for this mechanism
+    std::shared_ptr<const Reference> reference; ///< may be null; with the time stamps of this mechanism's crank angles
     std::vector<Parameters> pinned;             ///< pinned motions, the oldest first
 
     /// How far the model is from the motion that was pinned last; nullopt if there is a reference.
@@ -61,29 +63,30 @@ struct Result {
     /// Whether the model is compared with a file or with a pinned motion.
     bool isCompared() const { return reference || difference; }
 
-    // Filled when there is a reference: the model at the file's own instants, one comparison per series of the file.
+    // If there is a reference: the model at the time stamps of the file, and the comparison of each series of the file.
     Trajectory atReference;
     std::vector<ChannelComparison> comparison;
 
-    /// What Newton-Raphson took for the trajectory. None in closed form: what is on show is not the trajectory then.
+    /// Computing time of the trajectory by Newton-Raphson; nullopt for the closed form, whose curves are computed again
+    /// when they are drawn.
     std::optional<double> sampleSeconds;
 
-    /// A long run in closed form is not: it takes less time to compute than to store.
+    /// Whether the trajectory is stored. A long motion in closed form is not: computing it is faster than storing it.
     bool hasSamples() const { return trajectory.time.size() == summary.instants; }
 };
 
-/// Whose motion a file is: the mechanism it belongs to, the one parameter that explains the difference, the conventions
-/// by which it would read better. Immutable once published.
+/// The diagnosis of a reference file: the mechanism that it belongs to, and what explains its difference from the
+/// model. Immutable once published.
 struct ReferenceDiagnosis {
     std::shared_ptr<const Reference> reference;
-    Parameters parameters; ///< the model that the file was held against
+    Parameters parameters; ///< the model that the file was compared with
     Diagnosis found;
 };
 
-/// Null when stopped. May run in any thread.
+/// Computes the result. Returns null if stopped. May run in any thread.
 std::shared_ptr<const Result> compute(const Choices &choices, std::stop_token stop);
 
-/// Whether that would keep the window waiting for more than a moment.
+/// Whether computing the result takes so long that it has to run in the background.
 bool takesLong(const Choices &choices);
 
 } // namespace slidercrank

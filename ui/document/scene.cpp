@@ -26,7 +26,7 @@ struct SceneText {
 
 constexpr int kVersion = 1;
 constexpr double kLargestTime = std::numeric_limits<double>::max();
-constexpr qint64 kLargestFile = 1 << 20; // bytes; a scene has some thousand
+constexpr qint64 kLargestFile = 1 << 20; // bytes; a scene has some thousands
 
 void describe(Scene &scene, JsonFields &fields)
 {
@@ -54,7 +54,8 @@ void describe(Scene &scene, JsonFields &fields)
     fields.object("view", describeView, kOptional);
 }
 
-/// Relative to the folder if the file lies in or below it; otherwise, and for a resource of the program, as it is.
+/// Returns the path relative to the folder if the file is in or below the folder. Returns other paths, and those of the
+/// program's resources, unchanged.
 QString relativePath(const QDir &folder, const QString &path)
 {
     const QString relative = folder.relativeFilePath(path);
@@ -67,29 +68,17 @@ QString absolutePath(const QDir &folder, const QString &path)
     return path.startsWith(u':') ? path : QDir::cleanPath(folder.absoluteFilePath(path));
 }
 
-/// `known`, and below it the keys that only `read` has.
-QJsonObject merged(QJsonObject read, const QJsonObject &known)
-{
-    for (auto entry = known.begin(); entry != known.end(); ++entry) {
-        const QJsonValue before = read.value(entry.key());
-        read.insert(entry.key(), before.isObject() && entry->isObject()
-                                     ? QJsonValue(merged(before.toObject(), entry->toObject()))
-                                     : entry.value());
-    }
-    return read;
-}
-
-/// Why the file is not a scene that this program can read; nothing if it may be one.
+/// Returns a sentence if the file is not a scene that this version can read.
 std::optional<QString> versionFault(const QJsonValue &version, const QString &file)
 {
     if (!version.isDouble()) {
         return SceneText::tr(
-                   "%1 is no scene: it has no \"version\" that is a number. Open a file that this program saved.")
+                   "%1 is not a scene: it has no \"version\" that is a number. Open a file that this program saved.")
             .arg(file);
     }
     if (version.toDouble() > kVersion) {
-        return SceneText::tr("%1 was saved by a newer slidercrank (scene version %2, this one reads up to %3). Open it "
-                             "with that.")
+        return SceneText::tr("%1 was saved by a newer slidercrank (scene version %2; this one reads up to %3). Open it "
+                             "with the newer one.")
             .arg(file, QString::number(version.toDouble()), QString::number(kVersion));
     }
     return std::nullopt;
@@ -108,7 +97,7 @@ QByteArray sceneToJson(Scene scene, const QString &path)
     int version = kVersion;
     fields("version", version, kVersion);
     describe(scene, fields);
-    return QJsonDocument(merged(scene.asRead, fields.written())).toJson();
+    return QJsonDocument(fields.written()).toJson();
 }
 
 std::variant<Scene, QString> parseScene(const QByteArray &json, const QString &path)
@@ -121,13 +110,13 @@ std::variant<Scene, QString> parseScene(const QByteArray &json, const QString &p
         return SceneText::tr("%1, line %2: this is not JSON (%3). Correct it there, or open another scene.")
             .arg(shown, QString::number(line), error.errorString());
     }
-    Scene scene;
-    scene.asRead = document.object();
-    if (const auto sentence = versionFault(scene.asRead.value(QStringLiteral("version")), shown)) {
+    const QJsonObject object = document.object();
+    if (const auto sentence = versionFault(object.value(QStringLiteral("version")), shown)) {
         return *sentence;
     }
     QString fault;
-    JsonFields fields(fault, scene.asRead);
+    JsonFields fields(fault, object);
+    Scene scene;
     int version = kVersion;
     fields("version", version, kVersion);
     describe(scene, fields);
@@ -149,7 +138,7 @@ std::variant<Scene, QString> readScene(const QString &path)
     const QString shown = displayName(path);
     QFile file;
     if (QFileInfo(path).isDir()) {
-        return SceneText::tr("%1 is a folder: choose a scene's file.").arg(shown);
+        return SceneText::tr("%1 is a folder: choose a scene file.").arg(shown);
     }
     if (!openForReading(file, path)) {
         return SceneText::tr("%1 cannot be opened: %2.").arg(shown, withoutFullStop(file.errorString()));
@@ -159,7 +148,7 @@ std::variant<Scene, QString> readScene(const QString &path)
         return SceneText::tr("%1 cannot be read: %2.").arg(shown, withoutFullStop(file.errorString()));
     }
     if (bytes.size() > kLargestFile) {
-        return SceneText::tr("%1 is no scene: it is too large. Open a file that this program saved.").arg(shown);
+        return SceneText::tr("%1 is not a scene: it is too large. Open a file that this program saved.").arg(shown);
     }
     return parseScene(bytes, path);
 }

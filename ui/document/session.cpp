@@ -21,13 +21,13 @@ namespace slidercrank
 namespace
 {
 
-constexpr std::chrono::milliseconds kRest{200}; // between two edits of parameters that are moving
+constexpr std::chrono::milliseconds kSettlingTime{200}; // longer than between two edits of a drag
 
-// Identities of edits, beside the set of parameters that change.
+// Identities of edits that do not change parameters. Those of parameters are sets of bits, see changeName().
 constexpr int kSamplingIdentity = 100;
 constexpr int kSolverIdentity = 101;
 
-/// From the first of these time stamps to the last; the same range if that cannot be one.
+/// Returns the range from the first of these time stamps to the last, or `sampling` if that is not a valid range.
 Sampling rangeOf(const std::vector<double> &times, const Sampling &sampling)
 {
     const double start = times.empty() ? kNone : times.front();
@@ -36,7 +36,7 @@ Sampling rangeOf(const std::vector<double> &times, const Sampling &sampling)
     return isUsable ? Sampling{start, span > 0.0 ? span : sampling.duration, sampling.steps} : sampling;
 }
 
-/// Whether the range of `outer` contains that of `inner`, to rounding.
+/// Whether the range of `outer` contains that of `inner`, within rounding.
 bool contains(const Sampling &outer, const Sampling &inner)
 {
     const double slack = 1e-9 * std::abs(outer.duration);
@@ -44,7 +44,7 @@ bool contains(const Sampling &outer, const Sampling &inner)
     return inner.start >= first - slack && inner.start + inner.duration <= last + slack;
 }
 
-/// As much of the choices as can be computed at once.
+/// Removes from the choices what cannot be computed quickly.
 Choices simplified(Choices choices)
 {
     choices.solver.method = Method::ClosedForm;
@@ -68,7 +68,7 @@ QString faultText(const ParameterFault &fault)
 
 EditName changeName(const Parameters &before, const Parameters &after)
 {
-    int changed = before.branch == after.branch ? 0 : 1 << kParameterCount; // a bit for each parameter
+    int changed = before.branch == after.branch ? 0 : 1 << kParameterCount; // one bit per parameter
     QString symbol;
     for (const Parameter parameter : kParameters) {
         if (valueOf(before, parameter) != valueOf(after, parameter)) {
@@ -86,7 +86,7 @@ EditName changeName(const std::shared_ptr<const Reference> &before, const std::s
         return {EditStack::tr("closing of %1").arg(before->name), 0, true};
     }
     if (before && before->paths == after->paths) {
-        return {EditStack::tr("other reading of %1").arg(after->name)};
+        return {EditStack::tr("new interpretation of %1").arg(after->name)};
     }
     return {EditStack::tr("opening of %1").arg(after->name), 0, true};
 }
@@ -97,15 +97,15 @@ Session::Session(QObject *parent)
     : QObject(parent)
 {
     m_choices.solver.method = Method::ClosedForm;
-    m_choices.solver.newton.elimination = Elimination::Structured; // the same iterates, ten times faster
+    m_choices.solver.newton.elimination = Elimination::Structured; // the same iterates as Dense, ten times faster
     m_result = compute(m_choices, {});
-    m_rest.setSingleShot(true);
-    connect(&m_rest, &QTimer::timeout, this, &Session::startDiagnosis);
+    m_settling.setSingleShot(true);
+    connect(&m_settling, &QTimer::timeout, this, &Session::startDiagnosis);
     connect(&m_reading, &BackgroundTask::progressed, this, &Session::readingProgressed);
     for (const BackgroundTask *task : {&m_computation, &m_reading, &m_diagnosing}) {
         connect(task, &BackgroundTask::runningChanged, this, [this](bool running) {
-            m_running += running ? 1 : -1;
-            if (m_running == (running ? 1 : 0)) {
+            m_runningTasks += running ? 1 : -1;
+            if (m_runningTasks == (running ? 1 : 0)) {
                 emit busyChanged(running);
             }
         });
@@ -114,7 +114,7 @@ Session::Session(QObject *parent)
 
 Session::~Session()
 {
-    m_edits.disconnect(); // its destructor emits signals
+    m_edits.disconnect(); // the destructor of QUndoStack emits signals
 }
 
 void Session::setParameters(const Parameters &parameters)
@@ -162,6 +162,12 @@ void Session::unpinMotions()
     edit(with(m_choices, &Choices::pinned, {}), {EditStack::tr("removal of the pinned motions")});
 }
 
+bool Session::isRangeOfReference(const Sampling &sampling) const
+{
+    const std::shared_ptr<const Reference> &reference = m_result->reference;
+    return reference && sampling == rangeOf(reference->data.time, sampling);
+}
+
 void Session::edit(const Choices &choices, const EditName &name)
 {
     if (choices == m_choices) {
@@ -174,10 +180,8 @@ void Session::edit(const Choices &choices, const EditName &name)
         return;
     }
     Choices complete = choices;
-    const auto &before = m_result->reference;
-    if (before && before->data.crank && choices.reference == m_choices.reference &&
-        choices.sampling == rangeOf(before->data.time, choices.sampling)) {
-        // The time range was that of a table by the crank angle, and stays so with another crank speed.
+    if (choices.reference && choices.reference == m_choices.reference && isRangeOfReference(choices.sampling)) {
+        // The time stamps of a table by crank angle depend on the crank speed.
         const auto &reference = std::get<std::shared_ptr<const Reference>>(timed);
         complete.sampling = rangeOf(reference->data.time, choices.sampling);
     }
@@ -234,7 +238,7 @@ void Session::publish(std::shared_ptr<const Result> result)
     emit resultChanged(m_result);
     emit timeChanged(pose());
     if (m_result->reference) {
-        m_rest.start(isNewReference ? std::chrono::milliseconds(0) : kRest);
+        m_settling.start(isNewReference ? std::chrono::milliseconds(0) : kSettlingTime);
     }
 }
 
@@ -247,7 +251,7 @@ void Session::startDiagnosis()
 {
     const std::shared_ptr<const Reference> &reference = m_choices.reference;
     const bool isResultCurrent = m_choices.parameters == m_result->choices.parameters &&
-                                 reference == m_result->choices.reference; // else the next result starts it
+                                 reference == m_result->choices.reference; // otherwise publish() starts it later
     if (!reference || !isResultCurrent || isDiagnosisCurrent()) {
         return;
     }
@@ -263,11 +267,10 @@ void Session::startDiagnosis()
         });
 }
 
-/// Ends the search without an answer.
 void Session::stopDiagnosis()
 {
     m_diagnosing.discard();
-    m_rest.stop();
+    m_settling.stop();
     if (m_choices.reference && !isDiagnosisCurrent()) {
         ReferenceDiagnosis stopped{m_choices.reference, m_choices.parameters, {}};
         stopped.found.identification.stopped = true;
@@ -299,13 +302,13 @@ void Session::read(const std::function<ReferenceSource()> &source,
 void Session::loadReference(const QStringList &paths, const std::optional<std::vector<ColumnChoice>> &columns)
 {
     const auto pipe = std::ranges::find_if(paths, [](const QString &path) { return isPipeOrDevice(QFileInfo(path)); });
-    if (pipe != paths.end()) { // might be waited for without end
+    if (pipe != paths.end()) { // reading it might never end
         emit referenceRefused(
             paths, tr("%1 is a pipe or a device: save the data in a file, and open that.").arg(displayName(*pipe)));
         return;
     }
     const auto source = [paths, columns]() -> ReferenceSource {
-        return {paths, columns ? *columns : rememberedChoices(readLayout(paths), paths), {}};
+        return {paths, columns ? *columns : savedChoices(readLayout(paths), paths), {}};
     };
     read(source, [this, paths, columns](const ReferenceOutcome &outcome) {
         if (const QString *sentence = std::get_if<QString>(&outcome)) {
@@ -314,9 +317,9 @@ void Session::loadReference(const QStringList &paths, const std::optional<std::v
         }
         const auto &reference = std::get<std::shared_ptr<const Reference>>(outcome);
         if (columns) {
-            rememberChoices(reference->data.layout, paths, *columns);
+            saveChoices(reference->data.layout, paths, *columns);
         }
-        follow(reference);
+        adoptReference(reference);
     });
 }
 
@@ -331,7 +334,7 @@ void Session::open(const Choices &choices, double seconds, const std::optional<R
 {
     if (!source) {
         m_reading.discard();
-        startWith(choices, seconds, {});
+        finishOpening(choices, seconds, {});
         return;
     }
     const auto finish = [this, choices, seconds, before = m_choices](const ReferenceOutcome &outcome) {
@@ -340,7 +343,7 @@ void Session::open(const Choices &choices, double seconds, const std::optional<R
         const QString *problem = std::get_if<QString>(&timed);
         const auto start = [this, seconds, problem = problem ? *problem : QString(),
                             complete = with(choices, &Choices::reference, problem ? nullptr : *reference)] {
-            startWith(complete, seconds, problem);
+            finishOpening(complete, seconds, problem);
         };
         if (m_choices == before) {
             start();
@@ -351,7 +354,7 @@ void Session::open(const Choices &choices, double seconds, const std::optional<R
     read([source = *source] { return source; }, finish);
 }
 
-void Session::startWith(const Choices &choices, double seconds, const QString &problem)
+void Session::finishOpening(const Choices &choices, double seconds, const QString &problem)
 {
     m_edits.clear();
     applyChoices(choices);
@@ -367,7 +370,7 @@ void Session::setReference(const std::shared_ptr<const Reference> &reference)
     }
 }
 
-void Session::follow(const std::shared_ptr<const Reference> &reference)
+void Session::adoptReference(const std::shared_ptr<const Reference> &reference)
 {
     const ReferenceOutcome timed = timedBy(Mechanism(m_choices.parameters), reference);
     if (const QString *sentence = std::get_if<QString>(&timed)) {
@@ -377,10 +380,10 @@ void Session::follow(const std::shared_ptr<const Reference> &reference)
     Choices choices = with(m_choices, &Choices::reference, reference);
     const auto &data = std::get<std::shared_ptr<const Reference>>(timed)->data;
     const Sampling range = rangeOf(data.time, choices.sampling);
-    const std::shared_ptr<const Reference> &before = m_result->reference;
-    const bool hasFollowed =
-        before && before->paths == reference->paths && choices.sampling == rangeOf(before->data.time, choices.sampling);
-    if (range != choices.sampling && (hasFollowed || !contains(choices.sampling, range))) {
+    const bool isReadAgain = m_choices.reference && m_choices.reference->paths == reference->paths;
+    const bool isRangeKept =
+        contains(choices.sampling, range) && !(isReadAgain && isRangeOfReference(choices.sampling));
+    if (range != choices.sampling && !isRangeKept) {
         choices.sampling = range;
         emit timeRangeReplaced(reference, range);
     }
@@ -401,14 +404,14 @@ void Session::apply(const Convention &convention)
     if (convention.kind == Convention::Kind::Branch) {
         setParameters(with(parameters(), &Parameters::branch, oppositeBranch(parameters().branch)));
     } else if (m_choices.reference) {
-        follow(applied(convention, m_choices.reference));
+        adoptReference(applied(convention, m_choices.reference));
     }
 }
 
 void Session::readAsPrinted()
 {
     if (m_choices.reference && m_choices.reference->asPrinted) {
-        follow(m_choices.reference->asPrinted);
+        adoptReference(m_choices.reference->asPrinted);
     }
 }
 
@@ -416,14 +419,15 @@ bool Session::cancel()
 {
     m_computation.discard();
     m_reading.discard();
-    const bool isScene = m_edits.count() == 0; // its result is still that of the scene before
+    const bool isScene = m_edits.count() == 0; // then the result is still that of the previous scene
     if (m_choices == m_result->choices) {
         stopDiagnosis();
         return true;
     }
     edit(isScene ? simplified(m_choices) : m_result->choices, {EditStack::tr("cancelling")});
     if (isScene) {
-        emit problemFound(tr("Cancelled: what the scene asks for takes longer, and is left out. Undo computes it."));
+        emit problemFound(
+            tr("Cancelled: the parts of the scene that take long to compute are left out. Undo computes them."));
     }
     return !isScene;
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The one mutable state: the choices of a person, the reference data, the current time. Every change computes an
-// immutable Result and publishes it; a change of the time publishes a Pose and computes nothing else. When the
-// parameters have rested for a moment, the reference file is identified in the background. Every edit can be undone.
+// The mutable state of the program: the settings of the user, the reference data, the current time. Every edit computes
+// an immutable Result and publishes it; a change of the time only publishes a Pose. When the parameters have not
+// changed for a moment, the mechanism of the reference file is identified in the background. Every edit can be undone.
 
 #include "ui/document/background_task.h"
 #include "ui/document/edit_stack.h"
@@ -38,19 +38,19 @@ public:
     Pose pose() const { return poseAt(m_choices.parameters, m_time); }
     const std::shared_ptr<const Result> &result() const { return m_result; } ///< never null
     const std::shared_ptr<const Reference> &reference() const { return m_choices.reference; }
-    const std::vector<Parameters> &pinned() const { return m_choices.pinned; } ///< pinned motions
+    const std::vector<Parameters> &pinned() const { return m_choices.pinned; } ///< the pinned motions
 
-    /// Null without a reference file, and until it is known. It may have been found beside other parameters than the
-    /// current ones (ReferenceDiagnosis::parameters), until these have rested and the next one is published.
+    /// Null until a reference file has been diagnosed. While the parameters change, this is the diagnosis for earlier
+    /// parameters (ReferenceDiagnosis::parameters).
     const std::shared_ptr<const ReferenceDiagnosis> &diagnosis() const { return m_diagnosis; }
 
     QUndoStack &undoStack() { return m_edits; }
 
-    /// Whether something was edited since the undo stack was clean; opening a reference file is no edit.
+    /// Whether anything was edited since the undo stack was clean. Opening a reference file is not an edit.
     bool isModified() const { return m_edits.isModified(); }
 
-    /// Replaces all choices and the time; that cannot be undone. The reference is read from `source` first, in the
-    /// background. Emits opened(), or editedMeanwhile() if something was edited before the file was read.
+    /// Replaces all choices and the time, which cannot be undone. Reads the reference from `source` first, in the
+    /// background. Emits opened(), or editedMeanwhile() if anything was edited before the file was read.
     void open(const Choices &choices, double seconds, const std::optional<ReferenceSource> &source);
 
 public slots:
@@ -59,74 +59,81 @@ public slots:
     void setSampling(const slidercrank::Sampling &sampling);
     void setSolver(const slidercrank::SolverSettings &solver);
 
-    void pinMotion(); ///< pins the current motion; up to kMaxPinned
-    void unpinMotions();
+    void pinMotion();    ///< pins the current motion; at most kMaxPinned motions
+    void unpinMotions(); ///< removes all pinned motions
 
-    void setTime(double seconds); ///< moved into the time range
+    void setTime(double seconds); ///< clamped to the time range
 
-    /// Reads a file, or several that are joined, in the background, with the columns that a person has chosen for such
-    /// files. Emits referenceLoaded() or referenceRefused(). If the time range does not contain the data, it becomes
+    /// Reads a file, or joins several files, in the background. Uses the column choices that are saved for such files.
+    /// Emits referenceLoaded() or referenceRefused(). If the time range does not contain the data, it is replaced by
     /// that of the data.
     void loadReference(const QString &path) { loadReference(QStringList(path)); }
     void loadReference(const QStringList &paths) { loadReference(paths, std::nullopt); }
 
-    /// Reads the current file again with its time or crank angle column taken as `role`, which is Time or CrankAngle,
-    /// and remembers that choice.
+    /// Reads the current file again with its time or crank angle column read as `role`, which is Time or CrankAngle,
+    /// and saves that choice.
     void readAbscissaAs(slidercrank::ColumnRole role);
 
-    /// Takes data that have been read, or null, and leaves the time range as it is.
+    /// Uses data that have been read, or no data if null. Does not change the time range.
     void setReference(const std::shared_ptr<const slidercrank::Reference> &reference);
 
-    /// Takes the mechanism that was found in the file, with nominal values; does nothing if none was found.
+    /// Makes the mechanism that was found in the file the model, with nominal values. Does nothing if none was found.
     void useFoundMechanism();
 
-    /// Applies a convention to the reference data; Branch changes the assembly of the model.
+    /// Applies a convention to the reference data. Convention::Kind::Branch changes the assembly of the model instead.
     void apply(const slidercrank::Convention &convention);
 
-    void readAsPrinted(); ///< without the conventions
+    void readAsPrinted(); ///< removes the conventions from the reference data
 
-    /// Edits of the same parameter between these two are undone in one step.
+    /// Edits of parameters between these two calls are undone in one step.
     void beginDrag() { m_edits.setDragging(true); }
     void endDrag() { m_edits.setDragging(false); }
 
-    /// Stops what is computed or read in the background, and returns to the choices of the current result. Returns
-    /// false if that is not possible because a scene was opened: then it is simplified until its result is soon there.
+    /// Stops all background tasks, and restores the choices of the current result. Returns false if there is no such
+    /// result because a scene was just opened: then the scene is simplified until it can be computed quickly.
     bool cancel();
 
 signals:
-    void parametersChanged(const slidercrank::Parameters &parameters); ///< for the controls
+    void parametersChanged(const slidercrank::Parameters &parameters);
     void settingsChanged(const slidercrank::Sampling &sampling, const slidercrank::SolverSettings &solver);
     void resultChanged(const std::shared_ptr<const slidercrank::Result> &result);
     void timeChanged(const slidercrank::Pose &pose);
     void diagnosisChanged(const std::shared_ptr<const slidercrank::ReferenceDiagnosis> &diagnosis); ///< may be null
     void referenceLoaded(const std::shared_ptr<const slidercrank::Reference> &reference);           ///< may be null
 
-    /// Before a reference is loaded whose time range replaces the current one.
+    /// Emitted before the time range of a reference replaces the current one.
     void timeRangeReplaced(const std::shared_ptr<const slidercrank::Reference> &reference,
-                    const slidercrank::Sampling &sampling);
+                           const slidercrank::Sampling &sampling);
     void referenceRefused(const QStringList &paths, const QString &sentence); ///< nothing has changed
-    void opened(const QString &problem); ///< not empty: why the scene was opened without its reference
-    void editedMeanwhile(const std::function<void()> &open); ///< call it to open the scene, and lose the edits
+    void opened(const QString &problem); ///< `problem`: why the scene was opened without its reference, or empty
+    void editedMeanwhile(const std::function<void()> &open); ///< open() opens the scene and discards the edits
     void readingProgressed(double part);                     ///< 0 … 1 of the reference file
     void problemFound(const QString &sentence);              ///< nothing has changed
-    void busyChanged(bool busy);                             ///< something is computed or read in the background
+    void busyChanged(bool busy);                             ///< whether any background task runs
 
 private:
     void edit(const Choices &choices, const EditName &name);
     void applyChoices(const Choices &choices);
-    void follow(const std::shared_ptr<const Reference> &reference);
 
-    /// Reads in the background, with these columns or else the remembered ones, then calls follow().
+    /// Whether the time range of `sampling` is that of the reference data in the result.
+    bool isRangeOfReference(const Sampling &sampling) const;
+
+    /// Uses the reference, and its time range if the current one does not contain it.
+    void adoptReference(const std::shared_ptr<const Reference> &reference);
+
+    /// Reads in the background, with these column choices or else the saved ones, then calls adoptReference().
     void loadReference(const QStringList &paths, const std::optional<std::vector<ColumnChoice>> &columns);
+
+    /// Reads in the background from what `source` returns there, then calls done().
     void read(const std::function<ReferenceSource()> &source,
               const std::function<void(const ReferenceOutcome &)> &done);
-    void startWith(const Choices &choices, double seconds, const QString &problem);
+    void finishOpening(const Choices &choices, double seconds, const QString &problem);
 
     void recompute();
     void publish(std::shared_ptr<const Result> result);
     void startDiagnosis();
     bool isDiagnosisCurrent() const;
-    void stopDiagnosis();
+    void stopDiagnosis(); ///< publishes a diagnosis without a result
     void publishDiagnosis(std::shared_ptr<const ReferenceDiagnosis> diagnosis);
 
     Choices m_choices;
@@ -136,8 +143,8 @@ private:
     BackgroundTask m_computation;
     BackgroundTask m_reading;
     BackgroundTask m_diagnosing;
-    int m_running = 0;   ///< how many of these three
-    QTimer m_rest{this}; ///< runs while the parameters may still be moving
+    int m_runningTasks = 0;
+    QTimer m_settling{this}; ///< runs while the parameters may still be changing
 
     EditStack m_edits{[this](const Choices &choices) { applyChoices(choices); }, this};
 };

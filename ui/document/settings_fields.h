@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Describes the fields of each struct of settings once, by their names in files and their limits. Scenes, recovery files,
-// saved column choices and the JSON of the command line are read and written by these functions.
+// Describes the fields of each struct of settings once, by their names in files and their limits. Scenes, recovery
+// files, saved column choices and the JSON of the command line are read and written by these functions.
 
 #include "core/sampling/trajectory.h"
 #include "ui/document/json_fields.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What a person chose to see of the plots and of the drawing: it is saved with a scene.
+// The settings of the plots and of the drawing, which are saved with a scene.
 
 #include "core/mechanism/channel.h"
 #include "ui/text/interval.h"
@@ -25,7 +25,7 @@ constexpr bool isErrorPlot(std::size_t plot)
     return plot % kPlotColumns == kErrorColumn;
 }
 
-/// Which of the plotted channels a plot of the model shows.
+/// The index in kPlottedChannels of the channel that a plot of the model shows.
 constexpr std::size_t channelOf(std::size_t plot)
 {
     return plot / kPlotColumns * kErrorColumn + plot % kPlotColumns;
@@ -47,7 +47,7 @@ enum class ErrorMeasure {
 
 enum class Abscissa { Time, CrankAngle };
 
-/// What the person chose to see.
+/// Settings of the plots.
 struct PlotSettings {
     ErrorMeasure error = ErrorMeasure::OfPeak;
     bool logarithmicError = false;
@@ -57,25 +57,25 @@ struct PlotSettings {
     friend bool operator==(const PlotSettings &, const PlotSettings &) = default;
 };
 
-/// What is in view; empty: of the time all there is, of the values what is seen in that time.
+/// The visible ranges of the plots. Without a value, the whole time range is visible, and all values within it.
 struct PlotZoom {
-    std::optional<Interval> time;                           ///< s, of all nine
-    std::array<std::optional<Interval>, kPlotCount> values; ///< decimal logarithms where the axis is logarithmic
+    std::optional<Interval> time;                           ///< s, in all nine plots
+    std::array<std::optional<Interval>, kPlotCount> values; ///< decimal logarithms if the axis is logarithmic
 
     friend bool operator==(const PlotZoom &, const PlotZoom &) = default;
 };
 
-/// What a person may put on show beside the linkage.
+/// What the drawing shows beside the linkage.
 struct MechanismSettings {
     bool velocity = false;
     bool acceleration = false;
-    bool path = false; ///< of the coupler's centre of mass
+    bool path = false; ///< the path of the coupler's centre of mass
     bool names = false;
     bool dimensions = false;
     bool angles = false;        ///< θ₂ and θ³
-    bool instantCentre = false; ///< of the coupler, with the velocities of A and B
+    bool instantCentre = false; ///< the instant centre of the coupler, with the velocities of A and B
 
-    bool showsVelocity() const { return velocity || instantCentre; } ///< of whatever points
+    bool showsVelocity() const { return velocity || instantCentre; } ///< of any point
 
     friend bool operator==(const MechanismSettings &, const MechanismSettings &) = default;
 };

@@ -20,11 +20,11 @@ struct WholeFileText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::WholeFileText)
 };
 
-/// QSaveFile::commit() synchronizes the file as well, but ignores failures.
+/// Writes the buffers of the system to the disk. QSaveFile::commit() does that as well, but ignores failures.
 bool synchronize(const QSaveFile &file)
 {
 #ifdef Q_OS_UNIX
-    return ::fsync(file.handle()) == 0 || errno == EINVAL || errno == ENOTSUP; // some file systems cannot
+    return ::fsync(file.handle()) == 0 || errno == EINVAL || errno == ENOTSUP; // not supported by some file systems
 #else
     return true;
 #endif
@@ -44,10 +44,10 @@ bool WholeFile::fail(const QString &reason)
     return false;
 }
 
-/// Without a buffer, because QSaveFile::commit() of Qt 6.4 ignores that the rest of a buffer cannot be written.
+/// Opens without a buffer, because QSaveFile::commit() of Qt 6.4 ignores a failure to write the rest of a buffer.
 bool WholeFile::open()
 {
-    if (isPipeOrDevice(QFileInfo(m_file.fileName()))) { // would be replaced by a file
+    if (isPipeOrDevice(QFileInfo(m_file.fileName()))) { // it would be replaced by a file
         return fail(WholeFileText::tr("it is a pipe or a device"));
     }
     return m_file.open(QIODevice::WriteOnly | QIODevice::Unbuffered) || fail(m_file.errorString());
@@ -55,7 +55,7 @@ bool WholeFile::open()
 
 bool WholeFile::write(const QByteArray &bytes)
 {
-    for (qint64 done = 0; m_reason.isEmpty() && done < bytes.size();) { // a disk that fills up takes a part first
+    for (qint64 done = 0; m_reason.isEmpty() && done < bytes.size();) { // a disk that is nearly full takes only a part
         const qint64 count = m_file.write(bytes.constData() + done, bytes.size() - done);
         if (count <= 0) {
             return fail(m_file.errorString());
@@ -99,7 +99,7 @@ bool isPipeOrDevice(const QFileInfo &file)
 
 bool openForReading(QFile &file, const QString &path)
 {
-    constexpr int kStandardInput = 0; // a descriptor: with `stdin`, the end of a pipe would be an error
+    constexpr int kStandardInput = 0; // the descriptor; with `stdin`, the end of a pipe would be an error
     const QIODevice::OpenMode mode = QIODevice::ReadOnly | QIODevice::Unbuffered;
     file.setFileName(path);
     return isStandardInput(path) ? file.open(kStandardInput, mode) : file.open(mode);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Files that are written completely or not at all, and what else can be read from: pipes and standard input.
+// Writes files completely or not at all, and opens files, pipes and standard input for reading.
 
 #include <QByteArray>
 #include <QSaveFile>
@@ -16,19 +16,18 @@ class QFileInfo;
 namespace slidercrank
 {
 
-/// Everything that the program writes goes through this class. Until commit() succeeds, an older file of that name
-/// stays as it is.
+/// A file that is written completely or not at all. Until commit() succeeds, an older file of that name is unchanged.
 class WholeFile
 {
 public:
     explicit WholeFile(const QString &path);
 
-    /// These return false after a failure; reason() then says why, and nothing more is written.
+    /// These return false after a failure. Then reason() says why, and nothing more is written.
     bool open();
     bool write(const QByteArray &bytes);
-    bool commit(const std::stop_token &stop = {}); ///< also false if stopped
+    bool commit(const std::stop_token &stop = {}); ///< also returns false if stopped
 
-    /// Part of a sentence, without its full stop.
+    /// Why writing failed, as part of a sentence, without a full stop.
     QString reason() const { return m_reason; }
 
 private:
@@ -38,16 +37,16 @@ private:
     QString m_reason;
 };
 
-/// Writes the whole file; returns the reason if that fails.
+/// Writes a file completely or not at all. Returns the reason if that fails.
 std::optional<QString> writeWhole(const QString &path, const QByteArray &bytes);
 
-/// The error text of the system as part of a sentence: Windows ends it with a full stop.
+/// Removes the full stop that Windows adds to the error texts of the system.
 QString withoutFullStop(QString reason);
 
-/// Whether the path "-" is given, which stands for standard input.
+/// Whether the path is "-", which stands for standard input.
 bool isStandardInput(const QString &path);
 
-/// Whether it exists, and is neither a file nor a folder.
+/// Whether the path exists, and is neither a file nor a folder.
 bool isPipeOrDevice(const QFileInfo &file);
 
 /// Opens a file, a pipe, or standard input for reading, without a buffer.

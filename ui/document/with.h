@@ -6,7 +6,7 @@
 namespace slidercrank
 {
 
-/// The same but for that member.
+/// Returns a copy of `whole` whose `member` is `part`.
 template <typename Whole, typename Part>
 Whole with(Whole whole, Part Whole::*member, const std::type_identity_t<Part> &part)
 {

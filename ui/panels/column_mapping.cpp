@@ -165,7 +165,7 @@ ColumnMapping::ColumnMapping(const QStringList &paths, const QByteArrayList &beg
     constexpr int kAround = 40;  // px of the screen
     resize(std::min(kWidth, screen()->availableGeometry().width() - kAround), 640);
 
-    for (const ColumnChoice &choice : rememberedChoices(m_layout, m_paths)) {
+    for (const ColumnChoice &choice : savedChoices(m_layout, m_paths)) {
         showChoice(choice.column, choice);
         m_rows[choice.column].isChosen = true;
     }
@@ -373,7 +373,7 @@ void ColumnMapping::accept()
     for (std::size_t i = 0; i < m_rows.size(); ++i) { // a guess that was looked at and accepted is chosen
         m_rows[i].isChosen = m_rows[i].isChosen || isGuess(m_layout.columns[i].reason);
     }
-    rememberChoices(m_layout, m_paths, choices());
+    saveChoices(m_layout, m_paths, choices());
     QDialog::accept();
     emit chosen(m_paths);
 }

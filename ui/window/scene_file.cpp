@@ -71,8 +71,7 @@ Scene SceneFile::scene() const
             .plots = m_views.plots->settings(),
             .zoom = m_views.plots->zoom(),
             .mechanism = m_views.mechanism->settings(),
-            .mechanismFrame = m_views.mechanism->zoom(),
-            .asRead = m_asRead};
+            .mechanismFrame = m_views.mechanism->zoom()};
 }
 
 void SceneFile::askThen(const std::function<void()> &proceed)
@@ -136,7 +135,6 @@ void SceneFile::finishOpening(const QString &problem)
     const Opening opening = *std::exchange(m_opening, std::nullopt);
     m_path = opening.path;
     m_state = opening.state;
-    m_asRead = opening.scene.asRead;
     m_missing = problem.isEmpty() ? std::nullopt : opening.scene.reference;
     m_views.plots->setSettings(opening.scene.plots);
     m_views.plots->setZoom(opening.scene.zoom);

@@ -75,7 +75,6 @@ private:
     QWidget *m_window;
     QString m_path;
     FileState m_state;    ///< of that file when it was opened or saved last
-    QJsonObject m_asRead; ///< the file at m_path
     std::optional<ReferenceSource>
         m_missing;                    ///< of the scene, which is open without it: it is saved again all the same
     std::optional<Opening> m_opening; ///< while its reference is read

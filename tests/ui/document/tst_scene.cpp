@@ -223,20 +223,10 @@ private slots:
         QVERIFY(!session.reference());
     }
 
-    void keepsTheKeysThatItDoesNotKnow()
+    void ignoresUnknownKeys()
     {
-        QJsonObject whole = QJsonDocument::fromJson(sceneWith(QStringLiteral("view.arrows"), true)).object();
-        whole.insert(QStringLiteral("notes"), QJsonArray{QStringLiteral("of a person"), 1});
-        Scene scene = std::get<Scene>(parseScene(QJsonDocument(whole).toJson(), kPath));
-        scene.parameters.b = 33.0;
-        scene.reference.reset();
-        scene.zoom = {};
-        const QJsonObject written = toObject(scene);
-        QCOMPARE(written[u"notes"], whole[u"notes"]);
-        QCOMPARE(written[u"view"][u"arrows"], QJsonValue(true));
-        QCOMPARE(written[u"mechanism"][u"b"], QJsonValue(33.0));
-        QVERIFY(written[u"reference"].isNull());
-        QVERIFY(written[u"view"][u"zoom"][u"time"].isNull());
+        const Scene scene = std::get<Scene>(parseScene(sceneWith(QStringLiteral("view.arrows"), true), kPath));
+        QVERIFY(!toObject(scene)[u"view"].toObject().contains(u"arrows"));
     }
 
     /// Each was saved by an earlier version: Table 1, the sample's mechanism taken over, two steps on, zoomed in.
@@ -309,7 +299,7 @@ private slots:
             {"kept", QJsonArray{mechanism, mechanism, mechanism, mechanism, mechanism}, "\"kept\""},
             {"version", 2, "newer"},
             {"version", 1e300, "newer"},
-            {"version", "1", "no scene"},
+            {"version", "1", "not a scene"},
             {"version", 0, "\"version\""},
             {"mechanism.a", 0, "\"mechanism.a\""},
             {"mechanism.b", -1e-9, "\"mechanism.b\""},
@@ -356,8 +346,8 @@ private slots:
         refused(QByteArray(), {QStringLiteral("line 1"), QStringLiteral("not JSON")});
         refused("{\n\"version\": 1,\n}", {QStringLiteral("line 3"), QStringLiteral("not JSON")});
         refused(QByteArray("\xff\xfe{\0}\0", 6), {QStringLiteral("not JSON")});
-        refused("[]", {QStringLiteral("no scene")});
-        refused("{\"name\": 1}", {QStringLiteral("no scene"), QStringLiteral("version")});
+        refused("[]", {QStringLiteral("not a scene")});
+        refused("{\"name\": 1}", {QStringLiteral("not a scene"), QStringLiteral("version")});
     }
 
     void saysWhyAFileCannotBeRead()

@@ -73,7 +73,7 @@ struct Dialog {
 
 std::vector<ColumnChoice> remembered(const QByteArray &bytes)
 {
-    return rememberedChoices(layoutOf(readReferenceData(bytes.toStdString())), {QStringLiteral("/a/results.csv")});
+    return savedChoices(layoutOf(readReferenceData(bytes.toStdString())), {QStringLiteral("/a/results.csv")});
 }
 
 } // namespace
@@ -166,9 +166,9 @@ private slots:
     void aFileWithoutHeadingsIsRememberedByItself()
     {
         const FileLayout layout = layoutOf(readReferenceData("0,20,75\n1,21,74\n2,22,73\n"));
-        rememberChoices(layout, {"/a/one.csv"}, {{1, ColumnRole::Channel, kTheta3, "rad"}});
-        QCOMPARE(rememberedChoices(layout, {"/a/one.csv"}).size(), std::size_t(1));
-        QVERIFY(rememberedChoices(layout, {"/a/two.csv"}).empty());
+        saveChoices(layout, {"/a/one.csv"}, {{1, ColumnRole::Channel, kTheta3, "rad"}});
+        QCOMPARE(savedChoices(layout, {"/a/one.csv"}).size(), std::size_t(1));
+        QVERIFY(savedChoices(layout, {"/a/two.csv"}).empty());
     }
 
     void whatCannotBeIsToldAndNotUsed()
@@ -240,7 +240,7 @@ private slots:
         session.loadReference(path);
         QVERIFY(loaded.wait(kPatience));
         session.apply({Convention::Kind::LengthUnit, {kSlider}, 100.0});
-        rememberChoices(readLayout(QStringList(path)), {path},
+        saveChoices(readLayout(QStringList(path)), {path},
                         {{2, ColumnRole::Ignored, {}, {}}, {3, ColumnRole::Channel, kSlider, {}}});
         loaded.clear();
         session.loadReference(path);
