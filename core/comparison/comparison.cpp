@@ -112,7 +112,6 @@ ChannelComparison compareColumn(const Column &column, const Scale &scale, const 
     ChannelComparison result;
     result.channel = channel;
     result.peak = scale.peak;
-    RoundingSteps steps(column.reference.rounding);
     const double unit = scale.size > 0.0 ? scale.size : 1.0; // in it no square over- or underflows
     double squares = 0.0;
     double largestStep = 0.0;
@@ -122,7 +121,7 @@ ChannelComparison compareColumn(const Column &column, const Scale &scale, const 
         if (!std::isfinite(value)) {
             continue;
         }
-        const double step = steps.at(value);
+        const double step = column.reference.rounding.stepAt(value);
         largestStep = std::max(largestStep, step);
         if (!std::isfinite(model)) {
             result.missingModel += doubt != nullptr && doubt->isMotionPossible(channel, i) ? 0 : 1;

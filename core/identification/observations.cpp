@@ -134,12 +134,11 @@ void learnStatistics(ObservedColumn &column, const Rounding &rounding, double un
     column.mean = sum / std::max(column.count, 1.0);
     column.range = column.count > 0.0 ? range.width() : 0.0;
     column.varies = column.range > 0.0;
-    RoundingSteps steps(rounding);
     std::vector<double> stepAt(column.values.size(), 0.0);
     double squares = 0.0;
     for (std::size_t i = 0; i < stepAt.size(); ++i) {
         if (const double value = column.values[i]; !std::isnan(value)) {
-            stepAt[i] = steps.at(value / unit) * unit;
+            stepAt[i] = rounding.stepAt(value / unit) * unit;
             column.step = std::max(column.step, stepAt[i]);
             squares += (value - column.mean) * (value - column.mean);
         }

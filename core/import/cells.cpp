@@ -15,28 +15,21 @@ namespace slidercrank
 namespace
 {
 
-constexpr std::string_view kMinusSign = "\u2212";
+/// Powers of ten that a double represents exactly.
+constexpr std::array kExactPowers{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+                                  1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
-bool isSign(std::string_view text)
+constexpr std::string_view kGaps = "nan -nan na n/a #n/a #div/0! #num! null";
+
+constexpr char kApostrophe = '\'';
+
+/// Minus signs, Fortran's exponents, and the characters that only separate thousands.
+constexpr std::string_view kNumberSpellings = "\u2212=-| ='|\u00A0='|\u2009='|\u202F='|D=e|d=e";
+
+/// Parses "e-12" or nothing. Returns false for any other text.
+bool parseExponent(std::string_view text, int &exponent)
 {
-    return text.starts_with('-') || text.starts_with('+');
-}
-
-/// Powers of ten that a double holds exactly.
-constexpr std::array<double, 23> kExactPowers = [] {
-    std::array<double, 23> powers{};
-    double power = 1.0;
-    for (double &each : powers) {
-        each = power;
-        power *= 10.0;
-    }
-    return powers;
-}();
-
-/// Reads the exponent, "e-12" or none; false where the text is something else.
-bool readExponent(std::string_view text, int &exponent)
-{
-    constexpr int kLargest = 100'000; // far beyond any double, and no sum of such overflows
+    constexpr int kLargest = 100'000; // far beyond any double, and small enough that no sum overflows
     if (text.empty()) {
         return true;
     }
@@ -47,67 +40,64 @@ bool readExponent(std::string_view text, int &exponent)
     return fault != std::errc::invalid_argument && end == text.data() + text.size();
 }
 
-/// `text`: an optional minus sign, digits with at most one decimal sign, an optional exponent.
+/// Parses an optional minus sign, digits with at most one decimal sign, and an optional exponent.
 CellNumber parsePlain(std::string_view text, char decimal)
 {
+    CellNumber number; // returned everywhere, so that it is never copied
     const bool isNegative = text.starts_with('-');
-    const std::size_t begin = isNegative ? 1 : 0;
     std::uint64_t mantissa = 0;
-    std::size_t point = text.npos;
-    std::size_t end = begin; // of the digits
+    int count = 0;  // of digits
+    int whole = -1; // digits before the decimal sign; -1: no decimal sign yet
+    const std::size_t begin = isNegative ? 1 : 0;
+    std::size_t end = begin;
     for (; end < text.size(); ++end) {
         const auto digit = static_cast<unsigned>(text[end]) - unsigned{'0'};
         if (digit <= 9) {
+            ++count;
             mantissa = 10 * mantissa + digit;
-        } else if (text[end] == decimal && point == text.npos) {
-            point = end;
+        } else if (text[end] == decimal && whole < 0) {
+            whole = count;
         } else {
             break;
         }
     }
-    const std::size_t length = end - begin - (point == text.npos ? 0 : 1);
     const bool hasExponent = end < text.size() && (text[end] == 'e' || text[end] == 'E');
     int exponent = 0;
-    if (length == 0 || (end < text.size() && !hasExponent) || !readExponent(text.substr(end), exponent)) {
-        return {.fault = RowFault::NotANumber};
+    if (count == 0 || (end < text.size() && !hasExponent) || !parseExponent(text.substr(end), exponent)) {
+        number.fault = RowFault::NotANumber;
+        return number;
     }
-    const auto isNothing = [decimal](char c) { return c == '0' || c == decimal; };
-    const auto placeOf = [&](std::size_t digit) {
-        const std::size_t before = point == text.npos ? end : point; // of the point
-        return exponent + static_cast<int>(before) - static_cast<int>(digit) - (digit < before ? 1 : 0);
-    };
-    CellNumber number;
-    number.places.printed = point == end - 1 ? exponent : placeOf(end - 1);
-    std::size_t first = begin;
-    while (first < end && isNothing(text[first])) {
-        ++first;
+    int zeros = 0; // leading ones
+    for (std::size_t i = begin; i < end && (text[i] == '0' || text[i] == decimal); ++i) {
+        zeros += text[i] == '0' ? 1 : 0;
     }
-    number.places.zero = first == end;
-    if (!number.places.zero) {
-        std::size_t last = end - 1;
-        while (isNothing(text[last])) {
-            --last;
+    const int beforeFirst = exponent + (whole < 0 ? count : whole); // power of ten one above the first digit
+    constexpr int kMostDigits = 19;                                 // that fit into the mantissa
+    number.places.zero = zeros == count;
+    number.places.printed = beforeFirst - count;
+    if (zeros < count) {
+        number.places.first = beforeFirst - zeros - 1;
+        number.places.last = number.places.printed;
+        for (std::uint64_t rest = mantissa; count - zeros <= kMostDigits && rest % 10 == 0; rest /= 10) {
+            ++number.places.last;
         }
-        number.places.first = placeOf(first);
-        number.places.last = placeOf(last);
     }
-    // Both factors are doubles exactly: one correctly rounded operation.
-    constexpr std::size_t kMostDigits = 19; // of the mantissa
+    // If both factors are exact, the result of one operation is correctly rounded.
     constexpr std::uint64_t kLargestExact = std::uint64_t{1} << 53U;
     const auto power = static_cast<std::size_t>(std::abs(number.places.printed));
-    if (length <= kMostDigits && mantissa <= kLargestExact && power < kExactPowers.size()) {
-        const auto whole = static_cast<double>(mantissa);
-        const double size = number.places.printed < 0 ? whole / kExactPowers[power] : whole * kExactPowers[power];
+    if (count - zeros <= kMostDigits && mantissa <= kLargestExact && power < kExactPowers.size()) {
+        const auto exact = static_cast<double>(mantissa);
+        const double size = number.places.printed < 0 ? exact / kExactPowers[power] : exact * kExactPowers[power];
         number.value = isNegative ? -size : size;
         return number;
     }
     std::string pointed;
-    if (decimal != '.' && point != text.npos) {
+    if (decimal != '.' && whole >= 0) {
         pointed = text;
-        pointed[point] = '.';
+        std::ranges::replace(pointed, decimal, '.');
         text = pointed;
     }
-    double value = 0.0; // stays where the number is too small
+    double value = 0.0; // of a number that is too small
     const std::errc fault = std::from_chars(text.data(), text.data() + text.size(), value).ec;
     if (fault == std::errc::result_out_of_range && number.places.first > 0) {
         number.fault = RowFault::TooLarge;
@@ -117,24 +107,30 @@ CellNumber parsePlain(std::string_view text, char decimal)
     return number;
 }
 
-/// The number with "-" as its minus sign, no plus sign and no separators of thousands; empty where it is none.
+/// Returns the number without plus sign and thousands separators, or an empty text where these are ambiguous.
 std::string withoutSeparators(std::string_view text, char decimal, char separator)
 {
-    const std::size_t sign = text.starts_with(kMinusSign) ? kMinusSign.size() : isSign(text) ? 1 : 0;
-    std::string plain = sign > 0 && text[0] != '+' ? "-" : "";
-    text.remove_prefix(sign);
-    const std::string_view whole = text.substr(0, text.find(decimal));
+    const std::string respelledText = respelled(text, kNumberSpellings);
+    std::string_view rest = respelledText;
+    rest.remove_prefix(std::min(rest.find_first_not_of(kApostrophe), rest.size()));
+    rest.remove_suffix(rest.size() - (rest.find_last_not_of(kApostrophe) + 1));
+    std::string plain = rest.starts_with('-') ? "-" : "";
+    rest.remove_prefix(rest.starts_with('-') || rest.starts_with('+') ? 1 : 0);
+    const std::string_view whole = rest.substr(0, rest.find(decimal));
+    const bool hasApostrophe = whole.find(kApostrophe) != whole.npos;
+    separator = hasApostrophe ? kApostrophe : separator;
     const auto separators = std::ranges::count(whole, separator);
     bool isGrouped = whole.size() % 4 != 0;
     for (std::size_t i = 0; i < whole.size(); ++i) {
         isGrouped = isGrouped && ((whole.size() - i) % 4 == 0 ? whole[i] == separator : isDigit(whole[i]));
     }
-    const bool isClear = separators == 0 || (isGrouped && (whole.size() < text.size() || separators > 1));
-    if (!isClear || isSign(text)) {
+    const bool isClear =
+        separators == 0 || (isGrouped && (hasApostrophe || whole.size() < rest.size() || separators > 1));
+    if (!isClear || rest.starts_with('-') || rest.starts_with('+')) {
         return {};
     }
     std::ranges::remove_copy(whole, std::back_inserter(plain), separator);
-    return plain.append(text.substr(whole.size()));
+    return plain.append(rest.substr(whole.size()));
 }
 
 } // namespace
@@ -148,11 +144,6 @@ std::string_view trimmed(std::string_view text)
         text.remove_suffix(1);
     }
     return text;
-}
-
-bool equalIgnoringCase(std::string_view text, std::string_view lowerCaseText)
-{
-    return std::ranges::equal(text, lowerCaseText, {}, lowerCase);
 }
 
 std::string_view takeLine(std::string_view &rest)
@@ -208,7 +199,7 @@ Cells splitCells(std::string_view line, char delimiter)
     return cells;
 }
 
-Cells splitBetweenBlanks(std::string_view line, std::size_t least)
+Cells splitAtBlanks(std::string_view line, std::size_t least)
 {
     Cells cells;
     std::size_t blanks = 0;
@@ -238,7 +229,7 @@ CellNumber parseNumber(std::string_view text, DecimalSign decimalSign)
     if (number.fault != RowFault::NotANumber) {
         return number;
     }
-    if (text.empty() || equalIgnoringCase(text, "nan") || equalIgnoringCase(text, "-nan")) {
+    if (text.empty() || isAmong(lowered(text), kGaps)) {
         return {};
     }
     number = parsePlain(withoutSeparators(text, decimal, separator), decimal);
@@ -250,8 +241,9 @@ CellNumber parseNumber(std::string_view text, DecimalSign decimalSign)
 
 bool looksNumeric(std::string_view text)
 {
-    text.remove_prefix(text.starts_with(kMinusSign) ? kMinusSign.size() : 0);
-    return std::ranges::any_of(text, isDigit) && text.find_first_not_of("0123456789+-.,eE") == text.npos;
+    const std::string plain = respelled(text, kNumberSpellings);
+    return std::ranges::any_of(plain, isDigit) && !plain.starts_with('e') &&
+           plain.find_first_not_of("0123456789+-.,eE'") == plain.npos;
 }
 
 NumberWithUnit splitUnit(std::string_view text)

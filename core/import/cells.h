@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The smallest parts of a table of text: lines, cells and the numbers in them. All text is UTF-8.
+// Lines, cells and numbers in a table of text. All text is UTF-8.
 
 #include "core/import/read_fault.h"
 #include "core/import/rounding.h"
@@ -25,59 +25,53 @@ inline bool isDigit(char c)
     return c >= '0' && c <= '9';
 }
 
-inline char lowerCase(char c)
-{
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
-/// The text without the blanks around it.
+/// Returns the text without leading and trailing blanks.
 std::string_view trimmed(std::string_view text);
 
-bool equalIgnoringCase(std::string_view text, std::string_view lowerCaseText);
-
-/// Removes the first line from `rest` and returns it without its end: LF, CR LF or CR.
+/// Removes the first line from `rest` and returns it without its line ending (LF, CR LF or CR).
 std::string_view takeLine(std::string_view &rest);
 
 struct Cell {
-    std::string_view text;  ///< without the blanks and quotation marks around it; doubled marks stay doubled
-    bool wellFormed = true; ///< false: a quotation mark is not closed, or text follows the closing one
+    std::string_view text;  ///< without surrounding blanks and quotation marks; doubled quotation marks stay doubled
+    bool wellFormed = true; ///< false if a quotation mark is not closed, or text follows the closing one
 };
 
-/// Removes the first cell from the rest of a line and returns it. Between cells stands the delimiter; where that is a
-/// space, any run of blanks. Behind the last cell `rest` has no data.
+/// Removes the first cell from the rest of a line and returns it. If the delimiter is a space, any run of blanks
+/// separates two cells. After the last cell, `rest.data()` is null.
 Cell takeCell(std::string_view &rest, char delimiter);
 
 using Cells = std::vector<std::string_view>;
 
-/// The texts of all cells of a line, without empty ones at the end.
+/// Returns the texts of all cells of a line, without the empty ones at the end.
 Cells splitCells(std::string_view line, char delimiter);
 
-/// The cells between runs of at least so many blanks outside brackets; what stands in brackets belongs to the name in
-/// front of it: "Time (s)   P[X] ( mm )".
-Cells splitBetweenBlanks(std::string_view line, std::size_t least);
+/// Splits a line at runs of at least `least` blanks outside brackets. Text in brackets belongs to the name before it:
+/// "Time (s)   P[X] ( mm )" has two cells.
+Cells splitAtBlanks(std::string_view line, std::size_t least);
 
 struct CellNumber {
-    double value = std::numeric_limits<double>::quiet_NaN(); ///< NaN: a gap or a fault
+    double value = std::numeric_limits<double>::quiet_NaN(); ///< NaN for a gap or a fault
     PrintedPlaces places{};
     std::optional<RowFault> fault{};
 };
 
-/// An empty cell and "nan" are gaps. The minus may be U+2212. Separators of thousands (the other decimal sign) are
-/// accepted where they cannot be mistaken: "1.234,56", "1.234.567", but not "1.234" in a file with decimal commas.
+/// Parses a number. An empty cell, "nan" and "NA" are gaps. Accepts U+2212 as minus sign, Fortran's exponent
+/// ("1.5D+03") and thousands separators: spaces and apostrophes, and the other decimal sign where it is unambiguous
+/// ("1.234,56" and "1.234.567", but not "1.234", in a file with decimal commas).
 CellNumber parseNumber(std::string_view text, DecimalSign decimalSign);
 
-/// Whether the text has the characters of a number, whatever its decimal sign.
+/// Returns whether the text consists of the characters of a number with either decimal sign.
 bool looksNumeric(std::string_view text);
 
-/// A cell's number, and the known unit behind it: "0.005 sec". Without one the unit is empty.
 struct NumberWithUnit {
     std::string_view number;
     std::string_view unit{};
 };
 
+/// Splits "0.005 sec" into the number and the known unit after it. Without a known unit, all of the text is the number.
 NumberWithUnit splitUnit(std::string_view text);
 
-/// What a message repeats of a cell: its beginning, not cut within a character.
+/// Returns the beginning of a cell for a message, never cut within a character.
 std::string excerpt(std::string_view text);
 
 } // namespace slidercrank

@@ -13,17 +13,8 @@ namespace slidercrank
 namespace
 {
 
-/// Instants of nine digits are uneven in the last one, and values of nine digits show it.
-constexpr double kEvenPartOfStep = 1e-3;
-
-/// A double's own rounding: half a unit in the last place of either instant, twice for two differences, and as much for
-/// a change of unit.
-constexpr double kUlpsOfADifference = 4.0;
-
-/// Fewer may lie so by chance.
-constexpr std::size_t kInstantsOfAGrid = 10;
-
-/// Each instant is off by half a step at most, and so are the first and the last, between which the others are held.
+/// Returns whether time stamps are evenly spaced within their rounding. Each of them has an error of up to half a step,
+/// and so have the first and the last one, which determine the spacing.
 bool isRoundedGrid(std::span<const double> time, double step)
 {
     const double spacing = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
@@ -39,14 +30,17 @@ bool isRoundedGrid(std::span<const double> time, double step)
 
 Clock clockOf(std::span<const double> time, const Rounding &rounding)
 {
+    constexpr double kPartOfStep = 1e-3; // nine digits are uneven in the last one, and nine-digit values show it
+    constexpr double kUlps = 4.0;        // of the two time stamps of two differences, and of a unit conversion
+    constexpr std::size_t kFewestTimeStamps = 10; // fewer may be evenly spaced by chance
     Clock clock;
     if (time.empty()) {
         return clock;
     }
     const double latest = std::max(std::abs(time.front()), std::abs(time.back()));
     clock.printedStep = rounding.stepAt(latest);
-    const double slack = std::max(kEvenPartOfStep * clock.printedStep,
-                                  kUlpsOfADifference * std::numeric_limits<double>::epsilon() * latest);
+    const double slack =
+        std::max(kPartOfStep * clock.printedStep, kUlps * std::numeric_limits<double>::epsilon() * latest);
     double least = std::numeric_limits<double>::infinity();
     double most = 0.0;
     for (std::size_t i = 1; i < time.size() && clock.even; ++i) {
@@ -56,7 +50,7 @@ Clock clockOf(std::span<const double> time, const Rounding &rounding)
         clock.even = most - least <= slack;
     }
     clock.printedStep = clock.even ? rounding.finestStep() : clock.printedStep;
-    clock.rounded = !clock.even && time.size() >= kInstantsOfAGrid && isRoundedGrid(time, clock.printedStep);
+    clock.rounded = !clock.even && time.size() >= kFewestTimeStamps && isRoundedGrid(time, clock.printedStep);
     return clock;
 }
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What a file's instants are worth: they are rounded like any other number, and the motion has moved on by what that
-// leaves out. Where all of them are equally far apart nothing has been lost in between: 0, 0.005, 0.01 are what the
-// program that wrote the file meant, though 0, 0.0133, 0.0266 may have been 0, 0.013303, 0.026606. Where they are but
-// for their rounding (0, 0.033, 0.067, 0.1), they were rounded; and where they are not at all (0, 0.1, 0.25, 1),
-// somebody may have chosen them.
+// The precision of time stamps. They are rounded like any other number, and the mechanism moves during the rounding
+// error. Evenly spaced time stamps (0, 0.005, 0.01) are taken as exact: the program that wrote 0, 0.0133, 0.0266 may
+// have meant 0, 0.013303, 0.026606, but nothing shows it. Time stamps that are evenly spaced within their rounding (0,
+// 0.033, 0.067, 0.1) were rounded. Other ones (0, 0.1, 0.25, 1) may have been chosen.
 
 #include "core/import/rounding.h"
 
@@ -17,17 +16,17 @@ namespace slidercrank
 struct ReferenceData;
 
 struct Clock {
-    /// s: what the instants were rounded to, where it is largest; of an even clock, whose digits tell nothing, the last
-    /// place printed. 0: unknown.
+    /// Largest rounding step of the time stamps, s. If they are evenly spaced, their digits do not show it, and it is
+    /// the step of the last printed digit. 0 if it is unknown.
     double printedStep = 0.0;
-    bool even = true;     ///< all differences are equal, as far as a double tells or to 1e-3 of the step
-    bool rounded = false; ///< not even, but what rounding makes of instants that are: ten of them at least
+    bool even = true;     ///< whether all differences are equal within the precision of a double or 1e-3 of the step
+    bool rounded = false; ///< whether at least ten time stamps are evenly spaced within their rounding, but not `even`
 
-    /// What the instants are off by is to be taken as within half of this, s.
+    /// Returns the rounding step that time stamps have to be expected to have, s: the error is at most half of it.
     double step() const { return even ? 0.0 : printedStep; }
 };
 
-/// `time`: s, increasing.
+/// Requires increasing time stamps, s.
 Clock clockOf(std::span<const double> time, const Rounding &rounding);
 
 Clock clockOf(const ReferenceData &data);

@@ -12,19 +12,6 @@
 namespace slidercrank
 {
 
-namespace
-{
-
-/// What is shifted keeps its decimals, but not its significant digits.
-Rounding roundingOfInstants(const CrankAngles &crank, double degreesPerSecond)
-{
-    Rounding rounding = crank.rounding.withDecimalsAt(rangeOf(crank.degrees).size());
-    rounding.unitFactor /= std::abs(degreesPerSecond);
-    return rounding;
-}
-
-} // namespace
-
 std::optional<double> unitsPerDegree(const std::string &unit)
 {
     const std::optional<Unit> known = unit.empty() ? kDegree : parseUnit(unit);
@@ -32,9 +19,9 @@ std::optional<double> unitsPerDegree(const std::string &unit)
                                                                               : std::nullopt;
 }
 
-std::vector<double> goingOn(std::vector<double> degrees)
+std::vector<double> unwrapped(std::vector<double> degrees)
 {
-    if (!turnsBackAt(degrees)) {
+    if (!findReversal(degrees)) {
         return degrees;
     }
     constexpr double kTurn = 360.0;
@@ -47,7 +34,7 @@ std::vector<double> goingOn(std::vector<double> degrees)
     return degrees;
 }
 
-std::optional<std::size_t> turnsBackAt(std::span<const double> degrees)
+std::optional<std::size_t> findReversal(std::span<const double> degrees)
 {
     const bool rises = degrees.size() > 1 && degrees[1] > degrees[0];
     for (std::size_t i = 1; i < degrees.size(); ++i) {
@@ -78,13 +65,14 @@ std::optional<ReferenceData> timedBy(const Mechanism &mechanism, ReferenceData d
     crank.theta20 = mechanism.theta20();
     data.time.resize(crank.degrees.size());
     std::ranges::transform(crank.degrees, data.time.begin(), [&](double angle) { return (angle - start) / speed; });
-    data.timeRounding = roundingOfInstants(crank, speed);
+    data.timeRounding = crank.rounding.withDecimalsAt(rangeOf(crank.degrees).size());
+    data.timeRounding.unitFactor /= std::abs(speed);
     if (clockOf(data).even) {
-        data.timeRounding = Rounding(); // angles that lie evenly were chosen, not measured
+        data.timeRounding = Rounding(); // evenly spaced angles were chosen, not measured
     }
-    const bool areInstants = std::isfinite(data.time.front()) && std::isfinite(data.time.back()) &&
+    const bool areDistinct = std::isfinite(data.time.front()) && std::isfinite(data.time.back()) &&
                              std::ranges::adjacent_find(data.time, std::greater_equal<>()) == data.time.end();
-    return areInstants ? std::optional(std::move(data)) : std::nullopt;
+    return areDistinct ? std::optional(std::move(data)) : std::nullopt;
 }
 
 } // namespace slidercrank

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Files that count by the crank's angle instead of the time, as tables of textbooks and engines do: which column it is,
-// how its numbers go on from turn to turn, and the instants that follow from it for a crank of a given drive:
+// Tables by crank angle instead of time, as in textbooks and engine software. The time stamps follow from the drive:
 //
 //     t = (θ2 - θ20) / ω2
 //
-// Positions by angle do not depend on the drive, nor does what they are compared with; derivatives by the time do.
+// Positions at a crank angle do not depend on the drive, but time derivatives do.
 
 #include "core/import/reference_data.h"
 #include "core/mechanism/mechanism.h"
@@ -19,19 +18,21 @@
 namespace slidercrank
 {
 
-/// "deg", "rad", "°CA", or empty for degrees: how many make a degree. None for another unit.
+inline constexpr Channel kCrankAngle{Theta2, Order::Position};
+
+/// Returns how many of the unit make a degree; 1 for an empty unit, nullopt if it is not a unit of angle.
 std::optional<double> unitsPerDegree(const std::string &unit);
 
-/// Without the jumps of angles that are kept within a turn: 359, 0, 1 go on as 359, 360, 361. As they are where they go
-/// one way throughout already.
-std::vector<double> goingOn(std::vector<double> degrees);
+/// Removes the jumps of angles that are limited to one turn: 359, 0, 1 becomes 359, 360, 361. Angles that already go in
+/// one direction throughout are returned unchanged.
+std::vector<double> unwrapped(std::vector<double> degrees);
 
-/// The first that does not follow the one before in the direction of the first two; none where all go one way.
-std::optional<std::size_t> turnsBackAt(std::span<const double> degrees);
+/// Returns the index of the first angle that does not continue in the direction of the first two, or nullopt.
+std::optional<std::size_t> findReversal(std::span<const double> degrees);
 
-/// The data with the instants at which that mechanism's crank comes to the file's angles; rows change their order where
-/// it turns the other way. Data with instants of their own stay as they are. None where there are no such instants: the
-/// crank stands still, or turns so slowly or so fast that no doubles tell them apart.
+/// Returns the data with the time stamps at which the crank of that mechanism has the angles of the file. Reverses the
+/// order of the rows if it rotates in the other direction. Data with time stamps of their own are returned unchanged.
+/// Returns nullopt if the crank stands still, or is so slow or fast that a double cannot distinguish the time stamps.
 std::optional<ReferenceData> timedBy(const Mechanism &mechanism, ReferenceData data);
 
 } // namespace slidercrank

@@ -13,14 +13,14 @@ namespace slidercrank
 
 std::optional<Difference> differenceIn(const ReferenceData &data, Channel channel)
 {
-    constexpr std::size_t kLookedAt = 512;
-    constexpr std::size_t kFewest = 12;
-    constexpr double kEvenly = 1e-2;    // of a step
-    constexpr double kMoreAlike = 16.0; // than anything else, in squares
-    constexpr double kOfItself = 1e-6;  // what computing leaves
+    constexpr std::size_t kExaminedRows = 512;
+    constexpr std::size_t kFewestRows = 12;
+    constexpr double kUnevenness = 1e-2;      // of a time step
+    constexpr double kBetter = 16.0;          // ratio of the sums of squares of the second best to the best match
+    constexpr double kArithmeticError = 1e-6; // relative to the peak
     const ReferenceSeries *const rate = data.find(channel);
-    const std::size_t rows = std::min(data.time.size(), kLookedAt);
-    if (channel.order == Order::Position || !rate || rows < kFewest || data.crank) { // by angle there are no instants
+    const std::size_t rows = std::min(data.time.size(), kExaminedRows);
+    if (channel.order == Order::Position || !rate || rows < kFewestRows || data.crank) { // no time stamps by angle
         return std::nullopt;
     }
     const ReferenceSeries *const base =
@@ -30,11 +30,10 @@ std::optional<Difference> differenceIn(const ReferenceData &data, Channel channe
     }
     const double step = (data.time[rows - 1] - data.time[0]) / static_cast<double>(rows - 1);
     const std::vector<double> &x = base->values;
-    // By Difference, and a derivative: differences of the fourth order are as near to one as none of these.
-    std::array<double, 4> squares{};
+    std::array<double, 4> squares{}; // by Difference; the last one of the derivative, by differences of fourth order
     double count = 0.0;
     for (std::size_t i = 2; i + 2 < rows; ++i) {
-        if (std::abs(data.time[i + 1] - data.time[i] - step) > kEvenly * step) {
+        if (std::abs(data.time[i + 1] - data.time[i] - step) > kUnevenness * step) {
             return std::nullopt;
         }
         const double central = (x[i + 1] - x[i - 1]) / (2.0 * step);
@@ -53,10 +52,10 @@ std::optional<Difference> differenceIn(const ReferenceData &data, Channel channe
     squares[best] = std::numeric_limits<double>::infinity();
     const double peak = rangeOf(rate->values).size();
     const double allowed =
-        base->rounding.stepAt(rangeOf(x).size()) / step + rate->rounding.stepAt(peak) + kOfItself * peak;
-    const bool isMet = count >= kFewest / 2 && least <= allowed * allowed * count &&
-                       *std::ranges::min_element(squares) > kMoreAlike * least;
-    return isMet && best < 3 ? std::optional(static_cast<Difference>(best)) : std::nullopt;
+        base->rounding.stepAt(rangeOf(x).size()) / step + rate->rounding.stepAt(peak) + kArithmeticError * peak;
+    const bool matches = count >= kFewestRows / 2 && least <= allowed * allowed * count &&
+                         *std::ranges::min_element(squares) > kBetter * least;
+    return matches && best < 3 ? std::optional(static_cast<Difference>(best)) : std::nullopt;
 }
 
 } // namespace slidercrank

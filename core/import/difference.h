@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Velocities and accelerations that are differences: a program that knows positions only writes how they change from
-// row to row. These are the derivative half a step away, and of positions with few digits mostly rounding.
+// Recognizes velocities and accelerations that are difference quotients of neighbouring rows. They approximate the
+// derivative half a step away, and from positions with few digits they are mostly rounding errors.
 
 #include "core/import/file_layout.h"
 
@@ -13,8 +13,8 @@ namespace slidercrank
 
 struct ReferenceData;
 
-/// What the first rows of the column are of the column of one order less: only where they are that as far as both
-/// columns' digits go, and are nothing else as nearly, a derivative neither.
+/// Returns which difference quotient of the column of one order less a column contains, judging by the first rows, or
+/// nullopt. It has to match within the rounding of both columns, and clearly better than the others and the derivative.
 std::optional<Difference> differenceIn(const ReferenceData &data, Channel channel);
 
 } // namespace slidercrank

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// How a reference file is written and what each of its columns became, and why: where numbers come from, for whoever
-// asks, and what a person needs who wants to choose the columns otherwise. Lines count from 1, columns from 0.
+// Describes how a reference file is written, and what each of its columns is used for and why. Lines count from 1,
+// columns from 0.
 
 #include "core/mechanism/channel.h"
 
@@ -21,40 +21,37 @@ enum class DecimalSign { Point, Comma };
 enum class ColumnRole {
     Ignored,
     Time,
-    CrankAngle, ///< counted by instead of the time, which follows from it
+    CrankAngle, ///< instead of the time, which follows from it
     Channel
 };
 
-/// Why a column became what it is. `otherColumn` is FileColumn::otherColumn.
+/// Why a column has its role. `otherColumn` is FileColumn::otherColumn.
 enum class ColumnReason {
     // Certain.
-    KnownName, ///< the name is one of the time or of a channel
-    Chosen,    ///< a person chose it, for any role
+    KnownName, ///< the heading names the time or a channel
+    Chosen,    ///< by a person, for any role
 
-    // Guessed: to be confirmed by a person.
-    QuantityInName, ///< the name, with its unit, says the quantity but leaves open of which body: the usual one
-    LetterAndUnit,  ///< Inventor's P, V or A says the order, the unit angle or length
-    OtherOfJoint,   ///< Inventor's P, V or A says the order, another column of the same joint angle or length
-    EvenRate,       ///< an angle that grows at an even rate is the crank's
-    BeyondOneTurn,  ///< an angle that spans more than a turn is the crank's; or a derivative of it, otherColumn
-    RisingValues,   ///< no column is named as the time; this is the first that only rises
-    FileName,       ///< the heading says nothing ("Value"), the name of the file does
-    ModelicaName,   ///< named as Modelica names it, and so taken to be in m, rad and s
-    AngleForTime,   ///< no column is the time; this is the crank's angle, which goes one way throughout
+    // Guessed: a person should confirm them.
+    QuantityInName, ///< the heading and its unit denote a quantity, but not of which body: the usual one is assumed
+    LetterAndUnit,  ///< like that, with Inventor's letters P, V and A
+    EvenRate,       ///< an angle that grows at a constant rate is that of the crank
+    BeyondOneTurn,  ///< so is an angle that spans more than a turn; or the column is a derivative of such an angle
+    RisingValues,   ///< no column is named as the time; this is the first one whose values only rise
+    FileName,       ///< the heading is generic ("Value"), but the name of the file denotes a quantity
+    ModelicaName,   ///< the heading is a name of Modelica's library, so m, rad and s are assumed
+    AngleForTime,   ///< no column is the time; this is the crank angle, which does not change its direction
 
     // Ignored.
-    UnknownName,   ///< the name means no channel
-    UnknownBody,   ///< the name says a quantity of something, and nothing of what
-    RowNumber,     ///< it counts the rows
-    Magnitude,     ///< of a vector whose components are other columns, otherColumn the first
-    SameInstants,  ///< the instants of another column's values, the same as the time's
-    OtherInstants, ///< its values stand at other instants than the time's, which is otherColumn
-    NoName,        ///< the heading is empty
-    NoNumber,      ///< no cell holds a number
-    UnknownUnit,   ///< the name suggests a channel, but the unit is none of that quantity
-    LikeOther,     ///< could be the same channel as otherColumn: which one, a person must say
-    NotDerivative, ///< the values are not the derivative that the name says, of otherColumn
-    AngleOrLength  ///< nothing tells an angle from a length
+    UnknownName,    ///< the heading denotes no channel
+    UnknownBody,    ///< the heading denotes a quantity, but of an unknown body
+    RowNumber,      ///< it numbers the rows
+    Magnitude,      ///< of a vector whose first component is otherColumn
+    SameTimeStamps, ///< the time stamps of another signal, equal to those in otherColumn
+    NoName,         ///< the heading is empty
+    NoNumber,       ///< no cell contains a number
+    UnknownUnit,    ///< the unit is unknown, or does not suit the quantity
+    LikeOther,      ///< otherColumn could be the same channel: a person has to choose
+    AngleOrLength   ///< it is unknown whether it is an angle or a length
 };
 
 constexpr bool isGuess(ColumnReason reason)
@@ -62,63 +59,62 @@ constexpr bool isGuess(ColumnReason reason)
     return reason >= ColumnReason::QuantityInName && reason <= ColumnReason::AngleForTime;
 }
 
-/// Whether the column may well be a channel: which, only a person can say.
+/// Returns whether the column is probably a channel, which only a person can choose.
 constexpr bool leavesOpen(ColumnReason reason)
 {
     return reason == ColumnReason::UnknownBody || reason == ColumnReason::LikeOther ||
            reason == ColumnReason::AngleOrLength;
 }
 
-/// Between the values of two rows, by the time between them.
+/// A difference quotient of the values in two rows.
 enum class Difference {
-    Forward, ///< this row and the next
-    Backward,
-    Central ///< the row before and the next
+    Forward,  ///< of this row and the next
+    Backward, ///< of the previous row and this one
+    Central   ///< of the previous row and the next
 };
 
-/// One column of the file, UTF-8 whatever the file's encoding.
+/// A column of the file. The texts are UTF-8, whatever the encoding of the file.
 struct FileColumn {
-    std::string heading{}; ///< as printed, with the unit where it stands there; empty: none
-    std::string unit{};    ///< as printed, in the heading or in the line of units; empty: none given, the author's
+    std::string heading{}; ///< as printed, including a unit
+    std::string unit{};    ///< as printed, in the heading or a line of units; empty: none, the default unit applies
     ColumnRole role = ColumnRole::Ignored;
-    Channel channel{}; ///< where the role is Channel
+    Channel channel{}; ///< if the role is Channel
     ColumnReason reason = ColumnReason::UnknownName;
-    std::optional<std::size_t> otherColumn{}; ///< that the reason speaks of
-    std::optional<Difference> difference{};   ///< what a column of derivatives is made of
-    std::size_t file = 0;                     ///< that it stands in, of FileLayout::files
+    std::optional<std::size_t> otherColumn{};
+    std::optional<Difference> difference{}; ///< how a column of derivatives was computed; nullopt: exactly, or unknown
+    std::size_t file = 0;                   ///< index in FileLayout::files
 };
 
-/// What was found of a file's form. Of several that are joined, the columns of one follow those of the other; the rest
-/// is that of the first.
+/// The layout of a file. If several files are joined, their columns follow each other, and the rest describes the first
+/// one.
 struct FileLayout {
     TextEncoding encoding = TextEncoding::Utf8;
     bool byteOrderMark = false;
     char delimiter = ',';
     DecimalSign decimalSign = DecimalSign::Point;
     std::size_t headerLine = 0;                 ///< 0: none, the file begins with numbers
-    std::vector<std::size_t> preambleLines;     ///< before the header: titles, comments, a delimiter announced
+    std::vector<std::size_t> preambleLines;     ///< above the headings: titles, comments, an announced delimiter
     std::size_t unitsLine = 0;                  ///< 0: none
-    std::vector<FileColumn> columns;            ///< all of them, in the file's order
+    std::vector<FileColumn> columns;            ///< all of them, in the order of the file
     std::vector<std::vector<std::string>> rows; ///< the first few rows of cells as printed, for a preview
-    std::vector<std::string> files;             ///< the names of those that are joined; empty: it is one
+    std::vector<std::string> files;             ///< names of the joined files; empty for a single file
 
-    /// Whether names did not tell all that was taken from the file: a person should look at the columns.
+    /// Returns whether the role of any column was guessed, so that a person should confirm it.
     bool isGuessed() const;
 
-    /// Whether there are columns whose names differ only in what they belong to, and none of them is used: a person
-    /// has to say which of them is what.
+    /// Returns whether no column is used as a channel where several could be, so that a person has to choose.
     bool isOpen() const;
 };
 
-/// What a person says of one column, over whatever its name says.
+/// The meaning that a person gives a column, which overrides its heading.
 struct ColumnChoice {
     std::size_t column = 0; ///< from 0
     ColumnRole role = ColumnRole::Ignored;
-    Channel channel;  ///< where the role is Channel
-    std::string unit; ///< as a heading would give it ("rad/s", "m", "ms"); empty: the file's, or the author's
+    Channel channel;  ///< if the role is Channel
+    std::string unit; ///< as in a heading ("rad/s", "m", "ms"); empty: that of the file, or else the default unit
 };
 
-/// The same of a column by its heading.
+/// The same for a column that is identified by its heading.
 struct NamedChoice {
     std::string heading; ///< as printed, with or without its unit; "#3": the third column
     ColumnRole role = ColumnRole::Ignored;

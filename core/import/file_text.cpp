@@ -2,11 +2,11 @@
 #include "core/import/file_text.h"
 
 #include "core/import/cells.h"
+#include "core/import/unit_text.h"
 
 #include <boost/locale/encoding_utf.hpp>
 
 #include <algorithm>
-#include <array>
 #include <optional>
 
 namespace slidercrank
@@ -43,7 +43,7 @@ std::string fromWindows1252(std::string_view bytes)
     return boost::locale::conv::utf_to_utf<char>(characters);
 }
 
-/// Whether at least half of the characters beyond ASCII are valid.
+/// Returns whether at least half of the characters outside ASCII are valid UTF-8.
 bool isUtf8(std::string_view bytes)
 {
     using Utf8 = boost::locale::utf::utf_traits<char>;
@@ -61,55 +61,20 @@ bool isUtf8(std::string_view bytes)
     return surplus >= 0;
 }
 
-/// Of text without a mark: in the beginning of a table nearly every character is ASCII, every other byte zero.
-std::optional<TextEncoding> findUtf16(std::string_view bytes)
-{
-    bytes = bytes.substr(0, std::min<std::size_t>(bytes.size() / 2 * 2, 1024));
-    std::array<std::size_t, 2> zeros{};
-    for (std::size_t i = 0; i < bytes.size(); ++i) {
-        zeros[i % 2] += bytes[i] == '\0' ? 1 : 0;
-    }
-    const auto [least, most] = std::minmax(zeros[0], zeros[1]);
-    if (bytes.size() < 4 || least > 0 || most < bytes.size() / 2 * 3 / 4) {
-        return std::nullopt;
-    }
-    return zeros[1] > 0 ? TextEncoding::Utf16LittleEndian : TextEncoding::Utf16BigEndian;
-}
-
-TextEncoding findEncoding(std::string_view bytes)
-{
-    constexpr std::size_t kLookedAt = std::size_t{1} << 20U;
-    if (const std::optional<TextEncoding> utf16 = findUtf16(bytes)) {
-        return *utf16;
-    }
-    return bytes.starts_with("\xFF\xFE")                                        ? TextEncoding::Utf16LittleEndian
-           : bytes.starts_with("\xFE\xFF")                                      ? TextEncoding::Utf16BigEndian
-           : bytes.starts_with(kUtf8Mark) || isUtf8(bytes.substr(0, kLookedAt)) ? TextEncoding::Utf8
-                                                                                : TextEncoding::Windows1252;
-}
-
-/// The first character other than a space behind that place; 0 where there is none.
-char characterBehind(std::string_view text, std::size_t at)
-{
-    const std::size_t found = text.find_first_not_of(" \t\r\n", at);
-    return found == text.npos ? '\0' : lowerCase(text[found]);
-}
-
-/// Other formats begin like this: "[s]" is a unit, though, and "<" alone may begin any bytes.
-std::optional<ReadFault::Kind> findFormat(std::string_view bytes, std::string_view text)
+/// Returns the other text format that begins like this. "[s]" is a unit, though, and "<" may begin any text.
+std::optional<ReadFault::Kind> findFormat(std::string_view text)
 {
     using enum ReadFault::Kind;
-    const char first = characterBehind(text, 0);
-    const char next = first == '\0' ? first : characterBehind(text, text.find(first) + 1);
+    std::string beginning = lowered(text.substr(0, 1000));
+    std::erase_if(beginning, [](char c) { return isBlank(c) || c == '\r' || c == '\n'; });
+    const char first = beginning.empty() ? '\0' : beginning[0];
+    const char next = beginning.size() < 2 ? '\0' : beginning[1];
     const bool isMarkup = first == '<' && ((next >= 'a' && next <= 'z') || next == '!' || next == '?');
     const bool isJson = (first == '{' && next == '"') || (first == '[' && (next == '{' || next == '['));
-    return bytes.starts_with("%PDF") ? std::optional(Pdf)
-           : isMarkup                ? std::optional(Markup)
-           : isJson                  ? std::optional(Json)
-                                     : std::nullopt;
+    return isMarkup ? std::optional(Markup) : isJson ? std::optional(Json) : std::nullopt;
 }
 
-/// Where the first byte stands that no text has; none in text. A few control characters are tolerated.
+/// Returns the position of the first byte that cannot occur in text, or npos. A few control characters are tolerated.
 std::size_t findBinary(std::string_view text)
 {
     const auto isControl = [](char c) {
@@ -123,37 +88,47 @@ std::size_t findBinary(std::string_view text)
                : text.find('\0');
 }
 
+/// Removes zero bytes and the end-of-file character (Ctrl+Z) after the text, unless they are too many for padding.
+std::string_view withoutPadding(std::string_view text)
+{
+    constexpr std::size_t kLongest = kFileBeginning / 2;
+    const std::size_t end = text.find_last_not_of(std::string_view("\0\x1A", 2)) + 1;
+    return text.size() - end <= kLongest ? text.substr(0, end) : text;
+}
+
 } // namespace
 
 std::string_view FileText::in(std::string_view bytes) const
 {
-    if (encoding != TextEncoding::Utf8) {
-        return converted;
-    }
-    return bytes.substr(byteOrderMark ? kUtf8Mark.size() : 0);
+    const bool isConverted = encoding != TextEncoding::Utf8;
+    return withoutPadding(isConverted ? converted : bytes.substr(byteOrderMark ? kUtf8Mark.size() : 0));
 }
 
 FileText decodeText(std::string_view bytes)
 {
+    constexpr std::size_t kExamined = std::size_t{1} << 20U; // bytes, for the encoding
     if (bytes.starts_with("PK\x03\x04") || bytes.starts_with("\xD0\xCF\x11\xE0") || bytes.starts_with("\x1F\x8B")) {
         throw ReadError{.fault = {ReadFault::Kind::Spreadsheet}};
     }
-    FileText text{findEncoding(bytes), bytes.starts_with(kUtf8Mark), {}};
-    const bool isLittleEndian = text.encoding == TextEncoding::Utf16LittleEndian;
-    if (isLittleEndian || text.encoding == TextEncoding::Utf16BigEndian) {
-        text.byteOrderMark = bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF");
-        text.converted = fromUtf16(bytes.substr(text.byteOrderMark ? 2 : 0), isLittleEndian);
-    } else if (text.encoding == TextEncoding::Windows1252) {
-        text.converted = fromWindows1252(bytes);
+    if (bytes.starts_with("%PDF")) {
+        throw ReadError{.fault = {ReadFault::Kind::Pdf}};
     }
-    const std::string_view all = text.in(bytes);
-    const std::size_t binary = findBinary(all);
-    const std::optional<ReadFault::Kind> format = findFormat(bytes, all);
-    if (binary != all.npos && format != ReadFault::Kind::Pdf) {
-        const auto lines = static_cast<std::size_t>(std::ranges::count(all.substr(0, binary), '\n'));
+    FileText text;
+    const bool isLittleEndian = bytes.starts_with("\xFF\xFE");
+    if (isLittleEndian || bytes.starts_with("\xFE\xFF")) {
+        text = {isLittleEndian ? TextEncoding::Utf16LittleEndian : TextEncoding::Utf16BigEndian, true,
+                fromUtf16(bytes.substr(2), isLittleEndian)};
+    } else if (bytes.starts_with(kUtf8Mark)) {
+        text.byteOrderMark = true;
+    } else if (!isUtf8(bytes.substr(0, kExamined))) {
+        text = {TextEncoding::Windows1252, false, fromWindows1252(bytes)};
+    }
+    const std::string_view whole = text.in(bytes);
+    if (const std::size_t binary = findBinary(whole); binary != whole.npos) {
+        const auto lines = static_cast<std::size_t>(std::ranges::count(whole.substr(0, binary), '\n'));
         throw ReadError{.line = lines + 1, .fault = {ReadFault::Kind::NotText}};
     }
-    if (format) {
+    if (const std::optional<ReadFault::Kind> format = findFormat(whole)) {
         throw ReadError{.fault = {*format}};
     }
     return text;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// First stage of reading: the bytes of a file → text in UTF-8. Throws ReadError where they are no text of a table.
+// First stage of reading: from the bytes of a file to text in UTF-8.
 
 #include "core/import/reference_data.h"
 
@@ -14,14 +14,15 @@ namespace slidercrank
 struct FileText {
     TextEncoding encoding = TextEncoding::Utf8;
     bool byteOrderMark = false;
-    std::string converted; ///< empty where the bytes are in UTF-8
+    std::string converted{}; ///< empty if the bytes are UTF-8
 
-    /// The text without byte order mark; `bytes` are those that this was made of.
+    /// Returns the text without byte order mark. `bytes` have to be those that were decoded.
     std::string_view in(std::string_view bytes) const;
 };
 
-/// The encoding is told by the byte order mark; else UTF-16 by its zero bytes; else it is UTF-8, unless more of the
-/// bytes beyond ASCII are invalid than valid: then Windows-1252, which holds Latin-1.
+/// Decodes the bytes of a file. A byte order mark determines the encoding. Otherwise it is UTF-8, or Windows-1252
+/// (which includes Latin-1) if most bytes outside ASCII are not valid UTF-8. Throws ReadError if the bytes are not
+/// text, or text of another format than a table.
 FileText decodeText(std::string_view bytes);
 
 } // namespace slidercrank

@@ -16,29 +16,27 @@ namespace
 using Words = std::vector<std::string>;
 using Kind = NameMeaning::Kind;
 
-/// What people write beyond ASCII, in plain letters.
-constexpr std::array<Spelling, 28> kSpellings{
-    {{"á", "a"},     {"é", "e"},     {"í", "i"},     {"ó", "o"},     {"ú", "u"},     {"ü", "u"},     {"ñ", "n"},
-     {"Á", "A"},     {"É", "E"},     {"Í", "I"},     {"Ó", "O"},     {"Ú", "U"},     {"Ü", "U"},     {"Ñ", "N"},
-     {"θ", "theta"}, {"ω", "omega"}, {"α", "alpha"}, {"ϑ", "theta"}, {"Θ", "theta"}, {"²", "2"},     {"³", "3"},
-     {"⁴", "4"},     {"₂", "2"},     {"₃", "3"},     {"₄", "4"},     {"\u0301", ""}, {"\u0303", ""}, {"°", ""}}};
+/// Letters outside ASCII, and their plain spelling.
+constexpr std::string_view kLetterSpellings =
+    "á=a|é=e|í=i|ó=o|ú=u|ü=u|ñ=n|Á=A|É=E|Í=I|Ó=O|Ú=U|Ü=U|Ñ=N|\u0301=|\u0303=|θ=theta|ϑ=theta|Θ=theta|ω=omega|α=alpha|"
+    "²=2|³=3|⁴=4|₂=2|₃=3|₄=4|°=";
 
-/// Also true of the bytes of letters without a plain spelling: those are in no word that is known here.
+/// Also true for the bytes of other letters outside ASCII, which no known word contains.
 bool isLetter(char c)
 {
     return (lowerCase(c) >= 'a' && lowerCase(c) <= 'z') || static_cast<unsigned char>(c) >= 0x80;
 }
 
-/// The runs of letters and the runs of digits, in lower case; "SliderPosition" is two words.
+/// Splits a name into runs of letters and runs of digits, in lower case. "SliderPosition" has two words.
 Words wordsOf(std::string_view name)
 {
     Words words;
     char before = ' ';
-    for (const char c : respelled(name, kSpellings)) {
+    for (const char c : respelled(name, kLetterSpellings)) {
         const bool startsWithCapital = lowerCase(c) != c && lowerCase(before) == before;
-        const bool goesOn = isLetter(c) ? isLetter(before) && !startsWithCapital : isDigit(before);
+        const bool continues = isLetter(c) ? isLetter(before) && !startsWithCapital : isDigit(before);
         if (isLetter(c) || isDigit(c)) {
-            words.resize(words.size() + (goesOn ? 0 : 1));
+            words.resize(words.size() + (continues ? 0 : 1));
             words.back() += lowerCase(c);
         }
         before = c;
@@ -51,13 +49,13 @@ constexpr std::string_view kTimeCompanions = "elapsed row sim simulation simulac
 constexpr std::string_view kRowNumbers =
     "n no nr num index row id fila frame paso step sample point node nodo element elemento";
 constexpr std::string_view kCountedUnits = "steps step frames frame samples sample rows points pasos muestras";
-constexpr std::string_view kPlotNames =
-    "y value values data output result results plot curve series valor valores datos "
-    "salida resultado resultados curva serie";
+constexpr std::string_view kGenericWords =
+    "y value values data output result results plot curve series valor valores datos salida resultado resultados curva "
+    "serie";
 
 enum class Body { Crank, Coupler, Slider };
 
-/// What a word says, or several words together.
+/// What a word, or a name of several words, says about a quantity.
 struct WordMeaning {
     std::string_view words{};
     std::optional<Order> order{};
@@ -66,10 +64,10 @@ struct WordMeaning {
     std::optional<Body> body{};
 };
 
-/// Those with a dot are Modelica's variables, the capitals Inventor's.
+/// Words with a dot are variables of Modelica, capital letters those of Inventor.
 constexpr std::nullopt_t kOpen = std::nullopt;
-constexpr std::array<WordMeaning, 21> kVocabulary{{
-    {"position posicion pos displacement disp desplazamiento P", Order::Position},
+constexpr std::array<WordMeaning, 22> kVocabulary{{
+    {"position posicion pos displacement disp desplazamiento weg P", Order::Position},
     {"coordinate coordenada stroke carrera .s", Order::Position, Dimension::Length},
     {"velocity velocidad speed vel v geschwindigkeit V", Order::Velocity},
     {"acceleration aceleracion accel acel acc a beschleunigung A .a", Order::Acceleration},
@@ -79,7 +77,7 @@ constexpr std::array<WordMeaning, 21> kVocabulary{{
     {"vy", Order::Velocity, Dimension::Length, 'y'},
     {"ax", Order::Acceleration, Dimension::Length, 'x'},
     {"ay", Order::Acceleration, Dimension::Length, 'y'},
-    {"angle angulo rotation rotacion giro orientation theta tita .phi", Order::Position, Dimension::Angle},
+    {"angle angulo rotation rotacion giro orientation theta tita winkel .phi", Order::Position, Dimension::Angle},
     {"omega w .w", Order::Velocity, Dimension::Angle},
     {"alpha alfa", Order::Acceleration, Dimension::Angle},
     {".v", Order::Velocity, Dimension::Length},
@@ -88,6 +86,7 @@ constexpr std::array<WordMeaning, 21> kVocabulary{{
     {"crank manivela kurbel", kOpen, Dimension::Angle, ' ', Body::Crank},
     {"ca cad kurbelwinkel", Order::Position, Dimension::Angle, ' ', Body::Crank},
     {"coupler rod conrod connecting biela acoplador pleuel", kOpen, kOpen, ' ', Body::Coupler},
+    {"pleuelwinkel", Order::Position, Dimension::Angle, ' ', Body::Coupler},
     {"slider piston corredera deslizadera deslizador deslizante embolo block bloque", kOpen, Dimension::Length, ' ',
      Body::Slider},
     {"de del la el of the en component componente comp trans translational latest"},
@@ -100,7 +99,7 @@ const WordMeaning *find(std::string_view word)
     return found == kVocabulary.end() ? nullptr : &*found;
 }
 
-/// The one body that is among the words of a name.
+/// Returns the body that a name mentions, or nullopt if it mentions none or several.
 std::optional<Body> findBody(std::string_view name)
 {
     std::optional<Body> body;
@@ -115,7 +114,7 @@ std::optional<Body> findBody(std::string_view name)
     return body;
 }
 
-/// The channel whose name has the same letters and digits, whatever stands between them; "dot" is a derivative.
+/// Returns the channel whose name has the same letters and digits, regardless of punctuation. "dot" is a derivative.
 std::optional<Channel> channelSpelled(const Words &words)
 {
     const auto joined = [](const Words &parts) {
@@ -143,16 +142,15 @@ bool isTime(const Words &words)
     return std::ranges::count_if(words, isNamed) == 1 && std::ranges::all_of(words, suits);
 }
 
-/// A name that a program makes up of a quantity and of the joint or body that it belongs to:
+/// A name that a program composes of a quantity and the joint or body to which it belongs:
 ///
-///     P[3.1]   V[3,1]   Trace:1 P[X]             Inventor's Output Grapher
-///     slider.s   der(crank.phi)                  Modelica's library
-///     Pos_TX@Slider   Y:Pos_TX-Slider@Model1     RecurDyn, in a table and in a pair of time and values
+///     P[3.1]   V[3,1]   Trace:1 P[X]     Inventor's Output Grapher
+///     slider.s   der(crank.phi)          Modelica's library
+///     Pos_TX@Slider   Y:Pos_TX-Slider    RecurDyn
 struct CompoundName {
     Words words{};
-    std::string owner{};
+    NameMeaning meaning{}; ///< owner and program only
     int derivatives = 0;
-    bool isModelica = false;
 };
 
 std::optional<CompoundName> splitCompound(std::string_view name)
@@ -160,18 +158,18 @@ std::optional<CompoundName> splitCompound(std::string_view name)
     const std::size_t letter = name.rfind(' ') + 1;
     const std::string_view indexed = name.substr(letter);
     if (indexed.size() >= 4 && isAmong(indexed.substr(0, 1), "P V A") && indexed[1] == '[' && indexed.ends_with(']')) {
-        CompoundName compound{{std::string(indexed.substr(0, 1))}, std::string(trimmed(name.substr(0, letter)))};
+        Words words{std::string(indexed.substr(0, 1))};
         if (letter > 0) {
-            compound.words.emplace_back(1, lowerCase(indexed[2])); // "z" means nothing
-        } else {
-            compound.owner = indexed.substr(2, indexed.size() - 3);
+            words.emplace_back(1, lowerCase(indexed[2])); // the axis
         }
-        return compound;
+        const std::string_view owner =
+            letter > 0 ? trimmed(name.substr(0, letter)) : indexed.substr(2, indexed.size() - 3);
+        return CompoundName{std::move(words), {.owner = std::string(owner), .isInventor = true}};
     }
     const bool isPair = name.starts_with("Y:");
     if (const std::size_t end = name.find(isPair ? '-' : '@'); end != name.npos) {
         return CompoundName{wordsOf(name.substr(isPair ? 2 : 0, end - (isPair ? 2 : 0))),
-                            std::string(name.substr(end + 1))};
+                            {.owner = std::string(name.substr(end + 1))}};
     }
     int derivatives = 0;
     for (; name.starts_with("der(") && name.ends_with(')'); name = name.substr(4, name.size() - 5)) {
@@ -182,7 +180,8 @@ std::optional<CompoundName> splitCompound(std::string_view name)
     if (!isPath || !find(name.substr(dot)) || isTime(wordsOf(name.substr(0, dot)))) { // "time.s" is the time in seconds
         return std::nullopt;
     }
-    return CompoundName{{std::string(name.substr(dot))}, std::string(name.substr(0, dot)), derivatives, true};
+    return CompoundName{
+        {std::string(name.substr(dot))}, {.owner = std::string(name.substr(0, dot)), .isModelica = true}, derivatives};
 }
 
 template <typename Value>
@@ -191,21 +190,21 @@ bool contradict(const std::optional<Value> &x, const std::optional<Value> &y)
     return x && y && *x != *y;
 }
 
-/// What words say together; nothing where one of them is not understood or they contradict each other: "rotation about
-/// x", "linear velocity of the crank".
+/// Returns what several words mean together, or nullopt if one of them is unknown or they contradict each other:
+/// "rotation about x", "linear velocity of the crank".
 std::optional<WordMeaning> combine(const Words &words, std::optional<Body> body)
 {
     WordMeaning all{.body = body};
-    char number = ' '; // of the body, behind θ, ω or α
+    char number = ' '; // of the link, after θ, ω or α
     bool isGreek = false;
     for (const std::string &word : words) {
         if (isDigit(word[0])) {
             number = isGreek && word.size() == 1 ? word[0] : number;
             continue;
         }
-        // "v" is a velocity when it stands alone, not in "v_0"; "tx" is an axis beside other words only.
-        const bool isOpen = isAmong(word, words.size() > 1 ? "v a w" : "tx ty rz psi");
-        const WordMeaning *const known = isOpen ? nullptr : find(word);
+        // "v" is a velocity if it is the whole name, but not in "v_0"; "tx" is an axis only in longer names.
+        const bool isAmbiguous = isAmong(word, words.size() > 1 ? "v a w" : "tx ty rz psi");
+        const WordMeaning *const known = isAmbiguous ? nullptr : find(word);
         if (!known || contradict(known->dimension, all.dimension) || contradict(known->body, all.body)) {
             return std::nullopt;
         }
@@ -228,59 +227,66 @@ std::optional<WordMeaning> combine(const Words &words, std::optional<Body> body)
     return all;
 }
 
-/// The channel or quantity that words say, `derivatives` taken of it besides.
-NameMeaning meaningOfWords(const Words &words, std::optional<Body> body, int derivatives, std::optional<Dimension> told)
+/// Returns the channel or quantity of a name, given its body and its unit, if they are known.
+NameMeaning meaningOfWords(const CompoundName &name, std::optional<Body> body, const std::optional<Unit> &unit)
 {
-    std::optional<WordMeaning> all = combine(words, body);
+    const std::optional<WordMeaning> all = combine(name.words, body);
     if (!all) {
         return {};
     }
-    all->dimension = all->dimension ? all->dimension : told;
-    const bool isAngle = all->dimension == Dimension::Angle;
-    const bool isPlace = all->axis != ' ' ? words.size() == 1 || all->body : all->body && isAngle;
-    if (!all->order && isPlace) {
-        all->order = Order::Position; // "x", "slider y", "crank"
-    }
-    const int order = all->order ? static_cast<int>(*all->order) + derivatives : 3;
+    const bool isOpen = !all->dimension && !unit;
+    const Dimension usual = unit ? unit->dimension : Dimension::Length;
+    const bool isAngle = all->dimension.value_or(usual) == Dimension::Angle;
+    const bool isPosition = all->axis != ' ' ? name.words.size() == 1 || all->body : all->body && isAngle;
+    const std::optional<Order> stated = all->order || !isPosition ? all->order : Order::Position; // "x", "crank"
+    const int order = stated ? static_cast<int>(*stated) + name.derivatives : 3;
     if (order > 2 || (all->body == Body::Coupler && !isAngle)) {
         return {};
     }
+    NameMeaning meaning = name.meaning;
+    meaning.kind = all->body ? Kind::Channel : meaning.isInventor && isOpen ? Kind::AngleOrLength : Kind::Quantity;
     const Coordinate coordinate = all->body == Body::Crank ? Theta2 : isAngle ? Theta3 : all->axis == 'y' ? R4y : R4x;
-    return {all->body ? Kind::Channel : Kind::Quantity, {coordinate, static_cast<Order>(order)}, false, all->dimension};
+    meaning.channel = {coordinate, static_cast<Order>(order)};
+    return meaning;
 }
 
 } // namespace
 
 Heading parseHeading(std::string_view cell)
 {
-    constexpr std::array<Spelling, 1> kDoubledMark{{{"\"\"", "\""}}};
-    Heading heading{.printed = respelled(cell, kDoubledMark)};
+    Heading heading{.printed = respelled(cell, "\"\"=\"")};
     const std::string_view name = heading.printed;
     const auto split = [&](std::size_t end, std::string_view unit) {
         heading.unit = trimmed(unit);
-        heading.name = trimmed(name.substr(0, end));
+        std::string_view rest = trimmed(name.substr(0, end));
+        rest.remove_suffix(rest.ends_with(" in") ? 3 : 0); // "Time in s"
+        heading.name = trimmed(rest);
     };
     heading.name = name;
+    if (name.starts_with("X:")) { // RecurDyn writes pairs "X:Pos_TX-Slider(mm)" of time stamps, "Y:…" of values
+        heading.name = "time";
+        return heading;
+    }
     const std::optional<CompoundName> compound = splitCompound(name);
-    if (compound && compound->isModelica) {
+    if (compound && compound->meaning.isModelica) {
         return heading;
     }
     if (name.ends_with(']') || name.ends_with(')')) {
         const std::size_t open = name.rfind(name.back() == ']' ? '[' : '(');
         const std::string_view inside =
             open == name.npos ? std::string_view() : trimmed(name.substr(open + 1, name.size() - open - 2));
-        // "3.1" of "P[3.1]" is no unit, nor is "X" of "P[X]".
+        // Neither "3.1" in "P[3.1]" nor "X" in "P[X]" is a unit.
         const bool isIndex = name.back() == ']' && !inside.empty() &&
                              (inside.find_first_not_of("0123456789.,: ") == inside.npos || isAmong(inside, "X Y Z"));
         if (open != name.npos && !isIndex) {
-            split(open, name.starts_with("X:") ? "" : inside); // in a pair of RecurDyn it is that of the values
+            split(open, inside);
         }
         return heading;
     }
     for (const char separator : {',', ' ', '_'}) {
         const std::size_t at = name.rfind(separator);
         const std::string_view tail = at == name.npos || at == 0 ? std::string_view() : trimmed(name.substr(at + 1));
-        if (!isAmong(tail, "in min") && parseUnit(tail)) { // these are words as well
+        if (!isAmong(tail, "in min") && parseUnit(tail)) { // these are also words
             split(at, tail);
             break;
         }
@@ -288,19 +294,13 @@ Heading parseHeading(std::string_view cell)
     return heading;
 }
 
-NameMeaning meaningOf(const Heading &heading, std::optional<Dimension> dimension)
+NameMeaning meaningOf(const Heading &heading)
 {
     const std::optional<Unit> unit = parseUnit(heading.unit);
-    const std::optional<Dimension> told = unit ? unit->dimension : dimension;
-    if (heading.name.starts_with("X:")) { // of a pair of RecurDyn
-        return {Kind::Time};
-    }
     if (const std::optional<CompoundName> compound = splitCompound(heading.name)) {
-        const std::string_view body = std::string_view(compound->owner).substr(compound->owner.rfind('.') + 1);
-        NameMeaning meaning = meaningOfWords(compound->words, findBody(body), compound->derivatives, told);
+        const std::string_view owner = compound->meaning.owner;
+        NameMeaning meaning = meaningOfWords(*compound, findBody(owner.substr(owner.rfind('.') + 1)), unit);
         if (meaning.kind != Kind::Nothing) {
-            meaning.owner = compound->owner;
-            meaning.isModelica = compound->isModelica;
             return meaning;
         }
     }
@@ -315,15 +315,15 @@ NameMeaning meaningOf(const Heading &heading, std::optional<Dimension> dimension
         return {isAmong(heading.unit, kCountedUnits) ? Kind::RowNumber : Kind::Time};
     }
     if (const std::optional<Channel> channel = channelSpelled(words)) {
-        return {Kind::Channel, *channel, true, isAngle(channel->coordinate) ? Dimension::Angle : Dimension::Length};
+        return {Kind::Channel, *channel, true};
     }
     if (words.size() == 1 && isAmong(words[0], kRowNumbers)) {
         return {Kind::RowNumber};
     }
-    return meaningOfWords(words, {}, 0, told);
+    return meaningOfWords({std::move(words)}, {}, unit);
 }
 
-bool interpretHeadings(std::vector<Heading> &row, const std::string &unitOfLengths, const std::string &unitOfAngles)
+void interpretHeadings(std::vector<Heading> &row, const std::string &unitOfLengths, const std::string &unitOfAngles)
 {
     std::optional<std::size_t> magnitude;
     for (std::size_t i = 0; i < row.size(); ++i) {
@@ -336,29 +336,21 @@ bool interpretHeadings(std::vector<Heading> &row, const std::string &unitOfLengt
             heading.unit = heading.unit.empty() ? whole.unit : heading.unit;
         }
         heading.meaning = meaningOf(heading);
-        if (!isComponent) {
-            magnitude = heading.meaning.kind == Kind::Quantity ? std::optional(i) : std::nullopt;
-        }
-    }
-    bool isAnyGiven = false;
-    for (Heading &heading : row) {
-        const auto sibling = std::ranges::find_if(row, [&](const Heading &other) {
-            return other.meaning.owner == heading.meaning.owner && other.meaning.dimension;
-        });
-        if (!heading.meaning.owner.empty() && !heading.meaning.dimension && sibling != row.end()) {
-            heading.meaning = meaningOf(heading, sibling->meaning.dimension);
-        }
         const NameMeaning &meaning = heading.meaning;
-        const bool isAngle = meaning.dimension == Dimension::Angle;
-        const std::string unit = meaning.isModelica ? (isAngle ? "rad" : "m") : isAngle ? unitOfAngles : unitOfLengths;
-        if (heading.unit.empty() && !unit.empty() && meaning.dimension) {
+        if (!isComponent) {
+            magnitude = meaning.kind == Kind::Quantity ? std::optional(i) : std::nullopt;
+        }
+        const bool isQuantity = meaning.kind == Kind::Channel || meaning.kind == Kind::Quantity;
+        const bool isOfAngle = isAngle(meaning.channel.coordinate);
+        const std::string base = meaning.isModelica ? (isOfAngle ? "rad" : "m")
+                                 : isOfAngle        ? unitOfAngles
+                                                    : unitOfLengths;
+        if (isQuantity && heading.unit.empty() && !base.empty()) {
             constexpr std::array kPerTime{"", "/s", "/s2"};
-            heading.unit = unit + kPerTime[static_cast<std::size_t>(meaning.channel.order)];
+            heading.unit = base + kPerTime[static_cast<std::size_t>(meaning.channel.order)];
             heading.hasUnitOfModelica = meaning.isModelica;
-            isAnyGiven = isAnyGiven || !meaning.isModelica;
         }
     }
-    return isAnyGiven;
 }
 
 bool endsInQuantity(const Heading &heading)
@@ -369,10 +361,11 @@ bool endsInQuantity(const Heading &heading)
     return known && !known->body && (words.back().size() > 1 ? known->order || known->dimension : known->axis != ' ');
 }
 
-bool saysNothing(const Heading &heading)
+bool isGeneric(const Heading &heading)
 {
-    return std::ranges::all_of(wordsOf(heading.name),
-                               [](const std::string &word) { return isDigit(word[0]) || isAmong(word, kPlotNames); });
+    return std::ranges::all_of(wordsOf(heading.name), [](const std::string &word) {
+        return isDigit(word[0]) || isAmong(word, kGenericWords);
+    });
 }
 
 } // namespace slidercrank

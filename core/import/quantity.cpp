@@ -17,31 +17,14 @@ namespace slidercrank
 namespace
 {
 
-/// Signs in ASCII, spaces of any width, raised digits behind "^".
-constexpr std::array<Spelling, 17> kSigns{{{"\u2212", "-"},
-                                           {"\u00A0", " "},
-                                           {"\u2009", " "},
-                                           {"\u202F", " "},
-                                           {"·", "*"},
-                                           {"×", "*"},
-                                           {"⁻", "^-"},
-                                           {"⁰", "^0"},
-                                           {"¹", "^1"},
-                                           {"²", "^2"},
-                                           {"³", "^3"},
-                                           {"⁴", "^4"},
-                                           {"⁵", "^5"},
-                                           {"⁶", "^6"},
-                                           {"⁷", "^7"},
-                                           {"⁸", "^8"},
-                                           {"⁹", "^9"}}};
-
-/// A power of ten behind a number begins with "@".
-constexpr std::array<Spelling, 4> kPowers{{{" * 10^", "@"}, {" *10^", "@"}, {"* 10^", "@"}, {"*10^", "@"}}};
+/// To ASCII signs, with "^" before each superscript character and "@" before a power of ten after a number.
+constexpr std::string_view kQuantitySpellings =
+    "\u2212=-|\u00A0= |\u2009= |\u202F= |·=*|×=*|⁻=^-|⁰=^0|¹=^1|²=^2|³=^3|⁴=^4|⁵=^5|⁶=^6|⁷=^7|⁸=^8|⁹=^9";
+constexpr std::string_view kPowerSpellings = " * 10^=@| *10^=@|* 10^=@|*10^=@";
 
 constexpr std::string_view kDigits = "0123456789";
 
-/// Removes the characters at the front of `rest` that are among these, and returns them.
+/// Removes the leading characters of `rest` that are among `characters`, and returns them.
 std::string_view take(std::string_view &rest, std::string_view characters)
 {
     const std::string_view taken = rest.substr(0, rest.find_first_not_of(characters));
@@ -49,15 +32,14 @@ std::string_view take(std::string_view &rest, std::string_view characters)
     return taken;
 }
 
-/// Whether the text begins with a space and a group of three digits, as the thousands of "1 000 001".
+/// Returns whether the text begins with a space and a group of three digits, as in "1 000 001".
 bool beginsWithGroup(std::string_view text)
 {
-    const bool isSpaced = text.starts_with(' ');
-    return isSpaced && std::min(text.find_first_not_of(kDigits, 1), text.size()) == 4;
+    return text.starts_with(' ') && std::min(text.find_first_not_of(kDigits, 1), text.size()) == 4;
 }
 
-/// Removes the number at the front of `rest` and returns it with a decimal point and an exponent, or what else is
-/// there.
+/// Removes the number at the beginning of `rest` and returns it with decimal point and exponent. The result is no
+/// number if the text does not begin with one.
 std::string takeNumber(std::string_view &rest)
 {
     std::string number(rest.substr(0, rest.find_first_not_of("+-") == 1 ? 1 : 0));
@@ -84,10 +66,10 @@ std::string takeNumber(std::string_view &rest)
     return number;
 }
 
-/// Without the tail that 4.35 · 100 has: what was written has no more digits than these.
-double withoutTail(double value)
+/// Removes the rounding error of a product such as 4.35 · 100.
+double withoutRoundingError(double value)
 {
-    constexpr int kMostDigits = 15;
+    constexpr int kMostDigits = 15; // that a person writes
     std::array<char, 32> text{};
     const auto written =
         std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, kMostDigits);
@@ -95,8 +77,8 @@ double withoutTail(double value)
     return value;
 }
 
-/// How much half a turn is: divided by that first, 360°/s, 60 rpm and 90° become exactly the double nearest to 2π, 2π
-/// and π/2.
+/// Returns half a turn in that unit. Dividing by it first converts 360°/s, 60 rpm and 90° exactly to the doubles
+/// nearest to 2π, 2π and π/2.
 double halfTurnIn(const Unit &unit)
 {
     return unit.factor == kDegreesPerRadian ? std::numbers::pi : 180.0 / unit.factor;
@@ -109,18 +91,18 @@ double converted(double value, const Unit &from, const Unit &to)
     }
     switch (from.dimension) {
     case Dimension::Angle: return value / halfTurnIn(from) * halfTurnIn(to);
-    case Dimension::Length: return withoutTail(value * from.factor / to.factor);
-    case Dimension::Time: return withoutTail(value / from.factor * to.factor);
+    case Dimension::Length: return withoutRoundingError(value * from.factor / to.factor);
+    case Dimension::Time: return withoutRoundingError(value / from.factor * to.factor);
     }
     return value;
 }
 
 } // namespace
 
-Quantity readQuantity(std::string_view text, const std::optional<Unit> &wanted)
+Quantity readQuantity(std::string_view text, const std::optional<Unit> &expected)
 {
     const auto refused = [](QuantityFault fault) { return Quantity{.fault = fault}; };
-    std::string plain = respelled(respelled(text, kSigns), kPowers);
+    std::string plain = respelled(respelled(text, kQuantitySpellings), kPowerSpellings);
     const std::size_t first = plain.starts_with('-') || plain.starts_with('+') ? 1 : 0;
     if (plain.compare(first, 3, "10^") == 0) {
         plain.replace(first, 3, "1@");
@@ -140,16 +122,16 @@ Quantity readQuantity(std::string_view text, const std::optional<Unit> &wanted)
         return {number.value, {}};
     }
     if (rest.find_first_of("0123456789+-*/.,^@") == 0) {
-        return refused(QuantityFault::NotANumber); // more than one, or a sum
+        return refused(QuantityFault::NotANumber); // several numbers, or a sum
     }
     const std::optional<Unit> unit = parseUnit(rest);
     if (!unit) {
         return refused(QuantityFault::UnknownUnit);
     }
-    if (!wanted || unit->dimension != wanted->dimension || unit->order != wanted->order) {
+    if (!expected || unit->dimension != expected->dimension || unit->order != expected->order) {
         return refused(QuantityFault::WrongUnit);
     }
-    return {converted(number.value, *unit, *wanted), {}};
+    return {converted(number.value, *unit, *expected), {}};
 }
 
 } // namespace slidercrank

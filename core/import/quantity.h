@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A number as a person writes it, alone or with a unit behind it: "25", "2.5cm", "1 in", "60 rpm", "−30°",
-// "1 000 mm", "1.5·10⁻⁸". With a decimal point; who reads in a locale brings its signs to these first.
+// Parses a number as a person writes it, with or without a unit: "25", "2.5cm", "1 in", "60 rpm", "−30°", "1 000 mm",
+// "1.5·10⁻⁸". The decimal sign is a point. Numbers in the format of a locale have to be converted first.
 
 #include "core/import/unit_text.h"
 #include "core/mechanism/channel.h"
@@ -23,19 +23,20 @@ inline constexpr Unit kTurnPerMinute{Dimension::Angle, 1, 6.0};
 inline constexpr Unit kSecond{Dimension::Time, 0, 1.0};
 
 enum class QuantityFault {
-    NotANumber,    ///< nothing, words, "20/3"
-    CommaForPoint, ///< "30,5"; "1,234.5" and "1,234,567" are no numbers
-    TooLarge,      ///< beyond a double
+    NotANumber,    ///< empty, words, "20/3"
+    CommaForPoint, ///< "30,5"; but "1,234.5" and "1,234,567" are NotANumber
+    TooLarge,      ///< for a double
     UnknownUnit,   ///< "3 feet"
-    WrongUnit,     ///< "3 s" where a length is wanted, any unit where none is
+    WrongUnit,     ///< "3 s" if a length is expected, or any unit if none is expected
 };
 
 struct Quantity {
-    double value = std::numeric_limits<double>::quiet_NaN(); ///< NaN: a fault
+    double value = std::numeric_limits<double>::quiet_NaN(); ///< NaN if there is a fault
     std::optional<QuantityFault> fault;
 };
 
-/// `wanted`: the unit of the number that comes back, and of one that stands alone; without it there is none.
-Quantity readQuantity(std::string_view text, const std::optional<Unit> &wanted);
+/// Returns the quantity in the unit `expected`, which a number without a unit has. Without `expected`, a unit is a
+/// fault.
+Quantity readQuantity(std::string_view text, const std::optional<Unit> &expected);
 
 } // namespace slidercrank

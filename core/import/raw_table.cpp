@@ -15,8 +15,9 @@ namespace
 
 constexpr double kUnreadable = std::numeric_limits<double>::infinity();
 constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t kFewestCells = 2; // a row with fewer is skipped; other missing cells at the end are gaps
 
-/// Fills the rows of a file, line by line.
+/// Appends the rows of a file to the table.
 class RowReader
 {
 public:
@@ -34,18 +35,18 @@ private:
     void readCell(std::string_view cell, std::size_t column);
     void report(const BadCell &bad);
 
-    std::vector<double> &column(std::size_t i) const { return m_table.columns[m_file.firstColumn + i]; }
+    RawColumn &column(std::size_t i) const { return m_table.columns[m_file.firstColumn + i]; }
 
     const TableForm &m_form;
     RawTable &m_table;
     TableFile &m_file;
-    std::vector<std::size_t> m_badCounts; ///< by column; the last one is that of whole rows
+    std::vector<std::size_t> m_badCounts; ///< by column; the last one counts spoiled rows
 };
 
 void RowReader::report(const BadCell &bad)
 {
     std::size_t &count = bad.spoilsRow ? m_badCounts.back() : m_badCounts[bad.column];
-    if (count++ <= kMostSkippedRows) {
+    if (count++ <= kListedRows) {
         m_file.badCells.push_back(bad);
     }
 }
@@ -56,11 +57,11 @@ void RowReader::readCell(std::string_view cell, std::size_t i)
     const bool hasUnit = !unit.empty() && cell.ends_with(unit);
     const CellNumber number =
         parseNumber(hasUnit ? trimmed(cell.substr(0, cell.size() - unit.size())) : cell, m_form.layout.decimalSign);
-    column(i).push_back(number.fault ? kUnreadable : number.value);
+    column(i).values.push_back(number.fault ? kUnreadable : number.value);
     if (number.fault) {
         report({m_file.lines.size() - 1, i, excerpt(cell), *number.fault});
     } else if (number.value == number.value) {
-        m_table.roundings[m_file.firstColumn + i].observe(number.places, number.value);
+        column(i).rounding.observe(number.places, number.value);
     }
 }
 
@@ -84,19 +85,20 @@ void RowReader::read(std::string_view line, std::size_t number)
             spoil(cells, cell.text, RowFault::TooManyCells);
         }
     }
-    if (cells < m_form.fewestCells) {
+    if (cells < std::min(width, kFewestCells)) {
         spoil(cells - 1, {}, RowFault::TooFewCells);
     }
     for (std::size_t i = 0; i < width; ++i) {
-        column(i).resize(m_file.lines.size(), kGap);
-        column(i).back() = spoiled.spoilsRow ? kUnreadable : column(i).back();
+        std::vector<double> &values = column(i).values;
+        values.resize(m_file.lines.size(), kGap);
+        values.back() = spoiled.spoilsRow ? kUnreadable : values.back();
     }
     if (spoiled.spoilsRow) {
         report(spoiled);
     }
 }
 
-/// How many rows there hardly are more of: memory that is never written to costs next to nothing, moving rows much.
+/// Returns a number of rows that is rarely exceeded: reserving too much memory is cheap, moving rows is not.
 std::size_t estimateRows(std::string_view data)
 {
     const std::string_view beginning = data.substr(0, std::size_t{1} << 16U);
@@ -105,12 +107,12 @@ std::size_t estimateRows(std::string_view data)
     return static_cast<std::size_t>(1.05 * static_cast<double>(ends) * share) + 2;
 }
 
-/// Names the column of a plot that is alone in its file by the name of the file, where its heading says nothing.
+/// In a file with a time and one other column, names this column by the file if its heading is generic.
 void nameByFile(std::vector<Heading> &headings, const std::string &file)
 {
     for (std::size_t i = 0; headings.size() == 2 && i < 2; ++i) {
         Heading &heading = headings[i];
-        if (headings[1 - i].meaning.kind != NameMeaning::Kind::Time || !saysNothing(heading)) {
+        if (headings[1 - i].meaning.kind != NameMeaning::Kind::Time || !isGeneric(heading)) {
             continue;
         }
         Heading byFile = parseHeading(file.substr(0, file.find_last_of('.')));
@@ -124,40 +126,58 @@ void nameByFile(std::vector<Heading> &headings, const std::string &file)
     }
 }
 
-/// Appends the form of a file to the table.
-void append(TableForm &form, const std::string &name, RawTable &table)
+/// Appends the columns of a file to the table, without rows.
+void appendColumns(TableForm &form, const std::string &name, RawTable &table)
 {
     nameByFile(form.headings, name);
-    const std::size_t before = table.headings.size();
+    const std::size_t before = table.columns.size();
+    const std::size_t rows = estimateRows(form.data);
     table.files.push_back({before, form.layout.headerLine, form.firstDataLine, form.headerText});
-    if (table.files.size() == 1) {
+    table.files.back().lines.reserve(rows);
+    std::vector<std::vector<std::string>> preview = std::move(form.layout.rows);
+    if (before == 0) {
         table.layout = form.layout;
         table.layout.rows.clear();
     }
     table.layout.files.push_back(name);
-    table.layout.rows.resize(std::max(table.layout.rows.size(), form.layout.rows.size()));
-    for (std::size_t row = 0; row < form.layout.rows.size(); ++row) {
+    table.layout.rows.resize(std::max(table.layout.rows.size(), preview.size()));
+    for (std::size_t row = 0; row < preview.size(); ++row) {
         table.layout.rows[row].resize(before);
-        std::ranges::copy(form.layout.rows[row], std::back_inserter(table.layout.rows[row]));
+        std::ranges::move(preview[row], std::back_inserter(table.layout.rows[row]));
     }
-    const std::size_t rows = estimateRows(form.data);
     for (const Heading &heading : form.headings) {
-        table.layout.columns.push_back(
-            {.heading = heading.printed, .unit = heading.unit, .file = table.files.size() - 1});
-        table.headings.push_back(heading);
-        table.columns.emplace_back().reserve(rows);
+        RawColumn &column = table.columns.emplace_back(heading, table.columns.size());
+        column.use = {.heading = heading.printed, .unit = heading.unit, .file = table.files.size() - 1};
+        column.values.reserve(rows);
     }
-    table.roundings.resize(table.headings.size());
-    table.files.back().lines.reserve(rows);
 }
 
 } // namespace
+
+void RawColumn::setReason(ColumnReason reason, std::optional<std::size_t> otherColumn)
+{
+    use.reason = reason;
+    use.otherColumn = otherColumn;
+}
+
+RawColumn *RawTable::abscissa()
+{
+    const auto found = std::ranges::find_if(columns, &RawColumn::isAbscissa);
+    return found == columns.end() ? nullptr : &*found;
+}
+
+ReadError faultIn(const RawTable &table, const RawColumn &column, ReadFault fault)
+{
+    const TableFile &file = table.fileOf(column);
+    return {file.headerLine, column.index - file.firstColumn + 1, excerpt(column.heading.printed), std::move(fault), {},
+            column.use.file};
+}
 
 void readTable(std::string_view text, const FileBytes &file, const std::stop_token &stop,
                const std::function<void(std::size_t done)> &progress, RawTable &table)
 {
     TableForm form = findTable(text);
-    append(form, file.name, table);
+    appendColumns(form, file.name, table);
     RowReader reader(form, table);
     constexpr std::size_t kReportEvery = std::size_t{1} << 18U; // bytes
     std::size_t reported = text.size();

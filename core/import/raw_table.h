@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Second stage of reading: text → table of numbers, before anybody knows what its columns are.
+// Second stage of reading: from text to a table of numbers, whose columns have no meaning yet.
 
 #include "core/import/heading.h"
 #include "core/import/reference_data.h"
@@ -17,44 +17,58 @@
 namespace slidercrank
 {
 
-/// A cell, or the number of cells of a row, that cannot be read.
+/// A cell that cannot be read.
 struct BadCell {
     std::size_t row = 0;
     std::size_t column = 0; ///< from 0, in its file
     std::string text{};
     RowFault fault = RowFault::NotANumber;
-    bool spoilsRow = false; ///< whatever its column is used for
+    bool spoilsRow = false; ///< whether the row has to be skipped even if the column is ignored
 };
 
-/// One of the files whose columns stand side by side.
+/// One of the files whose columns are side by side in the table.
 struct TableFile {
     std::size_t firstColumn = 0;
     std::size_t headerLine = 0; ///< 0: none
     std::size_t firstDataLine = 0;
     std::string headerText{};         ///< for messages
-    std::vector<std::size_t> lines{}; ///< of each row, from 1
-    std::vector<BadCell> badCells{};  ///< by rows; of each column the first kMostSkippedRows
+    std::vector<std::size_t> lines{}; ///< line number of each row, from 1
+    std::vector<BadCell> badCells{};  ///< by row; at most kListedRows + 1 in each column
+};
+
+struct RawColumn {
+    Heading heading{};
+    std::size_t index = 0; ///< in the table
+    FileColumn use{};      ///< role and reason are set by assignColumns()
+    std::vector<double>
+        values{}; ///< gap: NaN, unreadable cell: infinity. In the unit of the file until the role is set
+    RoundingObserver rounding{};
+    double factor = 1.0; ///< to the default unit
+
+    bool isUndecided() const { return use.role == ColumnRole::Ignored && use.reason == ColumnReason::UnknownName; }
+    bool isAbscissa() const { return use.role == ColumnRole::Time || use.role == ColumnRole::CrankAngle; }
+    void setReason(ColumnReason reason, std::optional<std::size_t> otherColumn = {});
 };
 
 struct RawTable {
-    FileLayout layout{}; ///< as read, the columns have no role
+    FileLayout layout{}; ///< without the columns
     std::vector<TableFile> files{};
-    std::vector<Heading> headings{};
-    std::vector<std::vector<double>> columns{}; ///< in the file's units; NaN: a gap, infinity: cannot be read
-    std::vector<RoundingObserver> roundings{};
+    std::vector<RawColumn> columns{};
 
-    // Set by assignColumns().
-    std::vector<double> factors{}; ///< by which the columns that are used were multiplied, to the author's units
-    std::optional<std::size_t> abscissa{};
+    const TableFile &fileOf(const RawColumn &column) const { return files[column.use.file]; }
 
-    const TableFile &fileOf(std::size_t column) const { return files[layout.columns[column].file]; }
+    /// Returns the column of time stamps or crank angles, or null.
+    RawColumn *abscissa();
 };
 
-/// How many rows that are left out are listed one by one.
-inline constexpr std::size_t kMostSkippedRows = 1000;
+/// Returns an error at the heading of a column.
+ReadError faultIn(const RawTable &table, const RawColumn &column, ReadFault fault);
 
-/// Puts the columns of a file beside those of the files before. `text`: its text. `progress` is called with the bytes
-/// of it that are done, now and then. Throws ReadError.
+/// Number of skipped rows that are listed one by one.
+inline constexpr std::size_t kListedRows = 1000;
+
+/// Appends the columns of a file to the table. `progress` is called regularly with the number of bytes that have been
+/// read. Throws ReadError.
 void readTable(std::string_view text, const FileBytes &file, const std::stop_token &stop,
                const std::function<void(std::size_t done)> &progress, RawTable &table);
 

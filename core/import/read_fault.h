@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Why a file, or a row of it, cannot be read: the reasons, with what they speak of. Sentences are made of them where
-// the language is known.
+// The reasons why a file or a row of it cannot be read, with the parts of a message. The user interface makes sentences
+// of them in its language.
 
 #include "core/import/file_layout.h"
 
@@ -11,57 +11,57 @@
 namespace slidercrank
 {
 
-/// Why a row is left out.
+/// Why a row is skipped.
 enum class RowFault {
     NotANumber,
     TooLarge,      ///< for a double
-    PointForComma, ///< a number but for its point: the file writes a decimal comma
+    PointForComma, ///< a number with a decimal point in a file with decimal commas
     CommaForPoint, ///< the reverse
     OpenQuotation, ///< a quotation mark is not closed at the end of the cell
     TooManyCells,
     TooFewCells,
     NoTime,
-    RepeatedTime, ///< a later row has the same time: the last one counts, as after an event of a simulation
-    NotListed     ///< any of these: so many rows were left out that the others are only counted
+    RepeatedTime, ///< a later row has the same time: the last one is used, as after an event of a simulation
+    NotListed     ///< any of these: so many rows were skipped that the rest is only counted
 };
 
-/// Why nothing sensible could be read.
+/// Why no data could be read.
 struct ReadFault {
     enum class Kind {
         Empty,
-        Spreadsheet, ///< or another archive
+        Spreadsheet, ///< or an archive
         Pdf,
         Markup, ///< HTML or XML
         Json,
         NotText,
-        LineTooLong,     ///< for any table
-        UnitsContradict, ///< the line of units, and `heading`
-        NamesMissing,    ///< numbers stand where the names should
-        UnknownUnit,     ///< or one of another quantity than `channel`
+        LineTooLong,
+        UnitsContradict, ///< the line of units contradicts `heading`
+        NamesMissing,    ///< there are numbers but no headings
+        UnknownUnit,     ///< or a unit of another quantity than `channel`
         UnknownTimeUnit,
-        NoSuchColumn,   ///< as the `heading` that a person named
-        SeveralColumns, ///< of that `heading`
-        ChannelTwice,   ///< in the names
+        NoSuchColumn,   ///< called `heading`
+        SeveralColumns, ///< called `heading`
+        ChannelTwice,   ///< in the headings
         TimeTwice,
         ChannelChosenTwice, ///< `channel`, by a person
-        TimeChosenTwice,    ///< or the crank's angle in its place
+        TimeChosenTwice,    ///< or the crank angle instead of it
         NoTime,
-        NoChannel,        ///< no name is known
-        NoCertainChannel, ///< the column of `heading` could be one, were it not for `column`
-        NoNumbers,        ///< below the names
-        NoRow,            ///< that can be read, the first because of `row`
-        NoValues,         ///< beside the time
+        NoChannel,        ///< no heading is known
+        NoCertainChannel, ///< the column with `heading` could be one, apart from `column`
+        NoNumbers,        ///< below the headings
+        NoRow,            ///< can be read; `row` is the reason for the first one
+        NoValues,         ///< besides the time
         TimeNotRising,
-        AngleTurnsBack, ///< the crank's, behind the angle `heading`
+        AngleTurnsBack, ///< the crank angle, after `heading`
 
-        // Of a file that is to be joined with others, `heading` among them.
-        OtherInstants,
-        CountsOtherwise, ///< by the crank's angle and not the time, or the reverse
+        // About a file that has to be joined with others; `heading` is one of them.
+        OtherTimeStamps,
+        CountsOtherwise, ///< by crank angle and not by time, or the reverse
         ChannelInBoth,
 
-        TooLarge,   ///< the file: kLargestReferenceFile
+        TooLarge,   ///< larger than kLargestReferenceFile
         Stopped,    ///< by the caller
-        Unreadable, ///< the file has become shorter
+        Unreadable, ///< the file became shorter while it was read
         NoMemory
     };
     Kind kind = Kind::Empty;

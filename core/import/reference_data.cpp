@@ -23,64 +23,55 @@ namespace
 
 using Fault = ReadFault::Kind;
 
-/// Keeps the rows whose mark is set.
+enum class RowUse : char { Used, Unreadable, Repeated };
+
 template <typename Value>
-void keepRows(std::vector<Value> &values, const std::vector<bool> &marks)
+void removeUnused(std::vector<Value> &values, const std::vector<RowUse> &uses)
 {
     std::size_t row = 0;
-    std::erase_if(values, [&](const Value &) { return !marks[row++]; });
+    std::erase_if(values, [&](const Value &) { return uses[row++] != RowUse::Used; });
 }
 
-void keepRows(ReferenceData &data, const std::vector<bool> &marks)
+/// Lists a skipped row, or counts it if the list is full.
+void listSkipped(SkippedRow row, std::vector<SkippedRow> &skipped)
 {
-    keepRows(data.time, marks);
-    keepRows(data.lines, marks);
-    for (ReferenceSeries &series : data.series) {
-        keepRows(series.values, marks);
-    }
-}
-
-/// Lists a row that is left out; where the list is full, counts it.
-void leaveOut(SkippedRow row, std::vector<SkippedRow> &skipped)
-{
-    if (skipped.size() > kMostSkippedRows) {
+    if (skipped.size() > kListedRows) {
         ++skipped.back().rows;
-    } else if (skipped.size() == kMostSkippedRows) {
+    } else if (skipped.size() == kListedRows) {
         skipped.push_back({row.line, 0, {}, RowFault::NotListed, 1, row.file});
     } else {
         skipped.push_back(std::move(row));
     }
 }
 
-/// The shortest text of that number.
+/// Returns the shortest text of the number.
 std::string printedNumber(double value)
 {
     std::array<char, 32> text{};
     return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
 }
 
-/// The columns that a name may mean: those with that heading, else with that heading but for the unit, else the one of
-/// that number.
-std::vector<std::size_t> columnsNamed(const std::string &name, std::span<const Heading> headings)
+/// Returns the columns that have that heading, or else that heading apart from the unit, or else that number.
+std::vector<std::size_t> columnsNamed(const std::string &name, const RawTable &table)
 {
     std::array<std::vector<std::size_t>, 3> columns;
-    for (std::size_t i = 0; i < headings.size(); ++i) {
-        const std::array<std::string, 3> names{headings[i].printed, headings[i].name, '#' + std::to_string(i + 1)};
+    for (const RawColumn &column : table.columns) {
+        const std::array<std::string, 3> names{column.heading.printed, column.heading.name,
+                                               '#' + std::to_string(column.index + 1)};
         const auto match = static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
         if (match < names.size()) {
-            columns[match].push_back(i);
+            columns[match].push_back(column.index);
         }
     }
-    return *std::ranges::find_if(columns,
-                                 [&](const auto &found) { return !found.empty() || &found == &columns.back(); });
+    return !columns[0].empty() ? columns[0] : !columns[1].empty() ? columns[1] : columns[2];
 }
 
-/// All choices by number: what is said of a heading overrides what was said of its number.
+/// Returns all choices by column number. Choices by heading override them.
 std::vector<ColumnChoice> resolveChoices(const ReadOptions &options, const RawTable &table)
 {
     std::vector<ColumnChoice> choices = options.columns;
     for (const NamedChoice &named : options.named) {
-        const std::vector<std::size_t> columns = columnsNamed(named.heading, table.headings);
+        const std::vector<std::size_t> columns = columnsNamed(named.heading, table);
         if (columns.size() != 1) {
             const std::size_t line = table.files.size() == 1 ? table.files[0].headerLine : 0;
             throw ReadError{
@@ -92,132 +83,158 @@ std::vector<ColumnChoice> resolveChoices(const ReadOptions &options, const RawTa
     return choices;
 }
 
-bool isUsed(const FileColumn &column)
+bool isUsed(const RawColumn &column)
 {
-    return column.role != ColumnRole::Ignored;
+    return column.use.role != ColumnRole::Ignored;
 }
 
-/// Why the row cannot be used: the first cell at fault among those that are used.
+/// Returns why a row is skipped: the first bad cell in a used column.
 SkippedRow findFault(const RawTable &table, std::size_t row)
 {
     for (std::size_t file = 0; file < table.files.size(); ++file) {
         const TableFile &own = table.files[file];
-        auto bad = std::ranges::lower_bound(own.badCells, row, {}, &BadCell::row);
-        for (; bad != own.badCells.end() && bad->row == row; ++bad) {
-            if (bad->spoilsRow || isUsed(table.layout.columns[own.firstColumn + bad->column])) {
+        for (auto bad = std::ranges::lower_bound(own.badCells, row, {}, &BadCell::row);
+             bad != own.badCells.end() && bad->row == row; ++bad) {
+            if (bad->spoilsRow || isUsed(table.columns[own.firstColumn + bad->column])) {
                 return {own.lines[row], bad->column + 1, bad->text, bad->fault, 1, file};
             }
         }
     }
-    const auto isAtFault = [&](std::size_t i) {
-        const double value = table.columns[i][row];
-        return i == table.abscissa ? !std::isfinite(value) : isUsed(table.layout.columns[i]) && std::isinf(value);
-    };
-    std::size_t i = 0;
-    while (!isAtFault(i)) {
-        ++i;
-    }
-    const RowFault fault = std::isnan(table.columns[i][row]) ? RowFault::NoTime : RowFault::TooLarge;
-    const TableFile &own = table.fileOf(i);
-    return {own.lines[row], i - own.firstColumn + 1, {}, fault, 1, table.layout.columns[i].file};
+    const auto column = std::ranges::find_if(table.columns, [row](const RawColumn &each) {
+        return isUsed(each) && (std::isinf(each.values[row]) || (each.isAbscissa() && std::isnan(each.values[row])));
+    });
+    const TableFile &own = table.fileOf(*column);
+    const RowFault fault = std::isnan(column->values[row]) ? RowFault::NoTime : RowFault::TooLarge; // once converted
+    return {own.lines[row], column->index - own.firstColumn + 1, {}, fault, 1, column->use.file};
 }
 
-/// The rows of all columns that are used, without those that cannot be.
+/// Describes a row whose time is not above that of the row before.
+SkippedRow timeFault(const RawTable &table, const RawColumn &time, std::size_t row)
+{
+    const TableFile &own = table.fileOf(time);
+    return {own.lines[row],
+            time.index - own.firstColumn + 1,
+            printedNumber(time.values[row] / time.factor),
+            RowFault::RepeatedTime,
+            1,
+            time.use.file};
+}
+
+/// Marks all but the last one of rows with the same time, as the last one contains the state after an event. Throws if
+/// the time decreases, or if most rows repeat it.
+void markRepeatedTimes(const RawTable &table, const RawColumn &time, std::vector<RowUse> &uses)
+{
+    std::optional<std::size_t> previous;
+    std::optional<std::size_t> wrong;
+    std::size_t repeated = 0;
+    std::size_t count = 0;
+    for (std::size_t row = 0; row < uses.size(); ++row) {
+        if (uses[row] != RowUse::Used) {
+            continue;
+        }
+        ++count;
+        if (previous && time.values[row] <= time.values[*previous]) {
+            wrong = wrong.value_or(row);
+            if (time.values[row] < time.values[*previous]) {
+                wrong = row;
+                repeated = uses.size();
+                break;
+            }
+            uses[*previous] = RowUse::Repeated;
+            ++repeated;
+        }
+        previous = row;
+    }
+    if (wrong && 2 * repeated > count) {
+        const SkippedRow row = timeFault(table, time, *wrong);
+        throw ReadError{row.line, row.column, row.text, {Fault::TimeNotRising}};
+    }
+}
+
+std::vector<RowUse> findUsedRows(RawTable &table)
+{
+    std::vector<RowUse> uses(table.files.front().lines.size(), RowUse::Used);
+    for (const RawColumn &column : table.columns) {
+        for (std::size_t row = 0; row < uses.size() && isUsed(column); ++row) {
+            const double value = column.values[row];
+            const bool isUnreadable = std::isinf(value) || (column.isAbscissa() && std::isnan(value));
+            uses[row] = isUnreadable ? RowUse::Unreadable : uses[row];
+        }
+    }
+    if (const RawColumn &abscissa = *table.abscissa(); abscissa.use.role == ColumnRole::Time) {
+        markRepeatedTimes(table, abscissa, uses);
+    }
+    return uses;
+}
+
+/// Returns the used columns without the rows that are skipped. Tables by crank angle have the angles as time stamps.
 ReferenceData collect(RawTable &table)
 {
     ReferenceData data;
-    std::vector<bool> marks(table.files.front().lines.size(), true);
-    for (std::size_t i = 0; i < table.columns.size(); ++i) {
-        for (std::size_t row = 0; row < marks.size() && isUsed(table.layout.columns[i]); ++row) {
-            const double value = table.columns[i][row];
-            marks[row] = marks[row] && !std::isinf(value) && !(i == table.abscissa && std::isnan(value));
+    const std::vector<RowUse> uses = findUsedRows(table);
+    for (std::size_t row = 0; row < uses.size(); ++row) {
+        if (uses[row] == RowUse::Unreadable) {
+            listSkipped(findFault(table, row), data.skipped);
+        } else if (uses[row] == RowUse::Repeated) {
+            listSkipped(timeFault(table, *table.abscissa(), row), data.skipped);
         }
     }
-    for (std::size_t row = 0; row < marks.size(); ++row) {
-        if (!marks[row]) {
-            leaveOut(findFault(table, row), data.skipped);
+    for (RawColumn &column : table.columns) {
+        if (isUsed(column) && !data.skipped.empty()) {
+            removeUnused(column.values, uses);
         }
-    }
-    for (std::size_t i = 0; i < table.columns.size(); ++i) {
-        const double factor = table.factors[i];
-        if (table.layout.columns[i].role == ColumnRole::Channel) {
-            data.series.push_back(
-                {table.layout.columns[i].channel, std::move(table.columns[i]), table.roundings[i].infer(factor)});
-        } else if (i == table.abscissa) {
-            data.time = std::move(table.columns[i]);
-            data.timeRounding = table.roundings[i].inferOfInstants(factor);
+        if (column.use.role == ColumnRole::Channel) {
+            data.series.push_back({column.use.channel, std::move(column.values), column.rounding.infer(column.factor)});
+        } else if (isUsed(column)) {
+            data.time = std::move(column.values);
+            data.timeRounding = column.rounding.inferForTimeStamps(column.factor);
         }
     }
     data.lines = std::move(table.files.front().lines);
-    data.layout = table.layout;
     if (!data.skipped.empty()) {
-        keepRows(data, marks);
+        removeUnused(data.lines, uses);
     }
     return data;
 }
 
-/// Makes time stamps of the crank angles that were read in their place.
-void countByAngle(ReferenceData &data, const RawTable &table)
+/// Throws if there are no data.
+void requireRows(const ReferenceData &data, std::size_t firstDataLine)
+{
+    if (!data.time.empty()) {
+        return;
+    }
+    if (data.skipped.empty()) {
+        throw ReadError{firstDataLine - 1, 0, {}, {Fault::NoNumbers}};
+    }
+    const SkippedRow &first = data.skipped.front();
+    throw ReadError{first.line, first.column, first.text, {.kind = Fault::NoRow, .row = first.fault}};
+}
+
+/// Replaces the crank angles in ReferenceData::time by time stamps.
+void countByAngle(ReferenceData &data, RawTable &table)
 {
     data.crank.emplace();
-    data.crank->degrees = goingOn(data.time);
+    data.crank->degrees = unwrapped(data.time);
     data.crank->rounding = data.timeRounding;
-    if (const std::optional<std::size_t> row = turnsBackAt(data.crank->degrees)) {
-        throw faultIn(table, *table.abscissa, {Fault::AngleTurnsBack, {}, printedNumber(data.time[*row - 1]) + "°"});
+    if (const std::optional<std::size_t> row = findReversal(data.crank->degrees)) {
+        throw faultIn(table, *table.abscissa(), {Fault::AngleTurnsBack, {}, printedNumber(data.time[*row - 1]) + "°"});
     }
     std::optional<ReferenceData> timed = timedBy(Mechanism(), data);
     if (!timed) {
-        throw faultIn(table, *table.abscissa, {.kind = Fault::NoRow, .row = RowFault::TooLarge});
+        throw faultIn(table, *table.abscissa(), {.kind = Fault::NoRow, .row = RowFault::TooLarge});
     }
     data = *std::move(timed);
 }
 
-/// Refuses a time that decreases. Of rows with the same time the last one is kept, as it holds the state after an
-/// event; where most rows repeat the time, it is refused as well.
-void settleTime(ReferenceData &data, const RawTable &table)
+/// Finds the step of an encoder or converter, which is not a power of ten, from the first rows.
+void findStep(ReferenceSeries &series, std::span<const double> time)
 {
-    const std::size_t abscissa = *table.abscissa;
-    const auto describe = [&](std::size_t row) {
-        return SkippedRow{data.lines[row], abscissa - table.fileOf(abscissa).firstColumn + 1,
-                          printedNumber(data.time[row] / table.factors[abscissa]), RowFault::RepeatedTime};
-    };
-    std::vector<bool> marks(data.time.size(), true);
-    std::vector<std::size_t> repeated;
-    std::size_t wrong = 0; // row
-    for (std::size_t row = 1; row < data.time.size() && wrong == 0; ++row) {
-        wrong = data.time[row] < data.time[row - 1] ? row : 0;
-        if (data.time[row] == data.time[row - 1]) {
-            marks[row - 1] = false;
-            repeated.push_back(row - 1);
-        }
-    }
-    if (wrong == 0 && 2 * repeated.size() > data.time.size()) {
-        wrong = repeated.front() + 1;
-    }
-    if (wrong > 0) {
-        const SkippedRow row = describe(wrong);
-        throw ReadError{row.line, row.column, row.text, {Fault::TimeNotRising}};
-    }
-    if (repeated.empty()) {
-        return;
-    }
-    for (const std::size_t row : repeated) {
-        leaveOut(describe(row), data.skipped);
-    }
-    std::ranges::stable_sort(
-        data.skipped, {}, [](const SkippedRow &row) { return std::pair(row.fault == RowFault::NotListed, row.line); });
-    keepRows(data, marks);
-}
-
-/// Learns the step of encoders and converters, which is no power of ten, from the first rows.
-void learnQuantum(ReferenceSeries &series, std::span<const double> time)
-{
-    constexpr std::size_t kLookedAt = 4096;
-    const std::size_t rows = std::min(series.values.size(), kLookedAt);
+    constexpr std::size_t kExaminedRows = 4096;
+    const std::size_t rows = std::min(series.values.size(), kExaminedRows);
     const auto values = std::span(series.values).first(rows);
     const double step = series.rounding.stepAt(rangeOf(values).size());
     const double slope = (values.back() - values.front()) / (time[rows - 1] - time[0]);
-    bool isLine = true; // which is a comb, too, where the clock is even
+    bool isLine = true; // with even time stamps, its values are also multiples of a step
     for (std::size_t row = 0; row < rows && isLine; ++row) {
         const double line = values.front() + slope * (time[row] - time[0]);
         isLine = std::abs(values[row] - line) <= 2.0 * step + 1e-9 * std::abs(line);
@@ -228,56 +245,44 @@ void learnQuantum(ReferenceSeries &series, std::span<const double> time)
     }
 }
 
-/// The columns without any number count as ignored.
-void dropEmptySeries(ReferenceData &data)
+/// Ignores the columns that contain no number. Throws if no other is left.
+void removeEmptySeries(ReferenceData &data, RawTable &table)
 {
-    std::erase_if(data.series, [&](const ReferenceSeries &series) {
-        const bool isEmpty = rangeOf(series.values).count == 0;
-        for (FileColumn &column : data.layout.columns) {
-            if (isEmpty && column.role == ColumnRole::Channel && column.channel == series.channel) {
-                column.role = ColumnRole::Ignored;
-                column.reason = ColumnReason::NoNumber;
-            }
+    for (RawColumn &column : table.columns) {
+        const auto isEmpty = [&](const ReferenceSeries &series) {
+            return series.channel == column.use.channel && rangeOf(series.values).count == 0;
+        };
+        if (column.use.role == ColumnRole::Channel && std::erase_if(data.series, isEmpty) > 0) {
+            column.use.role = ColumnRole::Ignored;
+            column.setReason(ColumnReason::NoNumber);
         }
-        return isEmpty;
-    });
-}
-
-/// Throws where there are no data at all.
-void requireData(const ReferenceData &data, std::size_t firstDataLine)
-{
-    if (data.time.empty() && data.skipped.empty()) {
-        throw ReadError{firstDataLine - 1, 0, {}, {Fault::NoNumbers}};
-    }
-    if (data.time.empty()) {
-        const SkippedRow &first = data.skipped.front();
-        throw ReadError{first.line, first.column, first.text, {.kind = Fault::NoRow, .row = first.fault}};
     }
     if (data.series.empty()) {
-        throw ReadError{firstDataLine, 0, {}, {Fault::NoValues}};
+        throw ReadError{table.files.front().firstDataLine, 0, {}, {Fault::NoValues}};
     }
 }
 
-/// The data of a table whose columns are settled.
-ReferenceData assemble(RawTable &table)
+/// Returns the data of a table whose columns have their roles.
+ReferenceData toData(RawTable &table)
 {
     ReferenceData data = collect(table);
-    if (!data.time.empty()) {
-        const bool isByAngle = table.layout.columns[*table.abscissa].role == ColumnRole::CrankAngle;
-        isByAngle ? countByAngle(data, table) : settleTime(data, table);
+    requireRows(data, table.files.front().firstDataLine);
+    if (table.abscissa()->use.role == ColumnRole::CrankAngle) {
+        countByAngle(data, table);
     }
-    dropEmptySeries(data);
-    requireData(data, table.files.front().firstDataLine);
+    removeEmptySeries(data, table);
     for (ReferenceSeries &series : data.series) {
-        learnQuantum(series, data.time);
+        findStep(series, data.time);
     }
-    for (FileColumn &column : data.layout.columns) {
-        column.difference = column.role == ColumnRole::Channel ? differenceIn(data, column.channel) : std::nullopt;
+    for (RawColumn &column : table.columns) {
+        column.use.difference =
+            column.use.role == ColumnRole::Channel ? differenceIn(data, column.use.channel) : std::nullopt;
     }
     return data;
 }
 
-/// Text and table of all files, side by side. Files of which only the beginning is known are cut to the shortest.
+/// Reads the tables of all files side by side. If only the beginnings of the files are known, they are cut to the
+/// shortest one.
 void readTables(std::span<const FileBytes> files, const std::stop_token &stop, const ReadOptions &options,
                 RawTable &table)
 {
@@ -295,7 +300,7 @@ void readTables(std::span<const FileBytes> files, const std::stop_token &stop, c
         try {
             const FileText text = decodeText(file.bytes);
             readTable(text.in(file.bytes), file, stop, progress, table);
-            if (&file == &files[0]) {
+            if (before == 0) {
                 table.layout.encoding = text.encoding;
                 table.layout.byteOrderMark = text.byteOrderMark;
             }
@@ -307,12 +312,36 @@ void readTables(std::span<const FileBytes> files, const std::stop_token &stop, c
         shortest = std::min(shortest, table.files.back().lines.size());
     }
     if (std::ranges::any_of(files, &FileBytes::isBeginning)) {
-        for (TableFile &file : table.files) {
-            file.lines.resize(shortest);
-        }
-        for (std::vector<double> &column : table.columns) {
-            column.resize(shortest);
-        }
+        std::ranges::for_each(table.files, [&](TableFile &file) { file.lines.resize(shortest); });
+        std::ranges::for_each(table.columns, [&](RawColumn &column) { column.values.resize(shortest); });
+    }
+}
+
+/// Returns the layout with what has become of the columns.
+FileLayout toLayout(RawTable &table)
+{
+    std::ranges::transform(table.columns, std::back_inserter(table.layout.columns), &RawColumn::use);
+    if (table.files.size() == 1) {
+        table.layout.files.clear();
+    }
+    return std::move(table.layout);
+}
+
+/// Reads the files like readFiles(), but throws if there is not enough memory.
+std::variant<ReferenceData, ReadError> readOrThrow(std::span<const FileBytes> files, const std::stop_token &stop,
+                                                   const ReadOptions &options)
+{
+    RawTable table;
+    try {
+        readTables(files, stop, options, table);
+        assignColumns(table, resolveChoices(options, table));
+        ReferenceData data = toData(table);
+        data.layout = toLayout(table);
+        return data;
+    } catch (ReadError &error) {
+        error.file = files.size() == 1 ? std::nullopt : error.file;
+        error.layout = toLayout(table);
+        return std::move(error);
     }
 }
 
@@ -352,34 +381,21 @@ ChannelSet channelsOf(const ReferenceData &data)
     return channels;
 }
 
-std::variant<ReferenceData, ReadError> readFiles(std::span<const FileBytes> files, std::stop_token stop,
+std::variant<ReferenceData, ReadError> readFiles(std::span<const FileBytes> files, const std::stop_token &stop,
                                                  const ReadOptions &options)
 {
-    RawTable table;
     try {
-        readTables(files, stop, options, table);
-        assignColumns(table, resolveChoices(options, table));
-        if (files.size() == 1) {
-            table.layout.files.clear();
-        }
-        return assemble(table);
+        return readOrThrow(files, stop, options);
     } catch (const std::bad_alloc &) {
         return ReadError{.fault = {Fault::NoMemory}};
-    } catch (ReadError &error) {
-        if (files.size() == 1) {
-            table.layout.files.clear();
-            error.file.reset();
-        }
-        error.layout = std::move(table.layout);
-        return std::move(error);
     }
 }
 
-std::variant<ReferenceData, ReadError> readReferenceData(std::string_view bytes, std::stop_token stop,
+std::variant<ReferenceData, ReadError> readReferenceData(std::string_view bytes, const std::stop_token &stop,
                                                          const ReadOptions &options)
 {
     const FileBytes file{bytes};
-    return readFiles({&file, 1}, std::move(stop), options);
+    return readFiles({&file, 1}, stop, options);
 }
 
 } // namespace slidercrank

@@ -1,28 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The exported motion of a simulation: the bytes of a file → named series in the author's units (mm, °, s), with what
-// each column was taken for and why, or an error that says line, column and text. Locale-free; nothing throws.
+// Reads the exported motion of a simulation: from the bytes of a file to named series in the default units (mm, °, s),
+// with the meaning of each column and its reason, or to an error with line, column and text. The functions do not
+// depend on the locale and do not throw.
 //
 // Reading has three stages: text (file_text.h), table of numbers (raw_table.h), meaning of the columns
 // (column_assignment.h).
 //
-// A table by the crank angle instead of the time is read as the motion of a crank that turns once a second, until
-// somebody says otherwise.
+// The text is UTF-8, UTF-16 with a byte order mark, or Windows-1252. A line names the columns: the time and the
+// channels (nameOf(), or words), in any order and case, each with or without its unit. There may be other lines above
+// it, and a line of units below. A comment mark (#, %, //) before the names is ignored. Cells are separated by commas,
+// semicolons, tabs or vertical bars, or else by spaces, and may be quoted; a cell never contains a line break. Numbers
+// have a decimal point or a decimal comma, the same throughout a file, and thousands separators where they are
+// unambiguous. An empty or missing cell is a gap. Of rows with the same time, the last one is used.
 //
-// Text in UTF-8, UTF-16 or Windows-1252. Any lines, then one that names the columns: the time and the channels
-// (nameOf(), or words), in any order and case, each with its unit or none for the author's; perhaps a line of units.
-// Length: mm, cm, m, in. Angle: °, deg, rad. Derivatives: per s or ms, squared as s^2, s2, s² or /s/s. Time: s, ms, us,
-// min. Cells are separated by commas, semicolons, tabs, or, where none of these does it, by runs of spaces; they may be
-// quoted; a cell never spans lines. The names may stand behind a comment's mark (#, %, //), a unit in every cell of a
-// column. Numbers hold a decimal point or a decimal comma, the same throughout a file, and separators of thousands
-// where they cannot be mistaken. An empty cell or "nan" is a gap. Of rows with the same time the last one counts.
+// A table by crank angle instead of time is read as the motion of a crank that turns once a second, until timedBy() is
+// called with another one.
 //
-// In a file of two columns, a plot, the heading beside the time stamps may say nothing ("Value", "y"): then the name of
-// the file may ("slider_velocity.csv").
+// In a file with a time and one other column, whose heading is generic ("Value", "y"), the name of the file may tell
+// the quantity ("slider_velocity.csv").
 //
-// A name that leaves open which channel it is, is guessed at only where unit and values do not contradict it, and the
-// guess is marked in the layout; otherwise the column is left out.
+// If a heading leaves open which channel it is, the usual one is assumed, unless the unit contradicts it. Such a guess
+// is marked in the layout. Other columns are ignored.
 
 #include "core/import/read_fault.h"
 #include "core/import/rounding.h"
@@ -44,67 +44,68 @@
 namespace slidercrank
 {
 
-/// One column: values at ReferenceData::time, in the author's unit of its channel; NaN where the cell was empty.
+/// A column of values at ReferenceData::time, in the default unit of the channel; NaN for an empty cell.
 struct ReferenceSeries {
     Channel channel;
     std::vector<double> values;
-    Rounding rounding; ///< how the file rounded this column, already in the author's unit
+    Rounding rounding; ///< of the values in the file, converted to the default unit
 };
 
-/// A row that could not be read and was left out. Lines and columns count from 1, columns in cells.
+/// A row that was skipped. Lines and columns count from 1.
 struct SkippedRow {
     std::size_t line = 0;
     std::size_t column = 0;
-    std::string text; ///< the offending cell, shortened
+    std::string text; ///< the beginning of the cell
     RowFault fault = RowFault::NotANumber;
-    std::size_t rows = 1; ///< that it stands for, itself among them
-    std::size_t file = 0; ///< of FileLayout::files
+    std::size_t rows = 1; ///< number of skipped rows that this entry counts
+    std::size_t file = 0; ///< index in FileLayout::files
 };
 
-/// What a file counts by that has no time.
+/// The abscissa of a table by crank angle.
 struct CrankAngles {
-    std::vector<double> degrees; ///< θ2, one a row, rising or falling throughout
-    Rounding rounding;           ///< how the file rounded them
+    std::vector<double> degrees; ///< θ2 of each row, strictly increasing or decreasing
+    Rounding rounding;           ///< of the angles in the file
 
-    // Of the crank that ReferenceData::time was made for: see crank_angles.h. As read, one that turns once a second.
+    // The drive for which ReferenceData::time was computed: see crank_angles.h. By default, one turn per second.
     double omega2 = 2.0 * std::numbers::pi;
     double theta20 = 0.0;
 };
 
 struct ReferenceData {
     std::vector<double> time; ///< s, strictly increasing
-    Rounding timeRounding;    ///< how the file rounded the instants, already in seconds
+    Rounding timeRounding;    ///< of the time stamps in the file, converted to seconds
     std::vector<ReferenceSeries> series;
-    std::vector<SkippedRow> skipped;    ///< at most 1000, and then one more that counts the others
-    FileLayout layout;                  ///< how the file is written, and what each column became and why
-    std::optional<CrankAngles> crank{}; ///< where the file counts by them: the instants follow
-    std::vector<std::size_t> lines{};   ///< of the (first) file, where each row stands, from 1; empty where unknown
+    std::vector<SkippedRow> skipped;    ///< at most 1000, and one more that counts the others
+    FileLayout layout;                  ///< how the file is written, and the meaning of each column
+    std::optional<CrankAngles> crank{}; ///< of a table by crank angle, from which the time stamps follow
+    std::vector<std::size_t> lines{};   ///< line of each row in the (first) file, from 1; empty if unknown
 
-    /// The line of that row; without lines, its number from 1.
+    /// Returns the line of a row, or if it is unknown, the number of the row from 1.
     std::size_t lineOfRow(std::size_t row) const { return row < lines.size() ? lines[row] : row + 1; }
 
     const ReferenceSeries *find(Channel channel) const;
 
-    std::size_t skippedRowCount() const; ///< listed and not
+    /// Returns the number of skipped rows, listed or not.
+    std::size_t skippedRowCount() const;
 };
 
-/// Of its series.
+/// Returns the channels of all series.
 ChannelSet channelsOf(const ReferenceData &data);
 
-/// Why nothing sensible could be read, and where. line 0: the file as a whole.
+/// Why no data could be read, and where. The line is 0 if the error concerns the file as a whole.
 struct ReadError {
     std::size_t line = 0;
     std::size_t column = 0;
     std::string text{};
     ReadFault fault{};
-    FileLayout layout{}; ///< what was found; with columns, a person's choice of them may still help
+    FileLayout layout{}; ///< as far as it was found; if it has columns, a person can choose their meaning
 
-    // Of several files that are to be joined.
-    std::optional<std::size_t> file{};      ///< where it is; none: in all of them, or there is one
-    std::optional<std::size_t> otherFile{}; ///< that ReadFault::heading is the name of
+    // If several files have to be joined.
+    std::optional<std::size_t> file{};      ///< index of the file with the error; nullopt if it concerns all of them
+    std::optional<std::size_t> otherFile{}; ///< index of the file whose name is ReadFault::heading
 };
 
-/// What the finite ones among some values span.
+/// The range of the finite ones among some values.
 struct ValueRange {
     double low = std::numeric_limits<double>::infinity();
     double high = -std::numeric_limits<double>::infinity();
@@ -117,41 +118,44 @@ struct ValueRange {
 ValueRange rangeOf(std::span<const double> values);
 
 struct ReadOptions {
-    std::vector<ColumnChoice> columns; ///< the columns not named here are what they were without
+    std::vector<ColumnChoice> columns; ///< for the other columns, the file decides
 
-    /// Called from the reading thread now and then, with the bytes done of all. May be empty.
+    /// Called regularly from the reading thread with the number of bytes that have been read, and of all. May be empty.
     std::function<void(std::size_t done, std::size_t all)> progress;
 
-    std::vector<NamedChoice> named{}; ///< as `columns`, and over those
+    std::vector<NamedChoice> named{}; ///< override `columns`
 };
 
 /// A file in memory.
 struct FileBytes {
     std::string_view bytes;
-    std::string name{};       ///< "slider_velocity.csv"; empty: none
-    bool isBeginning = false; ///< of a file that goes on
+    std::string name{};       ///< "slider_velocity.csv"; empty: unknown
+    bool isBeginning = false; ///< whether the file continues after these bytes
 };
 
-/// What the beginning of a file shows; larger files are refused.
+/// Number of bytes that are checked before a large file is read.
 inline constexpr std::size_t kFileBeginning = std::size_t{1} << 16U;
+
+/// Largest size of a file, in bytes.
 inline constexpr std::size_t kLargestReferenceFile = std::size_t{1} << 31U;
 
-/// Why a file that begins like this is no table of text: a spreadsheet, PDF, markup, JSON or binary data. Asked with
-/// kFileBeginning bytes before a large file is read.
+/// Returns why a file that begins like this is not a table of text, if it is a spreadsheet, PDF, markup, JSON or binary
+/// data. `beginning` has kFileBeginning bytes.
 std::optional<ReadError> findForeignFormat(std::string_view beginning);
 
-/// A channel or time that stands there twice under its own name, an unknown unit of either and a time that decreases
-/// are refused rather than guessed at; a row that cannot be read is left out and reported. Watches `stop`.
-std::variant<ReferenceData, ReadError> readReferenceData(std::string_view bytes, std::stop_token stop = {},
+/// Reads a file. Contradictions are errors: the same channel or time twice, an unknown unit of a channel, a time that
+/// decreases. A row that cannot be read is skipped and listed. Returns ReadFault::Kind::Stopped after a request to
+/// stop.
+std::variant<ReferenceData, ReadError> readReferenceData(std::string_view bytes, const std::stop_token &stop = {},
                                                          const ReadOptions &options = {});
 
-/// The same of a named file, or of several files of one motion, a plot each, as programs write them that export one
-/// plot at a time. Their rows are those of one table, whose columns are those of all files: their time stamps (or crank
-/// angles) have to be the same as far as they are printed, and a row left out of one file is left out of all. A channel
-/// comes from one file only. In `options`, columns count on from file to file; what is chosen as the time, or the
-/// angle, of the first file holds for a column of that heading in the others, too. An error has the columns of the
-/// files up to the one that cannot be read.
-std::variant<ReferenceData, ReadError> readFiles(std::span<const FileBytes> files, std::stop_token stop = {},
+/// Reads a file with a name, or several files of one motion, as written by programs that export one plot at a time. The
+/// files are joined side by side: they must have the same time stamps (or crank angles) within their rounding, and a
+/// row that is skipped in one file is skipped in all. Each channel must be in one file only. In `options`, the columns
+/// of all files are numbered consecutively; a column that is chosen as the abscissa of the first file is that of the
+/// other files, too, where they have the same heading. An error contains the columns up to those of the file with the
+/// error.
+std::variant<ReferenceData, ReadError> readFiles(std::span<const FileBytes> files, const std::stop_token &stop = {},
                                                  const ReadOptions &options = {});
 
 } // namespace slidercrank

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 #include <numeric>
+#include <string>
 #include <utility>
 
 namespace slidercrank
@@ -15,32 +17,40 @@ namespace slidercrank
 namespace
 {
 
-/// 10^exponent, the nearest double on every system, which std::pow() is not; 0 or infinity beyond what a double holds.
+/// Returns the double nearest to 10^exponent, which std::pow() does not on every system; 0 or infinity outside the
+/// range of a double.
 double powerOfTen(int exponent)
 {
-    std::array<char, 16> text{'1', 'e'};
-    double power = exponent > 0 ? std::numeric_limits<double>::infinity() : 0.0;
-    std::from_chars(text.data(), std::to_chars(text.data() + 2, text.data() + text.size(), exponent).ptr, power);
-    return power;
+    constexpr int kLargest = 330;
+    static const std::vector<double> powers = [] {
+        std::vector<double> all(2 * kLargest + 1);
+        for (int i = -kLargest; i <= kLargest; ++i) {
+            const std::string text = "1e" + std::to_string(i);
+            double &power = all[static_cast<std::size_t>(i + kLargest)];
+            power = i > 0 ? std::numeric_limits<double>::infinity() : 0.0;
+            std::from_chars(text.data(), text.data() + text.size(), power);
+        }
+        return all;
+    }();
+    return powers[static_cast<std::size_t>(std::clamp(exponent, -kLargest, kLargest) + kLargest)];
 }
 
-/// A unit's conversion there and back may leave 9.99…9 of a printed 10: this part of a value decides no decade.
-constexpr double kConversionSlack = 1e-12;
-
-/// Power of ten of the first digit of a positive number.
+/// Returns the power of ten of the first digit of a positive number. A unit conversion and its inverse may turn a
+/// printed 10 into 9.99…9, which still counts as 10.
 int decadeOf(double magnitude)
 {
+    constexpr double kConversionSlack = 1e-12;
     const double nudged = magnitude * (1.0 + kConversionSlack);
-    const int decade = static_cast<int>(std::floor(std::log10(nudged))); // or one beside it
-    return nudged >= powerOfTen(decade + 1) ? decade + 1 : nudged < powerOfTen(decade) ? decade - 1 : decade;
+    const int decade = static_cast<int>(std::floor(std::ilogb(nudged) * std::numbers::ln2 / std::numbers::ln10));
+    return nudged >= powerOfTen(decade + 1) ? decade + 1 : decade;
 }
 
-/// A number of at most so many digits may be one that somebody chose (25, 360, 12.75), and then says nothing about how
-/// the program rounds.
+/// A number of at most so many digits may have been chosen by a person (25, 360, 12.75). Then it does not show how the
+/// program rounds.
 constexpr int kDigitsOfAChosenNumber = 4;
 
-/// The place where the one number of a column was rounded, as far as that can be told. Zeros behind the point may be
-/// its own: so many digits as a person chooses are taken for known. 3.07587e+07 was not rounded to a whole number.
+/// Returns the place at which the only number of a column was rounded. Zeros after the point may belong to it: as many
+/// digits as a person chooses are taken as known. 3.07587e+07 was not rounded to a whole number.
 int placeOfOneValue(const PrintedPlaces &places)
 {
     const int place = std::min(places.last, std::max(places.printed, 0));
@@ -48,46 +58,35 @@ int placeOfOneValue(const PrintedPlaces &places)
     return places.printed < 0 ? std::min(place, known) : place;
 }
 
-/// Whether so many of all are more than chance: a value ends one place early in one case of ten.
-bool isNoChance(double some, double all)
-{
-    return 4.0 * some >= all + 8.0;
-}
-
-bool isNearlyAll(double some, double all)
-{
-    return some >= 0.9 * all;
-}
-
-/// What a decade tells: the place where its values were rounded, and how many values say so.
+/// The place at which the values of a decade were rounded.
 struct RoundedDecade {
     int exponent;
     int place;
-    double weight;
+    double weight; ///< number of values
 };
 
-/// The distance from the places of the decades, weighted; among equal ones the coarser promise, negative, is better.
-using Fit = std::pair<double, double>;
+/// Weighted distance from the places of the decades; among equal ones, the coarser rule is better.
+using Distance = std::pair<double, double>;
 
-/// First and last digit of the shortest text that reads as `value`, which is printed at `places`.
+/// Distance of a rule from the decades. It rounds at `offset`, plus the decade's exponent if `isRelative`.
+Distance distanceOf(const std::vector<RoundedDecade> &decades, int offset, bool isRelative)
+{
+    Distance distance{0.0, 0.0};
+    for (const RoundedDecade &decade : decades) {
+        const int place = offset + (isRelative ? decade.exponent : 0);
+        distance.first += decade.weight * std::abs(decade.place - place);
+        distance.second -= decade.weight * place;
+    }
+    return distance;
+}
+
+/// Returns the first and last digit of the shortest text that is read as `value`, which is printed at `places`.
 PrintedPlaces shortestPlaces(PrintedPlaces places, double value)
 {
     std::array<char, 32> text{};
     const auto shortest = std::to_chars(text.data(), text.data() + text.size(), value);
     const PrintedPlaces found = parseNumber({text.data(), shortest.ptr}, DecimalSign::Point).places;
     return {found.zero, found.first, found.last, places.printed};
-}
-
-template <typename PlaceOf>
-Fit fitOf(const std::vector<RoundedDecade> &decades, PlaceOf placeOf)
-{
-    Fit fit{0.0, 0.0};
-    for (const RoundedDecade &decade : decades) {
-        const int place = placeOf(decade.exponent);
-        fit.first += decade.weight * std::abs(decade.place - place);
-        fit.second -= decade.weight * place;
-    }
-    return fit;
 }
 
 } // namespace
@@ -123,33 +122,15 @@ double Rounding::finestStep() const
     return rule == Rule::Unknown ? 0.0 : unitFactor * powerOfTen(finestPlace);
 }
 
-double RoundingSteps::stepElsewhere(double value)
-{
-    const double step = m_rounding.stepAt(value);
-    const double printed = std::abs(value) / m_rounding.unitFactor;
-    if (m_rounding.rule != Rounding::Rule::SignificantDigits) {
-        m_from = 0.0;
-        m_to = std::numeric_limits<double>::infinity();
-        m_step = step;
-    } else if (printed > 0.0 && std::isfinite(printed)) {
-        // Short of the decade's ends, where the slack decides.
-        const int decade = decadeOf(printed);
-        m_from = m_rounding.unitFactor * powerOfTen(decade) * (1.0 + 4.0 * kConversionSlack);
-        m_to = m_rounding.unitFactor * powerOfTen(decade + 1) * (1.0 - 4.0 * kConversionSlack);
-        m_step = step;
-    }
-    return step;
-}
-
 void RoundingObserver::observe(PrintedPlaces places, double value)
 {
     constexpr int kDigitsOfADouble = 16;
-    constexpr int kLargestExponent = 48; // decades beyond teach nothing
+    constexpr int kLargestExponent = 48; // values beyond are ignored
     if (!places.zero && places.first - places.last + 1 >= kDigitsOfADouble) {
-        // To find the shortest text takes as long as to read the number: of very many, some tell enough.
+        // Finding the shortest text takes as long as parsing the number, so only a sample of long columns is examined.
         constexpr std::uint32_t kEnough = 256;
         constexpr std::uint32_t kEvery = 16;
-        if (m_long++ >= kEnough && m_long % kEvery != 0) {
+        if (m_longNumbers++ >= kEnough && m_longNumbers % kEvery != 0) {
             return;
         }
         places = shortestPlaces(places, value);
@@ -165,7 +146,7 @@ void RoundingObserver::observe(PrintedPlaces places, double value)
     }
     m_varies = m_varies || magnitude != m_firstMagnitude;
     ++m_values;
-    m_zerosBehind += static_cast<std::uint64_t>(std::max(std::min(places.last, 0) - places.printed, 0));
+    m_trailingZeros += static_cast<std::uint64_t>(std::max(std::min(places.last, 0) - places.printed, 0));
     m_coarsestPlace = std::max(m_coarsestPlace, places.printed);
     m_smallestExponent = std::min(m_smallestExponent, places.first);
     if (std::abs(places.first) > kLargestExponent) {
@@ -182,17 +163,7 @@ void RoundingObserver::observe(PrintedPlaces places, double value)
     ++m_decades[m_latest].counts[std::min(length, kMostDigits - 1)];
 }
 
-Rounding RoundingObserver::infer(double unitFactor) const
-{
-    return inferWith(isNoChance, unitFactor);
-}
-
-Rounding RoundingObserver::inferOfInstants(double unitFactor) const
-{
-    return inferWith(isNearlyAll, unitFactor);
-}
-
-Rounding RoundingObserver::inferWith(bool (*hasEnded)(double some, double all), double unitFactor) const
+Rounding RoundingObserver::infer(double unitFactor, bool areTimeStamps) const
 {
     Rounding rounding;
     rounding.unitFactor = unitFactor;
@@ -206,40 +177,35 @@ Rounding RoundingObserver::inferWith(bool (*hasEnded)(double some, double all), 
         rounding.digits = -placeOfOneValue(shortestPlaces(m_firstPlaces, m_firstMagnitude));
         return rounding;
     }
-
     std::vector<RoundedDecade> decades;
     for (const Decade &decade : m_decades) {
         const double total = std::accumulate(decade.counts.begin(), decade.counts.end(), 0.0);
-        double reached = 0.0;
-        for (std::size_t length = 0; length < kMostDigits; ++length) {
-            reached += decade.counts[length];
-            if (reached == total || hasEnded(reached, total)) {
-                decades.push_back({decade.exponent, decade.exponent - static_cast<int>(length), total});
-                break;
-            }
+        const double needed = std::min(total, areTimeStamps ? 0.9 * total : 0.25 * (total + 8.0)); // to have ended
+        double ended = 0.0;
+        int place = decade.exponent + 1;
+        for (std::size_t i = 0; i < kMostDigits && ended < needed; ++i) {
+            ended += decade.counts[i];
+            --place;
         }
+        decades.push_back({decade.exponent, place, total});
     }
-    std::ranges::sort(decades, {}, &RoundedDecade::exponent);
     if (decades.empty()) {
         return rounding;
     }
-
-    Fit best{std::numeric_limits<double>::infinity(), 0.0};
-    for (int digits = 1; digits <= static_cast<int>(kMostDigits); ++digits) {
-        const Fit fit = fitOf(decades, [digits](int exponent) { return exponent - digits + 1; });
-        if (fit < best) {
-            best = fit;
-            rounding.rule = Rounding::Rule::SignificantDigits;
+    std::ranges::sort(decades, {}, &RoundedDecade::exponent);
+    Distance least{std::numeric_limits<double>::infinity(), 0.0};
+    const auto offer = [&](Rounding::Rule rule, int digits, const Distance &distance) {
+        if (distance < least) {
+            least = distance;
+            rounding.rule = rule;
             rounding.digits = digits;
         }
+    };
+    for (int digits = 1; digits <= static_cast<int>(kMostDigits); ++digits) {
+        offer(Rounding::Rule::SignificantDigits, digits, distanceOf(decades, 1 - digits, true));
     }
-    for (const RoundedDecade &candidate : decades) { // the best single place is one of theirs: a weighted median
-        const Fit fit = fitOf(decades, [&candidate](int) { return candidate.place; });
-        if (fit < best) {
-            best = fit;
-            rounding.rule = Rounding::Rule::Decimals;
-            rounding.digits = -candidate.place;
-        }
+    for (const RoundedDecade &decade : decades) { // the best place, a weighted median, is that of a decade
+        offer(Rounding::Rule::Decimals, -decade.place, distanceOf(decades, decade.place, false));
     }
     rounding.coarsestPlace = coarsestPlace(rounding);
     if (rounding.rule == Rounding::Rule::Decimals) {
@@ -248,11 +214,11 @@ Rounding RoundingObserver::inferWith(bool (*hasEnded)(double some, double all), 
     return rounding;
 }
 
-/// Of the rule as it was found without regard to this.
+/// Returns the coarsest place for a rule that was found without this limit.
 int RoundingObserver::coarsestPlace(const Rounding &rounding) const
 {
-    // As digits, so many zeros at the end would be a coincidence: one value in ten has one, one in a hundred two.
-    const bool isPadded = 4 * m_zerosBehind >= m_values + 16;
+    // By chance, one value in ten ends with one zero, and one in a hundred with two. More zeros are padding.
+    const bool isPadded = 4 * m_trailingZeros >= m_values + 16;
     if (m_coarsestPlace >= 0 || !isPadded) {
         return m_coarsestPlace;
     }
@@ -262,10 +228,10 @@ int RoundingObserver::coarsestPlace(const Rounding &rounding) const
 
 std::optional<double> findQuantum(std::span<const double> values, double printedStep)
 {
-    constexpr std::size_t kFewestValues = 12; // distinct ones
-    constexpr double kCoarser = 8.0;          // than what is printed
-    constexpr double kOfItself = 1e-9;        // of the value: what computing leaves
-    constexpr double kPowerOfTen = 1e-3;      // of the exponent: decimals
+    constexpr std::size_t kFewestValues = 12;     // distinct ones
+    constexpr double kCoarser = 8.0;              // than the uncertainty
+    constexpr double kArithmeticError = 1e-9;     // relative to the value
+    constexpr double kPowerOfTenTolerance = 1e-3; // of the exponent
     std::vector<double> levels;
     std::vector<double> differences; // of neighbours
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -276,47 +242,48 @@ std::optional<double> findQuantum(std::span<const double> values, double printed
             differences.push_back(std::abs(values[i] - values[i - 1]));
         }
     }
-    std::ranges::sort(levels);
-    std::ranges::sort(differences);
     if (levels.empty()) {
         return std::nullopt;
     }
-    const double noise = 2.0 * printedStep + kOfItself * std::max(std::abs(levels.front()), std::abs(levels.back()));
+    std::ranges::sort(levels);
+    std::ranges::sort(differences);
+    const double uncertainty =
+        2.0 * printedStep + kArithmeticError * std::max(std::abs(levels.front()), std::abs(levels.back()));
     double quantum = std::numeric_limits<double>::infinity();
-    std::size_t distinct = 1;
-    std::size_t teeth = 1;
-    const auto takeGaps = [&](const std::vector<double> &sorted, std::size_t &count) {
+    const auto takeGaps = [&](const std::vector<double> &sorted) {
+        std::size_t distinct = 1;
         for (std::size_t i = 1; i < sorted.size(); ++i) {
-            if (const double gap = sorted[i] - sorted[i - 1]; gap > 2.0 * noise) {
+            if (const double gap = sorted[i] - sorted[i - 1]; gap > 2.0 * uncertainty) {
                 quantum = std::min(quantum, gap);
-                ++count;
+                ++distinct;
             }
         }
+        return distinct;
     };
-    takeGaps(levels, distinct);
-    takeGaps(differences, teeth);
-    if (distinct < kFewestValues || teeth < 2 || !(quantum >= kCoarser * noise)) {
+    const std::size_t distinctLevels = takeGaps(levels);
+    const std::size_t distinctDifferences = takeGaps(differences);
+    if (distinctLevels < kFewestValues || distinctDifferences < 2 || !(quantum >= kCoarser * uncertainty)) {
         return std::nullopt;
     }
-    double seen = 1.0; // steps of the longest distance that has refined the quantum
+    double mostSteps = 1.0; // in the longest distance that has refined the quantum
     for (const double level : levels) {
         const double distance = level - levels.front();
         const double steps = std::round(distance / quantum);
-        const double uncertainty = noise * (1.0 + steps / seen);
-        if (uncertainty > 0.5 * quantum || std::abs(distance - steps * quantum) > uncertainty) {
+        const double allowed = uncertainty * (1.0 + steps / mostSteps);
+        if (allowed > 0.5 * quantum || std::abs(distance - steps * quantum) > allowed) {
             return std::nullopt;
         }
-        if (steps > seen) {
+        if (steps > mostSteps) {
             quantum = distance / steps;
-            seen = steps;
+            mostSteps = steps;
         }
     }
     const bool fits = std::ranges::all_of(levels, [&](double level) {
         const double distance = level - levels.front();
-        return std::abs(distance - std::round(distance / quantum) * quantum) <= noise;
+        return std::abs(distance - std::round(distance / quantum) * quantum) <= uncertainty;
     });
     const double power = std::log10(quantum);
-    return fits && std::abs(power - std::round(power)) > kPowerOfTen ? std::optional(quantum) : std::nullopt;
+    return fits && std::abs(power - std::round(power)) > kPowerOfTenTolerance ? std::optional(quantum) : std::nullopt;
 }
 
 } // namespace slidercrank

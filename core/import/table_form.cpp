@@ -17,22 +17,22 @@ namespace
 
 using Kind = NameMeaning::Kind;
 
-constexpr std::size_t kLinesLookedAt = 200; // for the names, blank ones not counted
+constexpr std::size_t kExaminedLines = 200; // that are not blank
 constexpr std::size_t kLongestLine = std::size_t{1} << 20U;
 constexpr std::size_t kPreviewRows = 6;
-constexpr std::string_view kDelimiters = "\t;,";
+constexpr std::string_view kDelimiters = "\t;,|";
 
 /// A line that is not blank.
 struct Line {
     std::size_t number = 0; ///< from 1
     std::string_view text;
-    std::string_view below; ///< everything behind it
+    std::string_view below; ///< the rest of the text
 };
 
 std::vector<Line> firstLines(std::string_view text, std::size_t number = 1)
 {
     std::vector<Line> lines;
-    for (; !text.empty() && lines.size() < kLinesLookedAt; ++number) {
+    for (; !text.empty() && lines.size() < kExaminedLines; ++number) {
         const std::string_view line = takeLine(text);
         if (!isBlankLine(line)) {
             lines.push_back({number, line, text});
@@ -46,11 +46,9 @@ struct FirstRow {
     std::size_t line = 0; ///< index among the first lines
     char delimiter = ',';
     Cells cells{}; ///< without empty ones at the end
-
-    bool isBySpaces() const { return delimiter == ' '; }
 };
 
-/// Whether all cells are numbers, perhaps with units, or gaps, and two at least numbers.
+/// Returns whether all cells are gaps or numbers, with or without units, and at least two are numbers.
 bool isRow(const Cells &cells)
 {
     const auto isNumberOrGap = [](std::string_view cell) {
@@ -61,7 +59,7 @@ bool isRow(const Cells &cells)
     return std::ranges::all_of(cells, isNumberOrGap) && std::ranges::count_if(cells, isNumber) >= 2;
 }
 
-/// Spaces separate the cells only where no other delimiter makes a row of any line.
+/// Cells are separated by spaces only if no other delimiter makes a row of any line.
 std::optional<FirstRow> findFirstRow(std::span<const Line> lines, std::string_view delimiters)
 {
     for (const std::string_view tried : {delimiters, std::string_view(delimiters == kDelimiters ? " " : "")}) {
@@ -76,7 +74,7 @@ std::optional<FirstRow> findFirstRow(std::span<const Line> lines, std::string_vi
     return std::nullopt;
 }
 
-/// Without the mark of a comment that programs put before the names; not where the mark is the name of a column.
+/// Removes the comment mark that some programs write before the headings, unless it is the first heading.
 std::string_view withoutMark(std::string_view line)
 {
     const std::string_view text = trimmed(line);
@@ -89,16 +87,15 @@ std::string_view withoutMark(std::string_view line)
     return line;
 }
 
-/// A line read as the names of columns.
+/// A line, interpreted as headings.
 struct Names {
     Cells cells{};
-    char delimiter = kDelimiters.back();
+    char delimiter = ',';
     std::size_t times = 0;
     std::size_t quantities = 0;
-    bool fits = true; ///< as many as there are cells in the first row, where that counts
 
     std::size_t known() const { return times + quantities; }
-    bool isComplete() const { return times > 0 && quantities > 0 && fits; }
+    bool isComplete() const { return times > 0 && quantities > 0; }
 };
 
 Names makeNames(Cells cells, char delimiter)
@@ -112,50 +109,48 @@ Names makeNames(Cells cells, char delimiter)
     return names;
 }
 
-/// The reading of the line that recognizes most names. Above rows between spaces, or behind the mark of a comment,
-/// names may be separated otherwise than the numbers; then there have to be as many, and behind a mark hardly any other
-/// word.
+/// Splits a line at the delimiter that yields most known names. Names above rows that are separated by spaces, or after
+/// a comment mark, may have another delimiter than the numbers. Then there have to be as many as numbers, and only one
+/// of those after a comment mark may be unknown.
 Names readNames(std::string_view line, std::string_view delimiters, const std::optional<FirstRow> &row)
 {
     const std::string_view text = withoutMark(line);
-    const bool mustFit = row && (row->isBySpaces() || text.size() != line.size());
+    const bool bySpaces = row && row->delimiter == ' ';
+    const bool hasToFit = row && (bySpaces || text.size() != line.size());
     Names best;
-    const auto offer = [&](Names names) {
-        const bool fits = !mustFit || names.cells.size() == row->cells.size();
-        const bool isMore = std::pair(names.known(), names.cells.size()) > std::pair(best.known(), best.cells.size());
-        best = fits && isMore ? std::move(names) : best;
+    const auto offer = [&](Cells cells, char delimiter) {
+        Names names = makeNames(std::move(cells), delimiter);
+        const bool fits = !hasToFit || names.cells.size() == row->cells.size();
+        const bool isBetter = std::pair(names.known(), names.cells.size()) > std::pair(best.known(), best.cells.size());
+        best = fits && isBetter ? std::move(names) : best;
     };
     for (const char delimiter : delimiters) {
-        offer(makeNames(splitCells(text, delimiter), delimiter));
+        offer(splitCells(text, delimiter), delimiter);
     }
-    if (mustFit) {
-        for (Cells cells : {splitCells(text, ' '), splitBetweenBlanks(text, 2), splitBetweenBlanks(text, 1)}) {
-            Names names = makeNames(std::move(cells), row->delimiter);
-            if (row->isBySpaces() || (names.isComplete() && names.known() + 1 >= names.cells.size())) {
-                offer(std::move(names));
+    if (hasToFit) {
+        for (const Cells &cells : {splitCells(text, ' '), splitAtBlanks(text, 2), splitAtBlanks(text, 1)}) {
+            const Names names = makeNames(cells, ' ');
+            if (bySpaces || (names.isComplete() && names.known() + 1 >= names.cells.size())) {
+                offer(cells, ' ');
             }
         }
     }
-    if (best.cells.empty() && row && row->isBySpaces()) {
-        best = makeNames(splitCells(text, ' '), ' ');
-        best.fits = false;
-    }
-    return best;
+    return best.cells.empty() && bySpaces ? makeNames(splitCells(text, ' '), ' ') : best;
 }
 
 struct HeaderFound {
     std::size_t line = 0;         ///< index among the first lines
-    std::optional<Names> names{}; ///< none: the line holds numbers already
+    std::optional<Names> names{}; ///< nullopt if the line is the first row of numbers
 };
 
-/// The first line that names a time and a quantity; else the one that names most of either above the numbers; else the
-/// line right above the numbers; else, where there are none, the first line.
+/// Returns the first line that names a time and a quantity; else the line above the numbers with most names of either;
+/// else the line directly above the numbers; else, if there are no numbers, the first line.
 HeaderFound findHeader(const std::vector<Line> &lines, std::string_view delimiters, const std::optional<FirstRow> &row)
 {
     HeaderFound best;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         Names names = readNames(lines[i].text, delimiters, row);
-        if (names.isComplete()) {
+        if (names.isComplete() && (!row || row->delimiter != ' ' || names.cells.size() == row->cells.size())) {
             return {i, std::move(names)};
         }
         if ((!row || i < row->line) && (i == 0 || names.known() > best.names->known())) {
@@ -179,131 +174,65 @@ HeaderFound findHeader(const std::vector<Line> &lines, std::string_view delimite
     return {row->line};
 }
 
-/// How many cells a row needs: all that have a heading, or as many as the longest of the first rows has where the names
-/// behind mean nothing.
-std::size_t countNeededCells(const TableForm &form)
-{
-    std::size_t most = 0;
-    for (const Line &row : firstLines(form.data)) {
-        most = std::max(most, splitCells(row.text, form.layout.delimiter).size());
-    }
-    const std::span headings(form.headings);
-    const auto meansNothing = [](const Heading &heading) { return meaningOf(heading).kind == Kind::Nothing; };
-    const bool isSpare =
-        most >= 2 && most < headings.size() && std::ranges::all_of(headings.subspan(most), meansNothing);
-    return isSpare ? most : headings.size();
-}
-
-/// What a cell below the names says of its column: "[mm]", "-" and "Type: double Unit: rad", as Simulink's data
-/// inspector writes it. Nothing where it says nothing of this kind; an empty text where it gives no unit.
-std::optional<std::string_view> readAnnotation(std::string_view cell)
+/// Returns the unit in a cell below the headings, which Simulink writes as "Type: double Unit: rad". Empty if there is
+/// none.
+std::string_view unitIn(std::string_view cell)
 {
     constexpr std::string_view kUnit = "Unit:";
-    const bool isBracketed =
-        (cell.starts_with('[') && cell.ends_with(']')) || (cell.starts_with('(') && cell.ends_with(')'));
-    const std::string_view unit = isBracketed ? trimmed(cell.substr(1, cell.size() - 2)) : cell;
-    if (parseUnit(unit)) {
-        return unit;
-    }
     if (const std::size_t at = cell.find(kUnit); at != cell.npos) {
-        const std::string_view value = trimmed(cell.substr(at + kUnit.size()));
-        return value.substr(0, value.find_first_of(" \t;,"));
+        cell = trimmed(cell.substr(at + kUnit.size()));
+        cell = cell.substr(0, cell.find_first_of(" \t;,"));
+    } else if (cell.size() > 2 && (cell[0] == '[' || cell[0] == '(') && (cell.back() == ']' || cell.back() == ')')) {
+        cell = trimmed(cell.substr(1, cell.size() - 2));
     }
-    const std::size_t colon = cell.find(':');
-    const bool isEntry = colon != cell.npos && colon > 0 && cell.find_first_of(" \t") > colon;
-    return unit == "-" || isEntry ? std::optional(std::string_view()) : std::nullopt;
+    return parseUnit(cell) ? cell : std::string_view();
 }
 
-/// The units in a line below the names; nothing where it is a line of data.
-std::optional<Cells> readAnnotations(const Cells &cells)
+/// Sets the units of the columns, which are given in that line. Throws if a heading states another unit.
+void setUnits(TableForm &form, const Cells &cells, std::size_t line)
 {
-    Cells units;
-    std::size_t found = 0;
-    for (const std::string_view cell : cells) {
-        const std::optional<std::string_view> unit = readAnnotation(cell);
-        found += unit ? 1 : 0;
-        units.push_back(unit.value_or(""));
-    }
-    const std::size_t filled = cells.size() - static_cast<std::size_t>(std::ranges::count(cells, std::string_view()));
-    const bool isData = found == 0 || 2 * found < filled || std::ranges::any_of(cells, looksNumeric);
-    return isData ? std::nullopt : std::optional(std::move(units));
-}
-
-/// Gives the columns these units, which stand in that line. Throws where a heading says otherwise.
-void takeUnits(TableForm &form, const Cells &units, std::size_t line)
-{
-    for (std::size_t i = 0; i < std::min(units.size(), form.headings.size()); ++i) {
+    for (std::size_t i = 0; i < std::min(cells.size(), form.headings.size()); ++i) {
         Heading &heading = form.headings[i];
-        const bool isNew = !units[i].empty();
-        if (isNew && !heading.unit.empty() && parseUnit(heading.unit) != parseUnit(units[i])) {
-            const ReadFault fault{ReadFault::Kind::UnitsContradict, {}, excerpt(heading.printed)};
-            throw ReadError{line, i + 1, excerpt(units[i]), fault};
+        if (cells[i].empty()) {
+            continue;
         }
-        heading.unit = isNew ? units[i] : heading.unit;
+        if (!heading.unit.empty() && parseUnit(heading.unit) != parseUnit(cells[i])) {
+            const ReadFault fault{ReadFault::Kind::UnitsContradict, {}, excerpt(heading.printed)};
+            throw ReadError{line, i + 1, excerpt(cells[i]), fault};
+        }
+        heading.unit = cells[i];
     }
 }
 
-/// Takes the lines of units and of other annotations below the names.
-void takeAnnotations(TableForm &form, std::string_view delimiters, const std::optional<FirstRow> &row)
+/// Interprets the lines between the headings and the first number, which may contain units.
+void readAnnotations(TableForm &form, std::string_view delimiters, const std::optional<FirstRow> &row)
 {
-    const std::vector<Line> lines = firstLines(form.data, form.firstDataLine);
-    const auto cellsIn = [&](const Line &line) {
-        return row && row->isBySpaces() ? readNames(line.text, delimiters, row).cells
-                                        : splitCells(line.text, form.layout.delimiter);
-    };
-    for (const Line &line : lines) {
-        const Cells cells = cellsIn(line);
-        const std::optional<Cells> units = readAnnotations(cells);
-        const bool areOtherNames = &line == &lines[0] && lines.size() > 1 && cells.size() == form.headings.size() &&
-                                   std::ranges::none_of(cells, looksNumeric) && readAnnotations(cellsIn(lines[1]));
-        if (!units && areOtherNames) {
-            continue; // short ones, above the units
+    for (const Line &line : firstLines(form.data, form.firstDataLine)) {
+        Cells cells = row && row->delimiter != ' ' ? splitCells(line.text, row->delimiter)
+                                                   : readNames(line.text, delimiters, row).cells;
+        if (std::ranges::any_of(cells, [](std::string_view cell) { return looksNumeric(splitUnit(cell).number); })) {
+            return;
         }
-        if (!units) {
-            break;
-        }
-        const bool hasUnit = std::ranges::any_of(*units, [](std::string_view unit) { return !unit.empty(); });
+        std::ranges::transform(cells, cells.begin(), unitIn);
+        const bool hasUnit = std::ranges::any_of(cells, [](std::string_view unit) { return !unit.empty(); });
         form.layout.unitsLine = hasUnit ? line.number : form.layout.unitsLine;
         form.data = line.below;
         form.firstDataLine = line.number + 1;
-        takeUnits(form, *units, line.number);
+        setUnits(form, cells, line.number);
     }
 }
 
-/// Settles what the headings mean. The lines above them may give units: "inDegrees=no", "Units are S.I. units (second,
-/// meters, …)", as OpenSim writes them.
-void interpretHeadings(TableForm &form, std::span<const Line> above)
-{
-    std::string unitOfLengths;
-    std::string unitOfAngles;
-    std::size_t line = 0;
-    for (const Line &each : above) {
-        const std::string_view text = trimmed(each.text);
-        const bool isOfLengths = text.starts_with("Units are S.I. units");
-        const bool isOfAngles = isAmong(text, "inDegrees=yes inDegrees=no");
-        unitOfLengths = isOfLengths ? "m" : unitOfLengths;
-        unitOfAngles = isOfAngles ? text.ends_with("yes") ? "deg" : "rad" : unitOfAngles;
-        line = line == 0 && (isOfLengths || isOfAngles) ? each.number : line;
-    }
-    if (interpretHeadings(form.headings, unitOfLengths, unitOfAngles)) {
-        form.layout.unitsLine = line;
-    }
-}
-
-/// The decimal sign of a file. The first number that can be read in one way only decides: 0,005 and 74,5436 and 1.234,5
-/// hold a decimal comma; 74,543 alone could be thousands. Where commas separate the cells as well, a decimal comma
-/// stands in quoted cells only, and in no file beside decimal points.
+/// Returns the decimal sign of a file, according to the first lines. The first unambiguous number decides: 0,005 and
+/// 74,5436 and 1.234,5 have a decimal comma, but 74,543 could have a thousands separator. If cells are separated by
+/// commas, a decimal comma is possible only in quoted cells, and only in a file without decimal points.
 DecimalSign findDecimalSign(const TableForm &form)
 {
     const bool commasSeparate = form.layout.delimiter == ',';
-    if (form.data.find(commasSeparate ? '"' : ',') == form.data.npos) {
-        return DecimalSign::Point;
-    }
-    bool isSurelyComma = false;
+    bool isCertainlyComma = false;
     bool hasCommas = false;
     bool hasPoints = false;
-    for (std::string_view rest = form.data; !rest.empty();) {
-        for (const std::string_view cell : splitCells(takeLine(rest), form.layout.delimiter)) {
+    for (const Line &line : firstLines(form.data)) {
+        for (const std::string_view cell : splitCells(line.text, form.layout.delimiter)) {
             const std::string_view text = splitUnit(cell).number;
             const bool isPoint = !parseNumber(text, DecimalSign::Point).fault;
             const bool isComma = !parseNumber(text, DecimalSign::Comma).fault;
@@ -319,26 +248,37 @@ DecimalSign findDecimalSign(const TableForm &form)
             } else if (isPoint || !commasSeparate) {
                 return isPoint ? DecimalSign::Point : DecimalSign::Comma;
             } else {
-                isSurelyComma = true;
+                isCertainlyComma = true;
             }
         }
     }
-    const bool isComma = isSurelyComma || (hasCommas && !hasPoints && !commasSeparate);
+    const bool isComma = isCertainlyComma || (hasCommas && !hasPoints && !commasSeparate);
     return isComma ? DecimalSign::Comma : DecimalSign::Point;
 }
 
-/// Takes the delimiter that a spreadsheet announces in the first line, "sep=;", off the lines; else all are possible.
+/// Removes a first line such as "sep=;", which announces the delimiter to a spreadsheet, and returns the possible
+/// delimiters.
 std::string_view takeAnnouncedDelimiter(std::vector<Line> &lines, FileLayout &layout)
 {
-    const std::string_view first = lines.front().text;
+    const std::string first = lowered(splitCells(lines.front().text, ' ').front()); // without quotation marks
     const std::size_t announced =
-        first.size() == 5 && equalIgnoringCase(first.substr(0, 4), "sep=") ? kDelimiters.find(first[4]) : first.npos;
+        first.size() == 5 && first.starts_with("sep=") ? kDelimiters.find(first[4]) : first.npos;
     if (announced == first.npos) {
         return kDelimiters;
     }
     layout.preambleLines.push_back(lines.front().number);
     lines.erase(lines.begin());
     return kDelimiters.substr(announced, 1);
+}
+
+void setHeadings(TableForm &form, const Names &names, std::string_view delimiters, const std::vector<Line> &lines,
+                 const std::optional<FirstRow> &row)
+{
+    std::ranges::transform(names.cells, std::back_inserter(form.headings), parseHeading);
+    if (row && lines[row->line].text.starts_with('"') && row->cells.size() == form.headings.size() + 1) {
+        form.headings.insert(form.headings.begin(), Heading()); // R writes row names without a heading
+    }
+    readAnnotations(form, delimiters, row);
 }
 
 } // namespace
@@ -372,22 +312,23 @@ TableForm findTable(std::string_view text)
     form.firstDataLine = line.number + (header.names ? 1 : 0);
     if (header.names) {
         form.layout.headerLine = line.number;
-        std::ranges::transform(header.names->cells, std::back_inserter(form.headings), parseHeading);
-        if (row && lines[row->line].text.starts_with('"') && row->cells.size() == form.headings.size() + 1) {
-            form.headings.insert(form.headings.begin(), Heading()); // so R writes the numbers of rows
-        }
-        takeAnnotations(form, delimiters, row);
+        setHeadings(form, *header.names, delimiters, lines, row);
     } else {
         form.headings.resize(row->cells.size());
     }
     if (row) {
         std::ranges::transform(row->cells, std::back_inserter(form.cellUnits),
                                [](std::string_view cell) { return splitUnit(cell).unit; });
-        takeUnits(form, form.cellUnits, lines[row->line].number);
+        setUnits(form, form.cellUnits, lines[row->line].number);
     }
     form.cellUnits.resize(form.headings.size());
-    form.fewestCells = countNeededCells(form);
-    interpretHeadings(form, std::span(lines).first(header.line));
+    std::string unitOfLengths;
+    std::string unitOfAngles;
+    for (const Line &above : std::span(lines).first(header.line)) { // OpenSim gives the units there
+        unitOfLengths = above.text.starts_with("Units are S.I. units") ? "m" : unitOfLengths;
+        unitOfAngles = above.text.starts_with("inDegrees=no") ? "rad" : unitOfAngles;
+    }
+    interpretHeadings(form.headings, unitOfLengths, unitOfAngles);
     form.layout.decimalSign = findDecimalSign(form);
     lines = firstLines(form.data);
     for (const Line &shown : std::span(lines).first(std::min(lines.size(), kPreviewRows))) {

@@ -22,7 +22,7 @@ constexpr std::array<NamedUnit, 11> kUnits{{
     {"cm centimeter centimetre centimeters centimetres centimetros", {Dimension::Length, 0, 10.0}},
     {"m meter metre meters metres metros", {Dimension::Length, 0, 1e3}},
     {"in inch inches", {Dimension::Length, 0, 25.4}},
-    {"deg degree degrees grado grados ca cad degca cadeg", {Dimension::Angle, 0, 1.0}},
+    {"deg degree degrees grado grados grad ca cad degca cadeg", {Dimension::Angle, 0, 1.0}},
     {"rad radian radians radianes", {Dimension::Angle, 0, kDegreesPerRadian}},
     {"rpm", {Dimension::Angle, 1, 6.0}},
     {"s sec secs second seconds seg segundo segundos", {Dimension::Time, 0, 1.0}},
@@ -31,18 +31,9 @@ constexpr std::array<NamedUnit, 11> kUnits{{
     {"min minute minutes minuto minutos", {Dimension::Time, 0, 1.0 / 60.0}},
 }};
 
-/// The ordinal sign stands for degrees on Spanish keyboards; of the two signs for micro one is the Greek letter.
-constexpr std::array<Spelling, 11> kUnitSigns{{{" ", ""},
-                                               {"\t", ""},
-                                               {"^", ""},
-                                               {"*", ""},
-                                               {"(", ""},
-                                               {")", ""},
-                                               {"°", "deg"},
-                                               {"º", "deg"},
-                                               {"²", "2"},
-                                               {"\u00B5", "u"},
-                                               {"\u03BC", "u"}}};
+/// On Spanish keyboards, the ordinal sign º stands for degrees. Micro has two code points, one is the Greek letter.
+constexpr std::string_view kUnitSpellings =
+    "s^-1=/s|s^-2=/s2|s-1=/s|s-2=/s2|s⁻¹=/s|s⁻²=/s2| =|\t=|^=|*=|·=|(=|)=|²=2|°=deg|º=deg|\u00B5=u|\u03BC=u";
 
 std::optional<Unit> unitNamed(std::string_view name)
 {
@@ -71,24 +62,38 @@ bool isAmong(std::string_view word, std::string_view words)
     return false;
 }
 
-std::string respelled(std::string_view text, std::span<const Spelling> spellings)
+std::string lowered(std::string_view text)
+{
+    std::string lower(text);
+    std::ranges::transform(lower, lower.begin(), lowerCase);
+    return lower;
+}
+
+std::string respelled(std::string_view text, std::string_view table)
 {
     std::string result;
     while (!text.empty()) {
-        const auto found =
-            std::ranges::find_if(spellings, [&](const Spelling &each) { return text.starts_with(each.from); });
-        const bool isFound = found != spellings.end();
-        result += isFound ? found->to : text.substr(0, 1);
-        text.remove_prefix(isFound ? found->from.size() : 1);
+        std::string_view from = text.substr(0, 1);
+        std::string_view to = from;
+        for (std::string_view rest = table; !rest.empty();) {
+            const std::string_view entry = rest.substr(0, rest.find('|'));
+            rest.remove_prefix(std::min(entry.size() + 1, rest.size()));
+            const std::size_t sign = entry.find('=');
+            if (text.starts_with(entry.substr(0, sign))) {
+                from = entry.substr(0, sign);
+                to = entry.substr(sign + 1);
+                break;
+            }
+        }
+        result += to;
+        text.remove_prefix(from.size());
     }
     return result;
 }
 
 std::optional<Unit> parseUnit(std::string_view text)
 {
-    std::string plain = respelled(text, kUnitSigns);
-    std::ranges::transform(plain, plain.begin(),
-                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 'a' - 'A') : c; });
+    const std::string plain = lowered(respelled(text, kUnitSpellings));
     std::string_view rest = plain;
     std::optional<Unit> unit = unitNamed(takePart(rest));
     while (unit && !rest.empty()) {

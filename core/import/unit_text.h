@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Units as programs write them: "mm", "°/s", "deg/sec", "rad/s²", "m/s^2", "mm/sec**2", "rpm", "ms", "min", "grados",
+// Parses units as programs write them: "mm", "°/s", "deg/sec", "rad/s²", "m s^-2", "mm/sec**2", "rpm", "ms", "grados",
 // "°CA" (degrees of crank angle).
 
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -16,10 +15,10 @@ enum class Dimension { Length, Angle, Time };
 
 struct Unit {
     Dimension dimension = Dimension::Length;
-    int order = 0; ///< how often divided by a time
+    int order = 0; ///< how many times it is divided by a time
 
-    /// To mm or °, per s to the order. Of a time: how many make a second, so that 5 ms / 1000 are 0.005 to the last
-    /// bit.
+    /// Factor to mm or °, per s to the power of `order`. For a unit of time it is the reciprocal, the number of units
+    /// in a second, so that 5 ms / 1000 gives exactly 0.005.
     double factor = 1.0;
 
     friend bool operator==(const Unit &, const Unit &) = default;
@@ -27,15 +26,19 @@ struct Unit {
 
 std::optional<Unit> parseUnit(std::string_view text);
 
-/// Whether the word is one of these, which spaces separate.
+/// Returns whether `word` is one of the words in a list separated by spaces.
 bool isAmong(std::string_view word, std::string_view words);
 
-struct Spelling {
-    std::string_view from;
-    std::string_view to;
-};
+inline char lowerCase(char c)
+{
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
 
-/// The text with the first spelling that fits at each place replaced.
-std::string respelled(std::string_view text, std::span<const Spelling> spellings);
+/// Returns the text with its ASCII letters in lower case.
+std::string lowered(std::string_view text);
+
+/// Returns the text with spellings replaced, according to a table such as "á=a|ñ=n|°=": from "=" to, separated by "|".
+/// Where several match, the first one in the table applies.
+std::string respelled(std::string_view text, std::string_view table);
 
 } // namespace slidercrank

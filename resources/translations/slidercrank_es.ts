@@ -280,10 +280,6 @@
         <translation>supuesta por P, V o A en el encabezado y por la unidad</translation>
     </message>
     <message>
-        <source>assumed from P, V or A in the heading, and from other columns of the joint</source>
-        <translation>supuesta por P, V o A en el encabezado y por otras columnas del par</translation>
-    </message>
-    <message>
         <source>assumed: an angle that grows at a constant rate, as that of the crank</source>
         <translation>supuesta: un ángulo que crece a ritmo constante, como el de la manivela</translation>
     </message>
@@ -328,10 +324,6 @@
         <translation>no se usa: los mismos instantes que «%1»</translation>
     </message>
     <message>
-        <source>ignored: its time stamps are not those of “%1”</source>
-        <translation>no se usa: sus instantes no son los de «%1»</translation>
-    </message>
-    <message>
         <source>ignored: no heading</source>
         <translation>no se usa: sin encabezado</translation>
     </message>
@@ -342,10 +334,6 @@
     <message>
         <source>ignored: its unit is unknown, or does not suit the quantity</source>
         <translation>no se usa: su unidad es desconocida o no corresponde a la magnitud</translation>
-    </message>
-    <message>
-        <source>ignored: its values are not the derivative of “%1” that its heading names</source>
-        <translation>no se usa: sus valores no son la derivada de «%1» que indica el encabezado</translation>
     </message>
     <message>
         <source>ignored: neither unit nor values tell whether it is an angle or a length</source>
@@ -3637,10 +3625,6 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
     <message>
         <source>The file is larger than 2 GB: export fewer rows or columns.</source>
         <translation>El archivo ocupa más de 2 GB: exporte menos filas o columnas.</translation>
-    </message>
-    <message>
-        <source>its values are not the derivative that its heading names</source>
-        <translation>sus valores no son la derivada que indica su encabezado</translation>
     </message>
     <message>
         <source>neither unit nor values tell whether it is an angle or a length</source>

@@ -175,7 +175,7 @@ std::vector<SimulationFile> simulationFiles()
             "neither unit nor values tell");
     read("Inventor, Output Grapher, units for the positions only", kInventor,
          "Time=Time|P[3.1] (mm)=X|V[3.1]=V|P[1.1] (deg)=Theta2|V[1.1]=Omega2", {.cell = "\t"},
-         "time[] R4_x?[mm] R4_x_diff?[] theta2?[deg] theta2_diff?[]");
+         "time[] R4_x?[mm] - theta2?[deg] -");
     read("Inventor, a trace of a plane", kTrace,
          "Time ( s )=Time|Trace:1 P[X] ( mm )=X|Trace:1 P[Y] ( mm )=Offset|Trace:1 P[Z] ( mm )=Zero", {.cell = "\t"},
          "time[s] R4_x?[mm] R4_y?[mm] -");
@@ -429,7 +429,7 @@ std::vector<SimulationFile> simulationFiles()
               "Newtons, ...)\nAngles are in degrees.\n\nendheader\n",
           .cell = "\t",
           .format = "%16.8f"},
-         "time[] R4_x[m] theta2[deg]");
+         "time[] R4_x[m] theta2[]");
     read("OpenSim, .sto", kOpenSim, "time=Time|slider_tx=X*m|crank_angle=Theta2*rad|slider_velocity=V*m",
          {.before =
               "results\nversion=1\nnRows=101\nnColumns=4\ninDegrees=no\n\nUnits are S.I. units (seconds, meters, "
@@ -626,7 +626,6 @@ std::vector<OtherFile> otherFiles()
          "import numpy as np\n\ntime = np.linspace(0, 1, 101)\nposition = 25 * np.cos(time)\nprint(time, position)\n",
          kNoTime},
         {"a G-code program", "G21\nG90\nG1 X10.0 Y0.0 F100\nG1 X10.5 Y0.2 F100\n", kNoTime},
-        {"Markdown", "# Slider crank\n\n| time | R4_x |\n|---|---|\n| 0 | 85 |\n| 0.5 | 60 |\n", kNoTime},
         {"a mesh", "v 0.0 0.0 0.0\nv 1.0 0.0 0.0\nv 0.0 1.0 0.0\nf 1 2 3\n", kNoTime},
         {"a spline table", "# x y\n0 85\n10 80\n20 70\n30 55\n", kNoTime},
         {"prices", "Date,Open,High,Low,Close\n2024-03-01,187.2,189.1,186.5,188.9\n2024-03-04,188.0,190.2,187.7,189.5\n",

@@ -35,7 +35,6 @@ public:
         case Chosen: return tr("chosen by hand");
         case QuantityInName: return tr("assumed: the heading names the quantity, but not the body");
         case LetterAndUnit: return tr("assumed from P, V or A in the heading, and from the unit");
-        case OtherOfJoint: return tr("assumed from P, V or A in the heading, and from other columns of the joint");
         case EvenRate: return tr("assumed: an angle that grows at a constant rate, as that of the crank");
         case BeyondOneTurn: return tr("assumed from its values: an angle beyond one turn, or its derivative");
         case RisingValues: return tr("assumed: the first column whose values only increase");
@@ -46,13 +45,11 @@ public:
         case UnknownBody: return tr("ignored: the heading does not name the body");
         case RowNumber: return tr("ignored: it numbers the rows");
         case Magnitude: return tr("ignored: a magnitude, of which “%1” is a component");
-        case SameInstants: return tr("ignored: the same time stamps as “%1”");
-        case OtherInstants: return tr("ignored: its time stamps are not those of “%1”");
+        case SameTimeStamps: return tr("ignored: the same time stamps as “%1”");
         case NoName: return tr("ignored: no heading");
         case NoNumber: return tr("ignored: it contains no number");
         case UnknownUnit: return tr("ignored: its unit is unknown, or does not suit the quantity");
         case LikeOther: return tr("ignored: “%1” could be the same quantity");
-        case NotDerivative: return tr("ignored: its values are not the derivative of “%1” that its heading names");
         case AngleOrLength: return tr("ignored: neither unit nor values tell whether it is an angle or a length");
         }
         return {};
@@ -96,7 +93,7 @@ QString lineText(const FileLayout &layout, const SkippedRow &row)
 
 bool repeatsInstants(const FileLayout &layout, std::size_t column)
 {
-    return !layout.files.empty() && layout.columns[column].reason == ColumnReason::SameInstants;
+    return !layout.files.empty() && layout.columns[column].reason == ColumnReason::SameTimeStamps;
 }
 
 std::vector<std::size_t> ignoredColumns(const FileLayout &layout)

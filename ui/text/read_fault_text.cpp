@@ -18,7 +18,6 @@ public:
     {
         switch (reason) {
         case ColumnReason::LikeOther: return tr("another column could be the same quantity");
-        case ColumnReason::NotDerivative: return tr("its values are not the derivative that its heading names");
         case ColumnReason::AngleOrLength: return tr("neither unit nor values tell whether it is an angle or a length");
         case ColumnReason::UnknownBody: return tr("its heading does not name the body");
         default: return tr("its unit is unknown, or does not suit the quantity");
@@ -68,7 +67,7 @@ public:
             return tr("the time does not increase: sort the rows by time, and keep one row for each time.");
         case AngleTurnsBack:
             return tr("the crank angle goes back after %1: sort the rows by it, and keep one row for each angle.");
-        case OtherInstants:
+        case OtherTimeStamps:
             return tr(
                 "its time stamps are not those of %1: export the plots with the same start, end and step, or open "
                 "one file at a time.");

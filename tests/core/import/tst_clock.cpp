@@ -1,30 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/import/clock.h"
 #include "core/import/reference_data.h"
+#include "tests/support/described_reading.h"
 #include "tests/support/suite.h"
 
-#include <QByteArray>
 #include <QTest>
 
 #include <cmath>
-#include <variant>
 
 using namespace slidercrank;
 
 namespace
 {
-
-/// A file whose instants are those texts.
-ReferenceData fileWith(const QByteArrayList &instants, const QByteArray &unit)
-{
-    QByteArray bytes = "time [" + unit + "],R4_x\n";
-    for (const QByteArray &instant : instants) {
-        bytes += instant + ",12.5\n";
-    }
-    auto outcome = readReferenceData({bytes.constData(), static_cast<std::size_t>(bytes.size())});
-    ReferenceData *data = std::get_if<ReferenceData>(&outcome);
-    return data ? std::move(*data) : ReferenceData();
-}
 
 QByteArrayList printed(int count, double step, char format, int digits, double start = 0.0)
 {
@@ -42,53 +29,39 @@ class TestClock : public QObject
     Q_OBJECT
 
 private slots:
-    void tellsWhatTheInstantsAreWorth_data()
+    void findsThePrecisionOfTimeStamps()
     {
-        QTest::addColumn<QByteArrayList>("instants");
-        QTest::addColumn<QByteArray>("unit");
-        QTest::addColumn<double>("step");
-        QTest::addColumn<bool>("even");
-        QTest::addColumn<bool>("rounded");
-        QTest::newRow("5 ms with 6 decimals")
-            << printed(201, 0.005, 'f', 6) << QByteArray("s") << 1e-6 << true << false;
-        QTest::newRow("30 a second with 4 decimals")
-            << printed(61, 1.0 / 30.0, 'f', 4) << QByteArray("s") << 1e-4 << false << true;
-        QTest::newRow("30 a second with 9 digits, uneven in the last")
-            << printed(61, 1.0 / 30.0, 'g', 9) << QByteArray("s") << 1e-8 << false << true;
-        QTest::newRow("30 a second in ms with 1 decimal")
-            << printed(61, 1000.0 / 30.0, 'f', 1) << QByteArray("ms") << 1e-4 << false << true;
-        QTest::newRow("30 a second with all digits")
-            << printed(61, 1.0 / 30.0, 'g', 17) << QByteArray("s") << 1e-18 << true << false;
-        QTest::newRow("5 ms, a billion seconds after the start")
-            << printed(201, 0.005, 'f', 3, 1e9) << QByteArray("s") << 1e-3 << true << false;
-        QTest::newRow("a sample left out")
-            << QByteArrayList{"0.00", "0.01", "0.02", "0.04", "0.05"} << QByteArray("s") << 1e-2 << false << false;
-        QTest::newRow("chosen instants") << QByteArrayList{"0", "0.1", "0.2", "0.3", "0.5", "0.7",
-                                                           "1", "1.5", "2",   "3",   "4"}
-                                         << QByteArray("s") << 0.1 << false << false;
-        QTest::newRow("two instants") << QByteArrayList{"0", "0.5"} << QByteArray("s") << 0.1 << true << false;
-        QTest::newRow("whole seconds") << printed(20, 10.0, 'f', 0) << QByteArray("s") << 1.0 << true << false;
-    }
-
-    void tellsWhatTheInstantsAreWorth()
-    {
-        QFETCH(const QByteArrayList, instants);
-        QFETCH(const QByteArray, unit);
-        const ReferenceData data = fileWith(instants, unit);
-        QCOMPARE(data.time.size(), static_cast<std::size_t>(instants.size()));
-        const Clock clock = clockOf(data);
-        QTEST(clock.even, "even");
-        QTEST(clock.rounded, "rounded");
-        QFETCH(const double, step);
-        QVERIFY2(std::abs(clock.printedStep - step) <= 1e-9 * step,
-                 qPrintable(QString::number(clock.printedStep, 'g', 17)));
-        QCOMPARE(clock.step(), clock.even ? 0.0 : clock.printedStep);
-    }
-
-    void nothingIsEven()
-    {
-        const Clock clock = clockOf(ReferenceData());
-        QVERIFY(clock.even && clock.printedStep == 0.0);
+        struct Row {
+            const char *name;
+            QByteArrayList times;
+            const char *unit;
+            double step;
+            bool even;
+            bool rounded;
+        };
+        const double frame = 1.0 / 30.0;
+        const std::vector<Row> rows{
+            {"5 ms, 6 decimals", printed(201, 0.005, 'f', 6), "s", 1e-6, true, false},
+            {"30 Hz, 4 decimals", printed(61, frame, 'f', 4), "s", 1e-4, false, true},
+            {"30 Hz, 9 digits, uneven in the last one", printed(61, frame, 'g', 9), "s", 1e-8, false, true},
+            {"30 Hz in ms, 1 decimal", printed(61, 1e3 * frame, 'f', 1), "ms", 1e-4, false, true},
+            {"30 Hz, all digits", printed(61, frame, 'g', 17), "s", 1e-18, true, false},
+            {"5 ms, after a billion seconds", printed(201, 0.005, 'f', 3, 1e9), "s", 1e-3, true, false},
+            {"a missing sample", {"0.00", "0.01", "0.02", "0.04", "0.05"}, "s", 1e-2, false, false},
+            {"chosen", {"0", "0.1", "0.2", "0.3", "0.5", "0.7", "1", "1.5", "2", "3"}, "s", 0.1, false, false},
+            {"two", {"0", "0.5"}, "s", 0.1, true, false},
+            {"whole seconds", printed(20, 10.0, 'f', 0), "s", 1.0, true, false},
+        };
+        for (const Row &row : rows) {
+            const QByteArray table = row.times.join(",12.5\n");
+            const auto outcome = read(QByteArray("time [") + row.unit + "],R4_x\n" + table + ",12.5\n");
+            const Clock clock = clockOf(std::get<ReferenceData>(outcome));
+            QVERIFY2(clock.even == row.even && clock.rounded == row.rounded, row.name);
+            QVERIFY2(std::abs(clock.printedStep - row.step) <= 1e-9 * row.step, row.name);
+            QCOMPARE(clock.step(), clock.even ? 0.0 : clock.printedStep);
+        }
+        const Clock none = clockOf(ReferenceData());
+        QVERIFY(none.even && none.printedStep == 0.0);
     }
 };
 

@@ -16,7 +16,7 @@ class TestCrankAngles : public QObject
     Q_OBJECT
 
 private slots:
-    void countsByTheCrankAngleWhereThereIsNoTime()
+    void readsATableByCrankAngleIfThereIsNoTime()
     {
         struct Row {
             QByteArray bytes;
@@ -48,41 +48,40 @@ private slots:
         }
     }
 
-    void makesTheInstantsOfACrank_data()
+    void computesTheTimeStampsForADrive()
     {
-        QTest::addColumn<double>("omega2");
-        QTest::addColumn<double>("theta20");
-        QTest::addColumn<QString>("is");
+        struct Row {
+            const char *name;
+            double omega2;
+            double theta20;
+            const char *expected;
+        };
         const double turn = 2.0 * std::numbers::pi;
-        QTest::newRow("once a second") << turn << 0.0 << "time 0 0.25 1; R4_x 3 4 5";
-        QTest::newRow("twice a second") << 2.0 * turn << 0.0 << "time 0 0.125 0.5; R4_x 3 4 5";
-        QTest::newRow("from 90 degrees on") << turn << 0.25 * turn << "time -0.25 0 0.75; R4_x 3 4 5";
-        QTest::newRow("the other way") << -turn << 0.0 << "time -1 -0.25 -0; R4_x 5 4 3";
-        QTest::newRow("standing still") << 0.0 << 0.0 << "none";
-        QTest::newRow("too slow for doubles") << 1e-320 << 0.0 << "none";
-    }
-
-    void makesTheInstantsOfACrank()
-    {
-        QFETCH(const double, omega2);
-        QFETCH(const double, theta20);
-        QFETCH(const QString, is);
-        Parameters parameters;
-        parameters.omega2 = omega2;
-        parameters.theta20 = theta20;
+        const std::vector<Row> rows{
+            {"one turn per second", turn, 0.0, "time 0 0.25 1; R4_x 3 4 5"},
+            {"two turns per second", 2.0 * turn, 0.0, "time 0 0.125 0.5; R4_x 3 4 5"},
+            {"starting at 90 degrees", turn, 0.25 * turn, "time -0.25 0 0.75; R4_x 3 4 5"},
+            {"in the other direction", -turn, 0.0, "time -1 -0.25 -0; R4_x 5 4 3"},
+            {"standing still", 0.0, 0.0, "none"},
+            {"too slow for doubles", 1e-320, 0.0, "none"},
+        };
         const ReferenceData data = std::get<ReferenceData>(read("theta2,R4_x\n0,3\n90,4\n360,5\n"));
-        const std::optional<ReferenceData> timed = timedBy(Mechanism(parameters), data);
-        QCOMPARE(QString::fromStdString(timed ? described(*timed) : "none"), is);
-        if (timed) { // whatever was in between
-            QCOMPARE(described(*timedBy(Mechanism(), *timed)), described(data));
-            const std::vector<double> angles = timed->crank->degrees;
-            for (std::size_t i = 0; i < angles.size(); ++i) {
-                const double angle = kDegreesPerRadian * (omega2 * timed->time[i] + theta20);
-                QVERIFY(std::abs(angle - angles[i]) < 1e-12 * 360.0);
+        for (const auto &[name, omega2, theta20, expected] : rows) {
+            Parameters parameters;
+            parameters.omega2 = omega2;
+            parameters.theta20 = theta20;
+            const std::optional<ReferenceData> timed = timedBy(Mechanism(parameters), data);
+            QVERIFY2((timed ? described(*timed) : "none") == expected, name);
+            if (!timed) {
+                continue;
             }
-            // A degree is as long as it takes the crank.
-            const double step = 1.0 / (kDegreesPerRadian * std::abs(omega2));
-            QVERIFY(std::abs(timed->timeRounding.finestStep() - step) < 1e-12 * step);
+            QCOMPARE(described(*timedBy(Mechanism(), *timed)), described(data)); // it does not depend on the history
+            for (std::size_t i = 0; i < timed->time.size(); ++i) {
+                const double angle = kDegreesPerRadian * (omega2 * timed->time[i] + theta20);
+                QVERIFY2(std::abs(angle - timed->crank->degrees[i]) < 1e-12 * 360.0, name);
+            }
+            const double step = 1.0 / (kDegreesPerRadian * std::abs(omega2)); // the duration of a degree
+            QVERIFY2(std::abs(timed->timeRounding.finestStep() - step) < 1e-12 * step, name);
         }
     }
 };

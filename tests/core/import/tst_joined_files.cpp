@@ -32,7 +32,7 @@ private slots:
         const std::vector<QByteArrayList> splits{
             {coupler, position, velocity},
             {position, "plot 2\n\n" + QByteArray(velocity).replace(',', ';').replace('.', ','),
-             utf16Of(QByteArray(coupler).replace(',', '\t'), true, false)},
+             utf16Of(QByteArray(coupler).replace(',', '\t'), true, true)},
             {position, columnsOf(table, {2, 3, 0}), coupler},
             {coarse, velocity, coupler}};
         const Outcome expected = read(table);
@@ -49,7 +49,7 @@ private slots:
                 QVERIFY(data.find(series.channel)->rounding == series.rounding);
             }
             QCOMPARE(data.layout.files.size(), static_cast<std::size_t>(files.size()));
-            QCOMPARE(std::ranges::count(data.layout.columns, ColumnReason::SameInstants, &FileColumn::reason),
+            QCOMPARE(std::ranges::count(data.layout.columns, ColumnReason::SameTimeStamps, &FileColumn::reason),
                      files.size() - 1);
         }
     }
@@ -102,7 +102,7 @@ private slots:
             std::size_t file = 1;
         };
         const QByteArray a = "time,R4_x\n0,1\n1,2\n2,3\n";
-        const ReadFault otherInstants{Kind::OtherInstants, {}, "a"};
+        const ReadFault otherInstants{Kind::OtherTimeStamps, {}, "a"};
         const std::vector<Row> rows{
             {"twice the step", {a, "time,theta3\n0,1\n2,2\n4,3\n"}, otherInstants},
             {"a little later", {a, "time,theta3\n0.1,1\n1.1,2\n2.1,3\n"}, otherInstants},

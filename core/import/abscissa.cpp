@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/import/abscissa.h"
+
+#include "core/import/clock.h"
+#include "core/import/crank_angles.h"
+#include "core/import/quantity.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+using Fault = ReadFault::Kind;
+using Kind = NameMeaning::Kind;
+using Values = std::vector<double>;
+
+/// Returns whether each value is above the one before, apart from unreadable cells.
+bool onlyRises(const Values &values)
+{
+    double before = -std::numeric_limits<double>::infinity();
+    for (const double value : values) {
+        if (!(std::isinf(value) || value > before)) {
+            return false;
+        }
+        before = std::isinf(value) ? before : value;
+    }
+    return rangeOf(values).count >= 2;
+}
+
+/// Returns whether two columns contain the same time stamps within their rounding and a quarter of their spacing.
+bool areSameTimes(const Values &x, const Rounding &roundingOfX, const Values &y, const Rounding &roundingOfY)
+{
+    constexpr double kUlps = 4.0; // for a conversion of the unit of either
+    constexpr double kPartOfSpacing = 0.25;
+    const ValueRange range = rangeOf(x);
+    const double spacing = range.width() / static_cast<double>(std::max<std::size_t>(range.count, 2) - 1);
+    const double rounded = 0.5 * (clockOf(x, roundingOfX).step() + clockOf(y, roundingOfY).step());
+    return std::ranges::equal(x, y, [allowed = std::min(rounded, kPartOfSpacing * spacing)](double a, double b) {
+        const double ulps = kUlps * std::numeric_limits<double>::epsilon() * std::max(std::abs(a), std::abs(b));
+        return !std::isfinite(a - b) || std::abs(a - b) <= allowed + ulps;
+    });
+}
+
+/// Returns the number by which a column of that role has to be divided, or nullopt if the unit does not suit the role.
+std::optional<double> divisorFor(ColumnRole role, const std::string &unit)
+{
+    const std::optional<Unit> time = unit.empty() ? kSecond : parseUnit(unit);
+    return role == ColumnRole::CrankAngle               ? unitsPerDegree(unit)
+           : time && time->dimension == Dimension::Time ? std::optional(time->factor)
+                                                        : std::nullopt;
+}
+
+/// Returns whether the column is an angle of an unnamed body that does not change its direction.
+bool isTurningAngle(const RawColumn &column)
+{
+    const NameMeaning &meaning = column.heading.meaning;
+    const std::optional<double> divisor = unitsPerDegree(column.heading.unit);
+    if (meaning.kind != Kind::Quantity || meaning.channel != Channel{Theta3, Order::Position} || !divisor) {
+        return false;
+    }
+    Values degrees = column.values;
+    std::ranges::for_each(degrees, [&](double &value) { value /= *divisor; });
+    return !findReversal(unwrapped(std::move(degrees)));
+}
+
+/// Finds the abscissa of a file in which no column is named as the time. If another file has one, it is the column with
+/// the same heading. Otherwise it is the first column with an unknown name whose values only rise, else the crank
+/// angle, else an angle before all other columns that does not change its direction, as in "theta, x, v".
+void guessAbscissa(RawTable &table, std::size_t file)
+{
+    const auto find = [&](const auto &suits) {
+        const auto found = std::ranges::find_if(table.columns, [&](const RawColumn &column) {
+            return column.use.file == file && column.use.reason != ColumnReason::Chosen && suits(column);
+        });
+        return found == table.columns.end() ? nullptr : &*found;
+    };
+    RawColumn *found = nullptr;
+    ColumnRole role = ColumnRole::CrankAngle;
+    ColumnReason reason = ColumnReason::AngleForTime;
+    const auto isCrankAngle = [](const RawColumn &column) {
+        return column.heading.isCrankAngle() && unitsPerDegree(column.heading.unit);
+    };
+    if (const RawColumn *first = table.abscissa()) {
+        found = find([&](const RawColumn &column) { return column.heading.printed == first->heading.printed; });
+        role = first->use.role;
+        reason = ColumnReason::KnownName;
+    } else {
+        found = find([](const RawColumn &column) {
+            return column.isUndecided() && column.heading.meaning.kind == Kind::Nothing &&
+                   divisorFor(ColumnRole::Time, column.heading.unit) && onlyRises(column.values);
+        });
+        role = found ? ColumnRole::Time : role;
+        reason = found ? ColumnReason::RisingValues : reason;
+    }
+    if (!found && role == ColumnRole::CrankAngle) {
+        found = find(isCrankAngle);
+    }
+    if (!found && reason == ColumnReason::AngleForTime) {
+        RawColumn *const leading = find([](const RawColumn &column) {
+            return column.use.reason != ColumnReason::NoName && column.use.reason != ColumnReason::RowNumber;
+        });
+        found = leading && isTurningAngle(*leading) ? leading : nullptr;
+    }
+    if (found) {
+        setAbscissa(table, *found, role, reason, found->heading.unit);
+    }
+}
+
+} // namespace
+
+bool hasAbscissa(const RawTable &table, std::size_t file)
+{
+    return std::ranges::any_of(table.columns, [&](const RawColumn &column) {
+        return column.use.file == file && (column.isAbscissa() || column.use.reason == ColumnReason::SameTimeStamps);
+    });
+}
+
+void setAbscissa(RawTable &table, RawColumn &column, ColumnRole role, ColumnReason reason, const std::string &unit)
+{
+    const std::optional<double> divisor = divisorFor(role, unit);
+    if (!divisor) {
+        const bool isTime = role == ColumnRole::Time;
+        throw faultIn(table, column,
+                      isTime ? ReadFault{Fault::UnknownTimeUnit} : ReadFault{Fault::UnknownUnit, kCrankAngle});
+    }
+    std::ranges::for_each(column.values, [&](double &value) { value /= *divisor; });
+    column.factor = 1.0 / *divisor;
+    RawColumn *const first = table.abscissa();
+    if (!first) {
+        column.use.role = role;
+        column.setReason(reason);
+        return;
+    }
+    const Rounding own = column.rounding.inferForTimeStamps(column.factor);
+    const Rounding ofFirst = first->rounding.inferForTimeStamps(first->factor);
+    const std::size_t file = first->use.file;
+    if (!areSameTimes(first->values, ofFirst, column.values, own)) {
+        throw file == column.use.file
+            ? faultIn(table, column, {Fault::TimeTwice})
+            : ReadError{0, 0, {}, {Fault::OtherTimeStamps, {}, table.layout.files[file]}, {}, column.use.file, file};
+    }
+    if (own.finestStep() > 0.0 && own.finestStep() < ofFirst.finestStep()) {
+        std::swap(first->values, column.values);
+        std::swap(first->rounding, column.rounding);
+        std::swap(first->factor, column.factor);
+    }
+    column.setReason(ColumnReason::SameTimeStamps, first->index);
+}
+
+void assignAbscissas(RawTable &table)
+{
+    const RawColumn *const chosen = table.abscissa();
+    for (std::size_t file = 0; file < table.files.size(); ++file) {
+        if (table.files[file].lines.size() != table.files[0].lines.size()) {
+            throw ReadError{0, 0, {}, {Fault::OtherTimeStamps, {}, table.layout.files[0]}, {}, file, 0};
+        }
+        std::vector<RawColumn *> times;
+        for (RawColumn &column : table.columns) {
+            if (column.use.file == file && column.heading.meaning.kind == Kind::Time && column.isUndecided()) {
+                times.push_back(&column);
+            }
+        }
+        const auto hasNumber = [](const RawColumn *column) { return rangeOf(column->values).count > 0; };
+        const bool isAnyNumeric = times.size() > 1 && std::ranges::any_of(times, hasNumber);
+        for (RawColumn *const column : times) {
+            if (isAnyNumeric && !hasNumber(column)) {
+                column->setReason(ColumnReason::NoNumber); // "2024-03-01 12:00", next to the seconds
+            } else if (chosen && chosen->use.file == file) {
+                column->setReason(ColumnReason::LikeOther, chosen->index);
+            } else if (!table.abscissa() || table.abscissa()->use.role == ColumnRole::Time) {
+                setAbscissa(table, *column, ColumnRole::Time, ColumnReason::KnownName, column->heading.unit);
+            }
+        }
+        if (!hasAbscissa(table, file)) {
+            guessAbscissa(table, file);
+        }
+    }
+}
+
+} // namespace slidercrank
