@@ -18,19 +18,6 @@ using Fault = ReadFault::Kind;
 using Kind = NameMeaning::Kind;
 using Values = std::vector<double>;
 
-/// Returns whether each value is above the one before, apart from unreadable cells.
-bool onlyRises(const Values &values)
-{
-    double before = -std::numeric_limits<double>::infinity();
-    for (const double value : values) {
-        if (!(std::isinf(value) || value > before)) {
-            return false;
-        }
-        before = std::isinf(value) ? before : value;
-    }
-    return rangeOf(values).count >= 2;
-}
-
 /// Returns whether two columns contain the same time stamps within their rounding and a quarter of their spacing.
 bool areSameTimes(const Values &x, const Rounding &roundingOfX, const Values &y, const Rounding &roundingOfY)
 {
@@ -68,8 +55,8 @@ bool isTurningAngle(const RawColumn &column)
 }
 
 /// Finds the abscissa of a file in which no column is named as the time. If another file has one, it is the column with
-/// the same heading. Otherwise it is the first column with an unknown name whose values only rise, else the crank
-/// angle, else an angle before all other columns that does not change its direction, as in "theta, x, v".
+/// the same heading. Otherwise it is the crank angle, or an angle before all other columns that does not change its
+/// direction, as in "theta, x, v".
 void guessAbscissa(RawTable &table, std::size_t file)
 {
     const auto find = [&](const auto &suits) {
@@ -78,34 +65,23 @@ void guessAbscissa(RawTable &table, std::size_t file)
         });
         return found == table.columns.end() ? nullptr : &*found;
     };
-    RawColumn *found = nullptr;
-    ColumnRole role = ColumnRole::CrankAngle;
-    ColumnReason reason = ColumnReason::AngleForTime;
-    const auto isCrankAngle = [](const RawColumn &column) {
-        return column.heading.isCrankAngle() && unitsPerDegree(column.heading.unit);
-    };
-    if (const RawColumn *first = table.abscissa()) {
-        found = find([&](const RawColumn &column) { return column.heading.printed == first->heading.printed; });
-        role = first->use.role;
-        reason = ColumnReason::KnownName;
-    } else {
-        found = find([](const RawColumn &column) {
-            return column.isUndecided() && column.heading.meaning.kind == Kind::Nothing &&
-                   divisorFor(ColumnRole::Time, column.heading.unit) && onlyRises(column.values);
-        });
-        role = found ? ColumnRole::Time : role;
-        reason = found ? ColumnReason::RisingValues : reason;
-    }
+    const RawColumn *const first = table.abscissa();
+    const ColumnRole role = first ? first->use.role : ColumnRole::CrankAngle;
+    RawColumn *found =
+        find([&](const RawColumn &column) { return first && column.heading.printed == first->heading.printed; });
     if (!found && role == ColumnRole::CrankAngle) {
-        found = find(isCrankAngle);
+        found = find([](const RawColumn &column) {
+            return column.heading.isCrankAngle() && unitsPerDegree(column.heading.unit);
+        });
     }
-    if (!found && reason == ColumnReason::AngleForTime) {
-        RawColumn *const leading = find([](const RawColumn &column) {
+    if (!found && !first) {
+        found = find([](const RawColumn &column) {
             return column.use.reason != ColumnReason::NoName && column.use.reason != ColumnReason::RowNumber;
         });
-        found = leading && isTurningAngle(*leading) ? leading : nullptr;
+        found = found && isTurningAngle(*found) ? found : nullptr;
     }
     if (found) {
+        const ColumnReason reason = first ? ColumnReason::KnownName : ColumnReason::AngleForTime;
         setAbscissa(table, *found, role, reason, found->heading.unit);
     }
 }

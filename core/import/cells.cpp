@@ -155,7 +155,7 @@ std::string_view takeLine(std::string_view &rest)
     return line;
 }
 
-Cell takeCell(std::string_view &rest, char delimiter)
+std::string_view takeCell(std::string_view &rest, char delimiter)
 {
     const bool bySpaces = delimiter == ' ';
     const char other = bySpaces ? '\t' : delimiter;
@@ -164,26 +164,23 @@ Cell takeCell(std::string_view &rest, char delimiter)
     while (begin < size && isBlank(rest[begin]) && (bySpaces || rest[begin] != delimiter)) {
         ++begin;
     }
-    Cell cell;
     std::size_t end = begin;
-    const bool isQuoted = begin < size && rest[begin] == '"';
-    if (isQuoted) {
+    if (begin < size && rest[begin] == '"') {
         for (++end; end < size && (rest[end] != '"' || rest.substr(end + 1).starts_with('"')); ++end) {
             end += rest[end] == '"' ? 1 : 0;
         }
-        cell.text = trimmed(rest.substr(begin + 1, end - begin - 1));
-        cell.wellFormed = end < size;
-        begin = end = std::min(end + 1, size);
     }
+    const std::size_t closing = end; // quotation mark
     while (end < size && rest[end] != delimiter && rest[end] != other) {
         ++end;
     }
-    const std::string_view text = trimmed(rest.substr(begin, end - begin));
-    cell.text = isQuoted ? cell.text : text;
-    cell.wellFormed = cell.wellFormed && (!isQuoted || text.empty());
+    std::string_view text = trimmed(rest.substr(begin, end - begin));
+    if (closing > begin && text.size() == closing + 1 - begin) {
+        text = trimmed(text.substr(1, text.size() - 2));
+    }
     const bool isLast = end == size || (bySpaces && trimmed(rest.substr(end)).empty());
     rest = isLast ? std::string_view() : rest.substr(end + 1);
-    return cell;
+    return text;
 }
 
 Cells splitCells(std::string_view line, char delimiter)
@@ -191,7 +188,7 @@ Cells splitCells(std::string_view line, char delimiter)
     Cells cells;
     std::string_view rest = line;
     do {
-        cells.push_back(takeCell(rest, delimiter).text);
+        cells.push_back(takeCell(rest, delimiter));
     } while (rest.data() != nullptr);
     while (!cells.empty() && cells.back().empty()) {
         cells.pop_back();

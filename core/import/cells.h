@@ -31,14 +31,11 @@ std::string_view trimmed(std::string_view text);
 /// Removes the first line from `rest` and returns it without its line ending (LF, CR LF or CR).
 std::string_view takeLine(std::string_view &rest);
 
-struct Cell {
-    std::string_view text;  ///< without surrounding blanks and quotation marks; doubled quotation marks stay doubled
-    bool wellFormed = true; ///< false if a quotation mark is not closed, or text follows the closing one
-};
-
-/// Removes the first cell from the rest of a line and returns it. If the delimiter is a space, any run of blanks
-/// separates two cells. After the last cell, `rest.data()` is null.
-Cell takeCell(std::string_view &rest, char delimiter);
+/// Removes the first cell from the rest of a line and returns it without surrounding blanks and quotation marks.
+/// Doubled quotation marks stay doubled. If a quotation mark is not closed, or text follows the closing one, the cell
+/// includes them. If the delimiter is a space, any run of blanks separates two cells. After the last cell,
+/// `rest.data()` is null.
+std::string_view takeCell(std::string_view &rest, char delimiter);
 
 using Cells = std::vector<std::string_view>;
 

@@ -6,7 +6,6 @@
 #include "core/import/crank_angles.h"
 
 #include <algorithm>
-#include <cmath>
 #include <tuple>
 
 namespace slidercrank
@@ -17,7 +16,6 @@ namespace
 
 using Fault = ReadFault::Kind;
 using Kind = NameMeaning::Kind;
-using Values = std::vector<double>;
 
 enum class Evidence { QuantityAlone, Words, ChannelName };
 
@@ -131,9 +129,7 @@ std::optional<Claim> claimOf(RawTable &table, RawColumn &column)
         return std::nullopt;
     }
     const ColumnReason reason = heading.hasUnitOfModelica ? ColumnReason::ModelicaName
-                                : heading.isFromFileName  ? ColumnReason::FileName
                                 : !isQuantity             ? ColumnReason::KnownName
-                                : meaning.isInventor      ? ColumnReason::LetterAndUnit
                                                           : ColumnReason::QuantityInName;
     const Evidence evidence = isQuantity        ? Evidence::QuantityAlone
                               : meaning.isExact ? Evidence::ChannelName
@@ -141,38 +137,19 @@ std::optional<Claim> claimOf(RawTable &table, RawColumn &column)
     return Claim{&column, meaning.channel, evidence, reason, *factor};
 }
 
-/// Returns why an angle has to be that of the crank, if it does: it grows at a constant rate, or spans more than a
-/// turn.
-std::optional<ColumnReason> findCrankReason(const Values &time, const Values &angle, double turn)
-{
-    constexpr double kEvenness = 1e-3;       // of the range: columns may have few digits
-    constexpr std::size_t kFewestValues = 8; // fewer do not show how an angle grows
-    const ValueRange range = rangeOf(angle);
-    const double slope = (angle.back() - angle.front()) / (time.back() - time.front());
-    bool isEven = range.count >= kFewestValues && range.width() > 0.0;
-    for (std::size_t i = 0; i < angle.size() && isEven; ++i) {
-        const double line = angle.front() + slope * (time[i] - time.front());
-        isEven = !std::isfinite(angle[i] + time[i]) || std::abs(line - angle[i]) <= kEvenness * range.width();
-    }
-    return isEven                 ? std::optional(ColumnReason::EvenRate)
-           : range.width() > turn ? std::optional(ColumnReason::BeyondOneTurn)
-                                  : std::nullopt;
-}
-
 /// Reassigns angles of an unnamed body that have to be the crank angle, and the derivatives that belong to them. If
 /// another angle of the same owner does not, it is open whose derivatives they are.
-void findCrank(const Values &time, std::vector<Claim> &claims)
+void findCrank(std::vector<Claim> &claims)
 {
+    constexpr double kHalfTurn = 180.0; // the coupler swings less in every mechanism that makes full turns
     const auto isOpen = [](const Claim &claim, bool isPosition) {
         return claim.evidence == Evidence::QuantityAlone && isAngle(claim.channel.coordinate) &&
                (claim.channel.order == Order::Position) == isPosition;
     };
     for (Claim &claim : claims) {
-        const std::optional<ColumnReason> reason =
-            isOpen(claim, true) ? findCrankReason(time, claim.column->values, 360.0 / claim.factor) : std::nullopt;
-        if (reason) {
+        if (isOpen(claim, true) && rangeOf(claim.column->values).width() * claim.factor > kHalfTurn) {
             claim.channel = kCrankAngle;
-            claim.reason = *reason;
+            claim.reason = ColumnReason::WideAngle;
         }
     }
     std::vector<Claim> settled;
@@ -191,19 +168,13 @@ void findCrank(const Values &time, std::vector<Claim> &claims)
             continue;
         }
         claim.channel.coordinate = crank ? Theta2 : claim.channel.coordinate;
-        claim.reason = crank ? ColumnReason::BeyondOneTurn : claim.reason;
+        claim.reason = crank ? ColumnReason::WideAngle : claim.reason;
         settled.push_back(claim);
     }
     claims = std::move(settled);
 }
 
-bool areEqual(const RawColumn &x, const RawColumn &y)
-{
-    const auto areSame = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
-    return x.heading.unit == y.heading.unit && std::ranges::equal(x.values, y.values, areSame);
-}
-
-/// Gives a channel to the claim with the best evidence. Columns with equal evidence have to be equal.
+/// Gives a channel to the claim with the best evidence, if there is only one.
 void decide(const RawTable &table, std::vector<Claim> claims)
 {
     std::ranges::stable_sort(claims, std::ranges::greater(), &Claim::evidence);
@@ -213,14 +184,12 @@ void decide(const RawTable &table, std::vector<Claim> claims)
     if (hasRival && best.evidence == Evidence::ChannelName && !chosen) {
         throw conflict(table, *best.column, *claims[1].column, best.channel, Fault::ChannelTwice);
     }
-    bool isDecided = !chosen;
     for (const Claim &claim : claims) {
-        isDecided = isDecided && (claim.evidence != best.evidence || areEqual(*claim.column, *best.column));
         const RawColumn *const rival = claim.column == best.column ? claims[hasRival ? 1 : 0].column : best.column;
         claim.column->setReason(ColumnReason::LikeOther, (chosen ? chosen : rival)->index);
         claim.column->use.channel = best.channel;
     }
-    if (isDecided) {
+    if (!chosen && !hasRival) {
         setChannel(best);
     }
 }
@@ -233,9 +202,7 @@ void assignChannels(RawTable &table)
             claims.push_back(*claim);
         }
     }
-    if (const RawColumn *const abscissa = table.abscissa(); abscissa && !abscissa->values.empty()) {
-        findCrank(abscissa->values, claims);
-    }
+    findCrank(claims);
     for (std::size_t index = 0; index < kChannelCount; ++index) {
         std::vector<Claim> rivals;
         const auto isOfChannel = [&](const Claim &claim) { return indexOf(claim.channel) == index; };

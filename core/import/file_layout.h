@@ -33,13 +33,9 @@ enum class ColumnReason {
 
     // Guessed: a person should confirm them.
     QuantityInName, ///< the heading and its unit denote a quantity, but not of which body: the usual one is assumed
-    LetterAndUnit,  ///< like that, with Inventor's letters P, V and A
-    EvenRate,       ///< an angle that grows at a constant rate is that of the crank
-    BeyondOneTurn,  ///< so is an angle that spans more than a turn; or the column is a derivative of such an angle
-    RisingValues,   ///< no column is named as the time; this is the first one whose values only rise
-    FileName,       ///< the heading is generic ("Value"), but the name of the file denotes a quantity
-    ModelicaName,   ///< the heading is a name of Modelica's library, so m, rad and s are assumed
-    AngleForTime,   ///< no column is the time; this is the crank angle, which does not change its direction
+    WideAngle,    ///< an angle that spans more than half a turn is that of the crank; or a derivative of such an angle
+    ModelicaName, ///< the heading is a name of Modelica's library, so m, rad and s are assumed
+    AngleForTime, ///< no column is the time; this is the crank angle, which does not change its direction
 
     // Ignored.
     UnknownName,    ///< the heading denotes no channel

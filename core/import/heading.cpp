@@ -49,10 +49,6 @@ constexpr std::string_view kTimeCompanions = "elapsed row sim simulation simulac
 constexpr std::string_view kRowNumbers =
     "n no nr num index row id fila frame paso step sample point node nodo element elemento";
 constexpr std::string_view kCountedUnits = "steps step frames frame samples sample rows points pasos muestras";
-constexpr std::string_view kGenericWords =
-    "y value values data output result results plot curve series valor valores datos salida resultado resultados curva "
-    "serie";
-
 enum class Body { Crank, Coupler, Slider };
 
 /// What a word, or a name of several words, says about a quantity.
@@ -144,44 +140,31 @@ bool isTime(const Words &words)
 
 /// A name that a program composes of a quantity and the joint or body to which it belongs:
 ///
-///     P[3.1]   V[3,1]   Trace:1 P[X]     Inventor's Output Grapher
-///     slider.s   der(crank.phi)          Modelica's library
+///     P[3.1]   V[3,1]                    Inventor's Output Grapher
+///     slider.s   crank.phi               Modelica's library
 ///     Pos_TX@Slider   Y:Pos_TX-Slider    RecurDyn
 struct CompoundName {
     Words words{};
     NameMeaning meaning{}; ///< owner and program only
-    int derivatives = 0;
 };
 
 std::optional<CompoundName> splitCompound(std::string_view name)
 {
-    const std::size_t letter = name.rfind(' ') + 1;
-    const std::string_view indexed = name.substr(letter);
-    if (indexed.size() >= 4 && isAmong(indexed.substr(0, 1), "P V A") && indexed[1] == '[' && indexed.ends_with(']')) {
-        Words words{std::string(indexed.substr(0, 1))};
-        if (letter > 0) {
-            words.emplace_back(1, lowerCase(indexed[2])); // the axis
-        }
-        const std::string_view owner =
-            letter > 0 ? trimmed(name.substr(0, letter)) : indexed.substr(2, indexed.size() - 3);
-        return CompoundName{std::move(words), {.owner = std::string(owner), .isInventor = true}};
+    if (name.size() >= 4 && isAmong(name.substr(0, 1), "P V A") && name[1] == '[' && name.ends_with(']')) {
+        const std::string owner(name.substr(2, name.size() - 3));
+        return CompoundName{{std::string(name.substr(0, 1))}, {.owner = owner, .isInventor = true}};
     }
-    const bool isPair = name.starts_with("Y:");
-    if (const std::size_t end = name.find(isPair ? '-' : '@'); end != name.npos) {
-        return CompoundName{wordsOf(name.substr(isPair ? 2 : 0, end - (isPair ? 2 : 0))),
-                            {.owner = std::string(name.substr(end + 1))}};
-    }
-    int derivatives = 0;
-    for (; name.starts_with("der(") && name.ends_with(')'); name = name.substr(4, name.size() - 5)) {
-        ++derivatives;
+    const std::size_t prefix = name.starts_with("Y:") ? 2 : 0;
+    if (const std::size_t end = name.find(prefix > 0 ? '-' : '@'); end != name.npos) {
+        return CompoundName{wordsOf(name.substr(prefix, end - prefix)), {.owner = std::string(name.substr(end + 1))}};
     }
     const std::size_t dot = name.rfind('.');
     const bool isPath = dot != name.npos && dot > 0 && isLetter(name[0]) && name.find_first_of(" ,;:(") == name.npos;
     if (!isPath || !find(name.substr(dot)) || isTime(wordsOf(name.substr(0, dot)))) { // "time.s" is the time in seconds
         return std::nullopt;
     }
-    return CompoundName{
-        {std::string(name.substr(dot))}, {.owner = std::string(name.substr(0, dot)), .isModelica = true}, derivatives};
+    return CompoundName{{std::string(name.substr(dot))},
+                        {.owner = std::string(name.substr(0, dot)), .isModelica = true}};
 }
 
 template <typename Value>
@@ -238,15 +221,14 @@ NameMeaning meaningOfWords(const CompoundName &name, std::optional<Body> body, c
     const Dimension usual = unit ? unit->dimension : Dimension::Length;
     const bool isAngle = all->dimension.value_or(usual) == Dimension::Angle;
     const bool isPosition = all->axis != ' ' ? name.words.size() == 1 || all->body : all->body && isAngle;
-    const std::optional<Order> stated = all->order || !isPosition ? all->order : Order::Position; // "x", "crank"
-    const int order = stated ? static_cast<int>(*stated) + name.derivatives : 3;
-    if (order > 2 || (all->body == Body::Coupler && !isAngle)) {
+    const std::optional<Order> order = all->order || !isPosition ? all->order : Order::Position; // "x", "crank"
+    if (!order || (all->body == Body::Coupler && !isAngle)) {
         return {};
     }
     NameMeaning meaning = name.meaning;
     meaning.kind = all->body ? Kind::Channel : meaning.isInventor && isOpen ? Kind::AngleOrLength : Kind::Quantity;
     const Coordinate coordinate = all->body == Body::Crank ? Theta2 : isAngle ? Theta3 : all->axis == 'y' ? R4y : R4x;
-    meaning.channel = {coordinate, static_cast<Order>(order)};
+    meaning.channel = {coordinate, *order};
     return meaning;
 }
 
@@ -275,9 +257,8 @@ Heading parseHeading(std::string_view cell)
         const std::size_t open = name.rfind(name.back() == ']' ? '[' : '(');
         const std::string_view inside =
             open == name.npos ? std::string_view() : trimmed(name.substr(open + 1, name.size() - open - 2));
-        // Neither "3.1" in "P[3.1]" nor "X" in "P[X]" is a unit.
         const bool isIndex = name.back() == ']' && !inside.empty() &&
-                             (inside.find_first_not_of("0123456789.,: ") == inside.npos || isAmong(inside, "X Y Z"));
+                             inside.find_first_not_of("0123456789.,: ") == inside.npos; // "P[3.1]"
         if (open != name.npos && !isIndex) {
             split(open, inside);
         }
@@ -311,7 +292,7 @@ NameMeaning meaningOf(const Heading &heading)
     if (words.empty()) {
         return {};
     }
-    if (isTime(words)) {
+    if (isTime(words) || heading.name == "X_Value") { // as LabVIEW calls it
         return {isAmong(heading.unit, kCountedUnits) ? Kind::RowNumber : Kind::Time};
     }
     if (const std::optional<Channel> channel = channelSpelled(words)) {
@@ -359,13 +340,6 @@ bool endsInQuantity(const Heading &heading)
     std::erase_if(words, [](const std::string &word) { return isDigit(word[0]); });
     const WordMeaning *const known = words.size() < 2 ? nullptr : find(words.back());
     return known && !known->body && (words.back().size() > 1 ? known->order || known->dimension : known->axis != ' ');
-}
-
-bool isGeneric(const Heading &heading)
-{
-    return std::ranges::all_of(wordsOf(heading.name), [](const std::string &word) {
-        return isDigit(word[0]) || isAmong(word, kGenericWords);
-    });
 }
 
 } // namespace slidercrank

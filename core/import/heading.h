@@ -42,7 +42,6 @@ struct Heading {
     // Set by interpretHeadings().
     NameMeaning meaning{};
     std::optional<std::size_t> component{}; ///< first component of the vector whose magnitude the column contains
-    bool isFromFileName = false;            ///< name and meaning are taken from the name of the file
     bool hasUnitOfModelica = false;         ///< the unit is not given, but implied by the kind of name
 
     bool isCrankAngle() const
@@ -68,8 +67,5 @@ void interpretHeadings(std::vector<Heading> &row, const std::string &unitOfLengt
 
 /// Returns whether an unknown name ends in a quantity: "J1_x", "part 7 velocity".
 bool endsInQuantity(const Heading &heading);
-
-/// Returns whether a plot of any quantity may have this heading: "Value", "Series1", "y".
-bool isGeneric(const Heading &heading);
 
 } // namespace slidercrank

@@ -75,14 +75,11 @@ void RowReader::read(std::string_view line, std::size_t number)
     m_file.lines.push_back(number);
     std::size_t cells = 0;
     for (std::string_view rest = line; rest.data() != nullptr; ++cells) {
-        const Cell cell = takeCell(rest, m_form.layout.delimiter);
-        if (!cell.wellFormed) {
-            spoil(cells, cell.text, RowFault::OpenQuotation);
-        }
+        const std::string_view cell = takeCell(rest, m_form.layout.delimiter);
         if (cells < width) {
-            readCell(cell.text, cells);
-        } else if (!cell.text.empty()) {
-            spoil(cells, cell.text, RowFault::TooManyCells);
+            readCell(cell, cells);
+        } else if (!cell.empty()) {
+            spoil(cells, cell, RowFault::TooManyCells);
         }
     }
     if (cells < std::min(width, kFewestCells)) {
@@ -107,29 +104,9 @@ std::size_t estimateRows(std::string_view data)
     return static_cast<std::size_t>(1.05 * static_cast<double>(ends) * share) + 2;
 }
 
-/// In a file with a time and one other column, names this column by the file if its heading is generic.
-void nameByFile(std::vector<Heading> &headings, const std::string &file)
-{
-    for (std::size_t i = 0; headings.size() == 2 && i < 2; ++i) {
-        Heading &heading = headings[i];
-        if (headings[1 - i].meaning.kind != NameMeaning::Kind::Time || !isGeneric(heading)) {
-            continue;
-        }
-        Heading byFile = parseHeading(file.substr(0, file.find_last_of('.')));
-        byFile.printed = heading.printed;
-        byFile.unit = heading.unit.empty() ? byFile.unit : heading.unit;
-        byFile.meaning = meaningOf(byFile);
-        byFile.isFromFileName = true;
-        if (byFile.meaning.kind >= NameMeaning::Kind::Channel) {
-            heading = std::move(byFile);
-        }
-    }
-}
-
 /// Appends the columns of a file to the table, without rows.
 void appendColumns(TableForm &form, const std::string &name, RawTable &table)
 {
-    nameByFile(form.headings, name);
     const std::size_t before = table.columns.size();
     const std::size_t rows = estimateRows(form.data);
     table.files.push_back({before, form.layout.headerLine, form.firstDataLine, form.headerText});

@@ -17,7 +17,6 @@ enum class RowFault {
     TooLarge,      ///< for a double
     PointForComma, ///< a number with a decimal point in a file with decimal commas
     CommaForPoint, ///< the reverse
-    OpenQuotation, ///< a quotation mark is not closed at the end of the cell
     TooManyCells,
     TooFewCells,
     NoTime,

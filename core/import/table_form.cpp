@@ -144,34 +144,30 @@ struct HeaderFound {
 };
 
 /// Returns the first line that names a time and a quantity; else the line above the numbers with most names of either;
-/// else the line directly above the numbers; else, if there are no numbers, the first line.
+/// else the one directly above the numbers and units, if it has as many words; else, without numbers, the first line.
 HeaderFound findHeader(const std::vector<Line> &lines, std::string_view delimiters, const std::optional<FirstRow> &row)
 {
-    HeaderFound best;
+    const auto isUnit = [](std::string_view cell) { return cell.empty() || parseUnit(cell); };
+    HeaderFound best{row ? row->line : 0};
+    std::size_t known = 0; // names in the best line
     for (std::size_t i = 0; i < lines.size(); ++i) {
         Names names = readNames(lines[i].text, delimiters, row);
-        if (names.isComplete() && (!row || row->delimiter != ' ' || names.cells.size() == row->cells.size())) {
+        const bool hasSize = row && names.cells.size() == row->cells.size();
+        if (names.isComplete() && (hasSize || !row || row->delimiter != ' ')) {
             return {i, std::move(names)};
         }
-        if ((!row || i < row->line) && (i == 0 || names.known() > best.names->known())) {
+        if (row && i >= row->line) {
+            continue;
+        }
+        if (names.known() > known || (!row && i == 0)) {
+            known = names.known();
             best = {i, std::move(names)};
+        } else if (row && known == 0 && !std::ranges::all_of(names.cells, isUnit)) {
+            const bool fits = hasSize && std::ranges::none_of(names.cells, looksNumeric);
+            best = fits ? HeaderFound{i, std::move(names)} : HeaderFound{row->line};
         }
     }
-    if (!row || (best.names && best.names->known() > 0)) {
-        return best;
-    }
-    for (std::size_t i = row->line; i-- > 0;) {
-        Names names = readNames(lines[i].text, delimiters, row);
-        const auto isUnit = [](std::string_view cell) { return cell.empty() || parseUnit(cell); };
-        if (std::ranges::all_of(names.cells, isUnit)) {
-            continue; // a line of units
-        }
-        if (names.cells.size() == row->cells.size() && std::ranges::none_of(names.cells, looksNumeric)) {
-            return {i, std::move(names)};
-        }
-        break;
-    }
-    return {row->line};
+    return best;
 }
 
 /// Returns the unit in a cell below the headings, which Simulink writes as "Type: double Unit: rad". Empty if there is
@@ -222,38 +218,21 @@ void readAnnotations(TableForm &form, std::string_view delimiters, const std::op
     }
 }
 
-/// Returns the decimal sign of a file, according to the first lines. The first unambiguous number decides: 0,005 and
-/// 74,5436 and 1.234,5 have a decimal comma, but 74,543 could have a thousands separator. If cells are separated by
-/// commas, a decimal comma is possible only in quoted cells, and only in a file without decimal points.
+/// Returns the decimal sign with which most numbers in the first lines can be read: 0,005 and 1.234,5 only with a
+/// comma. Between commas, "1,234" could have a thousands separator and does not count.
 DecimalSign findDecimalSign(const TableForm &form)
 {
-    const bool commasSeparate = form.layout.delimiter == ',';
-    bool isCertainlyComma = false;
-    bool hasCommas = false;
-    bool hasPoints = false;
+    int commas = 0; // more than points
     for (const Line &line : firstLines(form.data)) {
         for (const std::string_view cell : splitCells(line.text, form.layout.delimiter)) {
-            const std::string_view text = splitUnit(cell).number;
+            const std::string text(splitUnit(cell).number);
             const bool isPoint = !parseNumber(text, DecimalSign::Point).fault;
-            const bool isComma = !parseNumber(text, DecimalSign::Comma).fault;
-            const std::size_t sign = text.find_first_of(".,");
-            const std::size_t first = text.find_first_of("0123456789");
-            if (isPoint == isComma || sign == text.npos) {
-                continue;
-            }
-            const bool mayBeThousands = text.size() == sign + 4 && first < sign && sign - first <= 3 &&
-                                        text[first] != '0' && std::ranges::all_of(text.substr(sign + 1), isDigit);
-            if (mayBeThousands) {
-                (isComma ? hasCommas : hasPoints) = true;
-            } else if (isPoint || !commasSeparate) {
-                return isPoint ? DecimalSign::Point : DecimalSign::Comma;
-            } else {
-                isCertainlyComma = true;
-            }
+            const bool isComma = !parseNumber(text, DecimalSign::Comma).fault &&
+                                 (form.layout.delimiter != ',' || parseNumber(text + ".0", DecimalSign::Point).fault);
+            commas += (isComma ? 1 : 0) - (isPoint ? 1 : 0);
         }
     }
-    const bool isComma = isCertainlyComma || (hasCommas && !hasPoints && !commasSeparate);
-    return isComma ? DecimalSign::Comma : DecimalSign::Point;
+    return commas > 0 ? DecimalSign::Comma : DecimalSign::Point;
 }
 
 /// Removes a first line such as "sep=;", which announces the delimiter to a spreadsheet, and returns the possible

@@ -276,26 +276,6 @@
         <translation>supuesta: el encabezado indica la magnitud, pero no el cuerpo</translation>
     </message>
     <message>
-        <source>assumed from P, V or A in the heading, and from the unit</source>
-        <translation>supuesta por P, V o A en el encabezado y por la unidad</translation>
-    </message>
-    <message>
-        <source>assumed: an angle that grows at a constant rate, as that of the crank</source>
-        <translation>supuesta: un ángulo que crece a ritmo constante, como el de la manivela</translation>
-    </message>
-    <message>
-        <source>assumed from its values: an angle beyond one turn, or its derivative</source>
-        <translation>supuesta por sus valores: un ángulo de más de una vuelta, o su derivada</translation>
-    </message>
-    <message>
-        <source>assumed: the first column whose values only increase</source>
-        <translation>supuesta: la primera columna cuyos valores solo crecen</translation>
-    </message>
-    <message>
-        <source>assumed from the name of the file</source>
-        <translation>supuesta por el nombre del archivo</translation>
-    </message>
-    <message>
         <source>assumed from the heading: named as in Modelica, in m, rad and s</source>
         <translation>supuesta por el encabezado: se llama como en Modelica, en m, rad y s</translation>
     </message>
@@ -378,6 +358,10 @@
     <message>
         <source>lines skipped above them: %1</source>
         <translation>líneas omitidas antes de ellos: %1</translation>
+    </message>
+    <message>
+        <source>assumed from its values: an angle beyond half a turn, or its derivative</source>
+        <translation>supuesta por sus valores: un ángulo de más de media vuelta, o su derivada</translation>
     </message>
 </context>
 <context>
@@ -3561,10 +3545,6 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
     <message>
         <source>another column could be the same quantity</source>
         <translation>otra columna podría ser la misma magnitud</translation>
-    </message>
-    <message>
-        <source>a quotation mark that is not closed at the end of the cell</source>
-        <translation>comillas que no se cierran al final de la celda</translation>
     </message>
     <message>
         <source>too many cells</source>

@@ -50,7 +50,7 @@ bool isAsWritten(const ReferenceData &data, std::size_t i, const WrittenColumn &
     double peak = 1e-9;
     double worst = 0.0;
     for (int row = 0; row < kWrittenRows; ++row) {
-        const double value = writtenValue(as.content, row) * as.taken;
+        const double value = writtenValue(as.content, row) * as.readFactor;
         peak = std::max(peak, std::abs(value));
         worst = std::max(worst, std::abs(values[static_cast<std::size_t>(row)] - value));
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Reference files from texts in a test, and what was read as one line.
+// Reads reference files from texts, and describes the results in one line.
 
 #include "core/import/reference_data.h"
 
@@ -23,16 +23,14 @@ using Outcome = std::variant<ReferenceData, ReadError>;
 inline constexpr Channel kX{R4x, Order::Position};
 inline constexpr Channel kV{R4x, Order::Velocity};
 
-inline Outcome read(const QByteArray &bytes, const std::vector<ColumnChoice> &choices = {},
-                    const std::string &name = {})
+inline Outcome read(const QByteArray &bytes, const std::vector<ColumnChoice> &choices = {})
 {
     ReadOptions options;
     options.columns = choices;
-    const FileBytes file{{bytes.constData(), static_cast<std::size_t>(bytes.size())}, name};
-    return readFiles({&file, 1}, {}, options);
+    return readReferenceData({bytes.constData(), static_cast<std::size_t>(bytes.size())}, {}, options);
 }
 
-/// As files "a", "b", "c".
+/// Reads files with the names "a", "b", "c".
 inline Outcome readJoined(const QByteArrayList &files, const ReadOptions &options = {}, bool areBeginnings = false)
 {
     std::vector<FileBytes> sources;
@@ -43,7 +41,7 @@ inline Outcome readJoined(const QByteArrayList &files, const ReadOptions &option
     return readFiles(sources, {}, options);
 }
 
-/// The shortest text that gives the number back: two numbers with the same text are the same number.
+/// Returns the shortest text of a number. Two numbers with the same text are equal.
 inline std::string exactText(double value)
 {
     std::array<char, 32> text{};
@@ -59,11 +57,11 @@ inline std::string described(const std::vector<double> &values)
     return text;
 }
 
-inline constexpr std::array kFaults{"not a number",   "too large",      "point for comma", "comma for point",
-                                    "open quotation", "too many cells", "too few cells",   "no time",
-                                    "repeated time",  "not listed"};
+inline constexpr std::array kFaults{"not a number",    "too large",      "point for comma",
+                                    "comma for point", "too many cells", "too few cells",
+                                    "no time",         "repeated time",  "not listed"};
 
-/// What each column became: "time R4_x theta3? -", with a question mark where it was guessed.
+/// Returns the roles of the columns: "time R4_x theta3? -", with a question mark for a guess.
 inline std::string rolesOf(const FileLayout &layout)
 {
     std::string roles;
@@ -80,7 +78,7 @@ inline std::string rolesOf(const FileLayout &layout)
     return roles;
 }
 
-/// "UTF-8 with mark ; comma line 3 units 4".
+/// Returns encoding, delimiter, decimal sign and lines: "UTF-8 with mark ; comma line 3 units 4".
 inline std::string formOf(const FileLayout &layout)
 {
     constexpr std::array kEncodings{"UTF-8", "UTF-16LE", "UTF-16BE", "Windows-1252"};
@@ -92,7 +90,7 @@ inline std::string formOf(const FileLayout &layout)
     return form + (layout.unitsLine > 0 ? " units " + std::to_string(layout.unitsLine) : "");
 }
 
-/// All that was read, as one line: "time 0 0.5; R4_x 85 gap; skipped 3:2 abc (not a number)"; or the error.
+/// Returns the data, "time 0 0.5; R4_x 85 gap; skipped 3:2 abc (not a number)", or the error.
 inline std::string described(const Outcome &outcome)
 {
     if (const ReadError *error = std::get_if<ReadError>(&outcome)) {
@@ -123,7 +121,7 @@ inline QByteArray utf16Of(const QByteArray &text, bool littleEndian, bool mark)
     return bytes;
 }
 
-/// The columns of a table of commas.
+/// Returns some columns of a table whose delimiter is a comma.
 inline QByteArray columnsOf(const QByteArray &table, const QList<int> &columns)
 {
     QByteArray plot;
@@ -143,7 +141,7 @@ inline QByteArray sampleTable()
     return file.open(QIODevice::ReadOnly) ? file.readAll().replace("\xEF\xBB\xBF", "") : QByteArray();
 }
 
-/// A heading over 20 rows that repeat numbers.
+/// Returns a table with these names and 20 rows of equal numbers.
 inline QByteArray under(const QByteArray &names)
 {
     QByteArray bytes = names + '\n';

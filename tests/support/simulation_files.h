@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Files of one motion (Table 1 with b = 60, 101 instants of one turn) as programs of the field write them, each with
-// where its header was seen, and files of other kinds. The numbers come from the textbook's formulas, not from the
+// Files of one motion (Table 1 with b = 60, 101 time stamps of one turn) as simulation programs write them, with the
+// source of their headings, and files of other kinds. The numbers are computed by the textbook's formulas, not by the
 // core.
 
 #include <string>
@@ -11,7 +11,7 @@
 namespace slidercrank
 {
 
-/// What stands in a column of a written file.
+/// Content of a column.
 enum class Written {
     Time,
     RowNumber,
@@ -24,35 +24,34 @@ enum class Written {
     Theta2,
     Omega2,
     Zero,
-    Offset,   ///< c
-    Speed,    ///< the magnitude of v
-    ForwardV, ///< forward differences of the positions as printed, the last one repeated
+    Offset, ///< c
+    Speed,  ///< magnitude of v
     Word
 };
 
 struct WrittenColumn {
     std::string heading;
     Written content = Written::Time;
-    double unit = 1.0;    ///< of the file, in mm, degrees and s
-    std::string behind{}; ///< each number in a cell
-    double taken = 1.0;   ///< what a reader who knows no better makes of it, as part of what it is
+    double unit = 1.0;       ///< of the file, in mm, degrees and s
+    std::string suffix{};    ///< after each number
+    double readFactor = 1.0; ///< of the values that are read, if the file does not state its unit
 };
 
 struct SimulationFile {
     std::string program;
-    std::string source; ///< of the header
+    std::string source; ///< of the headings
     std::string bytes;
     std::vector<WrittenColumn> columns;
-    std::string becomes;   ///< "time[s] R4_x?[mm] -", what each column is taken for; with a question mark where guessed
-    std::string refusal{}; ///< part of the sentence, where it is refused
+    std::string becomes;   ///< role and unit of each column, "time[s] R4_x?[mm] -", with a question mark for a guess
+    std::string refusal{}; ///< part of the sentence, if it is refused
 };
 
-/// The motion as a program writes it that exports a plot at a time.
+/// Files of a program that exports one plot at a time.
 struct SimulationPlots {
     std::string program;
-    std::string source;                ///< of the headers, or of how it exports
-    std::vector<SimulationFile> files; ///< `program`: the file's name
-    std::string becomes;               ///< the columns of all of them, as of SimulationFile
+    std::string source;                ///< of the headings, or of the kind of export
+    std::vector<SimulationFile> files; ///< `program` is the name of the file
+    std::string becomes;               ///< like SimulationFile::becomes, for the columns of all files
     std::string refusal{};
 };
 
@@ -66,7 +65,7 @@ std::vector<SimulationFile> simulationFiles();
 std::vector<SimulationPlots> simulationPlots();
 std::vector<OtherFile> otherFiles();
 
-/// In mm, degrees and s, at that row.
+/// Returns the content of a column in a row, in mm, degrees and s.
 double writtenValue(Written content, int row);
 
 inline constexpr int kWrittenRows = 101;

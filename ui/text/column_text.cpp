@@ -34,11 +34,7 @@ public:
         case KnownName: return tr("recognized by its heading");
         case Chosen: return tr("chosen by hand");
         case QuantityInName: return tr("assumed: the heading names the quantity, but not the body");
-        case LetterAndUnit: return tr("assumed from P, V or A in the heading, and from the unit");
-        case EvenRate: return tr("assumed: an angle that grows at a constant rate, as that of the crank");
-        case BeyondOneTurn: return tr("assumed from its values: an angle beyond one turn, or its derivative");
-        case RisingValues: return tr("assumed: the first column whose values only increase");
-        case FileName: return tr("assumed from the name of the file");
+        case WideAngle: return tr("assumed from its values: an angle beyond half a turn, or its derivative");
         case ModelicaName: return tr("assumed from the heading: named as in Modelica, in m, rad and s");
         case AngleForTime: return tr("assumed: no column is the time, and this is the angle of the crank");
         case UnknownName: return tr("ignored: unknown heading");

@@ -94,7 +94,6 @@ public:
         case TooLarge: return tr("not a number: too large");
         case PointForComma: return tr("not a number: this file uses a decimal comma");
         case CommaForPoint: return tr("not a number: this file uses a decimal point");
-        case OpenQuotation: return tr("a quotation mark that is not closed at the end of the cell");
         case TooManyCells: return tr("too many cells");
         case TooFewCells: return tr("too few cells");
         case NoTime: return tr("no time");
