@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Files as big as they should not be, files that are none, and no memory for them: the program says so in one line,
-// soon, and in little memory. What is sparse takes no room on the disk.
+// Files that are too large, files that are not tables, and too little memory: the program reports each in one line,
+// soon, and without using much memory. The large files are sparse and take no space on the disk.
 
+#include "tests/program/run_program.h"
 #include "tests/support/suite.h"
-#include "tests/support/waiting.h"
 
-#include <QFile>
-#include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
 
-#include <algorithm>
 #include <memory>
 
 #ifdef Q_OS_UNIX
@@ -19,43 +16,16 @@
 #include <sys/stat.h>
 #endif
 
+using namespace slidercrank;
+
 namespace
 {
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kIsWatched = true; // by who needs much memory himself
+constexpr bool kIsSanitized = true; // the sanitizer needs much memory
 #else
-constexpr bool kIsWatched = false;
+constexpr bool kIsSanitized = false;
 #endif
-
-struct Outcome {
-    int status = -1;
-    QByteArray out;
-    QByteArray err;
-};
-
-Outcome outcomeOf(QProcess &process)
-{
-    Outcome outcome;
-    if (process.waitForFinished(slidercrank::kPatience) && process.exitStatus() == QProcess::NormalExit) {
-        outcome.status = process.exitCode();
-    }
-    outcome.out = process.readAllStandardOutput();
-    outcome.err = process.readAllStandardError();
-    return outcome;
-}
-
-Outcome compared(const QString &file)
-{
-    QProcess process;
-    process.start(QStringLiteral(SLIDERCRANK_PROGRAM), {QStringLiteral("compare"), file});
-    return outcomeOf(process);
-}
-
-bool isOneLine(const QByteArray &text)
-{
-    return text.endsWith('\n') && text.count('\n') == 1;
-}
 
 bool write(const QString &path, const QByteArray &bytes, qint64 size)
 {
@@ -82,93 +52,85 @@ private slots:
     void init()
     {
 #ifndef Q_OS_UNIX
-        QSKIP("Files of this kind are those of Unix.");
+        QSKIP("These files exist on Unix only.");
 #endif
         m_folder = std::make_unique<QTemporaryDir>();
         m_file = m_folder->filePath(QStringLiteral("reference.csv"));
     }
 
-    void refusesLargeFilesThatAreNoTable_data()
+    void refusesLargeFiles_data()
     {
         QTest::addColumn<QByteArray>("beginning");
-        QTest::addColumn<QByteArray>("says");
+        QTest::addColumn<QByteArray>("message");
         QTest::newRow("zeros") << QByteArray() << QByteArray("line 1: the file holds bytes that are not text");
         QTest::newRow("a spreadsheet") << QByteArray("PK\x03\x04") << QByteArray("a spreadsheet or an archive");
-        QTest::newRow("names, then zeros") << rows(0) << QByteArray("line 2: the file holds bytes that are not text");
-        QTest::newRow("half of it written")
-            << rows(200'000) << QByteArray("larger than 2 GB");
+        QTest::newRow("headings, then zeros")
+            << rows(0) << QByteArray("line 2: the file holds bytes that are not text");
+        QTest::newRow("rows, then zeros") << rows(200'000) << QByteArray("larger than 2 GB");
     }
 
-    void refusesLargeFilesThatAreNoTable()
+    void refusesLargeFiles()
     {
         QFETCH(const QByteArray, beginning);
-        QFETCH(const QByteArray, says);
+        QFETCH(const QByteArray, message);
         if (!write(m_file, beginning, qint64{4} << 30)) {
-            QSKIP("There are no files of 4 GB here.");
+            QSKIP("This file system has no files of 4 GB.");
         }
-        const Outcome outcome = compared(m_file);
-        QVERIFY2(isOneLine(outcome.err) && outcome.err.contains(says), outcome.err.constData());
-        QCOMPARE(outcome.out, QByteArray());
+        const RunResult outcome = start({"compare", m_file});
+        QVERIFY2(outcome.hasOneLineError() && outcome.error.contains(message), outcome.error);
+        QCOMPARE(outcome.output, QByteArray());
         QCOMPARE(outcome.status, 3);
 #ifdef Q_OS_UNIX
+        constexpr long kLargestMemory = 100'000; // kB
         rusage used{};
         QCOMPARE(getrusage(RUSAGE_CHILDREN, &used), 0);
-        QVERIFY2(kIsWatched || used.ru_maxrss < 100'000, qPrintable(QString::number(used.ru_maxrss)));
+        QVERIFY2(kIsSanitized || used.ru_maxrss < kLargestMemory, qPrintable(QString::number(used.ru_maxrss)));
 #endif
     }
 
-    void refusesWhatIsNoFile_data()
+    void refusesOtherThingsThanFiles_data()
     {
         QTest::addColumn<QString>("path");
-        QTest::addColumn<QByteArray>("says");
-        QTest::newRow("zeros without end") << QStringLiteral("/dev/zero") << QByteArray("bytes that are not text");
-        QTest::newRow("nothing") << QStringLiteral("/dev/null") << QByteArray("The file is empty");
-        QTest::newRow("a folder") << QStringLiteral("/") << QByteArray("/ is a folder");
-        QTest::newRow("what cannot be read") << QStringLiteral("/proc/self/mem") << QByteArray("cannot be read");
-        QTest::newRow("text that is no table") << QStringLiteral("/proc/self/status") << QByteArray("no time column");
-        QTest::newRow("not there") << QStringLiteral("/nowhere/x.csv") << QByteArray("cannot be opened");
+        QTest::addColumn<QByteArray>("message");
+        QTest::newRow("endless zeros") << "/dev/zero" << QByteArray("bytes that are not text");
+        QTest::newRow("nothing") << "/dev/null" << QByteArray("The file is empty");
+        QTest::newRow("a folder") << "/" << QByteArray("/ is a folder");
+        QTest::newRow("unreadable") << "/proc/self/mem" << QByteArray("cannot be read");
+        QTest::newRow("text that is not a table") << "/proc/self/status" << QByteArray("no time column");
+        QTest::newRow("missing") << "/nowhere/x.csv" << QByteArray("cannot be opened");
     }
 
-    void refusesWhatIsNoFile()
+    void refusesOtherThingsThanFiles()
     {
         QFETCH(const QString, path);
-        QFETCH(const QByteArray, says);
+        QFETCH(const QByteArray, message);
         if (path.startsWith(u"/proc") && !QFile::exists(path)) {
-            QSKIP("There is no such thing here.");
+            QSKIP("This system has no /proc.");
         }
-        const Outcome outcome = compared(path);
-        QVERIFY2(isOneLine(outcome.err) && outcome.err.contains(says), outcome.err.constData());
+        const RunResult outcome = start({"compare", path});
+        QVERIFY2(outcome.hasOneLineError() && outcome.error.contains(message), outcome.error);
         QCOMPARE(outcome.status, 3);
     }
 
-    void refusesMoreFilesThanCouldBeComparedInPairs()
+    void refusesManyMissingFilesSoon()
     {
-        QStringList arguments{QStringLiteral("compare"), QStringLiteral("--join")};
+        QStringList arguments{"compare", "--join"};
         for (int i = 0; i < 50'000; ++i) {
             arguments += QStringLiteral("/%1.csv").arg(i);
         }
-        QProcess process;
-        process.start(QStringLiteral(SLIDERCRANK_PROGRAM), arguments);
-        const Outcome outcome = outcomeOf(process);
-        QVERIFY2(isOneLine(outcome.err) && outcome.err.contains("/0.csv cannot be opened"), outcome.err.constData());
+        const RunResult outcome = start(arguments);
+        QVERIFY2(outcome.hasOneLineError() && outcome.error.contains("/0.csv cannot be opened"), outcome.error);
         QCOMPARE(outcome.status, 3);
     }
 
-    /// A window waits for nobody.
-    void aPipeIsNoScene()
+    /// The window does not wait for a pipe that nothing writes to.
+    void refusesAPipeAsAScene()
     {
 #ifdef Q_OS_UNIX
         const QString pipe = m_folder->filePath(QStringLiteral("x.slidercrank"));
         QCOMPARE(mkfifo(QFile::encodeName(pipe).constData(), 0600), 0);
-        QProcess process;
-        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-        for (const char *name : {"QT_QPA_PLATFORM", "DISPLAY", "WAYLAND_DISPLAY"}) {
-            environment.remove(QLatin1String(name));
-        }
-        process.setProcessEnvironment(environment);
-        process.start(QStringLiteral(SLIDERCRANK_PROGRAM), {pipe});
-        const Outcome outcome = outcomeOf(process);
-        QVERIFY2(outcome.err.contains("no display"), outcome.err.constData());
+        const RunResult outcome = start({pipe});
+        QVERIFY2(outcome.error.contains("no display"), outcome.error);
 #endif
     }
 
@@ -177,52 +139,51 @@ private slots:
 #ifdef Q_OS_UNIX
         QCOMPARE(mkfifo(QFile::encodeName(m_file).constData(), 0600), 0);
         QProcess program;
-        program.start(QStringLiteral(SLIDERCRANK_PROGRAM),
-                      {QStringLiteral("compare"), QStringLiteral("--format"), QStringLiteral("csv"), m_file});
-        QVERIFY(program.waitForStarted(slidercrank::kPatience));
+        program.start(QStringLiteral(SLIDERCRANK_PROGRAM), {"compare", "--format", "csv", m_file});
+        QVERIFY(program.waitForStarted(kPatience));
         QFile pipe(m_file);
-        QVERIFY(pipe.open(QIODevice::WriteOnly)); // when it is opened there
-        constexpr int kRows = 300'000;            // more than a pipe holds, and than a beginning
+        QVERIFY(pipe.open(QIODevice::WriteOnly)); // waits until the program opens it
+        constexpr int kRows = 300'000;            // more than the buffer of a pipe holds
         QCOMPARE(pipe.write(rows(kRows)), rows(kRows).size());
         pipe.close();
-        const Outcome outcome = outcomeOf(program);
+        const RunResult outcome = resultOf(program);
         QCOMPARE(outcome.status, 0);
-        QVERIFY2(outcome.out.contains(QByteArray::number(kRows)), outcome.out.constData());
+        QVERIFY2(outcome.output.contains(QByteArray::number(kRows)), outcome.output);
 #endif
     }
 
-    /// In whatever thread, and whatever is the first that there is none for.
-    void saysWhenThereIsNoMemory()
+    /// With any amount of memory: too little at the first allocation, at a later one, or in another thread.
+    void reportsMissingMemory()
     {
 #ifdef Q_OS_UNIX
-        if (kIsWatched) {
-            QSKIP("A sanitizer needs all the addresses there are.");
+        if (kIsSanitized) {
+            QSKIP("A sanitizer reserves the whole address space.");
         }
         QVERIFY(write(m_file, rows(1), rows(1).size()));
-        const auto within = [this](rlim_t megabytes) {
+        const auto runWithin = [this](rlim_t megabytes) {
             QProcess process;
             process.setChildProcessModifier([megabytes] {
                 const rlimit limit{megabytes << 20U, megabytes << 20U};
                 setrlimit(RLIMIT_AS, &limit);
             });
-            process.start(QStringLiteral(SLIDERCRANK_PROGRAM), {QStringLiteral("compare"), m_file});
-            return outcomeOf(process);
+            process.start(QStringLiteral(SLIDERCRANK_PROGRAM), {"compare", m_file});
+            return resultOf(process);
         };
-        rlim_t least = 64; // for the program itself
-        while (within(least).status != 0) {
-            least += 32;
-            QVERIFY(least < 8192);
+        rlim_t smallest = 64; // MB that the program itself needs
+        while (runWithin(smallest).status != 0) {
+            smallest += 32;
+            QVERIFY(smallest < 8192);
         }
         QVERIFY(write(m_file, rows(1'000'000), rows(1'000'000).size()));
         int refused = 0;
-        for (rlim_t more = 0; more < 512; more += 16) {
-            const Outcome outcome = within(least + more);
+        for (rlim_t additional = 0; additional < 512; additional += 16) {
+            const RunResult outcome = runWithin(smallest + additional);
             if (outcome.status == 0) {
                 break;
             }
             ++refused;
             QCOMPARE(outcome.status, 3);
-            QVERIFY2(isOneLine(outcome.err) && outcome.err.contains("not enough memory"), outcome.err.constData());
+            QVERIFY2(outcome.hasOneLineError() && outcome.error.contains("not enough memory"), outcome.error);
         }
         QVERIFY2(refused > 3, qPrintable(QString::number(refused)));
 #endif
@@ -233,5 +194,5 @@ private:
     QString m_file;
 };
 
-const slidercrank::Suite suite("tst_wrong_files", slidercrank::runWithEventLoop<TestWrongFiles>);
+const Suite suite("tst_wrong_files", runWithEventLoop<TestWrongFiles>);
 #include "tst_wrong_files.moc"

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Runs the command line, in the process of the test or as a program of its own, and reads its output.
+
+#include "app/command_line.h"
+#include "tests/support/waiting.h"
+
+#include <QBuffer>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+
+#include <limits>
+#include <vector>
+
+namespace slidercrank
+{
+
+/// Written by a simulation of the initial mechanism with b = 60 mm.
+inline const QString kSample = QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv");
+
+/// The exit status and the output of a command.
+struct RunResult {
+    int status = -1; ///< -1: the program crashed or did not end
+    QByteArray output;
+    QByteArray error;
+
+    QJsonObject json() const { return QJsonDocument::fromJson(output).object(); }
+    QJsonObject firstFile() const { return json()["files"].toArray().first().toObject(); }
+
+    bool hasOneLineError() const { return error.count('\n') == 1 && error.endsWith('\n'); }
+};
+
+/// Runs a command in this process.
+inline RunResult run(const QStringList &arguments)
+{
+    QBuffer output;
+    QBuffer error;
+    output.open(QIODevice::WriteOnly);
+    error.open(QIODevice::WriteOnly);
+    const Command command = parseCommandLine(QStringList("slidercrank") + arguments);
+    const ExitStatus status = command.run({output, error});
+    return {static_cast<int>(status), output.data(), error.data()};
+}
+
+/// Splits a command at spaces. An argument in quotes may contain spaces; the last one may be empty.
+inline QStringList splitCommand(const QString &line)
+{
+    const QStringList arguments = QProcess::splitCommand(line);
+    return line.endsWith("\"\"") ? arguments + QStringList("") : arguments;
+}
+
+inline RunResult run(const QString &line)
+{
+    return run(splitCommand(line));
+}
+
+/// Waits for the end of a program.
+inline RunResult resultOf(QProcess &process)
+{
+    const bool hasEnded = process.waitForFinished(kPatience) && process.exitStatus() == QProcess::NormalExit;
+    return {hasEnded ? process.exitCode() : -1, process.readAllStandardOutput(), process.readAllStandardError()};
+}
+
+/// Runs the program itself, without a display. `variables`: "NAME=value" in its environment.
+inline RunResult start(const QStringList &arguments, const QByteArray &input = {}, const QStringList &variables = {})
+{
+    QProcess process;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    for (const char *name : {"QT_QPA_PLATFORM", "DISPLAY", "WAYLAND_DISPLAY"}) {
+        environment.remove(name);
+    }
+    for (const QString &variable : variables) {
+        environment.insert(variable.section('=', 0, 0), variable.section('=', 1));
+    }
+    process.setProcessEnvironment(environment);
+    process.start(SLIDERCRANK_PROGRAM, arguments);
+    process.write(input);
+    process.closeWriteChannel();
+    return resultOf(process);
+}
+
+inline QByteArray contentOf(const QString &path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+/// A table in CSV.
+struct CsvTable {
+    QByteArrayList header;
+    std::vector<QByteArrayList> rows;
+
+    explicit CsvTable(const QByteArray &csv)
+    {
+        for (const QByteArray &line : csv.trimmed().split('\n')) {
+            rows.push_back(line.split(','));
+        }
+        header = rows.front();
+        rows.erase(rows.begin());
+    }
+
+    /// Infinity if there is no such column.
+    double at(std::size_t row, const char *name) const
+    {
+        const qsizetype column = header.indexOf(name);
+        return column < 0 ? std::numeric_limits<double>::infinity() : rows[row][column].toDouble();
+    }
+};
+
+} // namespace slidercrank
