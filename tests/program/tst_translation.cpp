@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// English and Spanish: the translation is complete, the window speaks one language.
+// The translation into Spanish is complete, and the window does not mix languages.
 
 #include "core/study/cases.h"
 #include "ui/panels/study_panel.h"
@@ -9,6 +9,7 @@
 #include "ui/widgets/folding_tabs.h"
 #include "ui/window/main_window.h"
 
+#include "tests/program/run_program.h"
 #include "tests/support/study_of_a_turn.h"
 #include "tests/support/suite.h"
 #include "tests/support/waiting.h"
@@ -22,7 +23,6 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QMenuBar>
-#include <QProcess>
 #include <QRegularExpression>
 #include <QSet>
 #include <QSettings>
@@ -45,12 +45,12 @@ struct Message {
     QString context;
     QString source;
     QString comment;
-    QStringList translations; ///< several where the number decides
-    QString state;            ///< "unfinished", "vanished", …; empty: finished
+    QStringList translations; ///< two if the message depends on a number
+    QString state;            ///< "unfinished", "vanished", …; empty if finished
     bool isPlural = false;
 };
 
-QList<Message> messagesOf(const QString &path)
+QList<Message> readMessages(const QString &path)
 {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly)) {
@@ -95,7 +95,7 @@ QStringList matches(const QString &text, const QString &pattern)
     return found;
 }
 
-/// Words of three letters or more; those of options, keys and tags are no words.
+/// The words of three letters or more, without those of options, keys and tags.
 QSet<QString> wordsOf(const QString &text)
 {
     QString plain = text;
@@ -105,13 +105,13 @@ QSet<QString> wordsOf(const QString &text)
     return {words.begin(), words.end()};
 }
 
-/// Words of the English texts that no Spanish text has.
-QSet<QString> englishIn(const QString &text)
+/// The words of the text that occur in English messages only.
+QSet<QString> englishWords(const QString &text)
 {
     static const QSet<QString> english = [] {
         QSet<QString> sources;
-        QSet<QString> translations{QStringLiteral("time"), QStringLiteral("light")}; // headings, the program's words
-        for (const Message &message : messagesOf(kSpanish)) {
+        QSet<QString> translations{QStringLiteral("time"), QStringLiteral("light")}; // names in files and options
+        for (const Message &message : readMessages(kSpanish)) {
             sources += wordsOf(message.source);
             for (const QString &translation : message.translations) {
                 translations += wordsOf(translation);
@@ -122,7 +122,7 @@ QSet<QString> englishIn(const QString &text)
     return wordsOf(text) & english;
 }
 
-/// All that a person can read or hear of the window, hidden tabs included.
+/// All texts that the window shows or passes to a screen reader, including those of hidden tabs.
 QStringList textsOf(const QMainWindow &window)
 {
     QStringList texts{window.windowTitle(), window.statusBar()->currentMessage()};
@@ -162,19 +162,19 @@ QStringList textsOf(const QMainWindow &window)
     return texts;
 }
 
-/// Opens every tab, the first last.
+/// Opens every tab in turn, the first one last.
 void openTabs(MainWindow &window)
 {
     auto *tabs = window.findChild<FoldingTabs *>();
     tabs->choose(false);
     for (int i = window.findChild<QTabBar *>(QStringLiteral("tabBar"))->count() - 1; i >= 0; --i) {
         tabs->setCurrentIndex(i);
-        QTest::qWait(150); // a tab is filled at most ten times a second
+        QTest::qWait(150); // tabs are updated ten times a second
     }
 }
 
-/// Every tab with something in it.
-void fill(MainWindow &window)
+/// Fills every tab.
+void fillTabs(MainWindow &window)
 {
     QSignalSpy diagnosed(&window.session(), &Session::diagnosisChanged);
     window.openSample();
@@ -183,7 +183,8 @@ void fill(MainWindow &window)
     window.findChild<StudyPanel *>()->setResult(studyOfATurn());
 }
 
-bool isNarrow(const QWidget &widget, const QString &text, int room)
+/// Whether the text is wider than `width` in the font of the widget.
+bool isTooWide(const QWidget &widget, const QString &text, int width)
 {
     QTextDocument document;
     document.setDefaultFont(widget.font());
@@ -193,11 +194,11 @@ bool isNarrow(const QWidget &widget, const QString &text, int room)
     } else {
         document.setPlainText(QString(text).remove(u'&'));
     }
-    return document.idealWidth() > room + 1;
+    return document.idealWidth() > width + 1;
 }
 
-/// What of the visible controls does not fit into them.
-QStringList cutOff(const QMainWindow &window)
+/// The texts of visible widgets that do not fit into them.
+QStringList cutOffTexts(const QMainWindow &window)
 {
     QStringList found;
     const auto note = [&found](const QWidget &widget, const QString &text) {
@@ -208,10 +209,10 @@ QStringList cutOff(const QMainWindow &window)
             continue;
         }
         if (const auto *label = qobject_cast<const QLabel *>(widget)) {
-            const int room = label->contentsRect().width();
+            const int width = label->contentsRect().width();
             const bool tooLow = label->wordWrap() && label->height() < label->heightForWidth(label->width());
-            const bool tooNarrow = !label->wordWrap() && isNarrow(*label, label->text(), room);
-            const bool hasTip = !label->toolTip().isEmpty(); // tells the whole of it
+            const bool tooNarrow = !label->wordWrap() && isTooWide(*label, label->text(), width);
+            const bool hasTip = !label->toolTip().isEmpty(); // the tool tip shows the whole text
             if (!hasTip && (tooLow || tooNarrow)) {
                 note(*label, label->text());
             }
@@ -222,14 +223,14 @@ QStringList cutOff(const QMainWindow &window)
         } else if (const auto *box = qobject_cast<const QComboBox *>(widget)) {
             QStyleOptionComboBox option;
             option.initFrom(box);
-            const QRect room =
+            const QRect field =
                 box->style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, box);
-            if (isNarrow(*box, box->currentText(), room.width())) {
+            if (isTooWide(*box, box->currentText(), field.width())) {
                 note(*box, box->currentText());
             }
         } else if (const auto *bar = qobject_cast<const QTabBar *>(widget)) {
             for (int i = 0; i < bar->count(); ++i) {
-                if (isNarrow(*bar, bar->tabText(i), bar->tabRect(i).width()) ||
+                if (isTooWide(*bar, bar->tabText(i), bar->tabRect(i).width()) ||
                     bar->tabRect(i).right() > bar->width()) {
                     note(*bar, bar->tabText(i));
                 }
@@ -238,7 +239,7 @@ QStringList cutOff(const QMainWindow &window)
                    header && header->orientation() == Qt::Horizontal) {
             for (int i = 0; i < header->count(); ++i) {
                 const QString text = header->model()->headerData(i, Qt::Horizontal).toString();
-                if (!header->isSectionHidden(i) && isNarrow(*header, text, header->sectionSize(i))) {
+                if (!header->isSectionHidden(i) && isTooWide(*header, text, header->sectionSize(i))) {
                     note(*header->parentWidget(), text);
                 }
             }
@@ -247,36 +248,21 @@ QStringList cutOff(const QMainWindow &window)
     return found;
 }
 
-struct Run {
-    int status = -1;
-    QByteArray output;
-    QByteArray errors;
-};
-
-Run runIn(const QString &locale, const QStringList &arguments)
+RunResult startIn(const char *locale, const QStringList &arguments)
 {
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    environment.insert(QStringLiteral("LC_ALL"), locale);
-    environment.insert(QStringLiteral("LANGUAGE"), locale.left(2));
-    QProcess process;
-    process.setProcessEnvironment(environment);
-    process.start(QStringLiteral(SLIDERCRANK_PROGRAM), arguments);
-    process.waitForFinished(kPatience);
-    return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
+    return start(arguments, {}, {QString("LC_ALL=") + locale, "LANGUAGE=" + QString(locale).left(2)});
 }
 
-const QString kEnglishLocale = QStringLiteral("en_US.UTF-8");
-const QString kSpanishLocale = QStringLiteral("es_CO.UTF-8");
+constexpr const char *kEnglishLocale = "en_US.UTF-8";
+constexpr const char *kSpanishLocale = "es_CO.UTF-8";
 
-void speak(Language language)
+void useLanguage(Language language)
 {
     setLanguage(language);
     QCoreApplication::processEvents();
 }
 
 } // namespace
-
-Q_DECLARE_METATYPE(slidercrank::Language)
 
 class TestTranslation : public QObject
 {
@@ -293,28 +279,28 @@ private slots:
     void init()
     {
         QSettings().clear();
-        speak(Language::English);
+        useLanguage(Language::English);
     }
 
     void everythingIsTranslated()
     {
-        const QList<Message> messages = messagesOf(kSpanish);
+        const QList<Message> messages = readMessages(kSpanish);
         QVERIFY(messages.size() > 900);
         for (const Message &message : messages) {
-            const QByteArray what = (message.context + QStringLiteral(": ") + message.source).toUtf8();
-            QVERIFY2(message.state.isEmpty(), what + " is " + message.state.toUtf8());
+            const QByteArray texts = (message.context + QStringLiteral(": ") + message.source).toUtf8();
+            QVERIFY2(message.state.isEmpty(), texts + " is " + message.state.toUtf8());
             QCOMPARE(message.translations.size(), message.isPlural ? 2 : 1);
             for (const QString &translation : message.translations) {
-                QVERIFY2(!translation.isEmpty(), what);
+                QVERIFY2(!translation.isEmpty(), texts);
             }
         }
     }
 
-    /// Where it fails: build the target update_translations, and translate what is unfinished then.
-    void theTranslationHasWhatTheSourcesSay()
+    /// If this fails, build the target update_translations, and translate what is unfinished then.
+    void theTranslationMatchesTheSources()
     {
         if (!QFile::exists(QStringLiteral(SLIDERCRANK_LUPDATE))) {
-            QSKIP("lupdate is not here.");
+            QSKIP("lupdate is missing.");
         }
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("slidercrank.ts"));
@@ -327,7 +313,7 @@ private slots:
         QCOMPARE(process.exitCode(), 0);
         const auto keysOf = [](const QString &file) {
             QStringList keys;
-            for (const Message &message : messagesOf(file)) {
+            for (const Message &message : readMessages(file)) {
                 keys += QStringList{message.context, message.source, message.comment}.join(u'|');
             }
             keys.sort();
@@ -339,121 +325,113 @@ private slots:
             QVERIFY2(translated.contains(key), qPrintable(QStringLiteral("not translated: ") + key));
         }
         for (const QString &key : translated) {
-            QVERIFY2(sources.contains(key), qPrintable(QStringLiteral("no longer said: ") + key));
+            QVERIFY2(sources.contains(key), qPrintable(QStringLiteral("no longer in the sources: ") + key));
         }
     }
 
     void translationsKeepPlaceholdersKeysAndTags()
     {
-        for (const Message &message : messagesOf(kSpanish)) {
+        for (const Message &message : readMessages(kSpanish)) {
             for (const QString &translation : message.translations) {
-                const QByteArray what = (message.source + QStringLiteral(" -> ") + translation).toUtf8();
+                const QByteArray texts = (message.source + QStringLiteral(" -> ") + translation).toUtf8();
                 for (const char *pattern : {"%(L?[1-9]|n)", "&(?=[^ ;&])", "<[^>]*>", "^\\s+", "\\s+$", "…$", "\n$"}) {
                     QVERIFY2(matches(message.source, QLatin1String(pattern)).size() ==
                                  matches(translation, QLatin1String(pattern)).size(),
-                             what + " differs in " + pattern);
+                             texts + " differs in " + pattern);
                 }
                 QVERIFY2(matches(message.source, QStringLiteral("%(L?[1-9]|n)")) ==
                              matches(translation, QStringLiteral("%(L?[1-9]|n)")),
-                         what);
+                         texts);
             }
         }
     }
 
-    /// By neglect: words that both languages have are listed.
+    /// Translations that equal the source contain only words that both languages have.
     void nothingIsLeftInEnglish()
     {
         const QSet<QString> common{QStringLiteral("rms"),   QStringLiteral("rad"),     QStringLiteral("rpm"),
                                    QStringLiteral("error"), QStringLiteral("newton"),  QStringLiteral("raphson"),
                                    QStringLiteral("det"),   QStringLiteral("decimal"), QStringLiteral("cos")};
-        for (const Message &message : messagesOf(kSpanish)) {
+        for (const Message &message : readMessages(kSpanish)) {
             if (message.translations.value(0) == message.source) {
                 QVERIFY2((wordsOf(message.source) - common).isEmpty(), qPrintable(message.source));
             }
         }
     }
 
-    void menuKeysDoNotClash_data() { addLanguages(); }
-
     void menuKeysDoNotClash()
     {
-        QFETCH(const Language, language);
-        speak(language);
-        MainWindow window;
-        QList<QWidget *> menus{window.menuBar()};
-        for (QMenu *menu : window.findChildren<QMenu *>()) {
-            menus += menu;
-        }
-        for (const QWidget *menu : menus) {
-            QMap<QString, QString> taken;
-            for (const QAction *action : menu->actions()) {
-                const QString key = QKeySequence::mnemonic(action->text()).toString();
-                QVERIFY2(key.isEmpty() || !taken.contains(key),
-                         qPrintable(action->text() + QStringLiteral(" and ") + taken.value(key)));
-                taken[key] = action->text();
+        for (const Language language : {Language::English, Language::Spanish}) {
+            useLanguage(language);
+            MainWindow window;
+            QList<QWidget *> menus{window.menuBar()};
+            for (QMenu *menu : window.findChildren<QMenu *>()) {
+                menus += menu;
+            }
+            for (const QWidget *menu : menus) {
+                QMap<QString, QString> textOfKey;
+                for (const QAction *action : menu->actions()) {
+                    const QString key = QKeySequence::mnemonic(action->text()).toString();
+                    QVERIFY2(key.isEmpty() || !textOfKey.contains(key),
+                             qPrintable(action->text() + " and " + textOfKey.value(key)));
+                    textOfKey[key] = action->text();
+                }
             }
         }
     }
 
     void theSpanishWindowShowsNoEnglish()
     {
-        speak(Language::Spanish);
+        useLanguage(Language::Spanish);
         MainWindow window;
         window.show();
-        fill(window);
+        fillTabs(window);
         for (const QString &text : textsOf(window)) {
-            QVERIFY2(englishIn(text).isEmpty(), qPrintable(text));
+            QVERIFY2(englishWords(text).isEmpty(), qPrintable(text));
         }
     }
 
-    void whyAFileCannotBeReadIsSaidInSpanish_data()
+    void readFaultsAreTranslated()
     {
-        QTest::addColumn<QByteArray>("contents");
-        QTest::newRow("empty") << QByteArray();
-        QTest::newRow("PDF") << QByteArray("%PDF-1.4\n");
-        QTest::newRow("HTML") << QByteArray("<html><body></body></html>");
-        QTest::newRow("archive") << QByteArray("PK\x03\x04 and so on");
-        QTest::newRow("no names") << QByteArray("0,1,2\n1,2,3\n");
-        QTest::newRow("no time") << QByteArray("R4_x,theta3\n1,2\n2,3\n");
-        QTest::newRow("no channel") << QByteArray("time,foo\n0,2\n1,3\n");
-        QTest::newRow("no numbers") << QByteArray("time,R4_x\n");
-        QTest::newRow("no row") << QByteArray("time,R4_x\nx,y\n");
-        QTest::newRow("two times") << QByteArray("time,time,R4_x\n0,1,1\n1,3,2\n");
-        QTest::newRow("the same twice") << QByteArray("time,R4_x,R4_x\n0,0,1\n1,1,2\n");
-        QTest::newRow("unit of the time") << QByteArray("time [kg],R4_x\n0,1\n1,2\n");
-        QTest::newRow("unit of an angle") << QByteArray("time,theta3 [mm]\n0,1\n1,2\n");
-        QTest::newRow("unit of a length") << QByteArray("time,R4_x [kg]\n0,1\n1,2\n");
-        QTest::newRow("units contradict") << QByteArray("time,R4_x [mm]\ns,m\n0,1\n1,2\n");
-        QTest::newRow("backwards") << QByteArray("time,R4_x\n0,1\n1,2\n0.5,3\n");
-        QTest::newRow("not text") << QByteArray("time,R4_x\n0,1\n1,") + QByteArray(3, 0) + "\n";
-    }
-
-    void whyAFileCannotBeReadIsSaidInSpanish()
-    {
-        QFETCH(const QByteArray, contents);
-        const QTemporaryDir folder;
-        const QString path = folder.filePath(QStringLiteral("datos.csv"));
-        QFile file(path);
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(contents);
-        file.close();
-        speak(Language::Spanish);
-        Session session;
-        QSignalSpy refused(&session, &Session::referenceRefused);
-        session.loadReference(path);
-        AWAIT_COMPARE(refused.count(), 1);
-        const QString sentence = refused.first().at(1).toString();
-        QVERIFY2(englishIn(sentence).isEmpty(), qPrintable(sentence));
+        const QByteArray files[] = {"",
+                                    "%PDF-1.4\n",
+                                    "<html><body></body></html>",
+                                    "PK\x03\x04 and so on",
+                                    "0,1,2\n1,2,3\n",
+                                    "R4_x,theta3\n1,2\n2,3\n",
+                                    "time,foo\n0,2\n1,3\n",
+                                    "time,R4_x\n",
+                                    "time,R4_x\nx,y\n",
+                                    "time,time,R4_x\n0,1,1\n1,3,2\n",
+                                    "time,R4_x,R4_x\n0,0,1\n1,1,2\n",
+                                    "time [kg],R4_x\n0,1\n1,2\n",
+                                    "time,theta3 [mm]\n0,1\n1,2\n",
+                                    "time,R4_x [kg]\n0,1\n1,2\n",
+                                    "time,R4_x [mm]\ns,m\n0,1\n1,2\n",
+                                    "time,R4_x\n0,1\n1,2\n0.5,3\n",
+                                    QByteArray("time,R4_x\n0,1\n1,") + QByteArray(3, 0) + "\n"};
+        useLanguage(Language::Spanish);
+        for (const QByteArray &contents : files) {
+            const QTemporaryDir folder;
+            QFile file(folder.filePath(QStringLiteral("datos.csv")));
+            QVERIFY(file.open(QIODevice::WriteOnly) && file.write(contents) == contents.size() && file.flush());
+            Session session;
+            QSignalSpy refused(&session, &Session::referenceRefused);
+            session.loadReference(file.fileName());
+            AWAIT_COMPARE(refused.count(), 1);
+            const QString sentence = refused.first().at(1).toString();
+            QVERIFY2(englishWords(sentence).isEmpty(), qPrintable(sentence));
+        }
     }
 
     void theStudysCasesHaveSpanishNames()
     {
-        for (const Case &which : allCases()) {
-            speak(Language::English);
-            QCOMPARE(caseText(which.name), QString::fromStdString(which.name));
-            speak(Language::Spanish);
-            const QString name = caseText(which.name);
-            QVERIFY2(englishIn(name).isEmpty(), qPrintable(name));
+        for (const Case &study : allCases()) {
+            useLanguage(Language::English);
+            QCOMPARE(caseText(study.name), QString::fromStdString(study.name));
+            useLanguage(Language::Spanish);
+            const QString name = caseText(study.name);
+            QVERIFY2(englishWords(name).isEmpty(), qPrintable(name));
         }
     }
 
@@ -461,80 +439,60 @@ private slots:
     {
         QTest::addColumn<Language>("language");
         QTest::addColumn<QSize>("size");
-        QTest::newRow("English, 1024x700") << Language::English << QSize(1024, 700);
-        QTest::newRow("English, 1400x900") << Language::English << QSize(1400, 900);
-        QTest::newRow("Spanish, 1024x700") << Language::Spanish << QSize(1024, 700);
-        QTest::newRow("Spanish, 1400x900") << Language::Spanish << QSize(1400, 900);
+        for (const QSize size : {QSize(1024, 700), QSize(1400, 900)}) {
+            QTest::addRow("English, width %d", size.width()) << Language::English << size;
+            QTest::addRow("Spanish, width %d", size.width()) << Language::Spanish << size;
+        }
     }
 
     void nothingIsCutOff()
     {
         QFETCH(const Language, language);
         QFETCH(const QSize, size);
-        speak(language);
+        useLanguage(language);
         MainWindow window;
         window.resize(size);
         window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&window));
-        fill(window);
+        fillTabs(window);
         auto *tabs = window.findChild<FoldingTabs *>();
         for (int i = 0; i < window.findChild<QTabBar *>(QStringLiteral("tabBar"))->count(); ++i) {
             tabs->setCurrentIndex(i);
             settle(window);
-            const QStringList found = cutOff(window);
+            const QStringList found = cutOffTexts(window);
             QVERIFY2(found.isEmpty(), qPrintable(found.join(u'\n')));
         }
         QCOMPARE(window.size(), size);
     }
 
-    void filesAndStreamsAreTheSameInBothLanguages_data()
+    void csvAndJsonAreTheSameInBothLanguages()
     {
-        QTest::addColumn<QStringList>("arguments");
-        const QString sample = QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv");
-        const auto row = [](const char *name, const QString &arguments) {
-            QTest::newRow(name) << arguments.split(u' ');
-        };
-        row("solve", QStringLiteral("solve --b 60.5 --steps 4"));
-        row("solve JSON", QStringLiteral("solve --format json --steps 4"));
-        row("compare CSV", QStringLiteral("compare %1 --format csv").arg(sample));
-        row("compare JSON", QStringLiteral("compare %1 --format json").arg(sample));
-        row("identify JSON", QStringLiteral("identify %1 --format json").arg(sample));
+        for (const QString &line :
+             {QString("solve --b 60.5 --steps 4"), QString("solve --format json --steps 4"),
+              QString("compare %1 --format csv").arg(kSample), QString("compare %1 --format json").arg(kSample),
+              QString("identify %1 --format json").arg(kSample)}) {
+            const RunResult english = startIn(kEnglishLocale, splitCommand(line));
+            const RunResult spanish = startIn(kSpanishLocale, splitCommand(line));
+            QVERIFY(!english.output.isEmpty());
+            QCOMPARE(spanish.output, english.output);
+            QCOMPARE(spanish.status, english.status);
+        }
     }
 
-    void filesAndStreamsAreTheSameInBothLanguages()
+    void theCommandLineUsesTheLanguageOfTheSystem()
     {
-        QFETCH(const QStringList, arguments);
-        const Run english = runIn(kEnglishLocale, arguments);
-        const Run spanish = runIn(kSpanishLocale, arguments);
-        QVERIFY(!english.output.isEmpty());
-        QCOMPARE(spanish.output, english.output);
-        QCOMPARE(spanish.status, english.status);
-    }
-
-    void theCommandLineSpeaksTheSystemsLanguage()
-    {
-        const Run help = runIn(kSpanishLocale, {QStringLiteral("--help")});
-        QVERIFY(help.output.startsWith("Uso:"));
-        const Run wrong = runIn(kSpanishLocale, {QStringLiteral("solve"), QStringLiteral("--b"), QStringLiteral("x")});
+        QVERIFY(startIn(kSpanishLocale, {"--help"}).output.startsWith("Uso:"));
+        const RunResult wrong = startIn(kSpanishLocale, {"solve", "--b", "x"});
         QCOMPARE(wrong.status, 2);
-        QVERIFY(wrong.errors.contains("debe ser un número con punto decimal"));
-        const Run comparison =
-            runIn(kSpanishLocale,
-                  {QStringLiteral("compare"), QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv")});
-        QVERIFY(comparison.output.contains("60.000")); // numbers with a point
+        QVERIFY(wrong.error.contains("debe ser un número con punto decimal"));
+        const RunResult comparison = startIn(kSpanishLocale, {"compare", kSample});
+        QVERIFY(comparison.output.contains("60.000")); // with a decimal point
         QVERIFY(comparison.output.contains("difiere"));
-        QVERIFY(runIn(kEnglishLocale, {QStringLiteral("--help")}).output.startsWith("Usage:"));
-        QVERIFY(runIn(QStringLiteral("de_DE.UTF-8"), {QStringLiteral("--help")}).output.startsWith("Usage:"));
+        QVERIFY(startIn(kEnglishLocale, {"--help"}).output.startsWith("Usage:"));
+        QVERIFY(startIn("de_DE.UTF-8", {"--help"}).output.startsWith("Usage:"));
     }
 
 private:
-    static void addLanguages()
-    {
-        QTest::addColumn<Language>("language");
-        QTest::newRow("English") << Language::English;
-        QTest::newRow("Spanish") << Language::Spanish;
-    }
-
     QTemporaryDir m_settings;
 };
 
