@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/support/suite.h"
-#include "ui/document/background_task.h"
 
+// Background tasks call back once, in the GUI thread, or not at all if they are discarded.
+
+#include "tests/support/suite.h"
 #include "tests/support/waiting.h"
+#include "ui/document/background_task.h"
 
 #include <QSemaphore>
 #include <QSignalSpy>
@@ -23,19 +25,19 @@ namespace
 using Stop = std::stop_token;
 using Progress = BackgroundTask::Progress;
 
-const auto kNever = [](const auto &...) { QFAIL("is not to be called"); };
+const auto kFail = [](const auto &...) { QFAIL("must not be called"); };
 
-const QList<QVariantList> kOnAndOff{{true}, {false}};
+const QList<QVariantList> kStartedAndEnded{{true}, {false}};
 
-/// Work that waits until it is released, or stopped: then it returns -1.
-struct Held {
-    std::shared_ptr<QSemaphore> begun = std::make_shared<QSemaphore>(0);
+/// Work that waits until it is released and returns 1, or until it is stopped and returns -1.
+struct WaitingWork {
+    std::shared_ptr<QSemaphore> started = std::make_shared<QSemaphore>(0);
     std::shared_ptr<QSemaphore> released = std::make_shared<QSemaphore>(0);
 
     int operator()(const Stop &stop, const Progress &) const
     {
         const std::stop_callback wake(stop, [this] { released->release(); });
-        begun->release();
+        started->release();
         released->acquire();
         return stop.stop_requested() ? -1 : 1;
     }
@@ -43,135 +45,136 @@ struct Held {
 
 } // namespace
 
-class tst_background_task : public QObject
+class TestBackgroundTask : public QObject
 {
     Q_OBJECT
 
 private slots:
-    void worksInAnotherThreadAndCallsBackInThisOne()
+    void runsInAnotherThreadAndCallsBackInThisOne()
     {
         BackgroundTask task;
         QSignalSpy running(&task, &BackgroundTask::runningChanged);
-        QThread *there = nullptr;
-        QThread *here = nullptr;
+        QThread *workThread = nullptr;
+        QThread *doneThread = nullptr;
         QString value;
-        const auto work = [&there](const Stop &, const Progress &) {
-            there = QThread::currentThread();
+        const auto work = [&workThread](const Stop &, const Progress &) {
+            workThread = QThread::currentThread();
             return QStringLiteral("done");
         };
-        const auto done = [&](const QString &made) {
-            here = QThread::currentThread();
-            value = made;
+        const auto done = [&](const QString &result) {
+            doneThread = QThread::currentThread();
+            value = result;
             QVERIFY(task.isRunning());
         };
-        task.start(work, done, kNever);
+        task.start(work, done, kFail);
         QVERIFY(task.isRunning() && value.isEmpty());
         AWAIT(!task.isRunning());
         QCOMPARE(value, QStringLiteral("done"));
-        QVERIFY(there && there != thread());
-        QCOMPARE(here, thread());
-        QCOMPARE(QList<QVariantList>(running), kOnAndOff);
+        QVERIFY(workThread && workThread != thread());
+        QCOMPARE(doneThread, thread());
+        QCOMPARE(QList<QVariantList>(running), kStartedAndEnded);
     }
 
     void reportsProgressInOrderAndBeforeTheValue()
     {
         BackgroundTask task;
-        QSemaphore heard(0);
+        QSemaphore reported(0);
         std::vector<double> parts;
         connect(&task, &BackgroundTask::progressed, this, [&](double part) {
             parts.push_back(part);
-            heard.release();
+            reported.release();
         });
-        std::size_t before = 0;
+        std::size_t partsBeforeValue = 0;
         const auto work = [&](const Stop &, const Progress &progress) {
             progress(0.5);
-            heard.acquire(); // is heard of while the work goes on
+            reported.acquire(); // is reported while the work continues
             for (int i = 500'000; i <= 1'000'000; ++i) {
                 progress(i * 1e-6);
             }
             return 0;
         };
         task.start(
-            work, [&](int) { before = parts.size(); }, kNever);
+            work, [&](int) { partsBeforeValue = parts.size(); }, kFail);
         AWAIT(!task.isRunning());
-        QCOMPARE(before, parts.size());
+        QCOMPARE(partsBeforeValue, parts.size());
         QVERIFY(std::ranges::is_sorted(parts) && parts.size() <= 1001);
         QVERIFY(std::ranges::count(parts, 0.5) == 1 && parts.back() <= 1.0);
     }
 
-    void givesItsValueWhenItIsCancelled()
+    void returnsItsValueWhenCancelled()
     {
         BackgroundTask task;
         task.cancel(); // allowed at any time
         int value = 0;
-        const auto done = [&value](int made) { value = made; };
-        const Held held;
-        task.start(held, done, kNever);
-        held.begun->acquire();
+        const auto done = [&value](int result) { value = result; };
+        const WaitingWork waiting;
+        task.start(waiting, done, kFail);
+        waiting.started->acquire();
         task.cancel();
         QVERIFY(task.isRunning());
         AWAIT(!task.isRunning());
         QCOMPARE(value, -1);
-        const Held next; // is not stopped
-        task.start(next, done, kNever);
+        const WaitingWork next; // is not stopped
+        task.start(next, done, kFail);
         next.released->release();
         AWAIT_COMPARE(value, 1);
     }
 
-    void callsNobodyWhenItIsDiscarded()
+    void callsNothingAfterBeingDiscarded()
     {
         BackgroundTask task;
         QSignalSpy running(&task, &BackgroundTask::runningChanged);
-        connect(&task, &BackgroundTask::progressed, this, [] { QFAIL("nobody listens any more"); });
-        const Held held;
-        const auto work = [held](const Stop &stop, const Progress &progress) {
-            held(stop, progress);
+        connect(&task, &BackgroundTask::progressed, this, [] { QFAIL("must not be emitted"); });
+        const WaitingWork waiting;
+        const auto work = [waiting](const Stop &stop, const Progress &progress) {
+            waiting(stop, progress);
             progress(1.0);
             return 0;
         };
-        task.start(work, kNever, kNever);
-        held.begun->acquire();
+        task.start(work, kFail, kFail);
+        waiting.started->acquire();
         task.discard();
         QVERIFY(!task.isRunning());
         finishAside();
-        QCOMPARE(QList<QVariantList>(running), kOnAndOff);
+        QCOMPARE(QList<QVariantList>(running), kStartedAndEnded);
     }
 
-    /// Started while other work is running, or by the callback of other work.
-    void theLastWorkCounts()
+    /// Whether it is started while other work is running, or by the callback of other work.
+    void newWorkReplacesRunningWork()
     {
         BackgroundTask task;
         QSignalSpy running(&task, &BackgroundTask::runningChanged);
-        const Held held;
-        task.start(held, kNever, kNever);
-        held.begun->acquire();
+        const WaitingWork waiting;
+        task.start(waiting, kFail, kFail);
+        waiting.started->acquire();
         int value = 0;
         const auto two = [](const Stop &, const Progress &) { return 2; };
         const auto next = [&](int) {
             task.start(
-                two, [&value](int made) { value = made; }, kNever);
+                two, [&value](int result) { value = result; }, kFail);
         };
-        task.start(two, next, kNever);
+        task.start(two, next, kFail);
         AWAIT_COMPARE(value, 2);
         finishAside();
-        QCOMPARE(QList<QVariantList>(running), kOnAndOff);
+        QCOMPARE(QList<QVariantList>(running), kStartedAndEnded);
     }
 
-    void mayBeDeletedWhileItRunsOrWhenItIsDone()
+    void canBeDeletedWhileRunningAndInItsCallback()
     {
-        const Held held;
+        const WaitingWork waiting;
         const auto captured = std::make_shared<int>();
         auto task = std::make_unique<BackgroundTask>();
         task->start(
-            held, [captured](int) { QFAIL("is not to be called"); }, kNever);
-        held.begun->acquire();
+            waiting, [captured](int) { QFAIL("must not be called"); }, kFail);
+        waiting.started->acquire();
         task.reset();
         QCOMPARE(captured.use_count(), 1L); // the callback is destroyed at once, in this thread
         finishAside();
 
-        auto *other = new BackgroundTask;
-        const QPointer<BackgroundTask> guard(other);
-        other->start([](const Stop &, const Progress &) { return 1; }, [other](int) { delete other; }, kNever);
+        auto *deletedTask = new BackgroundTask;
+        const QPointer<BackgroundTask> guard(deletedTask);
+        deletedTask->start([](const Stop &, const Progress &) { return 1; }, [deletedTask](int) { delete deletedTask; },
+                           kFail);
         AWAIT(!guard);
     }
 
@@ -187,30 +190,30 @@ private slots:
                 fail();
                 return 0;
             };
-            task.start(work, kNever, [&sentence](const QString &problem) { sentence = problem; });
+            task.start(work, kFail, [&sentence](const QString &problem) { sentence = problem; });
             AWAIT(!task.isRunning());
             QVERIFY2(sentence.contains(QLatin1String(text)), qPrintable(sentence));
         }
     }
 
-    /// Not even on a computer with few processors.
-    void noWorkWaitsForLongTasks()
+    /// Also on a computer with few processors.
+    void shortTasksDoNotWaitForLongTasks()
     {
-        std::vector<std::unique_ptr<BackgroundTask>> lasting;
+        std::vector<std::unique_ptr<BackgroundTask>> longTasks;
         for (int i = 0; i < QThread::idealThreadCount() + 6; ++i) {
-            const Held held;
-            lasting.push_back(std::make_unique<BackgroundTask>());
-            lasting.back()->start(held, kNever, kNever);
-            held.begun->acquire();
+            const WaitingWork waiting;
+            longTasks.push_back(std::make_unique<BackgroundTask>());
+            longTasks.back()->start(waiting, kFail, kFail);
+            waiting.started->acquire();
         }
-        BackgroundTask edit;
+        BackgroundTask shortTask;
         bool isDone = false;
-        edit.start([](const Stop &, const Progress &) { return 1; }, [&isDone](int) { isDone = true; }, kNever);
+        shortTask.start([](const Stop &, const Progress &) { return 1; }, [&isDone](int) { isDone = true; }, kFail);
         AWAIT(isDone);
-        lasting.clear();
+        longTasks.clear();
         finishAside();
     }
 };
 
-const Suite suite("tst_background_task", runWithEventLoop<tst_background_task>);
+const Suite suite("tst_background_task", runWithEventLoop<TestBackgroundTask>);
 #include "tst_background_task.moc"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The file of a scene: what is written is read back to the last bit; what is no scene is refused, with its place.
+// Scenes are read back to the last bit. Other files are refused with the place of the fault.
 
 #include "tests/support/random_mechanisms.h"
 #include "tests/support/suite.h"
@@ -105,7 +105,7 @@ QJsonObject toObject(const Scene &scene)
     return QJsonDocument::fromJson(sceneToJson(scene, kPath)).object();
 }
 
-/// A valid scene with the value at a place such as "mechanism.b" replaced, or, if it is Undefined, removed.
+/// Returns a valid scene in which the value at a place such as "mechanism.b" is replaced; Undefined removes it.
 QByteArray sceneWith(const QString &place, const QJsonValue &value)
 {
     Scene scene;
@@ -127,7 +127,7 @@ class TestScene : public QObject
     Q_OBJECT
 
 private slots:
-    void comesBackAsItWasSaved()
+    void isReadBackAsItWasSaved()
     {
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("scene.json"));
@@ -154,7 +154,7 @@ private slots:
         }
     }
 
-    void keepsEveryDigitOfAnyNumber()
+    void keepsEveryDigit()
     {
         std::mt19937_64 engine(7);
         for (int i = 0; i < 2000; ++i) {
@@ -166,8 +166,8 @@ private slots:
         }
     }
 
-    /// Conventions and chosen columns included; the path of the reference is found again when both were moved.
-    void opensItsReferenceAsBefore()
+    /// With its conventions and chosen columns, also after the scene and the reference were moved together.
+    void opensItsReferenceAgain()
     {
         const QTemporaryDir folder;
         QVERIFY(QDir(folder.path()).mkpath(QStringLiteral("before/data")));
@@ -208,7 +208,7 @@ private slots:
         QCOMPARE(after.reference()->data.time.front(), 0.0);
     }
 
-    void opensWithoutAReferenceThatIsGone()
+    void opensWithoutAMissingReference()
     {
         Session session;
         session.loadReference(kSample);
@@ -229,8 +229,8 @@ private slots:
         QVERIFY(!toObject(scene)[u"view"].toObject().contains(u"arrows"));
     }
 
-    /// Each was saved by an earlier version: Table 1, the sample's mechanism taken over, two steps on, zoomed in.
-    void opensWhatEarlierVersionsSaved()
+    /// Each of these scenes has the mechanism of the sample, the time after two steps, and a zoom.
+    void opensScenesOfEarlierVersions()
     {
         const QDir folder(QStringLiteral(SLIDERCRANK_SOURCE_DIR "/tests/ui/document/scenes"));
         const QStringList names = folder.entryList(QDir::Files);
@@ -239,7 +239,7 @@ private slots:
             const auto outcome = parseScene(readFile(folder.filePath(name)), folder.filePath(name));
             QVERIFY2(std::holds_alternative<Scene>(outcome), qPrintable(name));
             const Scene &scene = std::get<Scene>(outcome);
-            QVERIFY(std::abs(scene.parameters.b - 60.0) < 1e-6); // the first did not round it
+            QVERIFY(std::abs(scene.parameters.b - 60.0) < 1e-6); // the first version did not round b
             QCOMPARE(scene.sampling, Sampling());
             QCOMPARE(scene.solver.method, Method::ClosedForm);
             QVERIFY(scene.zoom.time && scene.zoom.time->lower > 0.05 && scene.zoom.time->upper < 0.95);
@@ -249,7 +249,7 @@ private slots:
         }
     }
 
-    void needsNeitherReferenceNorView()
+    void requiresNeitherReferenceNorView()
     {
         for (const char *place : {"reference", "reference.columns", "kept", "view", "view.zoom", "view.error",
                                   "view.time", "view.mechanism", "view.mechanism.path"}) {
@@ -265,7 +265,7 @@ private slots:
         QCOMPARE(std::get<Scene>(parseScene(QJsonDocument(whole).toJson(), kPath)).time, 3.0);
     }
 
-    void refusesWhatIsNoScene()
+    void refusesOtherFiles()
     {
         const auto refused = [](const QByteArray &json, const QStringList &parts) {
             const auto outcome = parseScene(json, kPath);
@@ -350,7 +350,7 @@ private slots:
         refused("{\"name\": 1}", {QStringLiteral("not a scene"), QStringLiteral("version")});
     }
 
-    void saysWhyAFileCannotBeRead()
+    void reportsFilesThatCannotBeRead()
     {
         const QTemporaryDir folder;
         QFile large(folder.filePath(QStringLiteral("large.json")));
@@ -362,11 +362,11 @@ private slots:
         }
     }
 
-    /// An older file stays complete for whoever has it open: the new one replaces it in one step.
+    /// A program that has the older file open can still read all of it.
     void replacesAFileInOneStep()
     {
 #ifdef Q_OS_WIN
-        QSKIP("an open file cannot be replaced there");
+        QSKIP("Windows cannot replace an open file.");
 #endif
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("scene.json"));
@@ -381,7 +381,7 @@ private slots:
         QVERIFY(readFile(path) != before);
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden), QStringList{"scene.json"});
 
-        // Nothing is left where it cannot be written.
+        // If the scene cannot be written, no file is left.
         QVERIFY(QDir(folder.path()).mkdir(QStringLiteral("taken.json")));
         for (const char *name : {"no/scene.json", "taken.json"}) {
             QVERIFY(writeScene(other, folder.filePath(QLatin1String(name))).value().contains(QLatin1String(".json")));

@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The reference file of a session: reading, time range, diagnosis and conventions.
+
+#include "tests/support/suite.h"
+#include "tests/support/waiting.h"
+#include "ui/document/session.h"
+
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <algorithm>
+
+#ifdef Q_OS_UNIX
+#include <sys/stat.h>
+#endif
+
+using namespace slidercrank;
+
+namespace
+{
+
+const QString kSample = QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv"); // b = 60 mm
+
+QString writeFile(const QTemporaryDir &folder, const QByteArray &bytes,
+                  const QString &name = QStringLiteral("motion.csv"))
+{
+    QFile file(folder.filePath(name));
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size()) {
+        qFatal("cannot write %s", qPrintable(file.fileName()));
+    }
+    return file.fileName();
+}
+
+/// A table by crank angle of the initial mechanism. Its angles are measured from `zero` degrees.
+QByteArray angleTable(int zero)
+{
+    QByteArray table = "CAD,theta3,R4_x\n";
+    for (int angle = 0; angle <= 360; angle += 15) {
+        const double theta2 = (angle + zero) / kDegreesPerRadian;
+        const double theta3 = std::asin((25.0 - 20.0 * std::sin(theta2)) / 65.0);
+        table += QByteArray::number(angle) + ',' + QByteArray::number(theta3 * kDegreesPerRadian, 'f', 6) + ',' +
+                 QByteArray::number(20.0 * std::cos(theta2) + 65.0 * std::cos(theta3), 'f', 6) + '\n';
+    }
+    return table;
+}
+
+bool allAgree(const std::vector<ChannelComparison> &comparison)
+{
+    return !comparison.empty() && std::ranges::all_of(comparison, [](const ChannelComparison &channel) {
+        return channel.verdict == Verdict::Agrees;
+    });
+}
+
+Parameters withCoupler(double b)
+{
+    Parameters parameters;
+    parameters.b = b;
+    return parameters;
+}
+
+const QByteArray kSmallFile = "time,R4_x\n0,85\n0.5,45\n";
+
+} // namespace
+
+class TestSessionReference : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void aFileOutsideTheTimeRangeReplacesIt()
+    {
+        const QTemporaryDir folder;
+        const QString path = writeFile(folder, "time,R4_x\n0.5,80\n4,70\n8,60\n10.5,75\n");
+        for (const Sampling &before : {Sampling{0.0, 1.0, 500}, Sampling{-1.0, 20.0, 500}}) {
+            const bool isInside = before.duration > 10.0;
+            const Sampling after = isInside ? before : Sampling{0.5, 10.0, 500};
+            Session session;
+            session.setSampling(before);
+            QSignalSpy loaded(&session, &Session::referenceLoaded);
+            QSignalSpy replaced(&session, &Session::timeRangeReplaced);
+            session.loadReference(path);
+            QVERIFY(loaded.wait(kPatience));
+            QCOMPARE(session.sampling(), after);
+            QCOMPARE(replaced.count(), isInside ? 0 : 1);
+            QCOMPARE(session.time(), isInside ? 0.0 : 0.5);
+            session.undoStack().undo();
+            QVERIFY(!session.reference());
+            QCOMPARE(session.sampling(), before);
+            session.undoStack().redo();
+            QVERIFY(session.reference());
+            QCOMPARE(session.sampling(), after);
+        }
+        Session session; // a scene keeps its own time range
+        Choices saved;
+        saved.sampling = {0.0, 2.0, 40};
+        QSignalSpy opened(&session, &Session::opened);
+        session.open(saved, 1.0, ReferenceSource{{path}, {}, {}});
+        QVERIFY(opened.wait(kPatience));
+        QVERIFY(session.reference());
+        QCOMPARE(session.sampling(), saved.sampling);
+    }
+
+    void readsAFileInTheBackgroundAndCompares()
+    {
+        const QTemporaryDir folder;
+        const QString path = writeFile(folder, kSmallFile, QStringLiteral("año 1 Δ.csv"));
+        Session session;
+        QSignalSpy loaded(&session, &Session::referenceLoaded);
+        QSignalSpy results(&session, &Session::resultChanged);
+        session.loadReference(path);
+        QCOMPARE(results.count(), 0);
+        QVERIFY(loaded.wait(kPatience));
+        AWAIT_COMPARE(results.count(), 1);
+        QCOMPARE(session.reference()->name, QStringLiteral("año 1 Δ.csv"));
+        QCOMPARE(session.result()->comparison.size(), std::size_t(1));
+        const double exact = 20.0 + std::sqrt(65.0 * 65.0 - 25.0 * 25.0); // 80 mm at t = 0
+        QVERIFY(std::abs(*session.result()->comparison[0].maxAbs - (85.0 - exact)) < 1e-9);
+
+        // Opening a file does not modify the scene, and undoing that does not either.
+        QVERIFY(session.undoStack().canUndo() && !session.isModified());
+        session.setReference(nullptr);
+        QVERIFY(session.result()->comparison.empty() && !session.isModified());
+        session.undoStack().undo();
+        session.setParameter(Parameter::B, 66.0);
+        QVERIFY(session.isModified());
+        session.undoStack().setClean();
+        session.undoStack().setIndex(0);
+        QVERIFY(session.isModified());
+    }
+
+    void timesATableByCrankAngleForEachSpeed()
+    {
+        const QTemporaryDir folder;
+        Session session;
+        QSignalSpy loaded(&session, &Session::referenceLoaded);
+        QSignalSpy problems(&session, &Session::problemFound);
+        session.loadReference(writeFile(folder, angleTable(0)));
+        AWAIT(session.reference() && session.diagnosis());
+        const auto chosen = session.reference();
+        const auto lastTime = [&session] { return session.result()->reference->data.time.back(); };
+        QVERIFY(allAgree(session.result()->comparison));
+        QCOMPARE(lastTime(), 1.0);
+
+        // With another speed, the time stamps and the time range change, and the file still agrees.
+        Parameters parameters;
+        parameters.omega2 = -4.0;
+        parameters.theta20 = 0.5;
+        session.setParameters(parameters);
+        QVERIFY(allAgree(session.result()->comparison));
+        QVERIFY(std::abs(lastTime() - (0.0 - 0.5) / -4.0) < 1e-12); // the crank turns the other way, so 0° is last
+        QVERIFY(std::abs(session.sampling().start - (2.0 * std::numbers::pi - 0.5) / -4.0) < 1e-12);
+        QVERIFY(std::abs(session.sampling().duration - 2.0 * std::numbers::pi / 4.0) < 1e-12);
+        QCOMPARE(session.undoStack().undoText(), QStringLiteral("change of the mechanism"));
+        QCOMPARE(session.reference(), chosen);
+        QCOMPARE(loaded.count(), 1);
+        QCOMPARE(session.result()->choices.reference, chosen);
+        AWAIT(session.diagnosis() && session.diagnosis()->parameters == parameters);
+        QCOMPARE(session.diagnosis()->reference, chosen);
+        QVERIFY(!session.diagnosis()->found.identification.identifiable[indexOf(Parameter::Omega2)]);
+        session.undoStack().undo();
+        QCOMPARE(lastTime(), 1.0);
+        QCOMPARE(session.sampling(), Sampling());
+        session.setSampling({0.0, 2.0, 100}); // a time range that the user chose stays
+        session.setParameters(parameters);
+        QCOMPARE(session.sampling(), (Sampling{0.0, 2.0, 100}));
+        session.undoStack().undo();
+
+        // A crank at rest does not reach those angles.
+        parameters.omega2 = 0.0;
+        session.setParameters(parameters);
+        QCOMPARE(problems.count(), 1);
+        QVERIFY(problems[0][0].toString().contains(QStringLiteral("choose another ω₂")));
+        QCOMPARE(session.parameters(), Parameters());
+        session.setReference(nullptr);
+        session.setParameters(parameters);
+        QCOMPARE(session.parameters(), parameters);
+        QSignalSpy refused(&session, &Session::referenceRefused);
+        session.loadReference(chosen->paths);
+        AWAIT(refused.count() == 1);
+        QVERIFY(!session.reference());
+    }
+
+    void findsTheOriginOfTheAnglesOfATable()
+    {
+        const QTemporaryDir folder;
+        Session session;
+        session.loadReference(writeFile(folder, angleTable(30)));
+        AWAIT(session.reference() && session.diagnosis());
+        QVERIFY(!allAgree(session.result()->comparison));
+        const std::vector<ConventionFinding> findings = session.diagnosis()->found.conventions;
+        QCOMPARE(findings.size(), std::size_t(1));
+        QCOMPARE(findings.front().convention.amount, 30.0);
+        session.apply(findings.front().convention);
+        QVERIFY(allAgree(session.result()->comparison));
+        QVERIFY(session.isModified());
+        session.setParameter(Parameter::Omega2, 100.0);
+        QVERIFY(allAgree(session.result()->comparison));
+        session.readAsPrinted();
+        QVERIFY(!allAgree(session.result()->comparison));
+    }
+
+    void changesNothingIfAFileCannotBeRead()
+    {
+        const QTemporaryDir folder;
+        Session session;
+        session.loadReference(writeFile(folder, kSmallFile));
+        AWAIT(session.reference());
+        const auto before = session.reference();
+        QStringList paths{folder.filePath(QStringLiteral("missing.csv"))};
+        for (const QByteArray &bytes :
+             {QByteArray(), QByteArray("time,banana\n0,1\n"), QByteArray("\x7f\0\1\2\xff", 5)}) {
+            paths += writeFile(folder, bytes, QStringLiteral("bad%1.csv").arg(paths.size()));
+        }
+#ifdef Q_OS_UNIX
+        paths += folder.filePath(QStringLiteral("pipe.csv")); // is not opened, because that would wait for a writer
+        QCOMPARE(mkfifo(QFile::encodeName(paths.last()).constData(), 0600), 0);
+#endif
+        QSignalSpy refused(&session, &Session::referenceRefused);
+        for (const QString &path : paths) {
+            session.loadReference(path);
+            AWAIT(refused.count() == 1);
+            QVERIFY(refused.takeFirst()[1].toString().contains(QFileInfo(path).fileName()));
+            QCOMPARE(session.reference(), before);
+        }
+    }
+
+    void reportsTheProgressOfReading()
+    {
+        QByteArray bytes = "time,theta3,R4_x\n";
+        for (int row = 0; row < 1'000'000; ++row) {
+            bytes += QByteArray::number(row) + ",20,75\n";
+        }
+        const QTemporaryDir folder;
+        Session session;
+        QSignalSpy parts(&session, &Session::readingProgressed);
+        session.loadReference(writeFile(folder, bytes));
+        AWAIT(session.reference());
+        QVERIFY(parts.count() > 1);
+        for (qsizetype i = 0; i < parts.size(); ++i) {
+            const double part = parts[i][0].toDouble();
+            QVERIFY(part >= (i == 0 ? 0.0 : parts[i - 1][0].toDouble()) && part <= 1.0);
+        }
+    }
+
+    void aCancelledDiagnosisIsNotPublished()
+    {
+        Session session;
+        QSignalSpy busy(&session, &Session::busyChanged);
+        session.setReference(std::get<std::shared_ptr<const Reference>>(readReference({{kSample}, {}, {}})));
+        letTimePass(session);
+        QCOMPARE(busy.count(), 1);
+        session.cancel();
+        QVERIFY(session.diagnosis() && session.diagnosis()->found.identification.stopped);
+        finishAside();
+        letTimePass(session);
+        QCOMPARE(busy.count(), 2);
+        QVERIFY(session.diagnosis()->found.identification.stopped);
+        session.setParameter(Parameter::B, 64.0);
+        AWAIT_COMPARE(session.diagnosis()->found.identification.outcome, Identification::Outcome::Identified);
+
+        // A diagnosis is not published after its file was closed.
+        session.setParameter(Parameter::B, 70.0);
+        letTimePass(session);
+        session.setReference(nullptr);
+        finishAside();
+        letTimePass(session);
+        QVERIFY(!session.diagnosis());
+        session.useFoundMechanism();
+        QCOMPARE(session.parameters().b, 70.0);
+    }
+
+    void usesTheMechanismFoundInTheFile()
+    {
+        Session session; // Table 1: b = 65 mm
+        QSignalSpy diagnoses(&session, &Session::diagnosisChanged);
+        session.loadReference(kSample);
+        AWAIT_COMPARE(diagnoses.count(), 1);
+        const ReferenceDiagnosis &diagnosis = *session.diagnosis();
+        QCOMPARE(diagnosis.reference, session.reference());
+        QCOMPARE(diagnosis.found.identification.outcome, Identification::Outcome::Identified);
+        QVERIFY(diagnosis.found.change);
+        QCOMPARE(diagnosis.found.change->parameter, Parameter::B);
+        QVERIFY(std::abs(diagnosis.found.change->value - 60.0) < 1e-4);
+        QVERIFY(diagnosis.found.change->explained > 0.999999);
+
+        session.useFoundMechanism();
+        QCOMPARE(session.parameters(), withCoupler(60.0)); // nominal values, not 60.0000003
+        QCOMPARE(session.result()->comparison.size(), std::size_t(6));
+        QVERIFY(allAgree(session.result()->comparison));
+        AWAIT(session.diagnosis()->parameters == session.parameters());
+        QVERIFY(!session.diagnosis()->found.change && session.diagnosis()->found.conventions.empty());
+        session.undoStack().undo();
+        QCOMPARE(session.parameters(), Parameters());
+        QVERIFY(!allAgree(session.result()->comparison));
+        session.undoStack().redo();
+        QCOMPARE(session.undoStack().undoText(), QStringLiteral("use of the file's mechanism"));
+    }
+
+    void diagnosesAgainWhenTheParametersAreUnchanged()
+    {
+        Session session;
+        session.loadReference(kSample);
+        AWAIT(session.diagnosis());
+        const auto first = session.diagnosis();
+        QSignalSpy diagnoses(&session, &Session::diagnosisChanged);
+        const auto timers = session.findChildren<QTimer *>();
+        for (int i = 1; i <= 5; ++i) {
+            for (QTimer *timer : timers) {
+                timer->setInterval(kPatience);
+            }
+            session.setParameters(withCoupler(65.0 + i));
+            for (const QTimer *timer : timers) {
+                QVERIFY(timer->isActive() && timer->interval() < kPatience); // each edit restarts the timer
+            }
+        }
+        QCOMPARE(diagnoses.count(), 0);
+        QCOMPARE(session.diagnosis(), first);
+        AWAIT_COMPARE(diagnoses.count(), 1);
+        QCOMPARE(session.diagnosis()->parameters.b, 70.0);
+        QCOMPARE(session.diagnosis()->found.identification.parameters, first->found.identification.parameters);
+    }
+
+    void appliesAndRemovesConventions()
+    {
+        const Channel theta3{Theta3, Order::Position};
+        auto printed = std::make_shared<Reference>();
+        printed->data.time = {0.0, 0.5};
+        printed->data.series = {{theta3, {0.25, 0.5}, {}}};
+        Session session;
+        session.setReference(printed);
+        const Convention radians{Convention::Kind::AngleUnit, {theta3}, 2.0};
+        session.apply(radians);
+        session.apply(radians);
+        QCOMPARE(session.reference()->data.find(theta3)->values[1], 2.0);
+        QCOMPARE(session.reference()->conventions.size(), std::size_t(2));
+        QCOMPARE(session.result()->reference, session.reference());
+        session.undoStack().undo();
+        QCOMPARE(session.reference()->data.find(theta3)->values[1], 1.0);
+        session.undoStack().redo();
+        session.readAsPrinted();
+        QCOMPARE(session.reference(), printed);
+        session.undoStack().undo();
+        QCOMPARE(session.reference()->conventions.size(), std::size_t(2));
+
+        const auto before = session.reference(); // the assembly belongs to the model, not to the data
+        session.apply({Convention::Kind::Branch, {}, 1.0});
+        QCOMPARE(session.parameters().branch, Branch::Crossed);
+        QCOMPARE(session.reference(), before);
+    }
+};
+
+const Suite suite("tst_session_reference", runWithEventLoop<TestSessionReference>);
+#include "tst_session_reference.moc"
