@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line.h"
 
+#include "app/commands.h"
 #include "app/help.h"
 #include "app/option_reader.h"
 #include "app/output.h"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 
 namespace slidercrank
 {
@@ -59,15 +61,19 @@ Command parse(const QStringList &arguments)
     }
     const CommandDescription *named = findCommand(name);
     const CommandDescription &command = named ? *named : allCommands().front();
-    OptionReader options(command, named ? arguments.mid(2) : withoutQtOptions(arguments.mid(1)));
-    if (options.has("help")) {
+    const auto options =
+        std::make_shared<OptionReader>(command, named ? arguments.mid(2) : withoutQtOptions(arguments.mid(1)));
+    if (options->has("help")) {
         return printText(helpText(command));
     }
-    if (options.has("version")) {
+    if (options->has("version")) {
         return printText("slidercrank " SLIDERCRANK_VERSION "\n" SLIDERCRANK_BUILT_OF "\n");
     }
-    options.readScene();
-    return command.prepare(options);
+    options->readScene();
+    if (!named) {
+        return prepareWindow(*options);
+    }
+    return {[options, run = command.run](const Streams &streams) { return run(*options, streams); }, command.platform};
 }
 
 } // namespace
@@ -86,14 +92,21 @@ void Streams::report(const QString &message) const
 
 Command parseCommandLine(const QStringList &arguments)
 {
+    Command command;
     try {
-        return parse(arguments);
-    } catch (const UsageError &usageError) {
-        return {[usageError](const Streams &streams) {
-            streams.report(usageError.message);
-            return usageError.status;
-        }};
+        command = parse(arguments);
+    } catch (const UsageError &error) {
+        command.run = [error](const Streams &) -> ExitStatus { throw error; };
     }
+    command.run = [run = command.run](const Streams &streams) {
+        try {
+            return run(streams);
+        } catch (const UsageError &error) {
+            streams.report(error.message);
+            return error.status;
+        }
+    };
+    return command;
 }
 
 } // namespace slidercrank

@@ -32,7 +32,7 @@ struct CommandLine {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::CommandLine)
 };
 
-/// Thrown while the arguments are read. The message is written to standard error as one line.
+/// Thrown while the options are read. The message is written to standard error as one line.
 struct UsageError {
     QString message;
     ExitStatus status = ExitStatus::UsageError;
@@ -47,23 +47,24 @@ struct Streams {
     void report(const QString &message) const;
 };
 
-/// A command whose arguments are valid.
+/// What has to exist before a command runs.
+enum class Platform {
+    None,      ///< a QCoreApplication
+    Offscreen, ///< a QApplication, but no display
+    Window     ///< a QApplication and a display; the caller opens the window
+};
+
+/// A command with its arguments.
 struct Command {
-    /// What has to exist before `run` is called.
-    enum class Platform {
-        None,      ///< a QCoreApplication
-        Offscreen, ///< a QApplication, but no display
-        Window     ///< a QApplication and a display; the caller opens the window
-    };
-    std::function<ExitStatus(const Streams &)> run;
+    std::function<ExitStatus(const Streams &)> run; ///< also reports wrong arguments
     Platform platform = Platform::None;
 
     QString scene = {};              ///< the scene to open in the window; may be empty
     QStringList referenceFiles = {}; ///< reference files of one motion to open in the window; may be empty
 };
 
-/// Parses the arguments, the first of which is the name of the program. Never fails: if the arguments are wrong, the
-/// returned command reports that when it runs.
+/// Parses the arguments, the first of which is the name of the program. Never fails: the command that it returns
+/// reports wrong arguments when it runs.
 Command parseCommandLine(const QStringList &arguments);
 
 } // namespace slidercrank

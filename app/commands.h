@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The subcommands. Each function reads and checks all options, throws UsageError if one of them is wrong, and returns
-// the command that is to be run.
+// The commands. Each function reads and checks all of its options before it writes anything, and throws UsageError if
+// one of them is wrong.
 
 #include "app/command_line.h"
 
@@ -11,12 +11,14 @@ namespace slidercrank
 
 class OptionReader;
 
-Command prepareWindow(OptionReader &options);
-Command prepareSolve(OptionReader &options);    ///< writes the motion as CSV or JSON
-Command prepareLimits(OptionReader &options);   ///< prints dead centres, stroke, transmission angle and peak values
-Command prepareCompare(OptionReader &options);  ///< prints how far reference files are from the model
-Command prepareIdentify(OptionReader &options); ///< finds the mechanism that each reference file belongs to
-Command prepareStudy(OptionReader &options);    ///< measures speed and error of every method
-Command prepareRender(OptionReader &options);   ///< draws what the window shows into a file
+ExitStatus solveCommand(const OptionReader &options, const Streams &streams);  ///< the motion as CSV or JSON
+ExitStatus limitsCommand(const OptionReader &options, const Streams &streams); ///< dead centres, stroke, peak values …
+ExitStatus compareCommand(const OptionReader &options, const Streams &streams);  ///< reference files against the model
+ExitStatus identifyCommand(const OptionReader &options, const Streams &streams); ///< the mechanism of reference files
+ExitStatus studyCommand(const OptionReader &options, const Streams &streams);    ///< speed and error of every method
+ExitStatus renderCommand(const OptionReader &options, const Streams &streams);   ///< pictures, frames and reports
+
+/// Reads the options of the window. The returned command does not open it: that is left to the caller.
+Command prepareWindow(const OptionReader &options);
 
 } // namespace slidercrank

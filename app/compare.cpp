@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// `slidercrank compare`: how far reference files are from the model.
+// `slidercrank compare`: prints how far reference files are from the model.
 
 #include "app/commands.h"
 #include "app/reference_files.h"
@@ -20,12 +20,6 @@ namespace slidercrank
 namespace
 {
 
-struct CompareRequest {
-    ReferenceQuestion question;
-    SolverSettings solver;
-    bool failsOnDifference = false;
-};
-
 QJsonArray jsonSkippedRows(const ReferenceData &data)
 {
     return jsonList(data.skipped, [&data](const SkippedRow &row) {
@@ -40,7 +34,7 @@ QJsonArray jsonSkippedRows(const ReferenceData &data)
     });
 }
 
-/// The model by the chosen method, at the file's own time stamps.
+/// Compares the file with the model, computed by the chosen method at the time stamps of the file.
 ExactComparison compareByMethod(const Mechanism &mechanism, const SolverSettings &solver, const ReferenceData &data)
 {
     if (solver.method == Method::ClosedForm) {
@@ -50,9 +44,9 @@ ExactComparison compareByMethod(const Mechanism &mechanism, const SolverSettings
     return {compare(mechanism, model, data), model.status};
 }
 
-ReferenceAnswer compareOne(const Streams &streams, const CompareRequest &request, const Reference &reference)
+ReferenceAnswer compareOne(const ReferenceQuestion &question, const SolverSettings &solver, const Reference &reference,
+                           const Streams &streams)
 {
-    const auto &[question, solver, failsOnDifference] = request;
     const ReferenceData &data = reference.data;
     const ExactComparison comparison = compareByMethod(question.mechanism, solver, data);
     const auto worst = std::ranges::max_element(comparison.channels, {}, &ChannelComparison::verdict);
@@ -95,21 +89,20 @@ ReferenceAnswer compareOne(const Streams &streams, const CompareRequest &request
     TimeStepReport steps;
     steps.add(data.time, comparison.status);
     const QString prefix = question.files.size() > 1 ? displayName(joinedName(reference.paths)) + ": " : QString();
-    const bool fails = failsOnDifference && verdict == Verdict::Differs;
     answer.status = moreSevere(steps.finish(streams, question.mechanism, solver.newton, prefix),
-                               fails ? ExitStatus::Differs : ExitStatus::Success);
+                               verdict == Verdict::Differs ? ExitStatus::Differs : ExitStatus::Success);
     return answer;
 }
 
 } // namespace
 
-Command prepareCompare(OptionReader &options)
+ExitStatus compareCommand(const OptionReader &options, const Streams &streams)
 {
-    const CompareRequest request{ReferenceQuestion(options), readSolver(options), options.has("fail-on-difference")};
-    return {[request](const Streams &streams) {
-        return request.question.answerEach(
-            streams, [&](const Reference &reference) { return compareOne(streams, request, reference); });
-    }};
+    const ReferenceQuestion question(options);
+    const SolverSettings solver = readSolver(options);
+    const ExitStatus status = question.answerEach(
+        streams, [&](const Reference &reference) { return compareOne(question, solver, reference, streams); });
+    return status == ExitStatus::Differs && !options.has("fail-on-difference") ? ExitStatus::Success : status;
 }
 
 } // namespace slidercrank

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// `slidercrank identify`: the mechanism that each reference file belongs to.
+// `slidercrank identify`: finds the mechanism that each reference file belongs to.
 
 #include "app/commands.h"
 #include "app/reference_files.h"
@@ -23,10 +23,10 @@ namespace
 
 using Outcome = Identification::Outcome;
 
-/// By Identification::Outcome.
+/// Names in JSON, by Identification::Outcome.
 constexpr std::array kOutcomeNames{"identified", "ambiguous", "approximate", "insufficient", "nearest", "none"};
 
-/// By Identification::Alternative::Why.
+/// Names in JSON, by Identification::Alternative::Why.
 constexpr std::array kAlternativeNames{"mirror-image", "reversed", "other-assembly", "alias", "another-mechanism"};
 
 QString outcomeText(Outcome outcome)
@@ -84,7 +84,7 @@ QJsonObject jsonIdentification(const ReferenceData &data, const Diagnosis &diagn
             {"summary", summaryOf(diagnosis)}};
 }
 
-/// "--a 20 --b …": options for the next command.
+/// The options of the mechanism for another command: "--a 20 --b …".
 QString optionsFor(const Parameters &parameters)
 {
     QString text;
@@ -113,10 +113,9 @@ QString identificationText(const Reference &reference, const Diagnosis &diagnosi
         lines += CommandLine::tr("± one standard deviation; %1 iterations, condition number %2.")
                      .arg(QString::number(found.iterations), roundedText(found.conditionNumber));
     }
-    const std::optional<ReferenceData> timed =
-        data.crank ? timedBy(Mechanism(found.parameters), data) : std::nullopt; // the data that were compared
+    const std::optional<ReferenceData> timed = data.crank ? timedBy(Mechanism(found.parameters), data) : std::nullopt;
     lines += '\n' + comparisonTable(diagnosis.identified, timed ? *timed : data);
-    if (found.noise.empty()) { // otherwise the summary has named the noise
+    if (found.noise.empty()) { // otherwise the summary reports the noise
         lines += summaryOf(diagnosis.identified);
     }
     lines += roundNumbersText(diagnosis);
@@ -127,7 +126,7 @@ QString identificationText(const Reference &reference, const Diagnosis &diagnosi
     return lines.join('\n') + '\n';
 }
 
-ReferenceAnswer identifyOne(const Streams &streams, const ReferenceQuestion &question, const Reference &reference)
+ReferenceAnswer identifyOne(const ReferenceQuestion &question, const Reference &reference, const Streams &streams)
 {
     const Diagnosis diagnosis = diagnose(reference.data, question.mechanism);
     const bool isFound = diagnosis.identification.hasMechanism();
@@ -147,12 +146,11 @@ ReferenceAnswer identifyOne(const Streams &streams, const ReferenceQuestion &que
 
 } // namespace
 
-Command prepareIdentify(OptionReader &options)
+ExitStatus identifyCommand(const OptionReader &options, const Streams &streams)
 {
-    return {[question = ReferenceQuestion(options)](const Streams &streams) {
-        return question.answerEach(
-            streams, [&](const Reference &reference) { return identifyOne(streams, question, reference); });
-    }};
+    const ReferenceQuestion question(options);
+    return question.answerEach(streams,
+                               [&](const Reference &reference) { return identifyOne(question, reference, streams); });
 }
 
 } // namespace slidercrank

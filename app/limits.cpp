@@ -39,14 +39,6 @@ struct Variation {
     int count = 100;
 };
 
-struct LimitsRequest {
-    Mechanism mechanism;
-    Format format = Format::Text;
-    QString output;
-    std::optional<Variation> variation = {};
-    bool isDesigned = false; ///< by --design: the lengths are part of the answer
-};
-
 /// Names in JSON, by Mobility.
 constexpr std::array kMobilityNames{"full-turn", "rocker", "locked", "impossible"};
 
@@ -244,52 +236,51 @@ Mechanism designMechanism(const DesignRequest &request, Parameters parameters)
     return Mechanism(parameters);
 }
 
-ExitStatus limits(const Streams &streams, const LimitsRequest &request)
-{
-    const Mechanism &mechanism = request.mechanism;
-    const EnglishTexts english(request.format != Format::Text);
-    const MotionLimits motion = motionLimits(mechanism);
-    const std::vector<Record> list =
-        request.variation ? varyLimits(mechanism, *request.variation) : listLimits(mechanism, motion);
-    QByteArray bytes;
-    if (request.format == Format::Csv) {
-        bytes = csvText(list);
-    } else if (request.format == Format::Text) {
-        bytes =
-            ((request.isDesigned ? mechanismText(mechanism, 9) + '\n' : "") + textLimits(mechanism, motion)).toUtf8();
-    } else if (request.variation) {
-        bytes = jsonDocument({{"rows", jsonList(list, jsonObject)}});
-    } else {
-        bytes = jsonDocument({{"mechanism", toJson(mechanism.parameters())},
-                              {"mobility", kMobilityNames[static_cast<std::size_t>(motion.mobility)]},
-                              {"reason", mobilitySentence(mechanism, motion)},
-                              {"limits", jsonList(list, jsonObject)}});
-    }
-    const bool isImpossible = !request.variation && motion.mobility == Mobility::Impossible;
-    return moreSevere(writeOutput(streams, request.output, bytes),
-                      isImpossible ? ExitStatus::NotAssemblable : ExitStatus::Success);
-}
-
 } // namespace
 
-Command prepareLimits(OptionReader &options)
+ExitStatus limitsCommand(const OptionReader &options, const Streams &streams)
 {
-    LimitsRequest request{readMechanism(options), readFormat(options, Format::Text), readOutput(options)};
+    Mechanism mechanism = readMechanism(options);
+    const Format format = readFormat(options, Format::Text);
+    const QString output = readOutput(options);
     options.refuseFiles();
     if (options.has("design")) {
         options.refuse({"a", "b", "c", "vary"}, CommandLine::tr("--design computes a, b and c: remove %1."));
-        request.mechanism = designMechanism(readDesign(options), request.mechanism.parameters());
-        request.isDesigned = true;
+        mechanism = designMechanism(readDesign(options), mechanism.parameters());
     }
+    std::optional<Variation> variation;
     if (options.has("vary")) {
-        request.variation = readVariation(options, request.mechanism);
-        if (request.format == Format::Text) {
+        variation = readVariation(options, mechanism);
+        if (format == Format::Text) {
             throw UsageError{CommandLine::tr("--vary writes a table: add --format csv or --format json.")};
         }
     } else if (options.has("count")) {
         throw UsageError{CommandLine::tr("--count belongs to --vary: remove it.")};
     }
-    return {[request](const Streams &streams) { return limits(streams, request); }};
+    const EnglishTexts english(format != Format::Text);
+    if (variation) {
+        const std::vector<Record> rows = varyLimits(mechanism, *variation);
+        return writeOutput(streams, output,
+                           format == Format::Csv ? csvText(rows)
+                                                 : jsonDocument({{"rows", jsonList(rows, jsonObject)}}));
+    }
+    const MotionLimits limits = motionLimits(mechanism);
+    const std::vector<Record> list = listLimits(mechanism, limits);
+    QByteArray bytes;
+    if (format == Format::Csv) {
+        bytes = csvText(list);
+    } else if (format == Format::Json) {
+        bytes = jsonDocument({{"mechanism", toJson(mechanism.parameters())},
+                              {"mobility", kMobilityNames[static_cast<std::size_t>(limits.mobility)]},
+                              {"reason", mobilitySentence(mechanism, limits)},
+                              {"limits", jsonList(list, jsonObject)}});
+    } else {
+        const QString design = options.has("design") ? mechanismText(mechanism, 9) + '\n' : QString();
+        bytes = (design + textLimits(mechanism, limits)).toUtf8();
+    }
+    const bool isImpossible = limits.mobility == Mobility::Impossible;
+    return moreSevere(writeOutput(streams, output, bytes),
+                      isImpossible ? ExitStatus::NotAssemblable : ExitStatus::Success);
 }
 
 } // namespace slidercrank

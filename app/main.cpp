@@ -87,7 +87,7 @@ int main(int argc, char *argv[])
 {
     prepareStreams();
     Command command;
-    command.platform = Command::Platform::Window;
+    command.platform = Platform::Window;
     QStringList arguments;
     if (argc > 1) {
         useConsole();
@@ -97,12 +97,12 @@ int main(int argc, char *argv[])
         setLanguage(Language::System);
         arguments = QCoreApplication::arguments();
         command = parseCommandLine(arguments);
-        if (command.platform == Command::Platform::None) {
+        if (command.platform == Platform::None) {
             QLocale::setDefault(QLocale::c()); // numbers in the output are the same everywhere
             return run(command);
         }
     }
-    const bool isOffscreen = command.platform == Command::Platform::Offscreen;
+    const bool isOffscreen = command.platform == Platform::Offscreen;
     if (isOffscreen) {
 #ifndef Q_OS_WIN // on Windows drawing needs no display, and only the native platform finds fonts
         if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {

@@ -22,21 +22,20 @@ public:
     static constexpr CommandDescription kCommands[] = {
         {"window", "[SCENE | FILE.csv…] [options]", QT_TR_NOOP("opens the window"),
          QT_TR_NOOP("Motion of an offset slider-crank. Several CSV files are read as one motion. \"slidercrank help "
-                    "COMMAND\" describes a command."),
-         prepareWindow},
+                    "COMMAND\" describes a command.")},
         {"solve", "[options]", QT_TR_NOOP("the motion as CSV or JSON"),
          QT_TR_NOOP(
              "Computes the motion and writes a row for each time step: time, then the channels: positions (R1_x, R1_y, "
              "theta1, R2_x … theta4), first derivatives (theta3_diff) and second derivatives (theta3_diff2), with 17 "
              "significant digits. A value that does not exist is nan in CSV and null in JSON. A column name stands "
              "alone if its unit is mm, ° or s; any other unit follows the name: theta3_diff [rad/s]."),
-         prepareSolve},
+         solveCommand},
         {"limits", "[options]", QT_TR_NOOP("dead centres, stroke, transmission angle, peaks"),
          QT_TR_NOOP("Prints whether the crank makes full turns and why, the dead centres, the stroke, angles and times "
                     "of both strokes, the time ratio, the minimum transmission angle, mean and peak speeds and peak "
                     "accelerations, and where and when they occur. Angles in JSON and CSV are in degrees. The exit "
                     "status is 4 if the mechanism cannot be assembled at all."),
-         prepareLimits},
+         limitsCommand},
         {"compare", "FILE… [options]", QT_TR_NOOP("how far simulations' files are from the model"),
          QT_TR_NOOP(
              "Reads CSV files of simulations (time,R4_x,theta3_diff,…) and prints how far each column is from the "
@@ -46,7 +45,7 @@ public:
              "otherwise it differs. It also differs if an error exceeds its bound by 1 % of half the range of the "
              "motion. For a file that differs, the program says what would explain the difference. A file that cannot "
              "be read is reported, and the others are still compared. FILE may be - for standard input."),
-         prepareCompare},
+         compareCommand},
         {"identify", "FILE… [options]", QT_TR_NOOP("the mechanism that each file belongs to"),
          QT_TR_NOOP("Finds the mechanism that a simulation's file belongs to, from all of its columns, and how certain "
                     "each parameter is. Where a column means something else than its heading says (radians, another "
@@ -57,18 +56,18 @@ public:
                     "up to a systematic deviation of at most 1 %; ambiguous, several mechanisms explain the file "
                     "equally well; insufficient, the file holds too little to decide; nearest, no mechanism explains "
                     "the file and the nearest one is printed; none, there is no such mechanism either."),
-         prepareIdentify},
+         identifyCommand},
         {"study", "[options]", QT_TR_NOOP("speed against error of every method"),
          QT_TR_NOOP(
              "Times every method on the same time stamps and measures its error against the exact motion in 50 to 100 "
              "digits: the largest error of the six plotted channels, relative to the channel's peak, over the time "
              "stamps that the method reports as solved. Times depend on the machine: compare them within one run."),
-         prepareStudy},
+         studyCommand},
         {"render", "--output FILE [options]", QT_TR_NOOP("a picture, an animation or a report"),
          QT_TR_NOOP("Draws what the window shows into a file, or writes a report of it. Needs no display. A scene "
                     "(--scene) also supplies what the window showed: arrows, path, names, dimensions, zoom, abscissa "
                     "and error measure."),
-         prepareRender},
+         renderCommand, Platform::Offscreen},
     };
 
     static constexpr const char *kWithMechanism = "solve limits compare identify study render";

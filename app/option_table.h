@@ -4,8 +4,7 @@
 // Describes every command and every option once. The parser, the help, the manual page and the completion are made
 // from these descriptions.
 
-#include <QString>
-#include <QStringList>
+#include "app/command_line.h"
 
 #include <span>
 #include <vector>
@@ -13,15 +12,15 @@
 namespace slidercrank
 {
 
-struct Command;
 class OptionReader;
 
 struct CommandDescription {
-    const char *name;                   ///< "solve", "limits", …; "window" for the program without a command
-    const char *arguments;              ///< as in the line "Usage:"
-    const char *summary;                ///< a few words, untranslated
-    const char *text;                   ///< a paragraph, untranslated
-    Command (*prepare)(OptionReader &); ///< reads the options and returns the command that is to be run
+    const char *name;      ///< "solve", "limits", …; "window" for the program without a command
+    const char *arguments; ///< as in the line "Usage:"
+    const char *summary;   ///< a few words, untranslated
+    const char *text;      ///< a paragraph, untranslated
+    ExitStatus (*run)(const OptionReader &, const Streams &) = nullptr; ///< null for the window
+    Platform platform = Platform::None;
 };
 
 /// All commands. The first one is the window, whose name is not typed.

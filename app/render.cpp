@@ -336,7 +336,7 @@ ExitStatus render(const Streams &streams, const RenderRequest &request)
 
 } // namespace
 
-Command prepareRender(OptionReader &options)
+ExitStatus renderCommand(const OptionReader &options, const Streams &streams)
 {
     RenderRequest request;
     request.scene = options.scene();
@@ -362,7 +362,7 @@ Command prepareRender(OptionReader &options)
     }
     readTime(options, request);
     options.refuseFiles();
-    return {[request](const Streams &streams) { return render(streams, request); }, Command::Platform::Offscreen};
+    return render(streams, request);
 }
 
 } // namespace slidercrank

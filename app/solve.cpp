@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// `slidercrank solve`: the motion as CSV or JSON.
+// `slidercrank solve`: writes the motion as CSV or JSON.
 
 #include "app/commands.h"
 #include "app/option_groups.h"
@@ -12,8 +12,6 @@
 #include "ui/export/motion_csv.h"
 #include "ui/text/finding_text.h"
 
-#include <QJsonDocument>
-
 #include <cmath>
 #include <numbers>
 
@@ -22,17 +20,6 @@ namespace slidercrank
 
 namespace
 {
-
-struct SolveRequest {
-    Mechanism mechanism;
-    Sampling sampling;
-    std::optional<double> timeStamp; ///< s; this one instead of the sampling
-    SolverSettings solver;
-    ChannelSet channels;
-    AngleUnit angleUnit = AngleUnit::Degree;
-    Format format = Format::Csv;
-    QString output;
-};
 
 ChannelSet readChannels(const OptionReader &options)
 {
@@ -51,7 +38,7 @@ ChannelSet readChannels(const OptionReader &options)
     return channels;
 }
 
-/// One revolution of the crank from --start on, in steps of about that angle (rad) that divide it evenly.
+/// Reads --step-angle: one revolution of the crank from --start on, in equal steps of that angle.
 Sampling oneRevolution(const OptionReader &options, const Mechanism &mechanism)
 {
     constexpr double kRevolution = 360.0;
@@ -86,81 +73,75 @@ QByteArray jsonArray(const std::vector<double> &values, double factor)
     return text + ']';
 }
 
-/// Written piece by piece: a long motion as a document in memory would take ten times its size.
-void writeJson(const Trajectory &trajectory, const SolveRequest &request, Output &output)
+/// Writes the channels one after the other: a JSON document in memory would take ten times the size of the motion.
+void writeJson(const Mechanism &mechanism, Method method, AngleUnit angleUnit, const std::vector<Channel> &channels,
+               const Trajectory &motion, Output &output)
 {
-    const QByteArray mechanism = jsonDocument(toJson(request.mechanism.parameters())).trimmed();
-    const bool isNewton = request.solver.method == Method::Newton;
-    output.write("{\"mechanism\":" + mechanism + ",\"method\":" + (isNewton ? "\"newton\"" : "\"closed-form\"") +
-                 ",\"units\":{\"length\":\"mm\",\"angle\":" +
-                 (request.angleUnit == AngleUnit::Radian ? "\"rad\"" : "\"deg\"") + ",\"time\":\"s\"},\"time\":");
-    output.write(jsonArray(trajectory.time, 1.0) + ",\"channels\":{");
+    output.write("{\"mechanism\":" + jsonDocument(toJson(mechanism.parameters())).trimmed() +
+                 ",\"method\":" + (method == Method::Newton ? "\"newton\"" : "\"closed-form\"") +
+                 ",\"units\":{\"length\":\"mm\",\"angle\":" + (angleUnit == AngleUnit::Radian ? "\"rad\"" : "\"deg\"") +
+                 ",\"time\":\"s\"},\"time\":" + jsonArray(motion.time, 1.0) + ",\"channels\":{");
     const char *separator = "\"";
-    for (const Channel channel : listed(request.channels)) {
+    for (const Channel channel : channels) {
         output.write(separator + columnNameOf(channel).toUtf8() +
-                     "\":" + jsonArray(trajectory[channel], factorTo(request.angleUnit, channel)));
+                     "\":" + jsonArray(motion[channel], factorTo(angleUnit, channel)));
         separator = ",\"";
     }
     output.write("}}\n");
 }
 
-ExitStatus solve(const Streams &streams, const SolveRequest &request)
-{
-    Output output(streams, request.output);
-    if (!output.open()) {
-        return ExitStatus::FileError;
-    }
-    const std::vector<Channel> channels = listed(request.channels);
-    TimeStepReport steps;
-    const auto write = [&](const Trajectory &piece) {
-        steps.add(piece.time, piece.status);
-        if (request.format == Format::Json) {
-            writeJson(piece, request, output);
-            return true;
-        }
-        return writeCsvRows(piece, channels, request.angleUnit,
-                            [&](const QByteArray &text, std::size_t) { return output.write(text); });
-    };
-    if (request.format == Format::Csv) {
-        output.write(csvHeader(channels, request.angleUnit));
-    }
-    if (request.timeStamp) {
-        write(sample(request.mechanism, {*request.timeStamp}, request.channels, request.solver));
-    } else if (request.format == Format::Json) { // all values of a channel stand together there
-        write(sample(request.mechanism, request.sampling.instants(), request.channels, request.solver));
-    } else {
-        sampleInPieces(request.mechanism, request.sampling, request.channels, request.solver, write);
-    }
-    if (output.finish() != ExitStatus::Success) {
-        return ExitStatus::FileError;
-    }
-    return steps.finish(streams, request.mechanism, request.solver.newton);
-}
-
 } // namespace
 
-Command prepareSolve(OptionReader &options)
+ExitStatus solveCommand(const OptionReader &options, const Streams &streams)
 {
-    SolveRequest request;
-    request.mechanism = readMechanism(options);
+    const Mechanism mechanism = readMechanism(options);
+    std::optional<double> timeStamp; // s; instead of the sampling
+    Sampling sampling;
     if (options.has("at") || options.has("at-angle")) {
         options.refuse({"steps", "duration", "step-angle"},
                        CommandLine::tr("--at and --at-angle ask for one time and %1 for several: remove one of them."));
         const double start = options.number("start", options.scene().sampling.start, kSecond);
-        request.timeStamp = readTimeStamp(options, request.mechanism, start);
+        timeStamp = readTimeStamp(options, mechanism, start);
     } else if (options.has("step-angle")) {
         options.refuse({"steps", "duration"}, CommandLine::tr("--step-angle covers one revolution: remove %1."));
-        request.sampling = oneRevolution(options, request.mechanism);
+        sampling = oneRevolution(options, mechanism);
     } else {
-        request.sampling = readSampling(options);
+        sampling = readSampling(options);
     }
-    request.solver = readSolver(options);
-    request.channels = readChannels(options);
-    request.angleUnit = options.choice("angle-unit", request.angleUnit);
-    request.format = readFormat(options, Format::Csv);
-    request.output = readOutput(options);
+    const SolverSettings solver = readSolver(options);
+    const ChannelSet channelSet = readChannels(options);
+    const std::vector<Channel> channels = listed(channelSet);
+    const AngleUnit angleUnit = options.choice("angle-unit", AngleUnit::Degree);
+    const bool isJson = readFormat(options, Format::Csv) == Format::Json;
+    Output output(streams, readOutput(options));
     options.refuseFiles();
-    return {[request](const Streams &streams) { return solve(streams, request); }};
+    if (!output.open()) {
+        return ExitStatus::FileError;
+    }
+    TimeStepReport steps;
+    const auto write = [&](const Trajectory &motion) {
+        steps.add(motion.time, motion.status);
+        if (isJson) {
+            writeJson(mechanism, solver.method, angleUnit, channels, motion, output);
+            return true;
+        }
+        return writeCsvRows(motion, channels, angleUnit,
+                            [&](const QByteArray &text, std::size_t) { return output.write(text); });
+    };
+    if (!isJson) {
+        output.write(csvHeader(channels, angleUnit));
+    }
+    if (timeStamp) {
+        write(sample(mechanism, {*timeStamp}, channelSet, solver));
+    } else if (isJson) { // holds all values of a channel together
+        write(sample(mechanism, sampling.instants(), channelSet, solver));
+    } else {
+        sampleInPieces(mechanism, sampling, channelSet, solver, write);
+    }
+    if (output.finish() != ExitStatus::Success) {
+        return ExitStatus::FileError;
+    }
+    return steps.finish(streams, mechanism, solver.newton);
 }
 
 } // namespace slidercrank

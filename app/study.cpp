@@ -81,20 +81,18 @@ std::vector<Case> readCases(const OptionReader &options, const Mechanism &mechan
 
 } // namespace
 
-Command prepareStudy(OptionReader &options)
+ExitStatus studyCommand(const OptionReader &options, const Streams &streams)
 {
     StudyRequest request;
     request.cases = readCases(options, readMechanism(options));
     const Format format = readFormat(options, Format::Text);
     const QString output = readOutput(options);
     options.refuseFiles();
-    return {[request, format, output](const Streams &streams) {
-        const StudyResult result = runStudy(request);
-        const QByteArray bytes = format == Format::Text  ? studyReport(result).toUtf8()
-                                 : format == Format::Csv ? QByteArray::fromStdString(studyCsv(result))
-                                                         : QByteArray::fromStdString(studyJson(result));
-        return writeOutput(streams, output, bytes);
-    }};
+    const StudyResult result = runStudy(request);
+    const QByteArray bytes = format == Format::Text  ? studyReport(result).toUtf8()
+                             : format == Format::Csv ? QByteArray::fromStdString(studyCsv(result))
+                                                     : QByteArray::fromStdString(studyJson(result));
+    return writeOutput(streams, output, bytes);
 }
 
 } // namespace slidercrank

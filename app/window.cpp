@@ -64,7 +64,7 @@ void checkScene(const QString &file)
 
 } // namespace
 
-Command prepareWindow(OptionReader &options)
+Command prepareWindow(const OptionReader &options)
 {
     QStringList files = options.files();
     if (options.has("reset-settings")) {
@@ -73,7 +73,7 @@ Command prepareWindow(OptionReader &options)
         }
         return {resetSettings};
     }
-    Command command{[](const Streams &) { return ExitStatus::Success; }, Command::Platform::Window};
+    Command command{[](const Streams &) { return ExitStatus::Success; }, Platform::Window};
     command.referenceFiles = options.texts("reference");
     if ((command.referenceFiles + files).contains("-")) {
         throw UsageError{CommandLine::tr("The window cannot read standard input: save it as a file first.")};
