@@ -146,14 +146,10 @@ std::optional<double> readTimeStamp(const OptionReader &options, const Mechanism
     const double degrees = options.number("at-angle", 0.0, kDegree);
     const QString angle = QString::number(degrees, 'g', 6);
     const std::optional<double> time = instantAtCrankAngle(mechanism, degrees / kDegreesPerRadian, start);
-    if (!time && mechanism.omega2() == 0.0) {
-        throw UsageError{CommandLine::tr("The crank stands still (--omega2 0) and never reaches %1°: choose another "
-                                         "--omega2, or set the angle with --theta20.")
-                             .arg(angle)};
-    }
     if (!time || std::abs(*time) > kLargestParameter) {
         throw UsageError{
-            CommandLine::tr("The crank does not reach %1° within 1e12 s: choose a larger --omega2.").arg(angle)};
+            CommandLine::tr("The crank does not reach %1° within 1e12 s: choose another --omega2 or --theta20.")
+                .arg(angle)};
     }
     return time;
 }

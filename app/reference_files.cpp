@@ -126,8 +126,8 @@ void reportDoubts(const Streams &streams, const Reference &reference)
     if (!data.skipped.empty()) {
         const SkippedRow &first = data.skipped.front();
         streams.report(
-            CommandLine::tr("%1: %2 rows could not be read and were skipped, the first in line %3, column %4 "
-                            "(\"%5\"): %6.")
+            CommandLine::tr(
+                "%1: rows that could not be read and were skipped: %2, the first in line %3, column %4 (\"%5\"): %6.")
                 .arg(name, QString::number(data.skippedRowCount()), lineText(layout, first),
                      QString::number(first.column), QString::fromStdString(first.text), reasonOf(first)));
     }
@@ -159,15 +159,8 @@ QString joinedName(const QStringList &files)
 QString headline(const Reference &reference)
 {
     const ReferenceData &data = reference.data;
-    const auto number = [](double value) { return roundedText(value, 9); };
-    const QString text = data.crank
-                             ? CommandLine::tr("%1: θ₂ = %3° to %4°, %2 angles, timed by ω₂ = %5 rad/s and θ₂₀ = %6°")
-                             : CommandLine::tr("%1: t = %3 s to %4 s, %2 time stamps");
-    const std::vector<double> &abscissa = data.crank ? data.crank->degrees : data.time;
-    const QString range = text.arg(displayName(joinedName(reference.paths)), QString::number(data.time.size()),
-                                   number(abscissa.front()), number(abscissa.back()));
-    return (data.crank ? range.arg(number(data.crank->omega2), number(data.crank->theta20 * kDegreesPerRadian))
-                       : range) +
+    return CommandLine::tr("%1: %2, %3 rows")
+               .arg(displayName(joinedName(reference.paths)), abscissaText(data), QString::number(data.time.size())) +
            '\n';
 }
 

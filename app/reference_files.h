@@ -47,7 +47,7 @@ void reportDoubts(const Streams &streams, const Reference &reference);
 /// "file.csv", or "a.csv + b.csv" if several files were joined.
 QString joinedName(const QStringList &files);
 
-/// "file.csv: t = 0 s to 1 s, 201 time stamps"
+/// "file.csv: t = 0 … 1 s, 201 rows"
 QString headline(const Reference &reference);
 
 QJsonArray jsonColumns(const FileLayout &layout);

@@ -39,28 +39,16 @@ constexpr int kLargestSide = 20'000; // pixels
 
 struct RenderRequest {
     Subject subject = Subject::Figure;
-    QString plot;  ///< Subject::Plot: the name of a channel, or error_position, error_velocity, error_acceleration
-    Choices model; ///< without the reference
-    Scene scene;   ///< supplies the settings of the views
-    std::optional<ReferenceSource> reference;
-    std::vector<NamedChoice> columns; ///< of the reference
-    double time = 0.0;                ///< s, at which the mechanism is drawn and the plots are marked
-    QString output;
-    FigureSize size;
-    double speed = 1.0; ///< Subject::Frames: seconds of the motion per second
+    QString plot;        ///< for Subject::Plot: the name of a channel, or error_position, error_velocity …
+    Scene scene;         ///< supplies the settings of the views
+    Choices model;       ///< what is drawn
+    double time = 0.0;   ///< s, at which the mechanism is drawn and the plots are marked
+    Animation animation; ///< for Subject::Frames; its size is that of every picture
     Theme theme = Theme::Light;
-
-    Animation animation() const
-    {
-        Animation animation;
-        animation.start = model.sampling.start;
-        animation.duration = model.sampling.duration;
-        animation.speed = speed;
-        animation.size = size;
-        return animation;
-    }
+    QString output;
 };
 
+/// Reads --what.
 void readSubject(const OptionReader &options, RenderRequest &request)
 {
     request.plot = options.has("what") ? options.text("what") : "figure";
@@ -77,30 +65,27 @@ void readSubject(const OptionReader &options, RenderRequest &request)
     request.subject = index < 0 ? Subject::Plot : static_cast<Subject>(index);
     constexpr std::array kSizes{QSize(1400, 1800), QSize(900, 700), QSize(), QSize(900, 700),
                                 QSize(900, 600)}; // by Subject
-    request.size.size = kSizes[static_cast<std::size_t>(request.subject)];
+    request.animation.size.size = kSizes[static_cast<std::size_t>(request.subject)];
 }
 
-/// --size and --scale.
-void readSize(const OptionReader &options, RenderRequest &request)
+/// Reads --size and --scale.
+void readSize(const OptionReader &options, FigureSize &size)
 {
     if (options.has("size")) {
         static const QRegularExpression syntax("^(\\d{3,5})x(\\d{3,5})$");
         const QRegularExpressionMatch match = syntax.match(options.text("size"));
-        const QSize size(match.captured(1).toInt(), match.captured(2).toInt());
-        if (!match.hasMatch() || std::max(size.width(), size.height()) > kLargestSide) {
-            throw UsageError{
-                CommandLine::tr(
-                    "--size must be width x height in pixels, each from 100 to %1, such as 900x600, not \"%2\".")
-                    .arg(QString::number(kLargestSide), options.text("size"))};
+        if (!match.hasMatch()) {
+            throw UsageError{CommandLine::tr("--size must be width x height in pixels, each from 100 to %1, such as "
+                                             "900x600, not \"%2\".")
+                                 .arg(QString::number(kLargestSide), options.text("size"))};
         }
-        request.size.size = size;
+        size.size = QSize(match.captured(1).toInt(), match.captured(2).toInt());
     }
-    request.size.scale = options.number("scale", 1.0);
-    if (!(request.size.scale >= 0.1 && request.size.scale <= 10.0)) {
+    size.scale = options.number("scale", 1.0);
+    if (!(size.scale >= 0.1 && size.scale <= 10.0)) {
         throw UsageError{CommandLine::tr("--scale must be from 0.1 to 10, not %1.").arg(options.text("scale"))};
     }
-    const QSize &size = request.size.size;
-    if (request.size.scale * std::max(size.width(), size.height()) > kLargestSide) {
+    if (size.scale * std::max(size.size.width(), size.size.height()) > kLargestSide) {
         throw UsageError{
             CommandLine::tr("The picture would be larger than %1 pixels: choose a smaller --size or --scale.")
                 .arg(kLargestSide)};
@@ -135,12 +120,14 @@ void readTime(const OptionReader &options, RenderRequest &request)
     const Sampling &sampling = request.model.sampling;
     const double end = sampling.start + sampling.duration;
     if (request.subject == Subject::Frames) {
+        request.animation.start = sampling.start;
+        request.animation.duration = sampling.duration;
         options.refuse(
             {"at", "at-angle"},
             CommandLine::tr(
                 "Frames show the whole time range: remove %1, or choose the range with --start and --duration."));
-        request.speed = options.positiveNumber("speed", request.speed);
-        if (request.animation().frameCount() > Animation::kMostFrames) {
+        request.animation.speed = options.positiveNumber("speed", 1.0);
+        if (request.animation.frameCount() > Animation::kMostFrames) {
             throw UsageError{
                 CommandLine::tr("There would be more than %1 frames: choose a shorter --duration or a greater --speed.")
                     .arg(Animation::kMostFrames)};
@@ -182,7 +169,7 @@ std::optional<QString> exportFrames(const RenderRequest &request, const FrameDra
 {
     handleTermination([](int signal) { interruption = signal; });
     const std::optional<QString> problem =
-        exportAnimation(request.output, request.animation(), draw, [](int) { return interruption == 0; });
+        exportAnimation(request.output, request.animation, draw, [](int) { return interruption == 0; });
     handleTermination(SIG_DFL);
     if (const int signal = interruption; signal != 0) {
         std::raise(signal); // reports the signal to the parent process
@@ -198,10 +185,9 @@ ExitStatus reportTimeSteps(const Streams &streams, const RenderRequest &request,
         return true;
     };
     if (request.subject == Subject::Frames) {
-        const Animation animation = request.animation();
         std::vector<double> times;
-        for (int frame = 0; frame < animation.frameCount(); ++frame) {
-            times.push_back(animation.timeOfFrame(frame));
+        for (int frame = 0; frame < request.animation.frameCount(); ++frame) {
+            times.push_back(request.animation.timeOfFrame(frame));
         }
         add(sample(result.mechanism, times, {}, {}));
     } else if (request.subject == Subject::Mechanism) {
@@ -251,8 +237,7 @@ public:
         switch (m_request.subject) {
         case Subject::Figure: return drawInto(figure);
         case Subject::Plot: return drawInto(plot);
-        case Subject::Mechanism:
-            return drawInto(withParameters(drawing, Mechanism(m_request.model.parameters), m_palette));
+        case Subject::Mechanism: return drawInto(withParameters(drawing, m_content.result->mechanism, m_palette));
         case Subject::Report:
             m_content.checksums =
                 m_content.result->reference ? fileChecksums(*m_content.result->reference) : QByteArrayList();
@@ -269,8 +254,8 @@ public:
 private:
     std::optional<QString> drawInto(const FigureDrawing &draw) const
     {
-        return exportFigure(m_request.output, m_request.size, CommandLine::tr("Motion of an offset slider-crank"),
-                            draw);
+        return exportFigure(m_request.output, m_request.animation.size,
+                            CommandLine::tr("Motion of an offset slider-crank"), draw);
     }
 
     /// Chooses the linkage that is drawn behind the mechanism: that of the file, or of the motion that was pinned last.
@@ -310,30 +295,6 @@ private:
     std::optional<Mechanism> m_ghost;
 };
 
-ExitStatus render(const Streams &streams, const RenderRequest &request)
-{
-    Choices model = request.model;
-    if (request.subject == Subject::Mechanism) {
-        model.sampling.start = request.time; // the mechanism can be drawn at any time
-    }
-    if (request.reference) {
-        const ReferenceOutcome outcome =
-            readTimedReference(*request.reference, request.columns, Mechanism(model.parameters));
-        if (const QString *message = std::get_if<QString>(&outcome)) {
-            streams.report(*message);
-            return ExitStatus::FileError;
-        }
-        model.reference = std::get<std::shared_ptr<const Reference>>(outcome);
-        reportDoubts(streams, *model.reference);
-    }
-    const std::shared_ptr<const Result> result = compute(model, {});
-    if (const std::optional<QString> problem = Views(request, result).draw()) {
-        streams.report(*problem);
-        return ExitStatus::FileError;
-    }
-    return reportTimeSteps(streams, request, *result);
-}
-
 } // namespace
 
 ExitStatus renderCommand(const OptionReader &options, const Streams &streams)
@@ -345,12 +306,10 @@ ExitStatus renderCommand(const OptionReader &options, const Streams &streams)
     checkOutput(request);
     request.model = {
         readMechanism(options).parameters(), readSampling(options), readSolver(options), {}, request.scene.pinned};
-    request.reference = request.scene.reference;
-    if (const QStringList files = options.texts("reference"); !files.isEmpty()) {
-        request.reference = ReferenceSource{files, {}, {}};
-    }
-    request.columns = readColumns(options);
-    if (!request.columns.empty() && !request.reference) {
+    const QStringList files = options.texts("reference");
+    const auto source = files.isEmpty() ? request.scene.reference : std::optional(ReferenceSource{files, {}, {}});
+    const std::vector<NamedChoice> columns = readColumns(options);
+    if (!columns.empty() && !source) {
         throw UsageError{CommandLine::tr("--column describes a reference file: name the file with --reference.")};
     }
     request.theme = options.choice("theme", 0) == 0 ? Theme::Light : Theme::Dark;
@@ -358,11 +317,28 @@ ExitStatus renderCommand(const OptionReader &options, const Streams &streams)
         options.refuse({"size", "scale", "theme"},
                        CommandLine::tr("A report is printed on A4, black on white: remove %1."));
     } else {
-        readSize(options, request);
+        readSize(options, request.animation.size);
     }
     readTime(options, request);
     options.refuseFiles();
-    return render(streams, request);
+    if (request.subject == Subject::Mechanism) {
+        request.model.sampling.start = request.time; // the mechanism can be drawn at any time
+    }
+    if (source) {
+        const ReferenceOutcome outcome = readTimedReference(*source, columns, Mechanism(request.model.parameters));
+        if (const QString *message = std::get_if<QString>(&outcome)) {
+            streams.report(*message);
+            return ExitStatus::FileError;
+        }
+        request.model.reference = std::get<std::shared_ptr<const Reference>>(outcome);
+        reportDoubts(streams, *request.model.reference);
+    }
+    const std::shared_ptr<const Result> result = compute(request.model, {});
+    if (const std::optional<QString> problem = Views(request, result).draw()) {
+        streams.report(*problem);
+        return ExitStatus::FileError;
+    }
+    return reportTimeSteps(streams, request, *result);
 }
 
 } // namespace slidercrank

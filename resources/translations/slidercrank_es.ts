@@ -559,10 +559,6 @@
         <translation>en θ₂ = %1°</translation>
     </message>
     <message>
-        <source>%1: θ₂ = %3° to %4°, %2 angles, timed by ω₂ = %5 rad/s and θ₂₀ = %6°</source>
-        <translation>%1: θ₂ = %3° a %4°, %2 ángulos; el tiempo, con ω₂ = %5 rad/s y θ₂₀ = %6°</translation>
-    </message>
-    <message>
         <source>at θ₂ [°]</source>
         <translation>en θ₂ [°]</translation>
     </message>
@@ -733,14 +729,6 @@
     <message>
         <source>--at and --at-angle both choose a time: remove one of them.</source>
         <translation>--at y --at-angle eligen ambos un instante: quite uno de los dos.</translation>
-    </message>
-    <message>
-        <source>The crank stands still (--omega2 0) and never reaches %1°: choose another --omega2, or set the angle with --theta20.</source>
-        <translation>La manivela está en reposo (--omega2 0) y nunca llega a %1°: elija otro --omega2, o fije el ángulo con --theta20.</translation>
-    </message>
-    <message>
-        <source>The crank does not reach %1° within 1e12 s: choose a larger --omega2.</source>
-        <translation>La manivela no llega a %1° en 1e12 s: elija un --omega2 mayor.</translation>
     </message>
     <message>
         <source>--column must be a heading, = and a meaning, such as &quot;slider.s=R4_x [m]&quot;, &quot;#1=time&quot; or &quot;id=ignored&quot;, not &quot;%1&quot;.</source>
@@ -931,16 +919,8 @@
         <translation>no se pudieron leer</translation>
     </message>
     <message>
-        <source>%1: %2 rows could not be read and were skipped, the first in line %3, column %4 (&quot;%5&quot;): %6.</source>
-        <translation>%1: %2 filas no se pudieron leer y se omitieron, la primera en la línea %3, columna %4 («%5»): %6.</translation>
-    </message>
-    <message>
         <source>%1: the meaning of these columns was guessed: %2. Correct it with --column.</source>
         <translation>%1: el significado de estas columnas es una suposición: %2. Corríjalo con --column.</translation>
-    </message>
-    <message>
-        <source>%1: t = %3 s to %4 s, %2 time stamps</source>
-        <translation>%1: t = %3 s a %4 s, %2 instantes</translation>
     </message>
     <message>
         <source>A report is a PDF: --output must end in .pdf, not &quot;%1&quot;.</source>
@@ -1063,6 +1043,18 @@ Machine: %1. Time: %2 s.
 Se miden respecto a un cálculo con 50 a 100 cifras.
 Equipo: %1. Tiempo: %2 s.
 </translation>
+    </message>
+    <message>
+        <source>The crank does not reach %1° within 1e12 s: choose another --omega2 or --theta20.</source>
+        <translation>La manivela no alcanza %1° en 1e12 s: elija otro --omega2 u otro --theta20.</translation>
+    </message>
+    <message>
+        <source>%1: rows that could not be read and were skipped: %2, the first in line %3, column %4 (&quot;%5&quot;): %6.</source>
+        <translation>%1: filas que no se pudieron leer y se omitieron: %2, la primera en la línea %3, columna %4 («%5»): %6.</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 rows</source>
+        <translation>%1: %2, %3 filas</translation>
     </message>
 </context>
 <context>
