@@ -34,7 +34,7 @@ QString exitStatusText()
 QString unitsText()
 {
     return CommandLine::tr(
-        "A number alone is in the unit shown; 2.5cm, 1in, 60rpm, 360deg/s, 30deg, 5ms are understood.");
+        "Numbers without a unit are in the unit shown; 2.5cm, 1in, 60rpm, 360deg/s, 30deg, 5ms are accepted, too.");
 }
 
 /// Breaks the text into lines. The first line starts at `firstColumn`, all others are indented.
@@ -98,9 +98,9 @@ QString helpText(const CommandDescription &command)
 
 QString manualPage()
 {
-    QString text = ".\\\" SPDX-License-Identifier: GPL-3.0-or-later\n"
-                   ".TH SLIDERCRANK 1 \"\" \"slidercrank " SLIDERCRANK_VERSION "\" \"User Commands\"\n"
-                   ".SH NAME\nslidercrank \\- motion of an offset slider\\-crank\n.SH SYNOPSIS\n";
+    QString text =
+        ".\\\" SPDX-License-Identifier: GPL-3.0-or-later\n.TH SLIDERCRANK 1 \"\" \"slidercrank " SLIDERCRANK_VERSION
+        "\" \"User Commands\"\n.SH NAME\nslidercrank \\- motion of an offset slider\\-crank\n.SH SYNOPSIS\n";
     for (const CommandDescription &command : allCommands()) {
         text += roff(usage(command)) + "\n.br\n";
     }

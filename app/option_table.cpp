@@ -36,7 +36,7 @@ public:
                     "accelerations, and where and when they occur. Angles in JSON and CSV are in degrees. The exit "
                     "status is 4 if the mechanism cannot be assembled at all."),
          limitsCommand},
-        {"compare", "FILE… [options]", QT_TR_NOOP("how far simulations' files are from the model"),
+        {"compare", "FILE… [options]", QT_TR_NOOP("errors of simulation files against the model"),
          QT_TR_NOOP(
              "Reads CSV files of simulations (time,R4_x,theta3_diff,…) and prints how far each column is from the "
              "model at the file's own time stamps. A value is uncertain by half a unit of its last digit and by the "
@@ -48,16 +48,16 @@ public:
          compareCommand},
         {"identify", "FILE… [options]", QT_TR_NOOP("the mechanism that each file belongs to"),
          QT_TR_NOOP("Finds the mechanism that a simulation's file belongs to, from all of its columns, and how certain "
-                    "each parameter is. Where a column means something else than its heading says (radians, another "
-                    "origin, another sign …), the program says so and reads the file accordingly. The options of the "
+                    "each parameter is. If the meaning of a column differs from its heading (radians, another origin, "
+                    "another sign …), the program reports that and reads the file accordingly. The options of the "
                     "mechanism supply what the file does not determine. R4_x and R4_y are measured from the crank "
                     "pivot O₂, angles counter-clockwise from x. FILE may be - for standard input. Outcomes: "
                     "identified, the residuals are rounding or white noise; approximate, a mechanism explains the file "
                     "up to a systematic deviation of at most 1 %; ambiguous, several mechanisms explain the file "
                     "equally well; insufficient, the file holds too little to decide; nearest, no mechanism explains "
-                    "the file and the nearest one is printed; none, there is no such mechanism either."),
+                    "the file and the nearest one is printed; none, no mechanism was found."),
          identifyCommand},
-        {"study", "[options]", QT_TR_NOOP("speed against error of every method"),
+        {"study", "[options]", QT_TR_NOOP("speed and error of every method"),
          QT_TR_NOOP(
              "Times every method on the same time stamps and measures its error against the exact motion in 50 to 100 "
              "digits: the largest error of the six plotted channels, relative to the channel's peak, over the time "
@@ -90,17 +90,17 @@ public:
         {kWithMechanism, kMechanism, "branch", "open|crossed",
          QT_TR_NOOP("assembly: the slider to the right or to the left of A (open)")},
         {kWithMechanism, kMechanism, "scene", "FILE",
-         QT_TR_NOOP("take every setting from a scene that the window saved; options override it")},
+         QT_TR_NOOP("read all settings from a scene that the window saved; options override them")},
 
         {"solve render", kSampling, "steps", "N",
          QT_TR_NOOP("number of equal steps; N + 1 rows, both ends included (200)")},
         {"solve render", kSampling, "duration", "SECONDS", QT_TR_NOOP("time span (1)")},
         {"solve render", kSampling, "start", "SECONDS", QT_TR_NOOP("first time stamp (0)")},
         {"solve", kSampling, "step-angle", "DEGREES",
-         QT_TR_NOOP("instead: a row every so many degrees of the crank, over one revolution")},
-        {"solve", kSampling, "at", "SECONDS", QT_TR_NOOP("instead: one time stamp")},
+         QT_TR_NOOP("instead: a row for each step of this crank angle, over one revolution")},
+        {"solve", kSampling, "at", "SECONDS", QT_TR_NOOP("instead: only this time stamp")},
         {"solve", kSampling, "at-angle", "DEGREES",
-         QT_TR_NOOP("instead: the first time from --start on at which the crank is at this angle")},
+         QT_TR_NOOP("instead: the first time from --start on at which the crank has this angle")},
 
         {"solve compare render", kMethod, "method", "newton|closed-form",
          QT_TR_NOOP("how the motion is computed (closed-form)")},
@@ -112,16 +112,16 @@ public:
          QT_TR_NOOP("absolute: ‖C‖ in mm and rad; relative: lengths divided by a + b + |c| (absolute)")},
 
         {"compare identify", kFiles, "join", nullptr,
-         QT_TR_NOOP("the files are of one motion: read them as one; their columns are numbered on from file to file")},
+         QT_TR_NOOP("read the files as parts of one motion; columns are numbered on from file to file")},
         {"window render", kFiles, "reference", "FILE",
-         QT_TR_NOOP("a simulation's CSV file; repeat it for several files of one motion"), nullptr, true},
+         QT_TR_NOOP("CSV file of a simulation; may be repeated for several files of one motion"), nullptr, true},
         {"compare identify render", kFiles, "column", "HEADING=MEANING",
          QT_TR_NOOP("overrides the meaning of a column, may be repeated: \"slider.s=R4_x [m]\", \"T=time [ms]\", "
                     "\"id=ignored\"; #3 is the third column"),
          nullptr, true},
         {"compare identify render", kFiles, "abscissa", "time|angle",
-         QT_TR_NOOP(
-             "the first column holds time stamps, or crank angles, which --omega2 and --theta20 turn into time")},
+         QT_TR_NOOP("whether the first column holds time stamps or crank angles, which --omega2 and --theta20 convert "
+                    "to time")},
 
         {"solve", kResult, "channels", "LIST", QT_TR_NOOP("all, or names separated by commas: theta3,R4_x_diff (all)")},
         {"solve", kResult, "angle-unit", "deg|rad", QT_TR_NOOP("unit of the angles in the output (deg)")},
@@ -132,8 +132,8 @@ public:
          QT_TR_NOOP("a row of limits for each of several values of a parameter: b=50..120 (csv or json)")},
         {"limits", kResult, "count", "N", QT_TR_NOOP("number of values of --vary (100)")},
         {"limits", kResult, "design", "LIST",
-         QT_TR_NOOP("the mechanism with this stroke and time ratio: stroke=80,time-ratio=1.2; its minimum transmission "
-                    "angle is as large as possible, and at least that of ,transmission-angle=40")},
+         QT_TR_NOOP("find the mechanism with this stroke and time ratio and the largest minimum transmission angle: "
+                    "stroke=80,time-ratio=1.2; ,transmission-angle=40 adds a lower bound")},
         {"compare", kResult, "fail-on-difference", nullptr, QT_TR_NOOP("exit with status 1 if a channel differs")},
         {"study", kResult, "cases", "nominal|hard|all",
          QT_TR_NOOP("the mechanism of the options, the hard cases (after the mechanism, if one is given), or ten "
@@ -149,9 +149,9 @@ public:
         {"render", kResult, "at", "SECONDS",
          QT_TR_NOOP("time at which the mechanism is drawn, marked in the plots (--start)")},
         {"render", kResult, "at-angle", "DEGREES",
-         QT_TR_NOOP("the same by crank angle: the first time from --start on with the crank at this angle")},
+         QT_TR_NOOP("the same by crank angle: the first time from --start on at which the crank has this angle")},
         {"render", kResult, "speed", "FACTOR",
-         QT_TR_NOOP("for frames, 30 per second: seconds of motion per second (1)")},
+         QT_TR_NOOP("for frames (30 per second): seconds of motion per second of playback (1)")},
         {"render", kResult, "output", "FILE",
          QT_TR_NOOP("required: a name that ends in .png, .svg or .pdf; for frames the name of a new folder, or of a "
                     "video that ends in .mp4, .webm or .gif (needs ffmpeg)"),

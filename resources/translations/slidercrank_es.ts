@@ -599,16 +599,8 @@
         <translation>puntos muertos, carrera, ángulo de transmisión, máximos</translation>
     </message>
     <message>
-        <source>how far simulations&apos; files are from the model</source>
-        <translation>cuánto se apartan del modelo los archivos de una simulación</translation>
-    </message>
-    <message>
         <source>the mechanism that each file belongs to</source>
         <translation>el mecanismo al que pertenece cada archivo</translation>
-    </message>
-    <message>
-        <source>speed against error of every method</source>
-        <translation>velocidad y error de cada método</translation>
     </message>
     <message>
         <source>a picture, an animation or a report</source>
@@ -631,10 +623,6 @@
         <translation>Lee archivos CSV de simulaciones (time,R4_x,theta3_diff,…) e indica cuánto se aparta cada columna del modelo en los instantes del propio archivo. Un valor es incierto en media unidad de su última cifra y en lo que el mecanismo se mueve en media unidad de su instante. Una columna coincide si al menos el 95 % de sus errores está dentro de esa cota y ninguno supera diez veces la cota; es próxima si ninguno supera cien veces la cota; en otro caso difiere. También difiere si un error supera su cota en un 1 % de la mitad del recorrido del movimiento. Si un archivo difiere, el programa dice qué explicaría la diferencia. Un archivo que no se puede leer se notifica, y los demás se comparan igualmente. ARCHIVO puede ser - para la entrada estándar.</translation>
     </message>
     <message>
-        <source>Finds the mechanism that a simulation&apos;s file belongs to, from all of its columns, and how certain each parameter is. Where a column means something else than its heading says (radians, another origin, another sign …), the program says so and reads the file accordingly. The options of the mechanism supply what the file does not determine. R4_x and R4_y are measured from the crank pivot O₂, angles counter-clockwise from x. FILE may be - for standard input. Outcomes: identified, the residuals are rounding or white noise; approximate, a mechanism explains the file up to a systematic deviation of at most 1 %; ambiguous, several mechanisms explain the file equally well; insufficient, the file holds too little to decide; nearest, no mechanism explains the file and the nearest one is printed; none, there is no such mechanism either.</source>
-        <translation>Halla el mecanismo al que pertenece el archivo de una simulación, a partir de todas sus columnas, y la certeza de cada parámetro. Si una columna significa algo distinto de lo que dice su encabezado (radianes, otro origen, otro signo …), el programa lo dice y lee así el archivo. Las opciones del mecanismo aportan lo que el archivo no determina. R4_x y R4_y se miden desde el eje O₂ de la manivela; los ángulos, en sentido antihorario desde x. ARCHIVO puede ser - para la entrada estándar. Resultados: identified, los residuos son redondeo o ruido blanco; approximate, un mecanismo explica el archivo salvo una desviación sistemática de un 1 % como máximo; ambiguous, varios mecanismos explican el archivo igual de bien; insufficient, el archivo contiene demasiado poco para decidir; nearest, ningún mecanismo explica el archivo y se muestra el más próximo; none, tampoco hay un mecanismo así.</translation>
-    </message>
-    <message>
         <source>Times every method on the same time stamps and measures its error against the exact motion in 50 to 100 digits: the largest error of the six plotted channels, relative to the channel&apos;s peak, over the time stamps that the method reports as solved. Times depend on the machine: compare them within one run.</source>
         <translation>Cronometra cada método en los mismos instantes y mide su error respecto al movimiento exacto con 50 a 100 cifras: el mayor error de los seis canales representados, relativo al máximo del canal, en los instantes que el método da por resueltos. Los tiempos dependen del equipo: compárelos dentro de una misma medición.</translation>
     </message>
@@ -645,10 +633,6 @@
     <message>
         <source>Exit status: 0 success; 1 --fail-on-difference was given and a channel differs; 2 usage error; 3 a file cannot be read or written; 4 the mechanism cannot be assembled at some time step (the other steps are still written); 5 not converged or singular at some time step, or no mechanism identified. If several apply: 3 before 4 before 5 before 1.</source>
         <translation>Estado de salida: 0 correcto; 1 se dio --fail-on-difference y un canal difiere; 2 error de uso; 3 un archivo no se puede leer o escribir; 4 el mecanismo no se puede ensamblar en algún paso de tiempo (los demás se escriben igualmente); 5 sin convergencia o singular en algún paso de tiempo, o ningún mecanismo identificado. Si se dan varios: 3 antes que 4, antes que 5, antes que 1.</translation>
-    </message>
-    <message>
-        <source>A number alone is in the unit shown; 2.5cm, 1in, 60rpm, 360deg/s, 30deg, 5ms are understood.</source>
-        <translation>Un número solo está en la unidad indicada; se entienden 2.5cm, 1in, 60rpm, 360deg/s, 30deg, 5ms.</translation>
     </message>
     <message>
         <source>Usage:</source>
@@ -775,10 +759,6 @@
         <translation>configuración: la corredera a la derecha o a la izquierda de A (open)</translation>
     </message>
     <message>
-        <source>take every setting from a scene that the window saved; options override it</source>
-        <translation>toma todos los ajustes de una escena guardada por la ventana; las opciones tienen prioridad</translation>
-    </message>
-    <message>
         <source>number of equal steps; N + 1 rows, both ends included (200)</source>
         <translation>número de pasos iguales; N + 1 filas, ambos extremos incluidos (200)</translation>
     </message>
@@ -789,18 +769,6 @@
     <message>
         <source>first time stamp (0)</source>
         <translation>primer instante (0)</translation>
-    </message>
-    <message>
-        <source>instead: a row every so many degrees of the crank, over one revolution</source>
-        <translation>en su lugar: una fila cada tantos grados de la manivela, durante una vuelta</translation>
-    </message>
-    <message>
-        <source>instead: one time stamp</source>
-        <translation>en su lugar: un solo instante</translation>
-    </message>
-    <message>
-        <source>instead: the first time from --start on at which the crank is at this angle</source>
-        <translation>en su lugar: el primer instante desde --start en que la manivela está en este ángulo</translation>
     </message>
     <message>
         <source>maximum iterations of Newton-Raphson per time step (10)</source>
@@ -815,20 +783,8 @@
         <translation>absolute: ‖C‖ en mm y rad; relative: longitudes divididas por a + b + |c| (absolute)</translation>
     </message>
     <message>
-        <source>the files are of one motion: read them as one; their columns are numbered on from file to file</source>
-        <translation>los archivos son de un mismo movimiento: se leen como uno solo; la numeración de las columnas continúa de archivo en archivo</translation>
-    </message>
-    <message>
-        <source>a simulation&apos;s CSV file; repeat it for several files of one motion</source>
-        <translation>el archivo CSV de una simulación; se repite para varios archivos de un mismo movimiento</translation>
-    </message>
-    <message>
         <source>overrides the meaning of a column, may be repeated: &quot;slider.s=R4_x [m]&quot;, &quot;T=time [ms]&quot;, &quot;id=ignored&quot;; #3 is the third column</source>
         <translation>fija el significado de una columna, se puede repetir: «slider.s=R4_x [m]», «T=time [ms]», «id=ignored»; #3 es la tercera columna</translation>
-    </message>
-    <message>
-        <source>the first column holds time stamps, or crank angles, which --omega2 and --theta20 turn into time</source>
-        <translation>la primera columna contiene instantes, o ángulos de la manivela, que --omega2 y --theta20 convierten en tiempo</translation>
     </message>
     <message>
         <source>unit of the angles in the output (deg)</source>
@@ -851,10 +807,6 @@
         <translation>número de valores de --vary (100)</translation>
     </message>
     <message>
-        <source>the mechanism with this stroke and time ratio: stroke=80,time-ratio=1.2; its minimum transmission angle is as large as possible, and at least that of ,transmission-angle=40</source>
-        <translation>el mecanismo con esta carrera y relación de tiempos: stroke=80,time-ratio=1.2; su ángulo de transmisión mínimo es el mayor posible, y al menos el de ,transmission-angle=40</translation>
-    </message>
-    <message>
         <source>exit with status 1 if a channel differs</source>
         <translation>termina con el estado 1 si un canal difiere</translation>
     </message>
@@ -873,14 +825,6 @@
     <message>
         <source>time at which the mechanism is drawn, marked in the plots (--start)</source>
         <translation>instante en que se dibuja el mecanismo, marcado en las gráficas (--start)</translation>
-    </message>
-    <message>
-        <source>the same by crank angle: the first time from --start on with the crank at this angle</source>
-        <translation>lo mismo por el ángulo: el primer instante desde --start con la manivela en este ángulo</translation>
-    </message>
-    <message>
-        <source>for frames, 30 per second: seconds of motion per second (1)</source>
-        <translation>para frames, 30 por segundo: segundos de movimiento por segundo (1)</translation>
     </message>
     <message>
         <source>required: a name that ends in .png, .svg or .pdf; for frames the name of a new folder, or of a video that ends in .mp4, .webm or .gif (needs ffmpeg)</source>
@@ -1055,6 +999,62 @@ Equipo: %1. Tiempo: %2 s.
     <message>
         <source>%1: %2, %3 rows</source>
         <translation>%1: %2, %3 filas</translation>
+    </message>
+    <message>
+        <source>Numbers without a unit are in the unit shown; 2.5cm, 1in, 60rpm, 360deg/s, 30deg, 5ms are accepted, too.</source>
+        <translation>Los números sin unidad están en la unidad indicada; también se aceptan 2.5cm, 1in, 60rpm, 360deg/s, 30deg, 5ms.</translation>
+    </message>
+    <message>
+        <source>errors of simulation files against the model</source>
+        <translation>errores de archivos de simulación respecto al modelo</translation>
+    </message>
+    <message>
+        <source>Finds the mechanism that a simulation&apos;s file belongs to, from all of its columns, and how certain each parameter is. If the meaning of a column differs from its heading (radians, another origin, another sign …), the program reports that and reads the file accordingly. The options of the mechanism supply what the file does not determine. R4_x and R4_y are measured from the crank pivot O₂, angles counter-clockwise from x. FILE may be - for standard input. Outcomes: identified, the residuals are rounding or white noise; approximate, a mechanism explains the file up to a systematic deviation of at most 1 %; ambiguous, several mechanisms explain the file equally well; insufficient, the file holds too little to decide; nearest, no mechanism explains the file and the nearest one is printed; none, no mechanism was found.</source>
+        <translation>Halla el mecanismo al que pertenece el archivo de una simulación, a partir de todas sus columnas, y la certeza de cada parámetro. Si el significado de una columna difiere de su encabezado (radianes, otro origen, otro signo …), el programa lo indica y lee así el archivo. Las opciones del mecanismo aportan lo que el archivo no determina. R4_x y R4_y se miden desde el eje O₂ de la manivela; los ángulos, en sentido antihorario desde x. ARCHIVO puede ser - para la entrada estándar. Resultados: identified, los residuos son redondeo o ruido blanco; approximate, un mecanismo explica el archivo salvo una desviación sistemática de un 1 % como máximo; ambiguous, varios mecanismos explican el archivo igual de bien; insufficient, el archivo contiene demasiado poco para decidir; nearest, ningún mecanismo explica el archivo y se muestra el más próximo; none, no se encontró ningún mecanismo.</translation>
+    </message>
+    <message>
+        <source>speed and error of every method</source>
+        <translation>velocidad y error de cada método</translation>
+    </message>
+    <message>
+        <source>read all settings from a scene that the window saved; options override them</source>
+        <translation>lee todos los ajustes de una escena guardada por la ventana; las opciones prevalecen</translation>
+    </message>
+    <message>
+        <source>instead: a row for each step of this crank angle, over one revolution</source>
+        <translation>en su lugar: una fila por cada paso de este ángulo de la manivela, durante una vuelta</translation>
+    </message>
+    <message>
+        <source>instead: only this time stamp</source>
+        <translation>en su lugar: solo este instante</translation>
+    </message>
+    <message>
+        <source>instead: the first time from --start on at which the crank has this angle</source>
+        <translation>en su lugar: el primer instante desde --start en que la manivela tiene este ángulo</translation>
+    </message>
+    <message>
+        <source>read the files as parts of one motion; columns are numbered on from file to file</source>
+        <translation>lee los archivos como partes de un solo movimiento; las columnas se numeran de corrido</translation>
+    </message>
+    <message>
+        <source>CSV file of a simulation; may be repeated for several files of one motion</source>
+        <translation>archivo CSV de una simulación; puede repetirse para varios archivos de un movimiento</translation>
+    </message>
+    <message>
+        <source>whether the first column holds time stamps or crank angles, which --omega2 and --theta20 convert to time</source>
+        <translation>si la primera columna contiene instantes o ángulos de la manivela, que --omega2 y --theta20 convierten en tiempo</translation>
+    </message>
+    <message>
+        <source>find the mechanism with this stroke and time ratio and the largest minimum transmission angle: stroke=80,time-ratio=1.2; ,transmission-angle=40 adds a lower bound</source>
+        <translation>busca el mecanismo con esta carrera y relación de tiempos y el mayor ángulo de transmisión mínimo: stroke=80,time-ratio=1.2; ,transmission-angle=40 añade una cota inferior</translation>
+    </message>
+    <message>
+        <source>the same by crank angle: the first time from --start on at which the crank has this angle</source>
+        <translation>lo mismo por ángulo de la manivela: el primer instante desde --start en que la manivela tiene este ángulo</translation>
+    </message>
+    <message>
+        <source>for frames (30 per second): seconds of motion per second of playback (1)</source>
+        <translation>para frames (30 por segundo): segundos de movimiento por segundo de reproducción (1)</translation>
     </message>
 </context>
 <context>
