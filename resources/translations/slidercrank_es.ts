@@ -3748,10 +3748,6 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
         <source>%1 + %2 more</source>
         <translation>%1 + %2 más</translation>
     </message>
-    <message>
-        <source>%1 is given twice: give each file once.</source>
-        <translation>%1 está dos veces: indique cada archivo una sola vez.</translation>
-    </message>
 </context>
 <context>
     <name>slidercrank::ReferencePage</name>

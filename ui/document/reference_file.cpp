@@ -99,20 +99,6 @@ QByteArray readBeginning(const QString &path)
     return bytes;
 }
 
-/// Returns a path that leads to the same file as an earlier one.
-std::optional<QString> findRepeatedFile(const QStringList &paths)
-{
-    QStringList files;
-    for (const QString &path : paths) {
-        const QString file = QFileInfo(path).canonicalFilePath(); // empty if it does not exist
-        if (!file.isEmpty() && files.contains(file)) {
-            return path;
-        }
-        files += file;
-    }
-    return std::nullopt;
-}
-
 /// The name for legends: "results.csv", or "results.csv + 2 more".
 QString shortName(const QStringList &paths)
 {
@@ -174,9 +160,6 @@ QString readErrorText(const ReadError &error, const QStringList &files)
 
 ReferenceOutcome readReference(const ReferenceSource &source, std::stop_token stop, ReadOptions options)
 {
-    if (const std::optional<QString> path = findRepeatedFile(source.paths)) {
-        return ReferenceFileText::tr("%1 is given twice: give each file once.").arg(displayName(*path));
-    }
     options.columns = source.columns;
     auto reference = std::make_shared<Reference>();
     QByteArrayList bytes(source.paths.size());

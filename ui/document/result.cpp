@@ -6,7 +6,6 @@
 #include <QElapsedTimer>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace slidercrank
@@ -17,25 +16,10 @@ namespace
 
 constexpr int kMaxStoredSteps = 100'000; // longer motions in closed form are computed where they are needed
 
-/// Whether the crank clearly makes full turns, at angles for which many time steps are computed at once. Then every
-/// time step is Solved.
-bool isOrdinary(const Parameters &p, const Sampling &sampling)
-{
-    constexpr double kMargin = 1.0 + 1e-9;
-    constexpr double kLargestAngle = 1e6; // rad
-    const double latest = std::max(std::abs(sampling.start), std::abs(sampling.start + sampling.duration));
-    return p.b > kMargin * (p.a + std::abs(p.c)) && std::abs(p.theta20) + std::abs(p.omega2) * latest <= kLargestAngle;
-}
-
 /// The summary of a motion in closed form whose samples are not stored.
 SamplingSummary summarize(const Choices &choices, std::stop_token stop)
 {
     SamplingSummary summary;
-    if (isOrdinary(choices.parameters, choices.sampling)) {
-        summary.instants = static_cast<std::size_t>(choices.sampling.steps) + 1;
-        summary.statusCounts[static_cast<std::size_t>(Status::Solved)] = summary.instants;
-        return summary;
-    }
     const auto add = [&summary](const Trajectory &piece) {
         summary.add(piece.summary);
         return true;
@@ -102,16 +86,15 @@ std::shared_ptr<const Result> compute(const Choices &choices, std::stop_token st
 bool takesLong(const Choices &choices)
 {
     constexpr double kNoticeable = 0.05; // s
-    constexpr double kDense = 20e-6;
+    constexpr double kDense = 20e-6;     // s per time step
     constexpr double kStructured = 1e-6;
-    constexpr double kClosedForm = 0.2e-6;
-    constexpr double kManyAtOnce = 40e-9;
-    const double step = choices.solver.method == Method::Newton
-                            ? choices.solver.newton.elimination == Elimination::Dense ? kDense : kStructured
-                        : isOrdinary(choices.parameters, choices.sampling) ? kManyAtOnce
-                                                                           : kClosedForm;
+    constexpr double kClosedForm = 40e-9;
+    constexpr double kComparison = 0.2e-6; // s per row of the reference
+    const double step = choices.solver.method != Method::Newton                   ? kClosedForm
+                        : choices.solver.newton.elimination == Elimination::Dense ? kDense
+                                                                                  : kStructured;
     const double rows = choices.reference ? static_cast<double>(choices.reference->data.time.size()) : 0.0;
-    return step * (choices.sampling.steps + 1.0) + std::max(step, kClosedForm) * rows > kNoticeable;
+    return step * (choices.sampling.steps + 1.0) + std::max(step, kComparison) * rows > kNoticeable;
 }
 
 } // namespace slidercrank
