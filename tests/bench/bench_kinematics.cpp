@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What the kinematics cost, method beside method in one run. Compare the column per_state; machines differ, ratios
-// hardly. Interleaved: --benchmark_enable_random_interleaving=true --benchmark_repetitions=9
+// Measures the methods of kinematics side by side. Compare the ratios of the column per_state, which hardly depend on
+// the machine. Interleave the repetitions: --benchmark_enable_random_interleaving=true --benchmark_repetitions=9
 // --benchmark_report_aggregates_only=true
 
 #include "core/closed_form/closed_form.h"
@@ -25,28 +25,28 @@ using namespace slidercrank;
 namespace
 {
 
-/// The author's file: one turn in 201 instants.
+/// The file of the reference report: one turn in 201 time steps.
 const Case &nominal()
 {
     return nominalCases()[1];
 }
 
-/// A crank that cannot turn round: the instants beyond its limits count as the others.
+/// A crank that cannot make full turns. Time steps outside its limits are included.
 const Case &rocker()
 {
     const std::span<const Case> cases = hardCases();
-    return *std::find_if(cases.begin(), cases.end(), [](const Case &which) { return which.name == "rocker, one arc"; });
+    return *std::find_if(cases.begin(), cases.end(), [](const Case &each) { return each.name == "rocker, one arc"; });
 }
 
-/// Counts `states` of them a turn of the benchmark's loop.
+/// Reports the time per state, given the number of states per iteration of the benchmark.
 void countStates(benchmark::State &state, std::size_t states)
 {
     state.counters["per_state"] = benchmark::Counter(
         static_cast<double>(states), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-/// All 36 channels straight from the textbook's formulas and the standard library, as anybody would write them first:
-/// the angle in one double, h rounded. Called as a function of a library is, like ClosedForm::stateAt.
+/// Computes all 36 channels directly by the textbook's formulas, with the angle in one double. It is not inlined, like
+/// ClosedForm::stateAt in a library.
 HWY_NOINLINE State plainStateAt(const Parameters &p, double t)
 {
     const double w = p.omega2;
@@ -71,20 +71,20 @@ HWY_NOINLINE State plainStateAt(const Parameters &p, double t)
     return state;
 }
 
-/// All 36 channels of a turn by stateAt(t).
+/// Measures all 36 channels of a turn by stateAt(t).
 template <class StateAt>
-void states36(benchmark::State &state, const Case &which, const StateAt &stateAt)
+void states36(benchmark::State &state, const Case &given, const StateAt &stateAt)
 {
-    const std::vector<double> instants = which.sampling.instants();
-    std::vector<State> states(instants.size());
+    const std::vector<double> times = given.sampling.instants();
+    std::vector<State> states(times.size());
     for (auto _ : state) {
-        for (std::size_t i = 0; i < instants.size(); ++i) {
-            states[i] = stateAt(instants[i]);
+        for (std::size_t i = 0; i < times.size(); ++i) {
+            states[i] = stateAt(times[i]);
         }
         benchmark::DoNotOptimize(states.data());
         benchmark::ClobberMemory();
     }
-    countStates(state, instants.size());
+    countStates(state, times.size());
 }
 
 void plainClosedForm36(benchmark::State &state)
@@ -108,45 +108,45 @@ void closedForm36Rocker(benchmark::State &state)
 }
 BENCHMARK(closedForm36Rocker);
 
-/// The plotted channels on one instruction set.
+/// Measures the plotted channels with one instruction set.
 void closedFormBatch(benchmark::State &state, std::int64_t target)
 {
     hwy::SetSupportedTargetsForTest(target);
     const ClosedForm batch{Mechanism(nominal().parameters)};
-    const std::vector<double> instants = nominal().sampling.instants();
-    std::vector<std::vector<double>> values(6, std::vector<double>(instants.size()));
-    std::vector<Status> statuses(instants.size());
+    const std::vector<double> times = nominal().sampling.instants();
+    std::vector<std::vector<double>> values(6, std::vector<double>(times.size()));
+    std::vector<Status> statuses(times.size());
     PlottedColumns columns{};
     std::ranges::transform(values, columns.begin(), [](std::vector<double> &column) { return column.data(); });
     for (auto _ : state) {
-        batch.evaluate(instants, columns, statuses);
+        batch.evaluate(times, columns, statuses);
         benchmark::DoNotOptimize(values.data());
         benchmark::ClobberMemory();
     }
-    countStates(state, instants.size());
+    countStates(state, times.size());
     hwy::SetSupportedTargetsForTest(0);
 }
 
-/// All 36 channels by a rung of Newton-Raphson, each instant from the one before, to the report's tolerance.
-void newton36(benchmark::State &state, const Case &which, WarmStart warmStart, Elimination elimination)
+/// Measures all 36 channels by Newton-Raphson, starting from the previous time step, with the default tolerance.
+void newton36(benchmark::State &state, const Case &given, WarmStart warmStart, Elimination elimination)
 {
     NewtonOptions options;
     options.warmStart = warmStart;
     options.elimination = elimination;
-    const Mechanism mechanism(which.parameters);
-    const std::vector<double> instants = which.sampling.instants();
+    const Mechanism mechanism(given.parameters);
+    const std::vector<double> times = given.sampling.instants();
     int iterations = 0;
     for (auto _ : state) {
         NewtonInstant last;
         iterations = 0;
-        for (const double t : instants) {
+        for (const double t : times) {
             advance(mechanism, t, last, options);
             benchmark::DoNotOptimize(last);
             iterations += last.iterations;
         }
     }
-    state.counters["iterations"] = static_cast<double>(iterations) / static_cast<double>(instants.size());
-    countStates(state, instants.size());
+    state.counters["iterations"] = static_cast<double>(iterations) / static_cast<double>(times.size());
+    countStates(state, times.size());
 }
 BENCHMARK_CAPTURE(newton36, dense, nominal(), WarmStart::Previous, Elimination::Dense);
 BENCHMARK_CAPTURE(newton36, denseTaylor, nominal(), WarmStart::Taylor, Elimination::Dense);
@@ -154,8 +154,8 @@ BENCHMARK_CAPTURE(newton36, structured, nominal(), WarmStart::Previous, Eliminat
 BENCHMARK_CAPTURE(newton36, structuredTaylor, nominal(), WarmStart::Taylor, Elimination::Structured);
 BENCHMARK_CAPTURE(newton36, structuredTaylorRocker, rocker(), WarmStart::Taylor, Elimination::Structured);
 
-/// The peaks of a turn, as the window shows them at every move of a slider; `gap` from the change point, where they
-/// are hardest to find.
+/// Measures the peaks of a turn, which the window computes at every move of a slider. They are hardest to find near the
+/// change point; `gap` is the relative distance from it.
 void motionPeaks(benchmark::State &state, double gap)
 {
     Parameters p;

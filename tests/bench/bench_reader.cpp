@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The reader against the least that any reader of the same bytes does: a loop of std::from_chars over their numbers,
-// one thread, nothing kept but a sum. A million rows of 7 columns in the form of the author's file, 74 MB.
+// Compares the reader with std::from_chars alone, on the same bytes: a million rows of 7 columns in the format of the
+// reference report's file, 74 MB. Interleave the repetitions: --benchmark_enable_random_interleaving=true
+//
+// `bench_reader --write FILE` writes the bytes to a file, to measure the whole program with it.
 
 #include "core/import/reference_data.h"
 #include "core/sampling/trajectory.h"
 
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
 #include <array>
 #include <charconv>
-#include <chrono>
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
-#include <variant>
 #include <vector>
 
 using namespace slidercrank;
@@ -26,7 +25,7 @@ namespace
 
 constexpr std::size_t kRows = 1'000'000;
 
-/// Six significant digits printed with six decimals, as the author's program does.
+/// Appends a number with six significant digits, padded with zeros to six decimals.
 void append(std::string &text, double value)
 {
     std::array<char, 64> cell;
@@ -39,21 +38,18 @@ void append(std::string &text, double value)
 const std::string &largeFile()
 {
     static const std::string text = [] {
-        const Mechanism mechanism{Parameters()};
         std::vector<double> time(kRows);
         for (std::size_t i = 0; i < kRows; ++i) {
             time[i] = static_cast<double>(i) * 1e-6;
         }
-        const Trajectory motion = sample(mechanism, time, plottedChannels(), {});
+        const Trajectory motion = sample(Mechanism(Parameters()), time, plottedChannels(), {});
         std::string rows = "time";
         for (const Channel channel : kPlottedChannels) {
             rows += ',' + std::string(nameOf(channel));
         }
         rows += '\n';
-        std::array<char, 64> cell;
         for (std::size_t i = 0; i < kRows; ++i) {
-            const int length = std::snprintf(cell.data(), cell.size(), "%.6f", time[i]);
-            rows.append(cell.data(), static_cast<std::size_t>(length));
+            append(rows, time[i]);
             for (const Channel channel : kPlottedChannels) {
                 rows += ',';
                 append(rows, motion[channel][i]);
@@ -65,55 +61,33 @@ const std::string &largeFile()
     return text;
 }
 
-double bareFromChars(const std::string &text)
-{
-    const char *next = text.data() + text.find('\n') + 1;
-    const char *const end = text.data() + text.size();
-    double sum = 0.0;
-    while (next < end) {
-        double value = 0.0;
-        next = std::from_chars(next, end, value).ptr + 1;
-        sum += value;
-    }
-    return sum;
-}
-
-template <typename Work>
-double millisecondsOf(Work work)
-{
-    const auto begin = std::chrono::steady_clock::now();
-    benchmark::DoNotOptimize(work());
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-}
-
-double median(std::vector<double> values)
-{
-    std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
-    return values[values.size() / 2];
-}
-
-/// Both in turn, so that whatever else the machine does meets both. ratio: the median of the ratios.
-void readerOverFromChars(benchmark::State &state)
+void fromCharsAlone(benchmark::State &state)
 {
     const std::string &text = largeFile();
-    std::vector<double> bare;
-    std::vector<double> reader;
-    std::vector<double> ratios;
     for (auto _ : state) {
-        bare.push_back(millisecondsOf([&] { return bareFromChars(text); }));
-        reader.push_back(millisecondsOf([&] { return readReferenceData(text); }));
-        ratios.push_back(reader.back() / bare.back());
+        const char *const end = text.data() + text.size();
+        double sum = 0.0;
+        for (const char *next = text.data() + text.find('\n') + 1; next < end;) {
+            double value = 0.0;
+            next = std::from_chars(next, end, value).ptr + 1;
+            sum += value;
+        }
+        benchmark::DoNotOptimize(sum);
     }
-    state.counters["MB"] = static_cast<double>(text.size()) * 1e-6;
-    state.counters["bare_ms"] = median(bare);
-    state.counters["reader_ms"] = median(reader);
-    state.counters["ratio"] = median(ratios);
 }
-BENCHMARK(readerOverFromChars)->Unit(benchmark::kMillisecond)->Iterations(25);
+BENCHMARK(fromCharsAlone)->Unit(benchmark::kMillisecond);
+
+void reader(benchmark::State &state)
+{
+    const std::string &text = largeFile();
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(readReferenceData(text));
+    }
+}
+BENCHMARK(reader)->Unit(benchmark::kMillisecond);
 
 } // namespace
 
-// `bench_reader --write FILE` leaves the file, to time the program on it.
 int main(int argc, char **argv)
 {
     if (argc == 3 && std::string(argv[1]) == "--write") {

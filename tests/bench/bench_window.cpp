@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What the window costs: a slider moved until nine plots are painted, playing, doing nothing, starting, memory. Run
-// with QT_QPA_PLATFORM=offscreen for the figures of the README, or on a display; with SLIDERCRANK_BENCH_SIZE=1920x1080
-// and QT_SCALE_FACTOR=2 as on a large one.
+// Measures the window: the time from moving a slider until nine plots are painted, the processor share of playing and
+// of an idle window, the start and the memory. The figures in ui/README.md are measured with QT_QPA_PLATFORM=offscreen.
+// SLIDERCRANK_BENCH_SIZE=1920x1080 and QT_SCALE_FACTOR=2 correspond to a large display.
 
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/panels/timeline.h"
@@ -32,7 +32,7 @@ using namespace slidercrank;
 namespace
 {
 
-/// Sees whether all plots on show have been painted since reset().
+/// Observes whether all visible plots have been painted since reset().
 class PaintWatch : public QObject
 {
 public:
@@ -97,7 +97,7 @@ double processorSeconds()
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// A window whose slider of b moves to and fro, with as many samples a curve and maybe the sample file's curves beside.
+/// A window whose slider of b is moved, with that many samples in each curve, and optionally with the sample file.
 class MovingSlider
 {
 public:
@@ -109,15 +109,15 @@ public:
     {
         if (withReference) {
             m_window->session().loadReference(QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv"));
-            spin(500); // it is read, compared and explained
+            spin(500); // until it has been read, compared and identified
         }
         Sampling sampling;
         sampling.steps = samples - 1;
         m_window->session().setSampling(sampling);
-        move(); // what is still under way is out of date with it
+        move(); // makes pending results obsolete
     }
 
-    /// From the move to the paint of all nine plots.
+    /// Moves the slider and waits until all nine plots are painted.
     void move()
     {
         m_watch.reset();
@@ -125,7 +125,6 @@ public:
         waitUntilPainted(m_watch);
     }
 
-    /// The room that the nine plots have.
     QSize plotsSize() const { return m_window->findChild<PlotGrid *>()->size(); }
 
 private:
@@ -153,9 +152,8 @@ BENCHMARK(sliderToNinePlots)
     ->Repetitions(5)
     ->ReportAggregatesOnly();
 
-/// The same with the sample file beside, against another library drawing the same figure from curves computed
-/// beforehand: each one's median time, and how many times it is ours. Needs Python ($PYTHON, or python3) with that
-/// library.
+/// Compares with another library, which draws the same figure with the sample file from precomputed curves: the median
+/// times and their ratio. Requires Python ($PYTHON, or python3) with that library.
 void against(benchmark::State &state, const char *library)
 {
     constexpr int kMoves = 31;
@@ -178,7 +176,7 @@ void against(benchmark::State &state, const char *library)
         python.waitForFinished(-1);
     }
     if (python.exitStatus() != QProcess::NormalExit || python.exitCode() != 0) {
-        state.SkipWithError("It could not be run: is the Python library installed?");
+        state.SkipWithError("Cannot run Python with this library.");
         return;
     }
     std::nth_element(ours.begin(), ours.begin() + kMoves / 2, ours.end());
@@ -200,7 +198,7 @@ BENCHMARK_CAPTURE(against, pyqtgraph, "pyqtgraph")
     ->Arg(1'000'001)
     ->Iterations(1);
 
-/// Processor share over three seconds, in percent of one core.
+/// Measures the processor share during three seconds, in percent of one core.
 void processorShare(benchmark::State &state)
 {
     const bool playing = state.range(0) != 0;
@@ -221,7 +219,7 @@ void processorShare(benchmark::State &state)
 }
 BENCHMARK(processorShare)->ArgName("playing")->Arg(1)->Arg(0)->Iterations(1)->Repetitions(3);
 
-/// One frame of playing: pose and nine cursors, painted; bare, and with everything on show beside the mechanism.
+/// Measures one frame of playing, with the pose and nine cursors, without and with all additions to the mechanism.
 void playingFrame(benchmark::State &state)
 {
     const std::unique_ptr<MainWindow> window = shownWindow();
@@ -239,7 +237,7 @@ BENCHMARK(playingFrame)->ArgName("arrows")->Arg(0)->Arg(1)->Unit(benchmark::kMil
 
 const QString kProbe = QStringLiteral("--start-probe");
 
-/// In the started process: say so when the ninth plot is painted, then how much memory there is, and end.
+/// In the started process: reports when the ninth plot is painted, and the resident memory.
 int startProbe()
 {
     MainWindow window;
@@ -248,7 +246,7 @@ int startProbe()
     waitUntilPainted(watch);
     std::fputs("painted\n", stdout);
     std::fflush(stdout);
-    QFile status(QStringLiteral("/proc/self/status")); // elsewhere there is no such file, and no figure
+    QFile status(QStringLiteral("/proc/self/status")); // exists on Linux only
     if (status.open(QIODevice::ReadOnly)) {
         for (const QByteArray &line : status.readAll().split('\n')) {
             if (line.startsWith("VmRSS:")) {
@@ -259,7 +257,7 @@ int startProbe()
     return 0;
 }
 
-/// From starting a process to its ninth painted plot.
+/// Measures the time from starting a process until its ninth plot is painted.
 void startToNinthPlot(benchmark::State &state)
 {
     double kibibytes = 0.0;

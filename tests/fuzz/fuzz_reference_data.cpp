@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Arbitrary bytes for the reader: it returns consistent data or a reason, whatever meaning the columns are then given.
+// Reads arbitrary bytes, with arbitrary choices of columns. The result is consistent data or an error.
 
 #include "core/import/reference_data.h"
 #include "tests/fuzz/promise.h"

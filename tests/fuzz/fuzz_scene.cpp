@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Arbitrary bytes as a scene file: they are refused with a message, or are a scene that can be drawn and is the same
-// after saving. Half of the inputs remain JSON with other values in it, because hardly any arbitrary bytes are JSON.
+// Reads arbitrary bytes as a scene file. They are refused with a message, or are a valid scene that does not change when
+// it is saved and read again. Arbitrary bytes are hardly ever JSON, so half of the mutations replace values in JSON.
 
 #include "tests/fuzz/promise.h"
 #include "ui/document/scene.h"
@@ -18,9 +18,9 @@
 
 using namespace slidercrank;
 
-extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t *bytes, std::size_t size, std::size_t capacity); // libFuzzer's own
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t *bytes, std::size_t size, std::size_t capacity); // provided by libFuzzer
 
-/// Replaces the value after one of the colons, which may be the beginning of an object or an array.
+/// Replaces the value after one of the colons, or the beginning of an object or array.
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t *bytes, std::size_t size, std::size_t capacity,
                                                unsigned seed)
 {

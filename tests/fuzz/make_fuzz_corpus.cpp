@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Writes the first inputs of the fuzz targets, a folder for each target: make_fuzz_corpus FOLDER
+// Writes the initial inputs of the fuzz targets, in one folder for each target: make_fuzz_corpus FOLDER
 
 #include "tests/support/simulation_files.h"
 #include "ui/document/scene.h"
@@ -31,7 +31,7 @@ bool writeAll(const std::filesystem::path &folder, const std::vector<std::string
     return written;
 }
 
-/// Small inputs are changed most effectively: headings and a few rows.
+/// Returns the headings and a few rows of tables, because small inputs are fuzzed most effectively.
 std::vector<std::string> tables()
 {
     std::vector<std::string> texts;
@@ -60,7 +60,7 @@ std::vector<std::string> scenes()
     return texts;
 }
 
-/// One argument in each line.
+/// Returns command lines with one argument in each line.
 std::vector<std::string> commandLines()
 {
     return {"solve\n--a\n20\n--b=65\n--c\n-2.5\n--omega2\n6.28\n--theta20\n0\n--branch\ncrossed\n--steps\n10",

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Ends the program at once when a promise is broken, for all fuzz targets.
+// Aborts a fuzz target if a condition does not hold.
 
 #include <cstdio>
 #include <cstdlib>
@@ -9,10 +9,10 @@
 namespace slidercrank
 {
 
-inline void require(bool holds, const char *what)
+inline void require(bool condition, const char *description)
 {
-    if (!holds) {
-        std::fprintf(stderr, "Broken promise: %s\n", what);
+    if (!condition) {
+        std::fprintf(stderr, "Violated: %s\n", description);
         std::abort();
     }
 }
