@@ -8,7 +8,7 @@
 namespace slidercrank
 {
 
-bool JsonFields::isThere(const char *name) const
+bool JsonFields::hasValue(const char *name) const
 {
     const QJsonValue value = m_object.value(QLatin1String(name));
     return m_fault && !value.isUndefined() && !value.isNull();
@@ -38,8 +38,8 @@ QJsonValue JsonFields::exchange(const char *name, const QJsonValue &value)
 {
     write(name, value);
     const QJsonValue found = m_object.value(QLatin1String(name));
-    const bool isFound = isThere(name) && found.type() == value.type();
-    check(isFound || (m_isOptional && !isThere(name)), name);
+    const bool isFound = hasValue(name) && found.type() == value.type();
+    check(isFound || (m_isOptional && !hasValue(name)), name);
     return isFound ? found : QJsonValue::Undefined;
 }
 
@@ -93,8 +93,8 @@ std::vector<double> JsonFields::exchangeNumbers(const char *name, const std::vec
         found.push_back(number.toDouble(kNone));
         check(std::isfinite(found.back()), name);
     }
-    check(found.size() == count || !isThere(name), name);
-    found.resize(isThere(name) ? count : 0);
+    check(found.size() == count || !hasValue(name), name);
+    found.resize(hasValue(name) ? count : 0);
     return found;
 }
 

@@ -78,7 +78,7 @@ public:
     template <typename Struct>
     void operator()(const char *name, std::optional<Struct> &value)
     {
-        if (value || isThere(name)) {
+        if (value || hasValue(name)) {
             object(name, [&](JsonFields &fields) { describe(value ? *value : value.emplace(), fields); });
         } else {
             write(name, QJsonValue());
@@ -101,7 +101,7 @@ public:
     }
 
 private:
-    bool isThere(const char *name) const; ///< whether there is a value to read
+    bool hasValue(const char *name) const; ///< whether there is a value to read
     QString placeOf(const char *name) const;
     void checkAt(bool isValid, const QString &place) const;
 
@@ -109,7 +109,7 @@ private:
     QJsonValue exchange(const char *name, const QJsonValue &value);
     QJsonArray readList(const char *name)
     {
-        return isThere(name) ? exchange(name, QJsonArray()).toArray() : QJsonArray();
+        return hasValue(name) ? exchange(name, QJsonArray()).toArray() : QJsonArray();
     }
     std::vector<double> exchangeNumbers(const char *name, const std::vector<double> &numbers, std::size_t count);
     JsonFields child(const QJsonValue &value, const QString &place, bool isOptional) const;

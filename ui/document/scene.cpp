@@ -26,7 +26,7 @@ struct SceneText {
 
 constexpr int kVersion = 1;
 constexpr double kLargestTime = std::numeric_limits<double>::max();
-constexpr qint64 kLargestFile = 1 << 20; // bytes; a scene has some thousands
+constexpr qint64 kLargestFile = 1 << 20; // bytes; a scene has a few thousand
 
 void describe(Scene &scene, JsonFields &fields)
 {

@@ -47,7 +47,7 @@ struct Scene {
     SolverSettings solver;
     std::optional<ReferenceSource> reference;
     std::vector<Parameters> pinned; ///< pinned motions
-    double time = 0.0;              ///< s
+    double time = 0.0;              ///< current time, s
     PlotSettings plots;
     PlotZoom zoom;
     MechanismSettings mechanism;

@@ -96,7 +96,6 @@ EditName changeName(const std::shared_ptr<const Reference> &before, const std::s
 Session::Session(QObject *parent)
     : QObject(parent)
 {
-    m_choices.solver.method = Method::ClosedForm;
     m_choices.solver.newton.elimination = Elimination::Structured; // the same iterates as Dense, ten times faster
     m_result = compute(m_choices, {});
     m_settling.setSingleShot(true);

@@ -38,7 +38,7 @@ public:
     Pose pose() const { return poseAt(m_choices.parameters, m_time); }
     const std::shared_ptr<const Result> &result() const { return m_result; } ///< never null
     const std::shared_ptr<const Reference> &reference() const { return m_choices.reference; }
-    const std::vector<Parameters> &pinned() const { return m_choices.pinned; } ///< the pinned motions
+    const std::vector<Parameters> &pinned() const { return m_choices.pinned; }
 
     /// Null until a reference file has been diagnosed. While the parameters change, this is the diagnosis for earlier
     /// parameters (ReferenceDiagnosis::parameters).

@@ -15,9 +15,6 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include <bit>
-#include <random>
-
 using namespace slidercrank;
 
 namespace
@@ -151,18 +148,6 @@ private slots:
                                            }));
             }
             QCOMPARE(sceneToJson(back, path), readFile(path));
-        }
-    }
-
-    void keepsEveryDigit()
-    {
-        std::mt19937_64 engine(7);
-        for (int i = 0; i < 2000; ++i) {
-            Scene scene;
-            scene.parameters.c = std::bit_cast<double>(engine());
-            if (std::abs(scene.parameters.c) <= kLargestParameter) {
-                QCOMPARE(std::get<Scene>(parseScene(sceneToJson(scene, kPath), kPath)).parameters, scene.parameters);
-            }
         }
     }
 
@@ -360,33 +345,6 @@ private slots:
               std::pair{large.fileName(), "too large"}}) {
             QVERIFY(std::get<QString>(readScene(path)).contains(QLatin1String(reason)));
         }
-    }
-
-    /// A program that has the older file open can still read all of it.
-    void replacesAFileInOneStep()
-    {
-#ifdef Q_OS_WIN
-        QSKIP("Windows cannot replace an open file.");
-#endif
-        const QTemporaryDir folder;
-        const QString path = folder.filePath(QStringLiteral("scene.json"));
-        QCOMPARE(writeScene(Scene(), path), std::nullopt);
-        const QByteArray before = readFile(path);
-        QFile old(path);
-        QVERIFY(old.open(QIODevice::ReadOnly));
-        Scene other;
-        other.parameters.b = 33.0;
-        QCOMPARE(writeScene(other, path), std::nullopt);
-        QCOMPARE(old.readAll(), before);
-        QVERIFY(readFile(path) != before);
-        QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden), QStringList{"scene.json"});
-
-        // If the scene cannot be written, no file is left.
-        QVERIFY(QDir(folder.path()).mkdir(QStringLiteral("taken.json")));
-        for (const char *name : {"no/scene.json", "taken.json"}) {
-            QVERIFY(writeScene(other, folder.filePath(QLatin1String(name))).value().contains(QLatin1String(".json")));
-        }
-        QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden), QStringList{"scene.json"});
     }
 };
 

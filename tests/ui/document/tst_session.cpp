@@ -89,19 +89,6 @@ private slots:
         }
     }
 
-    void poseAgreesWithTheTextbook()
-    {
-        Session session;
-        QSignalSpy times(&session, &Session::timeChanged);
-        session.setTime(0.25); // the crank points up, and A is 5 mm below the slider's line
-        QCOMPARE(times.count(), 1);
-        const Pose pose = session.pose();
-        QVERIFY(std::abs(pose.pinX) < 1e-12);
-        QVERIFY(std::abs(pose.pinY - 20.0) < 1e-12);
-        QVERIFY(std::abs(pose.theta3 - std::asin(5.0 / 65.0)) < 1e-14);
-        QVERIFY(std::abs(pose.sliderX - std::sqrt(65.0 * 65.0 - 25.0)) < 1e-12);
-    }
-
     void keepsTheTimeInTheTimeRange()
     {
         Session session;
