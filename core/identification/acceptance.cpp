@@ -2,9 +2,8 @@
 #include "core/identification/acceptance.h"
 
 #include "core/identification/interpretation.h"
+#include "core/identification/least_squares.h"
 #include "core/mechanism/turn.h"
-
-#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
@@ -20,29 +19,6 @@ namespace
 constexpr double kFewestRowsForNoise = 20.0; // fewer tell no noise from misfit
 constexpr double kLargestNoisePart = 0.15;   // of the spread
 constexpr Eigen::Index kHarmonics = 8;
-
-/// The part of the sum of squares of some residuals that eight harmonics of the crank angle explain, 0 to 1.
-double harmonicPart(const std::vector<double> &residuals, const std::vector<double> &angles)
-{
-    constexpr double kRegularization = 1e-9;
-    constexpr Eigen::Index kTerms = 2 * kHarmonics + 1;
-    Eigen::MatrixXd basis(static_cast<Eigen::Index>(residuals.size()), kTerms);
-    Eigen::VectorXd right(basis.rows());
-    for (Eigen::Index i = 0; i < basis.rows(); ++i) {
-        basis(i, 0) = 1.0;
-        right[i] = residuals[static_cast<std::size_t>(i)];
-        const double angle = angles[static_cast<std::size_t>(i)];
-        for (Eigen::Index h = 1; h <= kHarmonics; ++h) {
-            basis(i, 2 * h - 1) = std::cos(static_cast<double>(h) * angle);
-            basis(i, 2 * h) = std::sin(static_cast<double>(h) * angle);
-        }
-    }
-    Eigen::MatrixXd matrix = basis.transpose() * basis;
-    matrix.diagonal().array() += kRegularization * static_cast<double>(basis.rows());
-    const Eigen::VectorXd projected = basis.transpose() * right;
-    const double squares = right.squaredNorm();
-    return squares > 0.0 ? std::clamp(projected.dot(matrix.ldlt().solve(projected)) / squares, 0.0, 1.0) : 0.0;
-}
 
 /// The correlation of values that are so many apart, in its standard deviations for independent values; values across a
 /// gap in `rows` do not count. `rows` may be empty: then all follow each other.
@@ -111,7 +87,7 @@ bool isWhiteInAngle(const std::vector<double> &values, const std::vector<double>
         sorted.push_back(values[i]);
     }
     const auto n = static_cast<double>(values.size());
-    const double explained = n * harmonicPart(values, angles);
+    const double explained = n * explainedPart(harmonicBasis(angles, kHarmonics), values, 0.0);
     return correlation(sorted, 1) <= kSigmas &&
            explained <= kDegreesOfFreedom + 4.0 * std::sqrt(2.0 * kDegreesOfFreedom);
 }
@@ -183,7 +159,8 @@ bool looksLikeNoise(const std::vector<double> &residuals, const std::vector<doub
     constexpr double kSmooth = 0.92;             // correlation from row to row of a smooth signal
     const auto n = static_cast<double>(residuals.size());
     const double largest = std::min(kLargestHarmonicPart + (2.0 * kHarmonics + 1.0) / n, 0.95);
-    return harmonicPart(residuals, angles) <= largest && correlation(residuals, 1) <= kSmooth * std::sqrt(n);
+    return explainedPart(harmonicBasis(angles, kHarmonics), residuals, 0.0) <= largest &&
+           correlation(residuals, 1) <= kSmooth * std::sqrt(n);
 }
 
 Candidate judgedCandidate(const Observations &data, Fit fit)

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/crank_speed.h"
 
+#include "core/identification/least_squares.h"
 #include "core/mechanism/turn.h"
-
-#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <utility>
 
 namespace slidercrank
@@ -15,9 +15,6 @@ namespace slidercrank
 
 namespace
 {
-
-/// (time, θ2) of the rows that have it.
-using CrankCourse = std::vector<std::pair<double, double>>;
 
 const ObservedColumn *findColumn(const Observations &data, Channel channel)
 {
@@ -28,33 +25,18 @@ const ObservedColumn *findColumn(const Observations &data, Channel channel)
 /// Sum of n ln(unexplained part) over the columns, each fitted by a constant and two harmonics of ω.
 double harmonicMisfit(const Observations &data, double omega)
 {
-    constexpr double kRegularization = 1e-9;
     constexpr double kLeastPart = 1e-5; // a slider-crank has more than two harmonics
-    using Matrix = Eigen::Matrix<double, 5, 5>;
-    using Vector = Eigen::Matrix<double, 5, 1>;
-    std::vector<Vector> basis(data.abscissa.size());
-    for (std::size_t i = 0; i < basis.size(); ++i) {
-        const double c = std::cos(omega * data.abscissa[i]);
-        const double s = std::sin(omega * data.abscissa[i]);
-        basis[i] << 1.0, c, s, c * c - s * s, 2.0 * s * c;
+    std::vector<double> angles;
+    for (const double t : data.abscissa) {
+        angles.push_back(omega * t);
     }
+    const Eigen::MatrixXd basis = harmonicBasis(angles, 2);
     double sum = 0.0;
     for (const ObservedColumn &column : data.columns) {
-        if (!tellsShape(column)) {
-            continue;
+        if (tellsShape(column)) {
+            const double unexplained = 1.0 - explainedPart(basis, column.values, column.mean);
+            sum += column.count * std::log(unexplained + kLeastPart);
         }
-        Matrix matrix = Matrix::Zero();
-        Vector right = Vector::Zero();
-        for (std::size_t i = 0; i < basis.size(); ++i) {
-            if (!std::isnan(column.values[i])) {
-                matrix.noalias() += basis[i] * basis[i].transpose();
-                right += basis[i] * (column.values[i] - column.mean);
-            }
-        }
-        matrix.diagonal().array() += kRegularization * column.count;
-        const double all = column.count * column.spread * column.spread;
-        const double left = 1.0 - right.dot(matrix.ldlt().solve(right)) / all;
-        sum += column.count * std::log(std::max(left, 0.0) + kLeastPart);
     }
     return sum;
 }
@@ -78,59 +60,32 @@ double meanCrossings(const Observations &data)
     return most;
 }
 
-/// θ2 without jumps that a speed of about `speed` explains.
-CrankCourse crankCourse(const Observations &data, double speed)
+/// θ2 by time without the jumps by whole turns that a speed of about `speed` explains.
+std::vector<Point> crankAngleByTime(const Observations &data, double speed)
 {
-    CrankCourse course;
+    std::vector<Point> points;
     const ObservedColumn *const column = findColumn(data, {Theta2, Order::Position});
     for (std::size_t i = 0; column && i < data.abscissa.size(); ++i) {
-        double angle = column->values[i];
-        if (std::isnan(angle)) {
+        Point point{data.abscissa[i], column->values[i]};
+        if (std::isnan(point.y)) {
             continue;
         }
-        if (!course.empty() && speed != 0.0) {
-            const double expected = course.back().second + speed * (data.abscissa[i] - course.back().first);
-            angle += kTurn * std::round((expected - angle) / kTurn);
+        if (!points.empty() && speed != 0.0) {
+            const double expected = points.back().y + speed * (point.t - points.back().t);
+            point.y += kTurn * std::round((expected - point.y) / kTurn);
         }
-        course.emplace_back(data.abscissa[i], angle);
+        points.push_back(point);
     }
-    return course;
+    return points;
 }
 
-/// Coefficients of the polynomial through some points in least squares, about the first of them, and their standard
-/// errors for values of that standard error.
-template <int kTerms>
-struct Polynomial {
-    Eigen::Matrix<double, kTerms, 1> coefficients;
-    Eigen::Matrix<double, kTerms, 1> standardErrors;
-};
-
-template <int kTerms, class Iterator>
-Polynomial<kTerms> fitPolynomial(Iterator first, Iterator end, double standardError)
-{
-    using Matrix = Eigen::Matrix<double, kTerms, kTerms>;
-    Matrix matrix = Matrix::Zero();
-    Eigen::Matrix<double, kTerms, 1> right = right.Zero(), basis;
-    const auto [t0, y0] = *first;
-    for (; first != end; ++first) {
-        for (int k = 0; k < kTerms; ++k) {
-            basis[k] = std::pow(first->first - t0, k);
-        }
-        matrix += basis * basis.transpose();
-        right += basis * (first->second - y0);
-    }
-    const Eigen::LDLT<Matrix> solver(matrix);
-    const Matrix inverse = solver.solve(Matrix::Identity());
-    return {solver.solve(right), standardError * inverse.diagonal().cwiseMax(0.0).cwiseSqrt()};
-}
-
-/// 0 where the file says nothing of it.
+/// The mean speed of the crank by θ2 or its derivative; 0 if the file has neither.
 double givenCrankSpeed(const Observations &data)
 {
     const ObservedColumn *const speedColumn = findColumn(data, {Theta2, Order::Velocity});
     const double speed = speedColumn ? speedColumn->mean : 0.0;
-    const CrankCourse course = crankCourse(data, speed);
-    return course.size() < 2 ? speed : fitPolynomial<2>(course.begin(), course.end(), 0.0).coefficients[1];
+    const std::vector<Point> points = crankAngleByTime(data, speed);
+    return points.size() < 2 ? speed : fitPolynomial(points, 0.0, 2).coefficients[1];
 }
 
 /// The minima of the periodogram, the lowest first, refined by bisection of the steps.
@@ -211,38 +166,39 @@ std::optional<CrankSpeedChange> crankSpeedChange(const Observations &data)
     constexpr double kErrors = 4.0;     // standard errors between two speeds that differ
     constexpr double kLeastPart = 5e-3; // of the speed: less may be an error of the file's integrator or filter
     const double speed = data.isByCrankAngle ? 0.0 : givenCrankSpeed(data);
-    const CrankCourse course = speed == 0.0 ? CrankCourse() : crankCourse(data, speed);
-    if (course.size() < kFewestRows) {
+    const std::vector<Point> points = speed == 0.0 ? std::vector<Point>() : crankAngleByTime(data, speed);
+    if (points.size() < kFewestRows) {
         return std::nullopt;
     }
     const ObservedColumn &column = *findColumn(data, {Theta2, Order::Position});
     const double step = std::abs(speed) * data.printedStep + column.step;
-    const Eigen::Vector2d line = fitPolynomial<2>(course.begin(), course.end(), 0.0).coefficients;
+    const Eigen::VectorXd line = fitPolynomial(points, 0.0, 2).coefficients;
     double squares = 0.0;
     double products = 0.0;
     double before = 0.0;
     double largest = 0.0;
-    for (const auto &[t, angle] : course) {
-        const double residual = angle - course.front().second - line[0] - line[1] * (t - course.front().first);
+    for (const Point &point : points) {
+        const double residual = point.y - line[0] - line[1] * point.t;
         squares += residual * residual;
         products += residual * before;
         before = residual;
         largest = std::max(largest, std::abs(residual));
     }
-    const auto n = static_cast<double>(course.size());
+    const auto n = static_cast<double>(points.size());
     if (largest <= 2.0 * step + 1e-4 || products <= 3.0 / std::sqrt(n) * squares) { // rounding, or white noise
         return std::nullopt;
     }
     const double interval = data.span() / (n - 1.0);
-    std::ptrdiff_t part = 4; // as few rows as tell the speed to a hundredth, a tenth of them at most
-    while (static_cast<double>(part) < n / 10.0 &&
-           4.0 * step / (std::pow(static_cast<double>(part), 1.5) * interval) > 0.01 * std::abs(speed)) {
-        ++part;
+    std::size_t rows = 4; // as few as determine the speed to 1 %, a tenth of all at most
+    while (static_cast<double>(rows) < n / 10.0 &&
+           4.0 * step / (std::pow(static_cast<double>(rows), 1.5) * interval) > 0.01 * std::abs(speed)) {
+        ++rows;
     }
-    const Polynomial<3> start = fitPolynomial<3>(course.begin(), course.begin() + part, step / std::sqrt(12.0));
-    const Polynomial<3> end = fitPolynomial<3>(course.rbegin(), course.rbegin() + part, step / std::sqrt(12.0));
+    const std::span<const Point> all = points;
+    const Polynomial start = fitPolynomial(all.first(rows), all.front().t, 3);
+    const Polynomial end = fitPolynomial(all.last(rows), all.back().t, 3);
     const CrankSpeedChange change{start.coefficients[1], end.coefficients[1]};
-    const double error = std::hypot(start.standardErrors[1], end.standardErrors[1]);
+    const double error = step / std::sqrt(12.0) * std::hypot(start.standardErrors[1], end.standardErrors[1]);
     const double least = std::max(kErrors * error, kLeastPart * std::abs(speed));
     return std::abs(change.atEnd - change.atStart) > least ? std::optional(change) : std::nullopt;
 }

@@ -2,9 +2,8 @@
 #include "core/identification/decision.h"
 
 #include "core/identification/candidate_search.h"
+#include "core/identification/least_squares.h"
 #include "core/mechanism/turn.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -100,20 +99,20 @@ std::pair<double, double> evidenceAndCount(const Observations &data, const Fit &
     return {sum, count};
 }
 
-/// Whether three standard errors along each eigenvector raise chi-square by 9, within a factor of 2.
-bool isParabolic(const Observations &data, const Fit &fit, const Eigen::MatrixXd &directions,
-                 const Eigen::VectorXd &eigenvalues)
+/// Whether chi-square grows by 9, within a factor of 2, when each unknown is moved by three standard errors and the
+/// others follow it.
+bool isParabolic(const Observations &data, const Fit &fit, const Eigen::MatrixXd &covariance)
 {
     constexpr double kErrors = 3.0;
     constexpr double kArithmetic = 1e-12;
     const double least = chiSquareAt(data, fit, fit.hypothesis.unknowns);
-    for (Eigen::Index k = 0; k < eigenvalues.size(); ++k) {
-        Eigen::VectorXd step = kErrors / std::sqrt(eigenvalues[k]) * directions.col(k);
+    for (Eigen::Index k = 0; k < covariance.cols(); ++k) {
+        Eigen::VectorXd step = kErrors / std::sqrt(covariance(k, k)) * covariance.col(k);
         for (std::size_t i = 0; i < kParameterCount; ++i) {
             step[static_cast<Eigen::Index>(i)] *= fit.hypothesis.isFree[i] ? 1.0 : 0.0;
         }
         const Eigen::VectorXd arithmetic = kArithmetic * fit.hypothesis.unknowns.cwiseAbs();
-        if ((step.cwiseAbs().array() <= arithmetic.array()).all()) { // held, or below what numbers can tell
+        if ((step.cwiseAbs().array() <= arithmetic.array()).all()) { // held, or less than double precision resolves
             continue;
         }
         for (const double sign : {-1.0, 1.0}) {
@@ -264,13 +263,8 @@ Uncertainty computeUncertainty(const Observations &data, const Candidate &candid
     const Fit &fit = candidate.fit;
     const Hypothesis &hypothesis = fit.hypothesis;
     const Eigen::MatrixXd matrix = normalEquations(data, fit, hypothesis.unknowns).matrix;
-    const Eigen::VectorXd scale = matrix.diagonal().cwiseSqrt().cwiseInverse();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(
-        Eigen::MatrixXd(scale.asDiagonal() * matrix * scale.asDiagonal()));
-    const Eigen::VectorXd eigenvalues = eigen.eigenvalues().cwiseMax(1e-17);
-    const Eigen::MatrixXd directions = scale.asDiagonal() * eigen.eigenvectors();
-    const Eigen::MatrixXd covariance = directions * eigenvalues.cwiseInverse().asDiagonal() * directions.transpose();
-    result.conditionNumber = std::sqrt(eigenvalues.maxCoeff() / eigenvalues.minCoeff());
+    const Eigen::MatrixXd covariance = solveSymmetric(matrix, Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols()));
+    result.conditionNumber = conditionNumber(matrix, covariance);
     const auto [logarithms, count] = evidenceAndCount(data, fit);
     const auto unknowns = static_cast<double>(hypothesis.freeParameterCount());
     const double spare = std::max(count - unknowns, 0.0);
@@ -290,7 +284,7 @@ Uncertainty computeUncertainty(const Observations &data, const Candidate &candid
     for (const Eigen::Index k : layout.offset) {
         result.offsetErrors.push_back(k >= 0 ? inflation * std::sqrt(covariance(k, k)) : kNone);
     }
-    result.isStraight = isParabolic(data, fit, directions, eigenvalues);
+    result.isStraight = isParabolic(data, fit, covariance);
     return result;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/fit.h"
 
-#include <Eigen/Cholesky>
+#include "core/identification/least_squares.h"
 
 #include <algorithm>
 #include <cmath>
@@ -144,15 +144,10 @@ std::pair<double, double> minimize(const Observations &data, Fit &fit)
     for (int step = 0; step < kMostSteps; ++step) {
         ++fit.iterations;
         const NormalEquations equations = normalEquations(data, fit, fit.hypothesis.unknowns);
-        const Eigen::VectorXd size = equations.matrix.diagonal().cwiseSqrt();
-        const Eigen::MatrixXd scaled =
-            size.cwiseInverse().asDiagonal() * equations.matrix * size.cwiseInverse().asDiagonal();
         double gain = 0.0;
         for (int trial = 0; trial < kMostTrials; ++trial, lambda *= 10.0) {
-            Eigen::MatrixXd damped = scaled;
-            damped.diagonal().array() += lambda;
-            const Eigen::VectorXd right = equations.gradient.cwiseQuotient(size);
-            Eigen::VectorXd unknowns = fit.hypothesis.unknowns - damped.ldlt().solve(right).cwiseQuotient(size);
+            Eigen::VectorXd unknowns =
+                fit.hypothesis.unknowns - solveSymmetric(equations.matrix, equations.gradient, lambda).col(0);
             if (hasScales) {
                 regressScales(data, fit.hypothesis, unknowns);
             }
@@ -238,9 +233,11 @@ NormalEquations normalEquations(const Observations &data, const Fit &fit, const 
         }
     };
     forEachResidual<Dual>(data, fit.hypothesis, unknowns, add);
-    matrix = Eigen::MatrixXd(matrix.selfadjointView<Eigen::Lower>());
     for (Eigen::Index k = 0; k < layout.size; ++k) {
         matrix(k, k) = matrix(k, k) > 0.0 ? matrix(k, k) : 1.0;
+        for (Eigen::Index l = 0; l < k; ++l) {
+            matrix(l, k) = matrix(k, l);
+        }
     }
     return equations;
 }

@@ -70,11 +70,11 @@ struct Identification {
     enum class Lack {
         Nothing,        ///< it is not
         FewValues,      ///< of the six channels
-        FewTimeStamps,    ///< with values
+        FewTimeStamps,  ///< with values
         NothingMoves,   ///< the values are the same throughout
         NoEvidence,     ///< what fits could fit by chance: too few values for so many free parameters
         OpenParameters, ///< some parameters are not fixed: openParameters names them
-        NotParabolic         ///< fits, but a family of others nearly as well
+        NotParabolic    ///< fits, but a family of others nearly as well
     };
     Lack lack = Lack::Nothing;
     std::array<bool, kParameterCount> openParameters{};
