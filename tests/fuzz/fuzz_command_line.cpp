@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Parses arbitrary arguments, one in each line of the input. They are refused, or become a command that can run.
+// Parses arbitrary arguments, one in each line of the input. They are refused, or become a command that can run. The options
+// that the commands share are read as well, without running a command.
 
-#include "app/command_line.h"
+#include "app/option_groups.h"
 #include "tests/fuzz/promise.h"
 
 #include <cstddef>
@@ -14,8 +15,22 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *bytes, std::size_t siz
 {
     QString text = QString::fromUtf8(reinterpret_cast<const char *>(bytes), static_cast<qsizetype>(size));
     text.remove(QChar::Null); // no operating system passes it
-    const Command command = parseCommandLine(QStringList(QStringLiteral("slidercrank")) + text.split(u'\n'));
+    const QStringList arguments = text.split(u'\n');
+    const Command command = parseCommandLine(QStringList(QStringLiteral("slidercrank")) + arguments);
     require(command.run != nullptr, "there is something to run");
-    require(command.scene.isEmpty() || command.platform == Command::Platform::Window, "only the window opens a scene");
+    require(command.scene.isEmpty() || command.platform == Platform::Window, "only the window opens a scene");
+    for (const char *name : {"solve", "compare", "render"}) {
+        try {
+            const OptionReader options(*findCommand(QLatin1String(name)), arguments.mid(1));
+            const Mechanism mechanism = readMechanism(options);
+            require(!findFault(mechanism.parameters()), "the mechanism is valid");
+            require(readSampling(options).steps > 0, "there are time steps");
+            readSolver(options);
+            readColumns(options);
+            readTimeStamp(options, mechanism, 0.0);
+        } catch (const UsageError &error) {
+            require(!error.message.isEmpty(), "a wrong option is explained");
+        }
+    }
     return 0;
 }
