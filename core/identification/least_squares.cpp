@@ -24,12 +24,12 @@ double largestEigenvalue(const Eigen::MatrixXd &matrix)
     return eigenvalue;
 }
 
-/// Adds weight · basis basisᵀ to the lower half of a matrix and weight · value · basis to the right side.
-struct NormalEquations {
+/// The lower half of Σ basis basisᵀ, and Σ value · basis: the normal equations of a linear fit.
+struct LinearSystem {
     Eigen::MatrixXd matrix;
     Eigen::VectorXd right;
 
-    explicit NormalEquations(Eigen::Index terms)
+    explicit LinearSystem(Eigen::Index terms)
         : matrix(Eigen::MatrixXd::Zero(terms, terms))
         , right(Eigen::VectorXd::Zero(terms))
     {
@@ -111,7 +111,7 @@ Eigen::MatrixXd harmonicBasis(std::span<const double> angles, Eigen::Index harmo
 double explainedPart(const Eigen::MatrixXd &basis, std::span<const double> values, double center)
 {
     constexpr double kRegularization = 1e-9;
-    NormalEquations equations(basis.rows());
+    LinearSystem equations(basis.rows());
     double squares = 0.0;
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (!std::isnan(values[i])) {
@@ -129,7 +129,7 @@ double explainedPart(const Eigen::MatrixXd &basis, std::span<const double> value
 
 Polynomial fitPolynomial(std::span<const Point> points, double origin, Eigen::Index terms)
 {
-    NormalEquations equations(terms);
+    LinearSystem equations(terms);
     Eigen::VectorXd powers(terms);
     for (const Point &point : points) {
         for (Eigen::Index k = 0; k < terms; ++k) {
