@@ -24,7 +24,7 @@ void TestReadme::commandsRunAndPrintWhatIsShown_data()
     QTest::addColumn<QStringList>("shownLines");
     QFile file(QStringLiteral(SLIDERCRANK_SOURCE_DIR "/README.md"));
     QVERIFY(file.open(QIODevice::ReadOnly));
-    // Commands are indented by four spaces. Below one that begins with "$" stand lines of its output.
+    // Commands are indented by four spaces. A command that begins with "$" is followed by lines of its output.
     QList<QPair<QString, QStringList>> commands;
     bool showsOutput = false;
     for (const QString &line : QString::fromUtf8(file.readAll()).split('\n')) {
@@ -33,7 +33,7 @@ void TestReadme::commandsRunAndPrintWhatIsShown_data()
         if (hasPrompt) {
             text.remove(0, 2);
         }
-        const bool isSummary = text.contains(QStringLiteral("   ")); // a command and what it does, side by side
+        const bool isSummary = text.contains(QStringLiteral("   ")); // a command and its description in one line
         if (text.startsWith(QStringLiteral("slidercrank ")) && !isSummary) {
             commands.append({text, {}});
             showsOutput = hasPrompt;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Files as the field's programs write them: each is read for what it is, or refused with what to do.
+// Files as simulation programs write them are read correctly, or refused with advice. Other files are refused.
 
 #include "core/import/reference_data.h"
 #include "tests/support/printed_motion.h"
@@ -20,7 +20,8 @@ using namespace slidercrank;
 namespace
 {
 
-std::string becomes(const FileLayout &layout)
+/// Describes the role and the unit of each column as SimulationFile::becomes does.
+std::string describeColumns(const FileLayout &layout)
 {
     std::string text;
     for (const FileColumn &column : layout.columns) {
@@ -37,8 +38,8 @@ std::string becomes(const FileLayout &layout)
     return text;
 }
 
-/// Where the column was read at all.
-bool isAsWritten(const ReferenceData &data, std::size_t i, const WrittenColumn &as)
+/// Whether column i has the values that were written. True for a column that is ignored.
+bool hasWrittenValues(const ReferenceData &data, std::size_t i, const WrittenColumn &written)
 {
     const FileColumn &column = data.layout.columns[i];
     if (column.role == ColumnRole::Ignored) {
@@ -48,19 +49,19 @@ bool isAsWritten(const ReferenceData &data, std::size_t i, const WrittenColumn &
                                         : column.role == ColumnRole::CrankAngle ? data.crank->degrees
                                                                                 : data.find(column.channel)->values;
     double peak = 1e-9;
-    double worst = 0.0;
+    double largestError = 0.0;
     for (int row = 0; row < kWrittenRows; ++row) {
-        const double value = writtenValue(as.content, row) * as.readFactor;
+        const double value = writtenValue(written.content, row) * written.readFactor;
         peak = std::max(peak, std::abs(value));
-        worst = std::max(worst, std::abs(values[static_cast<std::size_t>(row)] - value));
+        largestError = std::max(largestError, std::abs(values[static_cast<std::size_t>(row)] - value));
     }
-    return worst <= 1e-6 * peak;
+    return largestError <= 1e-6 * peak;
 }
 
 QString sentenceFor(const std::variant<ReferenceData, ReadError> &outcome)
 {
     const ReadError *error = std::get_if<ReadError>(&outcome);
-    return error ? readErrorText(*error, {QStringLiteral("file")}) : QStringLiteral("it was read");
+    return error ? readErrorText(*error, {QStringLiteral("file")}) : QStringLiteral("the file was read");
 }
 
 } // namespace
@@ -74,7 +75,7 @@ class TestSimulationFiles : public QObject
     Q_OBJECT
 
 private slots:
-    void isReadForWhatItIs_data()
+    void readsFilesOfSimulationPrograms_data()
     {
         QTest::addColumn<SimulationFile>("file");
         std::set<std::string> programs;
@@ -88,7 +89,7 @@ private slots:
         QVERIFY(count >= 40 && programs.size() >= 15);
     }
 
-    void isReadForWhatItIs()
+    void readsFilesOfSimulationPrograms()
     {
         QFETCH(const SimulationFile, file);
         const auto outcome = readReferenceData(file.bytes);
@@ -99,15 +100,15 @@ private slots:
         }
         QVERIFY2(std::holds_alternative<ReferenceData>(outcome), qPrintable(sentenceFor(outcome)));
         const ReferenceData &data = std::get<ReferenceData>(outcome);
-        QCOMPARE(QString::fromStdString(becomes(data.layout)), QString::fromStdString(file.becomes));
+        QCOMPARE(QString::fromStdString(describeColumns(data.layout)), QString::fromStdString(file.becomes));
         QVERIFY(data.skipped.empty());
         QCOMPARE(data.crank ? data.crank->degrees.size() : data.time.size(), std::size_t{kWrittenRows});
         for (std::size_t i = 0; i < file.columns.size(); ++i) {
-            QVERIFY2(isAsWritten(data, i, file.columns[i]), file.columns[i].heading.c_str());
+            QVERIFY2(hasWrittenValues(data, i, file.columns[i]), file.columns[i].heading.c_str());
         }
     }
 
-    void plotsOfOneMotionAreReadTogether_data()
+    void readsPlotsOfOneMotionTogether_data()
     {
         QTest::addColumn<SimulationPlots>("plots");
         for (const SimulationPlots &plots : simulationPlots()) {
@@ -116,7 +117,7 @@ private slots:
         }
     }
 
-    void plotsOfOneMotionAreReadTogether()
+    void readsPlotsOfOneMotionTogether()
     {
         QFETCH(const SimulationPlots, plots);
         QStringList names;
@@ -136,14 +137,14 @@ private slots:
         }
         QVERIFY(plots.refusal.empty());
         const ReferenceData &data = std::get<ReferenceData>(outcome);
-        QCOMPARE(QString::fromStdString(becomes(data.layout)), QString::fromStdString(plots.becomes));
+        QCOMPARE(QString::fromStdString(describeColumns(data.layout)), QString::fromStdString(plots.becomes));
         QCOMPARE(data.time.size(), std::size_t{kWrittenRows});
         for (std::size_t i = 0; i < columns.size(); ++i) {
-            QVERIFY2(isAsWritten(data, i, columns[i]), columns[i].heading.c_str());
+            QVERIFY2(hasWrittenValues(data, i, columns[i]), columns[i].heading.c_str());
         }
     }
 
-    void aPersonIsAskedWhereNothingTells()
+    void asksForColumnsThatCannotBeRecognized()
     {
         const auto isOpen = [](const QByteArray &names) {
             QByteArray bytes = names + '\n';
@@ -170,7 +171,7 @@ private slots:
         }
     }
 
-    void isRefusedWhereItIsSomethingElse_data()
+    void refusesOtherFiles_data()
     {
         QTest::addColumn<OtherFile>("file");
         for (const OtherFile &file : otherFiles()) {
@@ -179,15 +180,15 @@ private slots:
         QVERIFY(otherFiles().size() >= 20);
     }
 
-    void isRefusedWhereItIsSomethingElse()
+    void refusesOtherFiles()
     {
         QFETCH(const OtherFile, file);
         const QString sentence = sentenceFor(readReferenceData(file.bytes));
         QVERIFY2(sentence.contains(QString::fromStdString(file.refusal)), qPrintable(sentence));
     }
 
-    /// By the textbook's formulas, with six significant digits and six decimals.
-    void theSampleIsAsComputed()
+    /// The sample holds the values of the textbook's formulas with six significant digits and six decimals.
+    void theSampleAgreesWithTheTextbook()
     {
         const auto print = [](long double value) {
             const double rounded = QByteArray::number(static_cast<double>(value), 'e', 5).toDouble();
@@ -201,7 +202,7 @@ private slots:
             const long double time = step / 200.0L;
             const PrintedRow row = textbookMotion(parameters, time);
             QByteArrayList cells{print(time)};
-            for (const std::size_t channel : {1U, 3U, 5U, 0U, 2U, 4U}) { // R4_x before theta3
+            for (const std::size_t channel : {1U, 3U, 5U, 0U, 2U, 4U}) { // R4_x and its derivatives come first
                 cells += print(row[channel]);
             }
             expected += cells.join(',') + '\n';
