@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Several files of one motion, read as one table.
+// Joins several files of one motion.
 
 #include "tests/support/described_reading.h"
 #include "tests/support/suite.h"
@@ -18,13 +18,13 @@ class TestJoinedFiles : public QObject
     Q_OBJECT
 
 private slots:
-    void aPlotAFileIsReadAsTheWholeTable()
+    void joinsOnePlotPerFileToTheWholeTable()
     {
         const QByteArray table = sampleTable();
         const QByteArray position = columnsOf(table, {0, 1});
         const QByteArray velocity = columnsOf(table, {0, 2, 3});
         const QByteArray coupler = columnsOf(table, {0, 4, 5, 6});
-        QByteArray coarse = position; // of 201 time stamps every other needs the third decimal
+        QByteArray coarse = position; // time stamps with three decimals
         for (int i = 0; i <= 200; ++i) {
             coarse.replace('\n' + QByteArray::number(0.005 * i, 'f', 6) + ',',
                            '\n' + QByteArray::number(0.005 * i, 'f', 3) + ',');
@@ -54,7 +54,7 @@ private slots:
         }
     }
 
-    void joinsPlots()
+    void joinsRows()
     {
         struct Row {
             QByteArrayList files;
@@ -75,7 +75,7 @@ private slots:
         }
     }
 
-    void choicesCountTheColumnsOfAllPlots()
+    void numbersTheColumnsOfAllFilesInChoices()
     {
         const QByteArrayList files{"T,Value\n0,1\n1,2\n", "T,Value\n0,3\n1,4\n"};
         QCOMPARE(
@@ -84,7 +84,7 @@ private slots:
         QCOMPARE(described(readJoined(
                      files, {{}, {}, {{"#2", ColumnRole::Channel, kX, {}}, {"#4", ColumnRole::Channel, kV, {}}}})),
                  std::string("time 0 1; R4_x 1 2; R4_x_diff 3 4"));
-        // What the first column is, it is in all.
+        // The choice for the first column applies to the same heading in the other files.
         QCOMPARE(described(readJoined({"q,R4_x\n0,1\n90,2\n", "q,theta3\n0,3\n90,4\n"},
                                       {{{0, ColumnRole::CrankAngle, {}, {}}}, {}})),
                  std::string("time 0 0.25; R4_x 1 2; theta3 3 4"));
@@ -93,7 +93,7 @@ private slots:
         QCOMPARE(std::get<ReadError>(several).layout.columns.size(), std::size_t(4));
     }
 
-    void refusesPlotsThatAreNotOfOneMotion()
+    void refusesFilesOfDifferentMotions()
     {
         struct Row {
             const char *name;
@@ -102,18 +102,18 @@ private slots:
             std::size_t file = 1;
         };
         const QByteArray a = "time,R4_x\n0,1\n1,2\n2,3\n";
-        const ReadFault otherInstants{Kind::OtherTimeStamps, {}, "a"};
+        const ReadFault otherTimes{Kind::OtherTimeStamps, {}, "a"};
         const std::vector<Row> rows{
-            {"twice the step", {a, "time,theta3\n0,1\n2,2\n4,3\n"}, otherInstants},
-            {"a little later", {a, "time,theta3\n0.1,1\n1.1,2\n2.1,3\n"}, otherInstants},
-            {"one row less", {a, "time,theta3\n0,1\n1,2\n"}, otherInstants},
-            {"another unit of time", {a, "time [ms],theta3\n0,1\n1,2\n2,3\n"}, otherInstants},
-            {"the third", {a, "time,theta3\n0,1\n1,2\n2,3\n", "time,theta2\n0,1\n1.5,2\n2,3\n"}, otherInstants, 2},
+            {"twice the step", {a, "time,theta3\n0,1\n2,2\n4,3\n"}, otherTimes},
+            {"a little later", {a, "time,theta3\n0.1,1\n1.1,2\n2.1,3\n"}, otherTimes},
+            {"one row less", {a, "time,theta3\n0,1\n1,2\n"}, otherTimes},
+            {"another unit of time", {a, "time [ms],theta3\n0,1\n1,2\n2,3\n"}, otherTimes},
+            {"the third", {a, "time,theta3\n0,1\n1,2\n2,3\n", "time,theta2\n0,1\n1.5,2\n2,3\n"}, otherTimes, 2},
             {"a channel twice", {a, "time,x_slider\n0,1\n1,2\n2,3\n"}, {Kind::ChannelInBoth, kX, "a"}},
             {"angles beside time stamps", {a, "theta2,theta3\n0,1\n1,2\n2,3\n"}, {Kind::CountsOtherwise, {}, "a"}},
-            {"one that is no table", {a, "%PDF-1.7\n"}, {Kind::Pdf}},
-            {"the first that is none", {"", a}, {Kind::Empty}, 0},
-            {"a column that means nothing", {a, "time,humidity\n0,1\n1,2\n2,3\n"}, {Kind::NoChannel}},
+            {"no table", {a, "%PDF-1.7\n"}, {Kind::Pdf}},
+            {"an empty first file", {"", a}, {Kind::Empty}, 0},
+            {"an unknown column", {a, "time,humidity\n0,1\n1,2\n2,3\n"}, {Kind::NoChannel}},
         };
         for (const Row &row : rows) {
             const Outcome outcome = readJoined(row.files);

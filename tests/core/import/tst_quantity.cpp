@@ -15,11 +15,11 @@ class TestQuantity : public QObject
     Q_OBJECT
 
 private slots:
-    void readsWhatPeopleWrite()
+    void parsesNumbersWithUnits()
     {
         struct Row {
             const char *text;
-            Unit wanted;
+            Unit expected;
             double value;
         };
         const double pi = std::numbers::pi;
@@ -57,13 +57,13 @@ private slots:
             {"5ms", kSecond, 0.005},
         };
         for (const Row &row : rows) {
-            const Quantity quantity = readQuantity(row.text, row.wanted);
+            const Quantity quantity = readQuantity(row.text, row.expected);
             QVERIFY2(!quantity.fault && quantity.value == row.value, row.text); // to the last bit
         }
         QCOMPARE(readQuantity("1e-8", {}).value, 1e-8);
     }
 
-    void saysWhyNot()
+    void givesTheReasonForARefusal()
     {
         struct Row {
             std::string text;

@@ -169,89 +169,66 @@ const std::vector<NamesRow> kNames{
 struct Refusal {
     const char *name;
     QByteArray bytes;
-    std::size_t line;
-    std::size_t column;
-    const char *text;
+    const char *place; ///< line, column and text
     ReadFault fault;
 };
 
 const std::vector<Refusal> kRefused{
-    {"nothing", "", 0, 0, "", {Kind::Empty}},
-    {"blank lines behind a mark", "\xEF\xBB\xBF\r\n \r\n,,\r\n", 0, 0, "", {Kind::Empty}},
-    {"a spreadsheet", QByteArray("PK\x03\x04\0\0", 6), 0, 0, "", {Kind::Spreadsheet}},
-    {"a packed file", QByteArray("\x1F\x8B\x08\0", 4), 0, 0, "", {Kind::Spreadsheet}},
-    {"a PDF", "%PDF-1.7\n1 0 obj\n", 0, 0, "", {Kind::Pdf}},
-    {"HTML", "\n<!DOCTYPE html>\n", 0, 0, "", {Kind::Markup}},
-    {"HTML in UTF-16", utf16Of("<html>time</html>", true, true), 0, 0, "", {Kind::Markup}},
-    {"JSON", "{ \"time\": [0, 1]}", 0, 0, "", {Kind::Json}},
-    {"zero bytes", QByteArray("time,R4_x\n0,1\n1,\0\n", 18), 3, 0, "", {Kind::NotText}},
-    {"binary data that begin like markup", QByteArray("<\x01\x02\x05\x80", 5).repeated(9), 1, 0, "", {Kind::NotText}},
-    {"binary data with letters behind <", QByteArray("<a\0\x03\x05", 5).repeated(9), 1, 0, "", {Kind::NotText}},
-    {"a line longer than any table's", QByteArray(1'100'000, 'a'), 1, 0, "", {Kind::LineTooLong}},
-    {"numbers without names", "\n0.0,74.5\n0.1,74.8\n", 2, 1, "0.0", {Kind::NamesMissing}},
-    {"no time", "pressure,R4_x\n1,1\n0,2\n", 1, 0, "pressure,R4_x", {Kind::NoTime}},
-    {"the row's number is no time", "n,R4_x\n1,5\n2,6\n", 1, 0, "n,R4_x", {Kind::NoTime}},
-    {"prose", "Lorem ipsum\ndolor\n", 1, 0, "Lorem ipsum", {Kind::NoTime}},
-    {"no channel", "time,pressure\n0,1\n", 1, 0, "time,pressure", {Kind::NoChannel}},
-    {"an unknown unit", "time,theta3,R4_x [ell]\n0,1,2\n", 1, 3, "R4_x [ell]", {Kind::UnknownUnit, kX}},
-    {"a unit of another derivative", "time,R4_x_diff [m]\n0,1\n", 1, 2, "R4_x_diff [m]", {Kind::UnknownUnit, kV}},
-    {"half a unit", "time,R4_x_diff [m/]\n0,1\n", 1, 2, "R4_x_diff [m/]", {Kind::UnknownUnit, kV}},
-    {"units that contradict each other",
-     "time,theta3 [rad]\ns,deg\n0,1\n",
-     2,
-     2,
-     "deg",
-     {Kind::UnitsContradict, {}, "theta3 [rad]"}},
-    {"an unknown unit of time", "time [h],R4_x\n0,1\n", 1, 1, "time [h]", {Kind::UnknownTimeUnit}},
-    {"a channel twice", "time,R4_x,r4x [m]\n0,1,2\n", 1, 3, "r4x [m]", {Kind::ChannelTwice, kX}},
-    {"the time twice", "time,R4_x,Tiempo\n0,1,2\n", 1, 3, "Tiempo", {Kind::TimeTwice}},
-    {"only a header", "time,R4_x\n", 1, 0, "", {Kind::NoNumbers}},
-    {"no row can be read", "time,R4_x\n\n0,a\n1,b\n", 3, 2, "a", {Kind::NoRow}},
+    {"nothing", "", "0:0 ", {Kind::Empty}},
+    {"blank lines after a byte order mark", "\xEF\xBB\xBF\r\n \r\n,,\r\n", "0:0 ", {Kind::Empty}},
+    {"a spreadsheet", QByteArray("PK\x03\x04\0\0", 6), "0:0 ", {Kind::Spreadsheet}},
+    {"a PDF", "%PDF-1.7\n1 0 obj\n", "0:0 ", {Kind::Pdf}},
+    {"HTML in UTF-16", utf16Of("\n<!DOCTYPE html>\n", true, true), "0:0 ", {Kind::Markup}},
+    {"JSON", "{ \"time\": [0, 1]}", "0:0 ", {Kind::Json}},
+    {"a zero byte", QByteArray("time,R4_x\n0,1\n1,\0\n2,3\n", 22), "3:0 ", {Kind::NotText}},
+    {"binary data that begin like markup", QByteArray("<a\x02\x05\x80", 5).repeated(9), "1:0 ", {Kind::NotText}},
+    {"a long line", QByteArray(1'100'000, 'a'), "1:0 ", {Kind::LineTooLong}},
+    {"numbers without headings", "\n0.0,74.5\n0.1,74.8\n", "2:1 0.0", {Kind::NamesMissing}},
+    {"no time", "n,R4_x\n1,5\n2,6\n", "1:0 n,R4_x", {Kind::NoTime}},
+    {"prose", "Lorem ipsum\ndolor\n", "1:0 Lorem ipsum", {Kind::NoTime}},
+    {"no channel", "time,pressure\n0,1\n", "1:0 time,pressure", {Kind::NoChannel}},
+    {"an unknown unit", "time,theta3,R4_x [ell]\n0,1,2\n", "1:3 R4_x [ell]", {Kind::UnknownUnit, kX}},
+    {"the unit of another derivative", "time,R4_x_diff [m]\n0,1\n", "1:2 R4_x_diff [m]", {Kind::UnknownUnit, kV}},
+    {"half a unit", "time,R4_x_diff [m/]\n0,1\n", "1:2 R4_x_diff [m/]", {Kind::UnknownUnit, kV}},
+    {"contradicting units", "time,theta3 [rad]\ns,deg\n0,1\n", "2:2 deg", {Kind::UnitsContradict, {}, "theta3 [rad]"}},
+    {"an unknown unit of time", "time [h],R4_x\n0,1\n", "1:1 time [h]", {Kind::UnknownTimeUnit}},
+    {"a channel twice", "time,R4_x,r4x [m]\n0,1,2\n", "1:3 r4x [m]", {Kind::ChannelTwice, kX}},
+    {"two different times", "time,R4_x,Tiempo\n0,1,2\n", "1:3 Tiempo", {Kind::TimeTwice}},
+    {"only headings", "time,R4_x\n", "1:0 ", {Kind::NoNumbers}},
+    {"no readable row", "time,R4_x\n\n0,a\n1,b\n", "3:2 a", {Kind::NoRow}},
     {"decimal commas between commas",
      "time,R4_x\n0,005,74,5436\n0,010,74,8173\n",
-     2,
-     3,
-     "74",
+     "2:3 74",
      {.kind = Kind::NoRow, .row = RowFault::TooManyCells}},
-    {"no value at all", "time,R4_x\n0,\n1,nan\n", 2, 0, "", {Kind::NoValues}},
-    {"time mostly stands still", "R4_x,time\n1,0\n2,0\n3,0\n4,1\n5,1\n", 3, 2, "0", {Kind::TimeNotRising}},
-    {"time falls", "time [ms],R4_x\n0,1\n1,x\n-250,2\n", 4, 1, "-250", {Kind::TimeNotRising}},
-    {"crank angles that turn back",
+    {"no value", "time,R4_x\n0,\n1,nan\n", "2:0 ", {Kind::NoValues}},
+    {"a time that mostly repeats", "R4_x,time\n1,0\n2,0\n3,0\n4,1\n5,1\n", "3:2 0", {Kind::TimeNotRising}},
+    {"a time that decreases", "time [ms],R4_x\n0,1\n1,x\n-250,2\n", "4:1 -250", {Kind::TimeNotRising}},
+    {"a crank angle that changes its direction",
      "Crank angle,R4_x\n0,3\n15,4\n10,5\n",
-     1,
-     1,
-     "Crank angle",
+     "1:1 Crank angle",
      {.kind = Kind::AngleTurnsBack, .heading = "15°"}},
-    {"two lengths that could each be the slider's",
+    {"two lengths of unnamed bodies",
      "time,disp 1 (mm),disp 2 (mm)" + kRows,
-     1,
-     0,
-     "time,disp 1 (mm),disp 2 (mm)",
+     "1:0 time,disp 1 (mm),disp 2 (mm)",
      {Kind::NoCertainChannel, {}, "disp 1 (mm)", ColumnReason::LikeOther}},
-    {"a letter of Inventor alone",
+    {"a letter of Inventor",
      under("Time,P[3.1]"),
-     1,
-     0,
-     "Time,P[3.1]",
+     "1:0 Time,P[3.1]",
      {Kind::NoCertainChannel, {}, "P[3.1]", ColumnReason::AngleOrLength}},
     {"an angle in mm",
      under("time,coupler angle (mm)"),
-     1,
-     0,
-     "time,coupler angle (mm)",
+     "1:0 time,coupler angle (mm)",
      {Kind::NoCertainChannel, {}, "coupler angle (mm)", ColumnReason::UnknownUnit}},
 };
 
 } // namespace
-
-Q_DECLARE_METATYPE(ReadFault)
 
 class TestReferenceData : public QObject
 {
     Q_OBJECT
 
 private slots:
-    void reads()
+    void readsTables()
     {
         for (const ReadRow &row : kRead) {
             QVERIFY2(described(read(row.bytes)) == row.expected,
@@ -259,7 +236,7 @@ private slots:
         }
     }
 
-    void knowsNamesAndForms()
+    void recognizesHeadingsAndLayouts()
     {
         for (const NamesRow &row : kNames) {
             const Outcome outcome = read(row.bytes);
@@ -272,26 +249,25 @@ private slots:
         }
     }
 
-    void refuses()
+    void refusesOtherFiles()
     {
         for (const Refusal &row : kRefused) {
             const Outcome outcome = read(row.bytes);
             const ReadError *error = std::get_if<ReadError>(&outcome);
             QVERIFY2(error && error->fault == row.fault, (row.name + (": " + described(outcome))).c_str());
-            QVERIFY2(error->line == row.line && error->column == row.column && error->text == row.text,
-                     (row.name +
-                      (": " + std::to_string(error->line) + ':' + std::to_string(error->column) + ' ' + error->text))
-                         .c_str());
+            const std::string place =
+                std::to_string(error->line) + ':' + std::to_string(error->column) + ' ' + error->text;
+            QVERIFY2(place == row.place, (row.name + (": " + place)).c_str());
         }
     }
 
-    void knowsTheLineOfEachRow()
+    void returnsTheLineOfEachRow()
     {
         const Outcome outcome = read("title\ntime,R4_x\n\n0,1\n1,x\n2,3\n2,4\n");
         QCOMPARE(std::get<ReferenceData>(outcome).lines, (std::vector<std::size_t>{4, 7}));
     }
 
-    void letsAPersonChooseTheColumns()
+    void appliesTheChoicesOfAPerson()
     {
         const QByteArray bytes = "n,time,a,R4_x\n1,5,0.1,3\n2,4,0.2,4\n3,3,0.3,5\n";
         QCOMPARE(described(read(bytes, {{2, ColumnRole::Time, {}, "ms"},
@@ -308,7 +284,7 @@ private slots:
                  std::string("time 0 0.5; theta3_diff 85.94366926962348 143.2394487827058"));
     }
 
-    void refusesAChoiceThatContradictsItself()
+    void refusesContradictingChoices()
     {
         struct Row {
             std::vector<ColumnChoice> choices;
@@ -326,7 +302,7 @@ private slots:
         }
     }
 
-    void saysWhyAColumnIsWhatItIs()
+    void givesTheReasonForEachRole()
     {
         const Outcome outcome =
             read("time,R4_x,Linear Velocity1 (mm/s),pressure,,R4_y\n0,0,2,5,1,\n1,2,2,5,1,\n2,4,2,5,1,\n");
@@ -392,7 +368,7 @@ private slots:
                  std::string(" 0 0.005 0.007 0.199")); // to the last bit
     }
 
-    void countsTheRowsItDoesNotList()
+    void countsSkippedRowsThatAreNotListed()
     {
         const Outcome outcome = read("time,R4_x\n0,1\n" + QByteArray("1,x\n").repeated(2500));
         const ReferenceData &data = std::get<ReferenceData>(outcome);
@@ -403,7 +379,7 @@ private slots:
         QCOMPARE(data.skipped.back().rows, std::size_t(1500));
     }
 
-    void learnsTheStepsOfEncodersAndConverters()
+    void findsTheStepsOfEncodersAndConverters()
     {
         constexpr double kEncoder = 360.0 / 1024.0;
         constexpr double kConverter = 100.0 / 1023.0;
@@ -433,8 +409,8 @@ private slots:
         }
     }
 
-    /// Whatever is the first thing that there is no memory for.
-    void saysWhenThereIsNoMemory()
+    /// Fails after each number of allocations.
+    void reportsMissingMemory()
     {
         const QByteArray bytes = under("time,slider x,coupler angle (rad)");
         const std::string expected = described(read(bytes));
@@ -453,7 +429,7 @@ private slots:
         QVERIFY2(refused > 20, qPrintable(QString::number(refused)));
     }
 
-    void survivesDamage()
+    void survivesDamagedFiles()
     {
         const QByteArray whole = sampleTable().left(2000);
         constexpr char kPieces[] = "0123456789,;.\t\r\n\"-+eE[]() tR4_x\xB0\xC2\xFF";
@@ -464,7 +440,7 @@ private slots:
                 bytes[static_cast<qsizetype>(random() % static_cast<unsigned>(bytes.size()))] =
                     kPieces[random() % (sizeof kPieces - 1)];
             }
-            // A copy of just this size, so that a sanitizer sees every read beyond the end.
+            // An exact copy, so that sanitizers detect reading past the end.
             const std::vector<char> exact(bytes.begin(), bytes.end());
             const auto outcome = readReferenceData({exact.data(), exact.size()});
             if (const ReferenceData *data = std::get_if<ReferenceData>(&outcome)) {
