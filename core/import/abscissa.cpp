@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/import/abscissa.h"
 
-#include "core/import/clock.h"
 #include "core/import/crank_angles.h"
 #include "core/import/quantity.h"
 
@@ -18,17 +17,13 @@ using Fault = ReadFault::Kind;
 using Kind = NameMeaning::Kind;
 using Values = std::vector<double>;
 
-/// Returns whether two columns contain the same time stamps within their rounding and a quarter of their spacing.
-bool areSameTimes(const Values &x, const Rounding &roundingOfX, const Values &y, const Rounding &roundingOfY)
+/// Returns whether two columns contain the same time stamps, apart from the rounding errors of a unit conversion.
+bool areSameTimes(const Values &x, const Values &y)
 {
-    constexpr double kUlps = 4.0; // for a conversion of the unit of either
-    constexpr double kPartOfSpacing = 0.25;
-    const ValueRange range = rangeOf(x);
-    const double spacing = range.width() / static_cast<double>(std::max<std::size_t>(range.count, 2) - 1);
-    const double rounded = 0.5 * (clockOf(x, roundingOfX).step() + clockOf(y, roundingOfY).step());
-    return std::ranges::equal(x, y, [allowed = std::min(rounded, kPartOfSpacing * spacing)](double a, double b) {
-        const double ulps = kUlps * std::numeric_limits<double>::epsilon() * std::max(std::abs(a), std::abs(b));
-        return !std::isfinite(a - b) || std::abs(a - b) <= allowed + ulps;
+    constexpr double kUlps = 4.0;
+    return std::ranges::equal(x, y, [](double a, double b) {
+        const double allowed = kUlps * std::numeric_limits<double>::epsilon() * std::max(std::abs(a), std::abs(b));
+        return !std::isfinite(a - b) || std::abs(a - b) <= allowed;
     });
 }
 
@@ -111,18 +106,11 @@ void setAbscissa(RawTable &table, RawColumn &column, ColumnRole role, ColumnReas
         column.setReason(reason);
         return;
     }
-    const Rounding own = column.rounding.inferForTimeStamps(column.factor);
-    const Rounding ofFirst = first->rounding.inferForTimeStamps(first->factor);
     const std::size_t file = first->use.file;
-    if (!areSameTimes(first->values, ofFirst, column.values, own)) {
+    if (!areSameTimes(first->values, column.values)) {
         throw file == column.use.file
             ? faultIn(table, column, {Fault::TimeTwice})
             : ReadError{0, 0, {}, {Fault::OtherTimeStamps, {}, table.layout.files[file]}, {}, column.use.file, file};
-    }
-    if (own.finestStep() > 0.0 && own.finestStep() < ofFirst.finestStep()) {
-        std::swap(first->values, column.values);
-        std::swap(first->rounding, column.rounding);
-        std::swap(first->factor, column.factor);
     }
     column.setReason(ColumnReason::SameTimeStamps, first->index);
 }

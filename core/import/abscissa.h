@@ -15,8 +15,7 @@ namespace slidercrank
 bool hasAbscissa(const RawTable &table, std::size_t file);
 
 /// Makes a column the time or the crank angle, and converts it from `unit` to seconds or degrees. If there is such a
-/// column already, in another file or for another signal, both must contain the same; the one with more digits is used.
-/// Throws ReadError.
+/// column already, in another file or for another signal, both must contain the same. Throws ReadError.
 void setAbscissa(RawTable &table, RawColumn &column, ColumnRole role, ColumnReason reason, const std::string &unit);
 
 /// Finds the abscissa of each file that has none yet, by the names of the columns or else by their values. Throws

@@ -111,21 +111,20 @@ void applyChoices(RawTable &table, std::span<const ColumnChoice> choices)
 }
 
 /// Returns what the column could be according to its name and unit. Otherwise sets the reason why it is ignored.
-std::optional<Claim> claimOf(RawTable &table, RawColumn &column)
+std::optional<Claim> claimOf(const RawTable &table, RawColumn &column)
 {
     const Heading &heading = column.heading;
     const NameMeaning &meaning = heading.meaning;
     const bool isQuantity = meaning.kind == Kind::Quantity;
-    if (!column.isUndecided() || (meaning.kind != Kind::Channel && !(isQuantity && table.abscissa()))) {
+    if (!column.isUndecided() || (meaning.kind != Kind::Channel && !isQuantity)) {
         return std::nullopt;
     }
     const std::optional<double> factor = factorTo(meaning.channel, heading.unit);
     if (!factor && meaning.isExact) {
         throw faultIn(table, column, {Fault::UnknownUnit, meaning.channel});
     }
-    const bool isEmpty = isQuantity && rangeOf(column.values).count == 0 && rangeOf(table.abscissa()->values).count > 0;
-    if (isEmpty || !factor) {
-        column.setReason(isEmpty ? ColumnReason::NoNumber : ColumnReason::UnknownUnit);
+    if (!factor) {
+        column.setReason(ColumnReason::UnknownUnit);
         return std::nullopt;
     }
     const ColumnReason reason = heading.hasUnitOfModelica ? ColumnReason::ModelicaName
@@ -214,34 +213,27 @@ void assignChannels(RawTable &table)
 }
 
 /// Returns the error that the file lacks the time or a channel.
-ReadError findMissing(RawTable &table, std::size_t file)
+ReadError findMissing(const RawTable &table, std::size_t file)
 {
     const TableFile &own = table.files[file];
-    const bool hasTime = hasAbscissa(table, file);
     if (own.headerLine == 0) {
         return {own.firstDataLine, 1, table.layout.rows[0][own.firstColumn], {Fault::NamesMissing}, {}, file};
     }
-    const ReadFault fault{hasTime ? Fault::NoChannel : Fault::NoTime};
-    ReadError error{own.headerLine, 0, own.headerText, fault, {}, file};
-    const RawColumn *const first = table.abscissa();
-    const Kind otherKind = first && first->use.role == ColumnRole::CrankAngle ? Kind::Time : Kind::Channel;
+    ReadError error{own.headerLine, 0, own.headerText, {Fault::NoTime}, {}, file};
+    if (!hasAbscissa(table, file)) {
+        return error;
+    }
+    error.fault.kind = Fault::NoChannel;
     for (const RawColumn &column : table.columns) {
         const ColumnReason reason = column.use.reason;
         if (column.use.file != file) {
             continue;
         }
-        if (!hasTime) {
-            const NameMeaning &meaning = column.heading.meaning;
-            const bool countsOtherwise =
-                first && meaning.kind == otherKind && (otherKind == Kind::Time || meaning.channel == kCrankAngle);
-            if (countsOtherwise) {
-                const std::size_t other = first->use.file;
-                return {0, 0, {}, {Fault::CountsOtherwise, {}, table.layout.files[other]}, {}, file, other};
-            }
-        } else if (reason == ColumnReason::LikeOther && table.columns[*column.use.otherColumn].use.file != file) {
+        if (reason == ColumnReason::LikeOther && table.columns[*column.use.otherColumn].use.file != file) {
             return conflict(table, column, table.columns[*column.use.otherColumn], column.use.channel,
                             Fault::NoChannel);
-        } else if (leavesOpen(reason) || reason == ColumnReason::UnknownUnit) {
+        }
+        if (leavesOpen(reason) || reason == ColumnReason::UnknownUnit) {
             error.fault = {Fault::NoCertainChannel, {}, excerpt(column.heading.printed), reason};
             return error;
         }

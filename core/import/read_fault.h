@@ -55,7 +55,6 @@ struct ReadFault {
 
         // About a file that has to be joined with others; `heading` is one of them.
         OtherTimeStamps,
-        CountsOtherwise, ///< by crank angle and not by time, or the reverse
         ChannelInBoth,
 
         TooLarge,   ///< larger than kLargestReferenceFile

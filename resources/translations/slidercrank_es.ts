@@ -3671,10 +3671,6 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
         <translation>sus instantes no son los de %1: exporte las gráficas con el mismo inicio, fin y paso, o abra los archivos de uno en uno.</translation>
     </message>
     <message>
-        <source>this file and %1 are not both tables by time, or by crank angle: export both in the same way, or open one file at a time.</source>
-        <translation>este archivo y %1 no son ambos tablas por tiempo, o por ángulo de manivela: exporte los dos de la misma forma, o abra los archivos de uno en uno.</translation>
-    </message>
-    <message>
         <source>both this file and %1 contain %2: leave one of them out, or choose the meaning of their columns.</source>
         <translation>tanto este archivo como %1 contienen %2: deje fuera uno de los dos, o elija el significado de sus columnas.</translation>
     </message>

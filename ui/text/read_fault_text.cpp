@@ -71,10 +71,6 @@ public:
             return tr(
                 "its time stamps are not those of %1: export the plots with the same start, end and step, or open "
                 "one file at a time.");
-        case CountsOtherwise:
-            return tr(
-                "this file and %1 are not both tables by time, or by crank angle: export both in the same way, or "
-                "open one file at a time.");
         case ChannelInBoth:
             return tr(
                 "both this file and %1 contain %2: leave one of them out, or choose the meaning of their columns.");
