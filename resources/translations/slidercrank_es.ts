@@ -3717,22 +3717,6 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
         <translation>%1, línea %2, columna %3 («%4»): %5</translation>
     </message>
     <message>
-        <source>%1 is a folder: choose a CSV file.</source>
-        <translation>%1 es una carpeta: elija un archivo CSV.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be opened: %2.</source>
-        <translation>No se puede abrir %1: %2.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be read: %2.</source>
-        <translation>No se puede leer %1: %2.</translation>
-    </message>
-    <message>
-        <source>Standard input</source>
-        <translation>Entrada estándar</translation>
-    </message>
-    <message>
         <source>There are: %1.</source>
         <translation>Están: %1.</translation>
     </message>
@@ -4311,14 +4295,6 @@ SHA-256: %2</translation>
         <translation>%1, línea %2: esto no es JSON (%3). Corríjalo allí, o abra otra escena.</translation>
     </message>
     <message>
-        <source>%1 cannot be opened: %2.</source>
-        <translation>No se puede abrir %1: %2.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be read: %2.</source>
-        <translation>No se puede leer %1: %2.</translation>
-    </message>
-    <message>
         <source>%1 cannot be written: %2. Choose another name or folder.</source>
         <translation>No se puede escribir %1: %2. Elija otro nombre u otra carpeta.</translation>
     </message>
@@ -4333,10 +4309,6 @@ SHA-256: %2</translation>
     <message>
         <source>%1 was saved by a newer slidercrank (scene version %2; this one reads up to %3). Open it with the newer one.</source>
         <translation>%1 se guardó con un slidercrank más nuevo (versión de escena %2; este lee hasta la %3). Ábrala con el más nuevo.</translation>
-    </message>
-    <message>
-        <source>%1 is a folder: choose a scene file.</source>
-        <translation>%1 es una carpeta: elija el archivo de una escena.</translation>
     </message>
     <message>
         <source>%1 is not a scene: it is too large. Open a file that this program saved.</source>
@@ -5040,6 +5012,22 @@ Tiempos medidos en %2</translation>
     <message>
         <source>it is a pipe or a device</source>
         <translation>es una tubería o un dispositivo</translation>
+    </message>
+    <message>
+        <source>Standard input</source>
+        <translation>Entrada estándar</translation>
+    </message>
+    <message>
+        <source>%1 is a folder: choose a file in it.</source>
+        <translation>%1 es una carpeta: elija un archivo de ella.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened: %2.</source>
+        <translation>No se puede abrir %1: %2.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2.</source>
+        <translation>No se puede leer %1: %2.</translation>
     </message>
 </context>
 </TS>

@@ -3,7 +3,6 @@
 
 #include "core/import/crank_angles.h"
 #include "core/import/unit_text.h"
-#include "ui/document/whole_file.h"
 #include "ui/text/column_text.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/read_fault_text.h"
@@ -53,12 +52,9 @@ std::optional<QString> readFile(const QString &path, const std::stop_token &stop
 {
     constexpr qsizetype kBlock = 1 << 22; // bytes
     const QString name = displayName(path);
-    if (QFileInfo(path).isDir()) {
-        return ReferenceFileText::tr("%1 is a folder: choose a CSV file.").arg(name);
-    }
     QFile file;
-    if (!openForReading(file, path)) {
-        return ReferenceFileText::tr("%1 cannot be opened: %2.").arg(name, withoutFullStop(file.errorString()));
+    if (const std::optional<QString> sentence = openForReading(file, path)) {
+        return sentence;
     }
     const qint64 size = file.size(); // 0 for a pipe
     bytes = file.read(kFileBeginning);
@@ -76,8 +72,8 @@ std::optional<QString> readFile(const QString &path, const std::stop_token &stop
         count = file.read(bytes.data() + done, kBlock);
         bytes.resize(done + std::max<qint64>(count, 0));
     } while (count > 0 && bytes.size() <= kLargest && !stop.stop_requested());
-    if (file.error() != QFileDevice::NoError) {
-        return ReferenceFileText::tr("%1 cannot be read: %2.").arg(name, withoutFullStop(file.errorString()));
+    if (const std::optional<QString> sentence = readFailure(file, path)) {
+        return sentence;
     }
     if (bytes.size() > kLargest) {
         return wholeFileFault(ReadFault::Kind::TooLarge, name);
@@ -121,11 +117,6 @@ FileState fileState(const QString &path)
 {
     const QFileInfo file(path);
     return {file.size(), file.lastModified()};
-}
-
-QString displayName(const QString &path)
-{
-    return isStandardInput(path) ? ReferenceFileText::tr("Standard input") : QDir::toNativeSeparators(path);
 }
 
 QString displayName(const QStringList &paths)

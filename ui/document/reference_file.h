@@ -5,6 +5,7 @@
 
 #include "core/identification/convention.h"
 #include "core/import/reference_data.h"
+#include "ui/document/whole_file.h"
 
 #include <QByteArray>
 #include <QByteArrayList>
@@ -68,8 +69,7 @@ ReferenceOutcome timedBy(const Mechanism &mechanism, const std::shared_ptr<const
 /// Returns the reference with one more convention applied. Convention::Kind::Branch does not change the data.
 std::shared_ptr<const Reference> applied(const Convention &convention, const std::shared_ptr<const Reference> &to);
 
-/// The name of a file, or the names of joined files, in messages.
-QString displayName(const QString &path);
+/// The names of joined files in messages.
 QString displayName(const QStringList &paths);
 
 /// Returns a sentence such as "results.csv, line 3, column 2 ("abc"): …". `files`: the names of the files in messages.

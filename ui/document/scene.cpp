@@ -135,20 +135,17 @@ std::variant<Scene, QString> parseScene(const QByteArray &json, const QString &p
 
 std::variant<Scene, QString> readScene(const QString &path)
 {
-    const QString shown = displayName(path);
     QFile file;
-    if (QFileInfo(path).isDir()) {
-        return SceneText::tr("%1 is a folder: choose a scene file.").arg(shown);
-    }
-    if (!openForReading(file, path)) {
-        return SceneText::tr("%1 cannot be opened: %2.").arg(shown, withoutFullStop(file.errorString()));
+    if (const std::optional<QString> sentence = openForReading(file, path)) {
+        return *sentence;
     }
     const QByteArray bytes = file.read(kLargestFile + 1);
-    if (file.error() != QFileDevice::NoError) {
-        return SceneText::tr("%1 cannot be read: %2.").arg(shown, withoutFullStop(file.errorString()));
+    if (const std::optional<QString> sentence = readFailure(file, path)) {
+        return *sentence;
     }
     if (bytes.size() > kLargestFile) {
-        return SceneText::tr("%1 is not a scene: it is too large. Open a file that this program saved.").arg(shown);
+        return SceneText::tr("%1 is not a scene: it is too large. Open a file that this program saved.")
+            .arg(displayName(path));
     }
     return parseScene(bytes, path);
 }

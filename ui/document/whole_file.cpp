@@ -2,6 +2,8 @@
 #include "ui/document/whole_file.h"
 
 #include <QCoreApplication>
+#include <QDir>
+#include <QFile>
 #include <QFileInfo>
 
 #ifdef Q_OS_UNIX
@@ -97,12 +99,31 @@ bool isPipeOrDevice(const QFileInfo &file)
     return file.exists() && !file.isFile() && !file.isDir();
 }
 
-bool openForReading(QFile &file, const QString &path)
+QString displayName(const QString &path)
+{
+    return isStandardInput(path) ? WholeFileText::tr("Standard input") : QDir::toNativeSeparators(path);
+}
+
+std::optional<QString> openForReading(QFile &file, const QString &path)
 {
     constexpr int kStandardInput = 0; // the descriptor; with `stdin`, the end of a pipe would be an error
     const QIODevice::OpenMode mode = QIODevice::ReadOnly | QIODevice::Unbuffered;
+    if (QFileInfo(path).isDir()) {
+        return WholeFileText::tr("%1 is a folder: choose a file in it.").arg(displayName(path));
+    }
     file.setFileName(path);
-    return isStandardInput(path) ? file.open(kStandardInput, mode) : file.open(mode);
+    if (isStandardInput(path) ? file.open(kStandardInput, mode) : file.open(mode)) {
+        return std::nullopt;
+    }
+    return WholeFileText::tr("%1 cannot be opened: %2.").arg(displayName(path), withoutFullStop(file.errorString()));
+}
+
+std::optional<QString> readFailure(const QFile &file, const QString &path)
+{
+    return file.error() == QFileDevice::NoError
+               ? std::nullopt
+               : std::optional(WholeFileText::tr("%1 cannot be read: %2.")
+                                   .arg(displayName(path), withoutFullStop(file.errorString())));
 }
 
 } // namespace slidercrank

@@ -49,7 +49,13 @@ bool isStandardInput(const QString &path);
 /// Whether the path exists, and is neither a file nor a folder.
 bool isPipeOrDevice(const QFileInfo &file);
 
-/// Opens a file, a pipe, or standard input for reading, without a buffer.
-bool openForReading(QFile &file, const QString &path);
+/// The name of a file in messages.
+QString displayName(const QString &path);
+
+/// Opens a file, a pipe, or standard input for reading, without a buffer. Returns a sentence if that fails.
+std::optional<QString> openForReading(QFile &file, const QString &path);
+
+/// Returns a sentence if reading an open file has failed.
+std::optional<QString> readFailure(const QFile &file, const QString &path);
 
 } // namespace slidercrank
