@@ -203,7 +203,7 @@ std::vector<SimulationFile> simulationFiles()
                                 "lines below the names; \"every time column must be named time\"";
     read("Simulink, data inspector, a time for each signal", kInspector,
          "time=Time|slider position=X|time=Time|rod angle=Theta3", {}, "time[] R4_x[] - theta3[]");
-    refused("Simulink, data inspector, signals of other instants", kInspector,
+    refused("Simulink, data inspector, signals at other time stamps", kInspector,
             "time=Time|slider position=X|time=Time*half|rod angle=Theta3", {}, "keep one of the two");
     read("Simulink, data inspector", kInspector, "time=Time|slider position=X*m|rod angle=Theta3*rad",
          {.below = ",Type: double,Type: double\n,Unit: m,Unit: rad\n"}, "time[] R4_x[m] theta3[rad]");
