@@ -6,6 +6,7 @@
 #include "core/import/crank_angles.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 namespace slidercrank
@@ -136,6 +137,18 @@ std::optional<Claim> claimOf(const RawTable &table, RawColumn &column)
     return Claim{&column, meaning.channel, evidence, reason, *factor};
 }
 
+/// Returns the range of a column of angles, in degrees, without the jumps of angles that are limited to one turn.
+double sweepOf(const Claim &claim)
+{
+    std::vector<double> degrees;
+    for (const double value : claim.column->values) {
+        if (std::isfinite(value)) {
+            degrees.push_back(value * claim.factor);
+        }
+    }
+    return rangeOf(unwrapped(std::move(degrees))).width();
+}
+
 /// Reassigns angles of an unnamed body that have to be the crank angle, and the derivatives that belong to them. If
 /// another angle of the same owner does not, it is open whose derivatives they are.
 void findCrank(std::vector<Claim> &claims)
@@ -146,7 +159,7 @@ void findCrank(std::vector<Claim> &claims)
                (claim.channel.order == Order::Position) == isPosition;
     };
     for (Claim &claim : claims) {
-        if (isOpen(claim, true) && rangeOf(claim.column->values).width() * claim.factor > kHalfTurn) {
+        if (isOpen(claim, true) && sweepOf(claim) > kHalfTurn) {
             claim.channel = kCrankAngle;
             claim.reason = ColumnReason::WideAngle;
         }

@@ -163,6 +163,7 @@ const std::vector<NamesRow> kNames{
     {"time,angle (rad),angular velocity (rad/s)" + kUneven, "time theta2? theta2_diff?"},
     {"time,angle 1 (rad),angular velocity (rad/s),angle 2 (rad)" + QByteArray(kUneven).replace("\n", ",0\n").mid(2),
      "time theta2? - theta3?"},
+    {"time,angle 1 (deg),angle 2 (deg)\n0,350,90\n1,355,180\n2,0,-90\n3,5,0\n4,0,90\n", "time theta3? theta2?"},
     {"time,P[2.1] (deg),V[2.1],P[3.1] (mm)\n0,1,2,3\n1,2,3,4\n2,4,1,5\n", "time theta3? - R4_x?"},
 };
 
