@@ -227,7 +227,7 @@ private slots:
         QCOMPARE(writeScene(scene, path("long.json")), std::nullopt);
         m_window->scene().open(path("long.json"));
         cancel();
-        QVERIFY2(messages()->text().contains("Undo computes it"), qPrintable(messages()->text()));
+        QVERIFY2(messages()->text().contains("Undo computes"), qPrintable(messages()->text()));
         session().setParameter(Parameter::A, 21.0);
         QVERIFY(messages()->text().isEmpty());
         session().setSolver(scene.solver);
