@@ -76,6 +76,19 @@ std::set<DrawnPart> MechanismDrawing::parts() const
     return parts;
 }
 
+QRectF MechanismDrawing::bounds() const
+{
+    QRectF bounds;
+    for (const DrawnShape &shape : m_shapes) {
+        const double margin = shape.pen.widthF();
+        bounds |= shape.path.controlPointRect().adjusted(-margin, -margin, margin, margin);
+    }
+    for (const Label &label : m_labels) {
+        bounds |= label.box;
+    }
+    return bounds;
+}
+
 void MechanismDrawing::add(const QPainterPath &path, const QPen &pen, const QBrush &brush, DrawnPart part)
 {
     m_shapes.push_back({part, path, pen, brush});

@@ -72,6 +72,9 @@ public:
 
     std::set<DrawnPart> parts() const;
 
+    /// Returns a rectangle that contains all shapes and labels.
+    QRectF bounds() const;
+
     const std::vector<DrawnShape> &shapes() const { return m_shapes; }
     const std::vector<Label> &labels() const { return m_labels; }
     const SeriesColours &colours() const { return m_colours; }

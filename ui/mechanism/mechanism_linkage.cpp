@@ -43,18 +43,18 @@ QPainterPath sliderPath(QPointF centre)
 
 void MechanismSketch::addLinkage()
 {
-    if (!m_scene.result) {
+    if (!m_scene->result) {
         return;
     }
-    const MechanismSettings &settings = m_scene.settings;
+    const MechanismSettings &settings = m_scene->settings;
     avoidLinkage();
     addModel();
     if (m_exists) {
         if (settings.acceleration) {
-            addMotionArrows(MotionKind::Acceleration, m_scene.acceleration, true);
+            addMotionArrows(MotionKind::Acceleration, m_scene->acceleration, true);
         }
         if (settings.showsVelocity()) { // the instant centre explains those of A and B
-            addMotionArrows(MotionKind::Velocity, m_scene.velocity, settings.velocity);
+            addMotionArrows(MotionKind::Velocity, m_scene->velocity, settings.velocity);
         }
         if (settings.instantCentre) {
             addInstantCentre();
@@ -63,8 +63,8 @@ void MechanismSketch::addLinkage()
             addLengths();
         }
         if (settings.angles) {
-            addAngle(QStringLiteral("θ₂"), {m_O2, m_A}, wrapToTwoPi(m_scene.pose.theta2), 30.0);
-            addAngle(QStringLiteral("θ³"), {m_A, m_B}, wrapToPi(m_scene.pose.theta3), 36.0);
+            addAngle(QStringLiteral("θ₂"), {m_O2, m_A}, wrapToTwoPi(m_scene->pose.theta2), 30.0);
+            addAngle(QStringLiteral("θ³"), {m_A, m_B}, wrapToPi(m_scene->pose.theta3), 36.0);
         }
     }
     if (settings.names) {
@@ -85,7 +85,7 @@ void MechanismSketch::avoidLinkage()
         constexpr double kUsualWidth = 240.0;
         avoid(QRectF(0.0, 0.0, kUsualWidth, cornerLineTop(cornerLineCount())));
     }
-    if (m_scene.settings.dimensions) {
+    if (m_scene->settings.dimensions) {
         avoid(offsetDimension(), 24.0); // with its letter
     }
     if (m_exists) {
@@ -127,7 +127,7 @@ void MechanismSketch::addModel()
 /// The circle that B can reach, and how far it is from the slider's line.
 void MechanismSketch::addMissingCoupler()
 {
-    const QPointF pin = m_scene.crankPin();
+    const QPointF pin = m_scene->crankPin();
     if (!std::isfinite(pin.x())) {
         return;
     }
@@ -143,7 +143,7 @@ void MechanismSketch::addMissingCoupler()
 void MechanismSketch::addAssemblyProblem()
 {
     constexpr double kApart = 17.0; // from the edges
-    const QString text = assemblyProblem(m_scene);
+    const QString text = assemblyProblem(*m_scene);
     const QRectF available(0.0, 0.0, std::max(160.0, 0.45 * size.width()), 1e4);
     QRectF box = QFontMetricsF(m_font).boundingRect(available, Qt::TextWordWrap, text);
     const double numbers = textSize({}).height(); // of the grid, along the lower edge
@@ -157,11 +157,11 @@ void MechanismSketch::addAssemblyProblem()
 
 void MechanismSketch::addGhost()
 {
-    const ReferencePose &ghost = m_scene.ghost;
+    const ReferencePose &ghost = m_scene->ghost;
     if (!ghost.exists) {
         return;
     }
-    const bool isFile = !m_scene.result->difference;
+    const bool isFile = !m_scene->result->difference;
     const QColor &colour = isFile ? m_colours.reference : m_colours.pinned;
     const QLineF coupler(toPixels({ghost.pinX, ghost.pinY}), toPixels({ghost.sliderX, ghost.sliderY}));
     QPainterPath path = sliderPath(coupler.p2());

@@ -71,7 +71,7 @@ void MechanismSketch::addArrow(QPointF tail, QPointF tip, MotionKind kind, bool 
 void MechanismSketch::addMotionArrows(MotionKind kind, const ArrowScale &arrows, bool withCentreOfMass)
 {
     for (const LinkagePoint point : kLinkagePoints) {
-        const PointMotion motion = m_scene.motion(point);
+        const PointMotion motion = m_scene->motion(point);
         const PlaneVector &vector = arrowVector(motion, kind);
         const double amount = vector.length();
         if (amount > 0.0 && std::isfinite(amount) && (point != LinkagePoint::G3 || withCentreOfMass)) {
@@ -86,7 +86,7 @@ void MechanismSketch::addMotionArrows(MotionKind kind, const ArrowScale &arrows,
 /// The coupler's instant centre P, with rays to A and B.
 void MechanismSketch::addInstantCentre()
 {
-    const std::optional<InstantCentre> centre = instantCentre(mechanism(), m_scene.pose.time);
+    const std::optional<InstantCentre> centre = instantCentre(mechanism(), m_scene->pose.time);
     if (!centre) {
         return;
     }
@@ -111,7 +111,7 @@ void MechanismSketch::addInstantCentre()
 void MechanismSketch::addRay(LinkagePoint point, QPointF centre)
 {
     constexpr double kMark = 15.0;
-    const PlaneVector velocity = m_scene.motion(point).velocity;
+    const PlaneVector velocity = m_scene->motion(point).velocity;
     const QPointF pin = point == LinkagePoint::A ? m_A : m_B;
     const QPointF ray = unitVector(centre - pin);
     const double seen = std::min(QLineF(pin, centre).length(), size.width() + size.height());

@@ -26,7 +26,7 @@ constexpr double kBelowLine = 13.0; // from the slider's line to the rail
 MechanismSketch::MechanismSketch(const MechanismScene &scene, const MechanismProjection &projection,
                                  const QPalette &palette, const QFont &font)
     : MechanismDrawing(projection, palette, font)
-    , m_scene(scene)
+    , m_scene(&scene)
     , m_O2(toPixels({0.0, 0.0}))
 {
     if (scene.result) {
@@ -41,7 +41,7 @@ void MechanismSketch::addScenery()
     QPainterPath paper;
     paper.addRect(QRectF(QPointF(), size));
     add(paper, Qt::NoPen, m_paper);
-    if (m_scene.result) {
+    if (m_scene->result) {
         addGrid();
         addCrankCircle();
         addGuide();
@@ -140,11 +140,11 @@ void MechanismSketch::addGuide()
 /// The path of G3.
 void MechanismSketch::addPath()
 {
-    if (!m_scene.settings.path) {
+    if (!m_scene->settings.path) {
         return;
     }
     QPainterPath path;
-    for (const std::vector<LinkageMotion> &arc : m_scene.cycle) {
+    for (const std::vector<LinkageMotion> &arc : m_scene->cycle) {
         QPolygonF points;
         for (const LinkageMotion &sample : arc) {
             const PlaneVector &centre = sample[static_cast<std::size_t>(LinkagePoint::G3)].position;
@@ -167,7 +167,7 @@ void MechanismSketch::addPivot()
 
 void MechanismSketch::addDimensionsAndScales()
 {
-    const MechanismSettings &settings = m_scene.settings;
+    const MechanismSettings &settings = m_scene->settings;
     int line = 0;
     if (settings.dimensions) {
         const QLineF offset = offsetDimension();
@@ -188,8 +188,8 @@ void MechanismSketch::addDimensionsAndScales()
             addCornerLabel(line++, kSample + 8.0, arrowScaleText(arrows, kind));
         }
     };
-    addScale(settings.showsVelocity(), m_scene.velocity, MotionKind::Velocity);
-    addScale(settings.acceleration, m_scene.acceleration, MotionKind::Acceleration);
+    addScale(settings.showsVelocity(), m_scene->velocity, MotionKind::Velocity);
+    addScale(settings.acceleration, m_scene->acceleration, MotionKind::Acceleration);
 }
 
 /// Upright, from the height of O2 to that of the slider's line, beside the crank's circle where the coupler does not
@@ -205,7 +205,7 @@ QLineF MechanismSketch::offsetDimension() const
 /// The number of text lines in the upper left corner.
 int MechanismSketch::cornerLineCount() const
 {
-    const MechanismSettings &settings = m_scene.settings;
+    const MechanismSettings &settings = m_scene->settings;
     return int(settings.dimensions) + int(settings.showsVelocity()) + int(settings.acceleration);
 }
 

@@ -28,8 +28,8 @@ public:
     void addLinkage();
 
 private:
-    const Mechanism &mechanism() const { return m_scene.mechanism(); }
-    const MotionLimits &limits() const { return m_scene.result->limits; }
+    const Mechanism &mechanism() const { return m_scene->mechanism(); }
+    const MotionLimits &limits() const { return m_scene->result->limits; }
 
     void addGrid();
     void addGround(QPointF from, double to, DrawnPart part);
@@ -58,7 +58,7 @@ private:
     void addLengths();
     void addAngle(const QString &name, const QLineF &link, double angle, double largestRadius);
 
-    const MechanismScene &m_scene;
+    const MechanismScene *m_scene;
     QPointF m_O2;
     QPointF m_A;
     QPointF m_B; ///< of no meaning where the mechanism cannot be assembled

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
+// What the view shows. mechanism_mouse.cpp contains what the mouse and the keyboard do.
+
 #include "ui/mechanism/mechanism_view.h"
 
-#include "core/sampling/crank_instant.h"
 #include "ui/document/with.h"
 #include "ui/mechanism/mechanism_text.h"
 #include "ui/text/written_number.h"
@@ -9,17 +11,13 @@
 #include <QAction>
 #include <QApplication>
 #include <QFontInfo>
-#include <QKeyEvent>
 #include <QLabel>
-#include <QMouseEvent>
 #include <QPainter>
 #include <QTimer>
 #include <QToolButton>
-#include <QWheelEvent>
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace slidercrank
 {
@@ -28,10 +26,9 @@ namespace
 {
 
 constexpr double kZoomStep = 1.25;
-constexpr double kPanStep = 40.0;   // px
-constexpr double kClickMoves = 3.0; // px that a hand moves during a click
-constexpr int kNoteDelay = 250;     // ms: a pointer that only passes by gets no note
-constexpr int kRest = 400;          // ms without a change
+constexpr int kNoteDelay = 250;  // ms, so that no note appears while the pointer only passes over a part
+constexpr int kRefitDelay = 400; // ms without a change
+constexpr int kInset = 5;        // px, between the edge of the view and what lies over the drawing
 
 QTimer *makeTimer(QObject *parent, int milliseconds)
 {
@@ -61,10 +58,12 @@ QLabel *makeNote(QWidget *parent)
 
 MechanismView::MechanismView(QWidget *parent)
     : QWidget(parent)
+    , m_scenery(newSketch(size(), palette()))
+    , m_linkage(m_scenery)
     , m_flip(new QToolButton(this))
     , m_note(makeNote(this))
     , m_noteDelay(makeTimer(this, kNoteDelay))
-    , m_refitDelay(makeTimer(this, kRest))
+    , m_refitDelay(makeTimer(this, kRefitDelay))
 {
     setObjectName(QStringLiteral("mechanismView"));
     setAccessibleName(tr("Mechanism"));
@@ -100,7 +99,7 @@ void MechanismView::makeChoices()
     const auto addZoom = [this](const QString &text, const QList<QKeySequence> &keys, const auto &change) {
         auto *action = new QAction(text, this);
         action->setShortcuts(keys);
-        action->setShortcutContext(Qt::WidgetShortcut); // elsewhere they are characters to type
+        action->setShortcutContext(Qt::WidgetShortcut); // in other widgets these keys type characters
         connect(action, &QAction::triggered, this, change);
         m_choices << action;
     };
@@ -122,12 +121,11 @@ void MechanismView::makeChoices()
 
 void MechanismView::setSettings(const MechanismSettings &settings)
 {
-    if (settings == m_scene.settings) {
-        return;
+    if (settings != m_scene.settings) {
+        m_scene.settings = settings;
+        emit settingsChanged(settings);
+        refresh();
     }
-    m_scene.settings = settings;
-    emit settingsChanged(settings);
-    refresh();
 }
 
 void MechanismView::setZoom(const std::optional<QRectF> &zoom)
@@ -156,10 +154,10 @@ void MechanismView::setFrame(const MechanismFrame &frame)
     refresh();
 }
 
-/// Fits the frame to the mechanism, once nothing is dragged any more, here or on a slider.
+/// Fits the frame to the mechanism. Waits while the mouse drags anything, here or on a slider.
 void MechanismView::fitFrame()
 {
-    if (m_hold || QApplication::mouseButtons() != Qt::NoButton) {
+    if (m_pressed || QApplication::mouseButtons() != Qt::NoButton) {
         m_refitDelay->start();
     } else if (m_scene.result) {
         m_frame.fit(bounds());
@@ -167,29 +165,18 @@ void MechanismView::fitFrame()
     }
 }
 
-/// Everything that stands still is out of date.
-void MechanismView::refresh()
-{
-    constexpr int kInset = 4;
-    m_scene.updateCycle();
-    m_scenery = QPixmap();
-    m_flip->resize(m_flip->sizeHint());
-    m_flip->move(width() - m_flip->width() - kInset, kInset);
-    update();
-}
-
 void MechanismView::setResult(const std::shared_ptr<const Result> &result)
 {
     const bool isSame = m_scene.result && result && m_scene.result->mechanism == result->mechanism;
     m_scene.result = result;
     if (isSame || !result) {
-        return; // sampling, solver and reference are not drawn here
+        return; // the drawing does not depend on sampling, solver and reference
     }
-    const bool pullsLength = m_hold && m_hold->drag && m_hold->drag->length();
-    if (m_hold && m_hold->drag && !pullsLength) {
-        release(); // another mechanism was grasped
+    const bool dragsLength = m_pressed && m_pressed->drag && m_pressed->drag->length();
+    if (m_pressed && m_pressed->drag && !dragsLength) {
+        endDrag(); // the drag began on another mechanism
     }
-    if (!pullsLength) { // otherwise the part would move away from the pointer
+    if (!dragsLength) { // otherwise the part would move away from the pointer
         m_frame.follow(bounds());
     }
     m_refitDelay->start();
@@ -221,14 +208,14 @@ void MechanismView::setPose(const Pose &pose)
     if (m_note->isVisible()) {
         showNote();
     }
-    update();
+    updateLinkage();
 }
 
 void MechanismView::setGhost(const ReferencePose &ghost)
 {
     if (ghost.exists || m_scene.ghost.exists) {
         m_scene.ghost = ghost;
-        update();
+        updateLinkage();
     }
 }
 
@@ -250,14 +237,14 @@ void MechanismView::highlight(MechanismPart part)
     update();
 }
 
-/// Of the mechanism, and of the ghost unless that would make the mechanism too small.
+/// Returns the bounds of the mechanism, with those of the ghost unless they would make the mechanism too small.
 QRectF MechanismView::bounds() const
 {
     constexpr double kLargest = 3.0; // times the mechanism
     const QRectF own = motionBounds(m_scene.mechanism(), m_scene.result->limits);
     const QRectF both = own.united(m_ghostBounds);
     const bool fits = std::max(both.width(), both.height()) <= kLargest * std::max(own.width(), own.height());
-    return fits ? both : own; // own, too, if the ghost's bounds are not finite
+    return fits ? both : own; // also own if the ghost's bounds are not finite
 }
 
 QSize MechanismView::pictureSize() const
@@ -268,66 +255,74 @@ QSize MechanismView::pictureSize() const
     return {kWidth, static_cast<int>(kWidth * std::clamp(height, 0.4, 0.75))};
 }
 
-void MechanismView::paintMechanism(QPainter &painter, const QSize &size, const QPalette &palette) const
-{
-    painter.save();
-    painter.setClipRect(QRect(QPoint(0, 0), size), Qt::IntersectClip);
-    painter.scale(magnification(), magnification());
-    sketch(size, palette, true, true).paint(painter);
-    painter.restore();
-}
-
-/// Links, joints and arrows grow with letters that are larger than usual, as in presentation mode.
+/// With letters that are larger than usual, as in presentation mode, links, joints and arrows are larger, too.
 double MechanismView::magnification() const
 {
     const int usual = QFontInfo(QApplication::font(this)).pixelSize();
     return std::max(1.0, static_cast<double>(QFontInfo(font()).pixelSize()) / usual);
 }
 
-MechanismSketch MechanismView::sketch(const QSizeF &size, const QPalette &palette, bool withScenery,
-                                      bool withLinkage) const
+/// Returns an empty sketch for a drawing of that size (px), to be painted with magnification().
+MechanismSketch MechanismView::newSketch(const QSizeF &size, const QPalette &palette) const
 {
     const double magnified = magnification();
     QFont letters = font();
     letters.setPixelSize(static_cast<int>(std::lround(QFontInfo(letters).pixelSize() / magnified)));
-    MechanismSketch sketch(m_scene, m_frame.projection(size / magnified), palette, letters);
-    if (withScenery) {
-        sketch.addScenery();
-    }
-    if (withLinkage) {
-        sketch.addLinkage();
-    }
-    return sketch;
+    return {m_scene, m_frame.projection(size / magnified), palette, letters};
 }
 
-DrawnPart MechanismView::partUnder(QPointF pixel) const
+/// Draws everything anew.
+void MechanismView::refresh()
 {
-    return wholeSketch().partAt(pixel / magnification());
+    m_scene.updateCycle();
+    m_scenery = newSketch(size(), palette());
+    m_scenery.addScenery();
+    m_sceneryPicture = QPixmap();
+    m_flip->resize(m_flip->sizeHint());
+    m_flip->move(width() - m_flip->width() - kInset, kInset);
+    updateLinkage();
+    update();
+}
+
+/// Draws the linkage in the current pose. Only the rectangles that it occupied before and occupies now are repainted.
+void MechanismView::updateLinkage()
+{
+    constexpr int kHighlight = 4; // px by which a highlight exceeds its part
+    const double magnified = magnification();
+    m_linkage = newSketch(size(), palette());
+    m_linkage.addLinkage();
+    const QRectF bounds = m_linkage.bounds();
+    const QRect before = m_linkageArea;
+    m_linkageArea = rect();
+    if (std::isfinite(bounds.width() + bounds.height())) { // not if the crank angle is not a number
+        const QRectF painted = QRectF(magnified * bounds.topLeft(), magnified * bounds.size()) & QRectF(rect());
+        m_linkageArea = painted.toAlignedRect().adjusted(-kHighlight, -kHighlight, kHighlight, kHighlight);
+    }
+    update(before.united(m_linkageArea));
 }
 
 void MechanismView::paintEvent(QPaintEvent *)
 {
     const double magnified = magnification();
     const double ratio = devicePixelRatioF();
-    if (m_scenery.isNull() || m_scenery.devicePixelRatio() != ratio) {
-        // Rounded up: at a ratio of 1.5 the last half pixel has to be painted, too.
-        m_scenery =
+    if (m_sceneryPicture.isNull() || m_sceneryPicture.devicePixelRatio() != ratio) {
+        // The size is rounded up, so that at a ratio of 1.5 the last half pixel is painted, too.
+        m_sceneryPicture =
             QPixmap(static_cast<int>(std::ceil(width() * ratio)), static_cast<int>(std::ceil(height() * ratio)));
-        m_scenery.setDevicePixelRatio(ratio);
-        m_scenery.fill(palette().color(QPalette::Base)); // the last half pixel is only half covered below
-        QPainter painter(&m_scenery);
+        m_sceneryPicture.setDevicePixelRatio(ratio);
+        m_sceneryPicture.fill(palette().color(QPalette::Base)); // the drawing covers the last half pixel only by half
+        QPainter painter(&m_sceneryPicture);
         painter.scale(magnified, magnified);
-        sketch(size(), palette(), true, false).paint(painter);
+        m_scenery.paint(painter);
     }
     QPainter painter(this);
-    painter.drawPixmap(0, 0, m_scenery);
+    painter.drawPixmap(0, 0, m_sceneryPicture);
     painter.scale(magnified, magnified);
-    sketch(size(), palette(), false, true).paint(painter);
+    m_linkage.paint(painter);
     const QColor colour = palette().color(QPalette::Highlight);
-    if (m_pointed != DrawnPart::Background || m_highlighted != DrawnPart::Background) {
-        const MechanismSketch whole = wholeSketch();
-        whole.paintHighlight(painter, m_pointed, colour);
-        whole.paintHighlight(painter, m_highlighted, whole.colours().error);
+    for (const MechanismSketch *sketch : {&m_scenery, &m_linkage}) {
+        sketch->paintHighlight(painter, m_pointed, colour);
+        sketch->paintHighlight(painter, m_highlighted, sketch->colours().error);
     }
     if (hasFocus() && window()->testAttribute(Qt::WA_KeyboardFocusChange)) {
         painter.resetTransform();
@@ -337,216 +332,24 @@ void MechanismView::paintEvent(QPaintEvent *)
     }
 }
 
-bool MechanismView::event(QEvent *event)
+void MechanismView::paintMechanism(QPainter &painter, const QSize &size, const QPalette &palette) const
 {
-    switch (event->type()) {
-    case QEvent::Resize:
-    case QEvent::PaletteChange:
-    case QEvent::FontChange:
-    case QEvent::StyleChange:
-    case QEvent::LocaleChange: refresh(); break;
-    case QEvent::Hide: release(); break;
-    case QEvent::Leave:
-        if (!m_hold) {
-            pointAt(DrawnPart::Background, false);
-        }
-        break;
-    default: break;
-    }
-    return QWidget::event(event);
+    MechanismSketch scenery = newSketch(size, palette);
+    scenery.addScenery();
+    MechanismSketch linkage = newSketch(size, palette);
+    linkage.addLinkage();
+    painter.save();
+    painter.setClipRect(QRect(QPoint(0, 0), size), Qt::IntersectClip);
+    painter.scale(magnification(), magnification());
+    scenery.paint(painter);
+    linkage.paint(painter);
+    painter.restore();
 }
 
-void MechanismView::keyPressEvent(QKeyEvent *event)
-{
-    const auto pan = [&](double x, double y) { // the keys move the frame, so the drawing goes the other way
-        if (!event->modifiers().testFlag(Qt::ControlModifier)) {
-            QWidget::keyPressEvent(event);
-            return;
-        }
-        m_frame.pan(kPanStep * QPointF(x, y), size());
-        refresh();
-    };
-    switch (event->key()) {
-    case Qt::Key_Left: pan(1.0, 0.0); break;
-    case Qt::Key_Right: pan(-1.0, 0.0); break;
-    case Qt::Key_Up: pan(0.0, 1.0); break;
-    case Qt::Key_Down: pan(0.0, -1.0); break;
-    case Qt::Key_PageDown: pointAtNext(1); break;
-    case Qt::Key_PageUp: pointAtNext(-1); break;
-    case Qt::Key_Return:
-    case Qt::Key_Enter: emit enlarged(); break;
-    case Qt::Key_Escape:
-        if (!m_hold && m_pointed == DrawnPart::Background) {
-            QWidget::keyPressEvent(event); // for the window
-            break;
-        }
-        cancelDrag();
-        pointAt(DrawnPart::Background, false);
-        break;
-    default: QWidget::keyPressEvent(event); break;
-    }
-}
-
-void MechanismView::mousePressEvent(QMouseEvent *event)
-{
-    const bool isLeft = event->button() == Qt::LeftButton;
-    if (m_hold || !m_scene.result || !(isLeft || event->button() == Qt::MiddleButton)) {
-        QWidget::mousePressEvent(event);
-        return;
-    }
-    const QPointF pixel = event->position();
-    const bool withShift = event->modifiers().testFlag(Qt::ShiftModifier);
-    m_hold = Hold{std::nullopt, event->button(), pixel, pixel, false, m_scene.pose.time};
-    if (isLeft) {
-        pointAt(partUnder(pixel), withShift);
-        m_hold->drag = MechanismDrag::begin(m_scene, m_pointed, withShift, projection().toModel(pixel));
-    }
-    if (m_hold->drag && m_hold->drag->length()) {
-        emit dragBegan();
-    } else if (m_hold->drag) {
-        setCursor(Qt::ClosedHandCursor);
-    }
-}
-
-void MechanismView::mouseMoveEvent(QMouseEvent *event)
-{
-    const QPointF pixel = event->position();
-    if (!m_hold) {
-        pointAt(partUnder(pixel), event->modifiers().testFlag(Qt::ShiftModifier));
-        return;
-    }
-    if (!m_hold->moves && (pixel - m_hold->pressed).manhattanLength() < kClickMoves) {
-        return;
-    }
-    m_hold->moves = true;
-    const QPointF last = std::exchange(m_hold->last, pixel);
-    if (!m_hold->drag) {
-        setCursor(Qt::ClosedHandCursor);
-        m_frame.pan(pixel - last, size());
-        refresh();
-        return;
-    }
-    const QPointF pointer = projection().toModel(pixel);
-    if (const std::optional<Parameter> length = m_hold->drag->length()) {
-        // Lengths are round numbers: one pixel apart, with Control much less.
-        const double pixels = event->modifiers().testFlag(Qt::ControlModifier) ? 0.02 : 1.0;
-        emit lengthRequested(*length, m_hold->drag->lengthAt(pointer, nextRoundNumber(pixels / projection().scale)));
-    } else {
-        goToCrankAngle(m_hold->drag->crankAngleAt(pointer));
-    }
-    m_noteDelay->stop();
-    showNote();
-}
-
-void MechanismView::mouseReleaseEvent(QMouseEvent *event)
-{
-    if (!m_hold || event->button() != m_hold->button) {
-        QWidget::mouseReleaseEvent(event);
-        return;
-    }
-    const bool isClick = !m_hold->moves && event->button() == Qt::LeftButton;
-    release();
-    const MotionLimits &limits = m_scene.result->limits;
-    if (isClick && m_pointed == DrawnPart::OuterDeadCentre) {
-        goToCrankAngle(limits.outer->theta2);
-    } else if (isClick && m_pointed == DrawnPart::InnerDeadCentre) {
-        goToCrankAngle(limits.inner->theta2);
-    }
-    const bool isInside = rect().contains(event->position().toPoint());
-    pointAt(isInside ? partUnder(event->position()) : DrawnPart::Background,
-            event->modifiers().testFlag(Qt::ShiftModifier));
-}
-
-void MechanismView::mouseDoubleClickEvent(QMouseEvent *event)
-{
-    if (event->button() != Qt::LeftButton) {
-        mousePressEvent(event);
-    } else if (partUnder(event->position()) == DrawnPart::Background) {
-        fit();
-    } else {
-        emit enlarged();
-    }
-}
-
-void MechanismView::wheelEvent(QWheelEvent *event)
-{
-    constexpr double kNotch = 120.0; // Qt's unit
-    const double notches = event->angleDelta().y() / kNotch;
-    if (notches == 0.0 || m_hold) {
-        QWidget::wheelEvent(event);
-        return;
-    }
-    zoomBy(std::pow(kZoomStep, notches), event->position());
-    event->accept();
-}
-
-void MechanismView::goToCrankAngle(double theta2)
-{
-    emit timeRequested(
-        nearestInstantAtCrankAngle(m_scene.mechanism(), m_scene.result->sampling, theta2, m_scene.pose.time));
-}
-
-void MechanismView::release()
-{
-    if (!m_hold) {
-        return;
-    }
-    const Hold held = *std::exchange(m_hold, std::nullopt);
-    if (held.drag && held.drag->length()) {
-        emit dragEnded();
-        m_frame.follow(bounds());
-        refresh();
-    }
-    unsetCursor();
-}
-
-/// Takes the drag back.
-void MechanismView::cancelDrag()
-{
-    if (!m_hold || !m_hold->drag) {
-        return;
-    }
-    const Hold held = *m_hold;
-    if (const std::optional<Parameter> length = held.drag->length()) {
-        emit lengthRequested(*length, held.drag->lengthBefore());
-    }
-    release();
-    if (!held.drag->length()) {
-        emit timeRequested(held.time);
-    }
-}
-
-void MechanismView::pointAt(DrawnPart part, bool withShift)
-{
-    if (part != m_pointed) {
-        m_pointed = part;
-        m_note->hide();
-        m_noteDelay->start();
-        update();
-    }
-    setCursor(m_scene.result ? cursorOver(m_scene, part, withShift) : Qt::ArrowCursor);
-}
-
-void MechanismView::pointAtNext(std::ptrdiff_t step)
-{
-    if (!m_scene.result || m_hold) {
-        return;
-    }
-    const std::set<DrawnPart> drawn = wholeSketch().parts();
-    std::vector<DrawnPart> parts(drawn.begin(), drawn.end());
-    parts.insert(parts.begin(), DrawnPart::Background);
-    const auto count = static_cast<std::ptrdiff_t>(parts.size());
-    const std::ptrdiff_t now = std::ranges::find(parts, m_pointed) - parts.begin();
-    pointAt(parts[static_cast<std::size_t>((now + step + count) % count)], false);
-    m_noteDelay->stop();
-    showNote();
-}
-
-/// In the corner away from the crank and the slider's line. Where the mechanism cannot be assembled, the drawing says
-/// there why.
+/// Shows the note about the part under the pointer, in the corner away from the crank and the slider's line. Where the
+/// mechanism cannot be assembled, this corner shows the reason instead.
 void MechanismView::showNote()
 {
-    constexpr int kInset = 6;
     constexpr int kWidest = 330;
     const QString text = m_scene.pose.exists() ? partText(m_scene, m_pointed) : QString();
     m_note->setVisible(!text.isEmpty());

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The linkage, drawn to scale in a view that stands still while the mechanism moves. Drag A or B to move it, the links
-// and the slider's line to change lengths; point at a part to read what it is and how it moves.
+// The widget that draws the mechanism to scale and lets the user edit it with the mouse. The view does not move while
+// the mechanism moves. Dragging A or B moves the mechanism; dragging a link or the slider's line changes a length.
+// Pointing at a part shows a note with its name and its motion.
 
 #include "core/mechanism/mechanism_part.h"
 #include "ui/mechanism/mechanism_drag.h"
@@ -31,13 +32,13 @@ class MechanismView : public QWidget
 public:
     explicit MechanismView(QWidget *parent = nullptr);
 
-    /// Paints the drawing as vectors, background included, for any device.
+    /// Paints the drawing as vectors, with its background, on any paint device.
     void paintMechanism(QPainter &painter, const QSize &size, const QPalette &palette) const;
 
-    /// A size in landscape format that what is in view fills, for pictures in documents.
+    /// Returns a size in landscape format for pictures in documents. Its aspect ratio is that of the part in view.
     QSize pictureSize() const;
 
-    /// The position of a point of the model (mm) in this widget.
+    /// Converts a point of the model (mm) to a position in this widget.
     QPointF toPixels(QPointF model) const { return projection().toPixels(model); }
 
     bool hasGhost() const { return m_scene.ghost.exists; }
@@ -45,15 +46,15 @@ public:
     const MechanismSettings &settings() const { return m_scene.settings; }
     void setSettings(const MechanismSettings &settings);
 
-    /// For another view that shows the same part of the plane.
+    /// The frame, for another view that has to show the same part of the plane.
     const MechanismFrame &frame() const { return m_frame; }
     void setFrame(const MechanismFrame &frame);
 
-    /// The rectangle that the user zoomed to, mm; nullopt: the whole mechanism.
+    /// The rectangle that the user zoomed to, in mm; nullopt if the whole mechanism is shown.
     const std::optional<QRectF> &zoom() const { return m_frame.zoomed(); }
     void setZoom(const std::optional<QRectF> &zoom);
 
-    /// What the user can choose about the drawing, for menus.
+    /// Actions for the settings of the drawing and for its zoom, to be shown in menus.
     const QList<QAction *> &choices() const { return m_choices; }
 
     QSize sizeHint() const override { return {440, 340}; }
@@ -63,27 +64,32 @@ public slots:
     void setResult(const std::shared_ptr<const slidercrank::Result> &result);
     void setPose(const slidercrank::Pose &pose);
 
-    /// The linkage of the reference or of the pinned motion at the time of the pose.
+    /// Sets the linkage of the reference or of the pinned motion at the time of the pose.
     void setGhost(const slidercrank::ReferencePose &ghost);
 
-    /// The rectangle in which the ghost moves, mm; it is kept in view. Null if there is none.
+    /// Sets the rectangle (mm) in which the ghost moves, so that it stays in view. A null rectangle means no ghost.
     void setGhostBounds(const QRectF &bounds);
 
-    /// Highlights the part that an equation or a coordinate is about.
+    /// Highlights the part that an equation or a coordinate refers to.
     void highlight(slidercrank::MechanismPart part);
 
-    void fit(); ///< shows the whole mechanism
+    /// Shows the whole mechanism.
+    void fit();
 
 signals:
-    void timeRequested(double seconds); ///< the mechanism was moved to its pose at that time
-    void lengthRequested(slidercrank::Parameter parameter, double length); ///< mm
+    /// The user moved the mechanism to its pose at that time (s).
+    void timeRequested(double seconds);
+    void lengthRequested(slidercrank::Parameter parameter, double length); ///< in mm
     void branchRequested(slidercrank::Branch branch);
 
-    /// A length is being dragged: what is requested in between belongs together.
+    /// A drag that changes a length begins or ends. All lengths requested in between are one edit.
     void dragBegan();
     void dragEnded();
+
     void settingsChanged(const slidercrank::MechanismSettings &settings);
-    void enlarged(); ///< the user wants the drawing to fill the window, or no longer
+
+    /// The user wants the drawing to fill the window, or to have its usual size again.
+    void enlarged();
 
 protected:
     bool event(QEvent *event) override;
@@ -97,44 +103,50 @@ protected:
 
 private:
     /// A mouse button that is held down over the drawing.
-    struct Hold {
-        std::optional<MechanismDrag> drag; ///< nullopt: the drawing is moved
+    struct PressedButton {
+        std::optional<MechanismDrag> drag; ///< nullopt if the drag moves the whole drawing
         Qt::MouseButton button;
-        QPointF pressed;    ///< px
-        QPointF last;       ///< px
-        bool moves = false; ///< no longer a click
-        double time = 0.0;  ///< s, before the drag
+        QPointF start;         ///< px
+        QPointF last;          ///< px
+        bool hasMoved = false; ///< if false, a release is a click
+        double time = 0.0;     ///< s, before the drag
     };
 
-    double magnification() const;
-    MechanismSketch sketch(const QSizeF &size, const QPalette &palette, bool withScenery, bool withLinkage) const;
-    MechanismProjection projection() const { return m_frame.projection(size()); }
-    MechanismSketch wholeSketch() const { return sketch(size(), palette(), true, true); }
-    QRectF bounds() const;
-    DrawnPart partUnder(QPointF pixel) const;
+    // mechanism_view.cpp: what is shown
     void makeChoices();
+    double magnification() const;
+    MechanismSketch newSketch(const QSizeF &size, const QPalette &palette) const;
+    MechanismProjection projection() const { return m_frame.projection(size()); }
+    QRectF bounds() const;
+    void refresh();
+    void updateLinkage();
     void describe();
     void fitFrame();
     void zoomBy(double factor, QPointF pixel);
-    void refresh();
-    void goToCrankAngle(double theta2);
-    void release();
-    void cancelDrag();
+    void showNote();
+
+    // mechanism_mouse.cpp: what the mouse and the keyboard do
+    DrawnPart partUnder(QPointF pixel) const;
     void pointAt(DrawnPart part, bool withShift);
     void pointAtNext(std::ptrdiff_t step);
-    void showNote();
+    void goToCrankAngle(double theta2);
+    void endDrag();
+    void cancelDrag();
 
     MechanismScene m_scene;
     MechanismFrame m_frame;
-    QRectF m_ghostBounds; ///< mm; may be null
-    QPixmap m_scenery;    ///< what stands still; null when out of date
-    std::optional<Hold> m_hold;
-    DrawnPart m_pointed = DrawnPart::Background;
-    DrawnPart m_highlighted = DrawnPart::Background; ///< from elsewhere
+    QRectF m_ghostBounds;         ///< mm; may be null
+    MechanismSketch m_scenery;    ///< the parts that do not move
+    QPixmap m_sceneryPicture;     ///< null if it is out of date
+    MechanismSketch m_linkage;    ///< the parts that move, in the current pose
+    QRect m_linkageArea;          ///< px, where m_linkage is painted
+    std::optional<PressedButton> m_pressed;
+    DrawnPart m_pointed = DrawnPart::Background;     ///< under the pointer
+    DrawnPart m_highlighted = DrawnPart::Background; ///< by highlight()
     QToolButton *m_flip;
     QLabel *m_note;
     QTimer *m_noteDelay;
-    QTimer *m_refitDelay; ///< runs until a changed mechanism has come to rest
+    QTimer *m_refitDelay; ///< restarts at every change, so that the frame is fitted when the changes have ended
     QList<QAction *> m_choices;
 };
 
