@@ -42,7 +42,6 @@ std::size_t silentFailures(const StudyResult &result)
 
 StudyPanel::StudyPanel(QWidget *parent)
     : QWidget(parent)
-    , m_study(new BackgroundTask(this))
     , m_runThis(named("runThisButton", new QPushButton))
     , m_runHard(named("runHardButton", new QPushButton))
     , m_progress(named("studyProgress", new QProgressBar, tr("Progress of the study")))
@@ -59,8 +58,8 @@ StudyPanel::StudyPanel(QWidget *parent)
     m_runHard->setToolTip(
         tr("Mechanisms that only just make full turns or only just oscillate, very long and very short "
            "links, very late times: takes some ten seconds"));
-    connect(m_runThis, &QPushButton::clicked, this, [this] { m_study->isRunning() ? cancel() : runThisMechanism(); });
-    connect(m_runHard, &QPushButton::clicked, this, [this] { m_study->isRunning() ? cancel() : runHardCases(); });
+    connect(m_runThis, &QPushButton::clicked, this, [this] { m_study.isRunning() ? cancel() : runThisMechanism(); });
+    connect(m_runHard, &QPushButton::clicked, this, [this] { m_study.isRunning() ? cancel() : runHardCases(); });
     m_progress->setRange(0, kProgressSteps);
     m_progress->setMaximumWidth(140);
     m_summary->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
@@ -91,32 +90,15 @@ StudyPanel::StudyPanel(QWidget *parent)
     rows->setSpacing(2);
     rows->addLayout(controls);
     rows->addWidget(m_page, 1);
-    listen();
-    updateButtons();
-}
-
-void StudyPanel::listen()
-{
-    connect(m_study, &BackgroundTask::progressed, this,
+    connect(&m_study, &BackgroundTask::progressed, this,
             [this](double part) { m_progress->setValue(static_cast<int>(part * kProgressSteps)); });
-    connect(m_study, &BackgroundTask::runningChanged, this, [this](bool running) {
+    connect(&m_study, &BackgroundTask::runningChanged, this, [this](bool running) {
         updateButtons();
         if (!running) {
             emit finished();
         }
     });
-}
-
-void StudyPanel::takeOver(StudyPanel &other)
-{
-    delete std::exchange(m_study, std::exchange(other.m_study, nullptr));
-    m_study->disconnect(&other);
-    m_study->setParent(this);
-    m_pressed = other.m_pressed == other.m_runHard ? m_runHard : m_runThis;
-    listen();
-    m_progress->setValue(other.m_progress->value());
-    setResult(other.m_result);
-    m_cases->setCurrentIndex(other.m_cases->currentIndex());
+    updateButtons();
 }
 
 void StudyPanel::setParameters(const Parameters &parameters)
@@ -137,27 +119,26 @@ void StudyPanel::runHardCases()
 
 void StudyPanel::cancel()
 {
-    m_study->cancel();
+    m_study.cancel();
 }
 
 void StudyPanel::run(QPushButton *button, StudyRequest request)
 {
-    if (m_study->isRunning()) {
+    if (m_study.isRunning()) {
         return;
     }
     m_pressed = button;
     m_progress->setValue(0);
-    const auto panel = [study = m_study] { return static_cast<StudyPanel *>(study->parent()); }; // see takeOver()
-    m_study->start(
+    m_study.start(
         [request = std::move(request)](const std::stop_token &stop, const BackgroundTask::Progress &progress) {
             return std::make_shared<const StudyResult>(runStudy(request, stop, progress));
         },
-        [panel](const std::shared_ptr<const StudyResult> &result) {
+        [this](const std::shared_ptr<const StudyResult> &result) {
             if (!result->cases.empty()) {
-                panel()->setResult(result);
+                setResult(result);
             }
         },
-        [panel](const QString &sentence) { emit panel()->problemFound(sentence); });
+        [this](const QString &sentence) { emit problemFound(sentence); });
 }
 
 void StudyPanel::setResult(const std::shared_ptr<const StudyResult> &result)
@@ -206,7 +187,7 @@ void StudyPanel::showSummary()
 /// The button that started the study cancels it: it keeps the keyboard focus.
 void StudyPanel::updateButtons()
 {
-    const bool running = m_study->isRunning();
+    const bool running = m_study.isRunning();
     const auto show = [&](QPushButton *button, const QString &text) {
         button->setText(running && button == m_pressed ? tr("Cancel") : text);
         button->setEnabled(!running || button == m_pressed);

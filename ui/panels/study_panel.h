@@ -36,9 +36,6 @@ public:
     /// Every case: JSON if the name ends in .json, else CSV.
     std::optional<QString> exportNumbers(const QString &path) const;
 
-    /// Continues with what the other panel shows and runs, in its place.
-    void takeOver(StudyPanel &other);
-
 public slots:
     void setParameters(const slidercrank::Parameters &parameters);
     void setResult(const std::shared_ptr<const slidercrank::StudyResult> &result);
@@ -53,7 +50,6 @@ signals:
 
 private:
     void run(QPushButton *button, StudyRequest request);
-    void listen();
     const CaseResult *shownCase() const;
     void showSummary();
     void updateButtons();
@@ -61,7 +57,7 @@ private:
 
     Parameters m_parameters;
     std::shared_ptr<const StudyResult> m_result;
-    BackgroundTask *m_study; ///< a child of the panel that it reports to
+    BackgroundTask m_study;
     QPushButton *m_runThis;
     QPushButton *m_runHard;
     QPushButton *m_pressed = nullptr; ///< while the study runs: the button that cancels it
