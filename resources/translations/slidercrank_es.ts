@@ -2910,10 +2910,6 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
         <translation>%1, θ</translation>
     </message>
     <message>
-        <source>%1 does not exist here</source>
-        <translation>%1 no existe aquí</translation>
-    </message>
-    <message>
         <source>⚠ The coupler is perpendicular to the slider&apos;s line: C_q is singular. The position exists, velocity and acceleration do not.</source>
         <translation>⚠ La biela es perpendicular a la línea de la corredera: C_q es singular. La posición existe; la velocidad y la aceleración, no.</translation>
     </message>
@@ -3003,22 +2999,6 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
         <translation>De C; la de Cₜ por s, la de Q_d por s²</translation>
     </message>
     <message>
-        <source>Equation %1</source>
-        <translation>Ecuación %1</translation>
-    </message>
-    <message>
-        <source>C, row %1</source>
-        <translation>C, fila %1</translation>
-    </message>
-    <message>
-        <source>Cₜ, row %1</source>
-        <translation>Cₜ, fila %1</translation>
-    </message>
-    <message>
-        <source>Q_d, row %1</source>
-        <translation>Q_d, fila %1</translation>
-    </message>
-    <message>
         <source>jacobian</source>
         <comment>name of a file</comment>
         <translation>jacobiano</translation>
@@ -3042,10 +3022,6 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
     <message>
         <source>Centre of mass of the %1</source>
         <translation>Centro de masa: %1</translation>
-    </message>
-    <message>
-        <source>∂(%1)/∂%2</source>
-        <translation>∂(%1)/∂%2</translation>
     </message>
     <message>
         <source>Condition number κ(C_q) = %1; det C_q = −b cos θ³ = %2 mm</source>

@@ -39,11 +39,6 @@ constexpr std::array kEquations{"Rₓ¹ = 0",
                                 "R_y⁴ − c = 0",
                                 "θ₂ − ω₂ t − θ₂₀ = 0"};
 
-QString equationOf(Constraint row)
-{
-    return QString::fromUtf8(kEquations[static_cast<std::size_t>(row)]);
-}
-
 QString symbolOf(Coordinate coordinate)
 {
     return symbolOf(Channel{coordinate, Order::Position});
@@ -91,37 +86,19 @@ QString constraintName(Constraint row)
     return {};
 }
 
-TableColumn textColumn(const QString &title, const QString &explanation, const QString &csvName)
+/// A number and its shortened text; a dash if it is not finite.
+TableCell numberCell(double value, const QString &text)
 {
-    return {title, explanation, csvName, false};
+    return std::isfinite(value) ? TableCell{.text = text, .number = value} : TableCell{.text = dash()};
 }
 
-/// With every digit in the tool tip.
-TableCell numberCell(double value, const QString &text, const QString &meaning, const QString &unit)
+TableCell numberCell(double value)
 {
-    if (!std::isfinite(value)) {
-        return {.text = dash(), .explanation = NewtonPages::tr("%1 does not exist here").arg(meaning)};
-    }
-    const QString digits = numberText(value, QLocale::FloatingPointShortest);
-    return {.text = text,
-            .number = value,
-            .explanation = QStringLiteral("%1 = %2 %3").arg(meaning, digits, unit).trimmed()};
+    return numberCell(value, shortNumber(value, kReadoutDigits));
 }
 
-TableCell numberCell(double value, const QString &meaning, const QString &unit)
-{
-    return numberCell(value, shortNumber(value, kReadoutDigits), meaning, unit);
-}
-
-/// `perSecond`: the power of 1/s in the unit.
-QString unitText(bool angle, int perSecond)
-{
-    const QString unit = angle ? QStringLiteral("rad") : QStringLiteral("mm");
-    return unit + (perSecond == 0 ? QString() : perSecond == 1 ? QStringLiteral("/s") : QStringLiteral("/s²"));
-}
-
-/// A page that says first why there are no numbers, or not all.
-Page pageAt(Status status, const Result &result)
+/// A page without tables; its sentence says why numbers are missing, if they are.
+Page emptyPage(Status status, const Result &result)
 {
     Page page;
     page.tone = Tone::Bad;
@@ -144,29 +121,21 @@ Page pageAt(Status status, const Result &result)
     return page;
 }
 
-double stepOf(const Sampling &sampling)
+double timeStep(const Sampling &sampling)
 {
     return sampling.duration / sampling.steps;
 }
 
-InstantEquations equationsOf(const Result &result, double time)
+InstantEquations solvedEquations(const Result &result, double time)
 {
-    return equationsAt(result.mechanism, time, stepOf(result.sampling), result.solver);
+    return equationsAt(result.mechanism, time, timeStep(result.sampling), result.solver);
 }
 
-/// The tint of a cell of the Jacobian: ±1 always the same, lengths by their size.
-double jacobianTint(double value, bool isLength, double largest)
+/// The residual after each iteration.
+ChartSeries residualSeries(const IterationHistory &history, const QString &name, QColor SeriesColours::*colour,
+                           bool isHollow)
 {
-    constexpr double kUnity = 0.4;
-    constexpr double kFaintest = 0.1;
-    const double strength =
-        isLength ? kFaintest + (1.0 - kFaintest) * std::min(1.0, std::abs(value) / largest) : kUnity;
-    return value == 0.0 || !std::isfinite(value) ? 0.0 : std::copysign(strength, value);
-}
-
-ChartSeries seriesOf(const IterationHistory &history, const QString &name, QColor SeriesColours::*colour, bool isHollow)
-{
-    constexpr double kLeast = 1e-18; // a residual of 0 is drawn here
+    constexpr double kSmallestDrawn = 1e-18; // a residual of 0 is drawn here
     ChartSeries series{.name = name, .colour = colour, .isHollow = isHollow};
     series.line = isHollow ? ChartSeries::Line::Dashed : ChartSeries::Line::Solid;
     if (isHollow) {
@@ -175,14 +144,14 @@ ChartSeries seriesOf(const IterationHistory &history, const QString &name, QColo
         series.mark.addEllipse(QPointF(), 3.5, 3.5);
     }
     for (const Iteration &iteration : history) {
-        const double residual = std::isfinite(iteration.residual) ? std::max(kLeast, iteration.residual) : 1.0;
+        const double residual = std::isfinite(iteration.residual) ? std::max(kSmallestDrawn, iteration.residual) : 1.0;
         series.points.push_back({static_cast<double>(series.points.size()), residual});
         series.tips << numberText(iteration.residual, QLocale::FloatingPointShortest);
     }
     return series;
 }
 
-/// ‖C‖ over the iterations against the tolerance. The axes stay as they are while the mechanism moves.
+/// The residual ‖C‖ over the iterations, and the tolerance. The axes do not change with every small motion.
 ChartContent residualChart(std::vector<ChartSeries> series, const NewtonOptions &options)
 {
     Interval steps{-0.3, 6.3};
@@ -212,36 +181,33 @@ ChartContent residualChart(std::vector<ChartSeries> series, const NewtonOptions 
 
 Page equationPage(const Result &result, double time)
 {
-    const InstantEquations equations = equationsOf(result, time);
-    Page page = pageAt(equations.state.status, result);
+    const InstantEquations equations = solvedEquations(result, time);
+    Page page = emptyPage(equations.state.status, result);
     page.fileName = NewtonPages::tr("equations", "name of a file");
     PageTable table{
         "equationTable",
         NewtonPages::tr("Equations, a row for each constraint"),
-        {textColumn(NewtonPages::tr("joint"), NewtonPages::tr("Joint that the equation describes"), "joint"),
-         textColumn(NewtonPages::tr("equation"),
-                    NewtonPages::tr("C(q, t) = 0; bodies as superscripts: 1 ground, 2 crank, 3 coupler, 4 slider"),
-                    "equation"),
+        {{NewtonPages::tr("joint"), NewtonPages::tr("Joint that the equation describes"), "joint", false},
+         {NewtonPages::tr("equation"),
+          NewtonPages::tr("C(q, t) = 0; bodies as superscripts: 1 ground, 2 crank, 3 coupler, 4 slider"), "equation",
+          false},
          {NewtonPages::tr("C"), NewtonPages::tr("Residual of the equation, in mm or rad"), "C"},
          {NewtonPages::tr("Cₜ, per s"),
           NewtonPages::tr("∂C/∂t, in mm/s or rad/s: the velocities follow from C_q dq/dt = −Cₜ"), "C_t"},
          {NewtonPages::tr("Q_d, per s²"),
           NewtonPages::tr("In mm/s² or rad/s²: the accelerations follow from C_q d²q/dt² = Q_d"), "Q_d"},
-         textColumn(NewtonPages::tr("unit"), NewtonPages::tr("Of C; of Cₜ per s, of Q_d per s²"), "unit")},
+         {NewtonPages::tr("unit"), NewtonPages::tr("Of C; of Cₜ per s, of Q_d per s²"), "unit", false}},
         {}};
     for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
         const auto row = static_cast<Constraint>(i);
-        const bool angle = isAngle(row);
-        const QString number = QString::number(i + 1);
-        table.rows.push_back(
-            {{{.text = constraintName(row), .explanation = NewtonPages::tr("Equation %1").arg(number)},
-              {.text = equationOf(row)},
-              numberCell(equations.C[i], NewtonPages::tr("C, row %1").arg(number), unitText(angle, 0)),
-              numberCell(equations.Ct[i], NewtonPages::tr("Cₜ, row %1").arg(number), unitText(angle, 1)),
-              numberCell(equations.Qd[i], NewtonPages::tr("Q_d, row %1").arg(number), unitText(angle, 2)),
-              {.text = unitText(angle, 0)}},
-             {},
-             partOf(row)});
+        table.rows.push_back({{{.text = constraintName(row)},
+                               {.text = kEquations[static_cast<std::size_t>(i)]},
+                               numberCell(equations.C[i]),
+                               numberCell(equations.Ct[i]),
+                               numberCell(equations.Qd[i]),
+                               {.text = isAngle(row) ? "rad" : "mm"}},
+                              {},
+                              partOf(row)});
     }
     page.tables = {table};
     return page;
@@ -249,14 +215,14 @@ Page equationPage(const Result &result, double time)
 
 Page jacobianPage(const Result &result, double time)
 {
-    const InstantEquations equations = equationsOf(result, time);
-    Page page = pageAt(equations.state.status, result);
+    const InstantEquations equations = solvedEquations(result, time);
+    Page page = emptyPage(equations.state.status, result);
     page.fileName = NewtonPages::tr("jacobian", "name of a file");
     PageTable table{
         "jacobianTable",
         NewtonPages::tr("Jacobian C_q, a row for each constraint, a column for each coordinate"),
-        {textColumn(NewtonPages::tr("C_q"),
-                    NewtonPages::tr("∂C/∂q: a row for each constraint, a column for each coordinate"), "constraint")},
+        {{NewtonPages::tr("C_q"), NewtonPages::tr("∂C/∂q: a row for each constraint, a column for each coordinate"),
+          "constraint", false}},
         {}};
     for (Eigen::Index j = 0; j < kCoordinateCount; ++j) {
         const auto coordinate = static_cast<Coordinate>(j);
@@ -266,22 +232,16 @@ Page jacobianPage(const Result &result, double time)
                                                      : NewtonPages::tr("Centre of mass of the %1").arg(body),
                                  columnNameOf(Channel{coordinate, Order::Position})});
     }
-    const double largest = 0.5 * std::max(result.mechanism.a(), result.mechanism.b());
     for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
         const auto row = static_cast<Constraint>(i);
-        TableRow shown{{{.text = constraintName(row), .explanation = equationOf(row)}}, {}, partOf(row)};
-        for (Eigen::Index j = 0; j < kCoordinateCount; ++j) {
-            const auto coordinate = static_cast<Coordinate>(j);
-            const double value = equations.Cq(i, j);
-            const bool isLength = isAngle(coordinate) && !isAngle(row); // mm/rad
-            TableCell cell =
-                numberCell(value, NewtonPages::tr("∂(%1)/∂%2").arg(constraintName(row), symbolOf(coordinate)),
-                           isLength ? QStringLiteral("mm") : QString());
-            cell.tint = jacobianTint(value, isLength, largest);
+        const QString equation = kEquations[static_cast<std::size_t>(i)];
+        TableRow shown{{{.text = constraintName(row), .explanation = equation}}, {}, partOf(row)};
+        for (const double value : equations.Cq.row(i)) {
+            TableCell &cell = shown.cells.emplace_back(numberCell(value));
+            cell.tone = value < 0.0 ? Tone::Fair : Tone::Model;
             if (value == 0.0) {
                 cell.text.clear();
             }
-            shown.cells.push_back(cell);
         }
         table.rows.push_back(shown);
     }
@@ -289,7 +249,7 @@ Page jacobianPage(const Result &result, double time)
     if (equations.hasPosition()) {
         const double condition = conditionNumber(equations.Cq);
         page.note = NewtonPages::tr("Condition number κ(C_q) = %1; det C_q = −b cos θ³ = %2 mm")
-                        .arg(std::isinf(condition) ? QStringLiteral("∞") : shortNumber(condition, kReadoutDigits),
+                        .arg(std::isinf(condition) ? "∞" : shortNumber(condition, kReadoutDigits),
                              shortNumber(equations.Cq.determinant(), kReadoutDigits));
         page.noteDetails =
             NewtonPages::tr("κ is the largest singular value divided by the smallest, mm and rad mixed as "
@@ -302,7 +262,7 @@ Page jacobianPage(const Result &result, double time)
 Page iterationPage(const Result &result, double time)
 {
     const NewtonOptions &options = result.solver.newton;
-    const double step = stepOf(result.sampling);
+    const double step = timeStep(result.sampling);
     IterationHistory rough;
     IterationHistory warm;
     solve(result.mechanism, time, options, {}, &rough);
@@ -315,11 +275,11 @@ Page iterationPage(const Result &result, double time)
     const QString roughStart = NewtonPages::tr("From a rough start: θ₂ exact, θ³ = 0 (crossed: 180°)");
     const QString warmStart = NewtonPages::tr("From the position one time step before");
 
-    Page page = pageAt(equationsOf(result, time).state.status, result);
+    Page page = emptyPage(solvedEquations(result, time).state.status, result);
     page.fileName = NewtonPages::tr("iterations", "name of a file");
     page.chart = PageChart{"iterationPlot", NewtonPages::tr("Residual ‖C‖ over the iterations"),
-                           residualChart({seriesOf(rough, roughName, &SeriesColours::model, false),
-                                          seriesOf(warm, warmName, &SeriesColours::reference, true)},
+                           residualChart({residualSeries(rough, roughName, &SeriesColours::model, false),
+                                          residualSeries(warm, warmName, &SeriesColours::reference, true)},
                                          options)};
     PageTable table{"iterationTable",
                     NewtonPages::tr("Iterations, a row for each"),
@@ -339,9 +299,8 @@ Page iterationPage(const Result &result, double time)
             }
             const Iteration &iteration = (*history)[k];
             const double degrees = kDegreesPerRadian * iteration.q[Theta3];
-            row.cells.push_back(numberCell(iteration.residual, "‖C‖", {}));
-            row.cells.push_back(
-                numberCell(degrees, localeWithoutGroups().toString(degrees, 'f', kDecimals), "θ³", "°"));
+            row.cells.push_back(numberCell(iteration.residual));
+            row.cells.push_back(numberCell(degrees, localeWithoutGroups().toString(degrees, 'f', kDecimals)));
         }
         table.rows.push_back(row);
     }
@@ -356,35 +315,34 @@ Page iterationPage(const Result &result, double time)
 
 Page coordinatePage(const Result &result, double time)
 {
-    const State state = equationsOf(result, time).state;
-    Page page = pageAt(state.status, result);
+    const State state = solvedEquations(result, time).state;
+    Page page = emptyPage(state.status, result);
     page.fileName = NewtonPages::tr("coordinates", "name of a file");
     PageTable table{
         "coordinateTable",
         NewtonPages::tr("Coordinates, a row for each"),
-        {textColumn(NewtonPages::tr("coordinate"), NewtonPages::tr("Centre of mass and angle of each body"),
-                    "coordinate"),
-         textColumn(NewtonPages::tr("body"), {}, "body"),
+        {{NewtonPages::tr("coordinate"), NewtonPages::tr("Centre of mass and angle of each body"), "coordinate", false},
+         {NewtonPages::tr("body"), {}, "body", false},
          {NewtonPages::tr("position"), NewtonPages::tr("q, in mm or °"), "position"},
          {NewtonPages::tr("velocity, per s"), NewtonPages::tr("dq/dt, in mm/s or °/s"), "velocity"},
          {NewtonPages::tr("acceleration, per s²"), NewtonPages::tr("d²q/dt², in mm/s² or °/s²"), "acceleration"},
-         textColumn(NewtonPages::tr("unit"),
-                    NewtonPages::tr("Of the position; of the velocity per s, of the acceleration per s²"), "unit")},
+         {NewtonPages::tr("unit"), NewtonPages::tr("Of the position; of the velocity per s, of the acceleration per s²"),
+          "unit", false}},
         {}};
     for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
         const auto coordinate = static_cast<Coordinate>(i);
-        TableRow row{{{.text = symbolOf(coordinate), .csv = columnNameOf(Channel{coordinate, Order::Position})},
-                      {.text = partName(partOf(coordinate))}},
-                     {},
-                     partOf(coordinate)};
-        for (const auto &[order, values] :
-             {std::pair{Order::Position, &state.q}, std::pair{Order::Velocity, &state.qDot},
-              std::pair{Order::Acceleration, &state.qDDot}}) {
-            const Channel channel{coordinate, order};
-            row.cells.push_back(numberCell(toFileUnit(channel, (*values)[i]), symbolOf(channel), unitOf(channel)));
-        }
-        row.cells.push_back({.text = unitOf(Channel{coordinate, Order::Position})});
-        table.rows.push_back(row);
+        const Channel position{coordinate, Order::Position};
+        const auto cell = [&](Order order, const Vector12 &values) {
+            return numberCell(toFileUnit({coordinate, order}, values[i]));
+        };
+        table.rows.push_back({{{.text = symbolOf(coordinate), .csv = columnNameOf(position)},
+                               {.text = partName(partOf(coordinate))},
+                               cell(Order::Position, state.q),
+                               cell(Order::Velocity, state.qDot),
+                               cell(Order::Acceleration, state.qDDot),
+                               {.text = unitOf(position)}},
+                              {},
+                              partOf(coordinate)});
     }
     page.tables = {table};
     return page;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What Newton-Raphson works with at one time: equations, Jacobian, iterations, and the coordinates that result. Numbers
-// of the equations in the core's units (mm, rad, s), coordinates in those of the reference report (mm, °, s).
+// The data of Newton-Raphson at one time: equations, Jacobian, iterations, and the coordinates that result. The
+// equations are in the core's units (mm, rad, s), the coordinates in those of the reference report (mm, °, s).
 
 #include "ui/document/result.h"
 #include "ui/panels/page.h"
@@ -13,7 +13,7 @@ namespace slidercrank
 Page equationPage(const Result &result, double time);
 Page jacobianPage(const Result &result, double time);
 
-/// From a rough start, and from the position one time step before.
+/// The iterations from a rough start, and those from the position one time step earlier.
 Page iterationPage(const Result &result, double time);
 
 Page coordinatePage(const Result &result, double time);

@@ -13,7 +13,6 @@
 #include <QStandardItemModel>
 
 #include <algorithm>
-#include <cmath>
 
 namespace slidercrank
 {
@@ -21,8 +20,8 @@ namespace slidercrank
 namespace
 {
 
-constexpr int kCellMargin = 14; // px, on both sides of a text together
-constexpr int kMostAir = 28;    // px, added to a column where there is space
+constexpr int kCellMargin = 14; // px, left and right of a text together
+constexpr int kLargestSpare = 28; // px, added to a column if there is space
 
 QString csvField(const QString &text)
 {
@@ -39,15 +38,6 @@ QString csvText(const TableCell &cell)
     }
     const QString &text = cell.csv.isEmpty() ? cell.text : cell.csv;
     return text == dash() ? QString() : text;
-}
-
-/// Of a text on that background; none: the usual one.
-QVariant inkOf(const TableCell &cell, const QVariant &background, const QPalette &palette)
-{
-    if (background.isValid()) {
-        return QColor(qGray(background.value<QColor>().rgb()) < 140 ? Qt::white : Qt::black);
-    }
-    return cell.tone == Tone::Normal ? QVariant() : toneColour(cell.tone, palette);
 }
 
 int alignmentOf(const TableColumn &column)
@@ -89,17 +79,6 @@ QColor toneColour(Tone tone, const QPalette &palette)
     return {};
 }
 
-QColor tintColour(double tint, const QPalette &palette)
-{
-    constexpr double kStrongest = 0.85;
-    const SeriesColours colours = seriesColours(palette);
-    const QColor to = tint > 0.0 ? colours.model : colours.reference;
-    const double part = kStrongest * std::min(1.0, std::abs(tint));
-    const auto mix = [part](int a, int b) { return static_cast<int>(std::lround(a + part * (b - a))); };
-    const QColor &from = colours.background;
-    return {mix(from.red(), to.red()), mix(from.green(), to.green()), mix(from.blue(), to.blue())};
-}
-
 NumberTable::NumberTable(const QString &name, const QString &title, std::vector<TableColumn> columns)
     : m_columns(std::move(columns))
     , m_model(new QStandardItemModel(0, static_cast<int>(m_columns.size()), this))
@@ -136,10 +115,10 @@ NumberTable::NumberTable(const QString &name, const QString &title, std::vector<
 void NumberTable::setRows(std::vector<TableRow> rows)
 {
     const auto name = [](const TableRow &row) -> const QString & { return row.cells[0].text; };
-    if (!std::ranges::equal(rows, m_rows, {}, name, name)) { // another table
+    if (!std::ranges::equal(rows, m_rows, {}, name, name)) { // other rows
         m_model->setRowCount(0);
         m_widths.clear();
-        m_pointedRow = -1;
+        m_hoveredRow = -1;
     }
     m_rows = std::move(rows);
     m_model->setRowCount(static_cast<int>(m_rows.size()));
@@ -148,25 +127,25 @@ void NumberTable::setRows(std::vector<TableRow> rows)
     reportPart();
 }
 
-/// The model tells the view only of what changes.
+/// Writes the rows into the model, which reports only the cells that change.
 void NumberTable::fillCells()
 {
     for (int row = 0; row < m_model->rowCount(); ++row) {
         for (int column = 0; column < m_model->columnCount(); ++column) {
             const TableCell &cell = m_rows[static_cast<std::size_t>(row)].cells[static_cast<std::size_t>(column)];
-            const QVariant background = cell.tint == 0.0 ? QVariant() : tintColour(cell.tint, palette());
+            const QVariant colour = cell.tone == Tone::Normal ? QVariant() : toneColour(cell.tone, palette());
+            const bool showsDigits = cell.explanation.isEmpty() && cell.number;
             const QModelIndex index = m_model->index(row, column);
             const auto set = [this, index](const QVariant &value, Qt::ItemDataRole role) {
-                if (m_model->data(index, role) != value) { // an item would also tell of nothing in place of nothing
+                if (m_model->data(index, role) != value) { // the item would also report an empty value as a change
                     m_model->setData(index, value, role);
                 }
             };
             set(cell.text, Qt::DisplayRole);
             set(alignmentOf(m_columns[static_cast<std::size_t>(column)]), Qt::TextAlignmentRole);
-            set(background, Qt::BackgroundRole);
-            set(inkOf(cell, background, palette()), Qt::ForegroundRole);
-            const QSignalBlocker notPainted(m_model);
-            set(cell.explanation, Qt::ToolTipRole);
+            set(colour, Qt::ForegroundRole);
+            const QSignalBlocker quiet(m_model); // a new tool tip needs no repaint
+            set(showsDigits ? typedNumberText(*cell.number) : cell.explanation, Qt::ToolTipRole);
         }
     }
 }
@@ -196,7 +175,7 @@ QSize NumberTable::contentSize() const
             horizontalHeader()->sizeHint().height() + m_model->rowCount() * verticalHeader()->defaultSectionSize()};
 }
 
-/// Every column as wide as it has ever needed, and a share of the space that is left.
+/// Gives every column the largest width that its texts have needed so far, and a share of the spare space.
 void NumberTable::fitColumns()
 {
     verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 4);
@@ -209,9 +188,9 @@ void NumberTable::fitColumns()
         }
     }
     const int spare = viewport()->width() - contentSize().width();
-    const int air = std::clamp(spare / static_cast<int>(m_columns.size()), 0, kMostAir);
+    const int extra = std::clamp(spare / static_cast<int>(m_columns.size()), 0, kLargestSpare);
     for (std::size_t column = 0; column < m_columns.size(); ++column) {
-        setColumnWidth(static_cast<int>(column), m_widths[column] + air);
+        setColumnWidth(static_cast<int>(column), m_widths[column] + extra);
     }
 }
 
@@ -221,7 +200,7 @@ void NumberTable::resizeEvent(QResizeEvent *event)
     fitColumns();
 }
 
-/// A header that is hidden when its table gets another font keeps the old one: it is told here.
+/// Passes the font on to the header: a hidden header would keep the old font.
 void NumberTable::changeEvent(QEvent *event)
 {
     QTableView::changeEvent(event);
@@ -234,7 +213,7 @@ void NumberTable::changeEvent(QEvent *event)
     }
 }
 
-/// The window has a shortcut for the copy key; with the focus here the table is meant.
+/// While the table has the focus, the copy key copies its rows instead of triggering the window's shortcut.
 bool NumberTable::event(QEvent *event)
 {
     if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent *>(event)->matches(QKeySequence::Copy)) {
@@ -265,16 +244,16 @@ void NumberTable::goToRow(int row)
 bool NumberTable::viewportEvent(QEvent *event)
 {
     if (event->type() == QEvent::MouseMove) {
-        setPointedRow(indexAt(static_cast<QMouseEvent *>(event)->pos()).row());
+        setHoveredRow(indexAt(static_cast<QMouseEvent *>(event)->pos()).row());
     } else if (event->type() == QEvent::Leave || event->type() == QEvent::Hide) {
-        setPointedRow(-1);
+        setHoveredRow(-1);
     }
     return QTableView::viewportEvent(event);
 }
 
-void NumberTable::setPointedRow(int row)
+void NumberTable::setHoveredRow(int row)
 {
-    m_pointedRow = row;
+    m_hoveredRow = row;
     reportPart();
 }
 
@@ -298,7 +277,7 @@ void NumberTable::currentChanged(const QModelIndex &current, const QModelIndex &
 
 void NumberTable::reportPart()
 {
-    const int row = m_pointedRow >= 0 ? m_pointedRow : hasFocus() ? currentIndex().row() : -1;
+    const int row = m_hoveredRow >= 0 ? m_hoveredRow : hasFocus() ? currentIndex().row() : -1;
     const bool exists = row >= 0 && row < m_model->rowCount();
     const MechanismPart part = exists ? m_rows[static_cast<std::size_t>(row)].part : MechanismPart::None;
     if (std::exchange(m_reported, part) != part) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A read-only table of names and numbers that change while one looks: four significant digits on the screen, every
-// digit in the clipboard (CSV with a decimal point). It reports which part of the mechanism the row under the mouse, or
-// the current row, is about, and the time that a row leads to.
+// A read-only table of names and numbers. It shows four significant digits and copies every digit, as CSV with a
+// decimal point. It reports the part of the mechanism that the row under the mouse, or the current row, describes, and
+// the time that a row leads to.
 
 #include "core/mechanism/mechanism_part.h"
 
@@ -19,12 +19,9 @@ namespace slidercrank
 
 inline constexpr int kReadoutDigits = 4; ///< significant digits of a readout
 
-/// What a text means, by its colour.
+/// The meaning of a text, which its colour shows.
 enum class Tone { Normal, Muted, Link, Model, Good, Fair, Bad };
 QColor toneColour(Tone tone, const QPalette &palette);
-
-/// The background of a cell with that tint.
-QColor tintColour(double tint, const QPalette &palette);
 
 struct TableColumn {
     QString title;
@@ -35,20 +32,19 @@ struct TableColumn {
 
 struct TableCell {
     QString text;
-    std::optional<double> number = {}; ///< exact; the CSV holds it instead of the text
-    QString explanation = {};          ///< tool tip
-    QString csv = {};                  ///< in the CSV instead of the text
+    std::optional<double> number = {}; ///< with every digit; the CSV contains it instead of the text
+    QString explanation = {};          ///< tool tip; if empty, the number with every digit
+    QString csv = {};                  ///< replaces the text in the CSV, if not empty
     Tone tone = Tone::Normal;
-    double tint = 0.0; ///< -1 … 1: the background, the sign giving its colour
 };
 
 struct TableRow {
     std::vector<TableCell> cells;             ///< one for each column
-    std::optional<double> time = {};          ///< s, where a click or Enter leads
-    MechanismPart part = MechanismPart::None; ///< that the row is about
+    std::optional<double> time = {};          ///< s; a click or Enter goes to this time
+    MechanismPart part = MechanismPart::None; ///< that the row describes
 };
 
-/// A line of headings and a line for each row; numbers with every digit and a decimal point.
+/// Returns a line of headings and a line for each row; numbers have every digit and a decimal point.
 QString csvText(const std::vector<TableColumn> &columns, const std::vector<TableRow> &rows);
 
 class NumberTable : public QTableView
@@ -59,17 +55,17 @@ public:
     /// `name`: the object name; `title`: what a screen reader announces.
     NumberTable(const QString &name, const QString &title, std::vector<TableColumn> columns);
 
-    /// Only the cells that change are painted again.
+    /// Replaces the rows. Only the cells that change are painted again.
     void setRows(std::vector<TableRow> rows);
 
-    QSize contentSize() const; ///< px, without scroll bars
+    QSize contentSize() const; ///< size of the headings and all rows, px
 
 public slots:
-    void copy(); ///< as CSV: the selected rows, or every row where none is selected
+    void copy(); ///< copies the selected rows as CSV, or every row if none is selected
 
 signals:
     void copied(int rows);
-    void partHovered(slidercrank::MechanismPart part); ///< None: no row is pointed at
+    void partHovered(slidercrank::MechanismPart part); ///< None: no row is under the mouse or current
     void timeRequested(double seconds);
 
 protected:
@@ -86,14 +82,14 @@ private:
     void goToRow(int row);
     void fillCells();
     void fitColumns();
-    void setPointedRow(int row);
+    void setHoveredRow(int row);
     void reportPart();
 
     std::vector<TableColumn> m_columns;
     std::vector<TableRow> m_rows{};
     QStandardItemModel *m_model;
-    std::vector<int> m_widths; ///< px, the widest that each column has needed: columns do not shrink while numbers move
-    int m_pointedRow = -1;
+    std::vector<int> m_widths; ///< px; columns do not become narrower while the numbers change
+    int m_hoveredRow = -1;
     MechanismPart m_reported = MechanismPart::None;
 };
 

@@ -71,7 +71,7 @@ private slots:
                 const TableCell &entry = cell(jacobian, i, j + 1);
                 QVERIFY(std::abs(*entry.number - Cq(i, j)) <= 1e-12);
                 QCOMPARE(entry.text.isEmpty(), Cq(i, j) == 0.0);
-                QVERIFY(entry.tint * Cq(i, j) >= 0.0 && (entry.tint != 0.0) == (Cq(i, j) != 0.0));
+                QVERIFY(Cq(i, j) == 0.0 || entry.tone == (Cq(i, j) > 0.0 ? Tone::Model : Tone::Fair));
             }
         }
         QVERIFY(jacobian.note.contains("κ"));

@@ -2,7 +2,6 @@
 #include "tests/support/suite.h"
 #include "ui/panels/table_panel.h"
 #include "ui/plots/chart.h"
-#include "ui/text/theme.h"
 
 #include "tests/support/waiting.h"
 #include "tests/support/widget_parts.h"
@@ -261,16 +260,6 @@ private slots:
         settle(shown.panel);
         for (const auto *scroll : shown.panel.findChildren<QScrollBar *>()) {
             QVERIFY(!scroll->isVisible());
-        }
-    }
-
-    void tintsAreToldApartByEveryEye()
-    {
-        for (const Theme theme : {Theme::Light, Theme::Dark}) {
-            const QColor positive = tintColour(1.0, paletteFor(theme)); // blue against orange
-            const QColor negative = tintColour(-1.0, paletteFor(theme));
-            QVERIFY(positive.blue() > positive.red() && negative.blue() < negative.red());
-            QCOMPARE(tintColour(0.0, paletteFor(theme)), seriesColours(paletteFor(theme)).background);
         }
     }
 };
