@@ -25,7 +25,7 @@ namespace
 {
 
 constexpr QSize kFigureSize(1500, 330); // px, of the exported charts
-constexpr QSize kResponseChartSize(165, 90);    // px, at least; the rest scrolls
+constexpr QSize kSmallestChart(110, 90); // px; below this the charts scroll
 
 } // namespace
 
@@ -66,8 +66,9 @@ ResponseView::ResponseView(QWidget *parent)
     grid->setRowStretch(1, 1);
     for (std::size_t i = 0; i < kLimitCount; ++i) {
         auto *chart = m_charts[i] = named(QStringLiteral("responseChart%1").arg(i), new ResponseChart(static_cast<Limit>(i)));
-        chart->setMinimumSize(kResponseChartSize);
-        grid->addWidget(new QLabel(chart->title()), 0, static_cast<int>(i));
+        chart->setMinimumSize(kSmallestChart);
+        grid->setColumnStretch(static_cast<int>(i), 1);
+        grid->addWidget(new Paragraph(chart->title()), 0, static_cast<int>(i));
         grid->addWidget(chart, 1, static_cast<int>(i));
         connect(chart, &ResponseChart::requested, this,
                 [this](double value) { emit parameterRequested(m_response.parameter, value); });
@@ -97,7 +98,7 @@ void ResponseView::setParameter(Parameter parameter)
     m_parameter->setCurrentIndex(static_cast<int>(indexOf(parameter)));
 }
 
-/// Computes new curves if anything but the varied parameter's value has changed, and moves the dots at once.
+/// Computes new curves if anything except the value of the varied parameter has changed; otherwise moves only the dots.
 void ResponseView::refresh()
 {
     if (!isVisible() || !m_result) {
@@ -108,7 +109,7 @@ void ResponseView::refresh()
     const double value = valueOf(parameters, parameter);
     const int pixels = std::max(2, m_charts[0]->width());
     if (m_response.parameter == parameter) {
-        valueOf(m_response.parameters, parameter) = value; // the curves do not depend on it
+        valueOf(m_response.parameters, parameter) = value; // the curves do not depend on this value
     }
     m_isOutdated = m_work.isRunning();
     if (m_response.parameter == parameter && m_response.parameters == parameters &&
