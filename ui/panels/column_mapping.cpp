@@ -33,15 +33,15 @@ namespace slidercrank
 namespace
 {
 
-/// The data of an entry in the list of meanings: a role and, of ColumnRole::Channel, the channel.
-constexpr int kChannels = 100; // more than there are
+/// Entries in the list of meanings store a role and, for ColumnRole::Channel, the channel in one number.
+constexpr int kChannels = 100; // larger than the number of channels
 
 int meaningOf(ColumnRole role, Channel channel = {})
 {
     return kChannels * static_cast<int>(role) + (role == ColumnRole::Channel ? static_cast<int>(indexOf(channel)) : 0);
 }
 
-/// The choice without its column and unit.
+/// Returns the choice for an entry, without its column and unit.
 ColumnChoice choiceOf(int meaning)
 {
     ColumnChoice choice;
@@ -75,10 +75,10 @@ void fillMeanings(QComboBox &combo)
     combo.setMaxVisibleItems(16);
 }
 
-/// The units that a column of that meaning may have; the first entry is the file's own.
+/// Lists the units that a column of this meaning may have; the first entry is the unit in the file.
 void fillUnits(QComboBox &combo, const ColumnChoice &choice, const FileColumn &column)
 {
-    const QString kept = combo.currentData().toString();
+    const QString previous = combo.currentData().toString();
     combo.clear();
     combo.setEnabled(choice.role != ColumnRole::Ignored);
     if (choice.role == ColumnRole::Ignored) {
@@ -98,7 +98,7 @@ void fillUnits(QComboBox &combo, const ColumnChoice &choice, const FileColumn &c
     for (const QString &unit : units) {
         combo.addItem(unit, unit);
     }
-    combo.setCurrentIndex(std::max(0, combo.findData(kept)));
+    combo.setCurrentIndex(std::max(0, combo.findData(previous)));
 }
 
 QStringList fileNames(const QStringList &paths)
@@ -110,7 +110,7 @@ QStringList fileNames(const QStringList &paths)
     return names;
 }
 
-/// The first cells of a column as printed.
+/// Returns the first cells of a column as written in the file.
 QString firstValues(const FileLayout &layout, std::size_t column)
 {
     constexpr std::size_t kValues = 3;
@@ -169,7 +169,7 @@ ColumnMapping::ColumnMapping(const QStringList &paths, const QByteArrayList &beg
         showChoice(choice.column, choice);
         m_rows[choice.column].isChosen = true;
     }
-    // A person comes here for the first column that is open, or was guessed.
+    // Start at the first column whose meaning is unknown or was guessed.
     const auto open = std::ranges::find_if(m_layout.columns, [this](const FileColumn &column) {
         return m_layout.isOpen() ? leavesOpen(column.reason)
                                  : column.role == ColumnRole::Channel && isGuess(column.reason);
@@ -281,7 +281,7 @@ void ColumnMapping::readAgain()
 {
     m_outcome = readWith(choices());
     if (const ReferenceData *read = std::get_if<ReferenceData>(&m_outcome)) {
-        m_layout = read->layout; // else the other columns stay: the reader may not have reached them
+        m_layout = read->layout; // otherwise keep the old layout: the reader may not have reached all columns
     }
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         showRow(i);
@@ -302,7 +302,8 @@ void ColumnMapping::showRow(std::size_t row)
     m_rows[row].why->setText(m_rows[row].isChosen ? tr("chosen by hand") : reasonText(m_layout, row));
 }
 
-/// The curve of the current column and what it is. A column that is ignored is read all the same: its numbers may show what it is.
+/// Shows the curve and the range of the current column. An ignored column is read as lengths, because its curve helps to
+/// recognize it.
 void ColumnMapping::showPreview()
 {
     if (m_current >= m_rows.size()) {
@@ -336,7 +337,7 @@ void ColumnMapping::showPreview()
                 curve.points.push_back({read->time[i], series->values[i]});
             }
         }
-        const auto longer = [](const Interval &axis) { // if all values are the same
+        const auto longer = [](const Interval &axis) { // an axis needs a length, also if all values are equal
             return axis.upper > axis.lower ? axis : Interval{axis.lower - 1.0, axis.lower + 1.0};
         };
         content = {{{}, longer({read->time.front(), read->time.back()})}, {{}, longer(range)}, {curve}};
@@ -354,7 +355,7 @@ bool ColumnMapping::eventFilter(QObject *watched, QEvent *event)
 {
     auto *combo = qobject_cast<QComboBox *>(watched);
     if (event->type() == QEvent::Wheel && combo && !combo->hasFocus()) {
-        event->ignore(); // the wheel scrolls the rows
+        event->ignore(); // let the wheel scroll the rows
         return true;
     }
     if (event->type() == QEvent::FocusIn) {
@@ -370,7 +371,7 @@ bool ColumnMapping::eventFilter(QObject *watched, QEvent *event)
 
 void ColumnMapping::accept()
 {
-    for (std::size_t i = 0; i < m_rows.size(); ++i) { // a guess that was looked at and accepted is chosen
+    for (std::size_t i = 0; i < m_rows.size(); ++i) { // accepting the dialog confirms the guesses
         m_rows[i].isChosen = m_rows[i].isChosen || isGuess(m_layout.columns[i].reason);
     }
     saveChoices(m_layout, m_paths, choices());

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A dialog in which a person says what the columns of a file are, with the reader's guess in place and a preview that
-// is read from the beginning of the file at every change. The choice is remembered for files with the same headings.
+// A dialog for choosing the meaning of the columns of a file. It starts with the meaning that the reader detected; a
+// preview, read from the beginning of the file, follows every change. The choice is stored for files with the same
+// headings.
 
 #include "core/import/reference_data.h"
 
@@ -28,13 +29,13 @@ class ColumnMapping : public QDialog
     Q_OBJECT
 
 public:
-    /// `beginnings`: the first bytes of the file, or of each of several that are joined.
+    /// `beginnings`: the first bytes of each file.
     ColumnMapping(const QStringList &paths, const QByteArrayList &beginnings, QWidget *parent = nullptr);
 
     void accept() override;
 
 signals:
-    /// The choice is in the settings: the file is to be read again.
+    /// The choice was stored, and the files must be read again.
     void chosen(const QStringList &paths);
 
 protected:
@@ -45,14 +46,14 @@ private:
         QComboBox *meaning = nullptr;
         QComboBox *unit = nullptr;
         QLabel *why = nullptr;
-        bool isChosen = false; ///< by the person; else it shows what the reader makes of the column
+        bool isChosen = false; ///< by the user; otherwise the row shows the meaning that the reader detected
     };
 
     QWidget *createRows();
     void addRow(QGridLayout *grid, int line, std::size_t column);
     std::variant<ReferenceData, ReadError> readWith(const std::vector<ColumnChoice> &choices) const;
-    std::vector<ColumnChoice> choices() const; ///< of the rows that the person chose
-    void showChoice(std::size_t row, const ColumnChoice &choice); ///< in its two lists
+    std::vector<ColumnChoice> choices() const; ///< of the rows that the user chose
+    void showChoice(std::size_t row, const ColumnChoice &choice); ///< in the two lists of the row
     void choose(std::size_t row);
     void detectAgain();
     void readAgain();
@@ -61,10 +62,10 @@ private:
 
     QStringList m_paths;
     QByteArrayList m_beginnings;
-    FileLayout m_layout; ///< with the choices
+    FileLayout m_layout; ///< as read with the choices
     std::variant<ReferenceData, ReadError> m_outcome;
     std::vector<Row> m_rows;
-    std::size_t m_current = 0; ///< the row in the preview
+    std::size_t m_current = 0; ///< row of the column in the preview
     Chart *m_preview;
     QLabel *m_caption;
     QLabel *m_problem;

@@ -96,7 +96,7 @@ void DesignForm::setResult(const Result &result)
 {
     const Parameters &parameters = result.mechanism.parameters();
     m_limits = result.limits;
-    if (parameters != m_parameters || m_wanted.stroke == 0.0) { // else the request stays as it is, free of rounding
+    if (parameters != m_parameters || m_wanted.stroke == 0.0) { // otherwise the request is unchanged and free of rounding errors
         m_parameters = parameters;
         m_wanted.stroke = m_limits.stroke.value_or(0.0) > 0.0 ? *m_limits.stroke : m_wanted.stroke;
         const double timeRatio = m_limits.timeRatio.value_or(1.0);
@@ -137,7 +137,7 @@ void DesignForm::showWanted()
 
 void DesignForm::requestStroke(double stroke)
 {
-    if (m_limits.stroke.value_or(0.0) == 0.0) { // nothing to be scaled
+    if (m_limits.stroke.value_or(0.0) == 0.0) { // there is no stroke to scale
         DesignRequest request = m_wanted;
         request.stroke = stroke;
         requestDesign(request);
@@ -149,7 +149,7 @@ void DesignForm::requestStroke(double stroke)
     apply({scale * a, scale * b, scale * c});
 }
 
-/// Keeps the direction of the slower stroke, unless the ratio is below 1.
+/// The slower stroke remains the same one, unless the ratio is below 1.
 void DesignForm::requestTimeRatio(double timeRatio)
 {
     DesignRequest request = m_wanted;
@@ -196,7 +196,7 @@ void DesignForm::apply(const Lengths &lengths)
     m_refusal->clear();
     m_parameters = wanted;
     emit edited(wanted);
-    showWanted(); // also where nothing has changed
+    showWanted(); // also if the parameters are unchanged
 }
 
 } // namespace slidercrank

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Which mechanism has this stroke and this time ratio? Each box can be typed into; the slider changes the ratio b/a
-// while stroke and time ratio stay. The result becomes the model: a, b and c in one edit.
+// A form that designs a mechanism for a given stroke and time ratio. The slider changes the ratio b/a, with the stroke
+// and the time ratio fixed. Every change sets a, b and c in one edit.
 
 #include "core/limits/design.h"
 #include "ui/document/result.h"
@@ -42,7 +42,7 @@ private:
     void showWanted();
 
     Parameters m_parameters;
-    DesignRequest m_wanted; ///< its time ratio is below 1 if c < 0; stroke 0: not known yet
+    DesignRequest m_wanted; ///< its time ratio is below 1 if c < 0; its stroke is 0 until a result is set
     MotionLimits m_limits;
     NumberBox *m_stroke;
     NumberBox *m_timeRatio;

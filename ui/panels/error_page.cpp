@@ -143,7 +143,7 @@ TableColumn percentColumn()
             "percent_of_peak"};
 }
 
-/// How many rows and columns of the file were not used; the reference page lists them.
+/// Returns how many rows and columns of the file were not used; the reference page lists them.
 QString leftOutText(const ReferenceData &data)
 {
     QStringList parts;
@@ -169,7 +169,7 @@ Page filePage(const Result &result, const ReferenceDiagnosis *diagnosis)
     page.keepsFindings = verdict != Verdict::Agrees && isOfFile(diagnosis, result) && !isUpToDate(diagnosis, result);
     if (!page.keepsFindings) {
         page.findings = findingsOf(result, diagnosis);
-        bool isOffered = false; // one thing to do at a time
+        bool isOffered = false; // one remedy at a time
         for (Finding &finding : page.findings) {
             if (finding.remedy != Finding::Remedy::None && std::exchange(isOffered, true)) {
                 finding.remedy = Finding::Remedy::None;
@@ -274,12 +274,12 @@ Finding mechanismFinding(const Result &result, const ReferenceDiagnosis &diagnos
     return finding;
 }
 
-/// What the file means otherwise, and how large the error is without and with that.
+/// Returns the explanation of the convention, and the largest error without and with it.
 QString conventionSentence(const ConventionFinding &found, const ReferenceData &data)
 {
     const QString sentence = explanationOf(found.convention, data);
     if (found.convention.kind == Convention::Kind::NotDerivative) {
-        return sentence; // the column is left out and has no error
+        return sentence; // the column is excluded and has no error
     }
     return ErrorPage::tr("%1 Largest error: %2 → %3 % of peak.")
         .arg(sentence, readout(found.before), readout(found.after));

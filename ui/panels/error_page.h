@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// How far the model is from the reference file, or from the motion that was pinned last: a verdict, what explains the
-// difference and how to remedy it, and a row for each channel.
+// The page of the errors of the model against the reference file, or against the motion that was pinned last: a verdict,
+// explanations of the difference with their remedies, and a row for each channel.
 
 #include "ui/document/result.h"
 #include "ui/panels/page.h"
@@ -10,20 +10,21 @@
 namespace slidercrank
 {
 
-/// `diagnosis`: may be null, or that of other parameters or of another file; then it is not used.
+/// `diagnosis` is used only if it belongs to the current parameters and file; it may be null.
 Page errorPage(const Result &result, const ReferenceDiagnosis *diagnosis);
 
-/// What the file may mean and which mechanism it belongs to, unless every channel agrees; and the conventions applied.
+/// Returns the conventions and the mechanism that explain the difference, unless every channel agrees, and the
+/// conventions that were applied.
 std::vector<Finding> findingsOf(const Result &result, const ReferenceDiagnosis *diagnosis);
 
-/// "Errors ✗": the title of the tab, with the mark of the verdict on the file.
+/// Returns the title of the tab with the mark of the verdict on the file: "Errors ✗".
 QString errorTitle(const Result &result);
 
-/// Whether the diagnosis is of the file on show, and of the parameters on show.
+/// Whether the diagnosis belongs to the current file and, for isUpToDate(), to the current parameters as well.
 bool isOfFile(const ReferenceDiagnosis *diagnosis, const Result &result);
 bool isUpToDate(const ReferenceDiagnosis *diagnosis, const Result &result);
 
-/// A table of the parameters now and with the mechanism found, as rich text.
+/// Returns a table of the current parameters and those of the mechanism found, as rich text.
 QString changesText(const Parameters &before, const Diagnosis &diagnosis);
 
 } // namespace slidercrank

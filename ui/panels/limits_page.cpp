@@ -28,7 +28,7 @@ std::vector<TableColumn> columnsWith(const QString &first, const QString &explan
             {LimitsPage::tr("t [s]"), LimitsPage::tr("First time at which the crank is there"), "time [s]"}};
 }
 
-/// Angles have fixed decimals, and what is unbounded is a word.
+/// Four significant digits with the unit; angles and unbounded values use the text of the fact.
 QString valueText(const MotionFact &fact)
 {
     const bool isReadout = fact.unit != "°" && std::isfinite(fact.number);

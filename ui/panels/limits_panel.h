@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Motion limits: their values, how they depend on a parameter, and the design of a mechanism for a stroke and a time
-// ratio.
+// The tab of the motion limits: their values, their response to a parameter, and the design of a mechanism for a given
+// stroke and time ratio.
 
 #include "ui/panels/response_view.h"
 #include "ui/panels/segmented_pages.h"
@@ -19,15 +19,15 @@ class LimitsPanel : public SegmentedPages
     Q_OBJECT
 
 public:
-    /// `values`: the page of limitsPage().
+    /// `values`: the panel that shows limitsPage().
     explicit LimitsPanel(QWidget *values, QWidget *parent = nullptr);
 
     void setResult(const std::shared_ptr<const Result> &result);
 
-    /// Brings the response to one of kVariedParameters to the front; responseShown() follows.
+    /// Shows the response to one of kVariedParameters and emits responseShown().
     void showResponse(Parameter parameter);
 
-    /// The actions that do so.
+    /// Adds an action for each of these parameters to the menu.
     void fillMenu(QMenu *menu);
 
 signals:

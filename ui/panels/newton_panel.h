@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Newton-Raphson: the solver's settings and what came of them, and behind them, for the time on show, the equations,
-// their Jacobian, the iterations and the coordinates.
+// The Newton-Raphson tab: settings and outcome of the solver, and the equations, Jacobian, iterations and coordinates at
+// the current time.
 
 #include "ui/document/result.h"
 #include "ui/panels/page.h"
@@ -24,7 +24,7 @@ public:
     explicit NewtonPanel(QWidget *parent = nullptr);
 
 public slots:
-    /// Shows them; emits nothing.
+    /// Shows the settings and emits nothing.
     void setSolver(const slidercrank::SolverSettings &solver);
     void setResult(const std::shared_ptr<const slidercrank::Result> &result);
     void setPose(const slidercrank::Pose &pose);

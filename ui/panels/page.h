@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What a tab shows, as plain data: a sentence, what can be done about it, tables and perhaps a chart. Pure functions
-// make pages (error_page.h, limits_page.h, …), TablePanel shows them, tests read them.
+// The content of a tab as plain data: a sentence, findings with their remedies, tables and an optional chart. Pure
+// functions make pages (error_page.h, limits_page.h, …), and TablePanel shows them.
 
 #include "core/identification/convention.h"
 #include "ui/plots/chart.h"
@@ -14,22 +14,22 @@
 namespace slidercrank
 {
 
-/// A sentence about the reference file, with at most one thing to do about it.
+/// A sentence about the reference file, with at most one remedy.
 struct Finding {
     enum class Remedy {
         None,
-        UseFoundMechanism, ///< the mechanism that was found becomes the model
-        Apply,         ///< the file is read with the convention
-        ReadAsPrinted, ///< the file is read without the conventions applied
-        ChooseColumns, ///< a person says what the columns are
-        ReadByAngle,   ///< the first column is the crank angle
-        ReadByTime     ///< the first column is the time
+        UseFoundMechanism, ///< use the mechanism that was found as the model
+        Apply,         ///< read the file with the convention
+        ReadAsPrinted, ///< read the file without the conventions that were applied
+        ChooseColumns, ///< open the dialog for the meaning of the columns
+        ReadByAngle,   ///< read the first column as the crank angle
+        ReadByTime     ///< read the first column as the time
     };
     Remedy remedy = Remedy::None;
     Convention convention; ///< for Remedy::Apply
     QString sentence;
     QString remedyText;
-    QString details; ///< what the remedy would change, rich text; may be empty
+    QString details; ///< the changes that the remedy makes, as rich text; may be empty
 
     friend bool operator==(const Finding &, const Finding &) = default;
 };
@@ -49,14 +49,14 @@ struct PageChart {
 
 struct Page {
     QString sentence;
-    Tone tone = Tone::Normal; ///< of the sentence
+    Tone tone = Tone::Normal; ///< colour of the sentence
     std::vector<Finding> findings{};
-    bool keepsFindings = false; ///< newer ones are being computed: those shown before stay, dimmed
+    bool keepsFindings = false; ///< new findings are being computed: the previous ones remain visible, but disabled
     std::vector<PageTable> tables{};
     std::optional<PageChart> chart{};
     QString note{};        ///< below the tables
-    QString noteDetails{}; ///< its tool tip, rich text
-    QString fileName{};    ///< proposed when the page is exported, without a suffix
+    QString noteDetails{}; ///< tool tip of the note, rich text
+    QString fileName{};    ///< default name of an exported file, without a suffix
 };
 
 } // namespace slidercrank

@@ -25,14 +25,14 @@
 namespace slidercrank
 {
 
-/// A unit that can be shown, and how the core's unit becomes it.
+/// A display unit and its conversion from and to the core's unit.
 struct ShownUnit {
     QString name;
     Unit unit;
-    double halfTurn; ///< π rad in this unit; 0: a length
-    double range;    ///< of the slider at first, to both sides
+    double halfTurn; ///< π rad in this unit; 0 for a length
+    double range;    ///< initial range of the slider, to both sides of 0
 
-    // Divided by the half turn first: 360 °/s, 60 rpm and 90° then become exactly the double nearest to 2π, 2π and π/2.
+    // Dividing by the half turn first converts 360 °/s, 60 rpm and 90° to the doubles nearest to 2π, 2π and π/2.
     double toCore(double value) const { return isCoreUnit() ? value : value / halfTurn * std::numbers::pi; }
     double fromCore(double value) const
     {
@@ -90,7 +90,7 @@ bool isPositive(Parameter parameter)
 
 } // namespace
 
-/// Its steps are round numbers; numbers outside an interval are shaded.
+/// A slider with round steps, which shades the numbers outside an interval.
 class ParameterSlider : public NumberSlider
 {
 public:
@@ -102,7 +102,7 @@ public:
 
     double range() const { return m_range; }
 
-    /// `positive`: from the first step on instead of from -range.
+    /// Covers -range to range or, if `positive`, the first step to range.
     void setRangeAndValue(double range, bool positive, double value)
     {
         const QSignalBlocker quiet(this);
@@ -126,7 +126,7 @@ public:
 protected:
     void paintEvent(QPaintEvent *event) override
     {
-        constexpr float kOpacity = 0.3F; // the groove and the handle stay clear
+        constexpr float kOpacity = 0.3F; // the groove and the handle remain visible
         constexpr double kBand = 12.0;   // px high
         QStyleOptionSlider option;
         initStyleOption(&option);
@@ -192,7 +192,7 @@ void ParameterPanel::addRow(Row &row)
     const QString name = tr("%1 (%2)").arg(explanation, symbol);
 
     row.label = new QLabel(tr("<b>%1</b> %2").arg(symbol, noun));
-    row.label->setWordWrap(true); // large letters and long languages leave the slider its room
+    row.label->setWordWrap(true); // large fonts and long translations must leave space for the slider
     row.label->setToolTip(explanation);
     if (row.parameter != Parameter::Theta20) {
         row.label->setToolTip(explanation + u'\n' + tr("Click: how the limits of the motion depend on %1").arg(symbol));
@@ -296,7 +296,7 @@ void ParameterPanel::showRow(const Row &row)
     const ShownUnit &unit = row.shownUnit();
     const double value = unit.fromCore(exact);
 
-    // A slider is useful if its range is neither too short for the number nor much too long for the mechanism.
+    // The range of the slider must include the number and must not be much larger than the mechanism.
     constexpr double kMuchTooLong = 50.0;
     const double size = unit.halfTurn == 0.0 ? std::max({m_parameters.a, m_parameters.b, std::abs(m_parameters.c)})
                                              : std::max(std::abs(value), unit.range / kMuchTooLong);
@@ -304,8 +304,8 @@ void ParameterPanel::showRow(const Row &row)
         return range > 0.0 && std::abs(value) <= range && range <= kMuchTooLong * size * (1.0 + 1e-9);
     };
     const double present = row.slider->range();
-    const bool keeps = row.slider->isSliderDown() || fits(present); // while it is dragged, nothing moves
-    row.slider->setRangeAndValue(keeps              ? present
+    const bool keepsRange = row.slider->isSliderDown() || fits(present); // the range is fixed during a drag
+    row.slider->setRangeAndValue(keepsRange         ? present
                                  : fits(unit.range) ? unit.range
                                                     : nextRoundNumber(1.5 * size),
                                  isPositive(row.parameter), value);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A slider, a box and a reset button for each of a, b, c, ω₂, θ₂₀. Keeps every number exact: what is shown may be shortened, what was given is what comes back.
+// A slider, a box and a reset button for each of a, b, c, ω₂, θ₂₀. Numbers may be displayed shortened, but are stored
+// and emitted exactly.
 
 #include "core/mechanism/mechanism.h"
 
@@ -30,22 +31,22 @@ class ParameterPanel : public QWidget
 public:
     explicit ParameterPanel(QWidget *parent = nullptr);
 
-    /// Only the parameter that is chosen in a list, instead of all of them.
+    /// Shows only the parameter that is chosen in a list instead of all of them.
     void setBrief(bool brief);
 
 public slots:
-    /// Shows them; emits nothing.
+    /// Shows the parameters and emits nothing.
     void setParameters(const slidercrank::Parameters &parameters);
 
 signals:
-    /// Somebody moved, typed or reset. Only what can be used is emitted.
+    /// The user changed a parameter. Only valid parameters are emitted.
     void edited(const slidercrank::Parameters &parameters);
 
-    /// A slider is pressed, is released: what is edited between belongs together.
+    /// A slider was pressed or released: the edits in between form one undo step.
     void dragBegan();
     void dragEnded();
 
-    /// Somebody clicked the name of a parameter that the limits of the motion depend on.
+    /// The user clicked the name of a parameter that affects the limits of the motion.
     void responseRequested(slidercrank::Parameter parameter);
 
 protected:
@@ -58,7 +59,7 @@ private:
         QLabel *label = nullptr;
         ParameterSlider *slider = nullptr;
         NumberBox *box = nullptr;
-        QComboBox *unit = nullptr; ///< null: there is only one
+        QComboBox *unit = nullptr; ///< null if there is only one unit
         QToolButton *reset = nullptr;
 
         const ShownUnit &shownUnit() const;
@@ -70,13 +71,13 @@ private:
     void showRows();
     void shade();
 
-    /// Takes the number (in the core's unit) over if a mechanism can be made with it; else shows the old one again.
+    /// Uses the number (in the core's unit) if the parameters are then valid; otherwise shows the previous one again.
     void edit(const Row &row, double value);
 
     Parameters m_parameters;
     std::array<Row, 5> m_rows;
     QGridLayout *m_grid;
-    QComboBox *m_chosen; ///< while brief: the row on show
+    QComboBox *m_chosen; ///< the row that is shown while the panel is brief
     bool m_isBrief = false;
 };
 

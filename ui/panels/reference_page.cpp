@@ -113,7 +113,7 @@ bool isAbscissaOpen(const ReferenceData &data)
     return data.crank || std::ranges::any_of(data.layout.columns, isGuessedTime);
 }
 
-/// Headings may not tell a table by time from one by crank angle.
+/// Offers the other meaning of the first column, because headings do not always distinguish time from crank angle.
 Finding abscissaFinding(const ReferenceData &data)
 {
     if (data.crank) {

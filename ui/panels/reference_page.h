@@ -7,8 +7,8 @@
 namespace slidercrank
 {
 
-/// What was read from the reference file and how: a row for each column, the rows left out, the mechanism found in it.
-/// `diagnosis`: may be null, or of another file; then it is not used.
+/// A page about the reference file: the meaning of each column, the skipped rows, and the mechanism found in the file.
+/// `diagnosis` is used only if it belongs to this file; it may be null.
 Page referencePage(const Result &result, const ReferenceDiagnosis *diagnosis);
 
 } // namespace slidercrank

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// How the limits of the motion depend on one parameter, as plain data. Units: mm, degrees, mm/s, mm/s², rad/s.
+// Computes how the limits of the motion depend on one parameter. Units: mm, degrees, mm/s, mm/s², rad/s.
 
 #include "core/mechanism/mechanism.h"
 #include "ui/text/interval.h"
@@ -18,23 +18,24 @@ namespace slidercrank
 enum class Limit { Stroke, TimeRatio, TransmissionAngle, SliderSpeed, SliderAcceleration };
 inline constexpr std::size_t kLimitCount = 5;
 
-/// By Limit; NaN where the limit does not exist, infinite where a peak is unbounded.
+/// One value for each Limit: NaN if the limit does not exist, infinite if a peak is unbounded.
 using LimitValues = std::array<double, kLimitCount>;
 
 LimitValues limitValues(const Mechanism &mechanism);
 
-/// The parameters that the limits depend on.
+/// The parameters that affect the limits.
 inline constexpr std::array kVariedParameters{Parameter::A, Parameter::B, Parameter::C, Parameter::Omega2};
 
 struct ResponseRange {
-    Interval assembled; ///< where the mechanism can be assembled; cut where that has no end
-    Interval fullTurn;  ///< may reach beyond it; lower > upper if there is no such value
+    Interval assembled; ///< values with which the mechanism can be assembled; unbounded ends are cut off
+    Interval fullTurn;  ///< values with which the crank makes full turns; may exceed `assembled`; lower > upper if there are none
 };
 
-/// With all other parameters as they are. Contains the present value wherever the mechanism can be assembled.
+/// Returns the range of one parameter, with all others fixed. It contains the current value if the mechanism can be
+/// assembled.
 ResponseRange responseRange(const Parameters &parameters, Parameter parameter);
 
-/// For which values the crank makes full turns; empty if for all.
+/// Returns a sentence that names the values with which the crank makes full turns; empty if it does for all of them.
 QString fullTurnText(Parameter parameter, const ResponseRange &range);
 
 struct Response {
@@ -45,7 +46,8 @@ struct Response {
     std::vector<LimitValues> limits{};
 };
 
-/// At `count` equally spaced values (at least 2) and the ends of the range of full turns. Ends early if stopped.
+/// Computes the limits at `count` (at least 2) equally spaced values and at the ends of the range of full turns. If
+/// `stop` is requested, the remaining limits are NaN.
 Response computeResponse(const Parameters &parameters, Parameter parameter, const ResponseRange &range, int count,
                          const std::stop_token &stop = {});
 

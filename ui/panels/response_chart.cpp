@@ -16,7 +16,7 @@ namespace slidercrank
 namespace
 {
 
-/// The series of the chart.
+/// Indices of the series of the chart; Corners are two opposite corners of its axes.
 enum Series : std::size_t { Corners, Curve };
 
 QString limitText(Limit limit)
@@ -31,13 +31,13 @@ QString limitText(Limit limit)
     return {};
 }
 
-/// What does not exist or is unbounded leaves a gap.
+/// Returns NaN for infinite values, so that the curve has a gap there.
 double drawable(double value)
 {
     return std::isfinite(value) ? value : kNone;
 }
 
-/// Of the finite values, without the steep rise of a peak towards infinity.
+/// Returns the range of the finite values, without the steep rise of a peak towards infinity.
 Interval valueRange(const Response &response, Limit limit)
 {
     constexpr double kSteep = 3.0; // times the median
@@ -120,7 +120,7 @@ QPointF ResponseChart::positionOf(const Dot &dot)
             area.bottom() - area.height() * part(dot.limits[m_limit], content().y.range)};
 }
 
-/// Covers the values with which the crank does not make full turns.
+/// Shades the values with which the crank does not make full turns.
 void ResponseChart::paintShade(QPainter &painter, const QPalette &palette)
 {
     constexpr float kOpacity = 0.16F;
@@ -143,7 +143,7 @@ void ResponseChart::paintDots(QPainter &painter, const QPalette &palette)
     const QRectF area = axisArea();
     const SeriesColours colours = seriesColours(palette);
     painter.setRenderHint(QPainter::Antialiasing);
-    for (std::size_t i = m_dots.size(); i-- > 0;) { // the present value above the pinned motions
+    for (std::size_t i = m_dots.size(); i-- > 0;) { // the current value is drawn above the pinned motions
         const QPointF dot = positionOf(m_dots[i]);
         if (!std::isfinite(m_dots[i].limits[m_limit]) || !m_range.assembled.contains(m_dots[i].value)) {
             continue;
@@ -199,7 +199,7 @@ void ResponseChart::paintAll(QPainter &painter, const QSize &size, const QPalett
     copy.paintDots(painter, palette);
 }
 
-/// Rounded to a step that is small beside the range, and within the range.
+/// Requests the value, rounded to a small fraction of the range and limited to the range.
 void ResponseChart::request(double value)
 {
     const double step = nextRoundNumber(m_range.assembled.length() / 400.0);
@@ -241,7 +241,7 @@ void ResponseChart::mouseReleaseEvent(QMouseEvent *event)
     }
 }
 
-/// What a key adds to the value; 0 for other keys.
+/// Returns the change of the value when `key` is pressed; 0 if the key is not used.
 double ResponseChart::keyStep(int key) const
 {
     const double step = nextRoundNumber(m_range.assembled.length() / 400.0);
@@ -254,7 +254,7 @@ double ResponseChart::keyStep(int key) const
     }
 }
 
-/// Its own keys come before the shortcuts of the playback.
+/// Uses the arrow keys for the dot rather than for the playback while the chart has the focus.
 bool ResponseChart::event(QEvent *event)
 {
     if (event->type() == QEvent::ShortcutOverride && keyStep(static_cast<QKeyEvent *>(event)->key()) != 0.0) {

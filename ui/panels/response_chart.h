@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The curve of one limit over a parameter, with a dot at the present value that can be dragged with the mouse or moved
-// by keys.
+// A chart of one limit over a parameter. A dot marks the current value; it can be dragged with the mouse or moved with
+// the arrow keys.
 
 #include "ui/panels/response.h"
 #include "ui/plots/chart.h"
@@ -21,22 +21,22 @@ public:
         double value = 0.0; ///< of the parameter
         LimitValues limits{};
     };
-    using Dots = std::vector<Dot>; ///< the present value first, then pinned motions
+    using Dots = std::vector<Dot>; ///< the current value first, then the pinned motions
 
     explicit ResponseChart(Limit limit);
 
-    /// The limit with its unit.
+    /// Returns the name of the limit with its unit.
     QString title() const;
 
-    /// `title`: of the axis of the parameter.
+    /// Replaces the curve. `title`: title of the parameter's axis.
     void setCurve(const Response &response, const QString &title);
     void setDots(const Dots &dots);
     const Dots &dots() const { return m_dots; }
 
-    /// Where a dot is drawn, px.
+    /// Returns the position of a dot, px.
     QPointF positionOf(const Dot &dot);
 
-    /// With shade and dots, for any device.
+    /// Paints curve, shading and dots on any device.
     void paintAll(QPainter &painter, const QSize &size, const QPalette &palette) const;
 
 signals:
@@ -63,9 +63,9 @@ private:
 
     std::size_t m_limit;
     ResponseRange m_range;
-    Interval m_curveRange; ///< of the limit, without the dots
+    Interval m_curveRange; ///< range of the limit on the curve, without the dots
     Dots m_dots;
-    QPixmap m_picture; ///< the chart without dots: they move without it being drawn again; null: out of date
+    QPixmap m_picture; ///< the chart without dots, so that a moving dot does not redraw it; null: must be redrawn
     bool m_isDragging = false;
 };
 

@@ -2,8 +2,8 @@
 #pragma once
 
 // Five small charts: how stroke, time ratio, minimum transmission angle, peak slider speed and peak slider acceleration
-// depend on one parameter. A dot marks the present value and can be dragged; pinned motions are further dots. The
-// curves are computed at the pixels, in the background.
+// depend on one parameter. A dot marks the current value and can be dragged; pinned motions are additional dots.
+// The curves are computed in the background, one value per pixel.
 
 #include "ui/document/result.h"
 #include "ui/document/background_task.h"
@@ -30,17 +30,17 @@ public:
 
     void setResult(const std::shared_ptr<const Result> &result);
 
-    /// One of kVariedParameters.
+    /// Shows the response to `parameter`, which must be one of kVariedParameters.
     void setParameter(Parameter parameter);
 
-    /// The curves on show.
+    /// Returns the curves that are displayed.
     const Response &response() const { return m_response; }
 
-    /// The charts by the suffix (.png, .svg, .pdf) or the numbers of the curves (.csv). A sentence if it could not be
-    /// written.
+    /// Writes the charts (.png, .svg, .pdf) or the numbers of the curves (.csv), depending on the suffix. Returns an
+    /// error message if the file cannot be written.
     std::optional<QString> exportTo(const QString &path) const;
 
-    QSize minimumSizeHint() const override { return {200, 100}; } ///< the rest scrolls
+    QSize minimumSizeHint() const override { return {200, 100}; } ///< what does not fit scrolls
 
 signals:
     void parameterRequested(slidercrank::Parameter parameter, double value);
@@ -55,7 +55,7 @@ protected:
 
 private:
     void refresh();
-    void showResponse(bool isNew); ///< else only the dots have moved
+    void showResponse(bool isNew); ///< `isNew`: the curves have changed, not only the dots
     void paint(QPainter &painter, const QSize &size) const;
     QByteArray csv() const;
     void copy();
@@ -64,7 +64,7 @@ private:
     std::shared_ptr<const Result> m_result;
     Response m_response;
     BackgroundTask m_work;
-    bool m_isOutdated = false; ///< something changed while the curves were being computed
+    bool m_isOutdated = false; ///< the result changed while the curves were being computed
     QComboBox *m_parameter;
     QLabel *m_sentence;
     std::array<ResponseChart *, kLimitCount> m_charts;

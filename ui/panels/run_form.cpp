@@ -17,7 +17,7 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kMostSteps = 1e6;
+constexpr double kMaximumSteps = 1e6;
 
 } // namespace
 
@@ -38,7 +38,7 @@ RunForm::RunForm(QWidget *parent)
     m_oneTurn->setToolTip(tr("Sets the duration to one revolution of the crank"));
     form->addRow(QString(), m_oneTurn);
     m_steps = addBox(form, "stepsBox", tr("Steps"), {}, tr("Intervals; there is one time step more"));
-    m_steps->setRange({.smallest = 1.0, .largest = kMostSteps, .isWhole = true});
+    m_steps->setRange({.smallest = 1.0, .largest = kMaximumSteps, .isWhole = true});
     m_steps->setFixedDecimals(0);
     m_steps->setStep(1.0);
     m_speedBox =

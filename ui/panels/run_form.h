@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The simulated time range, its steps, and how fast it is played: what opens from the timeline's button.
+// The form that opens from the button of the timeline: the simulated time range, its steps, and the playback speed.
 
 #include "core/mechanism/mechanism.h"
 #include "core/sampling/trajectory.h"
@@ -27,12 +27,12 @@ class RunForm : public QFrame
 public:
     explicit RunForm(QWidget *parent);
 
-    // They show what there is, and emit nothing.
+    // These functions show the values and emit nothing.
     void setSampling(const Sampling &sampling);
     void setParameters(const Parameters &parameters);
     void setSpeed(double speed);
 
-    /// Opens below that widget, or above it at the lower edge of the screen.
+    /// Opens the form below the widget, or above it at the lower edge of the screen.
     void openAt(const QWidget &widget);
 
 signals:
@@ -42,7 +42,7 @@ signals:
 private:
     NumberBox *addBox(QFormLayout *form, const QString &objectName, const QString &name, const QString &suffix,
                       const QString &explanation);
-    double revolution() const; ///< s; infinite where the crank is at rest
+    double revolution() const; ///< time of one revolution, s; infinite if the crank is at rest
     void showRevolution();
     void edit();
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Pages of a tab: named buttons at the left edge, and the page of the checked button beside them.
+// A tab with several pages: buttons at the left edge select the page that is shown beside them.
 
 #include <QWidget>
 
@@ -17,10 +17,10 @@ class SegmentedPages : public QWidget
     Q_OBJECT
 
 public:
-    /// `buttonName`: the object name of the buttons, followed by the index.
+    /// `buttonName`: object name of the buttons, to which their index is appended.
     explicit SegmentedPages(const QString &buttonName, QWidget *parent = nullptr);
 
-    /// The same widget may be added under several titles. The first page is shown.
+    /// Adds a page. The same widget may be added with several titles. The first page is shown at first.
     void addPage(const QString &title, QWidget *page);
 
     int current() const;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The solver's settings, and what came of them: iterations, residual, and the time steps that could not be solved.
+// The settings of the solver and its outcome: iterations, residual, and the time steps that could not be solved.
 
 #include "ui/document/result.h"
 
@@ -22,7 +22,7 @@ class SolverForm : public QWidget
 public:
     explicit SolverForm(QWidget *parent = nullptr);
 
-    /// They show what there is, and emit nothing.
+    // These functions show the values and emit nothing.
     void setSolver(const SolverSettings &solver);
     void setResult(const Result &result);
 

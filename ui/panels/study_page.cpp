@@ -128,7 +128,7 @@ TableRow rowOf(const MethodResult &method)
     return row;
 }
 
-/// Of the methods that compute so many channels.
+/// Returns the table of the methods that compute this number of channels.
 PageTable tableFor(const CaseResult &result, int channels)
 {
     const QString title = StudyPage::tr("%1 channels").arg(channels);
@@ -157,7 +157,7 @@ PageTable tableFor(const CaseResult &result, int channels)
     return table;
 }
 
-/// Kinds of the same colour have different marks.
+/// Returns the mark of a method. Methods of the same colour have different marks.
 QPainterPath markOf(MethodName::Kind kind)
 {
     QPainterPath path;

@@ -7,11 +7,11 @@
 namespace slidercrank
 {
 
-/// A case of the study: error against time for each method, as a chart and as tables. Methods that compute all 36
-/// channels and those that compute only 6 have a table each, for their times cannot be compared.
+/// A page for one case of the study: the error of each method against its time, as a chart and as tables. Methods that
+/// compute all 36 channels and methods that compute only 6 have separate tables, because their times are not comparable.
 Page studyPage(const CaseResult &result);
 
-/// What the study does, before it has run.
+/// A page that says what the study does, shown before it has run.
 Page emptyStudyPage();
 
 } // namespace slidercrank

@@ -184,7 +184,7 @@ void StudyPanel::showSummary()
                               .arg(mechanismText(Mechanism(shown->parameters)), machineText(m_result->machine)));
 }
 
-/// The button that started the study cancels it: it keeps the keyboard focus.
+/// While the study runs, the button that started it cancels it, so that the keyboard focus does not move.
 void StudyPanel::updateButtons()
 {
     const bool running = m_study.isRunning();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Speed and accuracy: runs the study in the background, for this mechanism or the named hard cases, and shows a case of
-// it.
+// The tab for speed and accuracy: runs the study in the background, for the current mechanism or for the named hard
+// cases, and shows one case at a time.
 
 #include "core/study/study.h"
 #include "ui/document/background_task.h"
@@ -30,10 +30,11 @@ class StudyPanel : public QWidget
 public:
     explicit StudyPanel(QWidget *parent = nullptr);
 
-    /// The chart of the case on show, by the file name's suffix; a sentence when it could not be written.
+    /// Writes the chart of the displayed case in the format of the suffix. Returns an error message if it cannot be
+    /// written.
     std::optional<QString> exportPicture(const QString &path) const;
 
-    /// Every case: JSON if the name ends in .json, else CSV.
+    /// Writes the numbers of every case: as JSON if the name ends in .json, otherwise as CSV.
     std::optional<QString> exportNumbers(const QString &path) const;
 
 public slots:
@@ -44,7 +45,7 @@ public slots:
     void cancel();
 
 signals:
-    void finished(); ///< or cancelled
+    void finished(); ///< the study is complete or was cancelled
     void problemFound(const QString &sentence);
     void rowsCopied(int count);
 
@@ -60,7 +61,7 @@ private:
     BackgroundTask m_study;
     QPushButton *m_runThis;
     QPushButton *m_runHard;
-    QPushButton *m_pressed = nullptr; ///< while the study runs: the button that cancels it
+    QPushButton *m_pressed = nullptr; ///< while the study runs: the button that started it and now cancels it
     QProgressBar *m_progress;
     QLabel *m_summary;
     QComboBox *m_cases;

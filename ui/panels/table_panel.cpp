@@ -146,7 +146,7 @@ void TablePanel::fillFindings(const Page &page)
     auto *grid = static_cast<QGridLayout *>(m_findings->layout());
     while (QLayoutItem *item = grid->takeAt(0)) {
         item->widget()->hide();
-        item->widget()->deleteLater(); // one of them may be the button that was just pressed
+        item->widget()->deleteLater(); // one of the widgets may be the button that was just clicked
         delete item;
     }
     m_findings->setVisible(!m_shownFindings.empty());
@@ -157,7 +157,7 @@ void TablePanel::fillFindings(const Page &page)
             auto *button = named("remedyButton", new QPushButton(finding.remedyText),
                                  tr("%1: %2").arg(finding.remedyText, finding.sentence));
             button->setToolTip(finding.details);
-            button->setFocusPolicy(Qt::TabFocus); // it vanishes when clicked, and must not take the focus with it
+            button->setFocusPolicy(Qt::TabFocus); // the button disappears when clicked and must not have the focus then
             grid->addWidget(button, row, 1, Qt::AlignTop);
             connect(button, &QPushButton::clicked, this, [this, finding] { emit remedyRequested(finding); });
         }
@@ -169,7 +169,7 @@ NumberTable *TablePanel::tableFor(const PageTable &content)
     NumberTable *&table = m_tables[content.name];
     if (!table) {
         table = new NumberTable(content.name, content.title, content.columns);
-        table->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored); // its minimum height is what it needs
+        table->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored); // arrange() sets its minimum height
         m_beside->addWidget(table, 1);
         connect(table, &NumberTable::timeRequested, this, &TablePanel::timeRequested);
         connect(table, &NumberTable::partHovered, this, &TablePanel::partHovered);
@@ -201,7 +201,7 @@ void TablePanel::fillTables(const Page &page)
     m_export->setVisible(!m_shownTables.empty());
 }
 
-/// Several tables scroll together; a table by itself scrolls under its headings.
+/// Several tables scroll together; a single table scrolls below its headings.
 void TablePanel::arrange()
 {
     constexpr int kScrollBar = 20; // px

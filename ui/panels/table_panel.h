@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Shows a page: its sentence, findings with their buttons, chart and tables side by side where there is space. The page
-// is computed when the panel is visible, at most ten times a second.
+// A widget that shows a page: its sentence, its findings with their buttons, and its chart and tables, side by side if
+// there is space. The page is computed only while the panel is visible, at most ten times a second.
 
 #include "ui/panels/page.h"
 
@@ -29,14 +29,15 @@ public:
     TablePanel(const QString &name, const QString &title, const std::function<Page()> &makePage,
                QWidget *parent = nullptr);
 
-    /// The tables, every digit, or by its suffix (.png, .svg, .pdf) the chart. A sentence when it could not be written.
+    /// Writes the tables with every digit (.csv) or the chart (.png, .svg, .pdf). Returns an error message if the file
+    /// cannot be written.
     std::optional<QString> exportTo(const QString &path) const;
 
-    QSize minimumSizeHint() const override { return {200, 100}; } ///< the rest scrolls
+    QSize minimumSizeHint() const override { return {200, 100}; } ///< what does not fit scrolls
 
 public slots:
     void refresh();
-    void refreshNow(); ///< without waiting: it is another page
+    void refreshNow(); ///< without delay, for a different page
 
 signals:
     void timeRequested(double seconds);
@@ -61,7 +62,7 @@ private:
 
     std::function<Page()> m_makePage;
     bool m_stale = true;
-    QTimer m_pause{this}; ///< runs for a moment after each filling
+    QTimer m_pause{this}; ///< runs for a short time after each update
     std::vector<Finding> m_shownFindings;
 
     QLabel *m_sentence;
@@ -71,20 +72,20 @@ private:
     QScrollArea *m_scroll;
     QBoxLayout *m_beside; ///< the tables, side by side or one above the other
     Chart *m_chart;
-    std::map<QString, NumberTable *> m_tables; ///< by name, also of pages shown before
+    std::map<QString, NumberTable *> m_tables; ///< by name; includes the tables of earlier pages
     std::vector<NumberTable *> m_shownTables;
     QLabel *m_note;
 };
 
-/// A sentence if the file could not be written.
+/// Writes a file. Returns an error message if it cannot be written.
 std::optional<QString> writeText(const QString &path, const QByteArray &text);
 
-/// Asks for a file and has it written; `write` returns why it could not be, for `report`.
+/// Asks for a file name and calls `write` with it. If that returns an error message, passes it to `report`.
 void chooseExport(QWidget *parent, const QStringList &filters, const QString &name,
                   const std::function<std::optional<QString>(const QString &path)> &write,
                   const std::function<void(const QString &problem)> &report);
 
-/// The tables of a page as CSV, one after the other; equal headings are not repeated.
+/// Returns the tables of a page as CSV, one after the other. Headings that equal those before are not repeated.
 QString csvOf(const Page &page);
 
 } // namespace slidercrank

@@ -43,7 +43,7 @@ QString speedText(double speed)
     return Timeline::tr("%1×").arg(numberText(speed, 3));
 }
 
-/// The style's icon in the colour of the palette's text: its own is too dark on a dark background.
+/// Returns the icon of the style in the text colour of the palette; its own colour is too dark on a dark background.
 QIcon colouredIcon(const QWidget &widget, QStyle::StandardPixmap symbol)
 {
     constexpr int kSize = 32; // px
@@ -140,7 +140,7 @@ QLayout *Timeline::createScrubbing()
     m_timeBox = makeBox("timeBox", tr("Time in seconds"), tr("Time"), tr(" s"), kSecond);
     connect(m_timeBox, &NumberBox::edited, this, &Timeline::timeRequested);
 
-    constexpr double kLargestAngle = 1e300; // degrees: every angle that a mechanism can reach
+    constexpr double kLargestAngle = 1e300; // degrees; larger than any angle that a mechanism reaches
     m_angleBox = makeBox("angleBox", tr("Crank angle in degrees"),
                          tr("Crank angle: type one to go to the time when the crank first passes it"), tr("°"), kDegree);
     m_angleBox->setRange({.smallest = -kLargestAngle, .largest = kLargestAngle});
@@ -242,7 +242,7 @@ void Timeline::setPose(const Pose &pose)
 {
     m_pose = pose;
     if (isPlaying() && pose.time != m_requested) {
-        restartClock(pose.time); // the time was moved while it plays
+        restartClock(pose.time); // the time was changed during playback
     }
     showTime();
 }
@@ -312,10 +312,10 @@ void Timeline::nextFrame()
     }
 }
 
-/// A time that is a time step up to rounding is that time step.
+/// Returns the number of time steps; a number that is whole except for rounding errors is rounded.
 double Timeline::stepsAt(double time) const
 {
-    constexpr double kSame = 1e-6; // of a step
+    constexpr double kSame = 1e-6; // time steps
     const double steps = (time - m_sampling.start) / m_sampling.duration * m_sampling.steps;
     const double nearest = std::round(steps);
     return std::abs(steps - nearest) < kSame ? nearest : steps;
@@ -333,11 +333,11 @@ void Timeline::goToAngle(double degrees)
     const double omega2 = m_parameters.omega2;
     if (omega2 != 0.0) {
         double time =
-            (degrees / kDegreesPerRadian - m_parameters.theta20) / omega2; // the very angle, whole turns included
+            (degrees / kDegreesPerRadian - m_parameters.theta20) / omega2; // of this angle, including whole turns
         if (!(time >= m_sampling.start && time <= last())) {
             const double period = kTurn / std::abs(omega2);
             time = instantAtCrankAngle(Mechanism(m_parameters), degrees / kDegreesPerRadian, m_sampling.start).value_or(m_sampling.start);
-            if (time > last()) { // not passed: whichever end is nearer
+            if (time > last()) { // the crank does not reach the angle: go to the nearer end
                 time = m_sampling.start - (time - period) < time - last() ? m_sampling.start : last();
             }
         }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Playing, stepping and scrubbing through the simulated time. It asks for times (timeRequested) and shows the one that
-// comes back (setPose). Playing follows the clock: a slow machine drops frames, not time. The time range and the
-// playback speed open from a button.
+// A widget that plays, steps and scrubs through the simulated time. It emits timeRequested() and shows the time that
+// setPose() returns to it. Playback follows the clock: a slow machine drops frames. A button opens the form for the time
+// range and the playback speed.
 
 #include "core/mechanism/mechanism.h"
 #include "core/sampling/trajectory.h"
@@ -28,7 +28,7 @@ class NumberBox;
 class NumberSlider;
 class RunForm;
 
-/// Seconds of the motion in a second of real time, to choose from.
+/// Playback speeds in the menu: seconds of the motion per second of real time.
 inline constexpr std::array<double, 9> kSpeeds{0.1, 0.2, 0.25, 0.5, 1.0, 2.0, 4.0, 5.0, 10.0};
 
 class Timeline : public QWidget
@@ -40,26 +40,26 @@ public:
 
     bool isPlaying() const { return m_frames.isActive(); }
     bool isLooping() const;
-    double speed() const { return m_speed; } ///< seconds of the motion in a second of real time
+    double speed() const { return m_speed; } ///< seconds of the motion per second of real time
 
-    /// A function that returns seconds since an arbitrary moment.
+    /// `clock` returns the seconds since an arbitrary moment.
     void setClock(const std::function<double()> &clock) { m_clock = clock; }
 
-    /// Adds the playback actions; the buttons show the same ones.
+    /// Adds the playback actions to the menu; the buttons use the same actions.
     void fillMenu(QMenu *menu);
 
 public slots:
     void setSampling(const slidercrank::Sampling &sampling);
     void setPose(const slidercrank::Pose &pose);
 
-    /// The drive, ω₂ and θ₂₀: which time a typed crank angle means.
+    /// Uses ω₂ and θ₂₀ to find the time of a typed crank angle.
     void setParameters(const slidercrank::Parameters &parameters);
 
     void togglePlaying() { isPlaying() ? pause() : play(); }
     void play();
     void pause();
     void setSpeed(double speed);
-    void openRun(); ///< time range and speed
+    void openRun(); ///< opens the form for the time range and the speed
 
 signals:
     void timeRequested(double seconds);
@@ -76,10 +76,10 @@ private:
     QLayout *createScrubbing();
     QLayout *createButtons();
     void colourIcons();
-    double last() const { return m_sampling.start + m_sampling.duration; } ///< of the time range, s
+    double last() const { return m_sampling.start + m_sampling.duration; } ///< end of the time range, s
     void nextFrame();
     void restartClock(double from);
-    double stepsAt(double time) const; ///< since the start
+    double stepsAt(double time) const; ///< time steps since the start
     void stepTo(double step);
     void goToAngle(double degrees);
     void showTime();

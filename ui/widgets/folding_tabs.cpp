@@ -11,7 +11,7 @@ FoldingTabs::FoldingTabs(QWidget *parent)
     : QTabWidget(parent)
 {
     setDocumentMode(true);
-    setFocusPolicy(Qt::NoFocus); // else the Tab key would stop here and at the bar
+    setFocusPolicy(Qt::NoFocus); // otherwise the Tab key would stop at this widget and at its bar
     tabBar()->setFocusPolicy(Qt::TabFocus);
     tabBar()->setObjectName(QStringLiteral("tabBar"));
     tabBar()->setDrawBase(false);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Tabs that can be folded up to their bar, so that the plots of a small window get the space.
+// Tabs that can be folded to their bar, to leave more space for the plots in a small window.
 
 #include <QHash>
 #include <QTabWidget>
@@ -19,19 +19,19 @@ class FoldingTabs : public QTabWidget
 public:
     explicit FoldingTabs(QWidget *parent = nullptr);
 
-    /// A page whose content is made when it is shown for the first time: the program starts faster.
+    /// Adds a page whose content is created when the page is first shown, so that the program starts faster.
     void addPage(const QString &title, const std::function<QWidget *()> &make);
 
-    /// Unfolds the tabs, and shows that page.
+    /// Unfolds the tabs and shows the page.
     void showPage(QWidget *page);
 
     bool isFolded() const { return m_isFolded; }
 
-    /// What the person chose; nullopt: nothing yet.
+    /// Returns whether the user folded the tabs; nullopt if the user has not chosen yet.
     const std::optional<bool> &chosen() const { return m_chosen; }
     void choose(bool folded);
 
-    /// Folds or unfolds them unless the person has chosen.
+    /// Folds or unfolds the tabs, unless the user has chosen.
     void suggest(bool folded);
 
 signals:
@@ -41,7 +41,7 @@ private:
     void setFolded(bool folded);
     void makeContent(int index);
 
-    QHash<int, std::function<QWidget *()>> m_unmade; ///< by index
+    QHash<int, std::function<QWidget *()>> m_unmade; ///< functions that create the missing contents, by index
     std::optional<bool> m_chosen;
     bool m_isFolded = false;
 };

@@ -22,13 +22,13 @@ namespace slidercrank
 namespace
 {
 
-constexpr std::chrono::seconds kHintStays{8};
+constexpr std::chrono::seconds kHintDuration{8};
 
-/// Spoken with its message: there may be several such buttons.
+/// The accessible name includes the message, because there may be several such buttons.
 QPushButton *makeButton(const char *name, const QString &text, const QString &message)
 {
     auto *button = named(name, new QPushButton(text), text + QStringLiteral(": ") + message);
-    button->setFocusPolicy(Qt::TabFocus); // it vanishes when clicked, and must not take the focus with it
+    button->setFocusPolicy(Qt::TabFocus); // the button disappears when clicked and must not have the focus then
     return button;
 }
 
@@ -85,7 +85,7 @@ void MessageBar::showMessage(const Message &message)
     if (message.kind == Message::Kind::Hint) {
         auto *fade = new QTimer(row);
         connect(fade, &QTimer::timeout, this, [this, row] { remove(row); });
-        fade->start(kHintStays);
+        fade->start(kHintDuration);
     }
     place();
 }
@@ -112,7 +112,7 @@ void MessageBar::clear()
     }
 }
 
-/// Now or, for a button in it was clicked, soon.
+/// Hides the row at once and deletes it later, because one of its buttons may be handling a click.
 void MessageBar::remove(QFrame *row)
 {
     m_rows->removeWidget(row);
@@ -148,7 +148,7 @@ bool MessageBar::eventFilter(QObject *watched, QEvent *event)
 void MessageBar::place()
 {
     constexpr int kMargin = 6;  // px
-    constexpr int kWidest = 80; // letters
+    constexpr int kWidest = 80; // characters
     const int space = parentWidget()->width() - 2 * kMargin;
     const int width = std::min(space, kWidest * fontMetrics().averageCharWidth());
     setGeometry(kMargin + space - width, kMargin, width, std::max(0, m_rows->heightForWidth(width)));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Messages over the upper right corner of a widget, whose layout they do not move. Hints fade; questions and problems
-// wait for a click.
+// Shows messages over the upper right corner of its parent without changing the layout. Hints disappear by themselves;
+// questions and problems wait for a click.
 
 #include <QString>
 #include <QWidget>
@@ -17,12 +17,12 @@ namespace slidercrank
 
 struct Message {
     enum class Kind { Hint, Question, Problem };
-    QString id; ///< what the message is about: a newer one with the same id replaces it
+    QString id; ///< a newer message with the same id replaces this one
     Kind kind = Kind::Hint;
     QString text;
-    QString actionText = {};           ///< of the button that calls `action`
-    std::function<void()> action = {}; ///< empty: there is only the button that dismisses the message
-    QString dismissText = {};          ///< empty: "Dismiss"
+    QString actionText = {};           ///< text of the button that calls `action`
+    std::function<void()> action = {}; ///< if empty, there is only the button that dismisses the message
+    QString dismissText = {};          ///< if empty, "Dismiss"
     std::function<void()> dismissed = {};
 };
 
@@ -37,9 +37,9 @@ public:
     void removeMessage(const QString &id);
     void clear();
 
-    QString text() const; ///< of all messages, a line each, the newest first
+    QString text() const; ///< all messages, one per line, newest first
 
-    /// Shows no message until it is unmuted.
+    /// Hides all messages while muted.
     void setMuted(bool muted);
 
 protected:

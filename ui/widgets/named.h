@@ -6,7 +6,7 @@
 namespace slidercrank
 {
 
-/// With the name by which the program finds it and, where it shows none of its own, one for a screen reader.
+/// Sets the object name and, if not empty, the accessible name of a widget, and returns the widget.
 template <typename Widget>
 Widget *named(QAnyStringView name, Widget *widget, const QString &spoken = {})
 {

@@ -23,8 +23,8 @@ namespace slidercrank
 namespace
 {
 
-constexpr int kDecimals = 60; // of QDoubleSpinBox: so many that it rounds no number
-constexpr std::chrono::seconds kNoteStays{10};
+constexpr int kDecimals = 60; // so many that QDoubleSpinBox does not round the number
+constexpr std::chrono::seconds kNoteDuration{10};
 
 bool isUndo(const QKeyEvent &key)
 {
@@ -36,7 +36,7 @@ bool isUndo(const QKeyEvent &key)
 NumberBox::NumberBox(QWidget *parent)
     : QDoubleSpinBox(parent)
 {
-    setFocusPolicy(Qt::StrongFocus); // not by the wheel: scrolling past must change nothing
+    setFocusPolicy(Qt::StrongFocus); // without wheel focus, so that scrolling changes no number
     setAlignment(Qt::AlignRight);
     setKeyboardTracking(false);
     setDecimals(kDecimals);
@@ -65,12 +65,12 @@ void NumberBox::setValue(double value)
     const int cursor = lineEdit()->cursorPosition();
     const bool isSelected = lineEdit()->hasSelectedText();
     QDoubleSpinBox::setValue(value);
-    m_taken = this->value();
+    m_accepted = this->value();
     if (typing) {
         lineEdit()->setText(typed);
         lineEdit()->setCursorPosition(cursor);
     } else if (isSelected) {
-        selectNumber(); // what is typed next still replaces all of it
+        selectNumber(); // the next typed character still replaces the whole number
     }
 }
 
@@ -79,18 +79,18 @@ void NumberBox::setRange(const NumberRange &range)
     const QSignalBlocker quiet(this);
     m_range = range;
     QDoubleSpinBox::setRange(range.smallest, range.largest);
-    m_taken = value();
+    m_accepted = value();
 }
 
-/// A screen reader sets numbers without asking validate().
+/// Checks the number again, because a screen reader sets numbers without calling validate().
 void NumberBox::take(double value)
 {
     if (const QString refusal = refusalOf(value); !refusal.isEmpty()) {
-        setValue(m_taken);
+        setValue(m_accepted);
         refuse(refusal);
         return;
     }
-    m_taken = value;
+    m_accepted = value;
     emit edited(value);
 }
 
@@ -144,18 +144,19 @@ void NumberBox::stepBy(int steps)
     }
 }
 
-/// While edited with every digit, otherwise with as many as there is space for: -2.17724e-5 must not read as -2.1772.
+/// Returns every digit while the number is edited; otherwise as many digits as fit, so that -2.17724e-5 is never cut to
+/// -2.1772.
 QString NumberBox::textFromValue(double value) const
 {
-    constexpr int kMargins = 4; // px: what QLineEdit keeps free beside its text
+    constexpr int kMargins = 4; // px; margins of QLineEdit
     constexpr int kMostDigits = 6;
     constexpr int kFewestDigits = 2;
     const auto fits = [this](const QString &text) {
         return fontMetrics().horizontalAdvance(text + suffix()) <= lineEdit()->width() - kMargins;
     };
     if (m_fixedDecimals >= 0) {
-        const bool isNothing = std::abs(value) < 0.5 * std::pow(10.0, -m_fixedDecimals); // not "-0.00"
-        const QString text = localeWithoutGroups().toString(isNothing ? 0.0 : value, 'f', m_fixedDecimals);
+        const bool isZero = std::abs(value) < 0.5 * std::pow(10.0, -m_fixedDecimals); // not "-0.00"
+        const QString text = localeWithoutGroups().toString(isZero ? 0.0 : value, 'f', m_fixedDecimals);
         if (m_isEditing || fits(text)) {
             return text;
         }
@@ -172,12 +173,12 @@ QString NumberBox::textFromValue(double value) const
 NumberBox::TypedNumber NumberBox::read(const QString &text) const
 {
     QString number = text;
-    while (!suffix().isEmpty() && number.endsWith(suffix())) { // the displayed unit stays while the number is typed
+    while (!suffix().isEmpty() && number.endsWith(suffix())) { // the displayed unit remains in the text while typing
         number.chop(suffix().size());
     }
     number = number.trimmed();
     if (number.isEmpty() || number == textFromValue(value())) {
-        return {value(), {}}; // the exact number, not what is shown of it
+        return {value(), {}}; // the exact number instead of the shortened text
     }
     const Quantity typed = m_range.isWhole ? readCount(number) : readQuantity(number, m_unit);
     if (typed.fault) {
@@ -209,7 +210,7 @@ QValidator::State NumberBox::validate(QString &text, int &) const
 {
     if (!suffix().isEmpty() && text.endsWith(suffix())) {
         const QString typed = text.chopped(suffix().size()).trimmed();
-        if (typed.endsWith(suffix())) { // the typed unit takes the place of the displayed one
+        if (typed.endsWith(suffix())) { // the typed unit replaces the displayed unit
             text = typed;
         }
     }
@@ -227,7 +228,7 @@ void NumberBox::showValue()
     QDoubleSpinBox::setValue(value());
 }
 
-/// With the cursor in front, so that a long number shows its first digits.
+/// Selects the number with the cursor at its start, so that a long number shows its first digits.
 void NumberBox::selectNumber()
 {
     const int length = static_cast<int>(lineEdit()->text().size());
@@ -257,11 +258,11 @@ void NumberBox::refuse(const QString &sentence)
     m_note->move(place.topLeft());
     m_note->show();
     setAccessibleDescription(sentence);
-    QTimer::singleShot(kNoteStays, m_note, &QWidget::hide);
+    QTimer::singleShot(kNoteDuration, m_note, &QWidget::hide);
 }
 
-/// Undo and redo mean the window unless something has been typed. So do all keys with Control but those of the
-/// clipboard.
+/// Leaves undo and redo to the window unless text has been typed, and leaves all other Control keys to the window except
+/// those of the clipboard.
 bool NumberBox::event(QEvent *event)
 {
     if (event->type() == QEvent::ShortcutOverride) {
@@ -281,7 +282,7 @@ bool NumberBox::event(QEvent *event)
     return QDoubleSpinBox::event(event);
 }
 
-/// A double click selects the whole number; QLineEdit would stop at its decimal point.
+/// Selects the whole number on a double click; QLineEdit would stop at the decimal point.
 bool NumberBox::eventFilter(QObject *watched, QEvent *event)
 {
     if (event->type() == QEvent::MouseButtonDblClick) {
@@ -302,7 +303,7 @@ void NumberBox::focusInEvent(QFocusEvent *event)
 
 void NumberBox::focusOutEvent(QFocusEvent *event)
 {
-    QDoubleSpinBox::focusOutEvent(event); // takes over what was typed
+    QDoubleSpinBox::focusOutEvent(event); // accepts the typed number
     m_isEditing = false;
     showValue();
     lineEdit()->setCursorPosition(0);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A box for one number: shows it shortened, in the user's locale and with its unit, and keeps it exact. A typed number
-// may carry another unit. What cannot be accepted is replaced by the number before, and a note beside the box says why.
+// A box for one number. It shows the number shortened, in the user's locale and with its unit, but stores it exactly. A
+// number may be typed with another unit. If a number is not accepted, the box restores the previous one, and a note
+// says why.
 
 #include "core/import/quantity.h"
 #include "core/mechanism/mechanism.h"
@@ -17,13 +18,13 @@ class QLabel;
 namespace slidercrank
 {
 
-/// What a box accepts.
+/// The numbers that a box accepts.
 struct NumberRange {
     double smallest = -kLargestParameter;
     double largest = kLargestParameter;
     bool isOpen = false;       ///< only numbers greater than the smallest
     bool isWhole = false;      ///< whole numbers only
-    bool takesNearest = false; ///< a number outside becomes the nearer end instead of being refused
+    bool takesNearest = false; ///< a number outside the range is moved to its nearer end instead of being refused
 };
 
 class NumberBox : public QDoubleSpinBox
@@ -33,24 +34,24 @@ class NumberBox : public QDoubleSpinBox
 public:
     explicit NumberBox(QWidget *parent = nullptr);
 
-    /// Shows a number from elsewhere: emits nothing, and leaves alone what is being typed.
+    /// Sets the number without emitting a signal. Text that is being typed is not changed.
     void setValue(double value);
 
     void setRange(const NumberRange &range);
 
-    /// The unit of the number, and of one typed without a unit. Without it no unit is understood.
+    /// Sets the unit of the number, which may be omitted when typing. By default, the number has no unit.
     void setUnit(const Unit &unit) { m_unit = unit; }
 
-    /// Always that many decimals where there is space, also while edited: for a number that changes all the time.
+    /// Shows a fixed number of decimals if there is space, also while editing; for numbers that change continuously.
     void setFixedDecimals(int decimals);
 
-    /// What one press of an arrow adds, instead of a tenth of the number's power of ten.
+    /// Sets the change per arrow key. The default is a tenth of the number's power of ten.
     void setStep(double step);
 
-    /// The box asks for the width of this text.
+    /// Makes the preferred width of the box that of this text.
     void setWidestText(const QString &text);
 
-    /// Somebody has typed something that has not been taken over yet.
+    /// Whether the text was changed and has not been accepted yet.
     bool isTyping() const;
 
     QSize sizeHint() const override;
@@ -62,7 +63,7 @@ public:
     void fixup(QString &text) const override;
 
 signals:
-    void edited(double value); ///< somebody typed a number (and pressed Enter or left the box) or pressed an arrow
+    void edited(double value); ///< the user entered a number or pressed an arrow key
 
 protected:
     bool event(QEvent *event) override;
@@ -75,7 +76,7 @@ protected:
 private:
     struct TypedNumber {
         double value;
-        QString refusal; ///< empty: it can be taken over
+        QString refusal; ///< why the number is refused; empty if it is accepted
     };
     void take(double value);
     TypedNumber read(const QString &text) const;
@@ -86,12 +87,12 @@ private:
     void refuse(const QString &sentence);
 
     NumberRange m_range;
-    double m_taken = 0.0; ///< the last number that was accepted
+    double m_accepted = 0.0; ///< last accepted number
     std::optional<Unit> m_unit;
-    int m_fixedDecimals = -1; ///< negative: as many as needed
+    int m_fixedDecimals = -1; ///< negative: not fixed
     QString m_widestText = QStringLiteral("-000.000");
-    bool m_isEditing = false;  ///< it has the focus and shows every digit
-    mutable QString m_refusal; ///< of what was just typed
+    bool m_isEditing = false;  ///< the box has the focus and shows every digit
+    mutable QString m_refusal; ///< why the typed text is refused; empty if it is accepted
     QPointer<QLabel> m_note;
 };
 

@@ -58,7 +58,7 @@ QAccessibleInterface *accessibleSlider(const QString &, QObject *object)
 NumberSlider::NumberSlider(QWidget *parent)
     : QSlider(Qt::Horizontal, parent)
 {
-    QAccessible::installFactory(accessibleSlider); // a second time does nothing
+    QAccessible::installFactory(accessibleSlider); // has no effect the second time
 }
 
 void NumberSlider::setScale(double first, double step)
@@ -74,7 +74,7 @@ double NumberSlider::numberAt(int position) const
 
 int NumberSlider::positionOf(double number) const
 {
-    constexpr double kFarthest = 1e9; // as far as an int goes, and beyond every range
+    constexpr double kFarthest = 1e9; // fits in an int and exceeds every range
     const double position = m_step > 0.0 ? (number - m_first) / m_step : 0.0;
     return static_cast<int>(std::lround(std::clamp(position, -kFarthest, kFarthest)));
 }
@@ -88,8 +88,8 @@ void NumberSlider::mousePressEvent(QMouseEvent *event)
         QSlider::mousePressEvent(event);
         return;
     }
-    setSliderDown(true); // what the click changes belongs to the drag
-    // The button that moves the handle to the click, and on with the mouse.
+    setSliderDown(true); // the change by the click is part of the drag
+    // With this button, QSlider moves the handle to the click and continues with the mouse.
     const auto button = static_cast<Qt::MouseButton>(style()->styleHint(QStyle::SH_Slider_AbsoluteSetButtons));
     QMouseEvent absolute(event->type(), event->position(), event->globalPosition(), button, button, event->modifiers());
     QSlider::mousePressEvent(&absolute);

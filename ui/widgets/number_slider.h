@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A slider over real numbers in equal steps. Those who have it read aloud hear the number with its unit, not the
-// position of the handle.
+// A slider over real numbers in equal steps. A screen reader reads the number with its unit, not the position of the
+// handle.
 
 #include <QSlider>
 #include <QString>
@@ -17,22 +17,22 @@ class NumberSlider : public QSlider
 public:
     explicit NumberSlider(QWidget *parent = nullptr);
 
-    /// Position p stands for first + p · step.
+    /// Position p represents the number first + p · step.
     void setScale(double first, double step);
 
-    /// Read behind the number, with the space that belongs there: " mm", "°".
+    /// Sets the unit, with a leading space if needed: " mm", "°".
     void setSuffix(const QString &suffix) { m_suffix = suffix; }
 
     double step() const { return m_step; }
-    double numberAt(int position) const; ///< without the binary tail of 3 · 0.1
+    double numberAt(int position) const; ///< rounded to 12 digits: 0.3 rather than 0.30000000000000004
     double number() const { return numberAt(value()); }
-    int positionOf(double number) const; ///< the nearest, also beyond the range
+    int positionOf(double number) const; ///< the nearest position, even outside the range
 
-    /// As it is read aloud: "65 mm".
+    /// Returns the text for a screen reader: "65 mm".
     QString valueText() const;
 
 protected:
-    void mousePressEvent(QMouseEvent *event) override; ///< in the groove: goes there, and follows on
+    void mousePressEvent(QMouseEvent *event) override; ///< a click in the groove moves the handle there
 
 private:
     double m_first = 0.0;

@@ -6,15 +6,15 @@
 namespace slidercrank
 {
 
-/// A label that breaks its text into lines. Of a word longer than a line, as a file's name may be, the end is cut off:
-/// the window does not grow for it.
+/// A label that wraps its text. A word longer than a line, such as a file name, is cut off instead of widening the
+/// window.
 class Paragraph : public QLabel
 {
 public:
     explicit Paragraph(const QString &text = {}, QWidget *parent = nullptr);
 };
 
-/// A paragraph that can be selected and copied.
+/// Creates a paragraph of plain text that can be selected and copied.
 Paragraph *plainText(const QString &text = {});
 
 QLabel *boldLabel(const QString &text);

@@ -22,7 +22,7 @@ struct SaveDialogText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::SaveDialogText)
 };
 
-/// "svg" for "SVG drawings (*.svg)"; empty for "(*)".
+/// Returns "svg" for "SVG drawings (*.svg)", and an empty text for "(*)".
 QString suffixOf(const QString &filter)
 {
     return filter.section(u'*', -1).chopped(1).mid(1);
@@ -56,7 +56,7 @@ void chooseFileToSave(QWidget *parent, const SaveRequest &request)
             request.save(completed, filter);
             return;
         }
-        SaveRequest again = request; // the dialog asked about another name
+        SaveRequest again = request; // the dialog has not asked whether to replace this file
         again.filters.move(again.filters.indexOf(filter), 0);
         again.folder = QFileInfo(completed).absolutePath();
         again.name = QFileInfo(completed).fileName();

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Asks for the name of a file to write. A missing suffix is that of the chosen filter; the folder is remembered.
+// Asks for the name of a file to write. A missing suffix is taken from the chosen filter, and the folder is stored for
+// the next time.
 
 #include <QStandardPaths>
 #include <QString>
@@ -16,22 +17,22 @@ namespace slidercrank
 
 struct SaveRequest {
     QString title;
-    QStringList filters; ///< "SVG drawings (*.svg)", with one suffix each, or "(*)": any name
+    QStringList filters; ///< "SVG drawings (*.svg)", with one suffix each, or "(*)" for any name
     QString folder;
-    QString name; ///< proposed
+    QString name; ///< default name
     std::function<void(const QString &path, const QString &filter)> save;
 };
 
-/// Does not wait: request.save is called when the person has chosen. The dialog belongs to `parent`.
+/// Opens the dialog as a child of `parent` and returns at once. request.save is called when a name has been chosen.
 void chooseFileToSave(QWidget *parent, const SaveRequest &request);
 
-/// The path, with the suffix of `filter` if it has none of those of `filters`.
+/// Returns the path, with the suffix of `filter` appended if the path has no suffix of `filters`.
 QString completedName(const QString &path, const QString &filter, const QStringList &filters);
 
-/// For what can be drawn.
+/// Returns the filters for image files.
 QStringList figureFilters();
 
-/// Where a file was saved last, if that folder still exists.
+/// Returns the folder in which a file was last saved, or `otherwise` if there is none.
 QString lastFolder(QStandardPaths::StandardLocation otherwise);
 
 } // namespace slidercrank
