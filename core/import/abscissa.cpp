@@ -36,6 +36,23 @@ std::optional<double> divisorFor(ColumnRole role, const std::string &unit)
                                                         : std::nullopt;
 }
 
+/// Returns whether the column has an unknown name and values that only rise, apart from unreadable cells.
+bool mayBeTime(const RawColumn &column)
+{
+    const bool isUnknown = column.isUndecided() && column.heading.meaning.kind == Kind::Nothing;
+    if (!isUnknown || !divisorFor(ColumnRole::Time, column.heading.unit)) {
+        return false;
+    }
+    double before = -std::numeric_limits<double>::infinity();
+    for (const double value : column.values) {
+        if (!(std::isinf(value) || value > before)) {
+            return false;
+        }
+        before = std::isinf(value) ? before : value;
+    }
+    return rangeOf(column.values).count >= 2;
+}
+
 /// Returns whether the column is an angle of an unnamed body that does not change its direction.
 bool isTurningAngle(const RawColumn &column)
 {
@@ -50,8 +67,8 @@ bool isTurningAngle(const RawColumn &column)
 }
 
 /// Finds the abscissa of a file in which no column is named as the time. If another file has one, it is the column with
-/// the same heading. Otherwise it is the crank angle, or an angle before all other columns that does not change its
-/// direction, as in "theta, x, v".
+/// the same heading. Otherwise it is the first column, if it has an unknown name and only rises; else the crank angle;
+/// else the first column, if it is an angle that does not change its direction, as in "theta, x, v".
 void guessAbscissa(RawTable &table, std::size_t file)
 {
     const auto find = [&](const auto &suits) {
@@ -60,23 +77,26 @@ void guessAbscissa(RawTable &table, std::size_t file)
         });
         return found == table.columns.end() ? nullptr : &*found;
     };
-    const RawColumn *const first = table.abscissa();
-    const ColumnRole role = first ? first->use.role : ColumnRole::CrankAngle;
-    RawColumn *found =
-        find([&](const RawColumn &column) { return first && column.heading.printed == first->heading.printed; });
+    const RawColumn *const other = table.abscissa();
+    RawColumn *const leading = find([](const RawColumn &column) {
+        return column.use.reason != ColumnReason::NoName && column.use.reason != ColumnReason::RowNumber;
+    });
+    RawColumn *found = find([&](const RawColumn &column) {
+        return other ? column.heading.printed == other->heading.printed : &column == leading && mayBeTime(column);
+    });
+    const ColumnReason reason = other   ? ColumnReason::KnownName
+                                : found ? ColumnReason::RisingValues
+                                        : ColumnReason::AngleForTime;
+    const ColumnRole role = other ? other->use.role : found ? ColumnRole::Time : ColumnRole::CrankAngle;
     if (!found && role == ColumnRole::CrankAngle) {
         found = find([](const RawColumn &column) {
             return column.heading.isCrankAngle() && unitsPerDegree(column.heading.unit);
         });
     }
-    if (!found && !first) {
-        found = find([](const RawColumn &column) {
-            return column.use.reason != ColumnReason::NoName && column.use.reason != ColumnReason::RowNumber;
-        });
-        found = found && isTurningAngle(*found) ? found : nullptr;
+    if (!found && !other && leading && isTurningAngle(*leading)) {
+        found = leading;
     }
     if (found) {
-        const ColumnReason reason = first ? ColumnReason::KnownName : ColumnReason::AngleForTime;
         setAbscissa(table, *found, role, reason, found->heading.unit);
     }
 }

@@ -154,23 +154,26 @@ double sweepOf(const Claim &claim)
 void findCrank(std::vector<Claim> &claims)
 {
     constexpr double kHalfTurn = 180.0; // the coupler swings less in every mechanism that makes full turns
-    const auto isOpen = [](const Claim &claim, bool isPosition) {
-        return claim.evidence == Evidence::QuantityAlone && isAngle(claim.channel.coordinate) &&
-               (claim.channel.order == Order::Position) == isPosition;
+    const auto isOfUnnamedBody = [](const Claim &claim) {
+        return claim.evidence == Evidence::QuantityAlone && isAngle(claim.channel.coordinate);
+    };
+    const auto isPosition = [&](const Claim &claim) {
+        return isOfUnnamedBody(claim) && claim.channel.order == Order::Position;
     };
     for (Claim &claim : claims) {
-        if (isOpen(claim, true) && sweepOf(claim) > kHalfTurn) {
+        if (isPosition(claim) && sweepOf(claim) > kHalfTurn) {
             claim.channel = kCrankAngle;
             claim.reason = ColumnReason::WideAngle;
         }
     }
     std::vector<Claim> settled;
     for (Claim claim : claims) {
-        const RawColumn *crank = nullptr;
+        const RawColumn *crank = nullptr; // whose derivative the column may be
         bool isAmbiguous = false;
+        const std::string &owner = claim.column->heading.meaning.owner;
         for (const Claim &angle : claims) {
-            if (isOpen(claim, false) && isOpen(angle, true) &&
-                angle.column->heading.meaning.owner == claim.column->heading.meaning.owner) {
+            if (isOfUnnamedBody(claim) && !isPosition(claim) && isPosition(angle) &&
+                angle.column->heading.meaning.owner == owner) {
                 crank = angle.channel == kCrankAngle ? angle.column : crank;
                 isAmbiguous = isAmbiguous || angle.channel != kCrankAngle;
             }

@@ -292,7 +292,7 @@ NameMeaning meaningOf(const Heading &heading)
     if (words.empty()) {
         return {};
     }
-    if (isTime(words) || heading.name == "X_Value") { // as LabVIEW calls it
+    if (isTime(words)) {
         return {isAmong(heading.unit, kCountedUnits) ? Kind::RowNumber : Kind::Time};
     }
     if (const std::optional<Channel> channel = channelSpelled(words)) {

@@ -363,6 +363,10 @@
         <source>assumed from its values: an angle beyond half a turn, or its derivative</source>
         <translation>supuesta por sus valores: un ángulo de más de media vuelta, o su derivada</translation>
     </message>
+    <message>
+        <source>assumed: the first column, whose values only increase</source>
+        <translation>supuesta: la primera columna, cuyos valores solo crecen</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::CommandLine</name>

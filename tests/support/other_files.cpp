@@ -45,7 +45,7 @@ std::vector<OtherFile> otherFiles()
         {"prices", "Date,Open,High,Low,Close\n2024-03-01,187.2,189.1,186.5,188.9\n2024-03-04,188.0,190.2,187.7,189.5\n",
          kNoTime},
         {"an oscilloscope", "Source,CH1,CH2\nSecond,Volt,Volt\n-0.010,0.02,1.1\n-0.009,0.03,1.2\n-0.008,0.02,1.3\n",
-         kNoTime},
+         kNoChannel},
         {"a diffraction pattern", "# 2theta intensity\n10.00 120\n10.02 131\n10.04 128\n", kNoChannel},
         {"torque over an angle", "Angle (deg),Torque (Nm)\n0,1.2\n15,1.4\n30,1.9\n45,2.2\n", kNoChannel},
         {"pressure over the crank's angle", "Crank angle (deg),Cylinder pressure (bar)\n0,40.1\n1,41.2\n2,42.0\n",

@@ -342,7 +342,7 @@ std::vector<SimulationFile> simulationFiles()
              "Name):\ncol0 Main.MyStudy.t\ncol1 Main.MyModel.jnt.Pos\ncol2 Main.MyModel.jnt.Vel\n",
          .cell = " ",
          .format = "%22.15e"},
-        "there is no time column");
+        "its heading does not name the body");
     read("SpiceSharpMechanical2D, slider crank",
          "its sample SliderCrank/Program.cs: \"time,crank_angle,slider_x,slider_vx,guide_error,crank_rod_error\"",
          "time=Time|crank_angle=Theta2|slider_x=X*m~1e-3|slider_vx=V*m~1e-3|guide_error=Zero|crank_rod_error=Zero",
@@ -384,7 +384,7 @@ std::vector<SimulationFile> simulationFiles()
             "reference.wolfram.com/system-modeler/UserGuide/SimulationCenterCombiTimeTableFile.html: \"#1\", \"double "
             "name(rows, columns) #comment\"",
             "=Time|=X*m", {.before = "#1\ndouble slider(101,2)\n", .cell = " ", .hasHeadings = false},
-            "there is no time column");
+            "no column beside the time has a known heading");
 
     // Measured.
     read("Tracker, video analysis", "physics.brocku.ca/Courses/2P20/Tracker, page 21: a title, then t, x, y",
@@ -416,7 +416,7 @@ std::vector<SimulationFile> simulationFiles()
          "is a person's",
          "X_Value=Time|Slider position (mm)=X|Comment=Word",
          {.before = "LabVIEW Measurement\t\nSeparator\tTab\n***End_of_Header***\t\n", .cell = "\t"},
-         "time[] R4_x[mm] -");
+         "time?[] R4_x[mm] -");
     read("a microcontroller's microseconds", "Arduino's micros(); invented headings",
          "time (\u03BCs)=Time*us|position (mm)=X", {.format = "%.8g"}, "time[\u03BCs] R4_x?[mm]");
 

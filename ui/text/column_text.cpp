@@ -35,6 +35,7 @@ public:
         case Chosen: return tr("chosen by hand");
         case QuantityInName: return tr("assumed: the heading names the quantity, but not the body");
         case WideAngle: return tr("assumed from its values: an angle beyond half a turn, or its derivative");
+        case RisingValues: return tr("assumed: the first column, whose values only increase");
         case ModelicaName: return tr("assumed from the heading: named as in Modelica, in m, rad and s");
         case AngleForTime: return tr("assumed: no column is the time, and this is the angle of the crank");
         case UnknownName: return tr("ignored: unknown heading");

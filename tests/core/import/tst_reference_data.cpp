@@ -157,7 +157,7 @@ const std::vector<NamesRow> kNames{
     {"Zeit in s,Weg in mm,Pleuelwinkel in Grad" + kRows, "time R4_x? theta3"},
     {"timestamp,t (s),R4_x\n2024-03-01 12:00:00,0,1\n2024-03-01 12:00:01,1,2\n", "- time R4_x"},
     {"t,θ3 [°],ω3 (rad/s),θ₂,R4x ddot\n0,1,2,3,4\n", "time theta3 theta3_diff theta2 R4_x_diff2"},
-    {"no.,X_Value,R4_x\n1,0,5\n1,2,6\n", "- time R4_x"},
+    {"no.,X_Value,R4_x\n1,0,5\n1,2,6\n", "- time? R4_x"},
     {"time,slider position,pressure,,n,part 7 velocity\n0,1,2,3,4,5\n", "time R4_x - - - -"},
     // An angle that spans more than half a turn is that of the crank, and so is its derivative.
     {"time,angle (rad),angular velocity (rad/s)" + kUneven, "time theta2? theta2_diff?"},
