@@ -16,12 +16,12 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kFewestRowsForNoise = 20.0; // fewer tell no noise from misfit
+constexpr double kFewestRowsForNoise = 20.0; // with fewer rows, noise and misfit cannot be distinguished
 constexpr double kLargestNoisePart = 0.15;   // of the spread
 constexpr Eigen::Index kHarmonics = 8;
 
-/// The correlation of values that are so many apart, in its standard deviations for independent values; values across a
-/// gap in `rows` do not count. `rows` may be empty: then all follow each other.
+/// The autocorrelation at `lag`, in standard deviations of that of independent values. `rows` are the row numbers of
+/// the values, `stride` apart; pairs across a gap are skipped. If `rows` is empty, there are no gaps.
 double correlation(const std::vector<double> &values, std::size_t lag, const std::vector<std::size_t> &rows = {},
                    std::size_t stride = 1)
 {
@@ -39,7 +39,7 @@ double correlation(const std::vector<double> &values, std::size_t lag, const std
                                         : 0.0;
 }
 
-/// Mean fourth power over the squared mean square: 3 for normally distributed values.
+/// The mean fourth power divided by the squared mean square: 3 for normally distributed values.
 double kurtosis(const std::vector<double> &values)
 {
     double squares = 0.0;
@@ -51,8 +51,8 @@ double kurtosis(const std::vector<double> &values)
     return squares > 0.0 ? fourths * static_cast<double>(values.size()) / (squares * squares) : 0.0;
 }
 
-/// Whether the values look like independent noise of one distribution: in the order of time by eight autocorrelations
-/// (Ljung-Box), by the first of them, and by their kurtosis, which single bad readings raise.
+/// Whether the values, in the order of time, look like independent noise of one distribution: tests the sum of eight
+/// squared autocorrelations (Ljung-Box), the first autocorrelation, and the kurtosis, which single bad readings raise.
 bool isWhiteInTime(const std::vector<double> &values, const std::vector<std::size_t> &rows)
 {
     constexpr std::size_t kLags = 8;
@@ -74,7 +74,8 @@ bool isWhiteInTime(const std::vector<double> &values, const std::vector<std::siz
     return sum <= kLargestSum && kurtosis(values) <= kLargestKurtosis;
 }
 
-/// Whether values in the order of the crank angle are neither alike from one to the next nor a function of the angle.
+/// Whether the values, in the order of the crank angle, are not correlated with their neighbours and are no function of
+/// the angle.
 bool isWhiteInAngle(const std::vector<double> &values, const std::vector<double> &angles)
 {
     constexpr double kSigmas = 3.7;
@@ -130,7 +131,7 @@ Residual judgeColumn(const Observations &data, const Fit &fit, const std::vector
 
 double Candidate::score() const
 {
-    constexpr double kPricePerSpeed = 1e-5; // of aliases the slower is preferred
+    constexpr double kPricePerSpeed = 1e-5; // prefers the slowest of several aliases
     return fit.score + price + kPricePerSpeed * std::abs(fit.hypothesis.unknowns[3]);
 }
 
@@ -155,8 +156,8 @@ double interpretedRange(const Observations &data, const Hypothesis &hypothesis, 
 
 bool looksLikeNoise(const std::vector<double> &residuals, const std::vector<double> &angles)
 {
-    constexpr double kLargestHarmonicPart = 0.6; // smoothed differences are off systematically, too
-    constexpr double kSmooth = 0.92;             // correlation from row to row of a smooth signal
+    constexpr double kLargestHarmonicPart = 0.6; // smoothed differences have systematic errors, too
+    constexpr double kSmooth = 0.92;             // correlation of neighbouring rows of a smooth signal
     const auto n = static_cast<double>(residuals.size());
     const double largest = std::min(kLargestHarmonicPart + (2.0 * kHarmonics + 1.0) / n, 0.95);
     return explainedPart(harmonicBasis(angles, kHarmonics), residuals, 0.0) <= largest &&
@@ -192,7 +193,7 @@ Candidate judgedCandidate(const Observations &data, Fit fit)
                                            : residual == Residual::Systematic ? Acceptance::Approximate
                                                                               : Acceptance::Identified);
     }
-    if (candidate.acceptance == Acceptance::Approximate && hasOffset) { // a free origin would take up systematic errors
+    if (candidate.acceptance == Acceptance::Approximate && hasOffset) { // a free origin would absorb systematic errors
         candidate.acceptance = Acceptance::Rejected;
     }
     candidate.distance = all > 0.0 ? off / all : 1.0;

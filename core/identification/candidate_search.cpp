@@ -20,7 +20,7 @@ bool isPlottedDerivative(Channel channel)
     return channel.order != Order::Position && (channel.coordinate == R4x || channel.coordinate == Theta3);
 }
 
-/// A hypothesis without the offsets and scales of another fit; they start anew.
+/// A copy of a hypothesis whose offsets and scales have to be fitted anew.
 Hypothesis restarted(const Hypothesis &hypothesis)
 {
     Hypothesis result = hypothesis;
@@ -34,7 +34,7 @@ bool isSame(const Hypothesis &x, const Hypothesis &y)
            x.isFree == y.isFree && x.isBalanced == y.isBalanced && areNear(middleParameters(x), middleParameters(y));
 }
 
-/// Whether two hypotheses are the same but for an image of the mechanism and the signs and half turns that go with it.
+/// Whether two hypotheses differ only by an image of the mechanism with the signs and half turns that belong to it.
 bool isImage(const Hypothesis &x, const Hypothesis &y)
 {
     const auto isAlike = [](const ColumnUse &one, const ColumnUse &other) {
@@ -55,7 +55,7 @@ bool isKnown(const Hypothesis &hypothesis, const std::vector<Candidate> &all)
 
 void addWithVariants(const Observations &data, Hypothesis hypothesis, std::vector<Candidate> &all);
 
-/// Adds the candidate without those of its free origins that turned out to be next to nothing.
+/// Adds variants of the candidate without those free origins that were fitted to nearly zero.
 void addWithoutIdleOffsets(const Observations &data, const Candidate &candidate, std::vector<Candidate> &all)
 {
     constexpr double kIdlePart = 2e-2; // of the spread, of the crank's length for R4y, of a radian for θ2
@@ -81,7 +81,7 @@ void addWithoutIdleOffsets(const Observations &data, const Candidate &candidate,
     }
 }
 
-/// The columns that keep a candidate from being accepted as well as it might be.
+/// The used columns whose residuals are as bad as `least` or worse.
 std::vector<std::size_t> failingColumns(const Candidate &candidate, Residual least)
 {
     std::vector<std::size_t> failing;
@@ -93,8 +93,8 @@ std::vector<std::size_t> failingColumns(const Candidate &candidate, Residual lea
     return failing;
 }
 
-/// Whether a column deviates by little, or as noise does rather than as a function of the crank angle: what differences
-/// of the positions do.
+/// Whether a column deviates as differences of the positions do: by little, or by noise that is no function of the
+/// crank angle.
 bool mayBeDifference(const Observations &data, const Candidate &candidate, const std::vector<double> &angles,
                      std::size_t j)
 {
@@ -113,8 +113,9 @@ bool mayBeDifference(const Observations &data, const Candidate &candidate, const
     return data.columns[j].channel.order != Order::Position && looksLikeNoise(residuals, residualAngles);
 }
 
-/// Adds the candidate without its failing columns, where these are derivatives; if positions fail as well, all columns
-/// being off as differences are, the one with the lowest orders only: differences may mislead the positions.
+/// Adds a variant of the candidate without its failing columns if these are derivatives. If positions fail as well, and
+/// all columns deviate as differences do, adds the variant with the lowest order of each coordinate only, because
+/// differences may have biased the fit.
 void addWithFewerColumns(const Observations &data, const Candidate &candidate, Residual least,
                          std::vector<Candidate> &all)
 {
@@ -147,10 +148,10 @@ void addWithFewerColumns(const Observations &data, const Candidate &candidate, R
     }
 }
 
-/// Fits a hypothesis and adds it, and what follows from it, unless it is known.
+/// Fits a hypothesis and adds it with its variants, unless it is known.
 void addWithVariants(const Observations &data, Hypothesis hypothesis, std::vector<Candidate> &all)
 {
-    constexpr double kNear = 0.3; // of the squares: nearer than that, the columns may be weighed alike
+    constexpr double kNear = 0.3; // largest Candidate::distance for which equal weights are tried
     if (isKnown(hypothesis, all)) {
         return;
     }
@@ -174,7 +175,7 @@ void addWithVariants(const Observations &data, Hypothesis hypothesis, std::vecto
     }
 }
 
-/// Shapes for columns under each other's names: the exchanges with which the motion is most like the file.
+/// Shapes for files in which two columns have each other's headings: those exchanges with which a motion fits best.
 std::vector<Fit> exchangedShapes(const Observations &data, SpeedCandidates speeds, double scoreBefore,
                                  const std::stop_token &stop)
 {
@@ -191,7 +192,8 @@ std::vector<Fit> exchangedShapes(const Observations &data, SpeedCandidates speed
         return tellsShape(data.columns[j]) &&
                (columns[j].channel.coordinate == R4x || columns[j].channel.coordinate == Theta3);
     };
-    std::vector<std::pair<double, std::vector<ColumnUse>>> exchanges; // by how unlike the nearest shape of the grid is
+    std::vector<std::pair<double, std::vector<ColumnUse>>>
+        exchanges; // with the misfit of the nearest shape of the grid
     for (std::size_t i = 0; i < columns.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
             if (mayBeExchanged(i) && mayBeExchanged(j)) {
@@ -215,7 +217,7 @@ std::vector<Fit> exchangedShapes(const Observations &data, SpeedCandidates speed
     return shapes;
 }
 
-/// Whether the best shape leaves a column unexplained by more than a hundredth of its spread.
+/// Whether the residual of a column exceeds a hundredth of its spread.
 bool isFarOff(const Observations &data, const Fit &shape)
 {
     constexpr double kPart = 0.01;
@@ -228,8 +230,8 @@ bool isFarOff(const Observations &data, const Fit &shape)
     return false;
 }
 
-/// A mechanism about the given one is preferred: of two names of the same fault, the file is rather interpreted to be
-/// about it.
+/// The bonus of a hypothesis whose mechanism is near the given one. If the same fault can be described in two ways,
+/// this prefers the description that belongs to the given mechanism.
 double bonusOf(const Observations &data, const Hypothesis &hypothesis, const Parameters &given)
 {
     constexpr double kBonus = 24.0;
@@ -244,7 +246,7 @@ double bonusOf(const Observations &data, const Hypothesis &hypothesis, const Par
     return isAbout ? kBonus : 0.0;
 }
 
-/// Adds the images of the best candidate, each with the signs and half turns with which it is the same motion.
+/// Adds the images of the best candidate, each with the signs and half turns that make it the same motion.
 void addImages(const Observations &data, InterpretationOptions options, std::vector<Candidate> &all)
 {
     if (all.empty() || data.isByCrankAngle) {
@@ -266,7 +268,7 @@ void addImages(const Observations &data, InterpretationOptions options, std::vec
     }
 }
 
-/// Fits the most promising interpretations of some shapes.
+/// Fits the interpretations with the least misfit.
 void tryInterpretations(const Observations &data, const std::vector<Fit> &shapes, const InterpretationOptions &options,
                         std::vector<Candidate> &all)
 {

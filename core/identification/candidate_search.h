@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// All hypotheses about a file that compete, fitted and judged: as its headings say first, then with free origin
-// offsets, then with every other interpretation, and with columns under each other's names.
+// Finds, fits and judges the competing hypotheses about a file: first as its headings say, then with free origin
+// offsets, then with every other interpretation, including exchanged columns.
 
 #include "core/identification/acceptance.h"
 
@@ -12,13 +12,15 @@
 namespace slidercrank
 {
 
-/// Whether every column is used as its heading says.
+/// Whether the candidate uses every column as its heading says.
 bool isAsWritten(const Observations &data, const Candidate &candidate);
 
-/// A hypothesis fitted and judged, once with rounded and once with exact abscissae where it is uneven: the better one.
+/// Fits and judges a hypothesis. If the abscissa is uneven, tries rounded and exact abscissae and returns the better
+/// fit.
 Candidate fitCandidate(const Observations &data, Hypothesis hypothesis);
 
-/// The best first. `given` supplies what the file does not hold: a length, or ω2 of a file by crank angle.
+/// Returns the candidates, the best one first. `given` supplies parameters that the file does not determine: a length,
+/// or ω2 of a file by crank angle.
 std::vector<Candidate> searchCandidates(const Observations &data, const Parameters &given, const std::stop_token &stop);
 
 } // namespace slidercrank

@@ -23,7 +23,7 @@ void multiply(ReferenceSeries &series, double factor)
     series.rounding.unitFactor *= std::abs(factor);
 }
 
-/// Without jumps by whole turns.
+/// Removes jumps by whole turns.
 void makeContinuous(std::vector<double> &degrees)
 {
     double last = kNone;
@@ -37,7 +37,7 @@ void makeContinuous(std::vector<double> &degrees)
     }
 }
 
-/// A column that is to be shifted keeps its decimals, but not its significant digits.
+/// Fixes the rounding step before a shift: a shifted column keeps its decimals, but not its significant digits.
 void keepDecimals(ReferenceSeries &series)
 {
     series.rounding = series.rounding.withDecimalsAt(rangeOf(series.values).size());
@@ -51,7 +51,7 @@ void shift(ReferenceSeries &series, double amount)
     }
 }
 
-/// A column of one axis becomes that of the other, an angle one from the other.
+/// Turns a column by -90 degrees.
 void turn(ReferenceSeries &series)
 {
     constexpr double kQuarterTurn = 90.0;
@@ -65,7 +65,7 @@ void turn(ReferenceSeries &series)
     }
 }
 
-/// What a file counts by is θ2, too: the instants follow.
+/// Changes the crank angles of a file by crank angle, and its time stamps with them.
 void applyToAngles(const Convention &convention, ReferenceData &data)
 {
     CrankAngles &crank = *data.crank;
@@ -88,7 +88,7 @@ void applyToAngles(const Convention &convention, ReferenceData &data)
 void applyToTime(const Convention &convention, ReferenceData &data)
 {
     const bool isUnit = convention.kind == Kind::TimeUnit;
-    if (isUnit && data.crank) { // its time stamps are those of the model
+    if (isUnit && data.crank) { // the model determines its time stamps
         return;
     }
     for (double &time : data.time) {
@@ -106,7 +106,7 @@ bool concerns(const Convention &convention, Channel channel)
 
 std::optional<Convention> axisAlongY(const ReferenceData &data, bool withAngles)
 {
-    constexpr double kStands = 1e-3; // of what moves: rounding, or an axis that is not quite upright
+    constexpr double kStationaryPart = 1e-3; // of the motion along the other axis: rounding or misalignment
     Convention axis{Convention::Kind::Axis, {}, 1.0};
     bool movesAlongY = false;
     for (const ReferenceSeries &series : data.series) {
@@ -122,8 +122,8 @@ std::optional<Convention> axisAlongY(const ReferenceData &data, bool withAngles)
             data.find({series.channel.coordinate == R4x ? R4y : R4x, series.channel.order});
         const double width = rangeOf(series.values).width();
         const double otherWidth = other ? rangeOf(other->values).width() : 0.0;
-        const bool isUpright = series.channel.coordinate == R4y ? width > 0.0 && otherWidth <= kStands * width
-                                                                : width <= kStands * otherWidth;
+        const bool isUpright = series.channel.coordinate == R4y ? width > 0.0 && otherWidth <= kStationaryPart * width
+                                                                : width <= kStationaryPart * otherWidth;
         if (!isUpright) {
             return std::nullopt;
         }

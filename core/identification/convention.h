@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What a file may mean otherwise than it says: radians for degrees, metres for millimetres, an axis that points the
-// other way, another origin, the textbook's θ_3 for θ³, the other assembly, a late start, a derivative that is none.
-// Each is found by trying it, and offered; nothing is ever applied silently.
+// Conventions in which a file may differ from its headings: radians instead of degrees, metres instead of millimetres,
+// an axis in the opposite direction, another origin, the textbook's θ_3 instead of θ³, the other assembly, a late
+// start, a column that is not the derivative it claims to be. The program reports them and lets the user apply them.
 //
-// Some readings cannot be told from another mechanism. The motions of all mechanisms are the same set
+// Some conventions cannot be distinguished from another mechanism. The set of the motions of all mechanisms does not
+// change if they are
 //
 //     mirrored at x     θ → -θ, x → x            c → -c, ω2 → -ω2, θ20 → -θ20
 //     mirrored at y     θ → 180° - θ, x → -x     ω2 → -ω2, θ20 → 180° - θ20, the other assembly
@@ -14,24 +15,26 @@
 //     started late      t → t + τ                θ20 + ω2 τ
 //     timed otherwise   t → f t and every derivative by its power of f     ω2 / f
 //
-// θ and x with their derivatives, θ up to whole turns; and of θ alone
+// (θ and x with their derivatives, θ up to whole turns), and, for θ alone, if
 //
-//     crank reversed     θ → θ                   ω2 → -ω2, θ20 → 180° - θ20
+//     the crank is reversed     θ → θ            ω2 → -ω2, θ20 → 180° - θ20
 //
-// So the sense of rotation, the length unit of the whole file, instants and derivatives per millisecond, a late start
-// and the other assembly are found only where the file agrees with the mechanism at hand; where it does not, they are
-// taken for another mechanism and no finding. And some faults have two names:
+// Therefore the sense of rotation, the length unit of the whole file, times and derivatives per millisecond, a late
+// start and the other assembly are reported only if the file then agrees with the given mechanism. Otherwise the result
+// is another mechanism without a convention. Some files can be described by either of two conventions:
 //
-//     θ turned by 180°, or x negated (without the mechanism at hand): what brings the data nearer to the mechanism at
-//         hand if it resembles it, else the half turn
-//     the other assembly, or the other sign, in a file of θ̇3 and θ̈3 only: the sign
-//     one of two columns negated, or the other: the derivative
-//     a crossed mechanism's angles negated, or its mirror image's less a whole turn: the latter
+//     θ turned by 180°, or x negated
+//     one of two columns negated, or the other one
+//     R4x measured from another origin in the opposite direction (a depth), or θ turned by 180°
+//     the angles of a crossed mechanism negated, or those of its mirror image shifted by a whole turn: reports the
+//     shift
 //
-// A file whose slider moves along y, and not along x, is turned before all this: no reading as it stands could be
-// right. Angles are not turned with it: where they are counted from the file's x, that is found as another origin.
+// The description whose mechanism is near the given one is preferred, then the one with the lower price
+// (interpretation.cpp). If the prices are nearly equal, the outcome is `ambiguous`, and the mechanisms of all
+// descriptions are listed.
 //
-// What a finding costs stands in interpretation.h.
+// If the slider moves along y and not along x, the axes are exchanged first. Angles are not rotated with them, unless
+// that leaves fewer conventions.
 
 #include "core/import/reference_data.h"
 #include "core/mechanism/channel.h"
@@ -42,52 +45,52 @@
 namespace slidercrank
 {
 
-/// In a file that counts by the crank's angle, AngleUnit, Sign and ZeroPoint of θ2 are of what it counts by.
+/// A convention and the columns that it changes. In a file by crank angle, AngleUnit, Sign and ZeroPoint of θ2 change
+/// the abscissa.
 struct Convention {
     enum class Kind {
-        AngleUnit,      ///< angles in another unit than the heading says (or the author's): multiplied by amount
-        LengthUnit,     ///< lengths: multiplied by amount
-        TimeUnit,       ///< the instants: multiplied by amount; derivatives per that unit too: by its inverse powers
-        Sign,           ///< the axis, or the sense of rotation, is the opposite one: multiplied by amount = -1
-        HalfTurn,       ///< the textbook's θ_3, seen from B: made continuous, and amount = ±180°, … is added
-        WholeTurns,     ///< made continuous where it jumps by a turn, and amount = 0, ±360°, … is added
-        ZeroPoint,      ///< one column, counted from another origin: amount (in the author's unit) is added
-        SwappedColumns, ///< the two channels stand under each other's names
-        Branch,         ///< the motion of the other assembly: the model changes, not the data
-        TimeShift,      ///< the clock of the file started early or late: amount (s) is added to its instants
-        NotDerivative,  ///< a derivative column is not the derivative of its position column: it is left out
-        Axis            ///< the slider moves along y: its columns are turned by -90°, y becoming x and x becoming -y
+        AngleUnit,      ///< angles are multiplied by amount
+        LengthUnit,     ///< lengths are multiplied by amount
+        TimeUnit,       ///< times are multiplied by amount, derivatives in that unit by its inverse powers
+        Sign,           ///< opposite axis or sense of rotation: values are multiplied by amount = -1
+        HalfTurn,       ///< the textbook's θ_3, measured at B: made continuous, and amount = ±180°, … is added
+        WholeTurns,     ///< jumps by a turn are removed, and amount = 0, ±360°, … is added
+        ZeroPoint,      ///< another origin: amount (in the unit of files) is added to one column
+        SwappedColumns, ///< two columns have each other's headings
+        Branch,         ///< the motion of the other assembly: changes the model, not the data
+        TimeShift,      ///< the clock started early or late: amount (s) is added to the times
+        NotDerivative,  ///< a column is not the derivative of its position: it is removed
+        Axis            ///< the slider moves along y: y becomes x, and x becomes -y
     };
     Kind kind = Kind::AngleUnit;
 
-    /// The columns that it changes, of Axis by the names that they have before. Of TimeUnit the derivatives that count
-    /// in that unit too, maybe none; of Branch and TimeShift none.
+    /// The columns that it changes, named as before the change. TimeUnit: the derivatives in that unit. Branch,
+    /// TimeShift: empty.
     std::vector<Channel> channels;
     double amount = 1.0;
 
     friend bool operator==(const Convention &, const Convention &) = default;
 };
 
-/// Where the slider moves along y and not along x: its columns, and perhaps the angles, which are then counted from the
-/// file's x, too.
+/// The exchange of axes if the slider moves along y and not along x, with or without the angles; nullopt otherwise.
 std::optional<Convention> axisAlongY(const ReferenceData &data, bool withAngles);
 
-/// The data as they read with that convention. Branch changes nothing here.
+/// Applies a convention to the data. Branch changes nothing.
 ReferenceData applied(const Convention &convention, ReferenceData data);
 
-/// A convention that brings the data nearer to the mechanism, or to some mechanism.
+/// A convention that was found in a file.
 struct ConventionFinding {
     Convention convention;
 
-    /// Largest error of the columns that it changes (of all where it changes the instants or the model), as % of the
-    /// motion's peak, without and with it, all other findings being applied. 0 where nothing is left to compare.
+    /// The largest error without and with the convention, in percent of the motion's peak, after all other conventions
+    /// are applied: of the columns that it changes, or of all if it changes the times or the model. 0 without values.
     double before = 0.0;
     double after = 0.0;
 
     std::optional<double> standardError{}; ///< of the amount of a ZeroPoint, in its unit
 };
 
-/// Whether the convention changes that channel.
+/// Whether the convention changes a channel.
 bool concerns(const Convention &convention, Channel channel);
 
 } // namespace slidercrank

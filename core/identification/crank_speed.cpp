@@ -22,7 +22,7 @@ const ObservedColumn *findColumn(const Observations &data, Channel channel)
     return column == data.columns.end() ? nullptr : &*column;
 }
 
-/// Sum of n ln(unexplained part) over the columns, each fitted by a constant and two harmonics of ω.
+/// The sum of n ln(unexplained part) over the columns, each of which is fitted by a constant and two harmonics of ω.
 double harmonicMisfit(const Observations &data, double omega)
 {
     constexpr double kLeastPart = 1e-5; // a slider-crank has more than two harmonics
@@ -41,7 +41,7 @@ double harmonicMisfit(const Observations &data, double omega)
     return sum;
 }
 
-/// How often a column crosses its mean, beyond small wiggles; the largest of all columns.
+/// The number of times that a column crosses its mean, not counting small oscillations; the largest of all columns.
 double meanCrossings(const Observations &data)
 {
     constexpr double kWiggle = 0.3; // of the spread
@@ -60,7 +60,7 @@ double meanCrossings(const Observations &data)
     return most;
 }
 
-/// θ2 by time without the jumps by whole turns that a speed of about `speed` explains.
+/// θ2 by time, continued by whole turns so that its speed is near `speed`; unchanged if that is 0.
 std::vector<Point> crankAngleByTime(const Observations &data, double speed)
 {
     std::vector<Point> points;
@@ -88,7 +88,7 @@ double givenCrankSpeed(const Observations &data)
     return points.size() < 2 ? speed : fitPolynomial(points, 0.0, 2).coefficients[1];
 }
 
-/// The minima of the periodogram, the lowest first, refined by bisection of the steps.
+/// The lowest minima of the periodogram, refined by bisection, from the lowest.
 std::vector<double> periodogramMinima(const Observations &data, double low, double high, double step)
 {
     constexpr std::size_t kMost = 4;
@@ -139,7 +139,9 @@ double roughTurns(const Observations &data)
 SpeedCandidates speedCandidates(const Observations &data)
 {
     if (data.isByCrankAngle) {
-        return {{1.0, kDegreesPerRadian, 1.0 / kDegreesPerRadian}, {}, true}; // in the unit of the heading, or another
+        return {{1.0, kDegreesPerRadian, 1.0 / kDegreesPerRadian},
+                {},
+                true}; // in the unit of the heading or in another one
     }
     if (const double known = givenCrankSpeed(data); known != 0.0) {
         return {{std::abs(known)}, {}, true};
@@ -148,7 +150,7 @@ SpeedCandidates speedCandidates(const Observations &data)
     constexpr double kMostCrossingsOfArc = 6.0;
     const double crossings = meanCrossings(data);
     const double span = data.span();
-    // Half of the rows' frequency, and not much more than the columns cross their means.
+    // At most half of the sampling frequency, and little more than the number of mean crossings suggests.
     const double high =
         std::min(std::numbers::pi / data.interval() * 1.02, 1.2 * std::numbers::pi * (crossings + 3.0) / span);
     SpeedCandidates speeds{periodogramMinima(data, kLeastTurns * kTurn / span, high, 1.0 / span), {}, false};

@@ -20,11 +20,11 @@ using Outcome = Identification::Outcome;
 using Lack = Identification::Lack;
 using Why = Identification::Alternative::Why;
 
-constexpr double kMargin = 12.0;          // of a score, odds of 1 : 400: within it two explanations are equally good
-constexpr double kFarErrors = 5.0;        // standard errors between two mechanisms
+constexpr double kMargin = 12.0;          // of the score, odds of 1 : 400: explanations within it are equally good
+constexpr double kFarErrors = 5.0;        // standard errors between different mechanisms
 constexpr double kLeastDifference = 1e-3; // of a parameter's size
 
-/// Whether another mechanism, its images apart, is farther away than the standard errors allow.
+/// Whether a mechanism and all its images differ from another one by more than the standard errors explain.
 bool isAnother(const Parameters &one, const std::array<double, kParameterCount> &errors, const Parameters &other)
 {
     const auto tolerance = [&](Parameter parameter, double size) {
@@ -45,11 +45,11 @@ struct Image {
     Why why;
 };
 
-/// The images of a candidate that the columns do not exclude, itself apart.
+/// The other images of a candidate that the columns do not exclude.
 std::vector<Image> remainingImages(const Observations &data, const Candidate &candidate)
 {
     std::vector<Image> remaining;
-    if (data.isByCrankAngle) { // its origin tells them apart
+    if (data.isByCrankAngle) { // the origin of the angle distinguishes them
         return remaining;
     }
     const std::array<Parameters, 8> images = mirrorImages(middleParameters(candidate.fit.hypothesis));
@@ -68,7 +68,7 @@ std::vector<Image> remainingImages(const Observations &data, const Candidate &ca
     return remaining;
 }
 
-/// Among a candidate and its images, chooses the one that is assembled and turns as the given mechanism.
+/// Swaps the candidate with that image whose assembly and sense of rotation are those of the given mechanism, if any.
 void chooseImageLike(const Parameters &given, Candidate &candidate, std::vector<Image> &images)
 {
     const auto likeness = [&](const Candidate &one) {
@@ -82,7 +82,7 @@ void chooseImageLike(const Parameters &given, Candidate &candidate, std::vector<
     }
 }
 
-/// Sum of ln(z / sqrt(2 π e V)) over the values that are used, and their number.
+/// The sum of ln(z / sqrt(2 π e V)) over the used values, with the spread z of the column, and their number.
 std::pair<double, double> evidenceAndCount(const Observations &data, const Fit &fit)
 {
     double sum = 0.0;
@@ -125,7 +125,8 @@ bool isParabolic(const Observations &data, const Fit &fit, const Eigen::MatrixXd
     return true;
 }
 
-/// By how much the speed may be another at the same rows: positions alone, at even rows, few a turn. 0 if it may not.
+/// The difference to the speed of an alias: positions alone, in few evenly spaced rows per turn, do not determine the
+/// speed. 0 if there is no alias.
 double aliasDistance(const Observations &data, double speed)
 {
     constexpr double kFewestRowsPerTurn = 4.5; // 1.3 rows a turn look like 4.3
@@ -148,7 +149,7 @@ double aliasDistance(const Observations &data, double speed)
     return std::abs(speed) * kFewestRowsPerTurn > difference ? difference : 0.0;
 }
 
-/// The same interpretation apart from free origins, of which the other has more.
+/// Whether `rival` has the same interpretation as `best`, but more or other free origins.
 bool isExtension(const Hypothesis &rival, const Hypothesis &best)
 {
     bool hasMore = false;
@@ -163,16 +164,27 @@ bool isExtension(const Hypothesis &rival, const Hypothesis &best)
     return hasMore;
 }
 
+/// Whether two hypotheses convert the values of some column in different ways.
+bool isReadDifferently(const Hypothesis &x, const Hypothesis &y)
+{
+    return !std::ranges::equal(x.columns, y.columns, [](const ColumnUse &one, const ColumnUse &other) {
+        return one.channel == other.channel && one.factor() == other.factor() && one.isUsed == other.isUsed &&
+               one.isHalfTurned() == other.isHalfTurned();
+    });
+}
+
 void addAlternatives(const Observations &data, std::span<const Candidate> candidates, const Candidate &best,
                      const Uncertainty &uncertainty, Identification &result)
 {
+    const bool convertsValues = !isAsWritten(data, best); // headings that explain the file are believed
     const Parameters middle = middleParameters(best.fit.hypothesis);
     for (const Candidate &rival : candidates) {
         const bool isAsGood = isExtension(rival.fit.hypothesis, best.fit.hypothesis)
                                   ? rival.fit.score < best.fit.score - kMargin
                                   : rival.score() < best.score() + kMargin;
         if (rival.acceptance == best.acceptance && isAsGood &&
-            isAnother(middle, uncertainty.standardError, middleParameters(rival.fit.hypothesis))) {
+            ((convertsValues && isReadDifferently(rival.fit.hypothesis, best.fit.hypothesis)) ||
+             isAnother(middle, uncertainty.standardError, middleParameters(rival.fit.hypothesis)))) {
             const Parameters other = parametersOf(data, rival.fit.hypothesis);
             result.outcome = Outcome::Ambiguous;
             if (std::ranges::none_of(result.alternatives,
@@ -191,14 +203,14 @@ void addAlternatives(const Observations &data, std::span<const Candidate> candid
     }
 }
 
-/// Which parameters the file leaves open: a standard error of more than a fifth of the size.
+/// The parameters that the file does not determine: their standard error exceeds a fifth of their size.
 std::array<bool, kParameterCount> openParameters(const Parameters &p, const std::array<double, kParameterCount> &errors)
 {
     constexpr double kLargestPart = 0.2;
     const std::array<double, kParameterCount> sizes{p.a, p.b, std::max(std::abs(p.c), p.a), std::abs(p.omega2), 1.0};
     std::array<bool, kParameterCount> open{};
     for (std::size_t i = 0; i < kParameterCount; ++i) {
-        open[i] = errors[i] > kLargestPart * sizes[i]; // false for what is held: NaN
+        open[i] = errors[i] > kLargestPart * sizes[i]; // false for held parameters, whose error is NaN
     }
     return open;
 }
@@ -256,8 +268,8 @@ std::optional<Lack> findLack(const Observations &data)
 
 Uncertainty computeUncertainty(const Observations &data, const Candidate &candidate)
 {
-    // A systematic residual is one error in some ten rows, whatever their number; where a noise was estimated, it is
-    // uncertain itself.
+    // A systematic residual counts as ten independent errors, whatever the number of rows. An estimated noise is itself
+    // uncertain.
     constexpr double kIndependentRows = 10.0;
     Uncertainty result;
     const Fit &fit = candidate.fit;
@@ -284,13 +296,14 @@ Uncertainty computeUncertainty(const Observations &data, const Candidate &candid
     for (const Eigen::Index k : layout.offset) {
         result.offsetErrors.push_back(k >= 0 ? inflation * std::sqrt(covariance(k, k)) : kNone);
     }
-    result.isStraight = isParabolic(data, fit, covariance);
+    result.isParabolic = isParabolic(data, fit, covariance);
     return result;
 }
 
 Decision decideNearest(const Observations &data, std::span<const Candidate> candidates, const Parameters &given)
 {
-    constexpr double kFarthest = 0.45; // of the squares of the columns: more than half has to be explained
+    constexpr double kFarthest =
+        0.45; // largest Candidate::distance: more than half of the variance has to be explained
     Decision decision;
     Identification &result = decision.identification;
     result.parameters = given;
@@ -342,7 +355,7 @@ Decision decide(const Observations &data, std::span<const Candidate> candidates,
     result.conditionNumber = decision.uncertainty.conditionNumber;
     result.openParameters = openParameters(middleParameters(best.fit.hypothesis), decision.uncertainty.standardError);
     const bool isOpen = std::ranges::count(result.openParameters, true) > 0;
-    if (decision.uncertainty.evidence < kLeastEvidence || isOpen || !decision.uncertainty.isStraight) {
+    if (decision.uncertainty.evidence < kLeastEvidence || isOpen || !decision.uncertainty.isParabolic) {
         result.outcome = Outcome::Insufficient;
         result.lack = decision.uncertainty.evidence < kLeastEvidence ? Lack::NoEvidence
                       : isOpen                                       ? Lack::OpenParameters
@@ -353,7 +366,7 @@ Decision decide(const Observations &data, std::span<const Candidate> candidates,
     result.parameters.theta20 = data.isByCrankAngle ? given.theta20 : result.parameters.theta20;
     result.outcome = best.acceptance == Acceptance::Identified ? Outcome::Identified : Outcome::Approximate;
     fillErrors(data, best, decision.uncertainty, result);
-    for (const Image &image : images) { // also of an approximate mechanism: no column excludes them
+    for (const Image &image : images) { // also for an approximate mechanism: no column excludes them
         result.alternatives.push_back({image.why, parametersOf(data, image.candidate.fit.hypothesis)});
     }
     if (result.outcome == Outcome::Identified) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// From candidates to an answer: whether the file determines its mechanism, what the standard errors are, and whether
-// another mechanism explains the file as well.
+// Decides what can be said about the mechanism: whether the file determines it, with which standard errors, and whether
+// another mechanism explains the file equally well.
 
 #include "core/identification/acceptance.h"
 #include "core/identification/identification.h"
@@ -15,32 +15,32 @@
 namespace slidercrank
 {
 
-/// What is missing in a file, whatever its values are.
+/// The reason why the file cannot determine a mechanism, apart from its values; nullopt if there is none.
 std::optional<Identification::Lack> findLack(const Observations &data);
 
-/// What a fit is worth.
+/// The precision of a fit.
 struct Uncertainty {
-    std::array<double, kParameterCount> standardError{}; ///< of θ20 in the middle of the file; NaN where held
+    std::array<double, kParameterCount> standardError{}; ///< θ20: in the middle of the file; NaN if held
     double angleAtZero = 0.0;                            ///< standard error of θ20 at t = 0
-    std::vector<double> offsetErrors;                    ///< by column; NaN where there is no offset
+    std::vector<double> offsetErrors;                    ///< by column; NaN if it has no free offset
     double conditionNumber = 0.0;
-    double evidence = 0.0;  ///< how much better than chance the values are met, in nats
-    bool isStraight = true; ///< three standard errors in any direction cost what a parabola would, within a factor of 2
+    double evidence = 0.0;   ///< the information that the mechanism gives about the values, in nats
+    bool isParabolic = true; ///< chi-square is a parabola within three standard errors, up to a factor of 2
 };
 
 Uncertainty computeUncertainty(const Observations &data, const Candidate &candidate);
 
-/// The answer and the hypothesis that it is about.
+/// The answer, and the hypothesis to which it belongs.
 struct Decision {
     Identification identification;
-    std::optional<Candidate> candidate; ///< with an image that suits the given mechanism best; none where none is near
-    Uncertainty uncertainty;            ///< only where a mechanism is accepted
+    std::optional<Candidate> candidate; ///< the image most like the given mechanism; nullopt if no mechanism is near
+    Uncertainty uncertainty;            ///< only if a mechanism is accepted
 };
 
-/// What comes nearest of the candidates that interpret the file as its headings say: Nearest, or None.
+/// Chooses the nearest of the candidates that interpret the file as its headings say. The outcome is Nearest or None.
 Decision decideNearest(const Observations &data, std::span<const Candidate> candidates, const Parameters &given);
 
-/// `candidates`: the best first.
+/// Decides between candidates that are sorted from best to worst.
 Decision decide(const Observations &data, std::span<const Candidate> candidates, const Parameters &given);
 
 } // namespace slidercrank

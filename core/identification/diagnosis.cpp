@@ -25,7 +25,7 @@ bool differs(const std::vector<ChannelComparison> &channels)
     return std::ranges::find(channels, Verdict::Differs, &ChannelComparison::verdict) != channels.end();
 }
 
-/// The data with gaps where values were excluded: outliers, and the values of a saturated sensor.
+/// The data with gaps in place of excluded values: outliers, and values of a saturated sensor.
 ReferenceData withoutExcluded(ReferenceData data, const Observations &all, const std::vector<std::size_t> &excluded)
 {
     for (const ObservedColumn &column : all.columns) {
@@ -44,7 +44,7 @@ ReferenceData withoutExcluded(ReferenceData data, const Observations &all, const
     return data;
 }
 
-/// The columns that a candidate does not explain to the last digit or up to noise.
+/// The columns whose residuals are neither rounding errors nor white noise.
 Observations unexplainedColumns(const Observations &data, const Candidate &candidate)
 {
     Observations some = data;
@@ -57,7 +57,7 @@ Observations unexplainedColumns(const Observations &data, const Candidate &candi
     return some;
 }
 
-/// Whether the columns that a candidate does not explain are the motion of another mechanism: then the file is of two.
+/// Whether the columns that a candidate does not explain are the motion of another mechanism.
 bool isOfTwoMechanisms(const FileSearch &search, const Candidate &found, const Parameters &given,
                        const std::stop_token &stop)
 {
@@ -82,7 +82,7 @@ bool isOfTwoMechanisms(const FileSearch &search, const Candidate &found, const P
         });
 }
 
-/// Whether no column of a length says its unit, and there is one.
+/// Whether the file has columns of lengths, none of which has a unit.
 bool hasNoLengthUnit(const FileLayout &layout)
 {
     const auto isLength = [](const FileColumn &column) {
@@ -93,7 +93,7 @@ bool hasNoLengthUnit(const FileLayout &layout)
                                 [&](const FileColumn &column) { return isLength(column) && !column.unit.empty(); });
 }
 
-/// The diagnosis of one file as it stands, step by step.
+/// Diagnoses one file without exchanging its axes.
 class FileDiagnosis
 {
 public:
@@ -121,14 +121,15 @@ private:
     Diagnosis m_result;
 };
 
-/// A file by crank angle as the motion of that mechanism's crank.
+/// A file by crank angle with the time stamps of that mechanism; any other file as it is.
 ReferenceData FileDiagnosis::timed(const ReferenceData &data, const Parameters &parameters) const
 {
     std::optional<ReferenceData> result = data.crank ? timedBy(Mechanism(parameters), data) : std::nullopt;
     return result ? *std::move(result) : data;
 }
 
-/// Names the columns that take no part with their deviations; in a file of two mechanisms, all of the other one.
+/// Lists the columns that the fit does not use, with their deviations; in a file of two mechanisms, all columns of the
+/// other one.
 void FileDiagnosis::nameLeftOut(const ReferenceData &data, const Candidate &candidate, const Observations &observed,
                                 bool isOfTwo)
 {
@@ -139,14 +140,14 @@ void FileDiagnosis::nameLeftOut(const ReferenceData &data, const Candidate &cand
         const bool isNamed =
             candidate.residuals[j] == Residual::NotUsed || (isOfTwo && candidate.residuals[j] == Residual::Systematic);
         if (isNamed && channel != channels.end()) {
-            const double ofZeros = channel->maxAbs.value_or(0.0) > 0.0 ? 100.0 : 0.0; // of the motion's peak
+            const double ofZeros = channel->maxAbs.value_or(0.0) > 0.0 ? 100.0 : 0.0; // percent of the motion's peak
             found.leftOut.push_back({channel->channel, channel->percentOfPeak.value_or(ofZeros)});
         }
     }
 }
 
-/// Nothing is claimed; the mechanism is one that was fitted to the columns as they are written, and its own deviation
-/// is reported.
+/// Makes no claim. Reports the nearest mechanism that was fitted to the columns as their headings say, and its
+/// deviation.
 void FileDiagnosis::keepNearest(const FileSearch &search)
 {
     Identification &found = m_result.identification;
@@ -162,7 +163,7 @@ void FileDiagnosis::keepNearest(const FileSearch &search)
 
 void FileDiagnosis::interpret(const Observations &all, const FileSearch &search)
 {
-    constexpr double kLargestCondition = 1e5; // beyond, next to nothing separates one motion from another
+    constexpr double kLargestCondition = 1e5; // above this, different motions are nearly equal
     Identification &found = m_result.identification;
     Decision decision = decide(search.data, search.candidates, m_given);
     found = std::move(decision.identification);
@@ -213,7 +214,7 @@ void FileDiagnosis::interpret(const Observations &all, const FileSearch &search)
     compareWith(allApplied(m_result.conventions, std::move(own)));
 }
 
-/// Compares the data, as they are interpreted, with the mechanism found, its round numbers and the given mechanism.
+/// Compares the interpreted data with the mechanism found, its round numbers and the given mechanism.
 void FileDiagnosis::compareWith(const ReferenceData &read)
 {
     Identification &found = m_result.identification;
@@ -252,7 +253,7 @@ Diagnosis FileDiagnosis::compute()
     return m_result;
 }
 
-/// Whether an angle was found to be counted from y.
+/// Whether a convention shifts an angle by 90 degrees, so that it is measured from the y axis.
 bool hasQuarterTurn(const Diagnosis &diagnosis)
 {
     constexpr double kAbout = 1.0; // degrees
@@ -263,7 +264,8 @@ bool hasQuarterTurn(const Diagnosis &diagnosis)
     });
 }
 
-/// The file turned, where its slider moves along y; none where that does not explain the slider's motion.
+/// The diagnosis after the axes are exchanged; nullopt if the slider does not move along y, or if this does not explain
+/// its motion.
 std::optional<Diagnosis> turnedDiagnosis(const ReferenceData &data, const Mechanism &mechanism, bool withAngles,
                                          const std::stop_token &stop)
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// All that can be found out about a file held against a mechanism: the conventions by which it reads otherwise than it
-// says, and, with those applied, the mechanism that it belongs to and the one parameter that explains the difference.
+// The diagnosis of a reference file: the conventions with which it has to be interpreted, the mechanism to which the
+// data then belong, and the single parameter that explains the difference to the given mechanism.
 
 #include "core/comparison/comparison.h"
 #include "core/identification/convention.h"
@@ -15,12 +15,11 @@
 namespace slidercrank
 {
 
-/// One parameter of the given mechanism, changed to what was found: a number mistyped, a length changed in one program
-/// and not in the other.
+/// One parameter of the given mechanism, changed to the value found. A typing error is a typical cause.
 struct ParameterChange {
     Parameter parameter = Parameter::A;
     double value = 0.0;
-    double explained = 0.0; ///< the part of the squared error that is gone, 0 to 1
+    double explained = 0.0; ///< the part of the squared error that the change removes, 0 to 1
 };
 
 /// The crank's speed at the first and the last rows, rad/s.
@@ -30,32 +29,31 @@ struct CrankSpeedChange {
 };
 
 struct Diagnosis {
-    /// In the order in which they are to be applied. Empty unless Identified or Ambiguous, or the file, so read, is the
-    /// motion of the mechanism at hand.
+    /// In the order of application. Empty if no mechanism explains the file.
     std::vector<ConventionFinding> conventions;
 
-    /// With them (without, where there are none) no channel differs from the mechanism at hand.
+    /// After the conventions are applied, no channel differs from the given mechanism.
     bool agreesWithGiven = false;
 
-    // All these of the data as they read with the conventions.
+    // The following describe the data after the conventions are applied.
     Identification identification;
     std::vector<ChannelComparison> identified; ///< against identification.parameters; empty for Insufficient and None
     Parameters rounded; ///< Identified: in round numbers, as inRoundNumbers(); else identification.parameters
 
-    /// The one parameter that explains 99 % of the difference or more. Only where the file differs from the mechanism
-    /// at hand, the outcome is Identified or Ambiguous, and the change leaves a sensible mechanism: a length not beyond
-    /// a hundredth and a hundred times the others.
+    /// The parameter that explains at least 99 % of the difference to the given mechanism. Set only if the file differs
+    /// from it, a mechanism explains the file, and no length becomes more than a hundred times another one.
     std::optional<ParameterChange> change;
 
-    /// The file does not say what its lengths are in, and read as mm the crank is shorter than one.
+    /// The file has no unit of length, and the crank is shorter than 1 mm.
     bool mayBeInMetres = false;
 
-    /// The file counts by the crank's angle, and ω2 is what its derivatives by the time say.
+    /// The file is by crank angle, and ω2 follows from its time derivatives.
     bool isSpeedOfDerivatives = false;
 
-    std::optional<CrankSpeedChange> unevenCrank; ///< θ2 is in the file and does not advance evenly
+    std::optional<CrankSpeedChange> unevenCrank; ///< set if the file contains θ2 and the speed is not constant
 };
 
+/// Diagnoses a file. `mechanism` is the given one. If stopped, Identification::stopped is set.
 Diagnosis diagnose(const ReferenceData &data, const Mechanism &mechanism, std::stop_token stop = {});
 
 } // namespace slidercrank

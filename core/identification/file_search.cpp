@@ -17,7 +17,7 @@ constexpr std::size_t kSearchRows = 300;
 constexpr std::size_t kFinalRows = 1000;
 constexpr double kMostExcluded = 0.05; // of the rows
 
-/// The rows of a selection whose flag is not set.
+/// The rows whose flag is not set.
 Observations without(const Observations &data, const std::vector<bool> &flags)
 {
     std::vector<std::size_t> rows;
@@ -44,10 +44,10 @@ double medianOf(std::vector<double> values)
     return *middle;
 }
 
-/// Rows in which a value stands far off the line between its neighbours: not to be relied on in the search.
+/// Flags rows with a value far from the straight line between its neighbours. They may be bad readings.
 std::vector<bool> suspiciousRows(const Observations &data)
 {
-    constexpr double kFar = 12.0;       // times the median distance of all rows
+    constexpr double kFar = 12.0;       // times the median distance from that line
     constexpr double kLeastPart = 0.05; // of the spread
     std::vector<bool> flags(data.abscissa.size(), false);
     for (const ObservedColumn &column : data.columns) {
@@ -73,7 +73,8 @@ std::vector<bool> suspiciousRows(const Observations &data)
                                                                         : std::vector<bool>(flags.size(), false);
 }
 
-/// Rows in which a used column is beyond 8 standard deviations of a robust scale (median absolute deviation).
+/// Flags rows in which the residual of a used column exceeds 8 standard deviations, estimated by the median absolute
+/// deviation.
 std::vector<bool> outliers(const Observations &data, const Candidate &candidate)
 {
     constexpr double kFar = 8.0;
@@ -83,7 +84,7 @@ std::vector<bool> outliers(const Observations &data, const Candidate &candidate)
     if (!fit.exists()) {
         return flags;
     }
-    // Near a toggle the accelerations have no bound, and no deviation says anything about the reading.
+    // Near a toggle position the accelerations are unbounded, so that a large residual need not be a bad reading.
     constexpr double kNearToggle = 1e-4; // of the square of the coupler's length
     std::vector<bool> isNearToggle;
     const Parameters p = middleParameters(fit.hypothesis);
@@ -102,7 +103,7 @@ std::vector<bool> outliers(const Observations &data, const Candidate &candidate)
         }
         const double scale = kOfNormal * medianOf(std::move(magnitudes));
         for (std::size_t i = 0; i < flags.size(); ++i) {
-            // Without the noise, which the outliers themselves may have raised beyond all digits of the sum.
+            // Without the estimated noise, which contains the outliers.
             const double rounding = factor * factor * data.columns[j].variances[i];
             const double variance = std::max(fit.variances[j][i] - fit.noiseVariances[j], rounding);
             flags[i] = flags[i] || (!isNearToggle[i] &&
@@ -112,7 +113,7 @@ std::vector<bool> outliers(const Observations &data, const Candidate &candidate)
     return flags;
 }
 
-/// Beginning of the file with a few turns, so thinned that it still shows them.
+/// At most 300 rows from the beginning of the file, spread over as many turns as they can resolve.
 Observations searchWindow(const Observations &all)
 {
     constexpr double kMostTurns = 6.0;
@@ -134,7 +135,7 @@ Observations searchWindow(const Observations &all)
     return selection(all, rows);
 }
 
-/// At most a thousand rows of all: blocks of consecutive ones, so that neighbours can be compared.
+/// At most a thousand rows of the file, in blocks of consecutive rows, so that neighbours can be compared.
 Observations finalRows(const Observations &all)
 {
     constexpr std::size_t kBlock = 20;
@@ -155,8 +156,8 @@ Observations finalRows(const Observations &all)
     return selection(all, rows);
 }
 
-/// A candidate of the window fitted to ever more of the file, four times as much each time, while its speed becomes
-/// known ever better; at last to `last`.
+/// Fits a candidate of the window to ever larger parts of the file, each four times as long as the one before, because
+/// each fit determines the speed well enough for the next part only. The last fit is to `last`.
 Candidate extended(const Observations &all, const Observations &window, const Observations &last,
                    const Candidate &found)
 {
@@ -179,11 +180,11 @@ Candidate extended(const Observations &all, const Observations &window, const Ob
         }
         hypothesis = std::move(fit.hypothesis);
     }
-    hypothesis.abscissaStep = all.step; // whether the time stamps are rounded shows in the whole file only
+    hypothesis.abscissaStep = all.step; // only the whole file shows whether the time stamps are rounded
     return fitCandidate(last, std::move(hypothesis));
 }
 
-/// The candidates of the window in the whole file.
+/// Extends the best candidates of the window to the whole file.
 std::vector<Candidate> inWholeFile(const Observations &all, const Observations &window, const Observations &last,
                                    std::span<const Candidate> candidates, const std::stop_token &stop)
 {
@@ -194,7 +195,7 @@ std::vector<Candidate> inWholeFile(const Observations &all, const Observations &
     std::vector<Candidate> whole;
     for (const Candidate &candidate : candidates.first(std::min(kMost, candidates.size()))) {
         if (Candidate one = extended(all, window, last, candidate); one.fit.exists() && !stop.stop_requested()) {
-            one.price = candidate.price; // with the preference for the given mechanism
+            one.price = candidate.price; // includes the preference for the given mechanism
             whole.push_back(std::move(one));
         }
     }
@@ -202,7 +203,7 @@ std::vector<Candidate> inWholeFile(const Observations &all, const Observations &
     return whole;
 }
 
-/// All candidates of what is left of a file.
+/// Searches a file after its outliers were removed.
 std::vector<Candidate> searchRest(const Observations &rest, const Observations &last, const Parameters &given,
                                   const std::stop_token &stop)
 {
@@ -210,7 +211,7 @@ std::vector<Candidate> searchRest(const Observations &rest, const Observations &
     return inWholeFile(rest, window, last, searchCandidates(window, given, stop), stop);
 }
 
-/// The best candidate if it is accepted, else the plainest of those that come nearest.
+/// The best candidate if it is identified, else the nearest one with the lowest price.
 const Candidate &nearestCandidate(const std::vector<Candidate> &candidates)
 {
     constexpr double kAbout = 1.05;
@@ -232,9 +233,9 @@ bool isIdentified(const FileSearch &search)
     return !search.candidates.empty() && search.candidates.front().acceptance == Acceptance::Identified;
 }
 
-/// Whether every flagged row has a residual several times as large as all other rows of the column, and none is the
-/// first or last: beside a systematic deviation, whose residuals follow no distribution, anything else may be right,
-/// and a filter treats the ends of a file in another way.
+/// Whether each flagged row has a residual several times as large as all other rows of its column, and is neither the
+/// first nor the last. Systematic residuals follow no distribution, so that a smaller one may be a good reading, and
+/// filters distort the ends of a file.
 bool areFarAway(const Observations &data, const Candidate &candidate, const std::vector<bool> &flags)
 {
     constexpr double kTimes = 4.0;
@@ -252,8 +253,8 @@ bool areFarAway(const Observations &data, const Candidate &candidate, const std:
     return isFar == flags && !flags.front() && !flags.back();
 }
 
-/// Excludes the rows that are outliers of the best candidate, in some rounds because they may have misled it; returns
-/// whether the rest is explained.
+/// Excludes the rows that are outliers of the best candidate, in several rounds because they bias its fit. Returns
+/// whether the other rows are explained; if not, changes nothing.
 bool excludeOutliers(const Observations &all, const Parameters &given, const std::stop_token &stop, FileSearch &search)
 {
     constexpr int kRounds = 4;
@@ -311,7 +312,7 @@ FileSearch searchFile(const Observations &all, const Parameters &given, const st
         }
         return search;
     }
-    if (isSuspicious) { // single bad readings may hide the motion
+    if (isSuspicious) { // bad readings may have prevented the search from finding the motion
         FileSearch cleaned = search;
         const Observations rest = without(window, suspicious);
         const bool isWhole = window.abscissa.size() == all.abscissa.size();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The search through a file of any length: over some hundred rows of its beginning, in which the motion can still be
-// seen from row to row; then what was found there over ever more of the file; and the rows that are bad readings.
+// Searches a file of any length: first a few hundred rows of its beginning, close enough to show the motion; then
+// extends the fits to ever larger parts of the file; and excludes rows with bad readings.
 
 #include "core/identification/candidate_search.h"
 
@@ -14,11 +14,12 @@ namespace slidercrank
 {
 
 struct FileSearch {
-    Observations data;                 ///< a thousand rows at most, without the excluded ones
-    std::vector<Candidate> candidates; ///< fitted to `data`, the best first
-    std::vector<std::size_t> excluded; ///< rows of the file that are outliers, rising
+    Observations data;                 ///< at most a thousand rows, without the excluded ones
+    std::vector<Candidate> candidates; ///< fitted to `data`, from best to worst
+    std::vector<std::size_t> excluded; ///< the rows of the file that are outliers, increasing
 };
 
+/// Searches all rows. `given` supplies parameters that the file does not determine.
 FileSearch searchFile(const Observations &all, const Parameters &given, const std::stop_token &stop);
 
 } // namespace slidercrank

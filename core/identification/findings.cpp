@@ -21,11 +21,11 @@ namespace
 using Kind = Convention::Kind;
 
 constexpr Channel kCrank{Theta2, Order::Position};
-constexpr double kErrors = 5.0; // standard errors that an origin is away from none
+constexpr double kErrors = 5.0; // standard errors of a significant difference
 constexpr std::size_t kFewRows = 1000;
 
-/// Adds a channel to the convention of that kind and amount, or a new convention. Signs of angles and of lengths are
-/// different faults.
+/// Adds a channel to the convention of that kind and amount, or adds a new convention. Signs of angles and of lengths
+/// are separate conventions.
 void addConvention(Kind kind, double amount, Channel channel, std::vector<ConventionFinding> &findings)
 {
     for (ConventionFinding &finding : findings) {
@@ -39,8 +39,8 @@ void addConvention(Kind kind, double amount, Channel channel, std::vector<Conven
     findings.push_back({{kind, {channel}, amount}});
 }
 
-/// An origin offset in the unit of the files, rounded to what somebody chose if the standard error allows it; none if
-/// it is too small to be named.
+/// An origin offset in the unit of files, as the roundest number within its standard error; nullopt if it is not
+/// significant.
 std::optional<ConventionFinding> originFinding(Channel channel, double offset, double error, double size, double step)
 {
     constexpr double kLeastPart = 1e-3; // of the size
@@ -58,7 +58,7 @@ std::optional<ConventionFinding> originFinding(Channel channel, double offset, d
     return finding;
 }
 
-/// What the hypothesis says of the abscissa of a file by crank angle.
+/// Adds the conventions of the crank angle of a file by crank angle.
 void addCrankConventions(const Observations &data, const Candidate &candidate, const Uncertainty &uncertainty,
                          std::vector<ConventionFinding> &findings)
 {
@@ -79,9 +79,9 @@ void addCrankConventions(const Observations &data, const Candidate &candidate, c
     }
 }
 
-/// Derivatives that were left out because they belong to no motion of their position, which is known to the last digit
-/// (a filter that differentiates noisy positions may do anything to them): they deviate by more than differences do,
-/// and as a function of the crank angle rather than as noise.
+/// The columns that were left out because they are not the derivatives of their positions: they deviate by more than
+/// differences do, and not by noise. Empty if the positions are noisy, because a filter that differentiates them may
+/// cause any deviation.
 std::vector<Channel> strangeDerivatives(const Observations &data, const Candidate &candidate)
 {
     std::vector<Channel> channels;
@@ -113,8 +113,7 @@ std::vector<Channel> strangeDerivatives(const Observations &data, const Candidat
     return channels;
 }
 
-/// The largest error of some channels (of all, where there are none) in percent of their peaks; 0 where there is
-/// nothing to compare.
+/// The largest error of some channels (all if `channels` is empty) in percent of their peaks; 0 if there are no values.
 double largestPercent(const Parameters &parameters, const ReferenceData &data, const std::vector<Channel> &channels)
 {
     double largest = 0.0;
@@ -126,7 +125,7 @@ double largestPercent(const Parameters &parameters, const ReferenceData &data, c
     return largest;
 }
 
-/// The channels that carry the names after an exchange of axes.
+/// The channels of a convention after it was applied: an exchange of axes renames them.
 std::vector<Channel> channelsAfter(const Convention &convention)
 {
     std::vector<Channel> channels = convention.channels;
@@ -138,11 +137,11 @@ std::vector<Channel> channelsAfter(const Convention &convention)
     return channels;
 }
 
-/// A way in which the whole file may differ from the given mechanism.
+/// A set of conventions of the whole file.
 struct WholeFileFault {
     double lengthFactor = 1.0;
     double timeFactor = 1.0;
-    bool isReversed = false; ///< the angles have the other sense
+    bool isReversed = false; ///< the angles have the opposite sense of rotation
     bool isOtherAssembly = false;
     bool isLate = false;
 
@@ -152,7 +151,7 @@ struct WholeFileFault {
                static_cast<int>(isReversed) + static_cast<int>(isOtherAssembly) + static_cast<int>(isLate);
     }
 
-    /// The mechanism of the data when the fault is undone, a late start apart.
+    /// The mechanism of the data after all conventions except the late start are applied.
     Parameters undone(Parameters p) const
     {
         p.a *= lengthFactor;
@@ -347,8 +346,8 @@ bool measureFindings(const ReferenceData &data, const Parameters &found, std::ve
 std::optional<ParameterChange> findParameterChange(const ReferenceData &data, const Parameters &given,
                                                    const Parameters &found)
 {
-    constexpr double kNearlyAll = 0.99;  // of the squares: what remains is a tenth of the error
-    constexpr double kMostRatio = 100.0; // between lengths of a sensible mechanism
+    constexpr double kNearlyAll = 0.99;  // of the squares: a tenth of the error remains
+    constexpr double kMostRatio = 100.0; // between the lengths of a realistic mechanism
     const ReferenceData some = thinnedData(data, kFewRows);
     const auto squaresOf = [&](const Parameters &p) {
         double sum = 0.0;

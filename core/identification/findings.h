@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What a hypothesis says of the file in terms that a person can apply: its conventions, and what the whole file means
-// when it is compared with the given mechanism.
+// Expresses a hypothesis as conventions that can be applied to the file, and compares the file with the given
+// mechanism.
 
 #include "core/identification/convention.h"
 #include "core/identification/decision.h"
@@ -14,30 +14,30 @@
 namespace slidercrank
 {
 
-/// The conventions of an accepted candidate, in the order of application. Origin offsets are named from 5 standard
+/// The conventions of an accepted candidate, in the order of application. Reports origin offsets of at least 5 standard
 /// errors and a thousandth of the column's spread.
 std::vector<ConventionFinding> findConventions(const Observations &data, const Candidate &candidate,
                                                const Uncertainty &uncertainty);
 
-/// What makes the file as a whole the motion of the given mechanism: its units of length and time, the sense of
-/// rotation, the other assembly, a late start; the fewest that do, two at most. `found` becomes the mechanism of the
-/// data so interpreted. Empty where the mechanism found is no image of the given one.
+/// The conventions that turn the whole file into the motion of the given mechanism: units of length and time, sense of
+/// rotation, assembly, a late start; at most two of them, and as few as possible. Changes `found` to the mechanism of
+/// the data after they are applied. Empty if there are none.
 std::vector<ConventionFinding> findFaultsOfWholeFile(const ReferenceData &data, const Parameters &given,
                                                      Identification &found);
 
-/// Sets the largest error of each finding without and with it, and removes those that do not reduce it; returns whether
-/// all do that change numbers. `data`: a file
-/// by crank angle is timed by the mechanism already.
+/// Sets the largest error without and with each finding, and removes findings that do not reduce it. Returns false if
+/// one of these would change values. A file by crank angle must have the time stamps of the mechanism.
 bool measureFindings(const ReferenceData &data, const Parameters &found, std::vector<ConventionFinding> &findings);
 
-/// All conventions applied, one after the other.
+/// Applies all conventions, one after the other.
 ReferenceData allApplied(const std::vector<ConventionFinding> &findings, ReferenceData data);
 
-/// The one parameter of the given mechanism that, substituted by the one found, explains 99 % of the squared error.
+/// The parameter of the given mechanism whose replacement by the value found explains at least 99 % of the squared
+/// error; nullopt if there is none.
 std::optional<ParameterChange> findParameterChange(const ReferenceData &data, const Parameters &given,
                                                    const Parameters &found);
 
-/// At most so many rows, evenly spread.
+/// At most `count` rows, evenly spread.
 ReferenceData thinnedData(const ReferenceData &data, std::size_t count);
 
 } // namespace slidercrank

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace slidercrank
 {
@@ -14,7 +15,7 @@ namespace
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// The variance that has to be added to those of a column for the mean of r²/V to be 1; 0 where the rounding explains
+/// The variance that must be added to the variances of a column so that the mean of r²/V is 1; 0 if rounding explains
 /// the residuals.
 double noiseVarianceOf(const std::vector<double> &residuals, const std::vector<double> &variances, double count)
 {
@@ -25,7 +26,8 @@ double noiseVarianceOf(const std::vector<double> &residuals, const std::vector<d
         }
         return sum / count;
     };
-    // The square of a uniformly distributed value has the variance 0.8 in units of its mean: five standard deviations.
+    // The square of a uniformly distributed value has a variance of 0.8 times its squared mean: allow five standard
+    // deviations.
     const double largestOfRounding = 1.0 + 5.0 * std::sqrt(0.8 / count) + 5.0 / count;
     if (!(meanRatio(0.0) > largestOfRounding)) {
         return 0.0;
@@ -43,10 +45,11 @@ double noiseVarianceOf(const std::vector<double> &residuals, const std::vector<d
     return high;
 }
 
-/// Computes residuals, variances and noise at the unknowns of the hypothesis.
+/// Computes residuals, variances and noise at the unknowns of the hypothesis. Returns false if the mechanism cannot be
+/// assembled in some row.
 bool weigh(const Observations &data, Fit &fit)
 {
-    constexpr double kDoublePrecision = 1e-15; // of the largest angle, with some margin
+    constexpr double kDoublePrecision = 1e-15; // relative to the largest angle, with some margin
     const std::size_t columnCount = data.columns.size();
     fit.residuals.assign(columnCount, std::vector<double>(data.abscissa.size(), kNone));
     fit.variances = fit.residuals;
@@ -87,7 +90,8 @@ bool weigh(const Observations &data, Fit &fit)
     return true;
 }
 
-/// S = Σ [r²/V + ln(V/z²)] + k ln N. A column that is left out counts as explained by its own spread.
+/// S = Σ [r²/V + ln(V/z²)] + k ln N with the spread z of the column. A column that is not used counts as a column whose
+/// noise is its spread.
 void computeScore(const Observations &data, Fit &fit)
 {
     double values = 0.0;
@@ -109,7 +113,7 @@ void computeScore(const Observations &data, Fit &fit)
     fit.score += fit.chiSquare + static_cast<double>(fit.hypothesis.freeParameterCount()) * std::log(values);
 }
 
-/// New offsets start where they leave nothing in the mean of their column.
+/// Starts new offsets where the mean residual of their column is zero.
 void startOffsets(const Observations &data, Hypothesis &hypothesis)
 {
     const UnknownLayout layout(hypothesis.columns);
@@ -159,7 +163,7 @@ std::pair<double, double> minimize(const Observations &data, Fit &fit)
                 lambda = std::max(lambda * 0.05, kUndamped);
                 break;
             }
-            if (tried <= chiSquare * (1.0 + kSmallGain) + kNoGain) { // nothing is left but arithmetic
+            if (tried <= chiSquare * (1.0 + kSmallGain) + kNoGain) { // only rounding errors of the computation remain
                 break;
             }
         }
@@ -167,7 +171,7 @@ std::pair<double, double> minimize(const Observations &data, Fit &fit)
             if (lambda <= kUndamped) {
                 break;
             }
-            lambda = kUndamped; // the damping may only have held it back in a narrow valley
+            lambda = kUndamped; // the damping may have stopped it in a narrow valley
         }
     }
     return {first, chiSquare};
@@ -275,6 +279,10 @@ Fit fitHypothesis(const Observations &data, Hypothesis hypothesis, int rounds)
         noiseBefore = noise;
     }
     const int iterations = fit.iterations;
+    if (fit.hypothesis.unknowns[0] < 0.0) { // a positive crank half a turn on, which a column of θ2 contradicts
+        fit.hypothesis.unknowns[0] *= -1.0;
+        fit.hypothesis.unknowns[4] += std::numbers::pi;
+    }
     Fit settled = evaluateHypothesis(data, std::move(fit.hypothesis));
     settled.iterations = iterations;
     return settled;

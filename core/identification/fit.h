@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Weighted least squares for one hypothesis by Levenberg-Marquardt (J. Nocedal, S. Wright, "Numerical Optimization",
-// 2nd ed., ch. 10.3). The variance of a value is that of its rounding, that of the abscissa's rounding, and the noise
-// of its column, which is estimated from the residuals. Free scales and offsets are regressed anew in every trial
-// (variable projection): as ordinary unknowns they make a curved valley.
+// Weighted least-squares fit of one hypothesis by the method of Levenberg and Marquardt (J. Nocedal, S. Wright,
+// "Numerical Optimization", 2nd ed., ch. 10.3). The variance of a value is the sum of three: of its own rounding, of
+// the abscissa's rounding, and of the noise of its column, which is estimated from the residuals. Free scales and their
+// offsets are computed by linear regression in every trial (variable projection), because as ordinary unknowns they
+// make a narrow curved valley.
 
 #include "core/identification/hypothesis.h"
 
@@ -22,29 +23,31 @@ struct Fit {
     std::vector<std::vector<double>> residuals; ///< by column and row; NaN where there is no value
     std::vector<std::vector<double>> variances; ///< of the residuals
     double chiSquare = std::numeric_limits<double>::infinity();
-    double score = std::numeric_limits<double>::infinity(); ///< lower is better; infinite: no fit
+    double score = std::numeric_limits<double>::infinity(); ///< lower is better; infinite if there is no fit
     int iterations = 0;
 
     bool exists() const { return score < std::numeric_limits<double>::infinity(); }
 };
 
-/// At most so many rounds, the noise being estimated anew in each.
+/// Fits the hypothesis in at most `rounds` rounds, each of which estimates the noise anew. The fitted a is positive.
 Fit fitHypothesis(const Observations &data, Hypothesis hypothesis, int rounds);
 
-/// Residuals, variances and noise of a hypothesis as it stands; no fit if it cannot be assembled in some row.
+/// Computes residuals, variances and noise of a hypothesis without changing its parameters. Returns no fit if the
+/// mechanism cannot be assembled in some row.
 Fit evaluateHypothesis(const Observations &data, Hypothesis hypothesis);
 
-/// Sets the free scales, and the offsets of the same columns, to those of the best straight lines.
+/// Sets the free scales, and the offsets of the same columns, by linear regression.
 void regressScales(const Observations &data, const Hypothesis &hypothesis, Eigen::VectorXd &unknowns);
 
-/// Jᵀ V⁻¹ J and Jᵀ V⁻¹ r by the unknowns; 1 on the diagonal for what is held.
+/// Jᵀ V⁻¹ J and Jᵀ V⁻¹ r with respect to the unknowns; held unknowns have 1 on the diagonal.
 struct NormalEquations {
     Eigen::MatrixXd matrix;
     Eigen::VectorXd gradient;
 };
 NormalEquations normalEquations(const Observations &data, const Fit &fit, const Eigen::VectorXd &unknowns);
 
-/// The weighted sum of squares at other unknowns, with the variances of the fit; infinite if it cannot be assembled.
+/// The weighted sum of squares at other unknowns, with the variances of the fit; infinite if the mechanism cannot be
+/// assembled in some row.
 double chiSquareAt(const Observations &data, const Fit &fit, const Eigen::VectorXd &unknowns);
 
 } // namespace slidercrank

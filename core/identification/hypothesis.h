@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// One hypothesis about a file: how each column is to be interpreted, which parameters of the mechanism are free, and
-// where the fit starts. Every fit and every comparison of the engine goes through forEachResidual().
+// A hypothesis about a file: how each column is interpreted, which parameters of the mechanism are free, and where the
+// fit starts. forEachResidual() is the only loop that evaluates the model.
 
 #include "core/identification/motion_template.h"
 #include "core/identification/observations.h"
@@ -16,13 +16,16 @@
 namespace slidercrank
 {
 
-/// residual = scale · model + turn + offset − factor · value
+/// The interpretation of a column:
+///
+///     residual = scale · model + turn + offset − factor · value
 struct ColumnUse {
-    Channel channel;   ///< what the values are taken for
-    double base = 1.0; ///< an angle under the heading of a length, or the reverse: undoes the conversion of the heading
+    Channel channel; ///< that the values are taken for
+    double base =
+        1.0; ///< undoes the unit conversion of the heading if an angle has the heading of a length, or the reverse
     double unit = 1.0; ///< unit conversion
     double sign = 1.0;
-    double perTime = 1.0; ///< for derivatives per another unit of time
+    double perTime = 1.0; ///< for derivatives with respect to time in another unit
     double turn = 0.0;    ///< half turns, rad
     bool isUsed = true;
     bool hasOffset = false; ///< a free origin offset
@@ -38,17 +41,17 @@ struct ColumnUse {
 struct Hypothesis {
     std::vector<ColumnUse> columns;
     double timeUnit = 1.0;
-    double abscissaFactor = 1.0; ///< by crank angle: its sign and unit
+    double abscissaFactor = 1.0; ///< of a file by crank angle: its sign and unit
     Eigen::VectorXd unknowns;    ///< a, b, c, ω2, θ2 in the middle of the file; then the offsets and scales
     double side = 1.0;           ///< 1 open, -1 crossed
     std::array<bool, kParameterCount> isFree{true, true, true, true, true};
-    double abscissaStep = 0.0; ///< rounding of the abscissa that is taken into account
-    bool isBalanced = false;   ///< all columns weigh alike, as their spreads: for systematic deviations
+    double abscissaStep = 0.0; ///< the rounding step of the abscissa that the fit takes into account
+    bool isBalanced = false;   ///< weighs all columns by their spreads, for systematic deviations
 
-    std::size_t freeParameterCount() const; ///< with offsets and scales
+    std::size_t freeParameterCount() const; ///< including offsets and scales
 };
 
-/// Where the offsets and scales stand among the unknowns; -1 where a column has none.
+/// The indices of the offsets and scales among the unknowns; -1 for a column that has none.
 struct UnknownLayout {
     std::vector<Eigen::Index> offset;
     std::vector<Eigen::Index> scale;
@@ -72,29 +75,30 @@ private:
     }
 };
 
-/// The mechanism with the crank angle of the middle of the file as θ20.
+/// The fitted mechanism, with the crank angle in the middle of the file as θ20.
 Parameters middleParameters(const Hypothesis &hypothesis);
 
-/// The unknowns of such a mechanism, and its assembly.
+/// Sets the five parameters and the assembly to those of `middle`, without offsets and scales.
 void setMiddleParameters(const Parameters &middle, Hypothesis &hypothesis);
 
-/// The mechanism with the crank angle at t = 0, in (-π, π]. Not for files by crank angle.
+/// The fitted mechanism, with the crank angle at t = 0 as θ20, in (-π, π]. Not for files by crank angle.
 Parameters parametersOf(const Observations &data, const Hypothesis &hypothesis);
 
 /// Parameters that differ by less than a thousandth of their size; the crank angle by less than 1e-3 rad.
 bool areNear(const Parameters &x, const Parameters &y);
 
-/// Every column as its heading says, without free offsets.
+/// Interprets every column as its heading says, without free offsets.
 std::vector<ColumnUse> plainColumns(const Observations &data);
 
-/// How often the crank angle counts the abscissa: ω2, or what the angle of the file has to be multiplied by.
+/// The derivative of the crank angle with respect to the abscissa: ω2, or the factor of a crank angle in the file.
 inline double phaseRate(const Observations &data, const Hypothesis &hypothesis, const Eigen::VectorXd &unknowns)
 {
     return data.isByCrankAngle ? hypothesis.abscissaFactor : unknowns[3];
 }
 
 /// Calls use(row, column, model value, residual) for every value of the used columns. T is double, or Dual for the
-/// derivatives of the model by the five parameters. Returns false if the mechanism cannot be assembled in some row.
+/// derivatives of the model with respect to the five parameters. Returns false if the mechanism cannot be assembled in
+/// some row.
 template <class T, class F>
 bool forEachResidual(const Observations &data, const Hypothesis &hypothesis, const Eigen::VectorXd &unknowns, F use)
 {
@@ -129,28 +133,31 @@ bool forEachResidual(const Observations &data, const Hypothesis &hypothesis, con
     return true;
 }
 
-/// Sums for the regression of a column on a channel of the model. Values are taken about `center`, so that a small
-/// motion far from zero keeps its digits.
+/// Sums for the linear regression of a column on a channel of the model. `center` is subtracted from the values, so
+/// that a small motion far from zero keeps its digits.
 struct ColumnRegression {
     double center = 0.0;
     double n = 0.0, sumModel = 0.0, sumValue = 0.0, sumModel2 = 0.0, sumValue2 = 0.0, sumProduct = 0.0;
 
     void add(double model, double value);
 
-    double modelSquares() const; ///< about the mean
+    // Sums of squares and products about the means.
+    double modelSquares() const;
     double valueSquares() const;
     double products() const;
 
-    /// 1 − ρ²: the part of the variance that the model does not explain, whatever its unit, sign and origin.
+    /// 1 − ρ²: the part of the variance that the model does not explain with any unit, sign and origin.
     double unexplained() const;
-    double slope() const; ///< value per model
+    /// The slope of the best line: value per model.
+    double slope() const;
 
-    /// Mean square of factor · value − size · model about its mean, and that mean.
+    /// Variance and mean of factor · value − size · model.
     double meanSquare(double factor, double size) const;
     double offset(double factor, double size) const;
 };
 
-/// One regression for each column, used or not considered; empty if the mechanism cannot be assembled in some row.
+/// One regression for each column, without values if the column is not used; empty if the mechanism cannot be assembled
+/// in some row.
 std::vector<ColumnRegression> columnRegressions(const Observations &data, const Hypothesis &hypothesis);
 
 } // namespace slidercrank

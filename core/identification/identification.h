@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The answer to "which mechanism made these data": its parameters, how sure they are, and what took no part in finding
-// them. Lengths in mm, angles in rad, time in s; the data in the units of the files (mm, °, s).
+// The result of an identification: the parameters of the mechanism that made the data, their standard errors, and the
+// columns and rows that were not used. Lengths in mm, angles in rad, time in s; data in the units of files (mm, °, s).
 
 #include "core/mechanism/channel.h"
 #include "core/mechanism/mechanism.h"
@@ -16,15 +16,15 @@ namespace slidercrank
 
 struct Identification {
     enum class Outcome {
-        Identified,   ///< what is left is rounding, or noise that looks like noise
-        Ambiguous,    ///< several mechanisms explain the file equally
-        Approximate,  ///< explained up to a systematic deviation of at most 1 %: no standard errors
-        Insufficient, ///< too few values, rows a turn or columns to tell
-        Nearest,      ///< nothing found stands; this comes nearest
-        None          ///< not even that
+        Identified,   ///< the residuals are rounding errors or white noise
+        Ambiguous,    ///< several mechanisms or interpretations explain the file equally well
+        Approximate,  ///< the residuals are systematic, at most 1 % of the range: no standard errors
+        Insufficient, ///< the file does not determine the mechanism
+        Nearest,      ///< no mechanism explains the file; this is the nearest one
+        None          ///< no mechanism is near
     };
     Outcome outcome = Outcome::None;
-    bool stopped = false; ///< nothing else counts
+    bool stopped = false; ///< the search was stopped, and the rest is incomplete
 
     /// Whether there is a mechanism that explains the file, at least approximately.
     bool hasMechanism() const { return hasOneMechanism() || (!stopped && outcome == Outcome::Ambiguous); }
@@ -35,57 +35,56 @@ struct Identification {
         return !stopped && (outcome == Outcome::Identified || outcome == Outcome::Approximate);
     }
 
-    /// Identified, Approximate, Ambiguous: the (first) mechanism; Nearest: what comes nearest; else the mechanism at
-    /// hand. θ20 in
-    /// (-π, π]; what is not identifiable is as in the mechanism at hand.
+    /// The mechanism found (Ambiguous: the first one), or the nearest one; otherwise the given mechanism. θ20 is in
+    /// (-π, π]. Parameters that are not identifiable are those of the given mechanism.
     Parameters parameters;
 
-    /// One standard deviation, by indexOf(Parameter), in the parameter's unit. NaN where not identifiable (but see
-    /// onlyRatios), and unless Identified or Ambiguous.
+    /// Standard errors by indexOf(Parameter). NaN for parameters that are not identifiable (but see onlyRatios), and
+    /// unless the outcome is Identified or Ambiguous.
     std::array<double, kParameterCount> standardError{};
 
-    /// All true where hasMechanism() (but see onlyRatios), all false else.
+    /// Whether the file determines the parameter. All false unless hasMechanism().
     std::array<bool, kParameterCount> identifiable{};
 
-    /// θ3 alone, with or without its derivatives: only the ratios b/a and c/a are fixed. a is as it was, b and c follow
-    /// from it and have the standard errors they have for that a; none of the three counts as identifiable.
+    /// The file contains no length but θ3, which determines only b/a and c/a. a is that of the given mechanism, and b
+    /// and c and their standard errors are for this a. None of the three is identifiable.
     bool onlyRatios = false;
 
-    /// Another mechanism that the file may as well be of.
+    /// Another mechanism that explains the file equally well.
     struct Alternative {
         enum class Why {
-            // Images that no column excludes, however exact; given where the mechanism is Identified, too.
+            // Images that no column excludes, however exact. Listed for Identified, too.
             MirrorImage,     ///< R4x alone: c, ω2 and θ20 negated
             Reversed,        ///< θ3 alone: the crank turns the other way, from π - θ20
             OtherAssembly,   ///< derivatives of θ3 alone: c negated, θ20 half a turn on
-            Alias,           ///< another speed meets the same instants
-            AnotherMechanism ///< explains the file as well
+            Alias,           ///< another speed gives the same values at the same times
+            AnotherMechanism ///< another mechanism, or another interpretation of the file
         };
         Why why = Why::AnotherMechanism;
         Parameters parameters;
     };
     std::vector<Alternative> alternatives;
 
-    /// Why Insufficient, the first that holds.
+    /// The reason for Insufficient; the first that applies.
     enum class Lack {
-        Nothing,        ///< it is not
-        FewValues,      ///< of the six channels
-        FewTimeStamps,  ///< with values
-        NothingMoves,   ///< the values are the same throughout
-        NoEvidence,     ///< what fits could fit by chance: too few values for so many free parameters
-        OpenParameters, ///< some parameters are not fixed: openParameters names them
-        NotParabolic    ///< fits, but a family of others nearly as well
+        Nothing,        ///< the outcome is not Insufficient
+        FewValues,      ///< too few values of the six channels
+        FewTimeStamps,  ///< too few time stamps with values
+        NothingMoves,   ///< all values of each column are equal
+        NoEvidence,     ///< too few values for the number of parameters: the fit could be chance
+        OpenParameters, ///< the file does not determine openParameters
+        NotParabolic    ///< a family of other mechanisms fits nearly as well
     };
     Lack lack = Lack::Nothing;
     std::array<bool, kParameterCount> openParameters{};
 
     struct Noise {
         Channel channel;
-        double rms = 0.0; ///< in the author's unit
+        double rms = 0.0; ///< in the unit of files
     };
-    std::vector<Noise> noise; ///< the columns whose residuals are noise beyond rounding
+    std::vector<Noise> noise; ///< the columns with noise in addition to rounding
 
-    /// A column that takes no part in the fit.
+    /// A column that the fit does not use.
     struct LeftOut {
         Channel channel;
         double percentOfPeak = 0.0; ///< its largest deviation from the mechanism found
@@ -97,10 +96,10 @@ struct Identification {
     int iterations = 0;           ///< of Levenberg-Marquardt, from the start that led here
     double conditionNumber = 0.0; ///< of the weighted Jacobian, columns scaled to length 1, identifiable parameters
 
-    /// Nothing is known of the parameters any more, whatever they are.
+    /// Removes everything that is known about the parameters, except their values.
     void claimNothing();
 
-    /// Becomes None, with the given parameters, where a parameter is beyond what a mechanism may have.
+    /// Becomes None with the given parameters if a parameter is outside the limits of a mechanism.
     void rejectImpossible(const Parameters &given);
 };
 

@@ -25,12 +25,14 @@ constexpr std::array kAngleFactors{1.0, kDegreesPerRadian, 1.0 / kDegreesPerRadi
 constexpr std::array kLengthFactors{1.0, 10.0, 25.4, 1000.0, 0.1, 1.0 / 25.4, 1e-3};
 constexpr std::array kTimeFactors{1.0, 1e-3, 1e3};
 
-// Prices in units of the score: e^-10 against the plain interpretation, and a little for each column that it concerns.
+// Prices in units of the score: twice the negative logarithm of the prior odds against the plain interpretation.
 constexpr double kPriceOfCause = 20.0;
 constexpr double kPriceOfColumn = 4.0;
-constexpr double kPriceOfHalfTurn = 14.0; // cheaper than an offset: a half turn must beat an offset of 180°
+constexpr double kPriceOfHalfTurn = 14.0; // less than an offset, so that a half turn beats an offset of 180°
+constexpr double kPriceOfDepth =
+    10.0; // instead of kPriceOfCause: with another origin, R4x may also have the other direction
 constexpr double kPriceOfCrossed = 6.0;   // breaks ties only
-constexpr double kPriceOfOffset = 26.0;   // more than a sign: an offset of twice the height is rather one
+constexpr double kPriceOfOffset = 26.0;   // more than a sign, so that a sign beats an offset of twice the value
 constexpr double kPriceOfParameter = 6.0; // about ln N
 
 bool mayHaveOffset(Channel channel)
@@ -46,7 +48,7 @@ double nearestFactor(const std::array<double, kCount> &factors, double wanted)
                                      [&](double factor) { return std::abs(std::log(std::abs(wanted) / factor)); });
 }
 
-/// What the hypothesis says of the crank angle of a file that counts by it.
+/// The price of the assumptions on the crank angle of a file by crank angle.
 double priceOfAbscissa(const Observations &data, const Hypothesis &hypothesis)
 {
     if (!data.isByCrankAngle) {
@@ -58,7 +60,7 @@ double priceOfAbscissa(const Observations &data, const Hypothesis &hypothesis)
            (hypothesis.isFree[indexOf(Parameter::Theta20)] ? kPriceOfCause : 0.0);
 }
 
-/// Chooses unit and sign of a column so that `wanted` is its factor.
+/// Chooses the unit and sign with which the column fits the model best.
 void chooseUnit(const ObservedColumn &column, const ColumnRegression &regression, double size, ColumnUse &use)
 {
     if (tellsShape(column)) {
@@ -73,7 +75,7 @@ void chooseUnit(const ObservedColumn &column, const ColumnRegression &regression
     }
 }
 
-/// The square of what a misfit of the column is compared with.
+/// The square of the size with which a misfit of the column is compared.
 double squaredSize(const ObservedColumn &column, const ColumnUse &use, double size, const Hypothesis &hypothesis)
 {
     const double natural = column.channel.coordinate == R4y ? size * hypothesis.unknowns[0] : hypothesis.unknowns[3];
@@ -85,7 +87,8 @@ double squaredSize(const ObservedColumn &column, const ColumnUse &use, double si
 double interpretColumn(const ObservedColumn &column, const ColumnRegression &regression, double size,
                        const Hypothesis &hypothesis, Interpretations allowed, ColumnUse &use)
 {
-    constexpr double kExplained = 0.01; // of the variance: what is farther off is not explained
+    constexpr double kResolution = 1e-10; // of the variance: the accuracy of a fitted shape
+    constexpr double kExplained = 0.01;   // of the variance: a column with a larger misfit is not explained
     if (allowed == Interpretations::All) {
         chooseUnit(column, regression, size, use);
     }
@@ -100,7 +103,7 @@ double interpretColumn(const ObservedColumn &column, const ColumnRegression &reg
     }
     const double size2 = squaredSize(column, use, size, hypothesis);
     const auto misfit = [&](double square) {
-        return square > kExplained * size2 ? 0.0 : regression.n * std::log(square / size2);
+        return square > kExplained * size2 ? 0.0 : regression.n * std::log(square / size2 + kResolution);
     };
     double best = misfit(aboutMean + offset * offset);
     if (allowed != Interpretations::Plain && mayHaveOffset(column.channel)) {
@@ -119,15 +122,16 @@ double interpretColumn(const ObservedColumn &column, const ColumnRegression &reg
     return best;
 }
 
-/// The best interpretation of each column as its channel of the motion, whose lengths have to be multiplied by `size`.
-/// None if more than half of the columns would be left out, or another unit of time would be undone by those of length.
+/// Chooses the best interpretation of each column. The lengths of the hypothesis are multiplied by `size` first.
+/// Returns nullopt if more than half of the columns were left out, or if units of columns cancel the other unit of
+/// time.
 std::optional<Interpretation> interpret(const Observations &data, Hypothesis hypothesis,
                                         const std::vector<ColumnRegression> &regressions, double size,
                                         Interpretations allowed)
 {
     Interpretation result{std::move(hypothesis), 0.0};
     std::size_t leftOut = 0;
-    bool isOtherTime = result.hypothesis.timeUnit == 1.0; // or some derivative is converted
+    bool isOtherTime = result.hypothesis.timeUnit == 1.0; // or it converts some derivative
     for (std::size_t j = 0; j < data.columns.size(); ++j) {
         ColumnUse &use = result.hypothesis.columns[j];
         use.perTime = std::pow(result.hypothesis.timeUnit, static_cast<int>(use.channel.order));
@@ -145,14 +149,14 @@ std::optional<Interpretation> interpret(const Observations &data, Hypothesis hyp
     return 2 * leftOut > data.columns.size() || !isOtherTime ? std::nullopt : std::optional(std::move(result));
 }
 
-/// Follows the valley from where scale and origin of each column are free to where they are what the file says, in
-/// steps: on a short arc the shape alone is too far from there.
+/// Continuation from the fit with free scales and origins to the fit with those of the file, in small steps: on a short
+/// arc the first is too far from the second.
 std::optional<Hypothesis> continued(const Observations &data, Hypothesis hypothesis,
                                     const std::vector<ColumnRegression> &regressions, double size)
 {
     constexpr int kSteps = 8;
     constexpr int kRounds = 3;
-    constexpr double kLargestTurn = 1.5; // rad: more is not a start
+    constexpr double kLargestTurn = 1.5; // rad: largest offset from which continuation is tried
     hypothesis.unknowns.head(3) *= size;
     std::vector<double> factors;
     std::vector<double> offsets;
@@ -185,7 +189,7 @@ std::optional<Hypothesis> continued(const Observations &data, Hypothesis hypothe
     return hypothesis;
 }
 
-/// Appends a size that differs from those known.
+/// Appends a value that differs from those in the list.
 void addDistinct(double value, std::vector<double> &values)
 {
     constexpr double kSame = 1e-3;
@@ -195,7 +199,8 @@ void addDistinct(double value, std::vector<double> &values)
     }
 }
 
-/// The sizes of the mechanism, for b = 1, that the columns of lengths tell. Held where there is none.
+/// The sizes of the mechanism, relative to b = 1, that follow from each column of lengths. If there is none, holds a
+/// and returns the size of the given mechanism.
 std::vector<double> sizesToldBy(const Observations &data, const std::vector<ColumnRegression> &regressions,
                                 const InterpretationOptions &options, Hypothesis &hypothesis)
 {
@@ -217,7 +222,7 @@ std::vector<double> sizesToldBy(const Observations &data, const std::vector<Colu
     return sizes;
 }
 
-/// The speeds that the derivatives of a file by crank angle tell, those of the hypothesis being by the angle.
+/// The crank speeds that follow from the time derivatives in a file by crank angle, if ω2 = 1 in the hypothesis.
 std::vector<double> speedsToldBy(const Observations &data, const std::vector<ColumnRegression> &regressions)
 {
     std::vector<double> speeds;
@@ -229,7 +234,7 @@ std::vector<double> speedsToldBy(const Observations &data, const std::vector<Col
         if (!tellsShape(data.columns[j]) || channel.order == Order::Position) {
             continue;
         }
-        double size = 1.0; // of the same coordinate's lower order
+        double size = 1.0; // of the position of the same coordinate
         for (std::size_t k = 0; k < regressions.size(); ++k) {
             const Channel other = data.columns[k].channel;
             if (isLength(channel) && isLength(other) && other.order == Order::Position && tellsShape(data.columns[k])) {
@@ -247,8 +252,8 @@ std::vector<double> speedsToldBy(const Observations &data, const std::vector<Col
     return speeds;
 }
 
-/// The hypotheses about the crank angle that a shape of a file by crank angle leaves: its origin as the file says, or
-/// free; its speed as the derivatives tell it.
+/// The hypotheses on the crank angle of a file by crank angle: its origin as in the file or free, with each speed that
+/// follows from the derivatives.
 std::vector<Hypothesis> crankHypotheses(const Observations &data, const Hypothesis &hypothesis,
                                         const InterpretationOptions &options)
 {
@@ -281,7 +286,7 @@ std::vector<Hypothesis> crankHypotheses(const Observations &data, const Hypothes
     return all;
 }
 
-/// Adds the interpretations of one image of the shape in every size and unit of time.
+/// Adds the interpretations of one mirror image of the shape for every size and unit of time.
 void addOfImage(const Observations &data, Hypothesis hypothesis, const InterpretationOptions &options,
                 std::vector<Interpretation> &interpretations)
 {
@@ -325,6 +330,7 @@ double priceOf(const Observations &data, const Hypothesis &hypothesis)
     std::array<int, 2> columnCounts{};
     double price = (hypothesis.side < 0.0 ? kPriceOfCrossed : 0.0) + priceOfAbscissa(data, hypothesis);
     int perFileTime = 0;
+    bool isDepth = false; // R4x is counted from another origin in the other direction
     for (std::size_t j = 0; j < hypothesis.columns.size(); ++j) {
         const ColumnUse &use = hypothesis.columns[j];
         const bool angle = !isLength(use.channel);
@@ -338,6 +344,7 @@ double priceOf(const Observations &data, const Hypothesis &hypothesis)
         }
         if (use.sign < 0.0) {
             ++causes[{Kind::Sign, -1.0, angle}];
+            isDepth = isDepth || (use.channel == Channel{R4x, Order::Position} && use.hasOffset);
         }
         if (use.channel != data.columns[j].channel) {
             ++causes[{Kind::SwappedColumns, 0.0, false}];
@@ -349,7 +356,8 @@ double priceOf(const Observations &data, const Hypothesis &hypothesis)
         const auto &[kind, amount, angle] = cause;
         const bool mayConcernAll = kind != Kind::NotDerivative && kind != Kind::SwappedColumns;
         const bool concernsAll = mayConcernAll && count > 1 && count >= columnCounts[angle ? 1 : 0];
-        price += kPriceOfCause + kPriceOfColumn * (concernsAll ? 1 : count);
+        const bool isOfDepth = isDepth && kind == Kind::Sign && !angle;
+        price += (isOfDepth ? kPriceOfDepth : kPriceOfCause) + kPriceOfColumn * (concernsAll ? 1 : count);
     }
     return price + (hypothesis.timeUnit != 1.0 ? kPriceOfCause + kPriceOfColumn * (1 + perFileTime) : 0.0);
 }
@@ -392,7 +400,7 @@ void addInterpretations(const Observations &data, const Fit &shape, const Interp
                 continue;
             }
             hypothesis.abscissaFactor = shape.hypothesis.abscissaFactor * (image.omega2 < 0.0 ? -1.0 : 1.0);
-            hypothesis.unknowns[3] = 1.0; // rad/s, until the derivatives tell another
+            hypothesis.unknowns[3] = 1.0; // rad/s, until the derivatives determine it
             for (Hypothesis &crank : crankHypotheses(data, hypothesis, options)) {
                 addOfImage(data, std::move(crank), options, interpretations);
             }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// From a shape to hypotheses: each of its images in each size and unit of time that the columns tell, and for each of
-// these the best interpretation of every column. Nothing is fitted here: scales and origins are read off regressions.
+// Turns a shape into hypotheses: for each of its mirror images, and each size and unit of time that follows from a
+// column, chooses the best interpretation of every column. Scales and origins come from linear regressions.
 
 #include "core/identification/fit.h"
 
@@ -13,27 +13,28 @@ namespace slidercrank
 {
 
 enum class Interpretations {
-    Plain,   ///< as the headings say
+    Plain,   ///< as the headings say, up to whole turns
     Offsets, ///< with free origin offsets and half turns
-    All      ///< with other units and signs, too; derivatives that fit no way may be left out
+    All      ///< also with other units and signs, and without derivatives that cannot be explained
 };
 
-/// What may be claimed costs a price in units of the score; the same cause in several columns is paid for once.
+/// The price of the assumptions of a hypothesis, to be added to its score. One cause has one price, however many
+/// columns it changes.
 double priceOf(const Observations &data, const Hypothesis &hypothesis);
 
 struct Interpretation {
     Hypothesis hypothesis;
-    double misfit = 0.0; ///< with the price, lower is better
+    double misfit = 0.0; ///< including the price; lower is better
 };
 
 struct InterpretationOptions {
     Interpretations allowed = Interpretations::Plain;
-    Parameters given; ///< supplies the crank's length where the file holds no length, and ω2 where it holds no time
-    bool isShortArc = false; ///< the shape may have to follow its valley until scales are 1 and offsets 0
+    Parameters given;        ///< supplies a if the file contains no length, and ω2 if it contains no time
+    bool isShortArc = false; ///< the fitted shape may be far from the mechanism: tries continuation
     std::stop_token stop;
 };
 
-/// Adds the interpretations of a shape fitted with free scales and offsets.
+/// Adds the interpretations of a shape that was fitted with free scales and offsets.
 void addInterpretations(const Observations &data, const Fit &shape, const InterpretationOptions &options,
                         std::vector<Interpretation> &interpretations);
 

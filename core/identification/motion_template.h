@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The textbook's motion on numbers that carry derivatives by the parameters.
+// The textbook's motion, evaluated with or without derivatives with respect to the parameters.
 
 #include "core/closed_form/textbook_motion.h"
 
@@ -11,7 +11,7 @@
 namespace slidercrank
 {
 
-/// The derivatives by a, b, c, ω2 and θ2.
+/// A number with its derivatives with respect to a, b, c, ω2 and θ2.
 using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, 5, 1>>;
 
 inline double plainValue(double x)

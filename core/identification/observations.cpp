@@ -16,7 +16,7 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kArithmeticPart = 1e-12; // of a column's peak: no computation promises more digits
+constexpr double kArithmeticPart = 1e-12; // relative to a column's peak: double precision guarantees no more digits
 
 /// Channels that are zero in every mechanism.
 bool isAlwaysZero(Channel channel)
@@ -30,8 +30,8 @@ bool isAnglePosition(Channel channel)
     return isAngle(channel.coordinate) && channel.order == Order::Position;
 }
 
-/// Removes jumps by whole turns and returns whether there were any. A column with jumps of another size is left as it
-/// is: it is in another unit.
+/// Removes jumps by whole turns and returns whether there were any. A column with jumps of another size is not changed:
+/// it is in another unit.
 bool removeJumps(std::vector<double> &radians)
 {
     std::vector<double> continuous = radians;
@@ -56,12 +56,13 @@ bool removeJumps(std::vector<double> &radians)
     return any;
 }
 
-/// The number of rows that count as one observation: rows that repeat do not round independently of each other.
+/// The number of rows for each independent observation. Rounding errors of equal values, or of values with equal
+/// differences, are not independent.
 double repetitionOf(const ObservedColumn &column)
 {
-    constexpr double kSamePart = 1e-3; // of a step: two differences are equal
-    double runs = 1.0;                 // of equal values
-    double stretches = 0.0;            // of equal differences
+    constexpr double kSamePart = 1e-3; // of a step: closer differences are equal
+    double runs = 1.0;                 // groups of consecutive equal values
+    double stretches = 0.0;            // groups of consecutive equal differences
     double last = kNone;
     double difference = kNone;
     for (const double value : column.values) {
@@ -78,15 +79,17 @@ double repetitionOf(const ObservedColumn &column)
     return column.count / (runs > 1.0 ? std::min({runs, 2.0 * stretches, column.count}) : 1.0);
 }
 
-/// Makes gaps of the values of a saturated sensor and returns whether there are any: an extreme value that repeats much
-/// more often than a turning point does that was rounded, and is reached from row to row, not by single bad readings.
+/// Replaces the values of a saturated sensor by gaps and returns whether there were any. Such a value is an extreme
+/// that repeats much more often than rounding explains at a turning point, and that neighbouring rows approach
+/// gradually.
 bool removeSaturation(std::vector<double> &values, double step)
 {
     constexpr std::ptrdiff_t kFewestRepeats = 5;
-    constexpr double kMostPart = 0.5; // of the rows: beyond, a square wave
-    constexpr double kFewSteps = 8.0; // within so many steps of its peak, a parabola has twice as many values as at it
+    constexpr double kMostPart = 0.5; // of the rows; with more it is a square wave
+    constexpr double kFewSteps =
+        8.0; // steps below the peak within which a parabola has twice as many values as at the peak
     constexpr double kLargestJumpPart = 0.15; // of the range, from one row to the next
-    constexpr double kMostJumps = 0.2;        // of the neighbours
+    constexpr double kMostJumps = 0.2;        // of all changes between saturated and other values
     const ValueRange range = rangeOf(values);
     const double tolerance = std::max(step, kArithmeticPart * range.size());
     std::vector<bool> isSaturated(values.size(), false);
@@ -116,11 +119,10 @@ bool removeSaturation(std::vector<double> &values, double step)
     return std::ranges::count(isSaturated, true) > 0;
 }
 
-/// Mean, spread, steps and variances of a column whose values are set. `unit`: mm or rad per unit of the file's
-/// rounding.
+/// Computes mean, spread, steps and variances of a column from its values. `unit`: mm or rad per unit of `rounding`.
 void learnStatistics(ObservedColumn &column, const Rounding &rounding, double unit)
 {
-    constexpr double kUsualStep = 1e-6;   // of the peak, where the digits say nothing
+    constexpr double kUsualStep = 1e-6;   // of the peak, for values whose digits reveal no step
     constexpr double kStepOfZeros = 1e-3; // mm or rad
     constexpr double kFinestPart = 0.01;  // of the column's largest step
     double sum = 0.0;
@@ -147,7 +149,7 @@ void learnStatistics(ObservedColumn &column, const Rounding &rounding, double un
     const double usual = range.size() > 0.0 ? kUsualStep * range.size() : kStepOfZeros;
     column.step = std::max(column.step > 0.0 ? column.step : usual, finest);
     column.spread = std::max(std::sqrt(squares / std::max(column.count, 1.0)), column.varies ? 0.0 : column.step);
-    // An encoder may count down to the step below: then all angles are half a step too small.
+    // An encoder may truncate: then all angles are half a step too small, and the rows are not independent.
     const bool mayBeTruncated = rounding.rule == Rounding::Rule::Multiples && column.channel.coordinate == Theta2;
     const double repetition = mayBeTruncated ? column.count : repetitionOf(column);
     column.variances.reserve(stepAt.size());
@@ -218,7 +220,7 @@ Observations observe(const ReferenceData &data)
     all.isByCrankAngle = data.crank.has_value();
     const std::vector<double> &abscissa = data.crank ? data.crank->degrees : data.time;
     const double unit = data.crank ? 1.0 / kDegreesPerRadian : 1.0;
-    if (abscissa[all.rows.front()] > abscissa[all.rows.back()]) { // an angle that falls
+    if (abscissa[all.rows.front()] > abscissa[all.rows.back()]) { // a decreasing crank angle
         std::ranges::reverse(all.rows);
     }
     all.abscissa.reserve(all.rows.size());

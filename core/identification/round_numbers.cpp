@@ -16,17 +16,16 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kStandardErrors = 3.0; // a true value is farther away in one case of four hundred
+constexpr double kStandardErrors = 3.0; // the true value is farther away in one of 400 cases
 
-/// A number that stands so many standard errors from the next as round: one is within three of a value, on either side,
-/// by chance in a tenth of the cases.
+/// Smallest distance of equally round numbers, in standard errors: one of them is then within three standard errors of
+/// a value by chance with a probability of 10 %.
 constexpr double kLeastSpacing = 2.0 * kStandardErrors / 0.1;
 
-/// Of the size of the mechanism. Nothing is known better than arithmetic lets it be.
+/// Smallest standard error, relative to the size of the parameter: the accuracy of the computation.
 constexpr double kArithmetic = 1e-13;
 
-/// 99.9 % point of chi-squared with five degrees of freedom: by how much the sum of the squared errors, each in units
-/// of its own scatter, may grow.
+/// Largest growth of chi-square: its 99.9 % point with five degrees of freedom.
 constexpr double kMostGrowth = 20.5;
 
 int powerOfTenBelow(double magnitude)
@@ -34,7 +33,8 @@ int powerOfTenBelow(double magnitude)
     return static_cast<int>(std::floor(std::log10(magnitude)));
 }
 
-/// The nearest multiple of 10^place. By division where the place is a decimal, so that 2.5 is the double that reads so.
+/// The nearest multiple of 10^place. Divides if the place is negative, so that the result is the double nearest to the
+/// decimal number.
 double roundedTo(int place, double value)
 {
     const double power = std::pow(10.0, std::abs(place));
@@ -46,7 +46,7 @@ struct RoundNumber {
     int digits;
 };
 
-/// In one unit.
+/// The roundest number within three standard errors of a value; nullopt if none is round enough.
 std::optional<RoundNumber> roundNumber(double value, double standardError)
 {
     if (std::abs(value) <= kStandardErrors * standardError) {
@@ -62,7 +62,7 @@ std::optional<RoundNumber> roundNumber(double value, double standardError)
     return std::nullopt;
 }
 
-/// Whether the data are as near to the rounded mechanism as to the fitted one.
+/// Whether the rounded mechanism agrees with the data as well as the fitted one.
 bool agreesAsWell(const Mechanism &rounded, const ReferenceData &data, std::span<const ChannelComparison> identified)
 {
     const std::optional<ReferenceData> timed = data.crank ? timedBy(rounded, data) : std::nullopt;
@@ -80,7 +80,7 @@ bool agreesAsWell(const Mechanism &rounded, const ReferenceData &data, std::span
     return growth <= kMostGrowth;
 }
 
-/// The largest deviation of the columns in use, root mean square, as a part of the column's range.
+/// The largest rms deviation of the used columns, relative to the column's range.
 double largestDeviation(const Parameters &parameters, const Identification &found, const ReferenceData &data)
 {
     const std::optional<ReferenceData> timed = data.crank ? timedBy(Mechanism(parameters), data) : std::nullopt;
@@ -96,7 +96,7 @@ double largestDeviation(const Parameters &parameters, const Identification &foun
     return largest;
 }
 
-/// The roundest number that a value leaves room for, in any of some units.
+/// The roundest number within three standard errors of a value, in any of some units; nullopt if none is round enough.
 std::optional<double> roundNumberIn(std::span<const double> units, double value, double standardError)
 {
     std::optional<double> best;
@@ -124,7 +124,7 @@ std::span<const double> unitsOf(Parameter parameter)
                                             : std::span<const double>(kPlainUnit);
 }
 
-/// The standard error of a parameter, at least what arithmetic leaves; NaN where it is not known.
+/// The standard error of a parameter, at least the accuracy of the computation; NaN if unknown.
 double errorOf(const Identification &found, Parameter parameter)
 {
     const double size = parameter == Parameter::Theta20  ? 1.0
@@ -136,8 +136,8 @@ double errorOf(const Identification &found, Parameter parameter)
 
 constexpr std::array kAllParameters{Parameter::A, Parameter::B, Parameter::C, Parameter::Omega2, Parameter::Theta20};
 
-/// Nominal values of an approximate mechanism: as round as explains the file equally well. A filter moves the
-/// parameters farther than any standard error tells.
+/// Nominal values of an approximate mechanism: the roundest values that explain the file equally well. They may be many
+/// standard errors away, because a filter changes the parameters by more than that.
 Parameters nominalParameters(const Identification &found, const ReferenceData &data)
 {
     constexpr double kEqually = 1.1;

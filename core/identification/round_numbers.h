@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Nobody builds a crank of 19.9999997 mm. A parameter that was measured is known within its standard error only, and a
-// round number there is the better guess: 20 mm, 60 turns a minute.
+// Rounds identified parameters. A measured parameter is known within its standard error only, and a round number within
+// it is the best estimate: 20 mm instead of 19.9999997 mm.
 
 #include "core/comparison/comparison.h"
 #include "core/identification/identification.h"
@@ -12,16 +12,14 @@
 namespace slidercrank
 {
 
-/// The identified mechanism in numbers that a person would have chosen: each parameter is the roundest number (ω2 of
-/// those in rad/s, °/s and turns a minute, θ20 in rad and °) that lies within three standard errors, if one so round
-/// would be there by chance in one case of ten at most; otherwise it has two digits of its standard error. Where the
-/// data do not agree with all of them together as well as with what was identified, they are given as identified.
-/// `identified`: the data against the identified mechanism.
+/// Rounds the parameters of the identified mechanism. Each becomes the roundest number within three standard errors (ω2
+/// in rad/s, °/s or rpm, θ20 in rad or °) if the probability that such a round number is there by chance is at most 10
+/// %; otherwise it is rounded to two digits of its standard error. Returns the parameters as identified if the data
+/// agree less well with the rounded ones. `identified`: the comparison of the data with the identified mechanism.
 Parameters inRoundNumbers(const Identification &found, const ReferenceData &data,
                           std::span<const ChannelComparison> identified);
 
-/// The roundest number that a value with that standard error leaves room for, by the same rule; or, where there is
-/// none, the value to two digits of its standard error. `units`: what it may be counted in.
+/// Rounds one value in the same way. `units`: the units in which it may be a round number.
 double roundest(double value, double standardError, std::span<const double> units);
 
 } // namespace slidercrank

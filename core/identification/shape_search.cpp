@@ -20,11 +20,11 @@ struct Start {
     double abscissaFactor = 1.0;
 };
 
-/// The part of its time in which the grid prefers a shape that meets all columns nearly to one that meets half of them
-/// well.
+/// Added to 1 − ρ² on the grid of periodic files, so that a shape that fits all columns roughly beats one that fits
+/// half of them exactly.
 constexpr double kLeastUnexplained = 3e-3;
 
-/// Sum of n ln(1 − ρ²) over the columns.
+/// The sum of n ln(1 − ρ² + leastUnexplained) over the columns.
 double dissimilarity(const Observations &data, const Hypothesis &hypothesis, double leastUnexplained)
 {
     const std::vector<ColumnRegression> regressions = columnRegressions(data, hypothesis);
@@ -39,12 +39,12 @@ double dissimilarity(const Observations &data, const Hypothesis &hypothesis, dou
     return sum;
 }
 
-/// Adds the best shapes of a coarse grid at one speed, at most `most`. Both signs of c: with ω2 > 0 and the open
-/// assembly no shape of the grid is an image of another.
+/// Adds at most `most` of the best shapes of a coarse grid at one speed. With both signs of c, ω2 > 0 and the open
+/// assembly, no shape of the grid is an image of another one.
 void addGridStarts(const Observations &coarse, Hypothesis hypothesis, double speed, std::size_t most, bool isPeriodic,
                    std::vector<Start> &starts)
 {
-    if (coarse.isByCrankAngle) { // the derivatives are by the angle, then
+    if (coarse.isByCrankAngle) { // then the derivatives are with respect to the angle
         hypothesis.abscissaFactor = speed;
         speed = 1.0;
     }
@@ -73,7 +73,7 @@ void addGridStarts(const Observations &coarse, Hypothesis hypothesis, double spe
     starts.insert(starts.end(), found.begin(), found.end());
 }
 
-/// Whether rounding explains all columns, or nearly so where there are many.
+/// Whether rounding explains all columns, or nearly explains them if there are more than two.
 bool isExactShape(const Observations &data, const Fit &fit)
 {
     constexpr double kNearly = 1e-6; // of a column's variance
@@ -84,7 +84,7 @@ bool isExactShape(const Observations &data, const Fit &fit)
     return largest <= (std::ranges::count_if(data.columns, tellsShape) > 2 ? kNearly : 0.0);
 }
 
-/// Fits the best of some starts and adds what is new. Returns whether one of them is exact.
+/// Fits the best starts and adds the distinct fits. Returns whether one of them is exact.
 bool fitStarts(const Observations &data, const Hypothesis &hypothesis, std::vector<Start> starts, std::size_t most,
                std::vector<Fit> &fits)
 {
@@ -124,7 +124,7 @@ Hypothesis shapeHypothesis(const Observations &data, const std::vector<ColumnUse
         column.isUsed = tellsShape(data.columns[j]);
         hypothesis.columns.push_back(column);
     }
-    hypothesis.isFree = {true, false, true, !speeds.isKnown, true}; // b = 1: a short crank is then a small number
+    hypothesis.isFree = {true, false, true, !speeds.isKnown, true}; // b = 1: then a short crank is a small number
     return hypothesis;
 }
 

@@ -262,6 +262,49 @@ private slots:
         QVERIFY2(worst < 5.0, QByteArray::number(worst)); // it is what was fitted
     }
 
+    /// x measured from the far end, in the opposite direction. If its derivatives have the same direction, the slider
+    /// may as well belong to the mechanism turned by 180°. If they have the other one, or θ2 is known, it does not.
+    void readsADepthInBothWaysUnlessOtherColumnsDecide_data()
+    {
+        QTest::addColumn<std::string>("channels");
+        QTest::addColumn<bool>("areDerivativesReversed");
+        QTest::addColumn<bool>("hasCrankAngle");
+        QTest::addColumn<bool>("isUnique");
+        QTest::newRow("alone") << std::string("010000") << false << false << false;
+        QTest::newRow("with theta3") << std::string("110000") << false << false << false;
+        QTest::newRow("six columns") << std::string("111111") << true << false << false;
+        QTest::newRow("six columns, velocity of x") << std::string("111111") << false << false << true;
+        QTest::newRow("with theta2") << std::string("010000") << false << true << true;
+    }
+    void readsADepthInBothWaysUnlessOtherColumnsDecide()
+    {
+        QFETCH(const std::string, channels);
+        QFETCH(const bool, areDerivativesReversed);
+        QFETCH(const bool, hasCrankAngle);
+        QFETCH(const bool, isUnique);
+        const Parameters truth{43.0, 154.0, -27.0, 7.0, 0.4, Branch::Open};
+        ReferenceData data = printedData(truth, printingOfTurns(truth, 1.6, 240, channels));
+        for (ReferenceSeries &series : data.series) {
+            const bool isPosition = series.channel == kX;
+            if (series.channel.coordinate == R4x && (isPosition || areDerivativesReversed)) {
+                std::ranges::for_each(series.values, [&](double &x) { x = (isPosition ? 250.0 : 0.0) - x; });
+            }
+        }
+        if (hasCrankAngle) {
+            ReferenceSeries &series = data.series.emplace_back(Channel{Theta2, Order::Position});
+            for (const double t : data.time) {
+                series.values.push_back((truth.omega2 * t + truth.theta20) * kDegreesPerRadian);
+            }
+        }
+        const Identification result = identified(data);
+        QCOMPARE(result.outcome, isUnique ? Outcome::Identified : Outcome::Ambiguous);
+        double least = distance(result.parameters, truth, channels == "010000" && !hasCrankAngle);
+        for (const Identification::Alternative &alternative : result.alternatives) {
+            least = std::min(least, distance(alternative.parameters, truth));
+        }
+        QVERIFY2(least < 1e-3, QByteArray::number(least));
+    }
+
     void excludesBadReadingsAndNamesTheirLines()
     {
         ReferenceData data = printedData(kOrdinary, printingOfTurns(kOrdinary, 2.0, 240, "010000"));
