@@ -68,7 +68,8 @@ ResponseView::ResponseView(QWidget *parent)
         auto *chart = m_charts[i] = named(QStringLiteral("responseChart%1").arg(i), new ResponseChart(static_cast<Limit>(i)));
         chart->setMinimumSize(kSmallestChart);
         grid->setColumnStretch(static_cast<int>(i), 1);
-        grid->addWidget(new Paragraph(chart->title()), 0, static_cast<int>(i));
+        const QString title = chart->title().replace(u'/', "/\u2060"); // no line break within a unit
+        grid->addWidget(new Paragraph(title), 0, static_cast<int>(i));
         grid->addWidget(chart, 1, static_cast<int>(i));
         connect(chart, &ResponseChart::requested, this,
                 [this](double value) { emit parameterRequested(m_response.parameter, value); });
