@@ -4,9 +4,9 @@
 #include "core/mechanism/turn.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/number_box.h"
+#include "ui/widgets/popup_position.h"
 
 #include <QFormLayout>
-#include <QScreen>
 #include <QToolButton>
 
 #include <cmath>
@@ -96,13 +96,7 @@ void RunForm::setSpeed(double speed)
 void RunForm::openAt(const QWidget &widget)
 {
     adjustSize();
-    const QRect available = widget.screen()->availableGeometry();
-    QRect place(QPoint(), size());
-    place.moveTopRight(widget.mapToGlobal(widget.rect().bottomRight()) + QPoint(0, 1));
-    if (place.bottom() > available.bottom()) {
-        place.moveBottom(widget.mapToGlobal(QPoint()).y() - 1);
-    }
-    move(std::max(place.left(), available.left()), place.top());
+    move(popupPosition(widget, size()));
     show();
     m_start->setFocus(Qt::PopupFocusReason);
     m_start->selectAll();

@@ -4,11 +4,11 @@
 #include "ui/text/quantity_text.h"
 #include "ui/text/written_number.h"
 #include "ui/widgets/named.h"
+#include "ui/widgets/popup_position.h"
 
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
-#include <QScreen>
 #include <QSignalBlocker>
 #include <QStyleOptionSpinBox>
 #include <QTimer>
@@ -235,7 +235,7 @@ void NumberBox::selectNumber()
     lineEdit()->setSelection(length, -length);
 }
 
-/// Shows the note below the box, or above it at the lower edge of the screen.
+/// Shows why the number was refused in a note beside the box.
 void NumberBox::refuse(const QString &sentence)
 {
     if (!m_note) {
@@ -248,14 +248,7 @@ void NumberBox::refuse(const QString &sentence)
     }
     m_note->setText(sentence);
     m_note->adjustSize();
-    const QRect available = screen()->availableGeometry();
-    QRect place({}, m_note->size());
-    place.moveTopRight(mapToGlobal(rect().bottomRight()) + QPoint(0, 1));
-    if (place.bottom() > available.bottom()) {
-        place.moveBottom(mapToGlobal(QPoint()).y() - 1);
-    }
-    place.moveLeft(std::max(place.left(), available.left()));
-    m_note->move(place.topLeft());
+    m_note->move(popupPosition(*this, m_note->size()));
     m_note->show();
     setAccessibleDescription(sentence);
     QTimer::singleShot(kNoteDuration, m_note, &QWidget::hide);
