@@ -354,10 +354,6 @@ void ColumnMapping::showPreview()
 bool ColumnMapping::eventFilter(QObject *watched, QEvent *event)
 {
     auto *combo = qobject_cast<QComboBox *>(watched);
-    if (event->type() == QEvent::Wheel && combo && !combo->hasFocus()) {
-        event->ignore(); // let the wheel scroll the rows
-        return true;
-    }
     if (event->type() == QEvent::FocusIn) {
         for (std::size_t i = 0; i < m_rows.size(); ++i) {
             if ((combo == m_rows[i].meaning || combo == m_rows[i].unit) && i != m_current) {

@@ -30,7 +30,7 @@ namespace
 constexpr Channel kTheta3{Theta3, Order::Position};
 constexpr Channel kSlider{R4x, Order::Position};
 
-/// Names that mean nothing by themselves, with a unit that does, and one without.
+/// Columns whose headings do not name a quantity; all but the last one have a unit.
 QByteArray inventorFile()
 {
     QByteArray bytes = "Time (s),P[3.1] (deg),P[4.1] (mm),what\n";
@@ -94,7 +94,7 @@ private slots:
 
     void init() { QSettings().clear(); }
 
-    void showsTheGuessAndWhyInWordsAndGroups()
+    void showsTheDetectedMeaningAndItsReason()
     {
         const Dialog dialog({inventorFile()});
         QCOMPARE(dialog.meaning(0), "time");
@@ -116,10 +116,10 @@ private slots:
         }
     }
 
-    void previewsWhatWouldBeReadAndWhatIsIgnored()
+    void previewsColumnsThatAreReadAndColumnsThatAreIgnored()
     {
         Dialog dialog({inventorFile()});
-        QVERIFY2(dialog.caption().contains("from 6 to 46 °"), qPrintable(dialog.caption())); // the first that was guessed
+        QVERIFY2(dialog.caption().contains("from 6 to 46 °"), qPrintable(dialog.caption())); // the first column whose meaning was guessed
         QCOMPARE(dialog.curve()[0], QPointF(0.0, 46.0));
         dialog.choose("unit", 1, "rad");
         QVERIFY2(dialog.caption().contains("2635"), qPrintable(dialog.caption())); // 46 rad
@@ -127,7 +127,7 @@ private slots:
         dialog.choose("meaning", 3, "theta2");
         QVERIFY(dialog.caption().contains("from 0 to 0.8"));
 
-        Dialog open({"time,J1_x,J2_x\n0,10,1\n1,30,2\n2,20,1\n"}); // nothing can be read yet
+        Dialog open({"time,J1_x,J2_x\n0,10,1\n1,30,2\n2,20,1\n"}); // no column has a meaning yet
         QCOMPARE(open.caption(), "J1_x is ignored: from 10 to 30");
         QFocusEvent comes(QEvent::FocusIn);
         QApplication::sendEvent(open.combo("meaning", 2), &comes);
@@ -137,7 +137,7 @@ private slots:
         QVERIFY(open.caption().contains("from 1 to 2 mm") && open.canBeUsed());
     }
 
-    void aChoiceIsRememberedForTheseHeadingsUntilItIsDetectedAgain()
+    void storesAChoiceForTheseHeadingsUntilTheyAreDetectedAgain()
     {
         Dialog cancelled({inventorFile()});
         cancelled.choose("meaning", 3, "theta2");
@@ -152,7 +152,7 @@ private slots:
         QByteArray other = inventorFile();
         QVERIFY(remembered(other.replace("what", "else")).empty());
         const auto outcome = readReferenceData(inventorFile().toStdString(), {}, {remembered(inventorFile()), {}});
-        QVERIFY(!std::get<ReferenceData>(outcome).layout.isGuessed()); // what was looked at and accepted is no guess
+        QVERIFY(!std::get<ReferenceData>(outcome).layout.isGuessed()); // an accepted guess is a choice
 
         Dialog again({inventorFile()}, {"/elsewhere/others.csv"});
         QVERIFY(again.meaning(3).contains("theta2"));
@@ -163,7 +163,7 @@ private slots:
         QVERIFY(std::ranges::count(remembered(inventorFile()), 3u, &ColumnChoice::column) == 0);
     }
 
-    void aFileWithoutHeadingsIsRememberedByItself()
+    void storesTheChoiceForAFileWithoutHeadingsByItsPath()
     {
         const FileLayout layout = layoutOf(readReferenceData("0,20,75\n1,21,74\n2,22,73\n"));
         saveChoices(layout, {"/a/one.csv"}, {{1, ColumnRole::Channel, kTheta3, "rad"}});
@@ -171,11 +171,11 @@ private slots:
         QVERIFY(savedChoices(layout, {"/a/two.csv"}).empty());
     }
 
-    void whatCannotBeIsToldAndNotUsed()
+    void refusesAnImpossibleChoiceWithItsReason()
     {
         Dialog dialog({inventorFile()});
-        dialog.choose("meaning", 2, "theta2");         // in millimetres
-        QVERIFY(dialog.meaning(1).contains("theta3")); // the others stay
+        dialog.choose("meaning", 2, "theta2");         // the column is in millimetres
+        QVERIFY(dialog.meaning(1).contains("theta3")); // the other columns are unchanged
         QVERIFY(dialog.problem().contains("unit"));
         dialog.choose("unit", 2, "rad");
         QVERIFY(dialog.problem().isEmpty());
@@ -186,18 +186,6 @@ private slots:
         for (const QByteArray &bytes : {QByteArray(), QByteArray("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16), QByteArray("time,theta3\n")}) {
             QVERIFY(!Dialog({bytes}).canBeUsed());
         }
-    }
-
-    void theWheelChangesNothingItOnlyPasses()
-    {
-        Dialog dialog({inventorFile()});
-        QComboBox *combo = dialog.combo("meaning", 2);
-        dialog.combo("meaning", 1)->setFocus();
-        const QString before = combo->currentText();
-        QWheelEvent wheel(QPointF(5, 5), combo->mapToGlobal(QPointF(5, 5)), {}, QPoint(0, -120), Qt::NoButton,
-                          Qt::NoModifier, Qt::NoScrollPhase, false);
-        QApplication::sendEvent(combo, &wheel);
-        QCOMPARE(combo->currentText(), before);
     }
 
     void columnsOfJoinedFilesAreChosenTogether()
@@ -228,7 +216,7 @@ private slots:
         session.loadReference(paths);
         QVERIFY(loaded.wait(kPatience));
         QCOMPARE(session.reference()->data.find({R4x, Order::Velocity})->values, (std::vector<double>{0.0, 3000.0}));
-        session.loadReference(paths[0]); // alone it is another file
+        session.loadReference(paths[0]); // a single file has no stored choice
         QVERIFY(refused.wait(kPatience));
     }
 
@@ -245,11 +233,11 @@ private slots:
         loaded.clear();
         session.loadReference(path);
         QVERIFY(loaded.wait(kPatience));
-        QVERIFY(session.reference()->conventions.empty()); // they were applied to other columns
+        QVERIFY(session.reference()->conventions.empty()); // the conventions were applied to other columns
         QCOMPARE(session.reference()->data.find(kSlider)->values, (std::vector<double>{7.0, 8.0}));
     }
 
-    void thePreviewOfALargeFileIsItsFirstWholeLines()
+    void previewsTheFirstWholeLinesOfALargeFile()
     {
         const QByteArray large = "time,theta3\n" + QByteArray("0.123456,12.3456\n").repeated(200'000);
         const QByteArray beginning = readBeginnings({write("large.csv", large)}).front();
