@@ -51,7 +51,7 @@ Result differingResult()
     return resultWith({compared(kTheta3, Verdict::Differs, 2.0, 0.5)});
 }
 
-/// The file is of b = 60 mm, and agrees with that.
+/// A diagnosis that found b = 60 mm, with which every channel agrees.
 ReferenceDiagnosis diagnosisOf(const Result &result)
 {
     ReferenceDiagnosis diagnosis;
@@ -116,7 +116,7 @@ private slots:
         QCOMPARE(cell(page, 0, Time).text, QString("0.25"));
         QCOMPARE(cell(page, 0, Quantity).csv, QString("theta3 [°]"));
         QCOMPARE(page.tables[0].rows[1].time, std::optional(0.5));
-        QVERIFY(cell(page, 0, LargestError).explanation.contains("0.35 s"));  // of the largest percentage
+        QVERIFY(cell(page, 0, LargestError).explanation.contains("0.35 s"));  // time of the largest percentage
         QVERIFY(cell(page, 0, LargestError).explanation.contains("0.001 °")); // the rounding step
         QCOMPARE(cell(page, 0, Outcome).text.front(), QChar(u'✓'));
         QCOMPARE(cell(page, 1, Outcome).text.front(), QChar(u'≈'));
@@ -147,7 +147,7 @@ private slots:
         QVERIFY(errorPage(Result(), nullptr).tables.empty());
     }
 
-    void whatDoesNotExistIsADashAndLeadsNowhere()
+    void showsADashForMissingValues()
     {
         ChannelComparison nothing;
         nothing.channel = kTheta3;
@@ -168,7 +168,7 @@ private slots:
     void explainsTheDifferenceAndOffersOneRemedy()
     {
         const Result result = differingResult();
-        QVERIFY(errorPage(result, nullptr).findings.empty()); // not known yet
+        QVERIFY(errorPage(result, nullptr).findings.empty()); // there is no diagnosis yet
         ReferenceDiagnosis diagnosis = diagnosisOf(result);
         Page page = errorPage(result, &diagnosis);
         QCOMPARE(remediesOf(page), std::vector{Finding::Remedy::UseFoundMechanism});
@@ -183,7 +183,7 @@ private slots:
         QCOMPARE(findingsOf(result, &diagnosis)[1].remedy, Finding::Remedy::Apply); // offered on the reference page
     }
 
-    void offersOnlyWhatWasFoundAndIsBetter()
+    void offersOnlyAnIdentifiedMechanismThatIsBetter()
     {
         struct Row {
             Identification::Outcome outcome;
@@ -197,7 +197,7 @@ private slots:
               Row{Outcome::Nearest, Verdict::Agrees, 0.001, false},
               Row{Outcome::Identified, Verdict::Differs, 9.0, false},
               Row{Outcome::Identified, Verdict::Differs, 5.0, true}}) {
-            const Result result = differingResult(); // by 10 % of the peak
+            const Result result = differingResult(); // the error is 10 % of the peak
             ReferenceDiagnosis diagnosis = diagnosisOf(result);
             diagnosis.found.identification.outcome = row.outcome;
             diagnosis.found.identified[0].verdict = row.verdictThen;
@@ -208,7 +208,7 @@ private slots:
         }
     }
 
-    void findingsOfOtherParametersStayUntilNewOnesAreThere()
+    void keepsTheFindingsUntilNewOnesAreComputed()
     {
         Result result = differingResult();
         const ReferenceDiagnosis diagnosis = diagnosisOf(result);
@@ -224,7 +224,7 @@ private slots:
         QVERIFY(errorPage(result, &diagnosis).findings.empty());
     }
 
-    void aConventionThatIsAppliedCanBeTakenBack()
+    void offersToUndoAnAppliedConvention()
     {
         auto reference = std::make_shared<Reference>();
         reference->conventions = {kLate};
@@ -249,7 +249,7 @@ private slots:
         QCOMPARE(cell(page, 1, 0, 1).text, QString("15 (a.csv)"));
     }
 
-    void comparesWithThePinnedMotionInNumbersAlone()
+    void comparesWithThePinnedMotion()
     {
         Result result;
         Parameters pinned;
@@ -270,7 +270,7 @@ private slots:
         pinned.b = 40.0;
         page = pin();
         QVERIFY(page.sentence.contains("cannot be assembled"));
-        QVERIFY(std::isfinite(cell(page, 2, 1).number.value())); // next to a limit, the largest sampled one
+        QVERIFY(std::isfinite(cell(page, 2, 1).number.value())); // the largest sampled difference, although the motion is unbounded there
     }
 
     void saysHowTheFileWasRead()
@@ -316,9 +316,9 @@ private slots:
                                                 Finding::Remedy::Apply, Finding::Remedy::Apply}));
         QVERIFY(page.findings[1].sentence.contains("60.00001"));
 
-        diagnosis.found.rounded = result.mechanism.parameters(); // it is the model already
+        diagnosis.found.rounded = result.mechanism.parameters(); // the model is this mechanism
         QCOMPARE(referencePage(result, &diagnosis).findings[1].remedy, Finding::Remedy::None);
-        diagnosis.reference = std::make_shared<Reference>(); // of another file
+        diagnosis.reference = std::make_shared<Reference>(); // the diagnosis of another file
         QVERIFY(referencePage(result, &diagnosis).findings[1].sentence.startsWith("Searching"));
     }
 };

@@ -109,7 +109,7 @@ private slots:
         }
     }
 
-    void theLengthsThatItNamesMakeFullTurns()
+    void makesFullTurnsWithTheLengthsThatTheSentenceNames()
     {
         const Parameters given = lengths(17.1234567, 40.7654321, -31.9876543);
         const QString sentence = pageOf(given).sentence;
@@ -126,7 +126,7 @@ private slots:
         QVERIFY2(turns(given.a, given.b, -limit("|c| ≤ ")), qPrintable(sentence));
     }
 
-    void listsLimitsAndPeaksOfEveryKindOfMechanism()
+    void listsLimitsAndPeaksForEveryMobility()
     {
         struct Row {
             Parameters parameters;
@@ -149,7 +149,7 @@ private slots:
                    "coupler angular velocity|-121.4 °/s|350.78|0.9744",
                    "coupler angular acceleration|-964.5 °/s²|270.00|0.7500"}},
               Row{lengths(20, 65, 0),
-                  Peaks, // reached twice: in the order of the angle from 0
+                  Peaks, // peaks that are reached twice are ordered by their angle
                   {"slider velocity|-131.5 mm/s|74.21|0.2061", "slider velocity|131.5 mm/s|285.79|0.7939",
                    "slider acceleration|-1033 mm/s²|0.00|0.0000", "coupler angular velocity|-110.8 °/s|0.00|0.0000",
                    "coupler angular velocity|110.8 °/s|180.00|0.5000",
@@ -183,9 +183,9 @@ private slots:
         }
     }
 
-    void keepsEveryDigitForTheCopyAndLeadsToTheTimeOfEachRow()
+    void copiesEveryDigitAndKnowsTheTimeOfEachRow()
     {
-        // Crank and coupler in one line: what Pythagoras leaves of c.
+        // Crank and coupler are in one line at the dead centres, where Pythagoras' theorem gives R4x.
         const double stroke = std::sqrt(80.0 * 80.0 - 625.0) - std::sqrt(40.0 * 40.0 - 625.0);
         const Page of60 = pageOf(lengths(20, 60, 25));
         const TableRow *row = find(of60, Positions, "stroke");
@@ -197,7 +197,7 @@ private slots:
         QVERIFY(std::abs(motion.motionAt(find(page, Peaks, "slider velocity")->time.value()).R4xDDot) < 1e-10);
     }
 
-    void whatIsOutsideTheTimeRangeCannotBeVisited()
+    void hasNoTimeForRowsOutsideTheTimeRange()
     {
         Sampling half;
         half.duration = 0.5;
@@ -208,7 +208,7 @@ private slots:
         QCOMPARE(inner->cells[Angle].text, QString("213.75"));
         QVERIFY(inner->cells[Time].explanation.contains("Outside"));
 
-        Sampling justEnough; // the last time step counts
+        Sampling justEnough; // includes the last time step
         justEnough.duration = 0.75;
         QVERIFY(find(pageOf({}, justEnough), Peaks, "coupler angular acceleration")->time);
         Parameters there;
@@ -217,7 +217,7 @@ private slots:
         QCOMPARE(find(pageOf(there), Positions, "minimum transmission angle")->time, std::optional(0.0));
     }
 
-    void theMechanismExistsAtEveryTimeThatARowLeadsTo()
+    void canBeAssembledAtTheTimeOfEveryRow()
     {
         for (int i = 0; i < 50; ++i) {
             const Parameters parameters = lengths(20.0 + 0.37 * i, 30.0 + 0.11 * i, (i % 2 == 0 ? 1.0 : -1.0) * 15.3);

@@ -38,13 +38,13 @@ namespace
 
 constexpr std::size_t kStroke = 0, kRatio = 1, kAngle = 2, kSpeed = 3, kAcceleration = 4;
 
-/// NaN equals NaN.
-bool isSame(double one, double other)
+/// Compares two values; NaN equals NaN.
+bool isSame(double first, double second)
 {
-    return one == other || (std::isnan(one) && std::isnan(other));
+    return first == second || (std::isnan(first) && std::isnan(second));
 }
 
-/// The limits once more, from the core.
+/// Computes the limits directly from the core.
 LimitValues expectedLimits(const Parameters &parameters)
 {
     LimitValues expected{kNone, kNone, kNone, kNone, kNone};
@@ -82,7 +82,7 @@ struct Shown {
         return view->response();
     }
 
-    /// The curves are computed in the background.
+    /// Waits for the curves, which are computed in the background.
     void finish()
     {
         settle(window);
@@ -101,7 +101,7 @@ struct Shown {
     QString refusal() { return child<QLabel>(window, "designRefusal")->text(); }
 };
 
-/// Where the chart draws the present value.
+/// Returns the position of the dot at the current value.
 QPointF presentDot(ResponseChart &chart)
 {
     return chart.positionOf(chart.dots()[0]);
@@ -120,7 +120,7 @@ private slots:
         QLocale::setDefault(QLocale::c());
     }
 
-    void everyCurveIsMadeOfTheLimitsOfTheMechanism()
+    void computesEveryCurveFromTheLimitsOfTheMechanism()
     {
         std::mt19937 random(24);
         std::uniform_real_distribution<double> length(1.0, 100.0);
@@ -138,7 +138,7 @@ private slots:
                 const LimitValues expected = expectedLimits(varied);
                 QVERIFY(std::ranges::equal(response.limits[k], expected, isSame));
                 const bool turns = motionLimits(Mechanism(varied)).mobility == Mobility::FullTurn;
-                const double slack = 1e-12 * range.assembled.length(); // the ends are known to a rounding
+                const double slack = 1e-12 * range.assembled.length(); // the ends have a rounding error
                 const Interval &fullTurn = range.fullTurn;
                 if (turns) {
                     ++fullTurns;
@@ -175,7 +175,7 @@ private slots:
         QVERIFY(responseRange({20.0, 20.0, 25.0}, Parameter::A).fullTurn.length() < 0.0); // no crank makes full turns
     }
 
-    void aNameOrTheMenuShowsTheResponse()
+    void showsTheResponseFromAParameterNameOrTheMenu()
     {
         Shown shown;
         QVERIFY(!shown.view->isVisible());
@@ -194,7 +194,7 @@ private slots:
         QCOMPARE(shown.view->response().parameter, Parameter::C);
     }
 
-    void theDotFollowsTheMouseAndEverythingFollowsTheDot()
+    void changesTheParameterByDraggingTheDot()
     {
         Shown shown;
         const Response before = shown.respond(Parameter::B);
@@ -215,12 +215,12 @@ private slots:
             QCOMPARE(dot.value, b);
             QCOMPARE(dot.limits[limit], expectedLimits(shown.session().parameters())[limit]);
         }
-        QCOMPARE(shown.view->response().values, before.values); // the curves do not depend on it
+        QCOMPARE(shown.view->response().values, before.values); // the curves do not depend on this value
         shown.session().undoStack().undo();
         QCOMPARE(shown.session().parameters(), Parameters());
     }
 
-    void keysMoveTheDotWithinTheRange()
+    void movesTheDotWithKeysWithinItsRange()
     {
         Shown shown;
         shown.respond(Parameter::B);
@@ -236,7 +236,7 @@ private slots:
         QCOMPARE(shown.session().parameters().b, 5.0); // |c| - a: it can just be assembled
     }
 
-    void otherChangesMoveTheCurvesAndPinnedMotionsAreDots()
+    void recomputesTheCurvesAndShowsPinnedMotionsAsDots()
     {
         Shown shown;
         shown.respond(Parameter::B);
@@ -275,12 +275,12 @@ private slots:
         const std::size_t middle = static_cast<std::size_t>(lines.size() / 2 - 1);
         QCOMPARE(cells[0].toDouble(), response.values[middle]);
         QCOMPARE(cells[5].toDouble(), response.limits[middle][kAcceleration]);
-        QVERIFY(lines[1].endsWith(",,,,")); // locked: there is a stroke, 0, and nothing else
+        QVERIFY(lines[1].endsWith(",,,,")); // in the locked mechanism only the stroke exists
         child<QToolButton>(shown.window, "responseCopy")->click();
         QVERIFY(!QApplication::clipboard()->image().isNull());
     }
 
-    void aStrokeAloneScalesTheMechanism()
+    void scalesTheMechanismToAGivenStroke()
     {
         Shown shown;
         shown.showDesign();
@@ -295,12 +295,12 @@ private slots:
         QCOMPARE(shown.session().parameters(), Parameters());
     }
 
-    void aTimeRatioGivesTheBestTransmissionAngleAndTheSliderTheRest()
+    void designsForATimeRatioWithTheSliderForTheRatioOfLengths()
     {
         Shown shown;
         shown.showDesign();
         shown.type("designStroke", "80");
-        letTimePass(shown.session()); // or both would be undone together
+        letTimePass(shown.session()); // otherwise both edits would form one undo step
         shown.type("designTimeRatio", "1.4");
         QCOMPARE(shown.session().undoStack().count(), 2); // a, b and c in one step each
         const auto isDesigned = [&](double ratio) {
@@ -323,11 +323,11 @@ private slots:
         QVERIFY(std::abs(shown.motion().largestPressureAngle - best) < 1e-12);
         shown.type("designTimeRatio", "0.5"); // forward and return stroke exchanged
         QVERIFY(isDesigned(2.0) && shown.session().parameters().c < 0.0);
-        shown.type("designTimeRatio", "1.5"); // they stay exchanged
+        shown.type("designTimeRatio", "1.5"); // the strokes remain exchanged
         QVERIFY(isDesigned(1.5) && shown.session().parameters().c < 0.0);
     }
 
-    void anImpossibleRequestSaysWhyWithTheBound()
+    void refusesAnImpossibleRequestWithItsBound()
     {
         Shown shown;
         shown.showDesign();
@@ -344,11 +344,11 @@ private slots:
         const QString bound = QString::number(fault.bound * kDegreesPerRadian, 'g', 4);
         QVERIFY2(shown.refusal().contains(bound + u'°') && shown.refusal().contains(QString::number(fault.timeRatioBound, 'g', 4)),
                  qPrintable(shown.refusal()));
-        shown.session().setParameter(Parameter::B, 60.0); // something else: the message no longer applies
+        shown.session().setParameter(Parameter::B, 60.0); // another edit removes the message
         QVERIFY(shown.refusal().isEmpty());
     }
 
-    void aMechanismThatCannotBeAssembledCanBeDesigned()
+    void designsFromAMechanismThatCannotBeAssembled()
     {
         Shown shown;
         shown.session().setParameters({20.0, 4.0, 25.0}); // b < |c| - a

@@ -77,7 +77,7 @@ private slots:
         QVERIFY(jacobian.note.contains("κ"));
     }
 
-    void showsTheCoordinatesInTheUnitsOfTheReport()
+    void showsTheCoordinatesInTheUnitsOfTheReferenceReport()
     {
         const Page page = coordinatePage(*resultWith({}), 0.3);
         const State state = ClosedForm(Mechanism()).stateAt(0.3);
@@ -113,7 +113,7 @@ private slots:
         QCOMPARE(series[2].points[0].y(), options.tolerance);
     }
 
-    void saysWhyThereIsNothingToShow()
+    void saysWhyNumbersAreMissing()
     {
         const auto rocker = resultWith({}, 40.0);
         for (const auto page : {equationPage, jacobianPage, iterationPage, coordinatePage}) {
@@ -127,7 +127,7 @@ private slots:
         QVERIFY(coordinatePage(*limited, 0.3).sentence.contains("Not converged within 1 iterations"));
     }
 
-    void theFormShowsSettingsAndChangesOneAtATime()
+    void changesOneSettingAtATime()
     {
         NewtonPanel panel;
         SolverSettings expected{Method::Newton, {25, 1e-10}};
@@ -146,7 +146,7 @@ private slots:
         expected.newton.toleranceKind = ToleranceKind::Relative;
         QCOMPARE(received(), expected);
         typeNumber(tolerance, "-1e-8"); // refused
-        typeNumber(tolerance, "3e-7");  // the same
+        typeNumber(tolerance, "3e-7");  // unchanged
         QVERIFY(edits.isEmpty());
         QTest::keyClick(child<QComboBox>(panel, "methodBox"), Qt::Key_Down);
         expected.method = Method::ClosedForm;
@@ -154,7 +154,7 @@ private slots:
         QVERIFY(!tolerance->isEnabled() && !child<NumberBox>(panel, "iterationsBox")->isEnabled());
     }
 
-    void theFormTellsWhatCameOut()
+    void showsTheOutcomeOfTheSolver()
     {
         NewtonPanel panel;
         const auto *outcome = child<QLabel>(panel, "outcomeLabel");
@@ -181,12 +181,12 @@ private slots:
                  qPrintable(warnings->text()));
         QVERIFY(!warnings->text().contains("%"));
 
-        run = show(resultWith({Method::Newton, {1, 1e-8}}, 65.0, 20)); // of the time steps that were solved alone
+        run = show(resultWith({Method::Newton, {1, 1e-8}}, 65.0, 20)); // counts only the solved time steps
         QCOMPARE(outcome->text().contains("All 21"), run.count(Status::Solved) == 21);
         QCOMPARE(outcome->text().contains("Iterations: –"), run.found() == 0);
     }
 
-    void computesOnlyThePageOnShowAtTheTimeOnShow()
+    void computesOnlyTheVisiblePageAtTheCurrentTime()
     {
         NewtonPanel panel;
         panel.resize(960, 200);

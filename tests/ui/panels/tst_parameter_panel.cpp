@@ -34,7 +34,7 @@ constexpr Field kFields[] = {{"a", &Parameters::a},
                              {"omega2", &Parameters::omega2},
                              {"theta20", &Parameters::theta20}};
 
-/// Every number different from every default, so that a mix-up shows.
+/// Every value differs from every default, so that the test finds exchanged parameters.
 Parameters givenParameters()
 {
     return {.a = 21.0, .b = 66.0, .c = -26.0, .omega2 = 3.0, .theta20 = 0.5, .branch = Branch::Crossed};
@@ -56,7 +56,7 @@ struct Shown {
     {
         return child<Widget>(panel, name);
     }
-    /// The only edit since the last call.
+    /// Returns the parameters of the only edit since the last call.
     Parameters received()
     {
         const auto parameters = edits.isEmpty() ? Parameters() : edits.last()[0].value<Parameters>();
@@ -75,7 +75,7 @@ class TestParameterPanel : public QObject
 private slots:
     void initTestCase() { QLocale::setDefault(QLocale::c()); }
 
-    void showsWhatItIsGivenAndEmitsNothing()
+    void showsTheParametersWithoutEmittingThem()
     {
         const Shown shown;
         QVERIFY(shown.edits.isEmpty());
@@ -108,7 +108,7 @@ private slots:
         }
     }
 
-    void aDragOfASliderBelongsTogether()
+    void reportsTheBeginAndEndOfADrag()
     {
         Shown shown;
         QSignalSpy began(&shown.panel, &ParameterPanel::dragBegan);
@@ -116,12 +116,12 @@ private slots:
         auto *slider = shown.part<QSlider>("slider_b");
         connect(&shown.panel, &ParameterPanel::edited, this, [&began] { QCOMPARE(began.count(), 1); });
         QTest::mousePress(slider, Qt::LeftButton, {}, QPoint(slider->width() - 10, slider->height() / 2));
-        QCOMPARE(shown.edits.count(), 1); // the handle comes to the click
+        QCOMPARE(shown.edits.count(), 1); // the handle moves to the click
         QTest::mouseRelease(slider, Qt::LeftButton, {}, QPoint(slider->width() - 10, slider->height() / 2));
         QCOMPARE(ended.count(), 1);
     }
 
-    void keepsExactNumbersAndConvertsUnitsExactly()
+    void storesNumbersExactlyAndConvertsUnitsExactly()
     {
         Parameters exact = givenParameters();
         exact.b = 60.12345678901234;
@@ -148,7 +148,7 @@ private slots:
             Shown shown;
             const QString key = row.parameter == Parameter::Omega2 ? "omega2" : "theta20";
             shown.part<QComboBox>("unit_" + key)->setCurrentIndex(row.shownUnit);
-            QVERIFY(shown.edits.isEmpty()); // another unit is no other number
+            QVERIFY(shown.edits.isEmpty()); // another unit does not change the number
             typeNumber(shown.part<NumberBox>("box_" + key), QString::fromUtf8(row.typed));
             QVERIFY2(std::abs(valueOf(shown.received(), row.parameter) / row.value - 1.0) <= 1e-15, row.typed);
         }
@@ -161,7 +161,7 @@ private slots:
         }
     }
 
-    void sliderRangesSuitTheMechanism()
+    void adaptsTheSliderRangeToTheMechanism()
     {
         Shown shown{Parameters()};
         auto *slider = shown.part<QSlider>("slider_b");
@@ -212,7 +212,7 @@ private slots:
         }
     }
 
-    void aClickOnANameAsksForTheResponse()
+    void requestsTheResponseOnAClickOnAName()
     {
         const Shown shown;
         QSignalSpy asked(&shown.panel, &ParameterPanel::responseRequested);

@@ -51,7 +51,7 @@ class TestStudyPanel : public QObject
 private slots:
     void initTestCase() { QLocale::setDefault(QLocale::c()); }
 
-    void methodsOf36AndOf6ChannelsAreNeverInOneTable()
+    void separatesMethodsOf36And6Channels()
     {
         CaseResult result;
         result.methods = {methodRow(MethodName::Kind::NewtonDense, 36, 3000.0, 3e-15),
@@ -68,15 +68,15 @@ private slots:
         QCOMPARE(dense[5].text, QString("solved, 2 wrong but called solved"));
         QCOMPARE(dense[5].tone, Tone::Bad);
         const ChartContent &chart = page.chart->content;
-        QCOMPARE(chart.series.size(), std::size_t(4)); // and the effect of rounded input
+        QCOMPARE(chart.series.size(), std::size_t(4)); // including the effect of rounded input
         QCOMPARE(chart.series[0].points[0], QPointF(3000.0, 3e-15));
         QVERIFY(chart.series[1].isHollow && !chart.series[2].isHollow);
-        QVERIFY(chart.series[1].points[0].y() >= chart.y.range.lower); // an error of 0 has its place
+        QVERIFY(chart.series[1].points[0].y() >= chart.y.range.lower); // an error of 0 is drawn, too
         QVERIFY(chart.x.range.contains(3000.0) && chart.x.range.contains(5.0));
         QVERIFY(emptyStudyPage().tables.empty());
     }
 
-    void everyMethodOfAKindIsAPointOfItsSeries()
+    void drawsEveryMethodAsAPoint()
     {
         const std::shared_ptr<const StudyResult> study = studyOfATurn();
         const CaseResult &result = study->cases.front();
@@ -104,9 +104,9 @@ private slots:
         run->setFocus();
         QSignalSpy finished(&panel, &StudyPanel::finished);
         QTest::keyClick(run, Qt::Key_Space);
-        QCOMPARE(finished.count(), 0); // it came back at once
+        QCOMPARE(finished.count(), 0); // the call returned at once
         QVERIFY(child<QProgressBar>(panel, "studyProgress")->isVisible());
-        QVERIFY(!hard->isEnabled() && run->isEnabled()); // now it cancels
+        QVERIFY(!hard->isEnabled() && run->isEnabled()); // now the button cancels the study
         QVERIFY(finished.wait(kPatience));
         QVERIFY(run->hasFocus() && hard->isEnabled());
         for (const char *table : {"studyTable36", "studyTable6"}) {
@@ -136,7 +136,7 @@ private slots:
     void exportsTheChartAndTheNumbersOfEveryCase()
     {
         StudyPanel panel;
-        QVERIFY(panel.exportPicture("x.png").has_value()); // there is nothing yet
+        QVERIFY(panel.exportPicture("x.png").has_value()); // there is no result yet
         QVERIFY(panel.exportNumbers("x.csv").has_value());
         panel.setResult(studyOfATurn());
         const QTemporaryDir folder;

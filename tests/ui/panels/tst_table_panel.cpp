@@ -26,7 +26,7 @@ Q_DECLARE_METATYPE(slidercrank::MechanismPart)
 namespace
 {
 
-/// A table of two columns; the rows lead to 0.5, 1.5, … s and are about pin A.
+/// A table of two columns; its rows have the times 0.5, 1.5, … s and describe pin A.
 PageTable tableOf(const QString &name, const std::vector<double> &numbers)
 {
     PageTable table{name, name, {{"name", {}, "name", false}, {"number", {}, "number"}}, {}};
@@ -95,7 +95,7 @@ private slots:
         QVERIFY(!child<QToolButton>(shown.panel, "panelCopy")->isVisible());
     }
 
-    void computesNothingWhileHiddenAndLittleWhileThingsMove()
+    void computesNothingWhileHiddenAndRarelyDuringADrag()
     {
         Shown shown(pageWith({1.0}));
         QCOMPARE(shown.made, 1);
@@ -115,26 +115,26 @@ private slots:
         QCOMPARE(shown.table()->model()->rowCount(), 2);
     }
 
-    /// A drag has to be cheap: only the cells whose text changes are told of.
-    void onlyWhatChangesIsPaintedAgain()
+    /// Only cells whose text changes are reported, so that a drag costs little.
+    void repaintsOnlyTheCellsThatChange()
     {
         Shown shown(pageWith({1.0, 2.0, 3.0}));
         QSignalSpy changes(shown.table()->model(), &QAbstractItemModel::dataChanged);
         QSignalSpy removals(shown.table()->model(), &QAbstractItemModel::rowsRemoved);
-        shown.show(pageWith({1.0, 2.0001, 4.0})); // one of them looks the same
+        shown.show(pageWith({1.0, 2.0001, 4.0})); // one number has the same text
         QCOMPARE(changes.count(), 1);
         QCOMPARE(removals.count(), 0);
         shown.show(pageWith({1.0}));
         QCOMPARE(removals.count(), 1);
     }
 
-    void aRowLeadsToItsTimeAndReportsItsPart()
+    void requestsTheTimeAndReportsThePartOfARow()
     {
         Shown shown(pageWith({1.0, 2.0}));
         shown.panel.activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&shown.panel));
         QSignalSpy times(&shown.panel, &TablePanel::timeRequested);
-        QSignalSpy parts(&shown.panel, &TablePanel::partHovered); // told once: both rows are about pin A
+        QSignalSpy parts(&shown.panel, &TablePanel::partHovered); // emitted once: both rows describe pin A
         const QRect cell = shown.table()->visualRect(shown.table()->model()->index(1, 1));
         QTest::mouseClick(shown.table()->viewport(), Qt::LeftButton, {}, cell.center());
         QCOMPARE(times.takeFirst()[0].toDouble(), 1.5);
@@ -186,7 +186,7 @@ private slots:
         QVERIFY(shown.panel.exportTo(folder.filePath("none/x.csv")).value_or("").contains("cannot be written"));
     }
 
-    void aFindingOffersItsRemedyAndIsDimmedWhileNewOnesAreSearched()
+    void offersTheRemedyOfAFindingAndDisablesItDuringASearch()
     {
         Page page = pageWith({1.0});
         page.findings = {{Finding::Remedy::None, {}, "Only a sentence.", {}, {}},
@@ -195,7 +195,7 @@ private slots:
         auto *button = child<QPushButton>(shown.panel, "remedyButton");
         QCOMPARE(button->toolTip(), QString("details"));
         QSignalSpy remedies(&shown.panel, &TablePanel::remedyRequested);
-        // What follows the click makes the findings anew, while the button is still in its own handler.
+        // The slot replaces the findings while the button is still handling its click.
         connect(&shown.panel, &TablePanel::remedyRequested, &shown.panel, [&shown] { shown.show(pageWith({1.0})); });
         button->click();
         QCOMPARE(remedies.value(0).value(0).value<Finding>().remedy, Finding::Remedy::UseFoundMechanism);
@@ -210,7 +210,7 @@ private slots:
         QVERIFY(!child<QLabel>(shown.panel, "findingLabel")->isEnabled());
     }
 
-    void severalTablesStandSideBySideOrScrollTogether()
+    void placesSeveralTablesSideBySideOrScrollsThemTogether()
     {
         Page page = pageWith({1.0, 2.0, 3.0, 4.0});
         page.tables.push_back(tableOf("second", {1.0, 2.0, 3.0, 4.0}));
@@ -221,23 +221,23 @@ private slots:
         settle();
         NumberTable *second = shown.table("second");
         QVERIFY(second->y() > shown.table()->y());
-        const auto isInSight = [second] {
+        const auto isVisibleRow = [second] {
             return second->viewport()->visibleRegion().contains(
                 second->visualRect(second->model()->index(3, 0)).center());
         };
-        QVERIFY(!isInSight());
+        QVERIFY(!isVisibleRow());
         second->setCurrentIndex(second->model()->index(3, 0));
-        QVERIFY(isInSight());
+        QVERIFY(isVisibleRow());
     }
 
-    /// "0.00000…" was said of an angle of ten decimals, and the header kept the large font of the presentation mode.
-    void noNumberIsCutOffAndTheHeaderFollowsTheFontAlsoWhileHidden()
+    /// Numbers of ten decimals were elided, and the header kept the large font of the presentation mode.
+    void showsWholeNumbersAndUpdatesTheHeaderFontWhileHidden()
     {
         Page wide = pageWith({1.0});
         wide.tables[0].rows[0].cells[1].text = "-123.0123456789";
         Shown shown(wide, QSize(200, 120));
         for (const int pixels : {11, 40, 12}) {
-            shown.show({}); // the table is not on the page any more
+            shown.show({}); // the table is hidden
             QFont font = shown.panel.font();
             font.setPixelSize(pixels);
             shown.panel.setFont(font);
@@ -251,8 +251,8 @@ private slots:
         }
     }
 
-    /// Beside the errors stood a scroll bar with nothing to scroll.
-    void aTableWithSpaceForItsRowsHasNoScrollBar()
+    /// The table of errors had a scroll bar although all rows were visible.
+    void hasNoScrollBarIfAllRowsFit()
     {
         Page page = pageWith({1.0, 2.0, 3.0});
         page.findings = {{Finding::Remedy::UseFoundMechanism, {}, "It is another mechanism.", "Use it", {}}};

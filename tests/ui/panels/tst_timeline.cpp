@@ -22,7 +22,7 @@ using namespace slidercrank;
 namespace
 {
 
-/// A timeline in its place: what it asks for comes back as a pose. Its clock stands until it is put forward.
+/// A timeline with a session that answers its requests with a pose. Its clock advances only in passTime().
 struct Bench {
     Session session;
     Timeline timeline;
@@ -47,7 +47,7 @@ struct Bench {
         timeline.setClock([this] { return clock; });
     }
 
-    /// So long until the next frame.
+    /// Advances the clock and shows the next frame.
     void passTime(double seconds)
     {
         clock += seconds;
@@ -67,30 +67,30 @@ private slots:
     void playsByTheClock()
     {
         Bench bench({}, {0.0, 100.0, 200});
-        bench.clock += 7.0; // before it begins
+        bench.clock += 7.0; // before playback
         child<QToolButton>(bench.timeline, "playButton")->click();
         QVERIFY(bench.timeline.isPlaying());
         double time = 0.0;
-        for (const double speed : {1.0, 2.0, 0.1}) { // goes on from there at another speed
+        for (const double speed : {1.0, 2.0, 0.1}) { // continues at another speed
             bench.timeline.setSpeed(speed);
-            for (const double frame : {0.016, 0.016, 0.2, 0.016}) { // once a machine too slow for frames
+            for (const double frame : {0.016, 0.016, 0.2, 0.016}) { // one frame is late
                 bench.passTime(frame);
                 time += speed * frame;
                 QVERIFY(std::abs(bench.requested.back() - time) < 1e-9);
             }
         }
-        bench.session.setTime(50.0); // somebody scrubs
+        bench.session.setTime(50.0); // the user scrubs
         bench.passTime(2.5);
         QVERIFY(std::abs(bench.requested.back() - 50.25) < 1e-9);
         QCOMPARE(bench.requested.size(), std::size_t(13));
         bench.timeline.togglePlaying();
         bench.passTime(0.5);
-        QCOMPARE(bench.requested.size(), std::size_t(13)); // nothing runs
+        QCOMPARE(bench.requested.size(), std::size_t(13)); // playback is paused
     }
 
-    void playsByItself()
+    void playsWithTheRealClock()
     {
-        Timeline timeline; // with the clock it has
+        Timeline timeline; // without setClock()
         double last = 0.0;
         connect(&timeline, &Timeline::timeRequested, &timeline, [&last](double time) { last = time; });
         timeline.setSampling({0.0, 1e6, 200});
@@ -100,7 +100,7 @@ private slots:
         AWAIT(last > before);
     }
 
-    void beginsAgainAtTheEndOrStopsThere()
+    void startsAgainOrStopsAtTheEnd()
     {
         Bench bench({}, {0.5, 0.1, 20});
         bench.timeline.play();
@@ -208,7 +208,7 @@ private slots:
         QVERIFY(!form->isVisible());
     }
 
-    void eachBoxOfTheRunChangesItsOwnOnly()
+    void changesOnlyTheSettingOfEachBox()
     {
         Bench bench({}, {0.5, 2.5, 400});
         const Session &session = bench.session;
@@ -228,14 +228,14 @@ private slots:
         typeNumber(child<NumberBox>(bench.timeline, "startBox"), "1e13");
         QCOMPARE(session.sampling(), (Sampling{-1.0, 3.25, 500}));
         bench.session.undoStack().undo();
-        QCOMPARE(child<NumberBox>(bench.timeline, "durationBox")->value(), 2.5); // all in one: typed at once
+        QCOMPARE(child<NumberBox>(bench.timeline, "durationBox")->value(), 2.5); // the edits form one undo step
     }
 
-    void oneRevolutionIsAsLongAsTheCrankTakes()
+    void setsTheDurationToOneRevolution()
     {
         struct Row {
             double omega2;
-            double seconds; ///< 7: there is none
+            double seconds; ///< 7 (unchanged) if the crank is at rest or too slow
         };
         const double pi = std::numbers::pi;
         for (const Row &row :
@@ -249,7 +249,7 @@ private slots:
         }
     }
 
-    void theSpeedIsAFactorOrSecondsATurn()
+    void setsTheSpeedAsAFactorOrATimePerRevolution()
     {
         Parameters engine;
         engine.omega2 = 100.0 * std::numbers::pi; // a turn in 20 ms
@@ -259,7 +259,7 @@ private slots:
         typeNumber(turn, "4");
         QVERIFY(std::abs(bench.timeline.speed() - 0.005) < 1e-12);
         QVERIFY(std::abs(factor->value() - 0.005) < 1e-12);
-        typeNumber(factor, "0.5×"); // as it is shown
+        typeNumber(factor, "0.5×"); // with the displayed suffix
         QCOMPARE(bench.timeline.speed(), 0.5);
         QVERIFY(std::abs(turn->value() - 0.04) < 1e-12);
         QCOMPARE(child<QToolButton>(bench.timeline, "runButton")->text(), QString("2.5 s · 0.5× ▾"));
@@ -274,7 +274,7 @@ private slots:
         }
     }
 
-    void theMenuGoesFromOneSpeedToTheNextAndMarksOneAtMost()
+    void changesTheSpeedFromTheMenu()
     {
         Timeline timeline;
         QMenu menu;

@@ -19,7 +19,7 @@ using namespace slidercrank;
 namespace
 {
 
-/// A box for a length beside another box, in a window that is active.
+/// A box for a length and another box in an active window.
 struct Shown {
     QWidget window;
     NumberBox *box = new NumberBox;
@@ -60,7 +60,7 @@ class TestNumberBox : public QObject
 private slots:
     void init() { QLocale::setDefault(QLocale::c()); }
 
-    void takesAnySensibleNumberToTheLastBit()
+    void acceptsNumbersExactly()
     {
         struct Row {
             QString typed;
@@ -79,7 +79,7 @@ private slots:
         }
     }
 
-    void whatIsRefusedLeavesTheNumberAndSaysWhy()
+    void refusesATextWithItsReason()
     {
         struct Row {
             QString typed;
@@ -106,7 +106,7 @@ private slots:
         }
     }
 
-    void aNumberOutsideBecomesTheNearerEndWhereThatIsWanted()
+    void movesANumberIntoTheRangeIfRequested()
     {
         Shown shown;
         shown.box->setRange({.smallest = 0.0, .largest = 100.0, .takesNearest = true});
@@ -121,11 +121,11 @@ private slots:
                  QString("This must be a whole number from 1 mm to 1000000 mm."));
     }
 
-    void whatIsTypedCountsWhenTheBoxIsLeftAndNothingElseDoes()
+    void acceptsTypedTextWhenTheBoxLosesTheFocus()
     {
         Shown shown(60.12345678901234);
         QCOMPARE(shown.box->text(), QString("60.1235 mm"));
-        shown.box->setFocus(); // looking at it changes nothing
+        shown.box->setFocus(); // the focus alone changes nothing
         QCOMPARE(shown.box->text(), QString("60.12345678901234 mm"));
         QCOMPARE(shown.line()->cursorPosition(), 0);
         shown.other->setFocus();
@@ -148,12 +148,12 @@ private slots:
         QVERIFY(!shown.box->isTyping());
     }
 
-    void aNumberFromElsewhereLeavesAloneWhatIsTyped()
+    void doesNotReplaceTextThatIsBeingTyped()
     {
         Shown shown;
         shown.box->setFocus();
         shown.box->selectAll();
-        shown.box->setValue(66.0); // still selected: what is typed replaces it
+        shown.box->setValue(66.0); // the text remains selected, and typing replaces it
         QTest::keyClicks(shown.box, "4");
         shown.box->setValue(67.0);
         QTest::keyClicks(shown.box, "2");
@@ -163,7 +163,7 @@ private slots:
         QCOMPARE(shown.edits.count(), 1);
     }
 
-    void escapeAndAnEmptyTextBringTheNumberBack()
+    void restoresTheNumberOnEscapeOrAnEmptyText()
     {
         Shown shown;
         shown.box->setFocus();
@@ -176,7 +176,7 @@ private slots:
         QVERIFY(!shown.noteIsShown());
     }
 
-    void anArrowIsATenthOfThePowerOfTen()
+    void stepsByATenthOfThePowerOfTen()
     {
         struct Row {
             double value;
@@ -201,7 +201,7 @@ private slots:
         QCOMPARE(shown.box->value(), -0.75);
     }
 
-    void aNumberTooLongForTheBoxLosesDigitsButNotItsPowerOfTen()
+    void shortensANumberButNotItsPowerOfTen()
     {
         NumberBox box;
         box.resize(box.minimumSizeHint());
@@ -219,7 +219,7 @@ private slots:
         }
     }
 
-    void aDoubleClickSelectsTheWholeNumber()
+    void selectsTheWholeNumberOnADoubleClick()
     {
         Shown shown(6.25);
         QTest::mouseDClick(shown.line(), Qt::LeftButton, {},
@@ -227,7 +227,7 @@ private slots:
         AWAIT_COMPARE(shown.line()->selectedText(), QStringLiteral("6.25 mm"));
     }
 
-    void readsTheNumbersOfTheLocale()
+    void readsNumbersInTheLocale()
     {
         struct Row {
             QLocale locale;
