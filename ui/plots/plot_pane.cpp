@@ -35,12 +35,12 @@ void PlotPane::setStyle(const QFont &font, const SeriesColours &colours)
 
 void PlotPane::setCursors(const std::vector<Cursor> &cursors, const QRect &axes)
 {
-    update(m_painted);
+    const QRect before = m_painted;
     m_axes = axes;
     m_cursors = cursors;
     m_labels.clear();
-    m_painted = QRegion();
-    const auto add = [this](const QRectF &part) { m_painted += part.toAlignedRect().adjusted(-1, -1, 1, 1); };
+    m_painted = QRect();
+    const auto add = [this](const QRectF &part) { m_painted |= part.toAlignedRect().adjusted(-1, -1, 1, 1); };
     for (const Cursor &cursor : m_cursors) {
         addLabels(cursor);
         add(QRectF(cursor.x, m_axes.top(), 1.0, m_axes.height()));
@@ -51,7 +51,8 @@ void PlotPane::setCursors(const std::vector<Cursor> &cursors, const QRect &axes)
     for (const Label &label : m_labels) {
         add(label.place);
     }
-    update(m_painted);
+    // One rectangle: where the region to paint has several, Qt starts threads to fill it, which costs far more.
+    update(before | m_painted);
 }
 
 void PlotPane::setFrame(const QRect &frame)
@@ -62,8 +63,8 @@ void PlotPane::setFrame(const QRect &frame)
     }
 }
 
-/// Beside the line on the side with more space; values at the height of their dots, as far as they do not overlap one
-/// another and the heading.
+/// Places the labels to the right of the line, or to its left where they do not fit. Values are at the height of their
+/// dots, moved only so far that they do not overlap each other and the heading.
 void PlotPane::addLabels(const Cursor &cursor)
 {
     constexpr double kGap = 6.0; // px, between the line and the text
@@ -100,17 +101,15 @@ void PlotPane::paintEvent(QPaintEvent *event)
 {
     QPainter painter(this);
     const double ratio = m_picture.devicePixelRatio();
-    for (const QRect &part : event->region()) {
-        painter.drawPixmap(QRectF(part), m_picture,
-                           QRectF(part.translated(pos()).topLeft() * ratio, part.size() * ratio));
-    }
+    const QRectF part = event->rect();
+    painter.drawPixmap(part, m_picture, QRectF(part.translated(pos()).topLeft() * ratio, part.size() * ratio));
     for (const Cursor &cursor : m_cursors) {
         QColor line = m_colours.cursor;
         line.setAlphaF(cursor.isLight ? 0.45F : 1.0F);
         painter.fillRect(QRect(static_cast<int>(cursor.x), m_axes.top(), 1, m_axes.height()), line);
         painter.setRenderHint(QPainter::Antialiasing);
         for (const Dot &dot : cursor.dots) {
-            painter.setPen(QPen(m_colours.background, 1.0)); // tells it from its curve
+            painter.setPen(QPen(m_colours.background, 1.0)); // separates the dot from its curve
             painter.setBrush(dot.colour);
             painter.drawEllipse(dot.place, kRadius, kRadius);
         }

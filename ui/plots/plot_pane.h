@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// One plot on the screen: its part of the figure's picture, and over it what moves: lines at the current time and under
-// the pointer, dots on the curves with their values, the frame that a drag draws. Nothing is replotted for these; only
-// the strips that changed are painted.
+// A widget that shows one plot. It paints its part of the figure's picture and, over it, what moves: the lines at the
+// current time and at the pointer, the dots on the curves with their values, and the frame that a drag draws. Moving
+// these replots nothing: the widget repaints the one rectangle that contains them.
 
 #include "ui/text/theme.h"
 
@@ -30,7 +30,7 @@ public:
     struct Cursor {
         double x = 0.0;       ///< px, in the pane
         bool isLight = false; ///< follows the pointer
-        QStringList heading;  ///< at the top of the line
+        QStringList heading;  ///< text at the top of the line
         std::vector<Dot> dots;
     };
 
@@ -41,18 +41,18 @@ public:
         QString text;
     };
 
-    /// `picture` is that of the whole figure and outlives the pane.
+    /// `picture` shows the whole figure and must outlive the pane.
     PlotPane(const QPixmap &picture, QWidget *figure);
 
     void setStyle(const QFont &font, const SeriesColours &colours);
     void setCursors(const std::vector<Cursor> &cursors, const QRect &axes);
-    void setFrame(const QRect &frame); ///< null: none
+    void setFrame(const QRect &frame); ///< a null rectangle removes the frame
 
     const std::vector<Cursor> &cursors() const { return m_cursors; }
     const std::vector<Label> &labels() const { return m_labels; }
     const QRect &frame() const { return m_frame; }
     const QRect &axes() const { return m_axes; } ///< px, in the pane
-    QString text() const;                        ///< of all labels, a line each
+    QString text() const;                        ///< the texts of all labels, one per line
 
 protected:
     void paintEvent(QPaintEvent *event) override;
@@ -63,7 +63,7 @@ private:
     const QPixmap &m_picture;
     std::vector<Cursor> m_cursors;
     std::vector<Label> m_labels;
-    QRegion m_painted; ///< by cursors and labels
+    QRect m_painted; ///< contains all cursors and labels; px, in the pane
     QRect m_axes;
     QRect m_frame;
     SeriesColours m_colours;
