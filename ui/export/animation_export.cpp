@@ -34,7 +34,7 @@ Problem cannotWrite(const QString &path, const QString &reason)
         .arg(QDir::toNativeSeparators(path), withoutFullStop(reason));
 }
 
-/// What can be said before anything is drawn.
+/// Finds the faults that can be found before anything is drawn.
 Problem findFault(const QString &path, const Animation &animation)
 {
     const QFileInfo target(path);
@@ -57,7 +57,7 @@ Problem findFault(const QString &path, const Animation &animation)
     return std::nullopt;
 }
 
-/// Returns a sentence, an empty one if it was cancelled.
+/// Returns nullopt on success, a message on failure, or an empty text if it was cancelled.
 Problem drawFrames(const QTemporaryDir &folder, const Animation &animation, const FrameDrawing &draw,
                    const AnimationProgress &progress)
 {
@@ -89,13 +89,13 @@ Problem makeVideo(const QTemporaryDir &folder, const QString &path, const Animat
     const QString video = folder.filePath(QStringLiteral("video.") + QFileInfo(path).suffix().toLower());
     QStringList arguments{"-loglevel", "error", "-framerate", QString::number(animation.framesPerSecond), "-i",
                           folder.filePath(QStringLiteral("frame_%04d.png")),
-                          // Most players know colours at half the resolution only, which needs even sides.
+                          // Most players support only colours at half the resolution, which requires even sides.
                           "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white"};
     if (!video.endsWith(QLatin1String("gif"))) {
         arguments << "-pix_fmt"
                   << "yuv420p"
                   << "-sws_flags"
-                  << "accurate_rnd+full_chroma_int"; // white stays white
+                  << "accurate_rnd+full_chroma_int"; // otherwise white becomes grey
     }
     QProcess ffmpeg;
     ffmpeg.setProcessChannelMode(QProcess::MergedChannels);
@@ -151,7 +151,7 @@ std::optional<QString> exportAnimation(const QString &path, const Animation &ani
         problem = makeVideo(folder, path, animation, progress);
     } else if (!problem) {
         QFile::setPermissions(folder.path(), QFile::permissions(target.absolutePath()));
-        target.absoluteDir().rmdir(target.fileName()); // an empty one
+        target.absoluteDir().rmdir(target.fileName()); // it exists only if it is empty
         if (QDir().rename(folder.path(), target.absoluteFilePath())) {
             folder.setAutoRemove(false);
         } else {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Asks for an animation's frame rate, size and length.
+// The dialog that asks for an animation's frame rate, size and length.
 
 #include "ui/export/animation_export.h"
 
@@ -22,7 +22,7 @@ class AnimationForm : public QDialog
 public:
     AnimationForm(const Animation &animation, QWidget *parent);
 
-    /// As chosen; the start and the speed stay.
+    /// Returns the animation as chosen. Its start and its speed are those of the constructor's.
     Animation animation() const;
 
 private:

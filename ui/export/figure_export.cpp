@@ -58,7 +58,7 @@ std::optional<QString> findFault(const FigureSize &size)
                                     .arg(pixels.height(), 0, 'f', 0));
 }
 
-/// Null when there is not enough memory.
+/// Returns a null image if there is not enough memory.
 QImage imageOf(const FigureSize &size, const FigureDrawing &draw)
 {
     QImage image(devicePixels(size), QImage::Format_RGB32);
@@ -72,8 +72,8 @@ QImage imageOf(const FigureSize &size, const FigureDrawing &draw)
     return image;
 }
 
-/// What Qt's generator leaves to be desired: millimetres with three decimals, which viewers round to one pixel too
-/// many, fonts without a fallback for machines that have none of that name, and a title that some versions escape.
+/// Corrects what Qt's generator writes: millimetres with three decimals, which viewers round up to one pixel too many;
+/// fonts without a fallback for computers on which they are missing; and a title that some versions of Qt escape.
 QByteArray polished(const QByteArray &svg, const QSize &size, const QString &title)
 {
     static const QRegularExpression kMillimetres(QStringLiteral(R"re(<svg width="[^"]*" height="[^"]*")re"));
@@ -87,7 +87,7 @@ QByteArray polished(const QByteArray &svg, const QSize &size, const QString &tit
     return text.toUtf8();
 }
 
-// All are drawn in memory: neither generator nor writer tells when a file takes no more.
+// All formats are drawn in memory, since neither the generator nor the writer reports a full disk.
 
 QByteArray svgOf(const QSize &size, const QString &title, const FigureDrawing &draw)
 {

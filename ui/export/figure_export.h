@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Figures to files and to the clipboard. Whatever can draw itself with a QPainter at a given size can be written; a
-// file is written whole or not at all.
+// Exports figures to files and to the clipboard. A figure is a function that draws with a QPainter at a given size. A
+// file is written completely or not at all.
 
 #include "core/mechanism/mechanism.h"
 
@@ -22,31 +22,31 @@ namespace slidercrank
 
 enum class FigureFormat { Png, Svg, Pdf };
 
-/// By the file name's suffix, in any case.
+/// Returns the format by the suffix of the file name, ignoring case, or nullopt.
 std::optional<FigureFormat> figureFormatOf(const QString &path);
 
 inline constexpr int kDotsPerInch = 96; ///< logical pixels, as in SVG and CSS
 
 struct FigureSize {
     QSize size{1400, 900}; ///< logical pixels
-    double scale = 1.0;    ///< PNG and clipboard: device pixels per logical pixel
+    double scale = 1.0;    ///< device pixels per logical pixel, for PNG and the clipboard
 };
 
-/// Draws the figure at that logical size, from the origin, background included.
+/// Draws the figure, with its background, at that logical size from the origin.
 using FigureDrawing = std::function<void(QPainter &, const QSize &)>;
 
-/// The same drawing with the mechanism's parameters in a line below it.
+/// Returns the same drawing with the mechanism's parameters in a line below it.
 FigureDrawing withParameters(const FigureDrawing &draw, const Mechanism &mechanism, const QPalette &palette);
 
-/// Nothing when the file was written, else a sentence that says why not; then an older file of that name is still
-/// there. `title`: for the file's own description.
+/// Writes the figure to a file, with `title` in its metadata. Returns nullopt on success, else a message that says why
+/// not; an older file of that name is then unchanged.
 std::optional<QString> exportFigure(const QString &path, const FigureSize &size, const QString &title,
                                     const FigureDrawing &draw);
 
-/// Empty when there is not enough memory.
+/// Returns the image in PNG format; empty if there is not enough memory.
 QByteArray pngOf(const QImage &image);
 
-/// As exportFigure(), an image to the clipboard.
+/// Copies the figure to the clipboard as an image. Returns as exportFigure().
 std::optional<QString> copyFigureToClipboard(const FigureSize &size, const FigureDrawing &draw);
 
 } // namespace slidercrank

@@ -18,7 +18,7 @@ namespace slidercrank
 namespace
 {
 
-/// Handed on when full, so that a long run's text is never in memory as a whole.
+/// The text is handed on in pieces of this size, so that a long motion is never in memory as a whole.
 constexpr qsizetype kFullBuffer = 1 << 20; // bytes
 
 struct MotionCsvText {
@@ -105,7 +105,7 @@ bool writeCsvRows(const Trajectory &trajectory, const std::vector<Channel> &chan
             if (!sink(text, row + 1)) {
                 return false;
             }
-            text.resize(0); // clear() would give the memory back
+            text.resize(0); // unlike clear(), this does not free the memory
         }
     }
     return sink(text, trajectory.time.size());

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A motion as a table of text: a line of names, then a row an instant with the time (s) and the channels asked for. The
-// one form that `slidercrank solve` and the window write and that both read again as a reference, to the last bit.
+// Writes a motion as CSV: a line of names, then one row per time step with the time (s) and the requested channels. The
+// command line and the window write the same format, and both read it back as a reference without loss.
 
 #include "core/sampling/trajectory.h"
 #include "ui/document/result.h"
@@ -20,28 +20,28 @@ namespace slidercrank
 
 enum class AngleUnit { Degree, Radian };
 
-/// From the degrees of a Trajectory.
+/// Returns the factor that converts the degrees of a Trajectory to the unit; 1 for channels that are not angles.
 double factorTo(AngleUnit unit, Channel channel);
 
-/// 17 significant digits, enough to read the same double back; 0 without a sign; "nan" where there is none.
+/// Appends the number with 17 significant digits, which identify a double. Writes 0 without a sign, and "nan" for NaN.
 void appendNumber(QByteArray &text, double value);
 
-/// In the order of indexOf().
+/// Returns the channels in the order of indexOf().
 std::vector<Channel> listed(const ChannelSet &channels);
 
-/// Takes the text piece by piece, and how many instants are in it so far; false when no more is to come.
-using TextSink = std::function<bool(const QByteArray &text, std::size_t instants)>;
+/// Receives the text piece by piece, with the number of time steps written so far. Returns false to stop.
+using TextSink = std::function<bool(const QByteArray &text, std::size_t timeSteps)>;
 
-/// A name stands alone in the author's units, any other unit behind it, so that what is written is read back right.
+/// Returns the line of names. A name without unit means mm, ° and s; any other unit follows the name.
 QByteArray csvHeader(const std::vector<Channel> &channels, AngleUnit unit);
 
-/// False when the sink took no more.
+/// Writes one row per time step. Returns false if the sink stopped it.
 bool writeCsvRows(const Trajectory &trajectory, const std::vector<Channel> &channels, AngleUnit unit,
                   const TextSink &sink);
 
-/// Writes time, crank angle and these channels in mm, ° and s: at the time steps or, with a `crankStep` (°), every so
-/// many degrees over one revolution. Returns a sentence if it cannot; then an older file of that name is still there.
-/// `progress` is told 0 … 1. Can run in any thread.
+/// Writes time, crank angle and these channels in mm, ° and s to a file: at the time steps or, with a `crankStep` (°),
+/// every so many degrees over one turn. Returns nullopt on success, else a message; an older file of that name is then
+/// unchanged. `progress` receives 0 … 1. Can run in any thread.
 std::optional<QString> exportMotion(const QString &path, const Result &result, const ChannelSet &channels,
                                     double crankStep = 0.0, std::stop_token stop = {},
                                     const std::function<void(double)> &progress = {});

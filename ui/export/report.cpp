@@ -3,7 +3,6 @@
 
 #include "core/limits/extremes.h"
 #include "ui/document/whole_file.h"
-#include "ui/document/whole_file.h"
 #include "ui/text/axis_scale.h"
 #include "ui/text/column_text.h"
 #include "ui/text/diagnosis_text.h"
@@ -66,7 +65,7 @@ QString headingOfPage(const QString &text)
     return QStringLiteral("<div style='page-break-before:always'>%1</div>").arg(heading(text));
 }
 
-/// The first row is the header; numbers stand to the right of the first column.
+/// Returns an HTML table. The first row is the header; all columns but the first are right-aligned.
 QString table(const std::vector<QStringList> &rows)
 {
     QString html = QStringLiteral("<table cellspacing=0 cellpadding=2>");
@@ -99,7 +98,7 @@ bool isFound(const ReportContent &content)
     return content.result->reference && content.diagnosis.identification.hasMechanism();
 }
 
-/// The parameters of the model and of the mechanism that was found for the file.
+/// Returns the table of the parameters of the model and of the mechanism found for the file.
 QString parameterTable(const ReportContent &content)
 {
     const Parameters &model = content.result->mechanism.parameters();
@@ -176,7 +175,7 @@ QString errorTable(const std::vector<ChannelComparison> &channels)
     return table(rows);
 }
 
-/// Which bytes were read and how.
+/// Returns the description of the reference: the files, their checksums and how their columns were interpreted.
 QString fileText(const ReportContent &content)
 {
     const Reference &reference = *content.result->reference;
@@ -203,8 +202,8 @@ QString fileText(const ReportContent &content)
             const QString meaning = column.role == ColumnRole::Channel
                                         ? quantityOf(column.channel) + u' ' + symbolOf(column.channel)
                                         : meaningText(column);
-            guessed << Report::tr("“%1” as %2 (%3)")
-                           .arg(headingText(data.layout, i), meaning, reasonText(data.layout, i));
+            guessed
+                << Report::tr("“%1” as %2 (%3)").arg(headingText(data.layout, i), meaning, reasonText(data.layout, i));
         }
     }
     if (!guessed.isEmpty()) {
@@ -222,7 +221,7 @@ QString fileText(const ReportContent &content)
     return html;
 }
 
-/// The verdict, the mechanism that was found, the errors.
+/// Returns the section about the reference: the verdict, the mechanism found and the errors.
 QString comparisonText(const ReportContent &content)
 {
     const Result &result = *content.result;
@@ -277,14 +276,14 @@ QString methodText(const Result &result)
     return text + u' ' + fewSamplesSentence(result.mechanism, sampling);
 }
 
-/// A drawing within the text, as vectors.
+/// Draws vector graphics within the text.
 class DrawingObject : public QObject, public QTextObjectInterface
 {
     Q_OBJECT
     Q_INTERFACES(QTextObjectInterface)
 
 public:
-    /// Drawn for that logical size, shown with that width.
+    /// The drawing is made for the logical size and scaled to the width.
     DrawingObject(const FigureDrawing &draw, const QSize &size, double width)
         : m_draw(draw)
         , m_size(size)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A report on A4 as PDF: the mechanism with its motion limits and its drawing, the plots, then how far a reference file
-// is from the motion and which mechanism the file belongs to, and how all of it was computed.
+// Writes a report as PDF on A4. It contains the mechanism with its motion limits and its drawing, the plots, the errors
+// relative to a reference file with the mechanism found for this file, and the method of computation.
 
 #include "core/identification/diagnosis.h"
 #include "ui/document/result.h"
@@ -19,10 +19,10 @@ namespace slidercrank
 {
 
 struct ReportContent {
-    std::shared_ptr<const Result> result; ///< not null; its reference may be
-    Diagnosis diagnosis;                  ///< of the reference against the mechanism; of no meaning without one
-    bool hasGhost = false;                ///< the drawing also shows the linkage of the reference or the pinned motion
-    QByteArrayList checksums = {};        ///< SHA-256 of the reference's files, in hexadecimal; empty: unknown
+    std::shared_ptr<const Result> result; ///< not null
+    Diagnosis diagnosis;                  ///< of the reference; unused without one
+    bool hasGhost = false;         ///< whether the drawing shows the linkage of the reference or of the pinned motion
+    QByteArrayList checksums = {}; ///< SHA-256 of the reference's files, in hexadecimal; empty if unknown
     QDateTime written = QDateTime::currentDateTime();
 };
 
@@ -32,10 +32,10 @@ struct ReportDrawings {
     FigureDrawing figure;
 };
 
-/// Everything but the drawings, which are the paragraphs "[mechanism]" and "[figure]".
+/// Returns the report as HTML. The paragraphs "[mechanism]" and "[figure]" stand for the drawings.
 QString reportHtml(const ReportContent &content);
 
-/// Returns a sentence if the file cannot be written; then an older file of that name is still there.
+/// Writes the report. Returns nullopt on success, else a message; an older file of that name is then unchanged.
 std::optional<QString> exportReport(const QString &path, const ReportContent &content, const ReportDrawings &drawings);
 
 } // namespace slidercrank

@@ -10,7 +10,7 @@ namespace slidercrank
 namespace
 {
 
-/// The double nearest to the multiple of the grid: 3 · 0.1 gives 0.3; never -0.
+/// Returns the nearest multiple of the grid as the nearest double: 0.3, not 3 · 0.1. Never returns -0.
 double roundedTo(double grid, double value)
 {
     const double steps = std::round(value / grid) + 0.0;
@@ -94,9 +94,9 @@ double MechanismDrag::crankAngleOfSlider(double R4x)
         const double R4xHere = isAtEnd ? m_stroke->R4xTo : m_stroke->R4xFrom;
         const double R4xThere = isAtEnd ? m_stroke->R4xFrom : m_stroke->R4xTo;
         if ((R4x - R4xHere) * (R4xThere - R4xHere) <= 0.0) {
-            return end; // still pushed against it
+            return end; // the pointer is still beyond the end
         }
-        // Where an oscillating crank turns back there is no next stroke: the slider goes back the way it came.
+        // Where an oscillating crank reverses there is no next stroke; the slider returns on the same one.
         if (const std::optional<SliderStroke> next = strokeAround(m_mechanism, m_limits, end, m_pushedAgainst)) {
             m_stroke = next;
         }

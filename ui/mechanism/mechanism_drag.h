@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A part of the mechanism while it is dragged: converts positions of the pointer to crank angles or lengths. The part
-// stays under the pointer as it was grasped. Lengths and points in mm, angles in rad.
+// Converts positions of the pointer to crank angles or lengths while a part of the mechanism is dragged. The point at
+// which the part was grasped stays under the pointer. Lengths and points are in mm, angles in rad.
 
 #include "core/limits/slider_stroke.h"
 #include "ui/mechanism/mechanism_drawing.h"
@@ -13,27 +13,27 @@
 namespace slidercrank
 {
 
-/// The length that dragging the part changes.
+/// Returns the length that dragging the part changes, or nullopt.
 std::optional<Parameter> draggedLength(DrawnPart part, bool withShift);
 
-/// The pointer's shape over the part.
+/// Returns the shape of the pointer over the part.
 Qt::CursorShape cursorOver(const MechanismScene &scene, DrawnPart part, bool withShift);
 
 class MechanismDrag
 {
 public:
-    /// Nullopt if the part cannot be dragged. `pointer`: where it is grasped.
+    /// Begins a drag at the point `pointer`. Returns nullopt if the part cannot be dragged.
     static std::optional<MechanismDrag> begin(const MechanismScene &scene, DrawnPart part, bool withShift,
                                               QPointF pointer);
 
-    /// The length that changes; nullopt: the crank moves.
+    /// Returns the length that changes, or nullopt if the drag moves the crank.
     std::optional<Parameter> length() const { return m_length; }
-    double lengthBefore() const; ///< when it was grasped
+    double lengthBefore() const; ///< at the beginning of the drag
 
-    /// The length for that position of the pointer, a multiple of `grid` (a round number). Requires length().
+    /// Returns the length for that position of the pointer, a multiple of `grid` (a round number). Requires length().
     double lengthAt(QPointF pointer, double grid) const;
 
-    /// The crank angle for that position, whole turns apart. Requires !length().
+    /// Returns the crank angle for that position, up to whole turns. Requires !length().
     double crankAngleAt(QPointF pointer);
 
 private:
@@ -41,16 +41,16 @@ private:
     double crankAngleOfSlider(double R4x);
 
     std::optional<Parameter> m_length;
-    Mechanism m_mechanism; ///< when it was grasped
+    Mechanism m_mechanism; ///< at the beginning of the drag
     MotionLimits m_limits;
-    QPointF m_start;     ///< where it was grasped
-    QPointF m_direction; ///< pulling this way makes the length longer; of length 1
+    QPointF m_start;     ///< the position of the pointer at the beginning
+    QPointF m_direction; ///< unit vector; dragging in this direction increases the length
 
-    // Of the slider. Between two dead centres the crank angle follows from the slider's position. Pushed against a dead
-    // centre, the crank goes on through it when the slider comes back, as with a flywheel.
+    // A drag of the slider. Between two dead centres its position determines the crank angle. When the slider has
+    // reached a dead centre and comes back, the crank continues beyond the dead centre, as with a flywheel.
     std::optional<SliderStroke> m_stroke;
-    int m_pushedAgainst = 0; ///< the end of the stroke: +1 `to`, -1 `from`, 0 none
-    QPointF m_grip;          ///< from the part's point to where it was grasped
+    int m_pushedAgainst = 0; ///< the end of the stroke that was reached: +1 `to`, -1 `from`, 0 none
+    QPointF m_grip;          ///< from A or B to the pointer
 };
 
 } // namespace slidercrank

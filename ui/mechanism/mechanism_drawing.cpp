@@ -139,13 +139,13 @@ void MechanismDrawing::addLabelBeside(QPointF point, QPointF direction, double g
     const double ahead = std::atan2(direction.y(), direction.x());
     const QRectF inside(QPointF(), size);
     QRectF box(QPointF(), textSize(text, isSmall));
-    box.adjust(0.0, 2.0, 0.0, -2.0); // letters leave some of their line empty
+    box.adjust(0.0, 2.0, 0.0, -2.0); // a line of text is higher than its letters
     QRectF best;
     double lowestCost = 1e9;
     for (int attempt = 0; attempt < 24 && lowestCost > 0.0; ++attempt) {
         const int turn = (attempt % 8 + 1) / 2 * (attempt % 2 == 0 ? -1 : 1); // 0, 1, -1, 2, -2 …
         const QPointF away(std::cos(ahead + turn * kEighth), std::sin(ahead + turn * kEighth));
-        // The whole label lies beyond the gap, in the direction of the larger component.
+        // The label touches the gap with the side that faces the point.
         const double larger = std::max(std::abs(away.x()), std::abs(away.y()));
         box.moveCenter(point + (gap + attempt / 8 * box.height()) * away +
                        QPointF(0.5 * box.width() * away.x(), 0.5 * box.height() * away.y()) / larger);
@@ -173,7 +173,7 @@ double MechanismDrawing::cornerLineTop(int line) const
 
 void MechanismDrawing::avoid(const QLineF &line, double width)
 {
-    constexpr double kMostPieces = 1000.0; // an arrow may be longer than any screen
+    constexpr double kMostPieces = 1000.0; // since an arrow can be much longer than the screen
     const int pieces = 1 + static_cast<int>(std::min(kMostPieces, line.length() / std::max(3.0, width)));
     for (int i = 0; i <= pieces; ++i) {
         QRectF box(0.0, 0.0, width, width);

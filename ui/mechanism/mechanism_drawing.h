@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A drawing as a list of shapes and labels, in pixels. Painting is a loop over the list, the hit test finds the last
-// shape under the pointer, and highlighting strokes the outlines of a part.
+// A drawing as a list of shapes and labels, in pixels. Painting is a loop over the list. The hit test finds the last
+// shape under the pointer. A highlight is the widened outline of a part.
 
 #include "ui/mechanism/mechanism_frame.h"
 #include "ui/text/theme.h"
@@ -22,7 +22,7 @@ class QPainter;
 namespace slidercrank
 {
 
-/// What can be pointed at. It begins with the values of MechanismPart.
+/// The parts at which the user can point. The first values are those of MechanismPart.
 enum class DrawnPart {
     Background,
     Ground,
@@ -56,7 +56,7 @@ struct Label {
     int alignment = Qt::AlignCenter;
 };
 
-/// Colours and fonts follow a palette and a font.
+/// Takes its colours from a palette and its fonts from a font.
 class MechanismDrawing : public MechanismProjection
 {
 public:
@@ -67,7 +67,7 @@ public:
     void paint(QPainter &painter) const;
     void paintHighlight(QPainter &painter, DrawnPart part, const QColor &colour) const;
 
-    /// The part of the last shape under the pointer, with a few pixels to spare.
+    /// Returns the part of the last shape under the pointer, within a few pixels.
     DrawnPart partAt(QPointF pixel) const;
 
     std::set<DrawnPart> parts() const;
@@ -89,21 +89,21 @@ protected:
 
     QSizeF textSize(const QString &text, bool isSmall = false) const;
 
-    /// Text beside the point, at the first free place: in that direction, then to either side of it, then farther away.
-    /// `gap` is its distance. The place depends on the current pose alone, so that a motion looks the same forwards and
-    /// backwards. In extreme poses labels may overlap.
+    /// Adds text beside the point, at the first free place: in that direction, then in the directions to either side,
+    /// then farther away. `gap` is the distance (px) from the point. The place depends only on the current pose, so
+    /// that a motion looks the same forwards and backwards. In extreme poses labels may overlap.
     void addLabelBeside(QPointF point, QPointF direction, double gap, const QString &text, const QColor &ink,
                         bool isSmall = false);
 
-    /// Small text in that line of the upper left corner.
+    /// Adds small text in that line of the upper left corner.
     void addCornerLabel(int line, double indent, const QString &text);
     double cornerLineTop(int line) const;
 
-    /// Labels that are added beside points keep clear of it.
+    /// Labels added later do not overlap this rectangle.
     void avoid(const QRectF &box) { m_occupied.push_back(box); }
     void avoid(const QLineF &line, double width);
 
-    QColor faded(const QColor &colour, double share) const; ///< mixed with the paper
+    QColor faded(const QColor &colour, double share) const; ///< mixed with the background
 
     SeriesColours m_colours;
     QColor m_ink;
@@ -120,7 +120,7 @@ private:
 
 QColor withAlpha(QColor colour, double alpha);
 
-/// The vector with length 1; upwards on the screen for a vector of length 0.
+/// Returns the vector scaled to length 1. A vector of length 0 gives the upward direction on the screen.
 QPointF unitVector(QPointF vector);
 
 } // namespace slidercrank

@@ -11,9 +11,9 @@ namespace
 {
 
 // Margins around the bounds, as parts of their extent.
-constexpr double kMargin = 0.08;       // room for the slider and the names
-constexpr double kLeastMargin = 0.03;  // with less the frame is widened
-constexpr double kMarginToGrow = 0.22; // bounds that have outgrown the frame usually keep growing
+constexpr double kMargin = 0.08;       // space for the slider and the names
+constexpr double kLeastMargin = 0.03;  // with less, the frame is enlarged
+constexpr double kMarginToGrow = 0.22; // used when enlarging, since bounds that grow usually continue to grow
 
 QRectF withMargin(const QRectF &bounds, double share)
 {
@@ -57,7 +57,7 @@ QRectF motionBounds(const Mechanism &mechanism, const MotionLimits &limits)
 
 void MechanismFrame::follow(const QRectF &bounds)
 {
-    constexpr double kFarTooLarge = 0.65; // the share of the frame that is still used
+    constexpr double kFarTooLarge = 0.65; // the part of the frame that is used
     const QRectF wanted = withMargin(bounds, kMargin);
     if (m_fitted.isNull() ||
         (wanted.width() < kFarTooLarge * m_fitted.width() && wanted.height() < kFarTooLarge * m_fitted.height())) {
@@ -80,7 +80,7 @@ MechanismProjection MechanismFrame::projection(const QSizeF &size) const
 
 void MechanismFrame::zoom(double factor, QPointF pixel, const QSizeF &size)
 {
-    // Relative to the scale of the fitted frame; closer, a circle exceeds the numbers of a painter.
+    // Relative to the scale of the fitted frame. At a closer zoom a circle would exceed the number range of QPainter.
     constexpr double kFarthest = 0.05;
     constexpr double kClosest = 100.0;
     const MechanismProjection now = projection(size);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The part of the plane that a drawing of the mechanism shows. The frame stands still while the mechanism moves. While
-// lengths change it follows in coarse steps, and it fits them once they rest. Where the user has zoomed, it stays.
+// The part of the plane that a drawing of the mechanism shows. The frame does not move while the mechanism moves. While
+// lengths change, it follows in coarse steps; when they no longer change, it is fitted to them. If the user has zoomed,
+// it does not change at all.
 //
 // Model coordinates: mm, x to the right, y upwards, O2 at the origin. A rectangle of the model has its smallest y at
 // top().
@@ -32,28 +33,28 @@ struct MechanismProjection {
     QRectF visible() const; ///< mm, the whole drawing
 };
 
-/// The rectangle (mm) in which the pins A and B of the mechanism move. It is never empty, since the crank has a length.
+/// Returns the rectangle (mm) in which the pins A and B move. It is never empty, since the crank has a length.
 QRectF motionBounds(const Mechanism &mechanism, const MotionLimits &limits);
 
 class MechanismFrame
 {
 public:
-    /// Widens the frame with room to spare where the bounds have outgrown it; replaces it where it is far too large.
+    /// Enlarges the frame generously if the bounds exceed it, and replaces it if it is much too large.
     void follow(const QRectF &bounds);
 
     /// Fits the frame to the bounds with a margin.
     void fit(const QRectF &bounds);
 
-    /// Shows the whole frame, centred, in a drawing of that size (pixels).
+    /// Returns the projection that shows the whole frame, centred, in a drawing of that size (pixels).
     MechanismProjection projection(const QSizeF &size) const;
 
-    /// In a drawing of that size; the point under the pixel stays where it is.
+    /// Zoom or pan in a drawing of that size. A zoom does not move the point under `pixel`.
     void zoom(double factor, QPointF pixel, const QSizeF &size);
     void pan(QPointF pixels, const QSizeF &size);
 
-    const QRectF &fitted() const { return m_fitted; } ///< null before the first bounds
+    const QRectF &fitted() const { return m_fitted; } ///< null before the first call of follow() or fit()
 
-    /// The rectangle that the user zoomed to; nullopt: the fitted one.
+    /// The rectangle that the user zoomed to; nullopt if the fitted frame is shown.
     const std::optional<QRectF> &zoomed() const { return m_zoomed; }
     void setZoomed(const std::optional<QRectF> &zoomed) { m_zoomed = zoomed; }
 

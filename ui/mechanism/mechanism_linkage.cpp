@@ -53,7 +53,7 @@ void MechanismSketch::addLinkage()
         if (settings.acceleration) {
             addMotionArrows(MotionKind::Acceleration, m_scene->acceleration, true);
         }
-        if (settings.showsVelocity()) { // the instant centre explains those of A and B
+        if (settings.showsVelocity()) { // with the instant centre, those of A and B are shown
             addMotionArrows(MotionKind::Velocity, m_scene->velocity, settings.velocity);
         }
         if (settings.instantCentre) {
@@ -77,7 +77,7 @@ void MechanismSketch::addLinkage()
     }
 }
 
-/// Labels keep clear of links, slider, ground and dimensions.
+/// Prevents labels from overlapping the links, the slider, the ground and the dimensions.
 void MechanismSketch::avoidLinkage()
 {
     avoid(QRectF(m_O2 - QPointF(17.0, 0.0), QSizeF(34.0, 24.0))); // the ground below O2
@@ -108,7 +108,7 @@ void MechanismSketch::addJoint(QPointF centre, const QColor &edge, DrawnPart par
 
 void MechanismSketch::addModel()
 {
-    constexpr double kAroundPin = 14.0; // A is what users drag most: it also reacts where nothing else is
+    constexpr double kAroundPin = 14.0; // A is dragged most often, so the empty area around it reacts, too
     const QColor &link = m_exists ? m_colours.model : m_colours.warning;
     addCircle(m_A, kAroundPin, Qt::NoPen, Qt::transparent, A);
     if (m_exists) {
@@ -124,7 +124,7 @@ void MechanismSketch::addModel()
     addJoint(m_A, m_exists ? m_ink : link, A);
 }
 
-/// The circle that B can reach, and how far it is from the slider's line.
+/// Adds the circle that B can reach and its distance from the slider's line.
 void MechanismSketch::addMissingCoupler()
 {
     const QPointF pin = m_scene->crankPin();
@@ -139,14 +139,15 @@ void MechanismSketch::addMissingCoupler()
                    MechanismLinkage::tr("gap = %1 mm").arg(numberText(std::abs(mechanism().c() - nearest), 4)), m_ink);
 }
 
-/// Why there is no pose and what would help, in the corner away from the crank and the slider's line.
+/// Adds the reason why the mechanism cannot be assembled and what would help, in the corner away from the crank and the
+/// slider's line.
 void MechanismSketch::addAssemblyProblem()
 {
     constexpr double kApart = 17.0; // from the edges
     const QString text = assemblyProblem(*m_scene);
     const QRectF available(0.0, 0.0, std::max(160.0, 0.45 * size.width()), 1e4);
     QRectF box = QFontMetricsF(m_font).boundingRect(available, Qt::TextWordWrap, text);
-    const double numbers = textSize({}).height(); // of the grid, along the lower edge
+    const double numbers = textSize({}).height(); // the numbers of the grid along the lower edge
     box.moveLeft(mechanism().branch() == Branch::Open ? size.width() - kApart - box.width() : kApart);
     box.moveTop(mechanism().c() < 0.0 ? kApart : size.height() - kApart - numbers - box.height());
     QPainterPath frame;

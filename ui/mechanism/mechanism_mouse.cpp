@@ -40,7 +40,7 @@ bool MechanismView::event(QEvent *event)
 
 void MechanismView::keyPressEvent(QKeyEvent *event)
 {
-    constexpr double kPanStep = 40.0; // px
+    constexpr double kPanStep = 40.0;          // px
     const auto pan = [&](double x, double y) { // the keys move the frame, so the drawing moves the other way
         if (!event->modifiers().testFlag(Qt::ControlModifier)) {
             QWidget::keyPressEvent(event);

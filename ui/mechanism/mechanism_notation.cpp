@@ -26,7 +26,7 @@ struct MechanismCentre {
 
 constexpr double kBesideJoint = 9.0;
 
-/// Whether P is too far away to be a point of the drawing: the coupler translates.
+/// Returns whether P is too far away to be drawn, so that the coupler practically translates.
 bool isAtInfinity(const InstantCentre &centre, const Mechanism &mechanism)
 {
     constexpr double kFar = 1e4; // times the mechanism's size
@@ -49,7 +49,8 @@ QString instantCentreText(const InstantCentre &centre, const Mechanism &mechanis
 
 } // namespace
 
-/// Velocities have a filled head and accelerations a hollow one: they differ not only by their colour.
+/// Adds an arrow with a filled head for a velocity and with a hollow head for an acceleration, so that they differ not
+/// only in colour.
 void MechanismSketch::addArrow(QPointF tail, QPointF tip, MotionKind kind, bool isCut)
 {
     const double length = QLineF(tail, tip).length();
@@ -83,7 +84,7 @@ void MechanismSketch::addMotionArrows(MotionKind kind, const ArrowScale &arrows,
     }
 }
 
-/// The coupler's instant centre P, with rays to A and B.
+/// Adds the coupler's instant centre P with rays to A and B.
 void MechanismSketch::addInstantCentre()
 {
     const std::optional<InstantCentre> centre = instantCentre(mechanism(), m_scene->pose.time);
@@ -107,7 +108,7 @@ void MechanismSketch::addInstantCentre()
     }
 }
 
-/// From the point towards P, with a mark of the right angle between the ray and the velocity.
+/// Adds a line from the point towards P and the mark of the right angle between this line and the velocity.
 void MechanismSketch::addRay(LinkagePoint point, QPointF centre)
 {
     constexpr double kMark = 15.0;
@@ -143,7 +144,7 @@ void MechanismSketch::addNames()
     }
 }
 
-/// a and b, below their links.
+/// Adds the letters a and b below their links.
 void MechanismSketch::addLengths()
 {
     for (const auto &[letter, link] :
@@ -153,7 +154,7 @@ void MechanismSketch::addLengths()
     }
 }
 
-/// Measured from a line in the direction of x.
+/// Adds an angle of a link, measured from the x direction.
 void MechanismSketch::addAngle(const QString &name, const QLineF &link, double angle, double largestRadius)
 {
     const double radius = std::clamp(0.5 * link.length(), 14.0, largestRadius);
@@ -167,7 +168,7 @@ void MechanismSketch::addAngle(const QString &name, const QLineF &link, double a
     add(path, QPen(faded(m_ink, 0.7), 1.0));
     avoid(base, 2.0);
     const double tenths = std::round(10.0 * kDegreesPerRadian * angle) + 0.0; // never "-0.0"
-    // On the other side of the base line than the arc, where the label can stay while the angle changes.
+    // The label is on the side of the base line away from the arc, so that it need not move while the angle changes.
     addLabelBeside(link.p1(), {1.0, angle < 0.0 ? -0.5 : 0.5}, 20.0,
                    QStringLiteral("%1 = %2°").arg(name, QLocale().toString(0.1 * tenths, 'f', 1)), m_ink);
 }

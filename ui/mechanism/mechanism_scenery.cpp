@@ -51,7 +51,7 @@ void MechanismSketch::addScenery()
     }
 }
 
-/// With its numbers along the lower and the left edge.
+/// Adds the grid, with numbers along the lower and the left edge.
 void MechanismSketch::addGrid()
 {
     constexpr double kLeastSpacing = 50.0; // px
@@ -86,7 +86,7 @@ void MechanismSketch::addGrid()
     add(grid, QPen(m_colours.grid, 1.0));
 }
 
-/// A line of ground with short strokes below it.
+/// Adds a line of ground, with hatching below it.
 void MechanismSketch::addGround(QPointF from, double to, DrawnPart part)
 {
     constexpr double kSpacing = 7.0;
@@ -99,7 +99,7 @@ void MechanismSketch::addGround(QPointF from, double to, DrawnPart part)
     add(path, QPen(m_muted, 1.2), Qt::NoBrush, part);
 }
 
-/// The circle of the crank pin, marked where the mechanism cannot be assembled.
+/// Adds the circle of the crank pin, with marks where the mechanism cannot be assembled.
 void MechanismSketch::addCrankCircle()
 {
     const double radius = scale * mechanism().a();
@@ -113,7 +113,7 @@ void MechanismSketch::addCrankCircle()
     }
 }
 
-/// The slider's line, the rail as far as the slider travels, and the dead centres.
+/// Adds the slider's line, the rail along the slider's travel, and the dead centres.
 void MechanismSketch::addGuide()
 {
     constexpr double kOverhang = 23.0;   // px that the rail is longer than the stroke, at either end
@@ -137,7 +137,7 @@ void MechanismSketch::addGuide()
     }
 }
 
-/// The path of G3.
+/// Adds the path of G3.
 void MechanismSketch::addPath()
 {
     if (!m_scene->settings.path) {
@@ -155,7 +155,7 @@ void MechanismSketch::addPath()
     add(path, QPen(faded(m_colours.model, 0.75), 1.4));
 }
 
-/// O2 on the ground.
+/// Adds the support of O2.
 void MechanismSketch::addPivot()
 {
     const QPointF foot = m_O2 + QPointF(0.0, 17.0);
@@ -192,8 +192,8 @@ void MechanismSketch::addDimensionsAndScales()
     addScale(settings.acceleration, m_scene->acceleration, MotionKind::Acceleration);
 }
 
-/// Upright, from the height of O2 to that of the slider's line, beside the crank's circle where the coupler does not
-/// come.
+/// Returns the vertical line from the height of O2 to the slider's line, beside the crank's circle on the side away
+/// from the coupler.
 QLineF MechanismSketch::offsetDimension() const
 {
     constexpr double kBesideCircle = 14.0;
@@ -202,7 +202,7 @@ QLineF MechanismSketch::offsetDimension() const
     return {x, m_O2.y(), x, toPixels({0.0, mechanism().c()}).y()};
 }
 
-/// The number of text lines in the upper left corner.
+/// Returns the number of text lines in the upper left corner.
 int MechanismSketch::cornerLineCount() const
 {
     const MechanismSettings &settings = m_scene->settings;

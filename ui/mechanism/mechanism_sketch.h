@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The drawing of a mechanism, after the conventions of mechanism textbooks: a hatched line is ground, a circle is a
-// revolute joint. Parts have fixed sizes in pixels, so that they stay visible and easy to grasp whatever the scale.
+// The drawing of a mechanism by the conventions of textbooks: a hatched line is the ground, a circle is a revolute
+// joint. Parts have fixed sizes in pixels, so that they are visible and easy to grasp at every scale.
 
 #include "ui/mechanism/mechanism_drawing.h"
 #include "ui/mechanism/mechanism_scene.h"
@@ -16,15 +16,15 @@ public:
     MechanismSketch(const MechanismScene &scene, const MechanismProjection &projection, const QPalette &palette,
                     const QFont &font);
 
-    /// Adds what stands still while the mechanism moves: the grid, the ground, the crank's circle, the rail, the dead
-    /// centres and the crank angles at which the mechanism cannot be assembled; on demand the path of G3, the offset's
+    /// Adds the parts that do not move: the grid, the ground, the crank's circle, the rail, the dead centres and the
+    /// crank angles at which the mechanism cannot be assembled; depending on the settings the path of G3, the offset's
     /// dimension, the lengths and the scale of the arrows.
     void addScenery();
 
-    /// Adds what moves: crank, coupler and slider, on demand with names, angles, arrows and the instant centre; and
-    /// thinly over them the ghost, the linkage of the reference or of the pinned motion. Where the mechanism cannot be
-    /// assembled the crank is drawn at its angle, with the circle of radius b about A, the gap between this circle and
-    /// the slider's line, and the reason.
+    /// Adds the parts that move: crank, coupler and slider; depending on the settings names, angles, arrows and the
+    /// instant centre; and with thin lines the ghost, which is the linkage of the reference or of the pinned motion.
+    /// Where the mechanism cannot be assembled, it adds the crank at its angle, the circle of radius b about A, the gap
+    /// between this circle and the slider's line, and the reason.
     void addLinkage();
 
 private:
@@ -61,7 +61,7 @@ private:
     const MechanismScene *m_scene;
     QPointF m_O2;
     QPointF m_A;
-    QPointF m_B; ///< of no meaning where the mechanism cannot be assembled
+    QPointF m_B; ///< undefined where the mechanism cannot be assembled
     bool m_exists = false;
 };
 

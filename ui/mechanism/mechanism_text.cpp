@@ -21,7 +21,7 @@ struct MechanismText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::MechanismText)
 };
 
-/// With four significant digits; what is only the rounding error of numbers of that size is 0.
+/// Returns four significant digits. A value that is only a rounding error of numbers of that size is written as 0.
 QString valueText(double value, double size)
 {
     constexpr int kDigits = 4;

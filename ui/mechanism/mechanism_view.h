@@ -135,11 +135,11 @@ private:
 
     MechanismScene m_scene;
     MechanismFrame m_frame;
-    QRectF m_ghostBounds;         ///< mm; may be null
-    MechanismSketch m_scenery;    ///< the parts that do not move
-    QPixmap m_sceneryPicture;     ///< null if it is out of date
-    MechanismSketch m_linkage;    ///< the parts that move, in the current pose
-    QRect m_linkageArea;          ///< px, where m_linkage is painted
+    QRectF m_ghostBounds;      ///< mm; may be null
+    MechanismSketch m_scenery; ///< the parts that do not move
+    QPixmap m_sceneryPicture;  ///< null if it is out of date
+    MechanismSketch m_linkage; ///< the parts that move, in the current pose
+    QRect m_linkageArea;       ///< px, where m_linkage is painted
     std::optional<PressedButton> m_pressed;
     DrawnPart m_pointed = DrawnPart::Background;     ///< under the pointer
     DrawnPart m_highlighted = DrawnPart::Background; ///< by highlight()

@@ -50,7 +50,7 @@ void addSeries(PlotDrawing &drawing, const ChartSeries &series, const SeriesColo
                                                      : QCPGraph::lsLine);
     graph->setPen(QPen(colour, 1.0, series.line == Line::Dashed ? Qt::DashLine : Qt::SolidLine));
     if (!series.mark.isEmpty()) {
-        constexpr double kUnscaled = 6.0; // QCustomPlot's size for paths drawn as they are
+        constexpr double kUnscaled = 6.0; // the size at which QCustomPlot does not scale the path
         graph->setScatterStyle(
             QCPScatterStyle(series.mark, QPen(colour, 1.2), series.isHollow ? colours.background : colour, kUnscaled));
     }
@@ -64,7 +64,7 @@ void addSeries(PlotDrawing &drawing, const ChartSeries &series, const SeriesColo
     }
 }
 
-/// Leaves the legend out where there is too little space.
+/// Hides the legend where there is too little space.
 void placeLegend(PlotDrawing &drawing, bool isRight, const QSize &size)
 {
     QCPLegend *legend = drawing.legend;

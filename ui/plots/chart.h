@@ -22,21 +22,21 @@ namespace slidercrank
 class PlotDrawing;
 
 struct ChartSeries {
-    enum class Line { None, Solid, Dashed, Steps }; ///< a step keeps the value of the point to its left
+    enum class Line { None, Solid, Dashed, Steps }; ///< Steps keeps the value of a point until the next one
 
-    QString name = {}; ///< in the legend; empty: not listed there
+    QString name = {}; ///< in the legend; a series without a name is not listed
     QColor SeriesColours::*colour = &SeriesColours::model;
     std::vector<QPointF> points = {}; ///< ascending in x
     Line line = Line::None;
-    QPainterPath mark = {};  ///< around the origin, in px; empty: none
-    bool isHollow = false;   ///< the marks
-    QStringList labels = {}; ///< beside the points, one each; may be empty
-    QStringList tips = {};   ///< shown while the pointer is over a point, one each; may be empty
+    QPainterPath mark = {};  ///< around the origin, in px; empty for no marks
+    bool isHollow = false;   ///< whether the marks are outlines
+    QStringList labels = {}; ///< one beside each point; may be empty
+    QStringList tips = {};   ///< the tool tip of each point; may be empty
 };
 
 struct ChartAxis {
     QString title;
-    Interval range; ///< of a logarithmic axis: positive
+    Interval range; ///< positive if the axis is logarithmic
     bool isLogarithmic = false;
 };
 
@@ -46,7 +46,7 @@ struct ChartContent {
     ChartAxis x;
     ChartAxis y;
     std::vector<ChartSeries> series = {};
-    Legend legend = Legend::Above; ///< left out where there is too little room
+    Legend legend = Legend::Above; ///< hidden where there is too little space
 };
 
 class Chart : public QWidget
@@ -60,23 +60,23 @@ public:
     void setContent(const ChartContent &content);
     const ChartContent &content() const { return m_content; }
 
-    /// A point of a series.
+    /// Identifies a point of a series.
     struct Place {
         std::size_t series = 0;
         std::size_t point = 0;
         friend bool operator==(const Place &, const Place &) = default;
     };
 
-    /// Puts a ring around that point.
+    /// Draws a ring around that point; nullopt removes it.
     void setMarked(const std::optional<Place> &place);
 
-    /// The marked point of a series under a position on the screen.
+    /// Returns the marked point at a position in the widget, or nullopt.
     std::optional<Place> pointAt(const QPointF &position);
 
-    /// Where a point is drawn on the screen, px.
+    /// Returns the position (px) of a point in the widget.
     QPointF positionOf(const Place &place);
 
-    /// Without the ring, for any device.
+    /// Paints the chart, without the ring, on any paint device.
     void paint(QPainter &painter, const QSize &size, const QPalette &palette);
 
 signals:

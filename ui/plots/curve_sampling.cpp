@@ -14,8 +14,9 @@ namespace
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// The part of a line from `start` to `start + step` that lies within the range, as parts of its length.
-/// Liang and Barsky, A new concept and method for line clipping, 1984: one pair of parallel edges.
+/// Returns the part of the line from `start` to `start + step` that lies within the range; 0 is its start, 1 its end.
+/// An upper end below the lower one means that no part does. This is the test of one pair of parallel edges by Liang
+/// and Barsky, A new concept and method for line clipping, 1984.
 Interval partWithin(double start, double step, const Interval &range)
 {
     if (step == 0.0) {
@@ -69,9 +70,9 @@ std::vector<CurvePoint> decimate(std::span<const double> time, std::span<const d
     return points;
 }
 
-// From the last point kept, the slopes of all lines that pass every point since within the tolerance form a fan, which
-// each further point narrows. The first point outside of the fan ends it: the one before is kept, and a new fan opens
-// there.
+// Starting at the last point that was kept, the lines that pass all later points within the tolerance form a fan of
+// slopes. Each further point narrows this fan. When a point lies outside the fan, the point before it is kept, and a
+// new fan starts there.
 std::vector<CurvePoint> withoutNeedlessPoints(std::span<const CurvePoint> points, double tolerance)
 {
     std::vector<CurvePoint> kept;
@@ -128,7 +129,7 @@ double quantile(std::span<const CurvePoint> points, double part)
 
 std::vector<CurvePoint> clip(std::span<const CurvePoint> points, const Interval &time, const Interval &values)
 {
-    constexpr double kFar = 1e6; // axis lengths: from farther away no digit of the axis would be left
+    constexpr double kFar = 1e6; // axis lengths; farther away, rounding errors would exceed the length of the axis
     const Interval reachable{values.lower - kFar * values.length(), values.upper + kFar * values.length()};
     std::vector<CurvePoint> kept;
     kept.reserve(points.size());

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Turns samples into the points that a plot of a given width in pixels can show. Units are those of the caller. A value
-// that is not finite is a gap in the curve, written as kNoValue.
+// Converts samples into the points that a plot of a given width in pixels can show. Units are those of the caller. A
+// value that is not finite is a gap in the curve, stored as kNoValue.
 
 #include "ui/text/interval.h"
 
@@ -19,31 +19,32 @@ inline constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 struct CurvePoint {
     double t = 0.0;
-    double value = 0.0; ///< kNoValue: a gap
+    double value = 0.0; ///< kNoValue for a gap
 };
 
-/// The index of the time stamp nearest to t. `time` is ascending and not empty.
+/// Returns the index of the time stamp nearest to t. Requires `time` to be ascending and not empty.
 std::size_t nearestIndex(std::span<const double> time, double t);
 
-/// The samples within the range and one on either side of it, so that the line reaches the edges. Of many samples, the
-/// smallest, the largest and the first gap of each pixel column. `time` is ascending, `values` has a value for each.
+/// Returns the samples within the range and one on either side of it, so that the line reaches the edges. If there are
+/// many samples, returns only the smallest, the largest and the first gap of each pixel column. Requires `time` to be
+/// ascending and `values` to have one value per time stamp.
 std::vector<CurvePoint> decimate(std::span<const double> time, std::span<const double> values, const Interval &range,
                                  std::size_t columns);
 
-/// The polyline without the points that lie within `tolerance` (in values) of the line between those that stay: a
-/// smooth curve is drawn with a quarter of its lines. Gaps and the points beside them stay.
+/// Removes the points that lie within `tolerance` (in values) of the line between the remaining points. A smooth curve
+/// is left with a quarter of its points. Gaps and the points beside them are never removed.
 std::vector<CurvePoint> withoutNeedlessPoints(std::span<const CurvePoint> points, double tolerance);
 
-/// The smallest and the largest finite value; nothing when there is none.
+/// Returns the smallest and the largest finite value, or nullopt if there is none.
 std::optional<Interval> extremes(std::span<const CurvePoint> points);
 
-/// The finite value below which that part of the finite values lies. Requires a finite value.
+/// Returns the finite value below which that part (0 … 1) of the finite values lies. Requires a finite value.
 double quantile(std::span<const CurvePoint> points, double part);
 
-/// The parts of the polyline within both ranges, cut exactly at the edges, with a gap between parts.
+/// Returns the parts of the polyline within both ranges, cut exactly at the edges, with a gap between two parts.
 std::vector<CurvePoint> clip(std::span<const CurvePoint> points, const Interval &time, const Interval &values);
 
-/// Points that no line reaches because both neighbours are gaps.
+/// Returns the points between two gaps, to which no line leads.
 std::vector<CurvePoint> isolatedPoints(std::span<const CurvePoint> points);
 
 } // namespace slidercrank

@@ -13,7 +13,7 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kBeyondAll = 1e300; // in place of ±∞: farther than any axis reaches, and lines to there can be cut
+constexpr double kBeyondAll = 1e300; // replaces ±∞: beyond the end of any axis, but lines to it can be clipped
 using Kind = CriticalPoint::Kind;
 
 void addGap(std::vector<CurvePoint> &points, double t)
@@ -23,7 +23,7 @@ void addGap(std::vector<CurvePoint> &points, double t)
     }
 }
 
-/// The time stamps that divide the range into equal pieces, both ends included.
+/// Returns the time stamps that divide the range into equal pieces, including both ends.
 std::vector<double> evenTime(const Interval &range, std::size_t pieces)
 {
     std::vector<double> time;
@@ -40,12 +40,12 @@ std::optional<Interval> usualExtremes(std::vector<CurvePoint> points)
     const auto isBeyondAll = [](const CurvePoint &point) { return std::abs(point.value) >= kBeyondAll; };
     const bool isUnbounded = std::erase_if(points, isBeyondAll) > 0;
     const std::optional<Interval> range = extremes(points);
-    constexpr double kSeldom = 0.05; // of the values, on either side
-    return isUnbounded && range ? Interval{quantile(points, kSeldom), quantile(points, 1.0 - kSeldom)} : range;
+    constexpr double kLeftOut = 0.05; // of the values, at either end
+    return isUnbounded && range ? Interval{quantile(points, kLeftOut), quantile(points, 1.0 - kLeftOut)} : range;
 }
 
-/// A vertical stroke in each pixel column for each part of a turn that is free of gaps. A single part is drawn up and
-/// down in turn.
+/// Returns a vertical line in each pixel column for each part of a turn without gaps. If there is only one part, the
+/// lines go up and down alternately and are connected.
 std::vector<CurvePoint> strokes(const std::vector<CurvePoint> &turn, const Interval &range, std::size_t columns)
 {
     std::vector<Interval> bands;
@@ -125,8 +125,8 @@ void MotionCurves::addPassages(std::size_t channel, const CriticalPoints &points
 {
     std::vector<Passage> &passages = m_passages[channel];
     for (const CriticalPoint &point : points) {
-        const Kind turnedRound = point.kind == Kind::Begin ? Kind::End : Kind::Begin;
-        const Kind kind = isBackwards && point.kind != Kind::Extremum ? turnedRound : point.kind;
+        const Kind reversed = point.kind == Kind::Begin ? Kind::End : Kind::Begin;
+        const Kind kind = isBackwards && point.kind != Kind::Extremum ? reversed : point.kind;
         passages.push_back({wrapToTwoPi(isBackwards ? -point.theta2 : point.theta2),
                             std::clamp(toFileUnit(kPlottedChannels[channel], point.value), -kBeyondAll, kBeyondAll),
                             kind});
@@ -153,7 +153,7 @@ double MotionCurves::value(std::size_t channel, double time) const
     return m_samples.time.empty() ? kNoValue : m_samples.values[channel][nearestIndex(m_samples.time, time)];
 }
 
-/// The line through the samples and the critical points between them.
+/// Returns the line through the samples and the critical points between them.
 std::vector<CurvePoint> MotionCurves::line(std::size_t channel, const MotionSamples &samples) const
 {
     const std::vector<double> &time = samples.time;
@@ -171,7 +171,7 @@ std::vector<CurvePoint> MotionCurves::line(std::size_t channel, const MotionSamp
             }
         }
     };
-    constexpr double kLargestAngle = 1e12; // rad: beyond, a double does not tell where in its turn the crank is
+    constexpr double kLargestAngle = 1e12; // rad; beyond it a double cannot represent the position within a turn
     const double phase = m_phase0 + m_speed * time.front();
     if (!passages.empty() && std::max(std::abs(phase), std::abs(m_phase0 + m_speed * time.back())) <= kLargestAngle) {
         double turnStart = kTurn * std::floor(phase / kTurn);
@@ -217,7 +217,7 @@ void MotionCurves::computeExactCurves(const Interval &range, std::size_t columns
     const auto pixels = static_cast<std::size_t>(std::ceil(std::max(1.0, part * static_cast<double>(columns))));
     const bool isBand = m_speed * shown.length() >= kTurn * static_cast<double>(pixels);
     constexpr std::size_t kPerTurn = 400;
-    constexpr double kWholeTurn = 1.001 * kTurn; // so that no rounding loses a critical point
+    constexpr double kWholeTurn = 1.001 * kTurn; // more than a turn, so that rounding errors lose no critical point
     const Interval sampled = isBand ? Interval{shown.lower, shown.lower + kWholeTurn / m_speed} : shown;
     const std::size_t pieces = isBand ? kPerTurn : shown.length() > 0.0 ? 2 * pixels : 0;
     const MotionSamples samples = sampleMotion(*m_motion, evenTime(sampled, pieces));

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The six plotted channels of a motion as curves over ascending time. In closed form they are the motion itself, true
-// to the pixel whatever the sampling is: computed at the pixels, with every extremum and every limit of the motion in
-// between, and as a band between the extremes where a pixel holds a whole turn of the crank. By Newton-Raphson they are
-// the samples that it found. Channels count as in kPlottedChannels; values are in the units of files (mm, °, s).
+// Computes the six plotted channels of a motion as curves over ascending time. In closed form a curve is the motion
+// itself, true to the pixel whatever the sampling is: it is computed at each pixel, with every extremum and every limit
+// of the motion in between. Where the crank makes a whole turn within a pixel, the curve is a band between the
+// extremes. With Newton-Raphson a curve consists of the samples that were solved. Channels are numbered as in
+// kPlottedChannels; values are in the units of files (mm, °, s).
 
 #include "core/closed_form/closed_form.h"
 #include "core/limits/critical_points.h"
@@ -24,42 +25,42 @@ struct MotionSamples {
     std::array<std::vector<double>, kPlottedChannels.size()> values;
 };
 
-/// NaN where the motion does not exist.
+/// Evaluates the motion at these times. Values are NaN where the mechanism cannot be assembled.
 MotionSamples sampleMotion(const ClosedForm &motion, std::vector<double> time);
 
 class MotionCurves
 {
 public:
-    /// The exact motion during that time (s).
+    /// Curves of the exact motion during that time (s).
     MotionCurves(const Mechanism &mechanism, const Interval &time);
 
-    /// Samples in the order of time or in the reverse order.
+    /// Curves of samples, whose time is ascending or descending.
     explicit MotionCurves(const Trajectory &trajectory);
 
     bool isExact() const { return m_motion.has_value(); }
 
-    /// The time (s) nearest to t at which the curves have values.
+    /// Returns the time (s) nearest to t at which the curves have values.
     double nearestTime(double t) const;
 
-    /// The value at a time that nearestTime() returned; NaN where it does not exist.
+    /// Returns the value at a time that nearestTime() returned, or NaN if there is none.
     double value(std::size_t channel, double time) const;
 
     struct Curve {
         std::vector<CurvePoint> points;
 
-        /// Of the values within the range on show. Where they grow beyond all bounds, as beside the limits of an
-        /// oscillating crank, nine tenths of them.
+        /// The range of the values within the time shown. Where they are unbounded, as near the limits of an
+        /// oscillating crank, the range of the middle nine tenths of them. Nullopt if there are no values.
         std::optional<Interval> extremes;
     };
     using Curves = std::array<Curve, kPlottedChannels.size()>;
 
-    /// What a plot of that range shows with so many pixel columns. Valid until the next call.
+    /// Returns the curves for a plot of that time range with so many pixel columns. They are valid until the next call.
     const Curves &curves(const Interval &range, std::size_t columns);
 
 private:
-    /// A critical point as the crank passes it in the course of time.
+    /// A critical point, in the order in which the crank passes it.
     struct Passage {
-        double phase = 0.0; ///< rad, within [0, 2π), growing with time
+        double phase = 0.0; ///< rad, within [0, 2π), increasing with time
         double value = 0.0;
         CriticalPoint::Kind kind = CriticalPoint::Kind::Extremum;
     };
@@ -74,9 +75,9 @@ private:
     double m_speed = 0.0;  ///< |ω2|
     double m_phase0 = 0.0; ///< rad, at t = 0
     std::array<std::vector<Passage>, kPlottedChannels.size()> m_passages;
-    MotionSamples m_samples; ///< unless it is exact
+    MotionSamples m_samples; ///< empty if the motion is exact
 
-    Curves m_curves; ///< of the last call
+    Curves m_curves; ///< of the last call of curves()
     std::optional<Interval> m_range;
     std::size_t m_columns = 0;
 };

@@ -13,8 +13,8 @@ namespace slidercrank
 namespace
 {
 
-/// At least two time stamps a pixel, more where the crank turns fast; not evenly spaced, so that they do not meet every
-/// turn at the same place where they are few.
+/// Returns at least two time stamps per pixel, and more where the crank turns fast. They are not evenly spaced, since
+/// few evenly spaced ones could lie at the same crank angle in every turn.
 std::vector<double> timeStamps(const Interval &range, double turns, std::size_t columns)
 {
     constexpr double kPerTurn = 32.0;
@@ -78,12 +78,12 @@ double MotionErrors::error(std::size_t channel, double model, double reference) 
     const Errors &errors = m_errors[channel];
     double error = std::abs(model - reference);
     if (m_settings.error == ErrorMeasure::Percent) {
-        constexpr double kZero = 1e-12; // of the peak: what rounding leaves of a zero
+        constexpr double kZero = 1e-12; // of the peak; smaller numbers are rounding errors of zero
         const double halfStep = errors.series ? 0.5 * errors.series->rounding.stepAt(reference) : 0.0;
         const double zero = std::max(std::isfinite(errors.peak) ? kZero * errors.peak : 0.0, halfStep);
         error = std::abs(reference) <= zero ? kNoValue : kPercent * error / std::abs(reference);
     } else if (m_settings.error == ErrorMeasure::OfPeak) {
-        // 0 of a peak of 0 is no error; anything else of it has no percentage.
+        // An error of 0 is 0 % even if the peak is 0. Other errors have no percentage of a peak of 0.
         error = !std::isfinite(errors.peak) ? kNoValue : error == 0.0 ? 0.0 : kPercent * error / errors.peak;
     }
     return m_settings.logarithmicError ? std::log10(error) : error;

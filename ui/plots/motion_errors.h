@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The error of the model against the file, at the file's time stamps, or without a file against the motion that was
-// pinned last, for each of the plotted channels. Values are in the units of files (mm, °, s).
+// Computes the errors of the model for each of the plotted channels: relative to the file, at the file's time stamps,
+// or without a file relative to the motion that was pinned last. Values are in the units of files (mm, °, s).
 
 #include "ui/document/result.h"
 #include "ui/document/view_settings.h"
@@ -23,17 +23,20 @@ public:
     MotionErrors(const Result &result, const PlotSettings &settings, const Interval &range, std::size_t columns);
 
     struct Errors {
-        const ReferenceSeries *series = nullptr; ///< of the file
+        const ReferenceSeries *series = nullptr; ///< the column of the file; null without one
         double peak = 0.0;                       ///< largest magnitude of the reference; may be infinite
-        bool isUnbounded = false;                ///< no largest error
-        std::span<const double> reference;       ///< empty: not in the file
+        bool isUnbounded = false;                ///< whether the errors have no finite maximum
+        std::span<const double> reference;       ///< empty if the channel is not in the file
         std::vector<double> values;              ///< in the chosen measure; not finite where undefined
         std::vector<double> undefined;           ///< time stamps at which the reference is zero
     };
     std::span<const double> time() const { return m_time; }
-    const Errors &operator[](std::size_t channel) const { return m_errors[channel]; } ///< as in kPlottedChannels
+    const Errors &operator[](std::size_t channel) const
+    {
+        return m_errors[channel];
+    } ///< numbered as in kPlottedChannels
 
-    /// The error in the chosen measure, a decimal logarithm where these are chosen; NaN where it is undefined.
+    /// Returns the error in the chosen measure, or its decimal logarithm if that is chosen; NaN if it is undefined.
     double error(std::size_t channel, double model, double reference) const;
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What the plots show: curves, errors, and values read off them.
+// Computes what the plots show: the curves, the errors and the values at a time.
 
 #include "ui/plots/plot_figure.h"
 
@@ -18,10 +18,10 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kSmallestPart = 1e-10; // of the largest number on an axis: the closest zoom
+constexpr double kSmallestPart = 1e-10; // of the largest number on an axis; limits the zoom
 constexpr std::size_t kErrorsPerRow = 2;
 
-/// Dashes and gaps, px. Pinned motions are told apart by them, the first pinned first.
+/// Lengths of dashes and gaps, px. Each pinned motion has its own pattern.
 const QVector<double> kReferenceDashes{7.0, 6.0};
 const std::array<QVector<double>, kMaxPinned> kPinnedDashes{{{}, {13.0, 4.0}, {5.0, 4.0}, {2.0, 3.0}}};
 
@@ -40,7 +40,8 @@ std::optional<Interval> extremesWithin(const Interval &time, const std::vector<C
     return extremes(clip(points, time, {-1e300, 1e300}));
 }
 
-/// The axis of errors: from zero, or a few decades. Where errors grow beyond all bounds, nine tenths of them.
+/// Returns the range of the error axis. It starts at zero or, if logarithmic, contains at most eight decades. Where
+/// errors are unbounded, it contains nine tenths of them.
 Interval errorRange(const std::vector<CurvePoint> &points, const Interval &extent, bool isUnbounded, bool isLogarithmic)
 {
     const double largest = isUnbounded ? quantile(points, 0.9) : extent.upper;
@@ -70,7 +71,7 @@ void PlotFigure::setResult(const std::shared_ptr<const Result> &result)
 void PlotFigure::setSettings(const PlotSettings &settings)
 {
     for (std::size_t plot = kErrorColumn; plot < kPlotCount; plot += kPlotColumns) {
-        zoom.values[plot].reset(); // another measure has other numbers
+        zoom.values[plot].reset(); // the ranges are not valid for another measure
     }
     m_settings = settings;
     m_errors.reset();
@@ -150,8 +151,8 @@ void PlotFigure::computeMotions(Plot &plot, std::size_t channel)
     const auto isDense = [this](const PlotCurve &curve) { return 2 * curve.points.size() >= 3 * m_columns; };
     const MotionCurves::Curve &motion = model().curves(time, m_columns)[channel];
     for (std::size_t i = 0; i < m_pinned.size(); ++i) {
-        PlotCurve &curve = add(pinnedText(m_result->pinned[i], m_result->mechanism.parameters()), &SeriesColours::pinned,
-                               m_pinned[i].curves(time, m_columns)[channel]);
+        PlotCurve &curve = add(pinnedText(m_result->pinned[i], m_result->mechanism.parameters()),
+                               &SeriesColours::pinned, m_pinned[i].curves(time, m_columns)[channel]);
         curve.dashes = isDense(curve) ? QVector<double>() : kPinnedDashes[i];
         curve.width = m_isPresentation ? curve.width : 1.0;
     }
@@ -162,7 +163,7 @@ void PlotFigure::computeMotions(Plot &plot, std::size_t channel)
         if (isTooFew || curve.points.size() * kPixelsPerDot < m_columns) {
             curve.dots = curve.points;
         }
-        if (isTooFew && !isDense(curve)) { // dense ones are as good as a band
+        if (isTooFew && !isDense(curve)) { // dense samples look like a band
             curve.points.clear();
         }
     }
@@ -190,7 +191,7 @@ PlotCurve PlotFigure::errorCurve(std::size_t channel)
     const QString ofPinned = isCoupler ? tr("difference of the coupler") : tr("difference of the slider");
     PlotCurve curve{m_result->reference ? ofFile : ofPinned,
                     isCoupler ? &SeriesColours::error : &SeriesColours::errorOther};
-    curve.width = 1.6; // errors are noise where all is well
+    curve.width = 1.6; // thin, since the errors of a matching file are noise
     const MotionErrors::Errors &errors = this->errors()[channel];
     const auto isSeen = [this](double error) {
         return m_settings.logarithmicError ? std::isfinite(error) : error > 0.0;
@@ -203,7 +204,7 @@ PlotCurve PlotFigure::errorCurve(std::size_t channel)
     return curve;
 }
 
-/// What the rounding of the file alone may cause.
+/// Returns the error that the rounding of the file alone can cause.
 PlotCurve PlotFigure::roundingCurve(std::size_t channel)
 {
     const MotionErrors::Errors &errors = this->errors()[channel];
@@ -241,7 +242,7 @@ void PlotFigure::computeErrors(Plot &plot, std::size_t row)
     }
 }
 
-/// Why a plot shows no errors at all.
+/// Returns the reason why a plot shows no errors.
 QString PlotFigure::missingErrors(std::size_t row)
 {
     const std::size_t channel = kErrorsPerRow * row;
@@ -258,7 +259,7 @@ QString PlotFigure::missingErrors(std::size_t row)
                                                                                          : tr("nothing to compare");
 }
 
-/// In presentation mode what the model has that the motion pinned last has not, else "model".
+/// Returns "model", or in presentation mode the parameters that differ from the motion pinned last.
 QString PlotFigure::modelName() const
 {
     const Parameters &model = m_result->mechanism.parameters();
@@ -304,10 +305,11 @@ std::vector<PlotReading> PlotFigure::readings(std::size_t plot, const ReadTime &
         }
     };
     const MotionCurves &motion = model();
-    const auto modelAt = [&](std::size_t channel) { // the file's time stamps are sampled for its own channels only
-        const std::vector<double> &sampled = m_result->atReference[kPlottedChannels[channel]];
-        return time.row && *time.row < sampled.size() ? sampled[*time.row] : motion.value(channel, time.t);
-    };
+    const auto modelAt =
+        [&](std::size_t channel) { // at the file's time stamps only the channels of the file are sampled
+            const std::vector<double> &sampled = m_result->atReference[kPlottedChannels[channel]];
+            return time.row && *time.row < sampled.size() ? sampled[*time.row] : motion.value(channel, time.t);
+        };
     if (!isErrorPlot(plot)) {
         const std::size_t channel = channelOf(plot);
         add(modelAt(channel), &SeriesColours::model);

@@ -25,9 +25,9 @@ PlotFonts::PlotFonts(const QFont &base)
 
 PlotDrawing::PlotDrawing()
 {
-    mReplotting = true; // QCustomPlot would replot into buffers that nobody looks at
+    mReplotting = true; // otherwise QCustomPlot replots into buffers that are not used
     setInteractions(QCP::Interactions());
-    setPlottingHint(QCP::phFastPolylines, true); // a line of width 2 costs four times as much without
+    setPlottingHint(QCP::phFastPolylines, true); // without it a line of width 2 costs four times as much
     setAutoAddPlottableToLegend(false);
 }
 
@@ -47,7 +47,7 @@ void PlotDrawing::drawInto(QPixmap &pixmap)
 
 void PlotDrawing::paint(QPainter &painter, const QSize &size)
 {
-    // QCustomPlot draws with a painter of its own class only; what it draws is recorded and played to any painter.
+    // QCustomPlot draws only with its own class of painter, so the drawing is recorded and replayed with any painter.
     const QPaintEngine *engine = painter.paintEngine();
     const bool isVector = engine && (engine->type() == QPaintEngine::SVG || engine->type() == QPaintEngine::Pdf);
     QPicture recording;

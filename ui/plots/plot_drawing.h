@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The QCustomPlot behind the figure and the charts. It is never shown as a widget: it lays itself out for a size in
-// pixels and draws to any painter, so that screen, image, SVG and PDF look alike.
+// The QCustomPlot that draws the figure and the charts. It is never shown as a widget. It lays itself out for a size in
+// pixels and draws with any painter, so that screen, image, SVG and PDF look alike.
 
 #include "ui/text/theme.h"
 
@@ -19,7 +19,7 @@ struct PlotFonts {
 
     QFont title;
     QFont tick;
-    double lineFactor = 1.0; ///< large letters go with wider lines
+    double lineFactor = 1.0; ///< factor of the line widths; above 1 for large fonts
 };
 
 class PlotDrawing : public QCustomPlot
@@ -30,18 +30,18 @@ public:
     /// Lays out all elements for that size; axis rectangles and their coordinates are valid afterwards.
     void layOut(const QSize &size);
 
-    /// Draws everything into the pixmap, with cached labels. Its size must be that of the layout.
+    /// Draws everything into the pixmap and caches the labels. Requires the pixmap to have the size of the layout.
     void drawInto(QPixmap &pixmap);
 
-    /// Draws everything, laid out for that size, with the background.
+    /// Draws everything with its background, laid out for that size.
     void paint(QPainter &painter, const QSize &size);
 
-    /// Colours and fonts of the axes, the grid and the legend.
+    /// Sets the colours and fonts of the axes, the grid and the legend.
     void setStyle(const PlotFonts &fonts, const SeriesColours &colours);
 
     QCPGraph *addCurve(QCPAxisRect *axes, const QVector<QCPGraphData> &points);
 
-    /// At a place in the coordinates of the axes, or of that type.
+    /// Adds text at a position in coordinates of the axes, or in coordinates of another type.
     QCPItemText *addText(QCPAxisRect *axes, const QString &text, const QPointF &place, Qt::Alignment alignment,
                          QCPItemPosition::PositionType type = QCPItemPosition::ptPlotCoords);
 };

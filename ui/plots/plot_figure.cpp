@@ -37,7 +37,7 @@ QVector<QCPGraphData> graphData(const std::vector<CurvePoint> &points)
     return data;
 }
 
-/// "coupler angular velocity ω³ = dθ³/dt [°/s]", and what to write where that is too long.
+/// Returns "coupler angular velocity ω³ = dθ³/dt [°/s]" and shorter variants.
 QStringList motionTitles(Channel channel, const QString &unit)
 {
     const QString name = quantityOf(channel);
@@ -56,7 +56,7 @@ QStringList motionTitles(Channel channel, const QString &unit)
     return titles;
 }
 
-/// Cuts the curve off at the axes and removes the points that cannot be seen.
+/// Clips the curve to the axes and removes the points that make no visible difference.
 void fit(PlotCurve &curve, const Interval &time, const Interval &values, const QSize &axes)
 {
     constexpr double kInvisible = 0.1; // px
@@ -80,7 +80,8 @@ void fit(PlotCurve &curve, const Interval &time, const Interval &values, const Q
 
 } // namespace
 
-/// Ticks and labels of an AxisScale; the coordinate of a label is its number · perUnit + tickOrigin().
+/// Draws the ticks and labels of an AxisScale. The label of the number x is at the coordinate x · perUnit +
+/// tickOrigin().
 class ScaleTicker : public QCPAxisTicker
 {
 public:
@@ -186,10 +187,10 @@ void PlotFigure::show(const QSize &size, const std::optional<double> &markedTime
     };
     layOut(size);
     constexpr int kPasses = 4;
-    for (int pass = 0; pass < kPasses; ++pass) { // labels and legend change the size of the axes
+    for (int pass = 0; pass < kPasses; ++pass) { // the labels and the legend change the size of the axes
         const std::vector<QSize> before = axisSizes();
         fill(markedTime);
-        for (int entries = legend->itemCount(); entries > 0; --entries) { // as many side by side as fit
+        for (int entries = legend->itemCount(); entries > 0; --entries) { // place as many entries side by side as fit
             legend->setWrap(entries);
             legend->setFillOrder(QCPLegend::foColumnsFirst, true);
             if (legend->minimumOuterSizeHint().width() <= size.width()) {
@@ -213,7 +214,7 @@ void PlotFigure::fill(const std::optional<double> &markedTime)
         m_columns = std::max(m_columns, static_cast<std::size_t>(m_plots[index].axes->width()));
     }
     if (m_result && !m_result->reference) {
-        m_errors.reset(); // was computed for other pixels
+        m_errors.reset(); // they were computed for the pixels of another layout
     }
     const Interval time = timeRange();
     setTimeScale();
@@ -243,12 +244,12 @@ void PlotFigure::fill(const std::optional<double> &markedTime)
     }
 }
 
-/// Chooses as many ticks as labels fit side by side. The bottom row alone has labels.
+/// Chooses as many ticks as there is space for labels. Only the bottom row has labels.
 void PlotFigure::setTimeScale()
 {
     constexpr double kLeast = 44.0; // px from tick to tick
     constexpr double kSpace = 14.0;
-    constexpr double kUsualDigits = 6.0; // of values: the axes do not move until there are more
+    constexpr double kUsualDigits = 6.0; // of a value; the axes do not move until a label has more
     const double digitWidth = QFontMetricsF(m_fonts.tick).horizontalAdvance(u'0');
     const Interval time = timeRange();
     const double perSecond = isOverAngle() ? m_result->mechanism.omega2() * kDegreesPerRadian : 1.0;
@@ -305,7 +306,7 @@ void PlotFigure::addToLegend(QCPGraph *graph, const QString &name)
     for (int i = 0; i < legend->itemCount(); ++i) {
         auto *entry = qobject_cast<QCPPlottableLegendItem *>(legend->item(i));
         if (entry && entry->plottable()->name() == graph->name()) {
-            return; // as in another plot
+            return; // a curve of another plot has this entry
         }
     }
     auto *entry = new QCPPlottableLegendItem(legend, graph);
@@ -317,7 +318,7 @@ void PlotFigure::addCurve(const Plot &plot, const PlotCurve &curve)
 {
     const QColor colour = m_colours.*curve.ink;
     QCPGraph *line = PlotDrawing::addCurve(plot.axes, graphData(curve.points));
-    QPen pen(colour, curve.width * m_fonts.lineFactor, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin); // the fastest
+    QPen pen(colour, curve.width * m_fonts.lineFactor, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin); // these draw fastest
     if (!curve.dashes.empty()) {
         QVector<double> pattern = curve.dashes;
         std::ranges::for_each(pattern, [&](double &length) { length /= curve.width; });

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The nine plots of a Result in one QCustomPlot: rows position, velocity, acceleration; columns θ³, Rₓ⁴, error; with
-// one legend and one time axis. Values are in the units of files (mm, °, s), errors in these or in percent. The axes of
-// the values fit what is seen of the time, except those whose range a person chose.
+// Draws the nine plots of a Result in one QCustomPlot. The rows are position, velocity and acceleration; the columns
+// are θ³, Rₓ⁴ and error. All share one legend and one time axis. Values are in the units of files (mm, °, s), errors in
+// these units or in percent. The value axes fit the curves within the time shown, unless the user chose their range.
 
 #include "ui/document/result.h"
 #include "ui/document/view_settings.h"
@@ -19,34 +19,34 @@
 namespace slidercrank
 {
 
-/// A colour of the palette in use.
+/// A colour in the current palette.
 using Ink = QColor SeriesColours::*;
 
-/// A curve of a plot, cut off at the axes.
+/// A curve of a plot, clipped to the axes.
 struct PlotCurve {
     QString name; ///< in the legend
     Ink ink = &SeriesColours::model;
     std::vector<CurvePoint> points = {};
     double width = 2.0;                ///< px
-    QVector<double> dashes = {};       ///< px, lengths of dashes and gaps; empty: solid
-    std::vector<CurvePoint> dots = {}; ///< samples that are to be seen one by one
+    QVector<double> dashes = {};       ///< px, lengths of dashes and gaps; empty for a solid line
+    std::vector<CurvePoint> dots = {}; ///< samples that are drawn as single dots
 
-    /// The value of dots that mark a time stamp at the upper edge of the axes.
+    /// A dot with this value is drawn at the upper edge of the axes.
     static constexpr double kUpperEdge = std::numeric_limits<double>::infinity();
 };
 
 class ScaleTicker;
 
 struct Plot {
-    QCPAxisRect *axes = nullptr; ///< null: not shown
+    QCPAxisRect *axes = nullptr; ///< null if the plot is not shown
     QSharedPointer<ScaleTicker> ticker;
     std::vector<PlotCurve> curves;
-    std::optional<Interval> values; ///< on the axis; nothing when there are none
+    std::optional<Interval> values; ///< the range of the axis; nullopt if there are no values
     QString note;                   ///< why something is missing
-    QStringList titles;             ///< the same, the longest first
+    QStringList titles;             ///< variants of the title, the longest first
 };
 
-/// A time at which values are read: with a reference file, within its time, one of its own time stamps.
+/// A time at which values are read. Within the time of a reference file, it is one of the time stamps of the file.
 struct ReadTime {
     double t = 0.0;
     std::optional<std::size_t> row; ///< of the file
@@ -54,8 +54,8 @@ struct ReadTime {
 
 /// A value read off a curve.
 struct PlotReading {
-    double value = 0.0;  ///< as the axis has it
-    double number = 0.0; ///< as it is written
+    double value = 0.0;  ///< position on the axis; a logarithm if the axis is logarithmic
+    double number = 0.0; ///< the number to show
     Ink ink = &SeriesColours::text;
 };
 
@@ -66,55 +66,55 @@ class PlotFigure : public PlotDrawing
 public:
     PlotFigure();
 
-    void setResult(const std::shared_ptr<const Result> &result); ///< may be null
+    void setResult(const std::shared_ptr<const Result> &result); ///< null shows empty plots
     const std::shared_ptr<const Result> &result() const { return m_result; }
 
     void setSettings(const PlotSettings &settings);
     const PlotSettings &settings() const { return m_settings; }
 
-    /// In presentation mode pinned curves are as thick as the model's, every motion is named by what differs, and
-    /// errors are shown of a file only.
+    /// In presentation mode pinned curves are as thick as the model's, every motion is named by the parameters that
+    /// differ, and errors are shown only relative to a file.
     void setPresentation(bool isPresentation) { m_isPresentation = isPresentation; }
     bool isPresentation() const { return m_isPresentation; }
 
     bool hasErrors() const; ///< whether there are errors to show
 
-    PlotZoom zoom; ///< the time of all plots, the values of each
+    PlotZoom zoom; ///< the time range of all plots and the value range of each
 
-    /// Limits the range to where there is something to see.
+    /// Zooms to that time range, limited to the time of the motion and of the file.
     void zoomTime(const Interval &range);
     void zoomValues(std::size_t plot, const Interval &range);
     Interval timeRange() const { return zoom.time.value_or(sampledRange()); }
 
-    /// Chooses which plots are shown and how. show() has to follow.
+    /// Chooses which plots are shown, and their style. Call show() afterwards.
     void setPlots(const std::vector<std::size_t> &plots, const PlotFonts &fonts, const SeriesColours &colours);
     const std::vector<std::size_t> &plots() const { return m_shown; }
 
-    /// Text below the plots; may be empty.
+    /// Sets the text below the plots; may be empty.
     void setFooter(const QString &text);
 
-    /// Lays out and fills all plots. A marked time (s) is a line in each of them.
+    /// Lays out all plots for that size (px) and fills them. A marked time (s) is drawn as a line in each plot.
     void show(const QSize &size, const std::optional<double> &markedTime = {});
 
     const Plot &plot(std::size_t index) const { return m_plots[index]; }
     QCPAxis &axis(std::size_t plot, QCPAxis::AxisType type) const { return *m_plots[plot].axes->axis(type); }
-    QString description(std::size_t plot) const; ///< what it shows, in words
+    QString description(std::size_t plot) const; ///< its title and its note, for screen readers
     QRect legendPlace() const;
 
-    /// The time nearest to t at which values are read.
+    /// Returns the time nearest to t at which values can be read.
     ReadTime readTime(double t);
     std::vector<PlotReading> readings(std::size_t plot, const ReadTime &time);
 
-    /// "t = 0.25 s", over the crank angle "θ₂ = 90°".
+    /// Returns "t = 0.25 s", or over the crank angle "θ₂ = 90°".
     QString timeText(double t) const;
 
-    /// A difference of times: "0.25 s", "90°".
+    /// Returns a time difference as "0.25 s" or "90°".
     QString durationText(double seconds) const;
 
 private:
     Interval sampledRange() const;
     bool isOverAngle() const;
-    MotionCurves &model(); ///< prepares the pinned curves as well
+    MotionCurves &model(); ///< computes the pinned curves, too
     const MotionErrors &errors();
     void computeMotions(Plot &plot, std::size_t channel);
     void computeErrors(Plot &plot, std::size_t row);
@@ -135,17 +135,17 @@ private:
     PlotSettings m_settings;
     bool m_isPresentation = false;
 
-    // Computed when they are needed.
+    // These are computed on demand.
     std::optional<MotionCurves> m_model;
     std::vector<MotionCurves> m_pinned;
     std::optional<MotionErrors> m_errors;
-    std::size_t m_columns = 1; ///< of pixels in a plot
+    std::size_t m_columns = 1; ///< pixel columns of the widest plot
 
     std::array<Plot, kPlotCount> m_plots;
     std::vector<std::size_t> m_shown;
     PlotFonts m_fonts;
     SeriesColours m_colours;
-    QCPLayoutGrid *m_top;  ///< the legend, and free space
+    QCPLayoutGrid *m_top;  ///< the legend and the free space beside it
     QCPLayoutGrid *m_grid; ///< the plots
     QCPTextElement *m_footer;
     std::array<QCPMarginGroup *, kPlotColumns> m_columnMargins{};

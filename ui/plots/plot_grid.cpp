@@ -37,7 +37,7 @@ PlotGrid::PlotGrid(QWidget *parent)
         m_panes[plot]->setAccessibleName(name);
     }
     m_caption->setObjectName(QStringLiteral("no_reference_hint"));
-    m_caption->setTextInteractionFlags(Qt::LinksAccessibleByMouse); // by keys there is a menu
+    m_caption->setTextInteractionFlags(Qt::LinksAccessibleByMouse); // the keyboard uses the menu instead
     connect(m_caption, &QLabel::linkActivated, this, &PlotGrid::openReferenceRequested);
     makeChoices();
     rebuild();
@@ -167,7 +167,7 @@ QString PlotGrid::measuredText() const
         .arg(m_figure.timeText(first), m_figure.timeText(second), m_figure.durationText(second - first));
 }
 
-/// The maximized plot, all nine, or those of the motion where there are no errors.
+/// Returns the maximized plot, all nine plots, or without errors the six of the motion.
 std::vector<std::size_t> PlotGrid::plotsToShow() const
 {
     std::vector<std::size_t> plots;
@@ -190,7 +190,7 @@ void PlotGrid::rebuild()
     requestRefresh();
 }
 
-/// Several requests in one pass of the event loop make one refresh; a hidden widget waits until it is shown.
+/// Combines the requests of one pass of the event loop into one refresh. A hidden widget refreshes when it is shown.
 void PlotGrid::requestRefresh()
 {
     m_isStale = true;
@@ -208,7 +208,7 @@ void PlotGrid::requestRefresh()
 
 void PlotGrid::refreshIfStale()
 {
-    if (m_isStale || m_picture.devicePixelRatio() != devicePixelRatioF()) { // it may be on another screen now
+    if (m_isStale || m_picture.devicePixelRatio() != devicePixelRatioF()) { // the window was moved to another screen
         refresh();
     }
 }
@@ -242,7 +242,7 @@ void PlotGrid::placePanes()
     updateCaption();
 }
 
-/// The measured times, or how to compare with a file.
+/// Shows the measured times or, without a file, how to compare with one.
 void PlotGrid::updateCaption()
 {
     const std::shared_ptr<const Result> &result = m_figure.result();
@@ -260,7 +260,7 @@ void PlotGrid::updateCaption()
     m_caption->setVisible(!text.isEmpty() && (m_measured || legend.right() < m_caption->x()));
 }
 
-/// What is read at a time in a plot.
+/// Returns the cursor of a plot at that time, with the values there.
 PlotPane::Cursor PlotGrid::cursorAt(std::size_t plot, double time)
 {
     constexpr int kDigits = 4;
@@ -318,7 +318,7 @@ void PlotGrid::moveCursors()
     for (const std::size_t plot : m_figure.plots()) {
         m_panes[plot]->setCursors(cursors(plot), axes(plot).translated(-m_panes[plot]->pos()));
     }
-    if (m_measured) { // else it does not change with the time, and laying it out takes longer than all cursors
+    if (m_measured) { // otherwise it does not depend on the time, and its layout would cost more than all cursors
         updateCaption();
     }
 }
@@ -333,7 +333,7 @@ void PlotGrid::changeEvent(QEvent *event)
 
 void PlotGrid::paintEvent(QPaintEvent *event)
 {
-    refreshIfStale(); // grab() of a hidden one
+    refreshIfStale(); // grab() paints hidden widgets, too
     QPainter painter(this);
     painter.setClipRegion(event->region());
     painter.drawPixmap(0, 0, m_picture);
@@ -372,7 +372,7 @@ void PlotGrid::paint(QPainter &painter, const std::vector<std::size_t> &plots, c
     m_figure.show(size, m_markedTime);
     m_figure.paint(painter, size);
     m_figure.setFooter({});
-    rebuild(); // for the screen again
+    rebuild(); // restores the figure for the screen
 }
 
 } // namespace slidercrank

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The figure of the reference report on the screen: three rows (position, velocity, acceleration) by three columns (θ³,
-// Rₓ⁴, error), with one legend, one time range and one time cursor for all nine plots. Without a reference there are no
-// errors, and the other six fill the figure.
+// The widget that shows the figure of the reference report: three rows (position, velocity, acceleration) and three
+// columns (θ³, Rₓ⁴, error), with one legend, one time range and one time cursor for all nine plots. Without a reference
+// there are no errors, and the other six plots fill the figure.
 //
-// A left drag zooms into the box that it draws: into the time alone where the box is flat, into the values alone where
-// it is narrow. Shift or the middle button pans. The wheel zooms the time, or over the axis of the values these.
+// A left drag zooms into the box that it draws. A flat box zooms only the time, a narrow one only the values. Dragging
+// with Shift or with the middle button pans. The wheel zooms the time, or over a value axis the values.
 
 #include "ui/plots/plot_figure.h"
 #include "ui/plots/plot_pane.h"
@@ -31,11 +31,12 @@ class PlotGrid : public QWidget
 public:
     explicit PlotGrid(QWidget *parent = nullptr);
 
-    /// The nine, row by row: "plot_theta3", "plot_R4_x", "plot_error_position", … The panes have these names.
+    /// Returns the names of the nine plots, row by row: "plot_theta3", "plot_R4_x", "plot_error_position", … The panes
+    /// have these object names.
     static QStringList plotNames();
 
-    /// Paints the whole figure with its legend, or one plot of it, at that logical size, zoomed as on the screen, with
-    /// the mechanism's parameters below. The widget need not be visible.
+    /// Paint the whole figure or one of its plots with the legend, at that logical size, zoomed as on the screen, and
+    /// with the mechanism's parameters below. The widget need not be visible.
     void paintFigure(QPainter &painter, const QSize &size, const QPalette &palette);
     void paintPlot(QPainter &painter, const QString &plotName, const QSize &size, const QPalette &palette);
 
@@ -44,21 +45,21 @@ public:
     const PlotZoom &zoom() const { return m_figure.zoom; }
     void setZoom(const PlotZoom &zoom);
 
-    /// The plot that fills the figure, by name; empty: none.
+    /// Returns the name of the plot that fills the figure; empty if all are shown.
     QString maximized() const { return m_maximized ? plotName(*m_maximized) : QString(); }
 
-    /// The times (s) of the measuring cursors, where there are any.
+    /// Returns the times (s) of the measuring cursors, or nullopt if they are not shown.
     const std::optional<std::array<double, 2>> &measured() const { return m_measured; }
     void setMeasured(const std::optional<std::array<double, 2>> &times);
     QString measuredText() const;
 
-    /// Marks a time (s) by a line in what is painted from now on.
+    /// Draws a line at that time (s) in the figures that are painted from now on.
     void markTime(double seconds) { m_markedTime = seconds; }
 
     /// See PlotFigure::setPresentation.
     void setPresentation(bool isPresentation);
 
-    /// Checkable actions for the settings of the plots, for menus.
+    /// Returns checkable actions for the settings of the plots, to be shown in menus.
     const QList<QAction *> &choices() const { return m_choices; }
 
     QSize sizeHint() const override { return {900, 600}; }
@@ -66,15 +67,15 @@ public:
 
 public slots:
     void setResult(const std::shared_ptr<const slidercrank::Result> &result);
-    void setPose(const slidercrank::Pose &pose); ///< moves the time cursor, nothing else
-    void showAll();                              ///< undoes every zoom
-    void showTime(double seconds);               ///< pans a zoomed time axis that does not show that time
+    void setPose(const slidercrank::Pose &pose); ///< moves only the time cursor
+    void showAll();                              ///< resets the zoom of all plots
+    void showTime(double seconds);               ///< pans a zoomed time axis so that it shows that time
     void setSettings(const slidercrank::PlotSettings &settings);
 
-    /// Fills the figure with one plot, by name; empty: all nine again.
+    /// Fills the figure with the plot of that name; an empty name shows all plots again.
     void maximize(const QString &plotName);
 
-    /// Shows two cursors to measure between, or none.
+    /// Shows or hides the two measuring cursors.
     void setMeasuring(bool isMeasuring);
 
 signals:
@@ -82,7 +83,7 @@ signals:
     void openReferenceRequested();
     void exportPlotRequested(const QString &plotName);
     void copyPlotRequested(const QString &plotName);
-    void pinRequested(); ///< of the motion on show
+    void pinRequested(); ///< the user wants to pin the motion shown
     void settingsChanged(const slidercrank::PlotSettings &settings);
 
 protected:
@@ -103,8 +104,8 @@ protected:
 private:
     void makeChoices();
     std::vector<std::size_t> plotsToShow() const;
-    void rebuild();        ///< for other plots, fonts or colours
-    void requestRefresh(); ///< for other data, ranges or sizes
+    void rebuild();        ///< after a change of the plots, fonts or colours
+    void requestRefresh(); ///< after a change of the data, ranges or sizes
     void refresh();
     void refreshIfStale();
     void placePanes();
@@ -131,17 +132,17 @@ private:
     std::array<PlotPane *, kPlotCount> m_panes{};
     QList<QAction *> m_choices;
     QAction *m_measuring = nullptr;
-    QLabel *m_caption; ///< right of the legend
+    QLabel *m_caption; ///< to the right of the legend
     std::optional<std::size_t> m_maximized;
     std::optional<std::size_t> m_hovered; ///< the plot under the pointer
     double m_hoverTime = 0.0;             ///< s
-    std::optional<double> m_time;         ///< s, on show
+    std::optional<double> m_time;         ///< s, the current time
     std::optional<double> m_markedTime;
     std::optional<std::array<double, 2>> m_measured;
-    bool m_isStale = true; ///< the picture does not show m_figure yet
+    bool m_isStale = true; ///< m_picture is out of date
     bool m_isRefreshQueued = false;
 
-    /// A button held down over a plot.
+    /// A mouse button that is held down over a plot.
     struct Drag {
         enum class Kind { Box, Pan, MeasuringCursor };
         Kind kind = Kind::Box;
@@ -149,7 +150,7 @@ private:
         std::size_t measuringCursor = 0;
         QPoint start;
         QPoint last;
-        PlotZoom before; ///< to return to
+        PlotZoom before; ///< restored by Escape
         bool hasMoved = false;
     };
     std::optional<Drag> m_drag;

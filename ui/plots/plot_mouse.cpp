@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What mouse and keys do to the plots.
+// What the mouse and the keyboard do to the plots.
 
 #include "ui/plots/plot_grid.h"
 #include "ui/text/written_number.h"
@@ -20,7 +20,7 @@ namespace slidercrank
 namespace
 {
 
-/// The range made shorter or longer about one of its points.
+/// Scales the range about one of its points.
 Interval scale(const Interval &range, double about, double factor)
 {
     return {about - (about - range.lower) * factor, about + (range.upper - about) * factor};
@@ -49,7 +49,7 @@ void PlotGrid::zoomTime(double about, double factor)
 
 void PlotGrid::wheelEvent(QWheelEvent *event)
 {
-    refreshIfStale(); // what is pointed at is where it is painted
+    refreshIfStale(); // the pointer refers to what is painted
     const std::optional<std::size_t> plot = plotAt(event->position());
     if (!plot || m_drag) {
         return;
@@ -65,7 +65,7 @@ void PlotGrid::wheelEvent(QWheelEvent *event)
     }
 }
 
-/// The measuring cursor, 0 or 1, under the pointer.
+/// Returns the index (0 or 1) of the measuring cursor under the pointer, or nullopt.
 std::optional<std::size_t> PlotGrid::measuringCursorAt(const QPoint &place) const
 {
     const std::optional<std::size_t> plot = plotAt(place);
@@ -89,7 +89,7 @@ void PlotGrid::mousePressEvent(QMouseEvent *event)
     if (!plot || !(isLeft || event->button() == Qt::MiddleButton)) {
         return;
     }
-    if (m_drag) { // with another button, or its release went elsewhere
+    if (m_drag) { // begun with another button, or its release was not received
         endDrag();
     }
     const std::optional<std::size_t> cursor = measuringCursorAt(event->pos());
@@ -115,7 +115,7 @@ void PlotGrid::mouseMoveEvent(QMouseEvent *event)
     }
     if (!m_drag->hasMoved && (place - m_drag->start).manhattanLength() >= QApplication::startDragDistance()) {
         m_drag->hasMoved = true;
-        grabKeyboard(); // for Escape
+        grabKeyboard(); // so that Escape reaches this widget
         setCursor(m_drag->kind == Drag::Kind::Pan ? QCursor(Qt::ClosedHandCursor) : cursor());
     }
     if (m_drag->kind == Drag::Kind::MeasuringCursor && m_measured) {
@@ -187,10 +187,11 @@ void PlotGrid::pan(const QPoint &to)
     if (std::optional<Interval> &values = m_figure.zoom.values[m_drag->plot]) {
         values = Interval{values->lower + way.y(), values->upper + way.y()};
     }
-    refresh(); // the next move starts from what is shown then
+    refresh(); // the next mouse move is relative to the new axes
 }
 
-/// What a drag zooms into: all values where it is flat, all of the time where it is narrow. Null where it is both.
+/// Returns the box that the drag zooms into. A flat box gets the whole height of the axes, a narrow one their whole
+/// width. A box that is both is null.
 QRect PlotGrid::draggedBox() const
 {
     constexpr int kLeast = 8; // px
@@ -224,8 +225,8 @@ void PlotGrid::zoomInto(std::size_t plot, const QRect &box)
     requestRefresh();
 }
 
-/// Keys of the plot that has the focus, or over which a button is held. + and − zoom about the time on show; 1 and 2
-/// bring the measuring cursors to it.
+/// Handles the keys of the plot that has the focus or is being dragged. + and − zoom about the current time; 1 and 2
+/// move the measuring cursors to it.
 void PlotGrid::keyPressEvent(QKeyEvent *event)
 {
     const Interval shown = m_figure.timeRange();
@@ -267,10 +268,10 @@ void PlotGrid::keyPressEvent(QKeyEvent *event)
 void PlotGrid::toggleMaximized(std::size_t plot)
 {
     maximize(m_maximized ? QString() : plotName(plot));
-    m_panes[plot]->setFocus(Qt::OtherFocusReason); // Escape brings all back
+    m_panes[plot]->setFocus(Qt::OtherFocusReason); // so that Escape can show all plots again
 }
 
-/// Time and values with all their digits.
+/// Copies the time and the values with all their digits.
 void PlotGrid::copyValues(std::size_t plot, const ReadTime &time)
 {
     QStringList cells{typedNumberText(time.t)};
