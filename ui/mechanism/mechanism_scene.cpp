@@ -39,8 +39,8 @@ Cycle computeCycle(const Mechanism &mechanism, const MotionLimits &limits)
 
 ArrowScale computeArrowScale(const Cycle &cycle, MotionKind kind, const Mechanism &mechanism, double longest)
 {
-    constexpr double kLargest =
-        2.5; // times that of the crank pin, since an unbounded motion would make all other arrows tiny
+    // Times that of the crank pin, since an unbounded motion would make all other arrows tiny.
+    constexpr double kLargest = 2.5;
     const double omega2 = std::abs(mechanism.omega2());
     ArrowScale scale;
     scale.largest = kLargest * mechanism.a() * (kind == MotionKind::Velocity ? omega2 : omega2 * omega2);

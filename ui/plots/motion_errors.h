@@ -31,10 +31,8 @@ public:
         std::vector<double> undefined;           ///< time stamps at which the reference is zero
     };
     std::span<const double> time() const { return m_time; }
-    const Errors &operator[](std::size_t channel) const
-    {
-        return m_errors[channel];
-    } ///< numbered as in kPlottedChannels
+    /// Channels are numbered as in kPlottedChannels.
+    const Errors &operator[](std::size_t channel) const { return m_errors[channel]; }
 
     /// Returns the error in the chosen measure, or its decimal logarithm if that is chosen; NaN if it is undefined.
     double error(std::size_t channel, double model, double reference) const;

@@ -305,11 +305,11 @@ std::vector<PlotReading> PlotFigure::readings(std::size_t plot, const ReadTime &
         }
     };
     const MotionCurves &motion = model();
-    const auto modelAt =
-        [&](std::size_t channel) { // at the file's time stamps only the channels of the file are sampled
-            const std::vector<double> &sampled = m_result->atReference[kPlottedChannels[channel]];
-            return time.row && *time.row < sampled.size() ? sampled[*time.row] : motion.value(channel, time.t);
-        };
+    // At the file's time stamps only the channels of the file are sampled.
+    const auto modelAt = [&](std::size_t channel) {
+        const std::vector<double> &sampled = m_result->atReference[kPlottedChannels[channel]];
+        return time.row && *time.row < sampled.size() ? sampled[*time.row] : motion.value(channel, time.t);
+    };
     if (!isErrorPlot(plot)) {
         const std::size_t channel = channelOf(plot);
         add(modelAt(channel), &SeriesColours::model);
