@@ -16,11 +16,11 @@ namespace slidercrank
 namespace
 {
 
-/// Decimal numbers are not exact in binary: a value that differs by exactly half a step may seem to differ by so many
-/// units in its last place more.
+/// Relative tolerance of a bound: decimal numbers are not exact in binary, so that a difference of exactly half a step
+/// may appear larger by some units in the last place.
 constexpr double kUlpSlack = 4.0 * std::numeric_limits<double>::epsilon();
 
-constexpr std::size_t kWorthAThread = 50000; // time stamps
+constexpr std::size_t kFewestForThreads = 50000; // time stamps: below, threads cost more than they save
 
 /// One column of the reference and the model at the same time stamps.
 struct Column {
@@ -29,7 +29,7 @@ struct Column {
     const ReferenceSeries &reference;
 };
 
-/// What the errors of a column are measured by, in its unit.
+/// The sizes with which the errors of a column are compared, in its unit.
 struct Scale {
     double peak = 0.0; ///< largest magnitude of the reference
     double size = 0.0; ///< the larger of the peak and the channel's natural size
@@ -59,8 +59,8 @@ Scale scaleOf(const Column &column, const ChannelSize &channelSize)
     return scale;
 }
 
-/// The exact motion half a step of the time stamps earlier and later: what rounding the time stamps can change.
-struct Doubt {
+/// The effect of rounded time stamps: the exact motion half a rounding step earlier and later.
+struct RoundedTimeEffect {
     Trajectory early;
     Trajectory late;
     double largestDrift = std::numeric_limits<double>::infinity(); ///< in units of half the range
@@ -89,7 +89,7 @@ Verdict judge(const ChannelComparison &channel)
     return mostWithin && noneFar ? Verdict::Agrees : Verdict::Close;
 }
 
-/// Adds the error of one value to the largest and to the percentages.
+/// Updates the largest error and percentage with the error of one value.
 void measure(ChannelComparison &result, double time, double error, double magnitude, bool isZero)
 {
     if (!result.maxAbs || error > *result.maxAbs) {
@@ -105,14 +105,14 @@ void measure(ChannelComparison &result, double time, double error, double magnit
     }
 }
 
-/// `doubt`: null where the time stamps are exact.
-ChannelComparison compareColumn(const Column &column, const Scale &scale, const Doubt *doubt)
+/// `effect`: null if the time stamps are exact.
+ChannelComparison compareColumn(const Column &column, const Scale &scale, const RoundedTimeEffect *effect)
 {
     const Channel channel = column.reference.channel;
     ChannelComparison result;
     result.channel = channel;
     result.peak = scale.peak;
-    const double unit = scale.size > 0.0 ? scale.size : 1.0; // in it no square over- or underflows
+    const double unit = scale.size > 0.0 ? scale.size : 1.0; // in this unit no square overflows or underflows
     double squares = 0.0;
     double largestStep = 0.0;
     for (std::size_t i = 0; i < column.time.size(); ++i) {
@@ -124,7 +124,7 @@ ChannelComparison compareColumn(const Column &column, const Scale &scale, const 
         const double step = column.reference.rounding.stepAt(value);
         largestStep = std::max(largestStep, step);
         if (!std::isfinite(model)) {
-            result.missingModel += doubt != nullptr && doubt->isMotionPossible(channel, i) ? 0 : 1;
+            result.missingModel += effect != nullptr && effect->isMotionPossible(channel, i) ? 0 : 1;
             continue;
         }
         ++result.count;
@@ -134,8 +134,8 @@ ChannelComparison compareColumn(const Column &column, const Scale &scale, const 
         squares += (error / unit) * (error / unit);
         measure(result, column.time[i], error, magnitude, magnitude <= halfStep);
         double bound = halfStep + kUlpSlack * magnitude;
-        if (doubt != nullptr && error > bound) {
-            bound += doubt->drift(channel, i, model, scale.halfRange);
+        if (effect != nullptr && error > bound) {
+            bound += effect->drift(channel, i, model, scale.halfRange);
         }
         result.withinBound += error <= bound ? 1 : 0;
         if (error > bound) {
@@ -164,10 +164,10 @@ Trajectory exactMotion(const Mechanism &mechanism, std::vector<double> times, co
     return sample(mechanism, std::move(times), channels, {.method = Method::ClosedForm, .newton = {}}, std::move(stop));
 }
 
-/// What the time stamps of the file may differ by from those that were meant: `step(time)`, s. None where the crank
-/// does not move in that time.
+/// The effect of time stamps that were rounded to step(time), in s; nullopt if the crank does not move in that time.
 template <class Step>
-std::optional<Doubt> doubtAbout(const Mechanism &mechanism, const ReferenceData &reference, const Step &step)
+std::optional<RoundedTimeEffect> effectOfRoundedTime(const Mechanism &mechanism, const ReferenceData &reference,
+                                                     const Step &step)
 {
     std::vector<double> early = reference.time;
     std::vector<double> late = reference.time;
@@ -182,7 +182,8 @@ std::optional<Doubt> doubtAbout(const Mechanism &mechanism, const ReferenceData 
         return std::nullopt;
     }
     const ChannelSet channels = channelsOf(reference);
-    return Doubt{exactMotion(mechanism, std::move(early), channels), exactMotion(mechanism, std::move(late), channels)};
+    return RoundedTimeEffect{exactMotion(mechanism, std::move(early), channels),
+                             exactMotion(mechanism, std::move(late), channels)};
 }
 
 } // namespace
@@ -217,29 +218,29 @@ std::vector<ChannelComparison> compare(const Mechanism &mechanism, const Traject
 {
     const Clock clock = clockOf(reference);
     const auto roundedStep = [&](double time) { return reference.timeRounding.stepAt(time); };
-    const std::optional<Doubt> doubt =
-        doubtAbout(mechanism, reference, [&](double time) { return clock.rounded ? roundedStep(time) : 0.0; });
+    const std::optional<RoundedTimeEffect> effect =
+        effectOfRoundedTime(mechanism, reference, [&](double time) { return clock.rounded ? roundedStep(time) : 0.0; });
     std::vector<Scale> scales(reference.series.size());
     std::vector<ChannelComparison> result(reference.series.size());
     const auto columnAt = [&](std::size_t i) {
         return Column{reference.time, model[reference.series[i].channel], reference.series[i]};
     };
-    const bool isLong = reference.time.size() > kWorthAThread;
+    const bool isLong = reference.time.size() > kFewestForThreads;
     const auto compareSeries = [&](std::size_t i) {
         scales[i] = scaleOf(columnAt(i), sizeOf(mechanism, reference.series[i].channel));
-        result[i] = compareColumn(columnAt(i), scales[i], doubt ? &*doubt : nullptr);
+        result[i] = compareColumn(columnAt(i), scales[i], effect ? &*effect : nullptr);
     };
     inParallel(result.size(), compareSeries, isLong);
 
-    // A clock that does not show it may have been rounded all the same. What that adds must be small next to the
-    // motion, and an even clock then makes a file close at best.
+    // Time stamps that do not show it may nevertheless have been rounded. The effect must be small compared with the
+    // motion, and with evenly spaced time stamps the best verdict is `close`.
     const auto mayRise = [&](const ChannelComparison &channel) {
         return channel.verdict == Verdict::Differs || (channel.verdict == Verdict::Close && !clock.even);
     };
     if (clock.rounded || std::ranges::none_of(result, mayRise)) {
         return result;
     }
-    std::optional<Doubt> possible = doubtAbout(
+    std::optional<RoundedTimeEffect> possible = effectOfRoundedTime(
         mechanism, reference, [&](double time) { return clock.even ? clock.printedStep : roundedStep(time); });
     if (!possible) {
         return result;
@@ -273,7 +274,7 @@ MotionDifference differenceOf(const Mechanism &mechanism, const Mechanism &other
     constexpr int kSteps = 2000;
     double duration = std::abs(to - from);
     if (mechanism.omega2() == other.omega2() && mechanism.omega2() != 0.0) {
-        duration = std::min(duration, kTurn / std::abs(mechanism.omega2())); // the first turn is like all others
+        duration = std::min(duration, kTurn / std::abs(mechanism.omega2())); // all turns are equal
     }
     const std::vector<double> times = Sampling{std::min(from, to), duration, kSteps}.instants();
     const Trajectory model = exactMotion(mechanism, times, plottedChannels());

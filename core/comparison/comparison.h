@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// How far reference data are from the model: largest and mean errors, the pointwise percentage, and whether the
-// difference is within the file's own rounding. All values are in the units of files (mm, °, s); an error is model -
+// Compares reference data with the model: largest and rms errors, the largest pointwise percentage, and whether
+// rounding in the file explains the difference. All values are in the units of files (mm, °, s); an error is model -
 // reference.
 //
-// A value is uncertain by half its own step, and by how far the motion f goes while the time stamp t is uncertain by
-// half of its step τ:
+// Rounding explains an error within a bound: half the rounding step of the value, plus the change of the motion f
+// within half the rounding step τ of the time stamp t:
 //
 //     bound = step / 2 + max(|f(t + τ/2) - f(t)|, |f(t - τ/2) - f(t)|)
 //
-// (on both sides: at a turning point the rate is 0, and the error is not). What lies beyond the bound must also be
-// small next to the motion, because a step may have been inferred too large, and a motion may be small next to its
-// step. The time stamps of an even clock are taken as exact (τ = 0); if a file then differs, they may have been rounded
-// all the same (0.0133 for 0.013303), and the file may still be close. If a clock does not show that it was rounded,
-// what τ adds must be small next to the motion, too.
+// (on both sides, because at a turning point the rate is 0 and the error is not). The excess over the bound must also
+// be small compared with the motion, because a step may have been inferred too large, and a motion may be small
+// compared with its step. Evenly spaced time stamps are taken as exact (τ = 0). If the file then differs, they may
+// nevertheless have been rounded (0.0133 for 0.013303), and the file may still be close. If time stamps do not show
+// that they were rounded, the contribution of τ must also be small compared with the motion.
 
 #include "core/import/reference_data.h"
 #include "core/mechanism/channel.h"
@@ -42,10 +42,10 @@ inline constexpr double kExcessOfCloseness = 0.01;
 
 struct ChannelComparison {
     Channel channel;
-    std::size_t count = 0;        ///< instants where both values exist
-    std::size_t missingModel = 0; ///< instants where the file has a value and the model none
+    std::size_t count = 0;        ///< time stamps at which both values exist
+    std::size_t missingModel = 0; ///< time stamps at which only the file has a value
 
-    // Absent where there is nothing to compare.
+    // Empty if there is nothing to compare.
     std::optional<double> maxAbs;
     double timeOfMaxAbs = 0.0;
     std::optional<double> rms;
@@ -61,42 +61,40 @@ struct ChannelComparison {
     /// maxAbs as % of the peak.
     std::optional<double> percentOfPeak;
 
-    /// The file's rounding step where it is largest; absent when the column gives no hint.
+    /// The largest rounding step of the column; empty if the column does not reveal it.
     std::optional<double> roundingStep;
 
-    /// How far the values are off in the measure of the verdict: how many lie within their bound, how many bounds the
-    /// worst is away, and how far beyond its bound any is at most, as a part of half the motion's range (infinite where
-    /// those are no finite numbers).
+    // The measures of the verdict: the number of errors within their bound, the largest ratio of an error to its bound,
+    // and the largest excess over a bound relative to half the motion's range (infinite if that is not finite).
     std::size_t withinBound = 0;
     double worstOver = 0.0;
     double excess = 0.0;
 
-    /// The clock is even, and the file is close only if it was rounded nevertheless; the numbers above assume so.
+    /// The time stamps are evenly spaced, and the file is close only if they were rounded; the measures assume that.
     bool clockIsRounded = false;
 
     Verdict verdict = Verdict::Differs;
 };
 
-/// A file may carry more digits than any double-precision computation can promise. No step is taken to be smaller than
-/// this part of the channel's size (the larger of its peak and its naturalSize()).
+/// The smallest rounding step, relative to the channel's size (the larger of its peak and its naturalSize()): a file
+/// may have more digits than a double-precision computation can guarantee.
 inline constexpr double kArithmeticStep = 1e-12;
 
-/// Nor smaller than this part of its largest: a value of -7.4e-15 next to others of a hundred is a zero, and its digits
-/// mean nothing.
+/// The smallest rounding step, relative to the largest one of the column: the digits of a value of -7.4e-15 next to
+/// values near 100 have no meaning.
 inline constexpr double kSmallestPartOfLargestStep = 0.01;
 
-/// What a channel's errors are compared with, in the unit of files.
+/// The size with which the errors of a channel are compared, in the unit of files.
 struct ChannelSize {
     double natural = 1.0; ///< naturalSize()
 
-    /// What counts as half the motion's range: for a channel that stands still, this; for the others the model's, at
-    /// most `most`.
+    // Half the motion's range: `still` if the channel is constant; otherwise that of the model, at most `most`.
     double still = 0.0;
     double most = std::numeric_limits<double>::infinity();
 };
 
-/// A channel that stands still has the range of those that move with it: a or 1 rad, times |ω2|^k for the k-th
-/// derivative. Of θ2 no more than π counts.
+/// The size of a channel. A constant channel has the size of a moving one: a or 1 rad, times |ω2|^k for the k-th
+/// derivative. The half range of θ2 is at most π.
 ChannelSize sizeOf(const Mechanism &mechanism, Channel channel);
 
 /// Compares one channel, with exact time stamps. `time`, `model` and `reference.values` have one value per time stamp;
@@ -109,22 +107,22 @@ ChannelComparison compareChannel(std::span<const double> time, std::span<const d
 std::vector<ChannelComparison> compare(const Mechanism &mechanism, const Trajectory &model,
                                        const ReferenceData &reference);
 
-/// Compares every column of the file with the exact motion. Incomplete when stopped.
+/// The comparison of every column of the file with the exact motion; incomplete if stopped.
 struct ExactComparison {
     std::vector<ChannelComparison> channels;
     std::vector<Status> status; ///< of the motion, one per time stamp
 };
 ExactComparison compareExactly(const Mechanism &mechanism, const ReferenceData &reference, std::stop_token stop = {});
 
-/// How far one mechanism's exact motion is from another's: in the order of kPlottedChannels, with the other one as the
-/// reference.
+/// The comparison of a mechanism's exact motion with that of another one as the reference, in the order of
+/// kPlottedChannels.
 struct MotionDifference {
     std::vector<ChannelComparison> channels;
-    bool hasGaps = false; ///< at some time stamps one of the two cannot be assembled
+    bool hasGaps = false; ///< one of the two cannot be assembled at some time stamps
 };
 using ChannelDifference = ChannelComparison;
 
-/// Samples both from one time (s) to the other, and compares them like a file.
+/// Samples both mechanisms between two times (s) and compares them like a file.
 MotionDifference differenceOf(const Mechanism &mechanism, const Mechanism &other, double from, double to);
 
 } // namespace slidercrank

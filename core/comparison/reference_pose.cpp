@@ -13,7 +13,7 @@ namespace slidercrank
 namespace
 {
 
-/// A column of positions between its rows.
+/// Interpolates a column of positions.
 class Curve
 {
 public:
@@ -44,17 +44,17 @@ public:
     }
 
 private:
-    /// Per second, from row i to the next.
+    /// The mean slope from row i to the next one, per second.
     double chordAfter(std::size_t i) const
     {
         double rise = m_values[i + 1] - m_values[i];
         if (m_angle) {
-            rise = std::remainder(rise, 360.0); // some programs keep angles within one turn
+            rise = std::remainder(rise, 360.0); // some programs print angles within one turn
         }
         return rise / (m_time[i + 1] - m_time[i]);
     }
 
-    /// Of the parabola through the row and its neighbours; NaN where one of them is missing.
+    /// The slope of the parabola through row i and its neighbours; NaN if one of them is missing.
     double slopeAt(std::size_t i) const
     {
         if (i == 0 || i + 1 == m_time.size()) {
@@ -87,7 +87,7 @@ ReferencePose referencePoseAt(const ReferenceData &data, const Mechanism &mechan
     double sliderX = 0.0;
     if (!angle || !slider) {
         Parameters parameters = mechanism.parameters();
-        if (data.crank) { // its angles are those of the file's, whatever else turns the mechanism
+        if (data.crank) { // the time stamps belong to the drive of the file
             parameters.omega2 = data.crank->omega2;
             parameters.theta20 = data.crank->theta20;
         }

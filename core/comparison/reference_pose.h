@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The linkage as the reference data have it at one instant: B from R4x, the coupler's direction from θ3. Between two
-// rows they follow the cubic that passes through both with the slopes of the parabolas through each and its neighbours
-// (the derivative columns have no say: they may be anything). What the data cannot tell, lengths and a column that is
-// not there, comes from a mechanism, best the one identified from the same data.
+// The pose of the linkage in the reference data at a given time: B from R4x, and the direction of the coupler from θ3.
+// Between two rows, both are interpolated by a cubic with the slopes of the parabolas through each row and its
+// neighbours. The derivative columns are not used, because they may be wrong. Lengths and a missing column come from a
+// mechanism, preferably the one identified from the same data.
 
 #include "core/import/reference_data.h"
 #include "core/mechanism/mechanism.h"
@@ -12,18 +12,18 @@
 namespace slidercrank
 {
 
-/// mm.
+/// The positions of both ends of the coupler, mm.
 struct ReferencePose {
     bool exists = false;
-    double pinX = 0.0, pinY = 0.0;       ///< A, at the coupler's far end
-    double sliderX = 0.0, sliderY = 0.0; ///< B
+    double pinX = 0.0, pinY = 0.0;       ///< the crank pin A
+    double sliderX = 0.0, sliderY = 0.0; ///< the wrist pin B
 };
 
-/// It does not exist before the first and after the last row, beside an empty cell, and where the data have neither θ3
-/// nor R4x.
+/// The pose in the data. It does not exist before the first and after the last row, next to an empty cell, and if the
+/// data have neither θ3 nor R4x.
 ReferencePose referencePoseAt(const ReferenceData &data, const Mechanism &mechanism, double time);
 
-/// Where the reference is another mechanism; it does not exist where that cannot be assembled.
+/// The pose of a mechanism that is the reference. It does not exist if the mechanism cannot be assembled.
 ReferencePose referencePoseAt(const Mechanism &mechanism, double time);
 
 } // namespace slidercrank

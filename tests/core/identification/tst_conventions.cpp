@@ -178,7 +178,7 @@ ReferenceData writtenAndRead(const Table &table)
     return data ? *data : ReferenceData();
 }
 
-/// Mechanisms whose crank turns round, and their instants.
+/// Random mechanisms whose crank makes full turns, and their time stamps.
 class RandomFiles
 {
 public:
@@ -227,7 +227,7 @@ void multiply(Table &table, const std::vector<Channel> &channels, double factor)
     }
 }
 
-/// What is done to a file, and what is to be found. `parameters` are those that the file is then compared with.
+/// A change of a file, and the conventions that must be found. `parameters` become the given mechanism.
 struct Fault {
     const char *name;
     std::function<std::vector<Convention>(Table &, Parameters &, RandomFiles &)> inject;
@@ -311,7 +311,7 @@ const std::vector<Fault> &faults()
     return all;
 }
 
-/// Faults that another mechanism explains as well.
+/// Faults that another mechanism explains equally well.
 const std::vector<Fault> &faultsOfTheWhole()
 {
     static const std::vector<Fault> all{
@@ -380,7 +380,7 @@ bool isSame(const Convention &found, const Convention &expected)
            std::abs(found.amount - expected.amount) <= slack * std::abs(expected.amount);
 }
 
-/// Whether just these were found, in any order, each of which matters and leaves next to nothing.
+/// Whether exactly these were found, in any order, and each reduces the error to nearly zero.
 bool areFound(const std::vector<ConventionFinding> &findings, const std::vector<Convention> &expected)
 {
     const auto isFound = [&](const Convention &one) {
@@ -392,7 +392,7 @@ bool areFound(const std::vector<ConventionFinding> &findings, const std::vector<
            std::all_of(findings.begin(), findings.end(), helps);
 }
 
-ReferenceData authorsFile()
+ReferenceData reportsFile()
 {
     QFile file(qEnvironmentVariable("SLIDERCRANK_REFERENCE_FILE"));
     const QByteArray bytes = file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
@@ -408,7 +408,7 @@ class TestConventions : public QObject
     Q_OBJECT
 
 private slots:
-    void findsAFaultAgainstTheMechanismAtHand_data()
+    void findsAFaultAgainstTheGivenMechanism_data()
     {
         QTest::addColumn<Fault>("fault");
         for (const auto &list : {faults(), faultsOfTheWhole(), {kAxisReversed}}) {
@@ -418,7 +418,7 @@ private slots:
         }
     }
 
-    void findsAFaultAgainstTheMechanismAtHand()
+    void findsAFaultAgainstTheGivenMechanism()
     {
         QFETCH(const Fault, fault);
         RandomFiles files(1);
@@ -435,22 +435,22 @@ private slots:
     {
         QTest::addColumn<Fault>("first");
         QTest::addColumn<Fault>("second");
-        QTest::addColumn<bool>("atHand");
-        const auto add = [](const char *first, const char *second, bool atHand) {
-            const std::string name = std::string(first) + ", " + second + (atHand ? ", mechanism at hand" : "");
-            QTest::newRow(name.c_str()) << faultNamed(first) << faultNamed(second) << atHand;
+        QTest::addColumn<bool>("isGiven");
+        const auto add = [](const char *first, const char *second, bool isGiven) {
+            const std::string name = std::string(first) + ", " + second + (isGiven ? ", given mechanism" : "");
+            QTest::newRow(name.c_str()) << faultNamed(first) << faultNamed(second) << isGiven;
         };
-        for (const bool atHand : {true, false}) {
-            add("angles in radians", "velocity in m/s", atHand);
-            add("angles in radians", "the textbook's θ_3", atHand);
-            add("angles in radians", "velocity and acceleration swapped", atHand);
-            add("instants in ms", "angles in radians", atHand);
-            add("instants in ms", "angle and position swapped", atHand);
-            add("position in cm", "the textbook's θ_3", atHand);
-            add("velocity with the other sign", "the angle's derivatives in radians", atHand);
-            add("velocity with the other sign", "a whole turn less", atHand);
-            add("a velocity of noise", "angles in radians", atHand);
-            add("an acceleration delayed by some rows", "the textbook's θ_3", atHand);
+        for (const bool isGiven : {true, false}) {
+            add("angles in radians", "velocity in m/s", isGiven);
+            add("angles in radians", "the textbook's θ_3", isGiven);
+            add("angles in radians", "velocity and acceleration swapped", isGiven);
+            add("instants in ms", "angles in radians", isGiven);
+            add("instants in ms", "angle and position swapped", isGiven);
+            add("position in cm", "the textbook's θ_3", isGiven);
+            add("velocity with the other sign", "the angle's derivatives in radians", isGiven);
+            add("velocity with the other sign", "a whole turn less", isGiven);
+            add("a velocity of noise", "angles in radians", isGiven);
+            add("an acceleration delayed by some rows", "the textbook's θ_3", isGiven);
         }
         add("all lengths in metres", "angles in radians", true);
         add("all lengths in inches", "a late start", true);
@@ -464,7 +464,7 @@ private slots:
     {
         QFETCH(const Fault, first);
         QFETCH(const Fault, second);
-        QFETCH(const bool, atHand);
+        QFETCH(const bool, isGiven);
         RandomFiles files(3);
         for (int i = 0; i < filesOf(10); ++i) {
             Parameters p = files.mechanism();
@@ -474,7 +474,7 @@ private slots:
                 expected.push_back(one);
             }
             const std::vector<ConventionFinding> found =
-                findConventions(writtenAndRead(table), atHand ? Mechanism(p) : Mechanism());
+                findConventions(writtenAndRead(table), isGiven ? Mechanism(p) : Mechanism());
             QVERIFY2(areFound(found, expected), (std::to_string(i) + ": " + inWords(found)).c_str());
         }
     }
@@ -526,12 +526,12 @@ private slots:
     {
         QTest::addColumn<std::vector<Channel>>("channels");
         QTest::addColumn<Fault>("fault");
-        QTest::addColumn<bool>("atHand");
-        for (const bool atHand : {true, false}) {
-            const char *where = atHand ? ", mechanism at hand" : "";
+        QTest::addColumn<bool>("isGiven");
+        for (const bool isGiven : {true, false}) {
+            const char *where = isGiven ? ", given mechanism" : "";
             const auto add = [&](const char *columns, const std::vector<Channel> &channels, const char *fault) {
                 const std::string name = std::string(columns) + ": " + fault + where;
-                QTest::newRow(name.c_str()) << channels << faultNamed(fault) << atHand;
+                QTest::newRow(name.c_str()) << channels << faultNamed(fault) << isGiven;
             };
             add("positions only", {kTheta, kX}, "only the angle in radians");
             add("positions only", {kTheta, kX}, "the textbook's θ_3");
@@ -552,7 +552,7 @@ private slots:
     {
         QFETCH(const std::vector<Channel>, channels);
         QFETCH(const Fault, fault);
-        QFETCH(const bool, atHand);
+        QFETCH(const bool, isGiven);
         RandomFiles files(6);
         for (int i = 0; i < filesOf(10); ++i) {
             Parameters p = files.mechanism();
@@ -560,12 +560,12 @@ private slots:
             const std::vector<Convention> expected = fault.inject(table, p, files);
             table.keepOnly(channels);
             const std::vector<ConventionFinding> found =
-                findConventions(writtenAndRead(table), atHand ? Mechanism(p) : Mechanism());
+                findConventions(writtenAndRead(table), isGiven ? Mechanism(p) : Mechanism());
             QVERIFY2(areFound(found, expected), (std::to_string(i) + ": " + inWords(found)).c_str());
         }
     }
 
-    void staysSilentWhereAnotherMechanismExplainsAsMuch_data()
+    void findsNothingThatAnotherMechanismExplains_data()
     {
         QTest::addColumn<Fault>("fault");
         for (const Fault &fault : faultsOfTheWhole()) {
@@ -573,7 +573,7 @@ private slots:
         }
     }
 
-    void staysSilentWhereAnotherMechanismExplainsAsMuch()
+    void findsNothingThatAnotherMechanismExplains()
     {
         QFETCH(const Fault, fault);
         RandomFiles files(7);
@@ -592,7 +592,7 @@ private slots:
         }
     }
 
-    void tellsAReversedAxisFromAHalfTurnByASimilarMechanism()
+    void distinguishesAReversedAxisFromAHalfTurnByASimilarMechanism()
     {
         RandomFiles files(8);
         for (int i = 0; i < filesOf(20); ++i) {
@@ -636,11 +636,11 @@ private slots:
         }
     }
 
-    void findsNoConventionInTheAuthorsFileButAMistypedLength()
+    void findsNoConventionInTheReferenceReportsFile()
     {
-        const ReferenceData data = authorsFile();
+        const ReferenceData data = reportsFile();
         if (data.series.empty()) {
-            QSKIP("the author's InventorData.csv is not at hand");
+            QSKIP("the reference report's file is not available");
         }
         for (const double b : {60.0, 65.0}) {
             Parameters p;
@@ -653,7 +653,7 @@ private slots:
         QVERIFY2(areFound(found, {{Kind::HalfTurn, {kTheta}, -180.0}}), inWords(found).c_str());
     }
 
-    void copesWithGapsAndOtherColumns()
+    void acceptsGapsAndOtherColumns()
     {
         RandomFiles files(11);
         const Parameters p = files.mechanism();
@@ -736,7 +736,7 @@ private slots:
         }
     }
 
-    void saysNothingOfAnAxisWhereXMoves()
+    void findsNoAxisIfXMoves()
     {
         RandomFiles files(22);
         for (int i = 0; i < filesOf(10); ++i) {
@@ -760,7 +760,7 @@ private slots:
         QVERIFY(findConventions(writtenAndRead(table), Mechanism()).empty());
     }
 
-    void saysWhereLengthsMayBeMetres_data()
+    void reportsThatLengthsMayBeMetres_data()
     {
         QTest::addColumn<double>("scale");
         QTest::addColumn<QByteArray>("heading");
@@ -771,7 +771,7 @@ private slots:
         QTest::newRow("millimetres, unsaid") << 1.0 << QByteArray("R4_x") << false;
     }
 
-    void saysWhereLengthsMayBeMetres()
+    void reportsThatLengthsMayBeMetres()
     {
         QFETCH(const double, scale);
         QFETCH(const QByteArray, heading);
@@ -792,14 +792,14 @@ private slots:
         QCOMPARE(diagnosis.mayBeInMetres, may);
     }
 
-    void looksAtSomeRowsOfAMillionOnly_data()
+    void usesOnlySomeOfAMillionRows_data()
     {
         QTest::addColumn<double>("turns");
         QTest::newRow("one turn") << 1.0;
         QTest::newRow("ten thousand turns") << 1e4;
     }
 
-    void looksAtSomeRowsOfAMillionOnly()
+    void usesOnlySomeOfAMillionRows()
     {
         QFETCH(const double, turns);
         Parameters p;
@@ -837,7 +837,7 @@ private slots:
         QVERIFY(findConventions(writtenAndRead(table), Mechanism(), stop.get_token()).empty());
     }
 
-    void aClockStartedLateIsFoundToTheDigitsThatSomebodyChose()
+    void findsALateStartAsARoundNumber()
     {
         ReferenceData data = printedData(Parameters());
         for (double &t : data.time) {
@@ -848,7 +848,7 @@ private slots:
         QVERIFY(findings[0].convention == (Convention{Kind::TimeShift, {}, -0.137}));
     }
 
-    void appliesAHalfTurnWithoutPromisingDigits()
+    void keepsTheRoundingStepAfterAHalfTurn()
     {
         // 204.624 has its last digit at 0.001, and so has the 24.624 that it is half a turn before.
         ReferenceData data;
@@ -861,7 +861,7 @@ private slots:
         }
     }
 
-    void appliesAUnitToTheRoundingToo()
+    void convertsTheRoundingStepToo()
     {
         ReferenceData data;
         data.time = {0.0, 1.0};
