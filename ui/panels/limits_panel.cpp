@@ -25,14 +25,6 @@ LimitsPanel::LimitsPanel(QWidget *values, QWidget *parent)
     design->setWidgetResizable(true);
     design->setWidget(m_design);
     addPage(tr("Design"), design);
-    connect(m_response, &ResponseView::parameterRequested, this, &LimitsPanel::parameterRequested);
-    connect(m_response, &ResponseView::dragBegan, this, &LimitsPanel::dragBegan);
-    connect(m_response, &ResponseView::dragEnded, this, &LimitsPanel::dragEnded);
-    connect(m_response, &ResponseView::copied, this, &LimitsPanel::copied);
-    connect(m_response, &ResponseView::problemFound, this, &LimitsPanel::problemFound);
-    connect(m_design, &DesignForm::edited, this, &LimitsPanel::edited);
-    connect(m_design, &DesignForm::dragBegan, this, &LimitsPanel::dragBegan);
-    connect(m_design, &DesignForm::dragEnded, this, &LimitsPanel::dragEnded);
 }
 
 void LimitsPanel::setResult(const std::shared_ptr<const Result> &result)

@@ -24,6 +24,9 @@ public:
 
     void setResult(const std::shared_ptr<const Result> &result);
 
+    ResponseView *response() const { return m_response; }
+    DesignForm *design() const { return m_design; }
+
     /// Shows the response to one of kVariedParameters and emits responseShown().
     void showResponse(Parameter parameter);
 
@@ -31,13 +34,7 @@ public:
     void fillMenu(QMenu *menu);
 
 signals:
-    void edited(const slidercrank::Parameters &parameters);
-    void parameterRequested(slidercrank::Parameter parameter, double value);
-    void dragBegan();
-    void dragEnded();
     void responseShown();
-    void copied(const QString &sentence);
-    void problemFound(const QString &sentence);
 
 private:
     ResponseView *m_response;

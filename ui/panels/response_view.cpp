@@ -25,7 +25,7 @@ namespace
 {
 
 constexpr QSize kFigureSize(1500, 330); // px, of the exported charts
-constexpr QSize kSmallestChart(110, 90); // px; below this the charts scroll
+constexpr QSize kSmallestChart(100, 90); // px; below this the charts scroll
 
 } // namespace
 

@@ -4,6 +4,7 @@
 #include "ui/document/with.h"
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/panels/column_mapping.h"
+#include "ui/panels/design_form.h"
 #include "ui/panels/error_page.h"
 #include "ui/panels/limits_page.h"
 #include "ui/panels/limits_panel.h"
@@ -278,13 +279,17 @@ QWidget *MainWindow::makeLimitsPanel()
     auto *panel = new LimitsPanel(makePanel(QStringLiteral("limitsPanel"), tr("Motion limits"),
                                             [this] { return limitsPage(*m_session->result()); }));
     follow(&Session::resultChanged, panel, &LimitsPanel::setResult, m_session->result());
-    connect(panel, &LimitsPanel::edited, m_session, &Session::setParameters);
-    connect(panel, &LimitsPanel::parameterRequested, m_session, &Session::setParameter);
-    connect(panel, &LimitsPanel::dragBegan, m_session, &Session::beginDrag);
-    connect(panel, &LimitsPanel::dragEnded, m_session, &Session::endDrag);
     connect(panel, &LimitsPanel::responseShown, m_views.tabs, [this, panel] { m_views.tabs->showPage(panel); });
-    connect(panel, &LimitsPanel::copied, m_messages, &Messages::confirm);
-    connect(panel, &LimitsPanel::problemFound, m_messages, &Messages::showProblem);
+    const ResponseView *response = panel->response();
+    connect(response, &ResponseView::parameterRequested, m_session, &Session::setParameter);
+    connect(response, &ResponseView::dragBegan, m_session, &Session::beginDrag);
+    connect(response, &ResponseView::dragEnded, m_session, &Session::endDrag);
+    connect(response, &ResponseView::copied, m_messages, &Messages::confirm);
+    connect(response, &ResponseView::problemFound, m_messages, &Messages::showProblem);
+    const DesignForm *design = panel->design();
+    connect(design, &DesignForm::edited, m_session, &Session::setParameters);
+    connect(design, &DesignForm::dragBegan, m_session, &Session::beginDrag);
+    connect(design, &DesignForm::dragEnded, m_session, &Session::endDrag);
     connect(m_views.parameters, &ParameterPanel::responseRequested, panel, &LimitsPanel::showResponse);
     return panel;
 }
