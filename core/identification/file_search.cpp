@@ -127,12 +127,7 @@ Observations searchWindow(const Observations &all)
         end = static_cast<std::size_t>(static_cast<double>(count) * kMostTurns / turns);
         end = std::clamp(end, std::min(kSearchRows, count), count);
     }
-    std::vector<std::size_t> rows;
-    const std::size_t used = std::min(kSearchRows, end);
-    for (std::size_t k = 0; k < used; ++k) {
-        rows.push_back(k * (end - 1) / (used - 1));
-    }
-    return selection(all, rows);
+    return selection(all, spreadRows(end, kSearchRows));
 }
 
 /// At most a thousand rows of the file, in blocks of consecutive rows, so that neighbours can be compared.
@@ -169,12 +164,7 @@ Candidate extended(const Observations &all, const Observations &window, const Ob
         static_cast<std::size_t>(std::ranges::upper_bound(all.abscissa, window.abscissa.back()) - all.abscissa.begin());
     while (end < all.abscissa.size()) {
         end = std::min(kGrowth * end, all.abscissa.size());
-        std::vector<std::size_t> rows;
-        const std::size_t used = std::min(kRows, end);
-        for (std::size_t k = 0; k < used; ++k) {
-            rows.push_back(k * (end - 1) / (used - 1));
-        }
-        Fit fit = fitHypothesis(selection(all, rows), hypothesis, kRounds);
+        Fit fit = fitHypothesis(selection(all, spreadRows(end, kRows)), hypothesis, kRounds);
         if (!fit.exists()) {
             break;
         }

@@ -390,10 +390,11 @@ ReferenceData thinnedData(const ReferenceData &data, std::size_t count)
     ReferenceData some;
     some.timeRounding = data.timeRounding;
     some.crank = data.crank;
+    const std::vector<std::size_t> rows = spreadRows(data.time.size(), count);
     const auto thin = [&](const std::vector<double> &values) {
         std::vector<double> result;
-        for (std::size_t k = 0; k < count; ++k) {
-            result.push_back(values[k * (values.size() - 1) / (count - 1)]);
+        for (const std::size_t row : rows) {
+            result.push_back(values[row]);
         }
         return result;
     };

@@ -264,16 +264,19 @@ Observations selection(const Observations &all, std::span<const std::size_t> row
     return some;
 }
 
+std::vector<std::size_t> spreadRows(std::size_t end, std::size_t count)
+{
+    const std::size_t used = std::min(count, end);
+    std::vector<std::size_t> rows;
+    for (std::size_t k = 0; k < used; ++k) {
+        rows.push_back(k * (end - 1) / (used - 1));
+    }
+    return rows;
+}
+
 Observations thinned(const Observations &all, std::size_t count)
 {
-    if (all.abscissa.size() <= count) {
-        return all;
-    }
-    std::vector<std::size_t> rows;
-    for (std::size_t k = 0; k < count; ++k) {
-        rows.push_back(k * (all.abscissa.size() - 1) / (count - 1));
-    }
-    return selection(all, rows);
+    return all.abscissa.size() <= count ? all : selection(all, spreadRows(all.abscissa.size(), count));
 }
 
 } // namespace slidercrank

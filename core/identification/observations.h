@@ -68,6 +68,9 @@ Observations observe(const ReferenceData &data);
 /// Takes some rows only. `rows` must be increasing.
 Observations selection(const Observations &all, std::span<const std::size_t> rows);
 
+/// At most `count` evenly spread rows of the first `end` rows.
+std::vector<std::size_t> spreadRows(std::size_t end, std::size_t count);
+
 /// Takes at most `count` evenly spread rows.
 Observations thinned(const Observations &all, std::size_t count);
 
