@@ -38,7 +38,7 @@ void drawSquare(QPainter &painter, const QSize &size)
     painter.drawText(QPoint(5, 20), QStringLiteral("θ³ [°]"));
 }
 
-/// A shade of grey that tells the time: 0 s is black, 1 s white.
+/// Draws a shade of grey for the time: 0 s is black, 1 s is white.
 void drawGrey(QPainter &painter, const QSize &size, double time)
 {
     const int grey = static_cast<int>(255.0 * time + 0.5);
@@ -112,7 +112,7 @@ private slots:
         QCOMPARE(image.size(), QSize(500, 250));
         QCOMPARE(image.pixelColor(250, 125), QColor(Qt::blue));
         QCOMPARE(image.text(QStringLiteral("Title")), QStringLiteral("A < B"));
-        QVERIFY(contentOf(path("a.pdf")).contains("/MediaBox [0 0 150.0")); // 3/4 point a pixel
+        QVERIFY(contentOf(path("a.pdf")).contains("/MediaBox [0 0 150.0")); // a pixel is 3/4 point
         const QByteArray svg = contentOf(path("a.SVG"));
         QVERIFY(svg.contains("width=\"200\" height=\"100\"") && svg.contains("', sans-serif\""));
         QXmlStreamReader xml(svg);
@@ -128,7 +128,7 @@ private slots:
         QCOMPARE(QApplication::clipboard()->image().size(), QSize(128, 96));
     }
 
-    void refusesPicturesThatCannotBe()
+    void refusesImpossiblePictures()
     {
         struct Row {
             const char *name;
@@ -179,7 +179,7 @@ private slots:
             QCOMPARE(sixth.size(), QSize(61, 41));
             QCOMPARE(sixth.pixelColor(30, 20).red(), 128); // half a second
             const QImage last(path(name + QStringLiteral("/frame_0010.png")));
-            QCOMPARE(last.pixelColor(30, 20).red(), 230); // one frame before the first again
+            QCOMPARE(last.pixelColor(30, 20).red(), 230); // one frame before a whole turn
         }
         QCOMPARE(entriesOf(m_folder->path()), QStringList({"empty", "new"}));
 
@@ -193,7 +193,7 @@ private slots:
         QCOMPARE(backwards.frameCount(), 1);
     }
 
-    void leavesNothingBehindWhereItCannotWriteOrIsCancelled()
+    void leavesNoFilesAfterAFailureOrACancel()
     {
         QVERIFY(QDir(m_folder->path()).mkdir(QStringLiteral("full")));
         QFile note(path("full/note.txt"));
@@ -215,7 +215,7 @@ private slots:
     void makesVideosWithFfmpeg()
     {
         struct Row {
-            QByteArray lastLine; // of a program in ffmpeg's place
+            QByteArray lastLine; // of the script that replaces ffmpeg
             QByteArray content;
             QString problem;
         };
@@ -284,7 +284,7 @@ private slots:
         QVERIFY(reportText(contentWith(60.0, referenceIn({kSample}))).contains("within the rounding of the file"));
     }
 
-    void reportsFromWhatItWasMade()
+    void reportNamesItsFilesAndColumns()
     {
         QFile file(path("motion.csv"));
         QVERIFY(file.open(QIODevice::WriteOnly));
@@ -303,7 +303,7 @@ private slots:
         QVERIFY(!text.contains(QStringLiteral("theta3”"))); // its name is known
         QVERIFY(file.open(QIODevice::Append) && file.write("0.03,80.7,19.5\n") > 0);
         file.close();
-        content.checksums = fileChecksums(*reference); // no longer what was read
+        content.checksums = fileChecksums(*reference); // the file has changed since it was read
         QVERIFY(reportText(content).contains(QStringLiteral("SHA-256: unknown")));
 
         auto changed = std::make_shared<Reference>(*referenceIn({kSample}));
@@ -340,12 +340,12 @@ private slots:
     {
         const auto draw = [](QPainter &painter, const QSize &size) {
             painter.fillRect(QRect(QPoint(), size), Qt::red);
-            painter.translate(1000.0, 1000.0); // it ends with the drawing
+            painter.translate(1000.0, 1000.0); // this must not affect the rest of the page
         };
         const ReportContent content = contentWith(65.0, referenceIn({kSample}));
         QCOMPARE(exportReport(path("report.pdf"), content, {draw, draw}), std::nullopt);
         const QByteArray pdf = contentOf(path("report.pdf"));
-        QVERIFY(pdf.startsWith("%PDF") && pdf.contains("/Type /Font")); // text is text
+        QVERIFY(pdf.startsWith("%PDF") && pdf.contains("/Type /Font")); // text is not drawn as an image
         QVERIFY2(pdf.count("/Type /Page\n") == 3, QByteArray::number(pdf.count("/Type /Page\n")));
         QVERIFY(exportReport(path("gone/report.pdf"), content, {draw, draw})->contains("cannot be written"));
         QCOMPARE(entriesOf(m_folder->path()), QStringList(QStringLiteral("report.pdf")));

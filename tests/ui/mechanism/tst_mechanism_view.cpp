@@ -36,7 +36,7 @@ Parameters withLengths(double a, double b, double c, Branch branch = Branch::Ope
 
 const Parameters kOscillating = withLengths(20.0, 40.0, 25.0);
 
-/// A view that shows a session, which does what the view requests.
+/// A view connected with a session.
 struct Bench {
     Session session;
     MechanismView view;
@@ -67,7 +67,7 @@ struct Bench {
     void move(QPointF model) { QTest::mouseMove(&view, view.toPixels(model).toPoint()); }
     void release(QPointF model) { QTest::mouseRelease(&view, Qt::LeftButton, {}, view.toPixels(model).toPoint()); }
 
-    /// Everything that is written in the drawing.
+    /// Returns all texts of the drawing.
     QString text() const
     {
         TextRecorder recorder(view.size());
@@ -82,7 +82,7 @@ struct Bench {
     }
 };
 
-/// What a view of 800 × 600 pixels draws.
+/// The drawing in a view of 800 × 600 pixels.
 struct Drawn {
     MechanismScene scene;
     std::unique_ptr<MechanismSketch> sketch;
@@ -158,7 +158,7 @@ private slots:
                     ++poses;
                     QVERIFY(inside.contains(bench.view.toPixels(bench.B())));
                 }
-                QCOMPARE(bench.view.toPixels({0.0, 0.0}), origin); // it does not jump
+                QCOMPARE(bench.view.toPixels({0.0, 0.0}), origin); // the frame does not move
             }
             QVERIFY(poses > 20);
             const QPointF right = bench.view.toPixels({parameters.a, 0.0}) - origin;
@@ -167,7 +167,7 @@ private slots:
         }
     }
 
-    void followsALengthInCoarseStepsAndFitsItAtRest()
+    void followsALengthInCoarseStepsAndFitsItAtTheEnd()
     {
         Bench bench;
         auto *delay = bench.view.findChild<QTimer *>(QStringLiteral("refitDelay"));
@@ -192,7 +192,7 @@ private slots:
         AWAIT(bench.view.frame().fitted() == fitted);
         QVERIFY(!delay->isActive());
 
-        bench.view.setZoom(QRectF(-10.0, -10.0, 20.0, 20.0)); // nor what the user zoomed to
+        bench.view.setZoom(QRectF(-10.0, -10.0, 20.0, 20.0)); // a zoom chosen by the user does not change
         const QPointF there = bench.view.toPixels({5.0, 5.0});
         bench.session.setParameter(Parameter::B, 150.0);
         QCOMPARE(bench.view.toPixels({5.0, 5.0}), there);
@@ -273,7 +273,7 @@ private slots:
             notes << note->text();
         }
         notes.removeDuplicates();
-        QCOMPARE(notes.size(), qsizetype(9)); // O2 and its ground, B and the slider share one
+        QCOMPARE(notes.size(), qsizetype(9)); // O2 and the ground share a note, and so do B and the slider
         QVERIFY(notes.join(u' ').contains(QStringLiteral("ω₂ = 6.283 rad/s")));
     }
 
@@ -297,7 +297,7 @@ private slots:
             double omega2, duration, from, degrees, time;
         };
         for (const Row &row : {Row{kTurn, 1.0, 0.1, 72.0, 0.2}, Row{kTurn, 1.0, 0.3, 72.0, 0.2},
-                               Row{kTurn, 1.0, 0.05, -36.0, 0.9},  // back past the start: a turn later
+                               Row{kTurn, 1.0, 0.05, -36.0, 0.9},  // before the start, so a turn later
                                Row{kTurn, 2.0, 1.1, 72.0, 1.2},    // in the second turn
                                Row{-kTurn, 1.0, 0.1, -72.0, 0.2},  // clockwise
                                Row{kTurn, 0.25, 0.2, 120.0, 0.25}, // past the end
@@ -310,7 +310,7 @@ private slots:
             bench.press(bench.A());
             const double angle = row.degrees / kDegreesPerRadian;
             bench.move(30.0 * QPointF(std::cos(angle), std::sin(angle)));
-            QVERIFY2(std::abs(bench.session.time() - row.time) < 0.005, // pixels are coarse
+            QVERIFY2(std::abs(bench.session.time() - row.time) < 0.005, // the error of one pixel
                      qPrintable(QString::number(bench.session.time())));
             bench.release(bench.A());
         }
@@ -333,7 +333,7 @@ private slots:
             moveTo(x);
         }
         QVERIFY(std::abs(bench.session.time() - 1.0475) < 1e-3);
-        for (double x = 86.0; x > 33.0; x -= 2.0) { // in again: the crank goes on
+        for (double x = 86.0; x > 33.0; x -= 2.0) { // back again: the crank turns on
             moveTo(x);
         }
         QVERIFY(bench.session.time() > 1.5);
@@ -441,7 +441,7 @@ private slots:
         QVERIFY(!drawn.label(arrowScaleText(drawn.scene.velocity, MotionKind::Velocity)).isNull());
     }
 
-    void tellsTheInstantCentre()
+    void showsTheInstantCentre()
     {
         MechanismSettings settings;
         settings.instantCentre = true;
@@ -476,7 +476,7 @@ private slots:
         QCOMPARE(overlaps, 0);
     }
 
-    void showsTheGhostAndKeepsItInView()
+    void showsTheGhostWithinTheView()
     {
         Bench bench;
         const SeriesColours colours = seriesColours(bench.view.palette());
@@ -488,7 +488,7 @@ private slots:
         QCOMPARE(bench.picture(), without);
 
         const QPointF before = bench.view.toPixels({20.0, 0.0});
-        for (const double tooLarge : {2e4, qInf()}) { // in another unit: the model is not made tiny
+        for (const double tooLarge : {2e4, qInf()}) { // as in another unit; the model must not become tiny
             bench.view.setGhostBounds(QRectF(0.0, 0.0, tooLarge, 1.0));
             QCOMPARE(bench.view.toPixels({20.0, 0.0}), before);
         }
@@ -496,7 +496,7 @@ private slots:
         QVERIFY(QRectF(bench.view.rect()).contains(bench.view.toPixels({130.0, 25.0})));
     }
 
-    void linksGrowWithTheLetters()
+    void linksGrowWithTheFont()
     {
         Bench bench;
         const SeriesColours colours = seriesColours(bench.view.palette());

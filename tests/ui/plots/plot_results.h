@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Motions for the tests of the plots, and the textbook's formulas for them.
+// Motions for the tests of the plots, and textbook formulas for them.
 
 #include "ui/document/result.h"
 
@@ -34,7 +34,7 @@ inline std::shared_ptr<const Result> resultOf(const Shown &shown)
     return compute({shown.model, shown.sampling, solver, shown.reference, shown.pinned}, {});
 }
 
-/// The motion of another mechanism at 41 time stamps, as if a file had been read: all channels or the first ones.
+/// Returns the motion of another mechanism at 41 time stamps as a reference with that many channels.
 inline std::shared_ptr<Reference> referenceOf(double b, std::size_t channels = kPlottedChannels.size())
 {
     const std::shared_ptr<const Result> result = resultOf({.model = withCoupler(b), .sampling = {0.0, 1.0, 40}});
@@ -47,7 +47,7 @@ inline std::shared_ptr<Reference> referenceOf(double b, std::size_t channels = k
     return reference;
 }
 
-/// θ³ (°) and Rₓ⁴ (mm) of a = 20, c = 25: asin((c − a sin θ₂)/b), a cos θ₂ + √(b² − (c − a sin θ₂)²).
+/// Returns θ³ (°) and Rₓ⁴ (mm) for a = 20, c = 25: asin((c − a sin θ₂)/b), a cos θ₂ + √(b² − (c − a sin θ₂)²).
 inline std::array<double, 2> positionsAt(double turns, double b)
 {
     const double theta2 = 2.0 * std::numbers::pi * turns;

@@ -24,7 +24,7 @@ std::vector<double> evenTime(std::size_t count)
     return time;
 }
 
-/// "t,v" of each point; a gap is "t,-".
+/// Returns "t,v" for each point; a gap is "t,-".
 QString written(const std::vector<CurvePoint> &points)
 {
     QStringList texts;
@@ -96,7 +96,7 @@ private slots:
         };
         for (const Row &row :
              {Row{{{-1, -1}, {0.5, 0.5}, {1.5, 2.5}, {2, 0.5}}, "0,0 0.5,0.5 0.75,1 0.75,- 1.875,1 2,0.5"},
-              Row{{{0, -1}, {1, 3}}, "0.25,0 0.5,1 0.5,-"}, // only passes through
+              Row{{{0, -1}, {1, 3}}, "0.25,0 0.5,1 0.5,-"}, // both ends are outside
               Row{{{0, 2}, {1, 3}}, ""}, Row{{{0, 0.5}, {1, kNoValue}, {1.5, 0.25}}, "0,0.5 1,- 1.5,0.25"},
               Row{{{0, 0.5}, {1, 1e300}}, "0,0.5 5e-07,1 5e-07,-"}}) {
             QCOMPARE(written(clip(row.points, {0.0, 2.0}, {0.0, 1.0})), row.expected);
@@ -106,7 +106,7 @@ private slots:
                  "0,1 5,6");
     }
 
-    void dropsOnlyPointsThatTheLinePasses()
+    void removesOnlyPointsOnTheRemainingLine()
     {
         std::vector<CurvePoint> curve;
         for (const double t : evenTime(2'001)) {

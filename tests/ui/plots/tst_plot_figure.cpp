@@ -37,7 +37,7 @@ std::ptrdiff_t gapsIn(const std::vector<CurvePoint> &points)
     return std::ranges::count_if(points, [](const CurvePoint &point) { return std::isnan(point.value); });
 }
 
-/// Of a plot of errors: the coupler's in `error`, the slider's in `errorOther`.
+/// Returns a curve of an error plot: the coupler's has the colour `error`, the slider's `errorOther`.
 const PlotCurve &curveIn(const Plot &plot, Ink ink)
 {
     return *std::ranges::find(plot.curves, ink, &PlotCurve::ink);
@@ -89,7 +89,7 @@ private slots:
                 const std::vector<PlotReading> readings = figure.readings(kPositionErrors, figure.readTime(0.0));
                 QCOMPARE(readings.size(), std::size_t(2));
                 for (std::size_t i = 0; i < 2; ++i) {
-                    constexpr double kPeakIsSampled = 2e-3; // of 41 samples none is just at the peak
+                    constexpr double kPeakIsSampled = 2e-3; // none of the 41 samples is exactly at the peak
                     QVERIFY(isNear(readings[i].value, row.expected(i), kPeakIsSampled));
                     QVERIFY(isNear(curveIn(plot, kErrorInks[i]).points.front().value, row.expected(i), kPeakIsSampled));
                     QVERIFY(plot.values->contains(readings[i].value));
@@ -102,7 +102,7 @@ private slots:
     {
         const std::shared_ptr<Reference> reference = referenceOf(65.0);
         reference->data.series[0].values[20] = 0.0;
-        reference->data.series[0].values[30] = 1e-15; // beside a peak of 40: a zero within rounding
+        reference->data.series[0].values[30] = 1e-15; // zero within rounding, since the peak is 40
         PlotFigure &figure = figureOf({.reference = reference});
         figure.setSettings(settingsWith(ErrorMeasure::Percent));
         const Plot &plot = plotOf(figure, kPositionErrors);
@@ -159,7 +159,7 @@ private slots:
         QVERIFY(plotOf(figureOf({.reference = referenceOf(65.0)}), kPositionErrors).note.isEmpty());
     }
 
-    void aFileWithoutAChannelLeavesThatPlotToTheModel()
+    void withoutAColumnInTheFileAPlotShowsOnlyTheModel()
     {
         PlotFigure &figure = figureOf({.reference = referenceOf(65.0, 1)});
         QCOMPARE(plotOf(figure, 0).curves.size(), std::size_t(2));
@@ -196,9 +196,9 @@ private slots:
         }
     }
 
-    void valuesFitTheTimeOnShow()
+    void valueAxesFitTheTimeShown()
     {
-        for (const int steps : {0, 400, 8}) { // of Newton-Raphson; 0: closed form
+        for (const int steps : {0, 400, 8}) { // Newton-Raphson; 0 means closed form
             PlotFigure &figure = figureOf({.reference = referenceOf(65.0),
                                            .sampling = {0.0, 1.0, std::max(steps, 1)},
                                            .method = steps > 0 ? Method::Newton : Method::ClosedForm});
@@ -219,13 +219,13 @@ private slots:
                 QVERIFY(seen.lower <= least + chord && seen.upper >= most - chord);
                 QVERIFY(seen.length() < 1.5 * (most - least) + 4.0 * chord && seen.length() < 0.8 * whole.length());
             }
-            figure.zoomValues(1, {10.0, 20.0}); // chosen values stay, whatever the time on show
+            figure.zoomValues(1, {10.0, 20.0}); // a chosen range does not depend on the time shown
             figure.zoomTime({0.5, 0.6});
             QCOMPARE(*plotOf(figure, 1).values, (Interval{10.0, 20.0}));
         }
     }
 
-    void titlesNameAndExplainTheSymbolsWhichGoFirst()
+    void shorterTitlesFirstDropTheExplanationThenTheSymbol()
     {
         PlotFigure &figure = figureOf({});
         QCOMPARE(plotOf(figure, 3).titles,
@@ -235,7 +235,7 @@ private slots:
         QCOMPARE(plotOf(figure, 0).titles.first(), QStringLiteral("coupler angle θ³ [°]"));
     }
 
-    void whatIsReadWithAFileIsReadAtItsTimeStamps()
+    void withAFileValuesAreReadAtItsTimeStamps()
     {
         const std::shared_ptr<Reference> reference = referenceOf(65.0);
         for (const Method method : {Method::ClosedForm, Method::Newton}) {
@@ -274,7 +274,7 @@ private slots:
         QVERIFY(zero >= 0 && isNear(axis.tickVector()[zero], 0.25, 1e-9));
     }
 
-    void inPresentationModeMotionsAreEqualAndNamedByWhatDiffers()
+    void inPresentationModeMotionsAreEquallyThickAndNamedByTheirDifference()
     {
         PlotFigure &figure = figureOf({.model = withCoupler(146.0), .pinned = {withCoupler(65.0), withCoupler(80.0)}});
         QVERIFY(plotOf(figure, 1).curves.front().width < figure.plot(1).curves.back().width && figure.hasErrors());
@@ -288,7 +288,7 @@ private slots:
         QCOMPARE(names, (QStringList{"b = 65 mm", "b = 80 mm", "b = 146 mm"}));
     }
 
-    void aPinnedCurveIsAsTrueAsTheModels()
+    void aPinnedCurveIsAsExactAsTheModels()
     {
         struct Row {
             double duration;
@@ -323,12 +323,13 @@ private slots:
         }
     }
 
-    void tooFewSamplesAreSaidWithTheNumberThatWouldDo()
+    void warnsOfTooFewSamplesWithTheNumberNeeded()
     {
         Parameters parameters;
         parameters.omega2 = 2.0 * std::numbers::pi * 50.0;
         for (const auto &[method, steps, name] :
-             {std::tuple(Method::Newton, 200, "4 samples per revolution are too few for a curve: 1,000 steps are enough."),
+             {std::tuple(Method::Newton, 200,
+                         "4 samples per revolution are too few for a curve: 1,000 steps are enough."),
               {Method::Newton, 1000, "model"},
               {Method::ClosedForm, 2, "model"}}) {
             PlotFigure &figure = figureOf({parameters, nullptr, {}, {0.0, 1.0, steps}, method});

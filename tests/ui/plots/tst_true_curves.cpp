@@ -29,8 +29,9 @@ double valueAt(const ClosedForm &motion, std::size_t channel, double t)
     return toFileUnit(kPlottedChannels[channel], values[channel]);
 }
 
-/// What the motion passes in a plot and a little beyond, in cells of a quarter of a pixel, looked at densely: at many
-/// times in each column of cells; where this holds more than a turn, at as many of one turn.
+/// The cells, a quarter of a pixel in size, through which the motion passes in a plot and slightly beyond it. The
+/// motion is evaluated at many times in each column of cells. If a column contains more than a turn, only one turn is
+/// evaluated.
 class Truth
 {
 public:
@@ -46,10 +47,10 @@ public:
         const double speed = std::abs(p.omega2);
         const auto [start, end] =
             std::minmax({result.sampling.start, result.sampling.start + result.sampling.duration});
-        // Beside a toggle what happens is as narrow as the root of what the coupler has to spare.
+        // Near a toggle, events are as narrow as the square root of what the coupler is longer than necessary.
         const double width = std::sqrt(2.0 * std::abs(p.b - p.a - std::abs(p.c)) / p.a);
         const double looksPerRadian = 30.0 / std::clamp(width, 0.01, 0.3);
-        int turn = -1; // a column that holds one
+        int turn = -1; // a column that contains one
         for (int column = 0; column < m_columns; ++column) {
             const double from = std::max(start, timeAt(column));
             const double to = std::min(end, timeAt(column + 1));
@@ -66,7 +67,7 @@ public:
 
     bool isEmpty() const { return std::ranges::find(m_passed, 1) == m_passed.end(); }
 
-    /// Whether the motion comes within that distance (px) of a pixel of the plot.
+    /// Returns whether the motion comes within that distance (px) of a pixel of the plot.
     bool isNear(int x, int y, double distance) const
     {
         const int reach = static_cast<int>(distance * kPerPixel);
@@ -81,7 +82,7 @@ public:
         return false;
     }
 
-    /// A pixel that the motion passes within the axes and that is not painted, nor any of its neighbours.
+    /// Returns a pixel that the motion passes although neither the pixel nor any of its neighbours is painted.
     std::optional<QPoint> missingPixel(const auto &isPainted) const
     {
         for (int x = 1; x < m_plot.width() - 1; ++x) {
@@ -145,8 +146,8 @@ private:
         }
     }
 
-    /// Beside the limit of an oscillating crank, between a time at which the motion exists and one at which it does
-    /// not.
+    /// Returns the value at the limit of an oscillating crank, between a time at which the motion exists and one at
+    /// which it does not.
     double lastValue(double there, double notThere) const
     {
         for (int i = 0; i < 60; ++i) {
@@ -164,7 +165,7 @@ private:
     std::vector<char> m_passed;
 };
 
-/// The six plots of the motion with nothing but their curves.
+/// The six plots of the motion, with curves but without axes and grid.
 struct BareFigure {
     void show(const std::shared_ptr<const Result> &result, const PlotZoom &zoom = {})
     {
@@ -184,7 +185,7 @@ struct BareFigure {
         picture = pixmap.toImage();
     }
 
-    /// What is wrong with a plot; empty: nothing.
+    /// Returns what is wrong with a plot; empty if nothing is.
     QString fault(std::size_t plot) const
     {
         const QCPAxisRect &axes = *figure.plot(plot).axes;
@@ -225,13 +226,13 @@ Parameters turningAt(double turnsPerSecond)
 
 } // namespace
 
-/// A curve of the model is the motion, whatever the speed, the duration and the steps.
+/// A curve of the model shows the exact motion at every speed, duration and number of steps.
 class TestTrueCurves : public QObject
 {
     Q_OBJECT
 
 private slots:
-    void everyPaintedPixelIsOfTheMotionAndAllOfItIsPainted()
+    void paintsExactlyThePixelsOfTheMotion()
     {
         RandomMechanisms random(8);
         BareFigure shown;
@@ -240,7 +241,7 @@ private slots:
             if (i % 4 == 1) { // oscillating cranks, some of two arcs
                 const double shortest = std::max(0.0, std::abs(p.c) - p.a);
                 p.b = shortest + random.uniform(0.02, 0.98) * (p.a + std::abs(p.c) - shortest);
-            } else if (i % 4 == 2) { // beside a toggle
+            } else if (i % 4 == 2) { // near a toggle
                 p.b = (p.a + std::abs(p.c)) * (1.0 + std::pow(10.0, random.uniform(-4.0, -1.0)));
             }
             p.omega2 = std::copysign(std::exp(random.uniform(std::log(0.1), std::log(1e4))), p.omega2);
@@ -262,7 +263,7 @@ private slots:
         }
     }
 
-    /// With 200 steps: at 3000 rpm four to a turn, at 6000 rpm two.
+    /// 200 steps are four per turn at 3000 rpm and two at 6000 rpm.
     void axesReachThePeaks()
     {
         for (const double turnsPerSecond : {1.0, 50.0, 100.0, 1000.0}) {
@@ -280,7 +281,7 @@ private slots:
         }
     }
 
-    void stepsChangeNoPixel()
+    void theNumberOfStepsChangesNoPixel()
     {
         BareFigure shown;
         QImage before;
@@ -291,8 +292,8 @@ private slots:
         }
     }
 
-    /// Newton-Raphson's samples are what it found and no more.
-    void samplesAreNotJoinedWhereTheyAreFew()
+    /// With Newton-Raphson only the samples are known.
+    void fewSamplesAreNotConnected()
     {
         struct Row {
             double turns;
@@ -300,7 +301,7 @@ private slots:
             bool isJoined;
         };
         for (const auto &[turns, steps, isJoined] : {Row{50.0, 200, false}, Row{50.0, 1000, true},
-                                                     Row{5000.0, 1000, true}}) { // the last are as good as a band
+                                                     Row{5000.0, 1000, true}}) { // dense samples look like a band
             const std::shared_ptr<const Result> result =
                 resultOf({turningAt(turns), nullptr, {}, {0.0, 1.0, steps}, Method::Newton});
             BareFigure shown;
@@ -335,7 +336,7 @@ private slots:
         }
     }
 
-    void aLongMotionInClosedFormIsCountedButNotKept()
+    void aLongMotionInClosedFormIsCountedButNotStored()
     {
         for (const double b : {65.0, 40.0, 45.0, 4.0}) {
             const Sampling sampling{0.0, 2.0, 120'000};
