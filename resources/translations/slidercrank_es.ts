@@ -3169,7 +3169,7 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
         <translation>Coordenadas</translation>
     </message>
     <message>
-        <source>Newton-Raphson at the time on show</source>
+        <source>Newton-Raphson at the current time</source>
         <translation>Newton-Raphson en el instante mostrado</translation>
     </message>
 </context>

@@ -12,7 +12,7 @@ namespace slidercrank
 NewtonPanel::NewtonPanel(QWidget *parent)
     : SegmentedPages(QStringLiteral("segment"), parent)
     , m_form(new SolverForm)
-    , m_tables(new TablePanel("newtonTables", tr("Newton-Raphson at the time on show"), [this] { return page(); }))
+    , m_tables(new TablePanel("newtonTables", tr("Newton-Raphson at the current time"), [this] { return page(); }))
 {
     named("newtonPanel", this, tr("Newton-Raphson"));
     addPage(tr("Settings"), m_form);

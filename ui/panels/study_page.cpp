@@ -23,7 +23,7 @@ struct StudyPage {
 constexpr int kDigits = 3;
 constexpr int kEveryChannel = 36;
 constexpr int kPlottedChannelsOnly = 6;
-constexpr double kLeastError = 1e-17; // an error of 0 is drawn here, below what a double can resolve
+constexpr double kSmallestDrawnError = 1e-17; // errors below this, including 0, are drawn here
 
 struct MethodText {
     QString name;
@@ -210,7 +210,7 @@ ChartContent chartOf(const CaseResult &result)
             kind = kinds.insert(kinds.end(), method.method.kind);
         }
         ChartSeries &series = chart.series[static_cast<std::size_t>(kind - kinds.begin())];
-        const double error = std::isfinite(*method.maxError) ? std::max(kLeastError, *method.maxError) : 1.0;
+        const double error = std::isfinite(*method.maxError) ? std::max(kSmallestDrawnError, *method.maxError) : 1.0;
         const QPointF point(method.nsPerState, error);
         const auto place = std::ranges::lower_bound(series.points, point.x(), {}, &QPointF::x) - series.points.begin();
         series.points.insert(series.points.begin() + place, point);

@@ -149,8 +149,8 @@ void NumberBox::stepBy(int steps)
 QString NumberBox::textFromValue(double value) const
 {
     constexpr int kMargins = 4; // px; margins of QLineEdit
-    constexpr int kMostDigits = 6;
-    constexpr int kFewestDigits = 2;
+    constexpr int kMaximumDigits = 6;
+    constexpr int kMinimumDigits = 2;
     const auto fits = [this](const QString &text) {
         return fontMetrics().horizontalAdvance(text + suffix()) <= lineEdit()->width() - kMargins;
     };
@@ -163,8 +163,8 @@ QString NumberBox::textFromValue(double value) const
     } else if (m_isEditing) {
         return typedNumberText(value);
     }
-    int digits = kMostDigits;
-    while (digits > kFewestDigits && !fits(numberText(value, digits))) {
+    int digits = kMaximumDigits;
+    while (digits > kMinimumDigits && !fits(numberText(value, digits))) {
         --digits;
     }
     return numberText(value, digits);
