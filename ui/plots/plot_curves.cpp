@@ -79,7 +79,7 @@ void PlotFigure::setSettings(const PlotSettings &settings)
 
 bool PlotFigure::hasErrors() const
 {
-    return m_result && (m_result->reference || (m_result->difference && !m_isPresentation));
+    return m_result && !m_isPresentation && (m_result->reference || m_result->difference);
 }
 
 Interval PlotFigure::sampledRange() const
