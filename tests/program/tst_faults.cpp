@@ -367,7 +367,7 @@ private slots:
         for (const rlim_t limit : sizeLimitsFor(before.size())) {
             const FileSizeLimit sizeLimit(limit);
             rememberTheme(Theme::Light);
-            rememberFile(kRecentScenes, QStringLiteral("x.json"));
+            rememberFiles({QStringLiteral("x.json")});
             rememberLanguage(Language::English);
             remember(layoutOf(*m_window));
             judge(QStringLiteral("%1 bytes").arg(limit),

@@ -34,11 +34,13 @@ public:
     /// Folds or unfolds the tabs, unless the user has chosen.
     void suggest(bool folded);
 
+    /// Folds or unfolds them; this does not count as the user's choice.
+    void setFolded(bool folded);
+
 signals:
     void foldedChanged(bool folded);
 
 private:
-    void setFolded(bool folded);
     void makeContent(int index);
 
     QHash<int, std::function<QWidget *()>> m_unmade; ///< functions that create the missing contents, by index

@@ -16,7 +16,6 @@
 #include "ui/panels/table_panel.h"
 #include "ui/panels/timeline.h"
 #include "ui/plots/plot_grid.h"
-#include "ui/text/remember.h"
 #include "ui/widgets/folding_tabs.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/window/exports.h"
@@ -32,7 +31,6 @@
 
 #include <QApplication>
 #include <QCloseEvent>
-#include <QDir>
 #include <QDropEvent>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -52,7 +50,7 @@ namespace
 
 const QString kSamplePath = QStringLiteral(":/data/inventor_sample.csv");
 
-/// Enough for the table of six channels and its sentence, also with large letters.
+/// Returns a height (px) that shows the error table and its sentence, also with a large font.
 int panelHeight()
 {
     constexpr int kUsual = 230; // px
@@ -80,7 +78,7 @@ QSplitter *makeSplitter(const QString &name, Qt::Orientation orientation, QWidge
     return splitter;
 }
 
-/// On the left the mechanism and its controls, on the right the plots above the tabs.
+/// Puts the mechanism and its controls on the left, and the plots above the tabs on the right.
 QSplitter *layOut(const Views &views)
 {
     auto *left = new QWidget;
@@ -122,7 +120,7 @@ MainWindow::MainWindow(QWidget *parent)
     if (chosenTheme() != Theme::System) {
         QApplication::setPalette(paletteFor(chosenTheme()));
     }
-    auto *page = new QWidget; // messages lie over it
+    auto *page = new QWidget; // the messages lie over it
     auto *column = new QVBoxLayout(page);
     column->setContentsMargins(0, 0, 0, 0);
     setCentralWidget(page);
@@ -137,7 +135,7 @@ MainWindow::MainWindow(QWidget *parent)
     connectDocument();
     showTitle();
     showResult(m_session->result());
-    arrange(*this, rememberedLayout());
+    restoreLayout(*this);
     new KeyFilter(this);
     m_session->setTime(m_session->sampling().start);
     m_messages->greetOnce();
@@ -145,7 +143,7 @@ MainWindow::MainWindow(QWidget *parent)
     m_views.mechanism->setFocus();
 }
 
-/// A number box that still has the focus passes on what was typed while everything that follows it exists.
+/// Takes the focus away first, so that a number box enters its text while the views still exist.
 MainWindow::~MainWindow()
 {
     if (QWidget *widget = focusWidget()) {
@@ -260,7 +258,7 @@ void MainWindow::connectPlots()
             [this](const QString &name) { m_exports->copy(m_exports->plot(name)); });
 }
 
-/// A panel whose page follows the session.
+/// Makes a panel whose page is updated with every change of the session.
 TablePanel *MainWindow::makePanel(const QString &name, const QString &title, const std::function<Page()> &makePage)
 {
     auto *panel = new TablePanel(name, title, makePage);
@@ -320,10 +318,10 @@ QWidget *MainWindow::makeStudyPanel()
 
 void MainWindow::showWithinScreen()
 {
-    constexpr QSize kFrame(20, 60); // px, at most; its size is known only when it is there
+    constexpr QSize kFrame(20, 60); // px, an upper limit: the size of the frame is known only once it is shown
     const QSize available = screen()->availableSize() - kFrame;
     if (!isMaximized() && size().boundedTo(available) != size()) {
-        resize(size().boundedTo(available)); // there may be no window manager that maximizes
+        resize(size().boundedTo(available)); // for window managers that do not maximize
         setWindowState(Qt::WindowMaximized);
     }
     show();
@@ -345,7 +343,7 @@ void MainWindow::openFiles(const QStringList &paths)
 void MainWindow::openReference(const QStringList &paths)
 {
     QStringList sorted = paths;
-    sorted.sort(); // they are one reference in whatever order they were picked
+    sorted.sort(); // the order in which files are picked does not matter
     m_session->loadReference(sorted);
     m_views.tabs->setCurrentWidget(m_views.errors);
 }
@@ -354,7 +352,7 @@ void MainWindow::followReference(const std::shared_ptr<const Reference> &referen
 {
     showTitle();
     if (reference && reference->paths != QStringList(kSamplePath)) {
-        rememberReference(toSource(*reference).paths);
+        rememberFiles(toSource(*reference).paths);
     }
 }
 
@@ -365,10 +363,8 @@ void MainWindow::openSample()
 
 void MainWindow::chooseReference()
 {
-    const QList<QStringList> recent = recentReferences();
-    const QString folder = recent.isEmpty() ? QDir::homePath() : QFileInfo(recent.first().first()).absolutePath();
     const QStringList paths = QFileDialog::getOpenFileNames(
-        this, tr("Open reference: one file, or the plots of one motion together"), folder,
+        this, tr("Open reference: one file, or the plots of one motion together"), recentFolder(),
         tr("Simulation results (*.csv *.txt *.tsv *.tab *.dat *.dta *.mot);;All files (*)"));
     if (!paths.isEmpty()) {
         openReference(paths);
@@ -407,13 +403,13 @@ void MainWindow::showTitle()
         document = reference->name;
     }
     setWindowTitle(document.isEmpty() ? tr("Slider-crank[*]") : tr("%1[*] – Slider-crank").arg(document));
-    setWindowModified(m_scene->isModified());
+    setWindowModified(m_session->isModified());
 }
 
 void MainWindow::showResult(const std::shared_ptr<const Result> &result)
 {
     const int tab = m_views.tabs->indexOf(m_views.errors);
-    if (const QString title = errorTitle(*result); title != m_views.tabs->tabText(tab)) { // it lays out the window
+    if (const QString title = errorTitle(*result); title != m_views.tabs->tabText(tab)) { // setting it lays out the window
         m_views.tabs->setTabText(tab, title);
     }
     m_status->showResult(*result);
@@ -434,7 +430,7 @@ void MainWindow::closeEvent(QCloseEvent *event)
                                    "below."));
         return;
     }
-    if (!m_isClosing && m_scene->isModified()) {
+    if (!m_isClosing && m_session->isModified()) {
         event->ignore();
         m_scene->askThen([this] {
             m_isClosing = true;
@@ -444,7 +440,7 @@ void MainWindow::closeEvent(QCloseEvent *event)
         return;
     }
     m_presentation->setOn(false);
-    remember(layoutOf(*this));
+    saveLayout(*this);
     QMainWindow::closeEvent(event);
 }
 
@@ -477,7 +473,7 @@ void MainWindow::foldIfLow()
     }
 }
 
-/// The status line is about the motion; menus do not clear it.
+/// Ignores status tips, so that menus do not clear the status line.
 bool MainWindow::event(QEvent *event)
 {
     return event->type() == QEvent::StatusTip || QMainWindow::event(event);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Makes the views of the window, lays them out and connects them with the session; it computes nothing.
+// The main window: makes the views, lays them out and connects them with the session. It computes nothing.
 
 #include "ui/document/session.h"
 #include "ui/panels/page.h"
@@ -35,11 +35,11 @@ public:
     Presentation &presentation() { return *m_presentation; }
     Messages &messages() { return *m_messages; }
 
-    /// Maximized if the screen is too small for it.
+    /// Shows the window; maximized if the screen is too small for it.
     void showWithinScreen();
 
 public slots:
-    /// A file named as a scene, or a reference; several files are joined.
+    /// Opens a scene, or a reference. Several files are joined to one reference.
     void openFiles(const QStringList &paths);
     void openReference(const QStringList &paths);
     void openReference(const QString &path) { openReference(QStringList(path)); }
@@ -63,7 +63,7 @@ private:
     void connectMechanism();
     void connectPlots();
 
-    /// Calls the slot of `view` now, and whenever the session emits `changed`.
+    /// Calls the slot of `view` now with `now`, and whenever the session emits `changed`.
     template <typename Changed, typename View, typename Slot, typename... Now>
     void follow(Changed changed, View *view, Slot slot, const Now &...now);
 
@@ -73,7 +73,7 @@ private:
     QWidget *makeStudyPanel();
 
     void followReference(const std::shared_ptr<const Reference> &reference);
-    void chooseColumns(const QStringList &paths); ///< of these files
+    void chooseColumns(const QStringList &paths);
     void applyRemedy(const Finding &finding);
     void showTitle();
     void showResult(const std::shared_ptr<const Result> &result);
@@ -86,7 +86,7 @@ private:
     Presentation *m_presentation;
     Messages *m_messages;
     StatusBar *m_status;
-    bool m_isClosing = false; ///< the person was asked about unsaved changes
+    bool m_isClosing = false; ///< the user has answered the question about unsaved changes
 };
 
 } // namespace slidercrank

@@ -9,7 +9,6 @@
 #include "ui/widgets/folding_tabs.h"
 #include "ui/window/exports.h"
 #include "ui/window/ghost.h"
-#include "ui/window/help_page.h"
 #include "ui/window/main_window.h"
 #include "ui/window/messages.h"
 #include "ui/window/presentation.h"
@@ -18,12 +17,15 @@
 
 #include <QActionGroup>
 #include <QCoreApplication>
+#include <QDialog>
+#include <QDialogButtonBox>
 #include <QDir>
 #include <QMessageBox>
+#include <QTextBrowser>
+#include <QUrl>
+#include <QVBoxLayout>
 
 #include <functional>
-#include <initializer_list>
-#include <utility>
 
 namespace slidercrank
 {
@@ -40,26 +42,46 @@ QAction *addSwitch(QMenu *menu, const QString &text, bool on, const QKeySequence
     return action;
 }
 
-/// Exactly one of them is chosen.
-template <typename Choice>
-void addChoices(QMenu *menu, std::initializer_list<std::pair<Choice, QString>> choices, Choice chosen,
-                const std::function<void(Choice)> &choose)
+/// Adds an action for each value of an enumeration, in its order; exactly one of them is checked.
+template <typename Value>
+void addChoices(QMenu *menu, const QStringList &texts, Value chosen, const std::function<void(Value)> &choose)
 {
     auto *group = new QActionGroup(menu);
-    for (const auto &[choice, text] : choices) {
-        QAction *action = group->addAction(addSwitch(menu, text, choice == chosen));
-        QObject::connect(action, &QAction::triggered, menu, [choose, value = choice] { choose(value); });
+    for (int i = 0; i < texts.size(); ++i) {
+        const auto value = static_cast<Value>(i);
+        QAction *action = group->addAction(addSwitch(menu, texts[i], value == chosen));
+        QObject::connect(action, &QAction::triggered, menu, [choose, value] { choose(value); });
     }
 }
 
-/// Enabled while the result has that property.
-void enableWhile(QAction *action, const Session &session, const std::function<bool(const Result &)> &holds)
+/// Enables the action while the current result satisfies the condition.
+void enableWhile(QAction *action, const Session &session, const std::function<bool(const Result &)> &condition)
 {
-    const auto update = [action, holds](const std::shared_ptr<const Result> &result) {
-        action->setEnabled(holds(*result));
+    const auto update = [action, condition](const std::shared_ptr<const Result> &result) {
+        action->setEnabled(condition(*result));
     };
     update(session.result());
     QObject::connect(&session, &Session::resultChanged, action, update);
+}
+
+/// Opens the help beside the window, at the section with that anchor.
+void showHelp(const QString &title, const QString &anchor, QWidget *window)
+{
+    auto *dialog = new QDialog(window);
+    dialog->setObjectName(QStringLiteral("help"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(title);
+    auto *text = new QTextBrowser;
+    text->setAccessibleName(title);
+    text->setSource(QUrl(Menus::tr("qrc:/help/english.html", "a resource of the program") + u'#' + anchor));
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+    QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::close);
+    auto *rows = new QVBoxLayout(dialog);
+    rows->addWidget(text);
+    rows->addWidget(buttons);
+    const int side = 90 * dialog->fontMetrics().averageCharWidth();
+    dialog->resize(side, side);
+    dialog->show();
 }
 
 } // namespace
@@ -112,14 +134,10 @@ void Menus::addExport(QMenu *menu)
 void Menus::fillRecent(QMenu *menu)
 {
     menu->clear();
-    for (const QString &path : recentFiles(kRecentScenes)) {
-        menu->addAction(QDir::toNativeSeparators(path), this, [this, path] { m_window.scene().open(path); });
-    }
-    menu->addSeparator();
-    for (const QStringList &paths : recentReferences()) {
+    for (const QStringList &paths : recentFiles()) {
         const QString first = QDir::toNativeSeparators(paths.first());
         menu->addAction(paths.size() == 1 ? first : tr("%1 + %2 more").arg(first, QString::number(paths.size() - 1)),
-                        this, [this, paths] { m_window.openReference(paths); });
+                        &m_window, [this, paths] { m_window.openFiles(paths); });
     }
     if (menu->isEmpty()) {
         menu->addAction(tr("No file yet"))->setEnabled(false);
@@ -166,29 +184,24 @@ void Menus::addView()
     connect(ghost, &QAction::triggered, m_views.ghost, &Ghost::setWanted);
     enableWhile(ghost, m_window.session(), &Result::isCompared);
     menu->addSeparator();
-    addChoices<Theme>(
-        menu, {{Theme::System, tr("&System colours")}, {Theme::Light, tr("&Light")}, {Theme::Dark, tr("&Dark")}},
-        chosenTheme(), [this](Theme theme) { m_window.setTheme(theme); });
-    addChoices<Language>( // each by its own name, for those who do not read the other
-        menu->addMenu(tr("Lan&guage")),
-        {{Language::System, tr("&System")},
-         {Language::English, QStringLiteral("&English")},
-         {Language::Spanish, QStringLiteral("Es&pañol")}},
-        chosenLanguage(), [this](Language language) {
-            rememberLanguage(language);
-            m_window.messages().confirm(tr("The language changes when you start the program again."));
-        });
+    addChoices<Theme>(menu, {tr("&System colours"), tr("&Light"), tr("&Dark")}, chosenTheme(),
+                      [this](Theme theme) { m_window.setTheme(theme); });
+    const auto setLanguage = [this](Language language) {
+        rememberLanguage(language);
+        m_window.messages().confirm(tr("The language changes when you start the program again."));
+    };
+    addChoices<Language>(menu->addMenu(tr("Lan&guage")),
+                         {tr("&System"), QStringLiteral("&English"), QStringLiteral("Es&pañol")}, chosenLanguage(),
+                         setLanguage);
 }
 
 void Menus::addHelp()
 {
     QMenu *menu = addMenu(tr("&Help"));
-    const auto showHelp = [this](const QString &title, const char *anchor) {
-        return [this, title, anchor] { (new HelpPage(title, QLatin1String(anchor), &m_window))->show(); };
-    };
     menu->addAction(tr("&Theory and help"), QKeySequence::HelpContents, this,
-                    showHelp(tr("Theory and help"), "theory"));
-    menu->addAction(tr("&Keyboard and mouse"), Qt::CTRL | Qt::Key_F1, this, showHelp(tr("Keyboard and mouse"), "keys"));
+                    [this] { showHelp(tr("Theory and help"), QStringLiteral("theory"), &m_window); });
+    menu->addAction(tr("&Keyboard and mouse"), Qt::CTRL | Qt::Key_F1, this,
+                    [this] { showHelp(tr("Keyboard and mouse"), QStringLiteral("keys"), &m_window); });
     menu->addSeparator();
     menu->addAction(tr("&About"), this, &Menus::showAbout);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The menus of the window: what a person can do, and the keys for it.
+// The menu bar: the actions of the window and their keyboard shortcuts.
 
 #include <QMenuBar>
 

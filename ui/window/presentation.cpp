@@ -25,7 +25,7 @@ namespace slidercrank
 namespace
 {
 
-/// Large enough to be read from the last row; never smaller than usual.
+/// Returns a font that can be read from the back of a lecture room; never smaller than the usual one.
 QFont largeFont(const QWidget &window)
 {
     constexpr int kLinesOnScreen = 45;
@@ -56,21 +56,23 @@ void Presentation::setOn(bool on)
     const MechanismSettings drawn = m_views.mechanism->settings();
     if (on) {
         m_hadAngles = drawn.angles;
+        m_wasFolded = m_views.tabs->isFolded();
         m_widths = m_views.columns->sizes();
     }
     m_views.mechanism->setSettings(with(drawn, &MechanismSettings::angles, on || (drawn.angles && m_hadAngles)));
-    m_views.tabs->setVisible(!on);
     m_views.parameters->setBrief(on);
     m_views.plots->setPresentation(on);
     m_messages->setMuted(on);
     m_window->statusBar()->setVisible(!on);
-    m_window->menuBar()->setMaximumHeight(on ? 0 : QWIDGETSIZE_MAX); // hidden, its keys would not work
+    m_window->menuBar()->setMaximumHeight(on ? 0 : QWIDGETSIZE_MAX); // the shortcuts of a hidden menu bar do not work
+    m_views.tabs->setFolded(false); // the height of the folded tabs depends on the font
     m_window->centralWidget()->setFont(on ? largeFont(*m_window) : QFont());
+    m_views.tabs->setFolded(on || m_wasFolded);
     m_views.columns->setStretchFactor(0, on ? kMechanismShare : 0);
     m_views.columns->setStretchFactor(1, on ? 100 - kMechanismShare : 1);
     const int width = m_views.columns->width() * kMechanismShare / 100;
     m_views.columns->setSizes(on ? QList<int>{width, m_views.columns->width() - width} : m_widths);
-    // Maximized stays set beneath: a Wayland compositor may end a program that changes both at once.
+    // The maximized state remains set: a Wayland compositor may end a program that changes both states at once.
     m_window->setWindowState(m_window->windowState().setFlag(Qt::WindowFullScreen, on));
     if (const QWidget *focus = m_window->focusWidget(); !focus || !focus->isVisible()) {
         m_views.mechanism->setFocus();

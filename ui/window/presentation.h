@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Presentation mode: mechanism and plots fill the screen, with letters and lines to be read from the last row, θ₂ and
-// θ³ on the drawing, the playback and one parameter at a time below it. Escape leaves.
+// Presentation mode: the mechanism and the plots fill the screen, with a large font and wide lines. The drawing shows θ₂
+// and θ³; below it are the playback and one parameter at a time. The tabs are folded. F11 or Escape ends the mode.
 
 #include <QList>
 #include <QObject>
@@ -25,7 +25,7 @@ public:
     bool isOn() const { return m_isOn; }
     void setOn(bool on);
 
-    /// The mechanism alone fills the window.
+    /// Fills the window with the mechanism, or shows the plots again.
     void setMechanismAlone(bool alone);
 
 signals:
@@ -39,8 +39,9 @@ private:
     MessageBar *m_messages;
     QMainWindow *m_window;
     bool m_isOn = false;
-    bool m_hadAngles = false;
-    QList<int> m_widths; ///< of the columns before, px
+    bool m_hadAngles = false; ///< whether the drawing showed the angles before
+    bool m_wasFolded = false; ///< whether the tabs were folded before
+    QList<int> m_widths;      ///< px, of the columns before
 };
 
 } // namespace slidercrank

@@ -26,9 +26,9 @@ namespace
 constexpr std::chrono::seconds kRest{2};
 
 const QString kMessage = QStringLiteral("recovery");
-const QString kPrefix = QStringLiteral("recovery_"); // of the names of copies
+const QString kPrefix = QStringLiteral("recovery_"); // of the file names of copies
 
-/// Beside the settings, which on Windows are no file.
+/// Returns the folder of the settings; on Windows, where settings are no file, that of the configuration.
 QDir folder()
 {
 #ifdef Q_OS_WIN
@@ -42,6 +42,7 @@ QDir folder()
 
 Recovery::Recovery(Session *session, SceneFile *scene, MessageBar *messages, QObject *parent)
     : QObject(parent)
+    , m_session(session)
     , m_scene(scene)
     , m_messages(messages)
 {
@@ -58,24 +59,24 @@ Recovery::~Recovery()
     removeCopy();
 }
 
-/// The copy, if no other window has it.
+/// Locks a copy; returns nullopt if another process has locked it.
 std::optional<Recovery::Copy> Recovery::claim(const QString &path)
 {
     Copy copy{path, std::make_unique<QLockFile>(path + QStringLiteral(".lock"))};
-    copy.lock->setStaleLockTime(0); // it ends with its process only
+    copy.lock->setStaleLockTime(0); // the lock is released only when its process ends
     return copy.lock->tryLock() ? std::optional(std::move(copy)) : std::nullopt;
 }
 
 void Recovery::followEdits()
 {
-    if (m_scene->isModified()) {
+    if (m_session->isModified()) {
         m_rest.start(kRest);
     } else {
         removeCopy();
     }
 }
 
-/// Silently, if it cannot be written: saving the scene says why.
+/// Writes the copy. A failure is not reported; saving the scene will report it.
 void Recovery::write()
 {
     if (!m_copy) {
@@ -97,7 +98,7 @@ void Recovery::removeCopy()
     }
 }
 
-/// The latest copy; an older one is found at the next start.
+/// Finds the latest copy. Older ones are offered at the next starts.
 void Recovery::findOffer()
 {
     for (const QFileInfo &file : folder().entryInfoList(QDir::Files, QDir::Time)) {
@@ -129,12 +130,13 @@ void Recovery::showOffer()
                              tr("Restore"), [this] { restore(); }, tr("Discard"), discard});
 }
 
-/// The copy then belongs to the scene shown. Until that is shown, it is still offered: the person may cancel.
+/// Restores the offered copy, which then becomes the copy of the current scene. The offer remains until the scene is
+/// shown, because the user may cancel.
 void Recovery::restore()
 {
     const auto takeOver = [this] {
         removeCopy();
-        if (m_offer) { // not discarded while the reference was read
+        if (m_offer) { // the user may have discarded it while the reference was read
             m_copy = std::move(std::exchange(m_offer, std::nullopt)->copy);
         }
         write();

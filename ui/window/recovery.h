@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Session recovery: while there are unsaved changes, a copy of the scene lies beside the settings, written when the
-// person rests for two seconds and removed at a regular end. A copy that a crash left is offered at the next start. Its
-// lock ends with the process that wrote it, so that two windows do not offer each other's copies.
+// Session recovery: while there are unsaved changes, keeps a copy of the scene in the folder of the settings. The copy is
+// written two seconds after the last edit, and removed when the scene is saved or the window is closed. After a crash the
+// next start offers to restore it. Each copy has a lock file that is released when its process ends, so that a window
+// does not offer the copy of another running window.
 
 #include "ui/document/scene.h"
 
@@ -28,14 +29,15 @@ class Recovery : public QObject
 
 public:
     Recovery(Session *session, SceneFile *scene, MessageBar *messages, QObject *parent);
-    ~Recovery() override; ///< a regular end
+    ~Recovery() override; ///< removes the copy
 
 private:
-    /// A file, and the lock that makes it this window's.
+    /// The copy of a scene, locked by this window.
     struct Copy {
         QString path;
         std::unique_ptr<QLockFile> lock;
     };
+    /// A copy left by a crash, which the user can restore.
     struct Offer {
         Copy copy;
         Scene scene;
@@ -49,6 +51,7 @@ private:
     void showOffer();
     void restore();
 
+    Session *m_session;
     SceneFile *m_scene;
     MessageBar *m_messages;
     QTimer m_rest{this};

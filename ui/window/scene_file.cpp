@@ -22,10 +22,11 @@ namespace slidercrank
 namespace
 {
 
+/// Makes a question with a Cancel button. It replaces an unanswered question of that name.
 QMessageBox *makeQuestion(const char *name, const QString &title, const QString &text, QWidget *window)
 {
-    if (auto *asked = window->findChild<QMessageBox *>(QLatin1String(name))) {
-        asked->reject();
+    if (auto *unanswered = window->findChild<QMessageBox *>(QLatin1String(name))) {
+        unanswered->reject();
     }
     auto *question = new QMessageBox(QMessageBox::Question, title, text, QMessageBox::Cancel, window);
     question->setObjectName(QLatin1String(name));
@@ -46,11 +47,6 @@ SceneFile::SceneFile(Session *session, const Views &views, QWidget *window)
     connect(session, &Session::referenceLoaded, this, [this] { m_missing.reset(); });
     connect(session, &Session::opened, this, &SceneFile::finishOpening);
     connect(session, &Session::editedMeanwhile, this, &SceneFile::askThen);
-}
-
-bool SceneFile::isModified() const
-{
-    return m_session->isModified();
 }
 
 void SceneFile::enterTypedNumber()
@@ -77,7 +73,7 @@ Scene SceneFile::scene() const
 void SceneFile::askThen(const std::function<void()> &proceed)
 {
     enterTypedNumber();
-    if (!isModified()) {
+    if (!m_session->isModified()) {
         proceed();
         return;
     }
@@ -140,7 +136,7 @@ void SceneFile::finishOpening(const QString &problem)
     m_views.plots->setZoom(opening.scene.zoom);
     m_views.mechanism->setSettings(opening.scene.mechanism);
     m_views.mechanism->setZoom(opening.scene.mechanismFrame);
-    if (m_session->result()->sampling != m_session->sampling()) { // a long computation, whose result resets the zoom
+    if (m_session->result()->sampling != m_session->sampling()) { // still being computed; the result resets the zoom
         const auto zoom = [this, zoom = opening.scene.zoom] { m_views.plots->setZoom(zoom); };
         connect(m_session, &Session::resultChanged, this, zoom, Qt::SingleShotConnection);
     }
@@ -148,7 +144,7 @@ void SceneFile::finishOpening(const QString &problem)
         m_session->undoStack().resetClean();
         opening.restored();
     } else {
-        rememberFile(kRecentScenes, m_path);
+        rememberFiles({m_path});
     }
     emit changed();
     if (!problem.isEmpty()) {
@@ -158,10 +154,8 @@ void SceneFile::finishOpening(const QString &problem)
 
 void SceneFile::chooseAndOpen()
 {
-    const QString last = m_path.isEmpty() ? recentFiles(kRecentScenes).value(0) : m_path;
-    const QString folder = last.isEmpty() ? lastFolder(QStandardPaths::DocumentsLocation) : QFileInfo(last).path();
-    auto *dialog =
-        new QFileDialog(m_window, tr("Open scene"), folder, tr("Scenes (*.slidercrank *.json);;All files (*)"));
+    auto *dialog = new QFileDialog(m_window, tr("Open scene"), recentFolder(),
+                                   tr("Scenes (*.slidercrank *.json);;All files (*)"));
     dialog->setFileMode(QFileDialog::ExistingFile);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString &path) { open(path); });
@@ -187,14 +181,14 @@ void SceneFile::askToReplace(const std::function<void()> &proceed)
         tr("%1 has been changed by another program since you opened it. Replace it?").arg(QFileInfo(m_path).fileName()),
         m_window);
     question->addButton(tr("Replace"), QMessageBox::AcceptRole);
-    const QPushButton *other = question->addButton(tr("Save as…"), QMessageBox::ActionRole);
+    const QPushButton *saveElsewhere = question->addButton(tr("Save as…"), QMessageBox::ActionRole);
     question->setDefaultButton(QMessageBox::Cancel);
     connect(question, &QMessageBox::accepted, this, [this, proceed] {
         if (saveTo(m_path) && proceed) {
             proceed();
         }
     });
-    connect(other, &QPushButton::clicked, this, [this, proceed] { saveAs(proceed); });
+    connect(saveElsewhere, &QPushButton::clicked, this, [this, proceed] { saveAs(proceed); });
     question->open();
 }
 
@@ -222,7 +216,7 @@ bool SceneFile::saveTo(const QString &path)
     m_path = absolute;
     m_state = fileState(absolute);
     m_session->undoStack().setClean();
-    rememberFile(kRecentScenes, m_path);
+    rememberFiles({m_path});
     emit changed();
     emit saved(m_path);
     return true;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The scene of the window as a document: it is opened, saved, and the person is asked before changes are lost. It is
-// modified while there is an edit that could be undone since; neither the time nor the view of the plots counts.
+// The scene of the window as a document: opens and saves it, and asks the user before changes are lost. The scene counts
+// as modified if something was edited since it was saved; moving the time or zooming is no edit.
 
 #include "ui/document/scene.h"
 #include "ui/document/session.h"
@@ -26,45 +26,47 @@ public:
     /// `window`: the parent of dialogs.
     SceneFile(Session *session, const Views &views, QWidget *window);
 
-    const QString &path() const { return m_path; } ///< empty: never saved
-    bool isModified() const;
+    const QString &path() const { return m_path; } ///< empty if it was never saved
 
-    /// Enters a number that is typed and not entered yet: it belongs to the scene.
+    /// Enters the number that is being typed into a box, so that it becomes part of the scene.
     void enterTypedNumber();
 
-    Scene scene() const; ///< as it would be saved now
+    /// Returns the scene as it would be saved now.
+    Scene scene() const;
 
-    /// Calls proceed(); if changes would be lost, only when the person has saved or discarded them.
+    /// Calls proceed(), after the user has saved or discarded unsaved changes.
     void askThen(const std::function<void()> &proceed);
 
-    /// Shows a scene that was never saved. Asks about unsaved changes first, and calls proceed() when it is shown.
+    /// Shows a scene that has no file. Asks about unsaved changes first, and calls proceed() when the scene is shown.
     void restore(const Scene &scene, const std::function<void()> &proceed);
 
 public slots:
-    /// Asks about unsaved changes first. With a reference, that instead of the scene's own.
+    /// Asks about unsaved changes, then opens the scene. If `reference` is not empty, these files replace the scene's own
+    /// reference.
     void open(const QString &path, const QStringList &reference = {});
     void chooseAndOpen();
 
-    /// Asks for a name if there is none yet, and before it replaces a file that somebody else has changed; calls
-    /// proceed() when the scene is saved.
+    /// Saves the scene and calls proceed(). Asks for a name if the scene has none, and before it replaces a file that
+    /// another program has changed.
     void save(const std::function<void()> &proceed = {});
     void saveAs(const std::function<void()> &proceed = {});
 
-    /// False if the scene cannot be written: then problemFound says why.
+    /// Returns false if the scene cannot be written; problemFound then says why.
     bool saveTo(const QString &path);
 
 signals:
-    void changed(); ///< path or isModified
+    void changed(); ///< the path, or whether the scene is modified
     void saved(const QString &path);
     void problemFound(const QString &sentence);
-    void referenceMissing(const QString &sentence); ///< the scene is open without it
+    void referenceMissing(const QString &sentence); ///< the scene was opened without its reference
 
 private:
+    /// A scene that is about to be shown.
     struct Opening {
         QString path;
         FileState state;
         Scene scene;
-        std::function<void()> restored; ///< empty: the scene is as in the file
+        std::function<void()> restored; ///< set for a scene that has no file; called when it is shown
     };
     void show(const Opening &opening, const std::optional<ReferenceSource> &reference);
     void finishOpening(const QString &problem);
@@ -74,10 +76,11 @@ private:
     const Views &m_views;
     QWidget *m_window;
     QString m_path;
-    FileState m_state;    ///< of that file when it was opened or saved last
-    std::optional<ReferenceSource>
-        m_missing;                    ///< of the scene, which is open without it: it is saved again all the same
-    std::optional<Opening> m_opening; ///< while its reference is read
+    FileState m_state;    ///< of the file when it was last opened or saved
+
+    /// The reference that could not be opened; it is saved with the scene again.
+    std::optional<ReferenceSource> m_missing;
+    std::optional<Opening> m_opening; ///< set while its reference is being read
 };
 
 } // namespace slidercrank

@@ -8,9 +8,13 @@
 
 #include <QAction>
 #include <QComboBox>
+#include <QFileInfo>
 #include <QMainWindow>
 #include <QSettings>
 #include <QSplitter>
+#include <QStandardPaths>
+
+#include <algorithm>
 
 namespace slidercrank
 {
@@ -18,16 +22,16 @@ namespace slidercrank
 namespace
 {
 
-constexpr int kMostRecentFiles = 8;
+constexpr int kMostRecentFiles = 10;
 
-const QString kJoined = QStringLiteral("\x1f"); // between the paths of joined files, which do not contain it
-
+const QString kRecentFiles = QStringLiteral("recentFiles");
+const QString kSeparator = QStringLiteral("\x1f"); // between the paths of joined files, which do not contain it
 const QString kTheme = QStringLiteral("theme");
 const QString kWindow = QStringLiteral("layout/window");
 const QString kFolded = QStringLiteral("layout/folded");
+const QString kSplitterState = QStringLiteral("layout/%1");
 const QString kTab = QStringLiteral("view/tab");
 const QString kSpeed = QStringLiteral("view/speed");
-const QString kSplitterState = QStringLiteral("layout/%1");
 const QString kChoice = QStringLiteral("view/%1");
 
 const QStringList kUnitBoxes{QStringLiteral("unit_omega2"), QStringLiteral("unit_theta20")};
@@ -39,31 +43,28 @@ FoldingTabs &tabsIn(const QMainWindow &window)
 
 } // namespace
 
-QStringList recentFiles(const QString &kind)
+QList<QStringList> recentFiles()
 {
-    return QSettings().value(kind).toStringList();
-}
-
-void rememberFile(const QString &kind, const QString &path)
-{
-    QStringList paths = recentFiles(kind);
-    paths.removeAll(path);
-    paths.prepend(path);
-    remember({{kind, paths.mid(0, kMostRecentFiles)}});
-}
-
-QList<QStringList> recentReferences()
-{
-    QList<QStringList> references;
-    for (const QString &paths : recentFiles(kRecentReferences)) {
-        references += paths.split(kJoined);
+    QList<QStringList> files;
+    for (const QString &paths : QSettings().value(kRecentFiles).toStringList()) {
+        files += paths.split(kSeparator);
     }
-    return references;
+    return files;
 }
 
-void rememberReference(const QStringList &paths)
+void rememberFiles(const QStringList &paths)
 {
-    rememberFile(kRecentReferences, paths.join(kJoined));
+    QStringList files = QSettings().value(kRecentFiles).toStringList();
+    files.removeAll(paths.join(kSeparator));
+    files.prepend(paths.join(kSeparator));
+    remember({{kRecentFiles, files.mid(0, kMostRecentFiles)}});
+}
+
+QString recentFolder()
+{
+    const QList<QStringList> files = recentFiles();
+    return files.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)
+                           : QFileInfo(files.first().first()).absolutePath();
 }
 
 Theme chosenTheme()
@@ -76,7 +77,7 @@ void rememberTheme(Theme theme)
     remember({{kTheme, static_cast<int>(theme)}});
 }
 
-QVariantMap layoutOf(const QMainWindow &window)
+void saveLayout(const QMainWindow &window)
 {
     const FoldingTabs &tabs = tabsIn(window);
     QVariantMap layout{{kWindow, window.saveGeometry()},
@@ -86,7 +87,7 @@ QVariantMap layoutOf(const QMainWindow &window)
         layout[kFolded] = *tabs.chosen();
     }
     for (const auto *splitter : window.findChildren<QSplitter *>()) {
-        if (splitter != tabs.parentWidget() || !tabs.isFolded()) { // folded, its state contains no height
+        if (splitter != tabs.parentWidget() || !tabs.isFolded()) { // while folded, its state contains no height
             layout[kSplitterState.arg(splitter->objectName())] = splitter->saveState();
         }
     }
@@ -98,43 +99,31 @@ QVariantMap layoutOf(const QMainWindow &window)
     for (const QString &name : kUnitBoxes) {
         layout[kChoice.arg(name)] = window.findChild<QComboBox *>(name)->currentIndex();
     }
-    return layout;
+    remember(layout);
 }
 
-QVariantMap rememberedLayout()
+void restoreLayout(QMainWindow &window)
 {
     const QSettings settings;
-    QVariantMap layout;
-    for (const QString &key : settings.allKeys()) {
-        layout[key] = settings.value(key);
-    }
-    return layout;
-}
-
-void arrange(QMainWindow &window, const QVariantMap &layout)
-{
     FoldingTabs &tabs = tabsIn(window);
-    window.restoreGeometry(layout.value(kWindow).toByteArray());
-    tabs.setCurrentIndex(layout.value(kTab, 0).toInt());
-    window.findChild<Timeline *>()->setSpeed(layout.value(kSpeed, 1.0).toDouble());
+    window.restoreGeometry(settings.value(kWindow).toByteArray());
+    tabs.setCurrentIndex(settings.value(kTab, 0).toInt());
+    window.findChild<Timeline *>()->setSpeed(settings.value(kSpeed, 1.0).toDouble());
     for (auto *splitter : window.findChildren<QSplitter *>()) {
-        splitter->restoreState(layout.value(kSplitterState.arg(splitter->objectName())).toByteArray());
+        splitter->restoreState(settings.value(kSplitterState.arg(splitter->objectName())).toByteArray());
     }
-    if (layout.contains(kFolded)) {
-        tabs.choose(layout.value(kFolded).toBool());
+    if (settings.contains(kFolded)) {
+        tabs.choose(settings.value(kFolded).toBool());
     }
     for (QAction *choice : window.findChild<MechanismView *>()->choices()) {
-        if (choice->isCheckable() && choice->isChecked() != layout.value(kChoice.arg(choice->objectName())).toBool()) {
+        if (choice->isCheckable() && choice->isChecked() != settings.value(kChoice.arg(choice->objectName())).toBool()) {
             choice->trigger();
         }
     }
     for (const QString &name : kUnitBoxes) {
         auto *box = window.findChild<QComboBox *>(name);
-        const int index = layout.value(kChoice.arg(name), 0).toInt();
-        if (index != box->currentIndex() && index >= 0 && index < box->count()) {
-            box->setCurrentIndex(index);
-            emit box->activated(index);
-        }
+        box->setCurrentIndex(std::clamp(settings.value(kChoice.arg(name)).toInt(), 0, box->count() - 1));
+        emit box->activated(box->currentIndex());
     }
 }
 

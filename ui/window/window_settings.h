@@ -1,37 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What a window remembers beside its scene from one session to the next: recent files, the theme, how the views are
-// arranged, the units, what is drawn beside the linkage and the playback speed.
+// What the program remembers of its window from one session to the next: recent files, the theme, the layout, the units,
+// what the drawing shows, and the playback speed. The scene is not part of it.
 
 #include "ui/text/theme.h"
 
 #include <QString>
 #include <QStringList>
-#include <QVariantMap>
 
 class QMainWindow;
 
 namespace slidercrank
 {
 
-inline const QString kRecentScenes = QStringLiteral("recentScenes");
-inline const QString kRecentReferences = QStringLiteral("recentReferences");
+/// Returns the files opened last, the latest first. Each entry is one scene, or the files of one reference.
+QList<QStringList> recentFiles();
+void rememberFiles(const QStringList &paths);
 
-/// The latest first. `kind`: one of the two above.
-QStringList recentFiles(const QString &kind);
-void rememberFile(const QString &kind, const QString &path);
-
-/// The same for references, which may be several files, joined.
-QList<QStringList> recentReferences();
-void rememberReference(const QStringList &paths);
+/// Returns the folder of the file opened last, or the user's documents.
+QString recentFolder();
 
 Theme chosenTheme();
 void rememberTheme(Theme theme);
 
-/// How the person arranged the window, as settings.
-QVariantMap layoutOf(const QMainWindow &window);
-QVariantMap rememberedLayout();
-void arrange(QMainWindow &window, const QVariantMap &layout);
+/// Saves and restores how the user has arranged the window.
+void saveLayout(const QMainWindow &window);
+void restoreLayout(QMainWindow &window);
 
 } // namespace slidercrank

@@ -78,7 +78,7 @@ private slots:
             QVERIFY(session().result()->trajectory[channel] == before[channel]);
         }
         QVERIFY(!m_window->isWindowModified() && !session().undoStack().canUndo());
-        QCOMPARE(recentFiles(kRecentScenes), QStringList(rig));
+        QCOMPARE(recentFiles().first(), QStringList(rig));
         AWAIT_COMPARE(picture("plot_R4_x_diff"), shown);
     }
 

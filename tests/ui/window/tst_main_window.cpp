@@ -14,7 +14,6 @@
 #include "ui/text/language.h"
 #include "ui/widgets/folding_tabs.h"
 #include "ui/window/exports.h"
-#include "ui/window/help_page.h"
 #include "ui/window/scene_file.h"
 #include "ui/window/window_settings.h"
 
@@ -269,7 +268,7 @@ private slots:
         AWAIT(session().reference()->paths == plots && session().diagnosis());
         QVERIFY(errors() == whole);
         QCOMPARE(session().reference()->name, QStringLiteral("coupler.csv + 2 more"));
-        QCOMPARE(recentReferences(), (QList<QStringList>{plots, {kSample}}));
+        QCOMPARE(recentFiles(), (QList<QStringList>{plots, {kSample}}));
         drop({plots[1]});
         AWAIT_COMPARE(session().reference()->paths, QStringList(plots[1]));
         emit part<QMenu>("recentMenu")->aboutToShow();
@@ -446,8 +445,13 @@ private slots:
         const QImage errors = picture("errorPanel");
 
         press(Qt::Key_F11);
-        QVERIFY(m_window->isFullScreen() && mechanism->settings().angles && !part("tabBar")->isVisible());
+        QVERIFY(m_window->isFullScreen() && mechanism->settings().angles);
         QVERIFY(m_window->menuBar()->height() <= 1 && !m_window->statusBar()->isVisible());
+        auto *tabs = m_window->findChild<FoldingTabs *>();
+        QVERIFY(tabs->isFolded() && !part("plot_error_position")->isVisible());
+        press(Qt::Key_F9);
+        QVERIFY(!tabs->isFolded() && part("errorTable")->isVisible());
+        press(Qt::Key_F9);
         const int large = std::max(usual, m_window->screen()->size().height() / 45);
         QCOMPARE(letters("mechanismView"), large);
         QCOMPARE(QFontInfo(m_window->findChild<PlotGrid *>()->font()).pixelSize(), large);
@@ -464,7 +468,7 @@ private slots:
         press(Qt::Key_Escape);
         settle(*m_window);
         QVERIFY(!m_window->isFullScreen() && !mechanism->settings().angles && messages()->isVisible());
-        QVERIFY(part("tabBar")->isVisible() && part("box_a")->isVisible() && !part("parameterBox")->isVisible());
+        QVERIFY(!tabs->isFolded() && part("box_a")->isVisible() && !part("parameterBox")->isVisible());
         QVERIFY(m_window->menuBar()->height() > 1 && m_window->statusBar()->isVisible());
         AWAIT_COMPARE(columns->sizes().first(), sizes.first());
         QCOMPARE(QFontInfo(m_window->findChild<PlotGrid *>()->font()).pixelSize(), usual);
@@ -483,7 +487,7 @@ private slots:
         press(Qt::Key_F11);
         m_window->close(); // it is not remembered
         openWindow();
-        QVERIFY(part("tabBar")->isVisible() && !m_window->isFullScreen());
+        QVERIFY(!m_window->isFullScreen());
     }
 
     void theMechanismFillsTheWindowByADoubleClick()
@@ -573,12 +577,12 @@ private slots:
         }
         for (const char *title : {"Theory and help", "Keyboard and mouse"}) {
             action(title)->trigger();
-            auto *page = m_window->findChild<HelpPage *>();
+            auto *page = m_window->findChild<QDialog *>("help");
             QVERIFY(page && page->isVisible() && !page->isModal());
             QCOMPARE(page->windowTitle(), QString(title));
             QVERIFY(page->findChild<QTextBrowser *>()->toPlainText().contains(title));
             QTest::keyClick(page, Qt::Key_Escape);
-            AWAIT(!m_window->findChild<HelpPage *>());
+            AWAIT(!m_window->findChild<QDialog *>("help"));
         }
     }
 };
