@@ -2054,14 +2054,6 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
     </message>
 </context>
 <context>
-    <name>slidercrank::HelpPage</name>
-    <message>
-        <source>qrc:/help/english.html</source>
-        <comment>a resource of the program</comment>
-        <translation>qrc:/help/spanish.html</translation>
-    </message>
-</context>
-<context>
     <name>slidercrank::LimitsPage</name>
     <message>
         <source>value</source>
@@ -2625,6 +2617,11 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
     <message>
         <source>The language changes when you start the program again.</source>
         <translation>El idioma cambiará cuando vuelva a iniciar el programa.</translation>
+    </message>
+    <message>
+        <source>qrc:/help/english.html</source>
+        <comment>a resource of the program</comment>
+        <translation>qrc:/help/spanish.html</translation>
     </message>
 </context>
 <context>

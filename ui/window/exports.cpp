@@ -23,7 +23,7 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kScale = 2.0; // pixels in a document for each pixel on the screen
+constexpr double kScale = 2.0; // pixels of an exported picture per pixel of the screen
 constexpr QSize kPlotSize(900, 600);
 
 } // namespace
@@ -156,7 +156,7 @@ void Exports::writeReport(const QString &path)
         tellOutcome(path, write());
         return;
     }
-    const auto diagnosis = m_session->diagnosis(); // perhaps of another file, or of other parameters
+    const auto diagnosis = m_session->diagnosis(); // may belong to another file or to other parameters
     const auto prepare = [content, diagnosis](const std::stop_token &stop, const auto &) -> Problem {
         const Result &result = *content->result;
         const bool isCurrent = diagnosis && diagnosis->reference == result.choices.reference &&
@@ -186,7 +186,7 @@ void Exports::chooseAnimation()
     connect(form, &QDialog::accepted, this, [this, form] {
         const auto write = [this, animation = form->animation()](const QString &path, const QString &) {
             const auto writeNow = [this, path, animation] { writeAnimation(path, animation); };
-            QMetaObject::invokeMethod(this, writeNow, Qt::QueuedConnection); // when the dialog has gone
+            QMetaObject::invokeMethod(this, writeNow, Qt::QueuedConnection); // after the dialog is closed
         };
         chooseFileToSave(m_window, {tr("Export animation"),
                                     {tr("New folder of numbered frames (*)"), tr("Videos (*.mp4)"),
@@ -218,7 +218,7 @@ void Exports::writeAnimation(const QString &path, const Animation &animation)
         return !dialog.wasCanceled();
     };
     const Problem problem = exportAnimation(path, animation, draw, progress);
-    if (!problem || !problem->isEmpty()) { // empty: cancelled
+    if (!problem || !problem->isEmpty()) { // an empty text means that the user cancelled
         tellOutcome(path, problem);
     }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What the window shows, to files and to the clipboard.
+// Exports plots, drawing, data, report and animation to files, and copies pictures to the clipboard.
 
 #include "core/mechanism/channel.h"
 #include "ui/document/background_task.h"
@@ -25,15 +25,15 @@ class Exports : public QObject
     Q_OBJECT
 
 public:
-    /// `window`: the parent of dialogs.
+    /// `window` is the parent of dialogs.
     Exports(Session *session, const Views &views, QWidget *window);
 
     bool isWriting() const { return m_task->isRunning(); }
-    bool cancel(); ///< false if nothing is being written
+    bool cancel(); ///< returns false if nothing is being written
 
-    /// What can be drawn.
+    /// A picture that can be exported or copied.
     struct Picture {
-        QString name; ///< proposed for the file
+        QString name; ///< proposed file name
         QSize size;
         FigureDrawing draw;
     };
@@ -44,22 +44,23 @@ public:
     void choose(const Picture &picture);
     void copy(const Picture &picture);
 
-    /// To a PNG, SVG or PDF file by its suffix.
+    /// Writes a PNG, SVG or PDF file, according to the suffix.
     void write(const Picture &picture, const QString &path);
 
-    /// The motion as CSV, off the GUI thread.
+    /// Write the motion as CSV in the background. `crankStep` (°) is the step of the crank angle; 0 means the time steps.
     void chooseData();
-    void writeData(const QString &path, const ChannelSet &channels, double crankStep = 0.0); ///< °; 0: the time steps
+    void writeData(const QString &path, const ChannelSet &channels, double crankStep = 0.0);
 
-    /// On A4, as PDF. If the mechanism in the reference is not known yet, it is identified off the GUI thread first.
+    /// Write the report as PDF on A4. If the mechanism of the reference is not known yet, it is identified in the
+    /// background first.
     void chooseReport();
     void writeReport(const QString &path);
 
-    /// The mechanism in motion, as frames in a folder or a video. A modal dialog shows the progress.
+    /// Write the moving mechanism as frames in a folder or as a video. A modal dialog shows the progress.
     void chooseAnimation();
     void writeAnimation(const QString &path, const Animation &animation);
 
-    /// Of the time range at the playback speed.
+    /// Returns the animation of the current time range at the playback speed.
     Animation animationShown() const;
 
 signals:
@@ -72,7 +73,7 @@ private:
     FigureDrawing drawMechanism() const;
     FigureDrawing drawFigure() const;
 
-    /// Runs work() in another thread, then finish() in this one; each returns a sentence if it fails.
+    /// Runs work() in another thread, then finish() in this thread. Each returns a sentence if it fails.
     using Problem = std::optional<QString>;
     using Work = std::function<Problem(const std::stop_token &, const BackgroundTask::Progress &)>;
     void writeInBackground(const QString &path, const Work &work, const std::function<Problem()> &finish = {});

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The linkage as the reference file has it, or without a file the one pinned last, drawn behind the mechanism where the
-// two differ.
+// Draws the linkage of the reference file behind the mechanism if the two differ. Without a file it draws the motion that
+// was pinned last.
 
 #include "core/comparison/reference_pose.h"
 
@@ -21,12 +21,12 @@ class Ghost : public QObject
     Q_OBJECT
 
 public:
-    /// Shows it in `view` and follows the session.
+    /// Draws the ghost in `view`, and updates it when the session changes.
     Ghost(Session *session, MechanismView *view);
 
     bool isWanted() const { return m_isWanted; }
 
-    /// Its pose at any time (s); empty: it is not shown.
+    /// Returns a function that computes the pose at a time (s); empty if nothing is drawn.
     const std::function<ReferencePose(double)> &motion() const { return m_motion; }
 
 public slots:

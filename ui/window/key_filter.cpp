@@ -20,7 +20,7 @@ namespace slidercrank
 namespace
 {
 
-/// Whether the widget has a use for a key that is also a shortcut of the window.
+/// Whether the widget uses a key that is also a shortcut of the window.
 bool uses(const QWidget &widget, const QKeyEvent &key)
 {
     if (key.key() == Qt::Key_Left || key.key() == Qt::Key_Right) {
@@ -71,7 +71,7 @@ bool KeyFilter::eventFilter(QObject *watched, QEvent *event)
     }
     if (type == QEvent::Show) {
         if (qobject_cast<QComboBox *>(widget)) {
-            widget->setFocusPolicy(Qt::StrongFocus); // not by the wheel
+            widget->setFocusPolicy(Qt::StrongFocus); // the wheel does not give it the focus
         }
         return false;
     }
@@ -80,7 +80,7 @@ bool KeyFilter::eventFilter(QObject *watched, QEvent *event)
         return !event->isAccepted();
     }
     if (widget->window() != m_window && !qobject_cast<RunForm *>(widget->window())) {
-        return false; // dialogs and open lists keep their keys
+        return false; // dialogs and open lists handle their own keys
     }
     const auto &key = *static_cast<QKeyEvent *>(event);
     if (type == QEvent::ShortcutOverride && uses(*widget, key)) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Keys and wheel that Qt would handle differently. Space, Home and End are shortcuts of the playback, unless a text is
-// edited; the arrows to the side belong to the control that has a use for them; Enter presses a button and opens a
-// list. The wheel changes only what has the focus: elsewhere it scrolls.
+// Handles keys and the mouse wheel where the window behaves differently from Qt. Space, Home and End are shortcuts of the
+// playback unless a text is being edited. Left and Right go to a control that uses them. Enter presses a button or opens
+// a list. The wheel changes only the control with the focus; elsewhere it scrolls.
 
 #include <QObject>
 

@@ -17,7 +17,7 @@ namespace slidercrank
 namespace
 {
 
-// What messages are about.
+// The subjects of messages.
 const QString kGreeting = QStringLiteral("greeting");
 const QString kConfirmation = QStringLiteral("confirmation");
 const QString kProblem = QStringLiteral("problem");
@@ -83,7 +83,7 @@ void Messages::showRefused(const QStringList &paths, const QString &sentence)
 {
     m_refused = paths;
     Message message{kReference, Message::Kind::Problem, sentence};
-    if (!readLayout(paths).columns.empty()) { // other meanings of the columns may help
+    if (!readLayout(paths).columns.empty()) { // another column mapping may help
         message.actionText = tr("Choose columns…");
         message.action = [this, paths] { emit columnsRequested(paths); };
     }

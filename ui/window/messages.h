@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What the window says in its message bar. Each message is about something, by which it is replaced or removed.
+// Shows the messages of the window in its message bar. Each message has a subject; a newer message with the same subject
+// replaces it.
 
 #include "ui/document/result.h"
 #include "ui/widgets/message_bar.h"
@@ -24,9 +25,9 @@ class Messages : public QObject
 public:
     Messages(Session *session, SceneFile *scene, MessageBar *bar);
 
-    void greetOnce(); ///< when the program is used for the first time
+    void greetOnce(); ///< greets when the program is started for the first time
 
-    /// A message about the result shown; it goes when another result comes.
+    /// Shows a message about the current result; it is removed with the next result.
     void showAboutResult(Message::Kind kind, const QString &sentence);
 
 public slots:
@@ -37,7 +38,7 @@ public slots:
 signals:
     void openReferenceRequested();
     void openSampleRequested();
-    void columnsRequested(const QStringList &paths); ///< the meaning of the columns of these files
+    void columnsRequested(const QStringList &paths); ///< asks for the column mapping of these files
 
 private:
     void showRefused(const QStringList &paths, const QString &sentence);
@@ -46,8 +47,8 @@ private:
     void followSampling(const Sampling &sampling);
 
     MessageBar *m_bar;
-    QStringList m_refused; ///< files that could not be read
-    Sampling m_followed;   ///< the time range that was taken from a file
+    QStringList m_refused; ///< the files that could not be read last
+    Sampling m_followed;   ///< the time range that was last taken from a file
 };
 
 } // namespace slidercrank

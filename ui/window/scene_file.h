@@ -23,7 +23,7 @@ class SceneFile : public QObject
     Q_OBJECT
 
 public:
-    /// `window`: the parent of dialogs.
+    /// `window` is the parent of dialogs.
     SceneFile(Session *session, const Views &views, QWidget *window);
 
     const QString &path() const { return m_path; } ///< empty if it was never saved
@@ -76,7 +76,7 @@ private:
     const Views &m_views;
     QWidget *m_window;
     QString m_path;
-    FileState m_state;    ///< of the file when it was last opened or saved
+    FileState m_state; ///< of the file when it was last opened or saved
 
     /// The reference that could not be opened; it is saved with the scene again.
     std::optional<ReferenceSource> m_missing;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// One line about the motion shown; and while something takes longer than a moment, its progress and a button that
-// cancels it.
+// The status line. It describes the computed motion, and while a task takes longer than a quarter of a second it shows
+// the progress and a button to cancel it.
 
 #include <QStatusBar>
 #include <QTimer>
@@ -25,8 +25,8 @@ public:
     void showResult(const Result &result);
 
 public slots:
-    void setBusy(bool busy);       ///< counts the tasks that run
-    void setProgress(double part); ///< 0 … 1; negative: unknown
+    void setBusy(bool busy);       ///< called once for each start and each end of a task
+    void setProgress(double part); ///< 0 … 1; negative if unknown
 
 signals:
     void cancelled();

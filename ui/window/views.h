@@ -17,9 +17,9 @@ class TablePanel;
 class Timeline;
 
 struct Views {
-    QSplitter *columns = nullptr; ///< contains all of the following
+    QSplitter *columns = nullptr; ///< contains all other views
     MechanismView *mechanism = nullptr;
-    Ghost *ghost = nullptr; ///< in the mechanism view
+    Ghost *ghost = nullptr; ///< drawn in the mechanism view
     Timeline *timeline = nullptr;
     ParameterPanel *parameters = nullptr;
     PlotGrid *plots = nullptr;
