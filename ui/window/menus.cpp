@@ -178,7 +178,13 @@ void Menus::addView()
     connect(present, &QAction::triggered, presentation, &Presentation::setOn);
     connect(presentation, &Presentation::changed, present, &QAction::setChecked);
     QAction *fold = addSwitch(menu, tr("Show the &panels below"), true, Qt::Key_F9);
-    connect(fold, &QAction::triggered, tabs, [tabs](bool shown) { tabs->choose(!shown); });
+    connect(fold, &QAction::triggered, tabs, [tabs, presentation](bool shown) {
+        if (presentation->isOn()) {
+            tabs->setFolded(!shown); // not a choice for the usual window
+        } else {
+            tabs->choose(!shown);
+        }
+    });
     connect(tabs, &FoldingTabs::foldedChanged, fold, [fold](bool folded) { fold->setChecked(!folded); });
     QAction *ghost = addSwitch(menu, tr("Show the mo&tion of the file or pinned"), m_views.ghost->isWanted());
     connect(ghost, &QAction::triggered, m_views.ghost, &Ghost::setWanted);
