@@ -471,15 +471,15 @@ private slots:
         QVERIFY(!tabs->isFolded() && part("box_a")->isVisible() && !part("parameterBox")->isVisible());
         QVERIFY(m_window->menuBar()->height() > 1 && m_window->statusBar()->isVisible());
         AWAIT_COMPARE(columns->sizes().first(), sizes.first());
-        m_window->resize(1240, 850);
-        settle(*m_window);
-        QVERIFY(!tabs->isFolded()); // F9 in presentation mode is no choice for the usual window
         QCOMPARE(QFontInfo(m_window->findChild<PlotGrid *>()->font()).pixelSize(), usual);
         QCOMPARE(header(), usualHeader); // it kept the large letters
         session().unpinMotions();
         settle(*m_window);
         QCOMPARE(picture("errorPanel"), errors);
 
+        m_window->resize(1240, 850);
+        settle(*m_window);
+        QVERIFY(!tabs->isFolded()); // F9 in presentation mode is no choice for the usual window
         m_window->setWindowState(Qt::WindowMaximized);
         press(Qt::Key_F11);
         QCOMPARE(m_window->windowState(), Qt::WindowMaximized | Qt::WindowFullScreen);
