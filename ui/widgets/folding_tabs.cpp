@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/folding_tabs.h"
 
+#include <QStackedWidget>
 #include <QTabBar>
 #include <QVBoxLayout>
 
@@ -68,6 +69,7 @@ void FoldingTabs::setFolded(bool folded)
     const int bar = tabBar()->sizeHint().height();
     setMinimumHeight(folded ? bar : 0);
     setMaximumHeight(folded ? bar : QWIDGETSIZE_MAX);
+    findChild<QStackedWidget *>()->setVisible(!folded); // the Tab key must not lead into hidden pages
     emit foldedChanged(folded);
 }
 
