@@ -14,7 +14,6 @@
 #include "ui/export/animation_export.h"
 #include "ui/panels/study_panel.h"
 #include "ui/text/language.h"
-#include "ui/text/remember.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/window/exports.h"
 #include "ui/window/main_window.h"
@@ -360,7 +359,7 @@ private slots:
     {
         rememberLanguage(Language::Spanish);
         rememberTheme(Theme::Dark);
-        remember(layoutOf(*m_window));
+        saveLayout(*m_window);
         const QString path = QSettings().fileName();
         const QByteArray before = contentOf(path);
         QVERIFY(before.contains("theme") && before.contains("language"));
@@ -369,7 +368,7 @@ private slots:
             rememberTheme(Theme::Light);
             rememberFiles({QStringLiteral("x.json")});
             rememberLanguage(Language::English);
-            remember(layoutOf(*m_window));
+            saveLayout(*m_window);
             judge(QStringLiteral("%1 bytes").arg(limit),
                   contentOf(path) == before ? QString() : QString::fromUtf8(contentOf(path)));
         }
