@@ -11,7 +11,7 @@
 #include "core/limits/design.h"
 #include "core/limits/extremes.h"
 #include "core/limits/mobility.h"
-#include "core/sampling/crank_instant.h"
+#include "core/sampling/crank_time.h"
 #include "ui/document/settings_fields.h"
 #include "ui/text/design_text.h"
 #include "ui/text/finding_text.h"
@@ -66,7 +66,7 @@ std::vector<Record> listLimits(const Mechanism &mechanism, const MotionLimits &l
     std::vector<Record> list;
     const auto add = [&](const char *name, const char *unit, std::optional<double> value,
                          std::optional<double> theta2 = {}) {
-        const std::optional<double> time = theta2 ? instantAtCrankAngle(mechanism, *theta2, 0.0) : std::nullopt;
+        const std::optional<double> time = theta2 ? timeAtCrankAngle(mechanism, *theta2, 0.0) : std::nullopt;
         list.push_back({{"name", name},
                         {"value", jsonNumber(value)},
                         {"unit", unit},

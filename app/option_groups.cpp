@@ -4,7 +4,7 @@
 #include "core/import/heading.h"
 #include "core/import/quantity.h"
 #include "core/mechanism/channel.h"
-#include "core/sampling/crank_instant.h"
+#include "core/sampling/crank_time.h"
 #include "ui/document/settings_fields.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/quantity_text.h"
@@ -145,7 +145,7 @@ std::optional<double> readTimeStamp(const OptionReader &options, const Mechanism
     }
     const double degrees = options.number("at-angle", 0.0, kDegree);
     const QString angle = QString::number(degrees, 'g', 6);
-    const std::optional<double> time = instantAtCrankAngle(mechanism, degrees / kDegreesPerRadian, start);
+    const std::optional<double> time = timeAtCrankAngle(mechanism, degrees / kDegreesPerRadian, start);
     if (!time || std::abs(*time) > kLargestParameter) {
         throw UsageError{
             CommandLine::tr("The crank does not reach %1° within 1e12 s: choose another --omega2 or --theta20.")

@@ -134,7 +134,7 @@ ExitStatus solveCommand(const OptionReader &options, const Streams &streams)
     if (timeStamp) {
         write(sample(mechanism, {*timeStamp}, channelSet, solver));
     } else if (isJson) { // holds all values of a channel together
-        write(sample(mechanism, sampling.instants(), channelSet, solver));
+        write(sample(mechanism, sampling.timeStamps(), channelSet, solver));
     } else {
         sampleInPieces(mechanism, sampling, channelSet, solver, write);
     }

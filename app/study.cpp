@@ -27,7 +27,7 @@ QString caseReport(const CaseResult &result)
 {
     QString text = CommandLine::tr("%1: %2; %3 time stamps")
                        .arg(caseText(result.name), mechanismText(Mechanism(result.parameters), 9),
-                            QString::number(result.instants)) +
+                            QString::number(result.timeStamps)) +
                    u'\n';
     const Page page = studyPage(result);
     for (const PageTable &table : page.tables) {

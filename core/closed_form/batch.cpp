@@ -95,7 +95,7 @@ void ClosedForm::evaluate(std::span<const double> times, const PlottedColumns &c
         for (std::size_t k = 0; k < columns.size(); ++k) {
             target[k] = columns[k] == nullptr ? nullptr : isWhole ? columns[k] + from : lastValues[k];
         }
-        if (!isWhole) { // whole vectors need room behind the last value
+        if (!isWhole) { // vectors write beyond the last value
             std::fill(std::copy_n(blockTimes, count, lastTimes), std::end(lastTimes), 0.0);
             blockTimes = lastTimes;
         }

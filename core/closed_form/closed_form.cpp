@@ -15,7 +15,7 @@ namespace
 namespace kernel = HWY_NAMESPACE;
 using Clearance = kernel::Clearance<double>;
 
-/// Sets everything but θ2 and the status. `root`: √(p m).
+/// Sets all members of `motion` except θ2 and the status. `root`: √(p m).
 HWY_INLINE void setLinks(const MotionConstants &k, const Clearance &at, double root, Motion &motion)
 {
     const double s = k.branch * root;
@@ -34,7 +34,8 @@ HWY_INLINE void setLinks(const MotionConstants &k, const Clearance &at, double r
     motion.R4xDDot = second.R4x;
 }
 
-/// p for gapSide = 1, m for -1: b - g h and its mirror image (x → -x, C → -C), rounded once.
+/// Returns p for gapSide = 1 and m for gapSide = -1, that is b - g h and its mirror image (x → -x, C → -C), with a
+/// single rounding.
 double fineGap(const MotionConstants &k, double gapSide, TwoPart theta2)
 {
     const double sign = gapSide * k.side;
@@ -45,7 +46,8 @@ double fineGap(const MotionConstants &k, double gapSide, TwoPart theta2)
     const TwoPart gap = twoSum(whole.hi, part.hi);
     const double difference = gap.hi + (gap.lo + ((whole.lo + lengths.lo) + (part.lo + k.a * x.part.lo)));
 
-    // What is 0 to 30 digits is the limit itself: a locked mechanism keeps its one pose, whose angle is not a double.
+    // A difference that is 0 to 30 digits is the limit itself: the only crank angle of a locked mechanism is not a
+    // double.
     constexpr double kLastDigits = 0x1p-100;
     return std::abs(difference) < kLastDigits * k.reach ? 0.0 : difference;
 }

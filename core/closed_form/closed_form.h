@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The exact motion in closed form, to the last digits that a double holds: also at and near a toggle, where the coupler
-// is perpendicular to the slider's line, and at any time. It does not use the constraint equations, so that its
-// agreement with Newton-Raphson is evidence for both.
+// Computes the exact motion in closed form, accurate to the last digits of a double at any time, also at and near a
+// toggle, where the coupler is perpendicular to the slider's line. It does not use the constraint equations, so that
+// its agreement with Newton-Raphson is evidence for both.
 //
 // With ω = ω2 and the names of motion_constants.h:
 //
@@ -29,7 +29,7 @@ namespace slidercrank
 
 struct State;
 
-/// The six plotted channels at one time stamp, and what the other thirty follow from.
+/// The six plotted channels at one time stamp, and the quantities from which the other thirty follow.
 struct Motion {
     double theta2 = kNone;                                        ///< rad, not wrapped
     SinCos crank{kNone, kNone};                                   ///< sin θ2, cos θ2
@@ -39,8 +39,8 @@ struct Motion {
     Status status = Status::Solved; ///< Solved, Singular (no derivatives), NotAssemblable or NotFinite (no motion)
 };
 
-/// One array for each of kPlottedChannels, in that order and in mm and rad; a null pointer for a channel that is not
-/// wanted and therefore not computed.
+/// One output array for each of kPlottedChannels, in that order (mm, rad, s). Channels with a null pointer are not
+/// computed.
 using PlottedColumns = std::array<double *, kPlottedChannels.size()>;
 
 class ClosedForm
@@ -48,26 +48,27 @@ class ClosedForm
 public:
     explicit ClosedForm(const Mechanism &mechanism);
 
-    /// The six plotted channels at time t (s).
+    /// Returns the six plotted channels at time t (s).
     Motion motionAt(double t) const;
 
-    /// All 36 channels at time t (s); defined in state_at.h.
+    /// Returns all 36 channels at time t (s). Defined in state_at.h.
     inline State stateAt(double t) const;
 
-    /// The wanted channels and the status at each time stamp (s), computed in the widest vectors that the processor
-    /// has. The numbers are those of motionAt() to the last bit, on every processor. The arrays are as long as `times`.
+    /// Computes the requested channels and the status at each time stamp (s), with the widest vector instructions of
+    /// the processor. The results equal those of motionAt() to the last bit, on every processor. All arrays have the
+    /// size of `times`.
     void evaluate(std::span<const double> times, const PlottedColumns &columns, std::span<Status> statuses) const;
 
 private:
-    /// For the time stamps that the vectors leave: one without a full solution, one near a limit of a rocker, or one
-    /// with a very large crank angle.
+    /// Computes the time stamps that the vector code cannot: without a full solution, near a limit position of a
+    /// rocker, or with a very large crank angle.
     Motion difficultMotionAt(double t) const;
 
     Mechanism m_mechanism;
     MotionConstants m_constants;
 };
 
-/// Whether the mechanism has a position at time t (s); false also where the crank angle is not a finite number.
+/// Returns whether the mechanism can be assembled at time t (s). False also if the crank angle is not a finite number.
 bool isAssemblable(const Mechanism &mechanism, double t);
 
 } // namespace slidercrank

@@ -12,7 +12,7 @@ namespace slidercrank
 namespace
 {
 
-/// x + y + z with a single rounding, except for ties.
+/// Returns x + y + z with a single rounding, except for ties.
 double exactSum(double x, double y, double z)
 {
     const TwoPart first = twoSum(x, y);

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What the closed form of one mechanism needs at every time stamp, computed once. Lengths in mm, angles in rad.
+// The constants of one mechanism that the closed form needs at every time stamp. Lengths in mm, angles in rad.
 //
-// With h = c - a sin θ2, the height of B above A, the coupler has sin θ3 = h/b. Every difficulty of the slider-crank
-// arises where b - |h| is tiny. Subtracting a rounded h from b loses its digits; these sums keep them:
+// With h = c - a sin θ2, the height of B above A, the coupler has sin θ3 = h/b. The motion is ill-conditioned where
+// b - |h| is small. Subtracting a rounded h from b loses its digits; the following sums do not:
 //
 //     C = |c|,  g = sign of c,  x = g sin θ2,  ε = b - a - C,  β = b + C - a,  γ = a + b - C,  L = a + b + C
 //     p = b - g h = ε + a (1 + x)        m = b + g h = β + a (1 - x)               b cos θ3 = ±√(p m)
 //
-// While ε >= 0 (the crank turns all round) every term of p and m is non-negative, so nothing cancels. While ε < 0 (a
-// rocker) one of them cancels near a limit of the motion; there it is computed from a sine with some 30 digits.
+// If ε >= 0 (the crank makes full turns), all terms of p and m are non-negative, so that nothing cancels. If ε < 0 (a
+// rocker), p or m cancels near a limit position, where it is computed from a sine with about 30 digits.
 
 #include "core/mechanism/mechanism.h"
 
@@ -28,10 +28,10 @@ struct MotionConstants {
     // Each is rounded only once.
     double epsilon; ///< ε, negative for a rocker
     double beta;    ///< β, negative for a rocker with two arcs
-    double gamma;   ///< γ, negative where there is no pose
+    double gamma;   ///< γ, negative if the mechanism cannot be assembled
     double reach;   ///< L
 
-    /// Where p or m is less than this, a double sine has too few digits; 0 while ε >= 0.
+    /// If p or m is less than this, a sine in double precision has too few digits; 0 if ε >= 0.
     double nearLimit;
 
     double branch;        ///< +1 open, -1 crossed

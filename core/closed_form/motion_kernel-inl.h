@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The formulas of closed_form.h, as templates of a number: a double for one time stamp (closed_form.cpp), or Lanes, as
-// many numbers as a vector holds (batch.cpp, compiled once for each instruction set). Every number goes through the
-// same roundings in the same order on every instruction set: products are never fused with sums unless the result is
-// exact either way. Compile with -ffp-contract=off, so that the compiler does not fuse them.
+// The formulas of closed_form.h as templates of the number type: double for one time stamp (closed_form.cpp), or Lanes,
+// a vector of doubles (batch.cpp, compiled once for each instruction set). All instruction sets perform the same
+// roundings in the same order: a product is fused with a sum only if the result is exact in either case. Compile with
+// -ffp-contract=off, so that the compiler does not fuse them.
 //
 // Sources: W. J. Cody, W. Waite, "Software Manual for the Elementary Functions", 1980 (reduction by a π/2 in parts);
 //          T. J. Dekker, "A floating-point technique for extending the available precision", 1971 (TwoProduct);
@@ -206,8 +206,8 @@ HWY_INLINE Number halfPlaneAngle(Number y, Number x)
     return withSign(base + (base * 3.8981718325193755e-17 + signedArc), y);
 }
 
-/// g θ2 = hi + lo, its sine x and its cosine, which is that of θ2, at time t. x is NaN where the angle may be too large
-/// for the reduction, and where t is not a number.
+/// Computes g θ2 = hi + lo at time t (s), its sine x, and its cosine, which is that of θ2. x is NaN if t is not a
+/// number or if the angle may be too large for the argument reduction.
 template <class Number>
 HWY_INLINE void turnCrank(const MotionConstants &k, Number t, Number &hi, Number &lo, Number &x, Number &cosine)
 {
@@ -226,7 +226,7 @@ HWY_INLINE void turnCrank(const MotionConstants &k, Number t, Number &hi, Number
     x = select(magnitude(t) < k.latest, x, kNone);
 }
 
-/// What the coupler's pose follows from; names as in motion_constants.h and closed_form.h.
+/// The quantities that determine the position of the coupler, named as in motion_constants.h and closed_form.h.
 template <class Number>
 struct Clearance {
     Number x, cosine;
@@ -246,7 +246,7 @@ HWY_INLINE Clearance<Number> clearance(const MotionConstants &k, Number x, Numbe
     return {x, cosine, sigma, sigmaMirrored, k.epsilon + k.a * sigma, k.beta + k.a * sigmaMirrored, k.C - k.a * x};
 }
 
-/// Where the formulas give a Solved motion with all its digits; false where x is NaN. `root`: √(p m).
+/// Returns whether the formulas are accurate and the status is Solved; false if x is NaN. `root`: √(p m).
 template <class Number>
 HWY_INLINE auto isOrdinary(const MotionConstants &k, const Clearance<Number> &at, Number root)
 {
@@ -254,15 +254,15 @@ HWY_INLINE auto isOrdinary(const MotionConstants &k, const Clearance<Number> &at
     return both(Number(0.0) < root, both(limit < at.p, limit < at.m));
 }
 
-/// θ3, from g h and |s|.
+/// Returns θ3, computed from g h and |s|.
 template <class Number>
 HWY_INLINE Number couplerAngle(const MotionConstants &k, Number h, Number root)
 {
     return k.straightAngle + k.branch * k.side * halfPlaneAngle(h, root);
 }
 
-/// R4x. Where a cos θ2 and s have opposite signs and the crank turns all round, it is (s² - a² cos²θ2) / (s - a cos θ2)
-/// with the numerator rearranged: ε L + 2 a C σ.
+/// Returns R4x. If a cos θ2 and s have opposite signs and the crank makes full turns, it is (s² - a² cos²θ2) / (s - a
+/// cos θ2) with the numerator rearranged: ε L + 2 a C σ.
 template <class Number>
 HWY_INLINE Number sliderPosition(const MotionConstants &k, const Clearance<Number> &at, Number s)
 {
@@ -289,8 +289,8 @@ HWY_INLINE Rates<Number> velocities(const MotionConstants &k, const Clearance<Nu
     return {theta3Dot, sDot, sDot - k.side * k.aOmega * at.x};
 }
 
-/// G. Its two terms cancel where the coupler is steep and h and x have opposite signs. There, with h = b - p and
-/// p = ε + aσ, the part that cancels is
+/// Returns G. Its two terms cancel where the coupler is steep and h and x have opposite signs. There, with h = b - p
+/// and p = ε + aσ, the part that cancels is
 ///     a b² (1 - x²) + 2 b² x p = a b² σ² + 2 b² x ε,
 /// and the mirror image of that (x → -x, p → m, ε → β, σ → σ') where h < 0.
 template <class Number>
@@ -312,7 +312,7 @@ HWY_INLINE Number accelerationNumerator(const MotionConstants &k, const Clearanc
     return select(steep, rearranged, direct);
 }
 
-/// N of θ̈3 = g a ω² N / s³. Rearranged, nothing cancels near a toggle: a C δ² + x K, with δ = min(σ, σ') =
+/// Returns N of θ̈3 = g a ω² N / s³. Rearranged, nothing cancels near a toggle: a C δ² + x K, with δ = min(σ, σ') =
 /// cos²θ2/(1 + |x|) and K = ε L for x < 0, β γ for x >= 0. For a rocker the rearranged sum is better only where the
 /// original one cancels.
 template <class Number>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// All 36 channels of the exact motion, from the six of closed_form.h.
+// Computes all 36 channels of the exact motion from the six of closed_form.h.
 
 #include "core/closed_form/closed_form.h"
 #include "core/mechanism/state.h"
@@ -9,9 +9,9 @@
 namespace slidercrank
 {
 
-// Crank and coupler turn about their ends, the slider translates; the centres of mass lie half way. The coupler's rises
-// by h/2 above A, so R3y = (a sin θ2 + c) / 2. Defined here, so that the state is written where it is wanted: copying
-// it takes an eighth of the time that working it out does.
+// The centres of mass are the midpoints of crank and coupler. That of the coupler is h/2 above A, so that
+// R3y = (a sin θ2 + c) / 2. The function is inline so that the state is written directly to its destination: copying it
+// takes an eighth of the time of computing it.
 inline State ClosedForm::stateAt(double t) const
 {
     const Motion motion = motionAt(t);

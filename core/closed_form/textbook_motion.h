@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The textbook's motion of an offset slider-crank (R. L. Norton, "Design of Machinery", eq. 4.16, 6.22, 7.15) on any
-// number type: double, one that carries derivatives by the parameters, or one of many digits, which judges the closed
-// form. It shares no formula with the closed form, and cancels near a toggle.
+// Computes the motion of an offset slider-crank by the formulas of the textbook (R. L. Norton, "Design of Machinery",
+// eq. 4.16, 6.22, 7.15) with any number type: double, an automatic-differentiation type, or a type with many digits.
+// With many digits it checks the closed form, with which it shares no formula. With double it loses digits near a
+// toggle. Lengths in mm, angles in rad, time in s.
 
 #include "core/mechanism/channel.h"
 
@@ -17,10 +18,11 @@ namespace slidercrank
 template <class T>
 struct TextbookMotion {
     T theta2, omega2, c;
-    std::array<T, 3> pinX, pinY, theta3, sliderX; ///< by order; A is the crank pin
+    std::array<T, 3> pinX, pinY, theta3, sliderX; ///< indexed by Order; the pin is the crank pin A
 
-    /// parameters: a, b, c (mm) and ω2 (rad/s); θ2 in rad; side: 1 open, -1 crossed. False if it cannot be assembled,
-    /// or if it can, but is singular: then the positions are valid.
+    /// Computes the motion at the crank angle `crankAngle` (rad). `parameters`: a, b, c (mm), ω2 (rad/s); `side`: 1 for
+    /// the open branch, -1 for the crossed one. Returns false if the mechanism cannot be assembled, or if it is
+    /// singular; the positions are valid in the second case.
     bool compute(const std::array<T, 5> &parameters, const T &crankAngle, double side,
                  const T &pi = T(std::numbers::pi))
     {
@@ -42,7 +44,7 @@ struct TextbookMotion {
             return false;
         }
         const T reach = side * sqrt(square);                  // b cos θ3
-        theta3[0] = atan2(T(side * height), T(side * reach)); // continuous within a turn of either assembly
+        theta3[0] = atan2(T(side * height), T(side * reach)); // continuous on either branch
         if (side < 0.0) {
             theta3[0] += pi;
         }

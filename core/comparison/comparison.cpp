@@ -276,7 +276,7 @@ MotionDifference differenceOf(const Mechanism &mechanism, const Mechanism &other
     if (mechanism.omega2() == other.omega2() && mechanism.omega2() != 0.0) {
         duration = std::min(duration, kTurn / std::abs(mechanism.omega2())); // all turns are equal
     }
-    const std::vector<double> times = Sampling{std::min(from, to), duration, kSteps}.instants();
+    const std::vector<double> times = Sampling{std::min(from, to), duration, kSteps}.timeStamps();
     const Trajectory model = exactMotion(mechanism, times, plottedChannels());
     Trajectory kept = exactMotion(other, times, plottedChannels());
     MotionDifference difference;

@@ -18,20 +18,20 @@ namespace
 constexpr double kBesideToggle = 1e-15; // rad
 constexpr std::size_t kCount = kPlottedChannels.size();
 
-/// The channels at one crank angle for ω2 = 1, and their derivatives by the angle.
+/// The channels at one crank angle for ω2 = 1, and their derivatives with respect to the angle.
 struct Rates {
     std::array<double, kCount> value;
     std::array<double, kCount> slope;
 };
 
-/// The motion near a crank angle of ±90°, at which the coupler is steepest, as a function of u. If the coupler passes
-/// there, the crank is at φ = w sinh u from it: with w = √(2·gap/a), where b cos θ3 ∝ √(gap + a φ²/2), every change of
-/// the motion takes about one unit of u, however small the gap is. If it does not pass, it comes as near as φ₀, with
-/// cos φ₀ = 1 + gap/a, and φ = ±φ₀ cosh u does the same.
+/// The motion near a crank angle of ±90°, at which the coupler is steepest, as a function of u. If the mechanism passes
+/// this angle, the crank is at φ = w sinh u from it: with w = √(2·gap/a), where b cos θ3 ∝ √(gap + a φ²/2), every
+/// feature of the motion has a width of about one unit of u, however small the gap is. If it does not pass the angle,
+/// it approaches it to φ₀, with cos φ₀ = 1 + gap/a, and φ = ±φ₀ cosh u has the same effect.
 class SteepPlace
 {
 public:
-    /// `gap`: how much longer the coupler is than necessary to pass there, in units of `a`.
+    /// `gap`: the excess of the coupler length over the length required to pass the angle, in units of `a`.
     SteepPlace(const Mechanism &mechanism, double centre, double gap)
         : m_a(mechanism.a())
         , m_c(mechanism.c())
@@ -44,7 +44,7 @@ public:
     {
     }
 
-    /// The smallest |φ| that the motion reaches.
+    /// Returns the smallest |φ| that the motion reaches.
     double nearest() const { return m_gap < 0.0 ? m_width : 0.0; }
 
     bool isPassed() const { return m_gap > 0.0; }
@@ -83,7 +83,7 @@ private:
 
 using AllPoints = std::array<CriticalPoints, kCount>;
 
-/// Adds the extrema between two values of u of the same sign of φ: bisects where a slope changes its sign.
+/// Adds the extrema between two values of u. Bisects each interval in which a slope changes its sign.
 void addExtrema(const SteepPlace &place, double from, double to, AllPoints &points)
 {
     constexpr double kCell = 0.1;
@@ -114,7 +114,7 @@ void addExtrema(const SteepPlace &place, double from, double to, AllPoints &poin
     }
 }
 
-/// Adds the limits of all channels on one side of a place that is not passed.
+/// Adds the limits of all channels on one side of an angle that the mechanism does not pass.
 void addLimits(const SteepPlace &place, double u, AllPoints &points)
 {
     const Rates rates = place.at(u);
@@ -127,7 +127,7 @@ void addLimits(const SteepPlace &place, double u, AllPoints &points)
     }
 }
 
-/// Adds all points up to that |φ|.
+/// Adds all critical points with |φ| <= reach.
 void addPoints(const SteepPlace &place, double reach, AllPoints &points)
 {
     const double end = place.uAt(reach);
@@ -135,7 +135,7 @@ void addPoints(const SteepPlace &place, double reach, AllPoints &points)
         addExtrema(place, -end, end, points);
         return;
     }
-    // Positions have as many digits there; nearer, the crank angle does not have them.
+    // At this distance positions are accurate to rounding; nearer to the limit the crank angle has too few digits.
     constexpr double kBesideLimit = 1e-6;
     const double start =
         place.isToggle() ? kBesideToggle : std::max(kBesideLimit, std::sqrt(4.0 * kBesideToggle / place.nearest()));
@@ -145,7 +145,7 @@ void addPoints(const SteepPlace &place, double reach, AllPoints &points)
     }
 }
 
-/// Sorts by crank angle and removes what was found from both sides.
+/// Sorts by crank angle and removes points that were found twice.
 void sortPoints(CriticalPoints &points)
 {
     constexpr double kSamePlace = 1e-10; // rad
@@ -171,10 +171,10 @@ AllPoints findCriticalPoints(const Mechanism &mechanism)
     const double below = -k.side * kQuarterTurn; // p = ε there, and m = β opposite (motion_constants.h)
     const SteepPlace placeBelow(mechanism, below, k.epsilon / k.a);
     const SteepPlace placeAbove(mechanism, -below, k.beta / k.a);
-    // They meet in the middle, and overlap a little, so that nothing is lost in between.
+    // The two searches meet half way and overlap a little, so that no extremum is missed.
     const double half = 0.5 * (0.5 * kTurn - placeBelow.nearest() - placeAbove.nearest());
     if (!(half > 0.0)) {
-        return points; // no pose, or one
+        return points; // cannot be assembled, or locked
     }
     const double overlap = std::min(0.1, 0.1 * half);
     addPoints(placeBelow, placeBelow.nearest() + half + overlap, points);

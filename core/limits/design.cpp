@@ -6,14 +6,14 @@
 #include <limits>
 #include <numbers>
 
-// In the dead centres crank and coupler lie in one line: the wrist pin B is at the distances b + a and b - a from the crank pivot,
-// on two rays that enclose the angle α. While the crank turns by π + α the slider makes one stroke, by π - α the other. So the
-// time ratio Q gives
+// In the dead centres crank and coupler lie in one line: the wrist pin B is at the distances b + a and b - a from the
+// crank pivot, on two rays that enclose the angle α. While the crank turns by π + α the slider makes one stroke, by π -
+// α the other. So the time ratio Q gives
 //
 //     α = π (Q - 1) / (Q + 1)
 //
-// The triangle of the pivot and the two dead centres has the sides b + a, b - a and the stroke s, and the height |c|. With p = α/2
-// the law of cosines and the area give
+// The triangle of the pivot and the two dead centres has the sides b + a, b - a and the stroke s, and the height |c|.
+// With p = α/2 the law of cosines and the area give
 //
 //     s²/4 = a² cos² p + b² sin² p        |c| s = (b² - a²) sin α
 //
@@ -22,8 +22,8 @@
 //
 //     1 <= r <= cot² p
 //
-// There is such an r if p < 45°, that is Q < 3; and then b >= a + |c|: the crank makes full turns. The minimum transmission angle μ
-// follows from
+// There is such an r if p < 45°, that is Q < 3; and then b >= a + |c|: the crank makes full turns. The minimum
+// transmission angle μ follows from
 //
 //     cos μ = (a + |c|) / b = (1 + sin p (r² - 1) / √(1 + k² r²)) / r        k = tan p
 //
@@ -37,39 +37,40 @@ namespace slidercrank
 namespace
 {
 
-/// p = α/2, of a time ratio or its reciprocal.
+/// Returns p = α/2 for a time ratio or its reciprocal.
 double halfDeadCentreAngle(double timeRatio)
 {
     return 0.5 * std::numbers::pi * std::abs(timeRatio - 1.0) / (timeRatio + 1.0);
 }
 
-/// The largest r = b/a, cot² p.
+/// Returns the largest r = b/a, cot² p.
 double ratioLimit(double p)
 {
     return 1.0 / (std::tan(p) * std::tan(p));
 }
 
-/// cos μ as a function of r = b/a.
+/// Returns cos μ as a function of r = b/a.
 double cosineOfTransmissionAngle(double p, double r)
 {
     const double k = std::tan(p);
     return (1.0 + std::sin(p) * (r * r - 1.0) / std::sqrt(1.0 + k * k * r * r)) / r;
 }
 
-/// The ratio b/a with the largest minimum transmission angle; infinite for p = 0.
+/// Returns the ratio b/a with the largest minimum transmission angle; infinite for p = 0.
 double findBestRatio(double p)
 {
     const double k = std::tan(p);
     return std::sqrt((k + std::sqrt(5.0 * k * k + 4.0)) / (2.0 * k * (1.0 + k * k)));
 }
 
-/// The largest minimum transmission angle of any ratio b/a; for p = 0 long couplers approach 90°.
+/// Returns the largest minimum transmission angle of any ratio b/a; for p = 0 long couplers approach 90°.
 double transmissionAngleBound(double p)
 {
     return p > 0.0 ? std::acos(std::min(1.0, cosineOfTransmissionAngle(p, findBestRatio(p)))) : 0.5 * std::numbers::pi;
 }
 
-/// The largest time ratio with that minimum transmission angle, by bisection: the bound decreases with the ratio.
+/// Returns the largest time ratio with this minimum transmission angle, by bisection: the bound decreases with the
+/// ratio.
 double largestTimeRatio(double transmissionAngle)
 {
     double low = 1.0;
@@ -130,7 +131,8 @@ std::variant<Lengths, DesignFault> design(const DesignRequest &request)
                                largestTimeRatio(wanted)};
         }
         // A longer coupler than usual is needed. For p = 0 cos μ = 1/r.
-        ratio = p > 0.0 ? findBestRatio(p) : std::nextafter(1.0 / std::cos(wanted), std::numeric_limits<double>::infinity());
+        ratio = p > 0.0 ? findBestRatio(p)
+                        : std::nextafter(1.0 / std::cos(wanted), std::numeric_limits<double>::infinity());
     }
     return findLengths(request.stroke, request.timeRatio, ratio);
 }

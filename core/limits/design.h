@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Which offset slider-crank has a given stroke and time ratio? Lengths in mm, angles in rad.
+// Computes the offset slider-crank with a given stroke and time ratio. Lengths in mm, angles in rad.
 //
-// Source: R. L. Norton, "Design of Machinery", section 3.8 (quick-return slider-crank); VDI 2126 (transmission angle of the offset
-// slider-crank). The derivation stands in design.cpp.
+// Source: R. L. Norton, "Design of Machinery", section 3.8 (quick-return slider-crank); VDI 2126 (transmission angle of
+// the offset slider-crank). The derivation is in design.cpp.
 
 #include <optional>
 #include <variant>
@@ -19,34 +19,36 @@ struct Lengths {
     double c = 0.0;
 };
 
-/// A crank that makes full turns has a time ratio below this.
+/// The upper bound of the time ratio of a crank that makes full turns.
 inline constexpr double kTimeRatioBound = 3.0;
 
 /// The mechanisms with one time ratio: one degree of freedom is left, the ratio b/a of coupler and crank.
 struct DesignRange {
-    double smallestRatio = 1.0; ///< of b/a; excluded, the transmission angle vanishes there
-    double largestRatio = 1.0;  ///< of b/a; infinite for the time ratio 1; the transmission angle vanishes there, too
+    double smallestRatio = 1.0; ///< of b/a; excluded, because the transmission angle is 0 there
+    double largestRatio = 1.0;  ///< of b/a; infinite for the time ratio 1; excluded for the same reason
     double bestRatio = 1.0;     ///< of b/a: has the largest minimum transmission angle; at most kLongestCoupler
     double bestTransmissionAngle = 0.0;
 };
 
-/// Without it, the best coupler of a time ratio near 1 would be arbitrarily long.
-inline constexpr double kLongestCoupler = 10.0; // crank lengths
+/// The largest ratio b/a that is proposed. For a time ratio near 1 the best coupler would be arbitrarily long.
+inline constexpr double kLongestCoupler = 10.0;
 
-/// The range for a time ratio (slower over faster stroke, or its reciprocal); nullopt unless it is in (1/3, 3).
+/// Returns the range for a time ratio (slower over faster stroke, or its reciprocal), or nullopt unless it is in (1/3,
+/// 3).
 std::optional<DesignRange> findDesignRange(double timeRatio);
 
-/// The mechanism with this stroke (> 0), time ratio, and ratio b/a within the range. c >= 0 for a time ratio of at least 1, so that
-/// the slider moves outwards in less time than back if ω2 > 0; a time ratio below 1 exchanges the directions by c < 0.
+/// Returns the mechanism with this stroke (> 0), time ratio, and ratio b/a within the range. c >= 0 for a time ratio of
+/// at least 1, so that the slider moves outwards in less time than back if ω2 > 0; a time ratio below 1 exchanges the
+/// directions by c < 0.
 Lengths findLengths(double stroke, double timeRatio, double couplerRatio);
 
-/// The minimum transmission angle of a full revolution: cos μ = (a + |c|) / b.
+/// Returns the minimum transmission angle of a full revolution: cos μ = (a + |c|) / b.
 double minimumTransmissionAngle(const Lengths &lengths);
 
 struct DesignRequest {
     double stroke = 0.0;
     double timeRatio = 1.0;
-    std::optional<double> transmissionAngle = {}; ///< smallest minimum transmission angle that is accepted
+    std::optional<double> transmissionAngle = {}; ///< the smallest acceptable minimum transmission angle
 };
 
 /// Why a request cannot be met.
@@ -58,11 +60,12 @@ struct DesignFault {
     };
     Reason reason = Reason::StrokeNotPositive;
     double bound = 0.0;
-    double timeRatioBound = kTimeRatioBound; ///< TransmissionAngleTooLarge: the largest time ratio with that transmission angle
+    double timeRatioBound =
+        kTimeRatioBound; ///< TransmissionAngleTooLarge: the largest time ratio with that transmission angle
 };
 
-/// The mechanism with the largest minimum transmission angle; its coupler is longer than kLongestCoupler only if the requested
-/// transmission angle needs it.
+/// Returns the mechanism with the largest minimum transmission angle. Its coupler is longer than kLongestCoupler only
+/// if the requested transmission angle needs it.
 std::variant<Lengths, DesignFault> design(const DesignRequest &request);
 
 } // namespace slidercrank

@@ -18,8 +18,8 @@ namespace
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Crank angles at which a derivative of that order grows without bound: the limits of a rocker; an exact toggle, where
-/// the velocities jump.
+/// Returns the crank angles at which a derivative of this order is unbounded: the limit positions of a rocker, and for
+/// accelerations an exact toggle, where the velocities jump.
 std::vector<PeakPlace> unboundedPlaces(const Mechanism &mechanism, Order order)
 {
     const MotionConstants k(mechanism);
@@ -40,7 +40,7 @@ std::vector<PeakPlace> unboundedPlaces(const Mechanism &mechanism, Order order)
     return places;
 }
 
-/// The largest magnitude and every point that equals it except for rounding.
+/// Returns the points of the largest magnitude, equal except for rounding.
 std::vector<PeakPlace> largestPlaces(const CriticalPoints &points)
 {
     constexpr double kSameValue = 1e-12; // relative
@@ -76,10 +76,11 @@ std::vector<Peak> motionPeaks(const Mechanism &mechanism)
                                   {Theta3, Order::Velocity},
                                   {Theta3, Order::Acceleration}}) {
         Peak peak{channel, 0.0, {}};
-        const bool turnsEvenly = MotionConstants(mechanism).beta == 0.0 && channel == Channel{Theta3, Order::Velocity};
+        const bool turnsUniformly =
+            MotionConstants(mechanism).beta == 0.0 && channel == Channel{Theta3, Order::Velocity};
         if (mechanism.omega2() != 0.0) {
             peak.places = unboundedPlaces(mechanism, channel.order);
-            if (peak.places.empty() && turnsEvenly) { // a = b, c = 0: θ3 is ±θ2 or differs from it by a right angle
+            if (peak.places.empty() && turnsUniformly) { // a = b, c = 0: θ3 is ±θ2 or differs from it by a right angle
                 peak.magnitude = std::abs(mechanism.omega2());
             } else if (peak.places.empty()) {
                 const auto index = std::ranges::find(kPlottedChannels, channel) - kPlottedChannels.begin();

@@ -14,7 +14,7 @@ namespace
 PlaneVector of(LinkagePoint point, const Vector12 &q)
 {
     switch (point) {
-    case LinkagePoint::A: return {2.0 * q[R2x], 2.0 * q[R2y]}; // the crank's centre of mass lies half way
+    case LinkagePoint::A: return {2.0 * q[R2x], 2.0 * q[R2y]}; // the crank's centre of mass is the midpoint of O2-A
     case LinkagePoint::B: return {q[R4x], q[R4y]};
     case LinkagePoint::G3: return {q[R3x], q[R3y]};
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// How the points move that one looks at in a linkage: the crank pin A, the slider's pin B, the coupler's centre of mass
-// G3. Lengths in mm, time in s.
+// Computes the motion of three points of the linkage: the crank pin A, the wrist pin B, and the coupler's centre of
+// mass G3. Lengths in mm, time in s.
 
 #include "core/mechanism/mechanism.h"
 
@@ -26,17 +26,17 @@ struct PlaneVector {
     }
 };
 
-/// NaN where it does not exist.
+/// Position, velocity and acceleration of a point (mm, s); NaN if they do not exist.
 struct PointMotion {
     PlaneVector position;
     PlaneVector velocity;
     PlaneVector acceleration;
 };
 
-/// By kLinkagePoints.
+/// In the order of kLinkagePoints.
 using LinkageMotion = std::array<PointMotion, kLinkagePoints.size()>;
 
-/// Exact, at time t (s).
+/// Returns the exact motion of the points at time t (s).
 LinkageMotion linkageMotion(const Mechanism &mechanism, double t);
 
 } // namespace slidercrank

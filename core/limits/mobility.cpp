@@ -15,7 +15,7 @@ namespace
 
 bool contains(const CrankRange &range, double angle)
 {
-    constexpr double kSlack = 1e-12; // rad: a dead centre at the very end of a range counts as within it
+    constexpr double kSlack = 1e-12; // rad: a dead centre at the end of a range belongs to it
     return wrapToTwoPi(angle - range.from + kSlack) <= range.to - range.from + 2.0 * kSlack;
 }
 
@@ -33,7 +33,8 @@ CrankRange normalized(double from, double to)
     return {start, start + (to - from)};
 }
 
-/// Seen with c >= 0: sin θ2 >= (c - b)/a, and sin θ2 <= (c + b)/a where that is below 1. Mirrored for c < 0.
+/// Returns the ranges in which the mechanism can be assembled. For c >= 0: sin θ2 >= (c - b)/a, and sin θ2 <= (c + b)/a
+/// if that is below 1. Mirrored for c < 0.
 std::vector<CrankRange> findRanges(Mobility mobility, const MotionConstants &k)
 {
     std::vector<CrankRange> ranges;
@@ -60,10 +61,10 @@ std::vector<CrankRange> findRanges(Mobility mobility, const MotionConstants &k)
     return ranges;
 }
 
-/// Crank and coupler in one line: B at the distance b + a from O2 (outer), or |b - a| (inner, |R4x| = √(ε β)).
+/// Returns a dead centre. `distance`: |R4x|, which is √(L γ) at the outer and √(ε β) at the inner dead centre.
 DeadCentre deadCentre(const Mechanism &mechanism, double distance, bool isOuter)
 {
-    // The inner one of b >= a is on the side of the outer one, with the crank pointing away from B.
+    // If b >= a, the inner dead centre is on the same side of O2 as the outer one, and the crank points away from B.
     const bool pointsAway = !isOuter && mechanism.b() >= mechanism.a();
     const bool isRight = (mechanism.branch() == Branch::Open) == (isOuter || pointsAway);
     const double R4x = isRight ? distance : -distance;
@@ -71,7 +72,8 @@ DeadCentre deadCentre(const Mechanism &mechanism, double distance, bool isOuter)
     return {wrapToPi(theta2), R4x};
 }
 
-/// R4x is extreme at dead centres and, since the coupler is square there, at the ends of a rocker's arc: a cos θ2.
+/// Returns the stroke within a range. R4x is extreme at dead centres and at the ends of the arc of a rocker, where the
+/// coupler is perpendicular to the slider's line, so that R4x = a cos θ2.
 double strokeWithin(const CrankRange &range, const Mechanism &mechanism, const MotionLimits &limits)
 {
     double smallest = mechanism.a() * std::cos(range.from);

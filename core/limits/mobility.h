@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What the mechanism can do at all: turn round or rock, between which crank angles, how far the slider goes.
-// Angles in rad, lengths in mm. Both depend on the branch where the text says so.
+// Computes the mobility of the mechanism: whether the crank makes full turns, between which crank angles the mechanism
+// can be assembled, its dead centres and its stroke. Lengths in mm, angles in rad.
 //
 // Source: Grashof's condition for the slider-crank and the dead centres, Norton, "Design of
 // Machinery", 2.13, 3.8, 4.10.
@@ -16,19 +16,20 @@ namespace slidercrank
 {
 
 enum class Mobility {
-    FullTurn,  ///< b >= a + |c|: the crank turns round
-    Rocker,    ///< the crank swings within one arc, or two
-    Locked,    ///< b = |c| - a: one pose only
-    Impossible ///< b < |c| - a: no pose at all
+    FullTurn,  ///< b >= a + |c|: the crank makes full turns
+    Rocker,    ///< the crank oscillates within one arc, or within one of two arcs
+    Locked,    ///< b = |c| - a: can be assembled in a single position
+    Impossible ///< b < |c| - a: cannot be assembled
 };
 
-/// from <= to, from within [-π, π); 2π long when the crank turns round, of length 0 when locked.
+/// A range of crank angles, with from <= to and `from` in [-π, π). Its length is 2π if the crank makes full turns, and
+/// 0 if the mechanism is locked.
 struct CrankRange {
     double from = 0.0;
     double to = 0.0;
 };
 
-/// A pose where the slider stands still for a moment: crank and coupler in one line.
+/// A dead centre: crank and coupler are collinear, and the velocity of the slider is zero.
 struct DeadCentre {
     double theta2 = 0.0; ///< within [-π, π)
     double R4x = 0.0;
@@ -37,45 +38,47 @@ struct DeadCentre {
 struct MotionLimits {
     Mobility mobility = Mobility::FullTurn;
 
-    /// Where the mechanism can be assembled; disjoint, ascending.
+    /// The crank angles at which the mechanism can be assembled; disjoint, ascending.
     std::vector<CrankRange> ranges;
 
-    /// Of this branch: farthest from O2 (stretched, b + a) and nearest (folded, |b - a|), where they exist.
+    /// The dead centres of this branch with B farthest from O2 (extended, b + a) and nearest to it (folded, |b - a|).
     std::optional<DeadCentre> outer;
     std::optional<DeadCentre> inner;
 
-    /// Largest minus smallest R4x that the slider reaches (in the wider of two arcs); none when impossible.
+    /// Largest minus smallest R4x that the slider reaches (in the arc with the larger stroke); nullopt if Impossible.
     std::optional<double> stroke;
 
-    /// Crank angle that the slider needs from the inner to the outer dead centre and back, turning with ω2 (for ω2 = 0
-    /// counter-clockwise), and their ratio, the slower stroke over the faster (>= 1). Full turn only.
+    /// The angles by which the crank turns while the slider moves from the inner to the outer dead centre and back, in
+    /// the direction of ω2 (counter-clockwise for ω2 = 0), and the time ratio, the slower stroke over the faster (>=
+    /// 1). Full turns only.
     std::optional<double> angleOutwards;
     std::optional<double> angleInwards;
     std::optional<double> timeRatio;
 
-    /// Largest pressure angle |θ3| of the coupler against the slider's line, measured to the nearer side, and a crank
-    /// angle where it is reached. The transmission angle there is π/2 minus it.
+    /// The largest pressure angle, that is the acute angle between the coupler and the slider's line, and a crank angle
+    /// at which it occurs. The transmission angle there is π/2 minus it.
     double largestPressureAngle = 0.0;
     double largestPressureAngleAt = 0.0;
 };
 
+/// Computes all of the above.
 MotionLimits motionLimits(const Mechanism &mechanism);
 
-/// Crank angles at which it cannot be assembled: between the ranges, each from within [-π, π); all of the circle when
-/// there is no range.
+/// Returns the crank angles at which the mechanism cannot be assembled: the gaps between the ranges, or the full circle
+/// if there is no range.
 std::vector<CrankRange> forbiddenRanges(const MotionLimits &limits);
 
-/// Crank angles from one end of the range to the other, closer together towards the ends, where a rocker's coupler
-/// swings fastest.
+/// Returns steps + 1 crank angles from one end of the range to the other. They are denser near the ends, where the
+/// coupler of a rocker rotates fastest.
 std::vector<double> anglesAcross(const CrankRange &range, int steps);
 
-/// The shortest coupler for which there is any pose, |c| - a (may be negative: any length will do), and for which the
-/// crank turns round, a + |c|. mm.
+/// Returns the shortest coupler with which the mechanism can be assembled, |c| - a (any length suffices if this is
+/// negative), and with which the crank makes full turns, a + |c| (mm).
 double shortestCouplerForAnyPose(const Mechanism &mechanism);
 double shortestCouplerForFullTurn(const Mechanism &mechanism);
 
-/// The longest crank, b - |c|, and the largest offset |c|, b - a, for which the crank turns round; where that is not
-/// positive, or negative, there is none. mm.
+/// Returns the longest crank, b - |c|, and the largest offset |c|, b - a, with which the crank makes full turns (mm).
+/// There is none if the former is not positive, or the latter is negative.
 double longestCrankForFullTurn(const Mechanism &mechanism);
 double largestOffsetForFullTurn(const Mechanism &mechanism);
 

@@ -14,22 +14,24 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kAtAnEnd = 1e-9; // rad: an angle nearer than that to the end of a stroke is at it
+constexpr double kAtAnEnd =
+    1e-9; // rad: an angle nearer than this to the end of a stroke is considered to be at the end
 
-/// The smallest of angle, angle ± 2π, … above the bound.
+/// Returns the smallest of angle, angle ± 2π, … above the bound.
 double firstAbove(double bound, double angle)
 {
     const double turned = angle + kTurn * std::floor((bound - angle) / kTurn);
     return turned > bound ? turned : turned + kTurn;
 }
 
-/// NaN where there is no pose.
+/// Returns R4x at a crank angle, or NaN if the mechanism cannot be assembled.
 double sliderAt(const Mechanism &mechanism, double theta2)
 {
     return ClosedForm(withCrankAt(mechanism, theta2)).motionAt(0.0).R4x;
 }
 
-/// At the end of an arc the coupler is perpendicular to the slider's line; a rounding beyond it there is no pose.
+/// Returns R4x at the end of an arc, where the coupler is perpendicular to the slider's line and the mechanism may be
+/// impossible to assemble because of rounding.
 double sliderAtEnd(const Mechanism &mechanism, double theta2)
 {
     const double R4x = sliderAt(mechanism, theta2);

@@ -27,7 +27,7 @@ struct Channel {
 
 inline constexpr std::size_t kChannelCount = 36;
 
-/// 0 … 35 in the order that `solve` prints: all of q, then q̇, then q̈.
+/// Returns the index of a channel, 0 … 35, in the order in which `solve` prints them: all of q, then q̇, then q̈.
 constexpr std::size_t indexOf(Channel channel)
 {
     return static_cast<std::size_t>(channel.order) * kCoordinateCount + static_cast<std::size_t>(channel.coordinate);
@@ -38,7 +38,7 @@ constexpr Channel channelAt(std::size_t index)
     return {static_cast<Coordinate>(index % kCoordinateCount), static_cast<Order>(index / kCoordinateCount)};
 }
 
-/// Some of the 36 channels, by indexOf().
+/// A subset of the 36 channels. Bit indexOf(channel) tells whether it contains the channel.
 using ChannelSet = std::bitset<kChannelCount>;
 
 ChannelSet allChannels();
@@ -54,7 +54,7 @@ ChannelSet plottedChannels();
 
 std::string_view nameOf(Channel channel);
 
-/// The channel of exactly that name.
+/// Returns the channel with exactly this name, or nullopt.
 std::optional<Channel> channelNamed(std::string_view name);
 
 constexpr bool isAngle(Coordinate coordinate)
@@ -62,7 +62,7 @@ constexpr bool isAngle(Coordinate coordinate)
     return coordinate == Theta1 || coordinate == Theta2 || coordinate == Theta3 || coordinate == Theta4;
 }
 
-/// The unit of a channel in files and on the screen, UTF-8: "mm", "mm/s", "mm/s²", "°", "°/s", "°/s²".
+/// Returns the unit of a channel in files and on the screen, UTF-8: "mm", "mm/s", "mm/s²", "°", "°/s", "°/s²".
 std::string_view fileUnit(Channel channel);
 
 inline constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
@@ -73,7 +73,7 @@ constexpr double toFileUnit(Channel channel, double value)
     return isAngle(channel.coordinate) ? value * kDegreesPerRadian : value;
 }
 
-/// Converts a column in place.
+/// Converts all values of a column in place.
 inline void toFileUnit(Channel channel, std::span<double> values)
 {
     for (double &value : values) {
@@ -81,8 +81,8 @@ inline void toFileUnit(Channel channel, std::span<double> values)
     }
 }
 
-/// The order of magnitude of a channel (mm, rad, s): {1 rad, a + b + |c|}·|ω2|^k for the k-th derivative. Rounding
-/// errors are measured against it where a channel is identically zero.
+/// Returns the order of magnitude of a channel (mm, rad, s): (1 rad or a + b + |c|)·|ω2|^k for the k-th derivative.
+/// Rounding errors are measured against it if a channel is identically zero.
 double naturalSize(const Parameters &parameters, Channel channel);
 
 } // namespace slidercrank

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Pieces of work that do not depend on each other, on all processors.
+// Runs independent pieces of work on all processors.
 
 #include <algorithm>
 #include <atomic>
@@ -14,9 +14,9 @@
 namespace slidercrank
 {
 
-/// Calls work(i) once for each i < count, in any order, on as many threads as there are processors, the caller's among
-/// them, and returns when all is done; on the caller's alone where it is not `worthIt`. A thread costs some 20 us.
-/// Where work throws (no memory), this does, when all threads have ended.
+/// Calls work(i) once for each i < count, in any order, and returns when all calls have returned. Uses as many threads
+/// as there are processors, the calling thread included, or the calling thread alone if `worthIt` is false. Starting a
+/// thread takes about 20 µs. If work() throws, the exception is rethrown when all threads have ended.
 template <class Work>
 void inParallel(std::size_t count, const Work &work, bool worthIt = true)
 {
@@ -27,16 +27,16 @@ void inParallel(std::size_t count, const Work &work, bool worthIt = true)
         }
     };
     const std::size_t threads = worthIt ? std::max(1U, std::thread::hardware_concurrency()) : 1;
-    std::vector<std::future<void>> aside; // waited for, whatever happens here
+    std::vector<std::future<void>> others; // their destructors wait for the threads, also after an exception
     try {
         for (std::size_t i = 1; i < std::min(threads, count); ++i) {
-            aside.push_back(std::async(std::launch::async, takeTurns));
+            others.push_back(std::async(std::launch::async, takeTurns));
         }
-    } catch (const std::system_error &) { // no more threads to be had: these do it all
+    } catch (const std::system_error &) { // no further thread can be started: the existing ones do all of the work
     }
     takeTurns();
-    for (std::future<void> &other : aside) {
-        other.get();
+    for (std::future<void> &thread : others) {
+        thread.get();
     }
 }
 

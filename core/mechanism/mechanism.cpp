@@ -10,7 +10,7 @@ namespace slidercrank
 namespace
 {
 
-/// By Parameter.
+/// Indexed by Parameter.
 constexpr std::array kMembers{&Parameters::a, &Parameters::b, &Parameters::c, &Parameters::omega2,
                               &Parameters::theta20};
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The offset slider-crank: lengths, drive and assembly; the names and order of its 12 coordinates and constraints.
+// Defines the offset slider-crank: lengths, drive and assembly, and the names and order of its 12 coordinates and 12
+// constraints.
 //
-// Four bodies in the plane: 1 ground, 2 crank, 3 coupler, 4 slider. The crank turns about O2, the origin, at constant
-// speed; A is the crank pin, B the pin of the slider, which moves along the line y = c, parallel to x.
-// Lengths are in mm, angles in rad counted counter-clockwise from x, time in s.
+// There are four bodies in the plane: 1 ground, 2 crank, 3 coupler, 4 slider. The crank turns about the crank pivot O2,
+// which is the origin of the frame, at constant speed. A is the crank pin. B is the wrist pin of the slider, which
+// moves along the line y = c, parallel to the x axis. Lengths are in mm, time is in s, and angles are in rad, positive
+// counter-clockwise from the x axis.
 //
 // Source: A. A. Shabana, "Computational Dynamics", 3rd ed., Wiley 2009, ch. 3 (absolute coordinates);
 //         R. L. Norton, "Design of Machinery", section 4.6 (the two assemblies of the fourbar slider-crank).
@@ -21,10 +23,11 @@
 namespace slidercrank
 {
 
-/// NaN: stands for a value that does not exist.
+/// NaN represents a value that does not exist.
 inline constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// Which of the two assemblies: on Open the slider lies to the right of A (cos θ3 > 0), on Crossed to the left.
+/// The two assemblies: on the open branch the slider lies to the right of A (cos θ3 > 0), on the crossed one to the
+/// left.
 enum class Branch { Open, Crossed };
 
 constexpr Branch oppositeBranch(Branch branch)
@@ -32,11 +35,11 @@ constexpr Branch oppositeBranch(Branch branch)
     return branch == Branch::Open ? Branch::Crossed : Branch::Open;
 }
 
-/// What a person chooses. The defaults are Table 1 of the report.
+/// The input that defines a mechanism. The defaults are those of Table 1 of the reference report.
 struct Parameters {
     double a = 20.0;                        ///< crank length O2-A, mm, > 0
     double b = 65.0;                        ///< coupler length A-B, mm, > 0
-    double c = 25.0;                        ///< offset of the slider's line from O2, mm, any sign
+    double c = 25.0;                        ///< offset of the slider's line from O2 along y, mm, any sign
     double omega2 = 2.0 * std::numbers::pi; ///< crank speed, rad/s, constant, any sign
     double theta20 = 0.0;                   ///< crank angle at t = 0, rad
     Branch branch = Branch::Open;           ///< assembly
@@ -44,11 +47,11 @@ struct Parameters {
     friend bool operator==(const Parameters &, const Parameters &) = default;
 };
 
-/// The eight mechanisms whose motions a single channel cannot tell apart: reversed, mirrored in the x axis, turned by
-/// half a turn, each on either branch; the first is `parameters` itself.
+/// Returns the eight mechanisms whose motions a single channel may be unable to distinguish: the given one, mirrored in
+/// the y axis, in the x axis and in both, each on either branch. The first is `parameters` itself.
 std::array<Parameters, 8> mirrorImages(const Parameters &parameters);
 
-/// a + b + |c|, mm.
+/// Returns a + b + |c| (mm).
 inline double characteristicLength(const Parameters &parameters)
 {
     return parameters.a + parameters.b + std::abs(parameters.c);
@@ -65,12 +68,12 @@ constexpr std::size_t indexOf(Parameter parameter)
 double &valueOf(Parameters &parameters, Parameter parameter);
 double valueOf(const Parameters &parameters, Parameter parameter);
 
-/// No length, speed or angle may exceed this magnitude (in its unit), and no link may be shorter than this (mm): the products
-/// of a few of them then neither overflow nor underflow, and no other code has to take care of that.
+/// The largest magnitude of a length, speed or angle (in its unit), and the shortest link (mm). Products of a few such
+/// values neither overflow nor underflow, so that no other code has to take care of that.
 inline constexpr double kLargestParameter = 1e12;
 inline constexpr double kShortestLink = 1e-9;
 
-/// The first parameter that cannot be used, and why.
+/// A parameter that cannot be used, and the reason.
 struct ParameterFault {
     enum class Reason {
         NotFinite,
@@ -82,13 +85,14 @@ struct ParameterFault {
     Reason reason;
 };
 
+/// Returns the first parameter that cannot be used, or nullopt if all are valid.
 std::optional<ParameterFault> findFault(const Parameters &parameters);
 
-/// Parameters that passed findFault(): what every solver takes.
+/// Valid parameters, the input of every solver.
 class Mechanism
 {
 public:
-    Mechanism() = default;                            ///< Table 1
+    Mechanism() = default;                            ///< Table 1 of the reference report
     explicit Mechanism(const Parameters &parameters); ///< precondition: !findFault(parameters)
 
     double a() const { return m_parameters.a; }
@@ -105,15 +109,15 @@ private:
     Parameters m_parameters;
 };
 
-/// The same mechanism with the crank at that angle (rad) at t = 0.
+/// Returns the same mechanism with the crank angle theta2 (rad) at t = 0.
 Mechanism withCrankAt(const Mechanism &mechanism, double theta2);
 
-/// The 12 absolute coordinates, in the order of q: centre of mass (mm) and angle (rad) of each body.
-/// Theta3 is θ³ of the report, the coupler's angle seen from A towards B; a textbook's θ_3 is Theta3 + 180°.
+/// The 12 absolute coordinates in the order of q: centre of mass (mm) and angle (rad) of each body.
+/// Theta3 is the direction from A to B, θ³ of the reference report; Norton's θ_3 is Theta3 + 180°.
 enum Coordinate : std::ptrdiff_t { R1x, R1y, Theta1, R2x, R2y, Theta2, R3x, R3y, Theta3, R4x, R4y, Theta4 };
 inline constexpr std::ptrdiff_t kCoordinateCount = 12;
 
-/// The 12 constraints, in the order of the rows of C: length rows in mm, angle rows in rad.
+/// The 12 constraints in the order of the rows of C. Length rows are in mm, angle rows in rad.
 enum Constraint : std::ptrdiff_t {
     GroundX,     ///< R1x = 0
     GroundY,     ///< R1y = 0
@@ -125,22 +129,23 @@ enum Constraint : std::ptrdiff_t {
     SliderPinX, ///< revolute joint at B
     SliderPinY,
     SliderAngle, ///< prismatic joint: the slider does not turn,
-    SliderLine,  ///< ... and stays on y = c
+    SliderLine,  ///< and stays on the line y = c
     CrankDrive   ///< θ2 = ω2 t + θ20
 };
 
-/// How the computation of one instant ended.
+/// The outcome of solving one time step.
 enum class Status {
-    Solved,         ///< position, velocity and acceleration are there
-    Singular,       ///< the coupler stands square to the slider's line (cos θ3 = 0): position only
-    IterationLimit, ///< Newton-Raphson used up its iterations with the residual above the tolerance: nothing
-    NotAssemblable, ///< |c - a sin θ2| > b: no position exists
-    NotFinite       ///< the instant, or what follows from it, is not a finite number
+    Solved,         ///< position, velocity and acceleration are computed
+    Singular,       ///< the coupler is perpendicular to the slider's line (cos θ3 = 0): only the position exists
+    IterationLimit, ///< Newton-Raphson reached its iteration limit with the residual above the tolerance
+    NotAssemblable, ///< |c - a sin θ2| > b: the mechanism cannot be assembled
+    NotFinite       ///< the time, or the crank angle at that time, is not a finite number
 };
 
 inline constexpr std::size_t kStatusCount = 5;
 
-/// As the command line names it: "solved", "singular", "iteration-limit", "not-assemblable", "not-finite".
+/// Returns the name of a status in files and on the command line: "solved", "singular", "iteration-limit",
+/// "not-assemblable", "not-finite".
 std::string_view wordOf(Status status);
 
 } // namespace slidercrank

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What of the mechanism an equation or a coordinate is about: the joint that a constraint stands for, the body that a
-// coordinate moves.
+// Maps each constraint to its joint and each coordinate to its body, so that views can highlight them.
 
 #include "core/mechanism/mechanism.h"
 
@@ -11,15 +10,15 @@ namespace slidercrank
 
 enum class MechanismPart {
     None,
-    Ground,  ///< body 1, and what holds it
+    Ground,  ///< body 1 and its constraints
     Crank,   ///< body 2
     Coupler, ///< body 3
     Slider,  ///< body 4
     Pivot,   ///< revolute joint at O2
     PinA,    ///< revolute joint at A
     PinB,    ///< revolute joint at B
-    Guide,   ///< prismatic joint: the slider on its line
-    Drive    ///< what turns the crank
+    Guide,   ///< prismatic joint between slider and ground
+    Drive    ///< the drive of the crank
 };
 
 MechanismPart partOf(Constraint row);

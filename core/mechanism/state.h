@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// All 12 coordinates at one instant, as vectors. Apart from mechanism.h because most of the program reads that one, and
-// not Eigen.
+// All 12 coordinates at one time, as vectors. This header is separate from mechanism.h because most modules include
+// that one and do not need Eigen.
 
 #include "core/mechanism/mechanism.h"
 
@@ -14,7 +14,8 @@ namespace slidercrank
 using Vector12 = Eigen::Matrix<double, kCoordinateCount, 1>;
 using Matrix12 = Eigen::Matrix<double, kCoordinateCount, kCoordinateCount>;
 
-/// One instant: coordinates and their first and second time derivatives (mm, rad, s); NaN where they do not exist.
+/// The coordinates at one time with their first and second time derivatives (mm, rad, s). Values that do not exist are
+/// NaN.
 struct State {
     Vector12 q;
     Vector12 qDot;

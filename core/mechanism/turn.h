@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// One turn of the crank, and an angle's place within it (rad).
+// Wraps angles to one revolution (rad).
 
 #include <cmath>
 #include <numbers>
@@ -12,18 +12,18 @@ namespace slidercrank
 inline constexpr double kTurn = 2.0 * std::numbers::pi;
 inline constexpr double kQuarterTurn = 0.5 * std::numbers::pi;
 
-/// Into [-π, π).
+/// Wraps an angle to [-π, π).
 inline double wrapToPi(double angle)
 {
-    const double turned = angle - kTurn * std::floor((angle + std::numbers::pi) / kTurn);
-    return turned >= std::numbers::pi ? turned - kTurn : turned;
+    const double wrapped = angle - kTurn * std::floor((angle + std::numbers::pi) / kTurn);
+    return wrapped >= std::numbers::pi ? wrapped - kTurn : wrapped;
 }
 
-/// Into [0, 2π).
+/// Wraps an angle to [0, 2π).
 inline double wrapToTwoPi(double angle)
 {
-    const double turned = angle - kTurn * std::floor(angle / kTurn);
-    return turned >= kTurn ? 0.0 : turned;
+    const double wrapped = angle - kTurn * std::floor(angle / kTurn);
+    return wrapped >= kTurn ? 0.0 : wrapped;
 }
 
 } // namespace slidercrank

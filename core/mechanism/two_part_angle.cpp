@@ -29,8 +29,8 @@ TwoPart quotient(TwoPart x, double divisor)
     return twoSum(first, ((x.hi - back.hi) - back.lo + x.lo) / divisor);
 }
 
-/// 1 - z/(k (k+1)) (1 - z/((k+2) (k+3)) (1 - ...)) for 0 <= z <= (π/4)², k = 2 or 3. What follows the first eight terms
-/// is below half a unit in the last place of 1, where one part is enough.
+/// Returns 1 - z/(k (k+1)) (1 - z/((k+2) (k+3)) (1 - ...)) for 0 <= z <= (π/4)², k = 2 or 3. The terms after the
+/// first eight are below half a unit in the last place of 1, so that a single double suffices for them.
 TwoPart alternatingSeries(TwoPart z, int k)
 {
     constexpr int kTwoPartTerms = 8;
@@ -53,7 +53,7 @@ TwoPart twoProduct(double x, double y)
 {
     const double product = x * y;
 #if defined(__FMA__) || defined(__aarch64__)
-    return {product, __builtin_fma(x, y, -product)}; // the instruction; a library's fma need not be exact
+    return {product, __builtin_fma(x, y, -product)}; // the machine instruction; fma() of a library need not be exact
 #else
     const TwoPart xs = split(x);
     const TwoPart ys = split(y);
@@ -85,7 +85,7 @@ SinCos sinCos(TwoPart angle)
 
 FineSine fineSine(TwoPart angle)
 {
-    // r = hi + lo - n π/2 with π/2 in three parts; hi - n P1 is exact but for the product's own lower part.
+    // r = hi + lo - n π/2 with π/2 in three parts; hi - n P1 is exact except for the lower part of the product.
     const double n = std::round(angle.hi * (2.0 / std::numbers::pi));
     const TwoPart first = twoProduct(n, 0x1.921fb54442d18p+0);
     const TwoPart second = twoProduct(n, 0x1.1a62633145c07p-54);

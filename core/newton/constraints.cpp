@@ -88,7 +88,7 @@ Matrix12 constraintJacobian(const Mechanism &mechanism, const Vector12 &q)
     return Cq;
 }
 
-// Time appears in the drive alone.
+// Time occurs only in the row of the drive.
 Vector12 constraintTimeDerivative(const Mechanism &mechanism)
 {
     Vector12 Ct = Vector12::Zero();

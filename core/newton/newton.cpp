@@ -20,21 +20,21 @@ namespace
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
-/// The middle of the branch's half turn of θ3.
+/// Returns the centre of the range of θ3 that belongs to the branch.
 double branchCentre(Branch branch)
 {
     return branch == Branch::Open ? 0.0 : std::numbers::pi;
 }
 
-/// Whether cos θ3 has the sign of the branch, except where rounding cannot tell it from 0.
+/// Returns whether cos θ3 has the sign of the branch, or is 0 within rounding.
 bool isOnBranch(const Mechanism &mechanism, double theta3)
 {
-    constexpr double kRoundedCosine = 1.2e-7; // rounding error of a θ3 at a right angle: √(2 r/b), r/b = 7e-15
+    constexpr double kRoundedCosine = 1.2e-7; // rounding error of θ3 where cos θ3 = 0: √(2 r/b), r/b = 7e-15
     const double fromCentre = std::abs(theta3 - branchCentre(mechanism.branch()));
     return fromCentre <= 0.5 * std::numbers::pi + kRoundedCosine; // false for NaN
 }
 
-/// The linear systems solved as in the reference report. The interface is that of StructuredSystem.
+/// Solves the linear systems as the reference report does. Has the interface of StructuredSystem.
 class DenseSystem
 {
 public:
@@ -94,10 +94,11 @@ double theta3Of(const StructuredSystem::Coordinates &q)
     return q.theta3;
 }
 
-/// The size of θ̈3 where nothing is steep, or where a run comes near a toggle, in units of a ω²/b and at most 1. By
+/// Returns the magnitude of θ̈3 away from a toggle, or as far as a sampled motion approaches one, in units of a ω²/b and
+/// at most 1. According to
 ///     b³ cos³ θ3 θ̈3 = a ω² (sin θ2 (b² - a² - c²) + a c (1 + sin² θ2))
-/// it is close to 0 where a ≈ b and c ≈ 0: there θ3 follows the crank, except at the toggle. A run of a hundred steps a
-/// turn comes within φ = π/100 of the toggle, and shows 1/φ³ of the value elsewhere.
+/// it is close to 0 if a ≈ b and c ≈ 0: then θ3 follows the crank, except at the toggle. A motion sampled in a hundred
+/// steps per revolution comes within φ = π/100 of the toggle, where the value is 1/φ³ times as large.
 double relativeAcceleration(const Mechanism &mechanism)
 {
     constexpr double kGrowth = 3e4; // 1/φ³
@@ -111,12 +112,12 @@ double relativeAcceleration(const Mechanism &mechanism)
 
 /// The residuals at which the iteration may stop, in the measure of the options.
 struct Thresholds {
-    double perLength;      ///< the measure of 1 mm
-    double rounding;       ///< of a residual that is 0 but for rounding: each length row sums a few terms of that size
-    double tolerance;      ///< that of the options, or less where it would leave no digit of a short crank's motion
+    double perLength;      ///< factor from mm to the measure
+    double rounding;       ///< largest residual that can be mere rounding: each length row is a sum of a few lengths
+    double tolerance;      ///< that of the options, or less if it would leave no digit of the motion of a short crank
     double crank;          ///< kResolvedPart of a
     double coupler;        ///< kResolvedPart of b
-    double perCosineCubed; ///< beside a toggle the terms of θ̈3 cancel down to a third of cos θ3
+    double perCosineCubed; ///< near a toggle the terms of θ̈3 cancel down to a third of cos θ3
 
     Thresholds(const Mechanism &mechanism, const NewtonOptions &options)
     {
@@ -130,7 +131,7 @@ struct Thresholds {
         perCosineCubed = coupler * relativeAcceleration(mechanism) / 3.0;
     }
 
-    /// Whether velocity and acceleration can be computed from a position with that residual.
+    /// Returns whether velocity and acceleration can be computed from a position with this residual.
     bool isResolved(double residual, double cosTheta3) const
     {
         const double cosine = std::abs(cosTheta3);
@@ -140,28 +141,28 @@ struct Thresholds {
 
 enum class Ending { Converged, IterationLimit, LeftBranch };
 
-/// Newton-Raphson at one time step.
+/// Solves one time step by Newton-Raphson.
 template <class System>
 class Solver
 {
 public:
     using Coordinates = typename System::Coordinates;
 
-    Solver(const Mechanism &mechanism, double t, const NewtonOptions &options, NewtonInstant &instant,
+    Solver(const Mechanism &mechanism, double t, const NewtonOptions &options, NewtonTimeStep &timeStep,
            IterationHistory *history)
         : m_mechanism(mechanism)
         , m_t(t)
         , m_options(options)
         , m_system(mechanism, t)
         , m_thresholds(mechanism, options)
-        , m_instant(instant)
+        , m_timeStep(timeStep)
         , m_history(history)
     {
     }
 
     void solve()
     {
-        m_instant.iterations = 0;
+        m_timeStep.iterations = 0;
         Ending ending = Ending::LeftBranch;
         if (hasWarmStart()) {
             m_q = System::read(warmStart());
@@ -169,42 +170,43 @@ public:
                 ending = iterate(m_options.maxIterations);
             }
         }
-        m_instant.isColdStart = ending == Ending::LeftBranch;
-        if (m_instant.isColdStart) {
+        m_timeStep.isColdStart = ending == Ending::LeftBranch;
+        if (m_timeStep.isColdStart) {
             m_q = System::read(coldStart(m_mechanism, m_t));
             ending = iterate(std::max(kColdStartIterations, m_options.maxIterations));
         }
-        m_instant.positionStatus = ending == Ending::Converged ? Status::Solved : Status::IterationLimit;
-        System::write(m_q, m_instant.q);
+        m_timeStep.positionStatus = ending == Ending::Converged ? Status::Solved : Status::IterationLimit;
+        System::write(m_q, m_timeStep.q);
         if (ending == Ending::Converged) {
-            System::write(m_q, m_instant.state.q);
+            System::write(m_q, m_timeStep.state.q);
             differentiate();
         }
     }
 
 private:
-    /// The matrix of a square coupler is singular: no iteration can start there.
+    /// C_q is singular if the coupler is perpendicular to the slider's line: no iteration can start there.
     bool hasWarmStart() const
     {
-        const Status status = m_instant.positionStatus;
+        const Status status = m_timeStep.positionStatus;
         return (status == Status::Solved || status == Status::IterationLimit) &&
-               m_instant.state.status != Status::Singular;
+               m_timeStep.state.status != Status::Singular;
     }
 
-    /// What the previous time step predicts for this one.
+    /// Returns the starting point that the previous time step predicts.
     Vector12 warmStart() const
     {
-        if (m_options.warmStart == WarmStart::Previous || m_instant.state.status != Status::Solved) {
-            return m_instant.q;
+        if (m_options.warmStart == WarmStart::Previous || m_timeStep.state.status != Status::Solved) {
+            return m_timeStep.q;
         }
-        const State &before = m_instant.state;
-        const double step = m_t - m_instant.t;
+        const State &before = m_timeStep.state;
+        const double step = m_t - m_timeStep.t;
         const double half = 0.5 * step;
         Vector12 q;
         for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
             q[i] = before.q[i] + step * (before.qDot[i] + half * before.qDDot[i]);
         }
-        q[Theta2] = m_mechanism.omega2() * m_t + m_mechanism.theta20(); // linear in t: the same, without the rounding
+        q[Theta2] =
+            m_mechanism.omega2() * m_t + m_mechanism.theta20(); // linear in t: the same value without rounding errors
         return q;
     }
 
@@ -215,17 +217,17 @@ private:
                 m_history->pop_back();
             }
             System::write(m_q, m_history->emplace_back().q);
-            m_history->back().residual = m_instant.residual;
+            m_history->back().residual = m_timeStep.residual;
         }
     }
 
-    /// Iterates from m_q until an ending, with `m_system` at the last m_q.
+    /// Iterates from m_q. Leaves `m_system` at the last m_q.
     Ending iterate(int maxIterations)
     {
         const Thresholds &limit = m_thresholds;
         const bool toTheEnd = limit.tolerance == 0.0;
         const bool testsFirst = m_options.warmStart == WarmStart::Taylor && !toTheEnd;
-        double &residual = m_instant.residual;
+        double &residual = m_timeStep.residual;
         m_system.moveTo(m_q);
         residual = m_system.residual(limit.perLength);
         if (m_history) {
@@ -233,7 +235,7 @@ private:
         }
         record();
         if (limit.rounding > limit.coupler) {
-            return Ending::IterationLimit; // θ3 of a coupler that is tiny beside the crank is lost in rounding
+            return Ending::IterationLimit; // the coupler is so short that θ3 is lost in rounding
         }
         for (int iteration = 0; iteration < maxIterations; ++iteration) {
             if (testsFirst && residual <= std::min(limit.tolerance, limit.crank) && isResolved()) {
@@ -241,10 +243,10 @@ private:
             }
             const Coordinates next = m_system.next(m_q);
             if (!isOnBranch(m_mechanism, theta3Of(next))) {
-                // At a toggle the matrix is all but singular, and the step after the last good one is rounding noise.
+                // At a toggle the matrix is nearly singular: beyond the last good iterate, a step is rounding noise.
                 return residual <= limit.rounding ? Ending::Converged : Ending::LeftBranch;
             }
-            ++m_instant.iterations;
+            ++m_timeStep.iterations;
             const bool wasBelow = residual <= limit.tolerance; // tested before the update, as in the reference report
             if (!toTheEnd && (testsFirst || wasBelow)) {
                 m_system.moveNear(next); // probably the last iterate
@@ -252,7 +254,8 @@ private:
                 m_system.moveTo(next);
             }
             const double nextResidual = m_system.residual(limit.perLength);
-            // The rounding of a long coupler's rows may exceed all of a short crank's, which two or three steps solve.
+            // If the coupler is long, the rounding of its rows can hide those of a short crank. Two or three steps
+            // solve these.
             const bool isHidden = residual > limit.crank && iteration < 2;
             if (toTheEnd && !(nextResidual < residual) && residual <= limit.rounding && !isHidden) {
                 m_system.moveTo(m_q); // the previous iterate is at least as good
@@ -265,28 +268,28 @@ private:
                 return Ending::Converged;
             }
         }
-        // The iteration limit was reached beside a toggle: the position is still known to 2 √(r/b).
+        // If the iteration limit was reached near a toggle, θ3 is still known to 2 √(r/b).
         const double located = std::max(4.0 * kResolvedPart * limit.coupler, limit.rounding);
         return residual <= std::min(limit.tolerance, located) ? Ending::Converged : Ending::IterationLimit;
     }
 
-    bool isResolved() const { return m_thresholds.isResolved(m_instant.residual, m_system.cosTheta3()); }
+    bool isResolved() const { return m_thresholds.isResolved(m_timeStep.residual, m_system.cosTheta3()); }
 
     // For kResolvedPart, the terms of θ̈3
     //     b cos θ3 θ̈3 = a ω² sin θ2 + b sin θ3 θ̇3²
-    // are compared with θ̈3 itself (beside an exact toggle the two terms all but cancel), or with its ordinary size.
+    // are compared with θ̈3 itself (the two terms nearly cancel at an exact toggle), or with its ordinary magnitude.
     // sin θ3 is uncertain by the residual or its rounding and, like cos θ2, by δ = ε/2 (|ω t| + |θ2|), which θ2 lost
     // when ω t and θ20 were rounded: by (a/b) |cos θ2| δ, R2x being (a/2) cos θ2.
     void differentiate()
     {
-        State &state = m_instant.state;
+        State &state = m_timeStep.state;
         const bool isFinite = m_system.differentiate(state);
         const double a = m_mechanism.a();
         const double b = m_mechanism.b();
         const double cosine = std::abs(m_system.cosTheta3());
         const double angles = std::abs(state.q[Theta2] - m_mechanism.theta20()) + std::abs(state.q[Theta2]);
         const double rounding = kEpsilon * std::max(b, a + std::abs(m_mechanism.c()));
-        const double residual = m_instant.residual / m_thresholds.perLength;
+        const double residual = m_timeStep.residual / m_thresholds.perLength;
         const double ofTheta2 = kEpsilon * angles * (std::abs(state.q[R2x]) + 0.5 * a * cosine);
         const double uncertainty = (std::max(residual, rounding) + ofTheta2) / b;
         const double crankTerm = a * m_mechanism.omega2() * m_mechanism.omega2();
@@ -294,7 +297,7 @@ private:
         const double uncertain = uncertainty * (crankTerm + couplerTerm);
         const double ordinary = crankTerm * relativeAcceleration(m_mechanism);
         const double size = std::max(b * std::abs(state.qDDot[Theta3]), ordinary);
-        // Beside the accelerations of a much shorter coupler those of the crank are lost to rounding.
+        // If the coupler is much shorter than the crank, its accelerations hide those of the crank in rounding.
         const bool isCrankResolved = kEpsilon * couplerTerm <= kResolvedPart * kResolvedPart * crankTerm;
         const bool exists =
             isFinite && isCrankResolved && uncertain <= kResolvedPart * (cosine * cosine) * cosine * size;
@@ -310,18 +313,18 @@ private:
     const NewtonOptions &m_options;
     System m_system;
     Thresholds m_thresholds;
-    NewtonInstant &m_instant;
+    NewtonTimeStep &m_timeStep;
     IterationHistory *m_history;
     Coordinates m_q;
 };
 
-/// Solved where there is a position to look for, otherwise the reason.
+/// Returns Solved if a position exists, otherwise the reason why there is none.
 Status statusBeforeIterating(const Mechanism &mechanism, double t)
 {
     const bool isResolved = std::abs(mechanism.omega2() * t) + std::abs(mechanism.theta20()) <= kLargestDrive;
-    // Rounding is monotone: where this holds for the rounded difference, it does for the exact one.
-    const bool turnsRound = mechanism.b() - mechanism.a() > std::abs(mechanism.c());
-    if (turnsRound && isResolved) {
+    // Rounding is monotone: if this is true of the rounded difference, it is true of the exact one.
+    const bool makesFullTurns = mechanism.b() - mechanism.a() > std::abs(mechanism.c());
+    if (makesFullTurns && isResolved) {
         return Status::Solved; // the ordinary case, without computing the angle
     }
     const TwoPart angle = crankAngle(mechanism.omega2(), t, mechanism.theta20());
@@ -333,7 +336,7 @@ Status statusBeforeIterating(const Mechanism &mechanism, double t)
 
 } // namespace
 
-// sin θ3 - h/b increases and is curved in one direction between here and the root.
+// Between this point and the root, sin θ3 - h/b is monotone and its curvature does not change sign.
 Vector12 coldStart(const Mechanism &mechanism, double t)
 {
     const double theta2 = mechanism.omega2() * t + mechanism.theta20();
@@ -346,7 +349,7 @@ Vector12 coldStart(const Mechanism &mechanism, double t)
     return start;
 }
 
-void advance(const Mechanism &mechanism, double t, NewtonInstant &instant, const NewtonOptions &options,
+void advance(const Mechanism &mechanism, double t, NewtonTimeStep &timeStep, const NewtonOptions &options,
              IterationHistory *history)
 {
     const Status status = statusBeforeIterating(mechanism, t);
@@ -354,25 +357,25 @@ void advance(const Mechanism &mechanism, double t, NewtonInstant &instant, const
         if (history) {
             history->clear();
         }
-        instant.q.setConstant(kNone);
-        instant.iterations = 0;
-        instant.residual = 0.0;
-        instant.positionStatus = status;
-        instant.isColdStart = false;
+        timeStep.q.setConstant(kNone);
+        timeStep.iterations = 0;
+        timeStep.residual = 0.0;
+        timeStep.positionStatus = status;
+        timeStep.isColdStart = false;
     } else if (options.elimination == Elimination::Dense) {
-        Solver<DenseSystem>(mechanism, t, options, instant, history).solve();
+        Solver<DenseSystem>(mechanism, t, options, timeStep, history).solve();
     } else {
-        Solver<StructuredSystem>(mechanism, t, options, instant, history).solve();
+        Solver<StructuredSystem>(mechanism, t, options, timeStep, history).solve();
     }
-    if (instant.positionStatus != Status::Solved) {
+    if (timeStep.positionStatus != Status::Solved) {
         const Vector12 none = Vector12::Constant(kNone);
-        instant.state = {none, none, none, instant.positionStatus};
+        timeStep.state = {none, none, none, timeStep.positionStatus};
     }
-    instant.t = t;
+    timeStep.t = t;
 }
 
-NewtonInstant solve(const Mechanism &mechanism, double t, const NewtonOptions &options, NewtonInstant start,
-                    IterationHistory *history)
+NewtonTimeStep solve(const Mechanism &mechanism, double t, const NewtonOptions &options, NewtonTimeStep start,
+                     IterationHistory *history)
 {
     advance(mechanism, t, start, options, history);
     return start;

@@ -6,30 +6,30 @@
 namespace slidercrank
 {
 
-/// What the residual is.
+/// The measure of the residual.
 enum class ToleranceKind {
-    Absolute, ///< ‖C‖, mm and rad mixed, as in the report
+    Absolute, ///< ‖C‖, mm and rad mixed, as in the reference report
     Relative  ///< ‖C‖ with the length rows divided by a + b + |c|: the same at every scale
 };
 
-/// Where an instant starts, and with it when the tolerance is tested.
+/// The starting point of a time step. It also determines when the tolerance is tested.
 enum class WarmStart {
-    Previous, ///< q of the instant before; tested on the residual before an update that is made all the same (report)
-    Taylor ///< q + q̇ Δt + q̈ Δt²/2 of the instant before; tested before each update, which may then not be needed
+    Previous, ///< q of the previous time step; the residual is tested before the last update (reference report)
+    Taylor ///< q + q̇ Δt + q̈ Δt²/2 of the previous time step; no update is made once the residual is small enough
 };
 
-/// How the linear systems are solved. Both give the same iterates to rounding.
+/// The method for the linear systems. Both give the same iterates except for rounding.
 enum class Elimination {
-    Dense,     ///< LU of the 12×12 matrix, as in the report
+    Dense,     ///< LU of the 12×12 matrix, as in the reference report
     Structured ///< joint by joint, without a matrix: structured_system.h
 };
 
-/// Table 2 of the report.
+/// The defaults are those of Table 2 of the reference report.
 struct NewtonOptions {
     int maxIterations = 10;
 
-    /// Iterate until the residual is at most this, and on while it leaves no two digits of the motion (kResolvedPart).
-    /// It bounds the residual, not the error. 0: until the residual no longer falls.
+    /// The iteration ends when the residual is at most this and determines two digits of the motion (kResolvedPart). It
+    /// bounds the residual, not the error. 0: iterate until the residual no longer decreases.
     double tolerance = 1e-8;
 
     ToleranceKind toleranceKind = ToleranceKind::Absolute;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Solves the linear systems of Newton-Raphson, velocity and acceleration joint by joint instead of with a matrix. Along
-// the chain ground, drive, crank, slider's line, coupler, slider each constraint adds one unknown, except the coupler's
-// angle, which three rows determine together. The iterates equal those of the dense elimination to rounding.
+// Solves the linear systems of position, velocity and acceleration joint by joint instead of with a matrix. Along
+// the chain ground, drive, crank, slider's line, coupler, slider each constraint adds one unknown, except that three
+// rows together determine the angle of the coupler. The iterates equal those of the dense elimination to rounding.
 //
 // Everything is defined in this header, so that the iteration is compiled as one function: a step takes less time than
 // passing its vectors through memory would.
@@ -23,7 +23,7 @@ namespace slidercrank
 class StructuredSystem
 {
 public:
-    /// q with a name for each number, which lets the compiler keep them in registers.
+    /// The coordinates as separate variables, which lets the compiler keep them in registers.
     struct Coordinates {
         double R1x, R1y, theta1, R2x, R2y, theta2, R3x, R3y, theta3, R4x, R4y, theta4;
     };
@@ -65,8 +65,8 @@ public:
     //     cos (θ + δ) = cos θ - (sin θ sin δ + cos θ (1 - cos δ)),
     //
     // where the terms in brackets are so small that only the sums round.
-    /// The same for a q that is probably the last one: where θ3 is close to the one of the last moveTo(), its sine and
-    /// cosine are rotated there, which costs less than computing them and adds one rounding.
+    /// Evaluates C at a q that is probably the last iterate. If θ3 is close to that of the last moveTo(), its sine and
+    /// cosine are obtained by a rotation, which is faster than computing them and adds one rounding.
     void moveNear(const Coordinates &q)
     {
         constexpr double kSmallTurn = 0x1p-11; // rad; δ⁵/120, the first neglected term, is then below 3e-19
@@ -86,7 +86,7 @@ public:
         fillRows(q);
     }
 
-    /// ‖C‖ with the length rows multiplied by `perLength`.
+    /// Returns ‖C‖ with the length rows multiplied by `perLength`.
     double residual(double perLength) const
     {
         const Rows &r = m_C;
@@ -121,11 +121,11 @@ public:
     //
     //     6:   R3x = R2x - Ay θ2 - By θ3 - r6
     //     8:   R4x = R3x - By θ3 + r8
-    /// q + Δq with C_q Δq = -C, for the q of the last moveTo() or moveNear(). Not finite where cos θ3 = 0.
+    /// Returns q + Δq with C_q Δq = -C, for the q of the last moveTo() or moveNear(). Not finite where cos θ3 = 0.
     Coordinates next(const Coordinates &q)
     {
         if (m_isTurned) {
-            moveTo(q); // so that the step is that of the dense elimination to rounding
+            moveTo(q); // so that the step equals that of the dense elimination except for rounding
         }
         const Rows &r = m_C;
         const double pinX = m_crankY * r.crankDrive;
@@ -162,7 +162,8 @@ public:
     //
     // On the crossed branch θ3 is near π, where neighbouring doubles are four times as far apart as near 0.5: (Bx, By)
     // is rotated by the part of θ3 that was rounded off, as far as C shows it.
-    /// q̇ of C_q q̇ = -C_t and q̈ of C_q q̈ = Q_d at the q moved to, into `state`. Returns whether they are finite.
+    /// Solves C_q q̇ = -C_t and C_q q̈ = Q_d at the current q, and stores q̇ and q̈ in `state`. Returns whether they are
+    /// finite.
     bool differentiate(State &state) const
     {
         const double Ax = m_crankX;
@@ -192,7 +193,7 @@ public:
         state.qDDot << 0.0, 0.0, 0.0, -Ax * vSquared, -Ay * vSquared, 0.0, R3xDDot, -Ay * vSquared, theta3DDot, R4xDDot,
             0.0, 0.0;
 
-        // The other values are at most as large as one of these.
+        // No other value is larger than the largest of these.
         return std::isfinite(theta3DDot) && std::isfinite(R3xDDot) && std::isfinite(R4xDDot);
     }
 
@@ -202,7 +203,7 @@ private:
             sliderAngle, sliderLine, crankDrive;
     };
 
-    /// The row of the drive is linear, so θ2 is exact from the second iterate on at the latest.
+    /// Computes the rows of C. The row of the drive is linear, so that θ2 is exact from the second iterate on.
     void fillRows(const Coordinates &q)
     {
         const bool isDriven = q.theta2 == m_drive;
@@ -224,7 +225,7 @@ private:
                .crankDrive = q.theta2 - m_drive};
     }
 
-    /// -Δθ3 of the Newton step.
+    /// Returns -Δθ3 of the Newton step.
     double theta3Excess() const
     {
         const double pinY = m_crankX * m_C.crankDrive;

@@ -20,7 +20,7 @@ namespace
 /// Time stamps between two checks of the stop token.
 constexpr std::size_t kStopInterval = 256;
 
-/// Fills the trajectory from solve(t), which returns a State for each time stamp in turn.
+/// Fills the trajectory by calling solve(t), which returns a State, for each time stamp in turn.
 template <class Solve>
 void sampleOneByOne(Trajectory &trajectory, const ChannelSet &channels, const std::stop_token &stop, const Solve &solve)
 {
@@ -48,26 +48,26 @@ void sampleOneByOne(Trajectory &trajectory, const ChannelSet &channels, const st
 void sampleByNewton(const Mechanism &mechanism, const NewtonOptions &options, const ChannelSet &channels,
                     Trajectory &trajectory, const std::stop_token &stop)
 {
-    NewtonInstant instant;
+    NewtonTimeStep timeStep;
     SamplingSummary &summary = trajectory.summary;
     sampleOneByOne(trajectory, channels, stop, [&](double t) -> const State & {
-        advance(mechanism, t, instant, options);
-        if (instant.positionStatus == Status::Solved) {
-            const int warmIterations = instant.isColdStart ? 0 : instant.iterations;
-            summary.add({.iterations = instant.iterations,
-                         .mostIterations = instant.iterations,
+        advance(mechanism, t, timeStep, options);
+        if (timeStep.positionStatus == Status::Solved) {
+            const int warmIterations = timeStep.isColdStart ? 0 : timeStep.iterations;
+            summary.add({.iterations = timeStep.iterations,
+                         .mostIterations = timeStep.iterations,
                          .mostWarmIterations = warmIterations,
-                         .largestResidual = instant.residual});
+                         .largestResidual = timeStep.residual});
         }
-        return instant.state;
+        return timeStep.state;
     });
 }
 
-/// The faster way for the six plotted channels alone, on all processors.
+/// Samples any of the six plotted channels, but no others: faster, and on all processors.
 void samplePlotted(const Mechanism &mechanism, Trajectory &trajectory, const std::stop_token &stop)
 {
     const ClosedForm closedForm(mechanism);
-    const std::span<const double> instants(trajectory.time);
+    const std::span<const double> times(trajectory.time);
     const std::span<Status> statuses(trajectory.status);
     const auto evaluate = [&](std::size_t first, std::size_t end) {
         for (std::size_t i = first; i < end && !stop.stop_requested(); i += kStopInterval) {
@@ -77,7 +77,7 @@ void samplePlotted(const Mechanism &mechanism, Trajectory &trajectory, const std
                 std::vector<double> &values = trajectory.values[indexOf(kPlottedChannels[k])];
                 columns[k] = values.empty() ? nullptr : values.data() + i;
             }
-            closedForm.evaluate(instants.subspan(i, count), columns, statuses.subspan(i, count));
+            closedForm.evaluate(times.subspan(i, count), columns, statuses.subspan(i, count));
             for (std::size_t k = 0; k < columns.size(); ++k) {
                 if (columns[k] != nullptr) {
                     toFileUnit(kPlottedChannels[k], {columns[k], count});
@@ -85,31 +85,31 @@ void samplePlotted(const Mechanism &mechanism, Trajectory &trajectory, const std
             }
         }
     };
-    constexpr std::size_t kPiece = 1U << 15U; // time stamps: enough work for a thread
-    const std::size_t pieces = (instants.size() + kPiece - 1) / kPiece;
-    inParallel(pieces, [&](std::size_t i) { evaluate(i * kPiece, std::min((i + 1) * kPiece, instants.size())); });
+    constexpr std::size_t kPiece = 1U << 15U; // time stamps, which is enough work for one thread
+    const std::size_t pieces = (times.size() + kPiece - 1) / kPiece;
+    inParallel(pieces, [&](std::size_t i) { evaluate(i * kPiece, std::min((i + 1) * kPiece, times.size())); });
     trajectory.complete = !stop.stop_requested();
 }
 
 } // namespace
 
-std::vector<double> Sampling::instants() const
+std::vector<double> Sampling::timeStamps() const
 {
-    std::vector<double> instants(static_cast<std::size_t>(steps) + 1);
+    std::vector<double> times(static_cast<std::size_t>(steps) + 1);
     for (int i = 0; i <= steps; ++i) {
-        instants[static_cast<std::size_t>(i)] = instant(i);
+        times[static_cast<std::size_t>(i)] = timeStamp(i);
     }
-    return instants;
+    return times;
 }
 
-double instantsPerTurn(const Mechanism &mechanism, const Sampling &sampling)
+double timeStepsPerTurn(const Mechanism &mechanism, const Sampling &sampling)
 {
     return kTurn * sampling.steps / std::abs(mechanism.omega2() * sampling.duration);
 }
 
 void SamplingSummary::add(const SamplingSummary &next)
 {
-    instants += next.instants;
+    timeSteps += next.timeSteps;
     for (std::size_t i = 0; i < kStatusCount; ++i) {
         statusCounts[i] += next.statusCounts[i];
     }
@@ -119,11 +119,11 @@ void SamplingSummary::add(const SamplingSummary &next)
     largestResidual = std::max(largestResidual, next.largestResidual);
 }
 
-Trajectory sample(const Mechanism &mechanism, std::vector<double> instants, const ChannelSet &channels,
+Trajectory sample(const Mechanism &mechanism, std::vector<double> times, const ChannelSet &channels,
                   const SolverSettings &settings, std::stop_token stop)
 {
     Trajectory trajectory;
-    trajectory.time = std::move(instants);
+    trajectory.time = std::move(times);
     trajectory.status.resize(trajectory.time.size());
     for (std::size_t index = 0; index < kChannelCount; ++index) {
         trajectory.values[index].resize(channels.test(index) ? trajectory.time.size() : 0);
@@ -136,7 +136,7 @@ Trajectory sample(const Mechanism &mechanism, std::vector<double> instants, cons
         const ClosedForm closedForm(mechanism);
         sampleOneByOne(trajectory, channels, stop, [&](double t) { return closedForm.stateAt(t); });
     }
-    trajectory.summary.instants = trajectory.time.size();
+    trajectory.summary.timeSteps = trajectory.time.size();
     for (const Status status : trajectory.status) {
         ++trajectory.summary.statusCounts[static_cast<std::size_t>(status)];
     }
@@ -151,11 +151,11 @@ void sampleInPieces(const Mechanism &mechanism, const Sampling &sampling, const 
     const int count = sampling.steps + 1;
     const int length = settings.method == Method::Newton ? count : std::min(count, kPiece);
     for (int first = 0; first < count; first += length) {
-        std::vector<double> instants(static_cast<std::size_t>(std::min(length, count - first)));
-        for (int i = 0; i < static_cast<int>(instants.size()); ++i) {
-            instants[static_cast<std::size_t>(i)] = sampling.instant(first + i);
+        std::vector<double> times(static_cast<std::size_t>(std::min(length, count - first)));
+        for (int i = 0; i < static_cast<int>(times.size()); ++i) {
+            times[static_cast<std::size_t>(i)] = sampling.timeStamp(first + i);
         }
-        const Trajectory piece = sample(mechanism, std::move(instants), channels, settings, stop);
+        const Trajectory piece = sample(mechanism, std::move(times), channels, settings, stop);
         if (!piece.complete || !take(piece)) {
             return;
         }

@@ -14,7 +14,7 @@ namespace slidercrank
 namespace
 {
 
-/// A crank of 20 mm that turns once in 1 s.
+/// A mechanism with a crank of 20 mm that makes one revolution per second.
 struct Row {
     const char *name;
     double b;
@@ -22,7 +22,7 @@ struct Row {
     Branch branch = Branch::Open;
 };
 
-/// The coupler length that exceeds what a full turn needs by the relative `gap`.
+/// Returns a coupler length that exceeds the shortest for full turns by the relative `gap`.
 constexpr double toggle(double gap, double c = 25.0)
 {
     return (20.0 + (c < 0.0 ? -c : c)) * (1.0 + gap);
@@ -61,7 +61,7 @@ const std::vector<Row> kHard{
     {"c/a = 5e4", 1.1e6, 1e6},
 };
 
-/// A crank of 20 mm that comes within 1e-1 … 1e-15 of a toggle.
+/// Adds mechanisms with relative gaps of 1e-1 … 1e-15 to a toggle.
 void addToggles(const char *suffix, double c, std::initializer_list<int> exponents, std::vector<Case> &cases)
 {
     constexpr std::array kGaps{1.0,  1e-1, 1e-2,  1e-3,  1e-4,  1e-5,  1e-6,  1e-7,
@@ -129,7 +129,7 @@ std::vector<Case> allCases()
     return cases;
 }
 
-std::vector<double> squareInstants(const Case &which)
+std::vector<double> perpendicularTimes(const Case &which)
 {
     const Parameters &parameters = which.parameters;
     if (parameters.omega2 == 0.0) {
@@ -165,10 +165,10 @@ std::vector<double> squareInstants(const Case &which)
     return result;
 }
 
-std::vector<double> instantsOf(const Case &which)
+std::vector<double> timeStampsOf(const Case &which)
 {
-    std::vector<double> result = which.sampling.instants();
-    const std::vector<double> square = squareInstants(which);
+    std::vector<double> result = which.sampling.timeStamps();
+    const std::vector<double> square = perpendicularTimes(which);
     result.insert(result.end(), square.begin(), square.end());
     std::sort(result.begin(), result.end());
     result.erase(std::unique(result.begin(), result.end()), result.end());

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The named mechanisms that tests, benchmarks and the study share: ordinary ones, and those where accuracy, the branch
-// or the existence of a position is at risk.
+// Lists the named mechanisms that tests, benchmarks and the study share: ordinary ones, and those that are difficult
+// for a solver because of accuracy, of the branch, or because they cannot always be assembled.
 //
 // Lengths in mm, angles in rad, time in s.
 
@@ -19,23 +19,23 @@ namespace slidercrank
 struct Case {
     std::string name; ///< unique; comma-separated properties: "toggle gap 1e-4, crossed"
     Parameters parameters;
-    Sampling sampling{}; ///< one turn, unless the case is about time
+    Sampling sampling{}; ///< one revolution, unless the case is about time
 };
 
-/// Where every method has to be right to the last digits.
+/// Returns the cases in which every method has to be accurate to the last digits.
 std::span<const Case> nominalCases();
 
-/// Where a method may fail, but has to say so.
+/// Returns the cases in which a method may fail, but has to report it.
 std::span<const Case> hardCases();
 
-/// nominalCases(), then hardCases().
+/// Returns nominalCases() followed by hardCases().
 std::vector<Case> allCases();
 
-/// The doubles nearest to the sampled times at which the coupler comes closest to perpendicular to the slider's line:
-/// θ2 an odd multiple of 90°, and the limits of a rocker. Of the first ten turns; ascending.
-std::vector<double> squareInstants(const Case &which);
+/// Returns the times (s) within the sampled time span at which the coupler is closest to perpendicular to the slider's
+/// line: θ2 an odd multiple of 90°, and the limit positions of a rocker. Covers the first ten revolutions; ascending.
+std::vector<double> perpendicularTimes(const Case &which);
 
-/// The time stamps of the sampling and squareInstants(), ascending.
-std::vector<double> instantsOf(const Case &which);
+/// Returns the time stamps of the sampling and perpendicularTimes(), ascending.
+std::vector<double> timeStampsOf(const Case &which);
 
 } // namespace slidercrank

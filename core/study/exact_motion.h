@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The judge: the textbook's motion in as many digits as are asked for. Its formulas cancel near a toggle; here digits
-// make up for it (50 are enough away from a toggle, 100 everywhere).
-// Lengths in mm, angles in rad, time in s.
+// Computes the motion by the formulas of the textbook with a chosen number of digits, as the reference for all methods.
+// The formulas cancel near a toggle, which additional digits compensate (50 suffice away from a toggle, 100
+// everywhere). Lengths in mm, angles in rad, time in s.
 
 #include "core/closed_form/textbook_motion.h"
 #include "core/mechanism/channel.h"
 #include "core/mechanism/mechanism.h"
 
 #include <boost/math/constants/constants.hpp>
-// g++ 14 takes for possible what a condition in there excludes.
+// g++ 14 warns of an access that a condition in this header excludes.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Warray-bounds"
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -30,19 +30,19 @@ using Digits100 =
 
 inline constexpr double kUnitRoundoff = 0.5 * std::numeric_limits<double>::epsilon(); // 2^-53
 
-/// Everything that the motion depends on, exact.
+/// The input of the motion, converted without rounding.
 template <class Real>
 struct ExactInput {
     Real a, b, c, omega2, theta20, t;
     Branch branch;
 
-    ExactInput(const Parameters &parameters, double instant)
+    ExactInput(const Parameters &parameters, double time)
         : a(parameters.a)
         , b(parameters.b)
         , c(parameters.c)
         , omega2(parameters.omega2)
         , theta20(parameters.theta20)
-        , t(instant)
+        , t(time)
         , branch(parameters.branch)
     {
     }
@@ -52,8 +52,8 @@ template <class Real>
 struct ExactState {
     Status status = Status::Solved; ///< Solved, Singular or NotAssemblable
     Real cosTheta3 = 0;
-    Real clearance = 0;                     ///< (b - |h|)/b; negative: no pose
-    std::array<Real, kChannelCount> values; ///< by indexOf(channel); those of a position only where Singular
+    Real clearance = 0;                     ///< (b - |h|)/b; negative: cannot be assembled
+    std::array<Real, kChannelCount> values; ///< by indexOf(channel); only the positions if Singular
 };
 
 template <class Real>
@@ -83,8 +83,8 @@ ExactState<Real> exactState(const Parameters &parameters, double t)
     return exactState(ExactInput<Real>(parameters, t));
 }
 
-/// κ = Σ |p ∂f/∂p| over a, b, c, ω2, θ20, t: how far each channel moves, per unit of relative error in what it is
-/// computed from. Where such an error could end the motion (closer to a limit than `step`), infinite.
+/// Returns κ = Σ |p ∂f/∂p| over a, b, c, ω2, θ20, t for each channel: its change per unit of relative error of the
+/// input. Infinite if such an error could make the mechanism impossible to assemble.
 template <class Real>
 std::array<double, kChannelCount> conditioning(const Parameters &parameters, double t)
 {
@@ -110,10 +110,10 @@ std::array<double, kChannelCount> conditioning(const Parameters &parameters, dou
     return kappa;
 }
 
-/// Of naturalSize(): what is less than this is zero, but for the judge's own rounding.
+/// Values below this fraction of naturalSize() are zero except for the rounding of the exact motion.
 inline constexpr double kExactZero = 1e-36;
 
-// Compiled once, in exact_motion.cpp: these take their time.
+// Instantiated in exact_motion.cpp, because they take long to compile.
 extern template ExactState<Digits50> exactState(const ExactInput<Digits50> &);
 extern template ExactState<Digits100> exactState(const ExactInput<Digits100> &);
 extern template std::array<double, kChannelCount> conditioning<Digits50>(const Parameters &, double);

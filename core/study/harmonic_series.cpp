@@ -15,11 +15,12 @@ namespace slidercrank
 namespace
 {
 
-/// Equally spaced crank angles. What they cannot tell apart are harmonics n and kAngles - n, and those of a motion
-/// without a toggle have died out long before.
+/// The number of equally spaced crank angles. They cannot distinguish the harmonics n and kAngles - n, of which the
+/// latter are negligible in a motion without a toggle.
 constexpr std::size_t kAngles = 2048;
 
-/// The mean of values whose sum would lose digits that the second derivative, n² times a coefficient, needs.
+/// Returns the mean of values. The compensated sum keeps the digits that the second derivative needs, whose
+/// coefficients are multiplied by n².
 template <class Values>
 double meanOver(std::size_t count, const Values &value)
 {
@@ -31,11 +32,12 @@ double meanOver(std::size_t count, const Values &value)
     return (sum.hi + sum.lo) / static_cast<double>(count);
 }
 
-/// The i-th of kAngles equal angles, in two parts: what a double 2π is short of, 2.4e-16, would tilt the waves all one
-/// way, and the n² of the second derivative would make 1e-12 of it after 32 harmonics.
+/// Returns the i-th of kAngles equally spaced angles in two parts. The rounding error of a double 2π, 2.4e-16, would
+/// shift all waves in the same direction, and the n² of the second derivative would amplify it to 1e-12 at 32
+/// harmonics.
 TwoPart equalAngle(std::size_t i)
 {
-    constexpr double kTurnLo = 2.4492935982947064e-16; // 2π is the double and this
+    constexpr double kTurnLo = 2.4492935982947064e-16; // 2π is the sum of the double and this
     const double part = static_cast<double>(i) / kAngles;
     const TwoPart angle = twoProduct(2.0 * std::numbers::pi, part);
     return twoSum(angle.hi, angle.lo + kTurnLo * part);
@@ -48,14 +50,14 @@ bool HarmonicSeries::existsFor(const Mechanism &mechanism)
     return mechanism.b() >= shortestCouplerForFullTurn(mechanism);
 }
 
-// The trapezium rule, which for a period is the most exact there is: Aₙ = 2/M Σ f(θ) cos nθ, A₀ half of that.
+// The trapezoidal rule, which converges fastest for periodic functions: Aₙ = 2/M Σ f(θ) cos nθ, A₀ half of that.
 HarmonicSeries::HarmonicSeries(const Mechanism &mechanism, int harmonics)
     : m_omega2(mechanism.omega2())
     , m_theta20(mechanism.theta20())
     , m_terms(static_cast<std::size_t>(harmonics) + 1)
 {
     assert(existsFor(mechanism) && harmonics >= 1 && 2 * m_terms.size() < kAngles);
-    // With θ2 for the time.
+    // With ω2 = 1 the time is θ2.
     const ClosedForm closedForm{Mechanism({mechanism.a(), mechanism.b(), mechanism.c(), 1.0, 0.0, mechanism.branch()})};
     std::vector<SinCos> waves;
     std::vector<Motion> motions;

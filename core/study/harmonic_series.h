@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The motion as a few harmonics of the crank angle, as textbooks give the piston's acceleration:
+// Approximates the motion by a few harmonics of the crank angle, as textbooks do for the acceleration of a piston:
 //
 //     R4x(θ2) ≈ A₀ + Σ (Aₙ cos nθ2 + Bₙ sin nθ2),   n = 1 … N,   and the same for θ3
 //
-// differentiated term by term, with θ2 = ω2 t + θ20. It is an approximation whatever the arithmetic: what is left out
-// after N harmonics falls with N, fast where the coupler is long, hardly at all near a toggle.
+// differentiated term by term, with θ2 = ω2 t + θ20. The truncation error decreases with N: fast if the
+// coupler is long, hardly at all near a toggle.
 //
 // Textbooks (Norton, "Design of Machinery", section 13.2, "Slider-crank kinematics") expand the root by the binomial
-// theorem for c = 0 and keep two harmonics. The coefficients here are those that this tends to: the Fourier
-// coefficients of the exact motion, from its values at equally spaced angles, for any offset. The crank has to turn
-// round.
+// theorem for c = 0 and keep two harmonics. The coefficients here are the limit of that expansion: the Fourier
+// coefficients of the exact motion for any offset, computed from its values at equally spaced angles. The crank has to
+// make full turns.
 
 #include "core/mechanism/mechanism.h"
 
@@ -23,13 +23,13 @@ namespace slidercrank
 class HarmonicSeries
 {
 public:
-    /// Whether the motion has a period in θ2 at all: b >= a + |c|.
+    /// Returns whether the motion is periodic in θ2: b >= a + |c|.
     static bool existsFor(const Mechanism &mechanism);
 
     /// Preconditions: existsFor(mechanism), harmonics >= 1.
     HarmonicSeries(const Mechanism &mechanism, int harmonics);
 
-    /// A position with its derivatives, in mm or rad, and s.
+    /// A position with its time derivatives (mm or rad, s).
     struct Sum {
         double value = 0.0;
         double first = 0.0;
@@ -39,6 +39,7 @@ public:
         Sum theta3;
         Sum R4x;
     };
+    /// Returns the sums of the series at time t (s).
     Sums at(double t) const;
 
 private:

@@ -29,8 +29,8 @@ double secondsSince(Clock::time_point start)
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// The exact motion at one instant. Values by kPlottedChannels, in two parts, so that they need no many-digit numbers
-/// to be compared with.
+/// The exact motion at one time stamp. The values, by kPlottedChannels, are in two parts, so that comparing with them
+/// takes no many-digit arithmetic.
 struct Judged {
     Status status = Status::Solved;
     double clearance = 0.0; ///< (b - |h|)/b
@@ -39,7 +39,7 @@ struct Judged {
 };
 
 struct Judgement {
-    std::vector<Judged> instants;
+    std::vector<Judged> timeStamps;
     std::array<double, kChannels> sizes{}; ///< rad, mm: the peak, or naturalSize() where that is 0
 };
 
@@ -95,24 +95,24 @@ std::array<double, kChannels> sizesOf(const Parameters &parameters, const std::v
     return sizes;
 }
 
-/// 0/0 counts as no error: a channel of a crank that stands still.
+/// Returns error / size, and 0 for 0/0, which occurs if the crank does not turn.
 double relative(double error, double size)
 {
     return error == 0.0 ? 0.0 : error / size;
 }
 
-/// A method at work on a case.
+/// A method applied to a case.
 struct Contender {
     const StudyMethod *method = nullptr;
     StudyRun run{};
-    std::vector<std::size_t> instants{}; ///< which of the case's are judged
-    std::size_t stride = 1;              ///< every so many of the answers is judged
+    std::vector<std::size_t> timeStamps{}; ///< indices of the judged time stamps in those of the case
+    std::size_t stride = 1;                ///< every stride-th answer is judged
     StudyAnswers answers{};
     long long repeats = 1;
-    std::vector<double> nanoseconds{}; ///< per state, a value a round
+    std::vector<double> nanoseconds{}; ///< per state, one value for each round
 };
 
-/// |got - exact|; infinite if there is no value.
+/// Returns |got - exact|, or infinity if `got` is not finite.
 double deviation(double got, TwoPart exact)
 {
     const long double value = got;
@@ -121,20 +121,20 @@ double deviation(double got, TwoPart exact)
     return std::isfinite(got) ? std::abs(error) : kInfinity;
 }
 
-/// How much worse one status is than another: what cannot be assembled is the mechanism's, the others are the method's.
+/// Orders statuses by severity. NotAssemblable is a property of the mechanism, the others are failures of the method.
 int severity(Status status)
 {
     constexpr std::array<int, kStatusCount> kByStatus{0, 2, 3, 1, 4};
     return kByStatus[static_cast<std::size_t>(status)];
 }
 
-/// Errors and statuses of the answers.
+/// Sets the errors and statuses of the result.
 void compareAnswers(const Contender &contender, const Judgement &judgement, MethodResult &result)
 {
     double worst = 0.0;
     double bound = 0.0;
     std::size_t silent = 0;
-    for (std::size_t i = 0; i < contender.instants.size(); ++i) {
+    for (std::size_t i = 0; i < contender.timeStamps.size(); ++i) {
         const std::size_t answer = i * contender.stride;
         const Status status = contender.answers.status[answer];
         ++result.counts[static_cast<std::size_t>(status)];
@@ -144,7 +144,7 @@ void compareAnswers(const Contender &contender, const Judgement &judgement, Meth
         if (status != Status::Solved) {
             continue;
         }
-        const Judged &judged = judgement.instants[contender.instants[i]];
+        const Judged &judged = judgement.timeStamps[contender.timeStamps[i]];
         if (judged.status != Status::Solved) {
             silent += judged.clearance < -kLimitRounding ? 1 : 0;
             continue;
@@ -167,7 +167,7 @@ void compareAnswers(const Contender &contender, const Judgement &judgement, Meth
     }
 }
 
-/// Of sorted values, between neighbours where need be.
+/// Returns a quantile of sorted values, interpolated between neighbours.
 double quantile(const std::vector<double> &sorted, double part)
 {
     const double position = part * static_cast<double>(sorted.size() - 1);
@@ -176,8 +176,8 @@ double quantile(const std::vector<double> &sorted, double part)
     return std::lerp(sorted[below], sorted[above], position - static_cast<double>(below));
 }
 
-/// Adds a method that is to be run at `times`, judged at those with the indices `judged`, every stride-th of the times;
-/// unless it does not apply to the mechanism.
+/// Adds a method to be run at `times`, unless it does not apply to the mechanism. Every stride-th time is judged;
+/// `judged` holds the indices of the corresponding exact motions.
 void addContender(const StudyMethod &method, const Case &which, const std::vector<double> &times,
                   const std::vector<std::size_t> &judged, std::size_t stride, std::vector<Contender> &contenders)
 {
@@ -199,34 +199,34 @@ std::vector<Contender> makeContenders(const Case &which, const std::vector<doubl
     }
     std::vector<Contender> contenders;
     for (const StudyMethod &method : studyMethods()) {
-        const bool isEverywhere = method.instants == StudyMethod::Instants::All;
+        const bool isEverywhere = method.timeStamps == StudyMethod::TimeStamps::All;
         addContender(method, which, isEverywhere ? all : steps, isEverywhere ? everyIndex : stepIndices, 1, contenders);
     }
     return contenders;
 }
 
-/// Of a case, the judge takes about so much of the time.
+/// The approximate share of the exact motion in the time of a case.
 constexpr double kJudgeShare = 0.6;
 
-/// The exact motion at all instants; empty when stopped.
+/// Computes the exact motion at all time stamps. Returns nullopt if stopped.
 template <class Reach>
-std::optional<Judgement> judgeAll(const Case &which, const std::vector<double> &instants, const std::stop_token &stop,
+std::optional<Judgement> judgeAll(const Case &which, const std::vector<double> &timeStamps, const std::stop_token &stop,
                                   const Reach &reach)
 {
     Judgement judgement;
-    judgement.instants.reserve(instants.size());
-    for (const double t : instants) {
+    judgement.timeStamps.reserve(timeStamps.size());
+    for (const double t : timeStamps) {
         if (stop.stop_requested()) {
             return std::nullopt;
         }
-        judgement.instants.push_back(judge(which.parameters, t));
-        reach(static_cast<double>(judgement.instants.size()) / static_cast<double>(instants.size()));
+        judgement.timeStamps.push_back(judge(which.parameters, t));
+        reach(static_cast<double>(judgement.timeStamps.size()) / static_cast<double>(timeStamps.size()));
     }
-    judgement.sizes = sizesOf(which.parameters, judgement.instants);
+    judgement.sizes = sizesOf(which.parameters, judgement.timeStamps);
     return judgement;
 }
 
-/// Once to warm up and for the answers, then in rounds. False when stopped.
+/// Runs each method once to obtain the answers and to warm up, then in rounds. Returns false if stopped.
 template <class Reach>
 bool timeAll(std::vector<Contender> &contenders, const StudyRequest &request, const std::stop_token &stop,
              const Reach &reach)
@@ -282,7 +282,7 @@ MethodResult resultOf(Contender &contender, const Judgement &judgement)
     return result;
 }
 
-/// Every method, with every step size where that matters. Empty when stopped.
+/// Measures every method, with every step size if its cost or error depends on it. Returns no rows if stopped.
 std::vector<WorkPrecision> measureWorkPrecision(const Case &which, const StudyRequest &request,
                                                 const std::stop_token &stop)
 {
@@ -294,7 +294,7 @@ std::vector<WorkPrecision> measureWorkPrecision(const Case &which, const StudyRe
     std::vector<std::vector<double>> times;
     for (std::size_t i = 0; i < kMultiples.size(); ++i) {
         cases[i].sampling.steps = kMultiples[i] * kOutputs;
-        times.push_back(cases[i].sampling.instants());
+        times.push_back(cases[i].sampling.timeStamps());
     }
     const auto ignoreProgress = [](double) {};
     const std::optional<Judgement> judgement = judgeAll(which, times.front(), stop, ignoreProgress);
@@ -356,8 +356,8 @@ StudyResult runStudy(const StudyRequest &request, std::stop_token stop, const st
         }
     };
     for (const Case &which : request.cases) {
-        const std::vector<double> all = instantsOf(which);
-        const std::vector<double> steps = which.sampling.instants();
+        const std::vector<double> all = timeStampsOf(which);
+        const std::vector<double> steps = which.sampling.timeStamps();
         const std::optional<Judgement> judgement =
             judgeAll(which, all, stop, [&](double part) { reach(kJudgeShare * part); });
         std::vector<Contender> contenders = makeContenders(which, all, steps);

@@ -16,7 +16,7 @@ namespace slidercrank
 namespace
 {
 
-/// By kPlottedChannels.
+/// One value for each of kPlottedChannels.
 using Values = std::array<double, kPlottedChannels.size()>;
 
 void put(StudyAnswers &answers, std::size_t i, const Values &values, Status status)
@@ -37,12 +37,12 @@ void put(StudyAnswers &answers, std::size_t i, const State &state)
 StudyMethod newton(MethodName::Kind kind, const NewtonOptions &options)
 {
     StudyMethod method{.name = {kind}, .tolerance = options.tolerance, .channels = static_cast<int>(kChannelCount)};
-    method.prepare = [options](const Case &which, std::span<const double> instants) -> StudyRun {
-        return [options, mechanism = Mechanism(which.parameters), instants](StudyAnswers &answers) {
-            NewtonInstant last;
+    method.prepare = [options](const Case &which, std::span<const double> timeStamps) -> StudyRun {
+        return [options, mechanism = Mechanism(which.parameters), timeStamps](StudyAnswers &answers) {
+            NewtonTimeStep last;
             answers.iterations = 0;
-            for (std::size_t i = 0; i < instants.size(); ++i) {
-                advance(mechanism, instants[i], last, options);
+            for (std::size_t i = 0; i < timeStamps.size(); ++i) {
+                advance(mechanism, timeStamps[i], last, options);
                 answers.iterations += last.iterations;
                 put(answers, i, last.state);
             }
@@ -55,10 +55,10 @@ StudyMethod closedForm()
 {
     StudyMethod method{.name = {MethodName::Kind::ClosedForm}, .channels = static_cast<int>(kChannelCount)};
     method.dependsOnStep = false;
-    method.prepare = [](const Case &which, std::span<const double> instants) -> StudyRun {
-        return [closedForm = ClosedForm(Mechanism(which.parameters)), instants](StudyAnswers &answers) {
-            for (std::size_t i = 0; i < instants.size(); ++i) {
-                put(answers, i, closedForm.stateAt(instants[i]));
+    method.prepare = [](const Case &which, std::span<const double> timeStamps) -> StudyRun {
+        return [closedForm = ClosedForm(Mechanism(which.parameters)), timeStamps](StudyAnswers &answers) {
+            for (std::size_t i = 0; i < timeStamps.size(); ++i) {
+                put(answers, i, closedForm.stateAt(timeStamps[i]));
             }
         };
     };
@@ -68,10 +68,10 @@ StudyMethod closedForm()
 StudyMethod closedFormBatch()
 {
     StudyMethod method{.name = {MethodName::Kind::ClosedFormBatch}, .dependsOnStep = false};
-    method.prepare = [](const Case &which, std::span<const double> instants) -> StudyRun {
-        return [batch = ClosedForm(Mechanism(which.parameters)), instants](StudyAnswers &answers) {
+    method.prepare = [](const Case &which, std::span<const double> timeStamps) -> StudyRun {
+        return [batch = ClosedForm(Mechanism(which.parameters)), timeStamps](StudyAnswers &answers) {
             auto &values = answers.values;
-            batch.evaluate(instants,
+            batch.evaluate(timeStamps,
                            {values[0].data(), values[1].data(), values[2].data(), values[3].data(), values[4].data(),
                             values[5].data()},
                            answers.status);
@@ -80,15 +80,16 @@ StudyMethod closedFormBatch()
     return method;
 }
 
-/// Positions in closed form at the steps of the sampling and one beyond either end, derivatives from their differences.
+/// Computes positions in closed form at the steps of the sampling and one step beyond either end, and derivatives from
+/// their differences.
 StudyMethod finiteDifference()
 {
-    StudyMethod method{.name = {MethodName::Kind::FiniteDifference}, .instants = StudyMethod::Instants::Sampling};
-    method.prepare = [](const Case &which, std::span<const double> instants) -> StudyRun {
+    StudyMethod method{.name = {MethodName::Kind::FiniteDifference}, .timeStamps = StudyMethod::TimeStamps::Sampling};
+    method.prepare = [](const Case &which, std::span<const double> timeStamps) -> StudyRun {
         const double step = which.sampling.duration / which.sampling.steps;
-        std::vector<double> sampled{which.sampling.instant(-1)};
-        sampled.insert(sampled.end(), instants.begin(), instants.end());
-        sampled.push_back(which.sampling.instant(which.sampling.steps + 1));
+        std::vector<double> sampled{which.sampling.timeStamp(-1)};
+        sampled.insert(sampled.end(), timeStamps.begin(), timeStamps.end());
+        sampled.push_back(which.sampling.timeStamp(which.sampling.steps + 1));
         std::vector<Motion> motions(sampled.size());
         return [closedForm = ClosedForm(Mechanism(which.parameters)), step, sampled,
                 motions](StudyAnswers &answers) mutable {
@@ -113,14 +114,14 @@ StudyMethod finiteDifference()
 StudyMethod harmonics(int count)
 {
     StudyMethod method{.name = {MethodName::Kind::Harmonics, count}, .dependsOnStep = false};
-    method.prepare = [count](const Case &which, std::span<const double> instants) -> StudyRun {
+    method.prepare = [count](const Case &which, std::span<const double> timeStamps) -> StudyRun {
         const Mechanism mechanism(which.parameters);
         if (!HarmonicSeries::existsFor(mechanism)) {
             return {};
         }
-        return [series = HarmonicSeries(mechanism, count), instants](StudyAnswers &answers) {
-            for (std::size_t i = 0; i < instants.size(); ++i) {
-                const auto [theta3, slider] = series.at(instants[i]);
+        return [series = HarmonicSeries(mechanism, count), timeStamps](StudyAnswers &answers) {
+            for (std::size_t i = 0; i < timeStamps.size(); ++i) {
+                const auto [theta3, slider] = series.at(timeStamps[i]);
                 put(answers, i, {theta3.value, slider.value, theta3.first, slider.first, theta3.second, slider.second},
                     Status::Solved);
             }
@@ -134,17 +135,17 @@ std::vector<StudyMethod> makeMethods()
     constexpr std::array kTolerances{1e-4, kReportsTolerance, 1e-12, 0.0};
     constexpr std::array kHarmonics{2, 4, 8, 16, 32};
 
-    // The report's way has the report's residual and cap; the others a residual that is the same at every scale, and a
-    // cap that a toggle does not reach.
-    struct Way {
+    // NewtonDense has the residual and the iteration limit of the reference report. The others have a residual that is
+    // independent of scale, and an iteration limit that suffices at a toggle.
+    struct Variant {
         MethodName::Kind kind;
         WarmStart warmStart;
         Elimination elimination;
     };
-    constexpr std::array kWays{
-        Way{MethodName::Kind::NewtonDenseTaylor, WarmStart::Taylor, Elimination::Dense},
-        Way{MethodName::Kind::NewtonStructured, WarmStart::Previous, Elimination::Structured},
-        Way{MethodName::Kind::NewtonStructuredTaylor, WarmStart::Taylor, Elimination::Structured},
+    constexpr std::array kVariants{
+        Variant{MethodName::Kind::NewtonDenseTaylor, WarmStart::Taylor, Elimination::Dense},
+        Variant{MethodName::Kind::NewtonStructured, WarmStart::Previous, Elimination::Structured},
+        Variant{MethodName::Kind::NewtonStructuredTaylor, WarmStart::Taylor, Elimination::Structured},
     };
     std::vector<StudyMethod> methods;
     for (const double tolerance : kTolerances) {
@@ -152,10 +153,10 @@ std::vector<StudyMethod> makeMethods()
         report.tolerance = tolerance;
         methods.push_back(newton(MethodName::Kind::NewtonDense, report));
     }
-    for (const Way &way : kWays) {
+    for (const Variant &variant : kVariants) {
         for (const double tolerance : kTolerances) {
-            methods.push_back(newton(
-                way.kind, {kColdStartIterations, tolerance, ToleranceKind::Relative, way.warmStart, way.elimination}));
+            methods.push_back(newton(variant.kind, {kColdStartIterations, tolerance, ToleranceKind::Relative,
+                                                    variant.warmStart, variant.elimination}));
         }
     }
     methods.push_back(closedForm());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The ladder of methods that the study compares, one entry each.
+// Lists the methods that the study compares.
 
 #include "core/mechanism/channel.h"
 #include "core/newton/newton_options.h"
@@ -16,34 +16,34 @@
 namespace slidercrank
 {
 
-/// What a method says of its instants. Values by kPlottedChannels, in mm, s and the method's unit of angles.
+/// The results of a method at its time stamps. Values by kPlottedChannels (mm, rad, s).
 struct StudyAnswers {
     std::array<std::vector<double>, kPlottedChannels.size()> values;
     std::vector<Status> status;
     long long iterations = 0;
 };
 
-/// Fills the answers, which have the size of its instants. May be called again and again.
+/// Fills the answers, which have the size of its time stamps. Can be called repeatedly.
 using StudyRun = std::function<void(StudyAnswers &)>;
 
 struct StudyMethod {
-    enum class Instants {
-        All,     ///< instantsOf() the case
-        Sampling ///< the equal steps of its sampling alone
+    enum class TimeStamps {
+        All,     ///< timeStampsOf() of the case
+        Sampling ///< only the equal steps of its sampling
     };
 
     MethodName name{};
     std::optional<double> tolerance{}; ///< of Newton-Raphson
     int channels = 6;
-    bool dependsOnStep = true; ///< its error or its cost for the same outputs
-    Instants instants = Instants::All;
+    bool dependsOnStep = true; ///< whether its error or cost for the same outputs depends on the step
+    TimeStamps timeStamps = TimeStamps::All;
 
-    /// What is to be worked out once per mechanism is done here; the run is timed. Null where the method does not
-    /// apply.
-    std::function<StudyRun(const Case &, std::span<const double> instants)> prepare{};
+    /// Does the work that is needed once per mechanism, and returns the function that is timed. Returns null if the
+    /// method does not apply.
+    std::function<StudyRun(const Case &, std::span<const double> timeStamps)> prepare{};
 };
 
-/// In the order of the ladder, slowest way first.
+/// Returns all methods, the slowest first.
 const std::vector<StudyMethod> &studyMethods();
 
 } // namespace slidercrank

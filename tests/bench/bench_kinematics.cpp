@@ -75,7 +75,7 @@ HWY_NOINLINE State plainStateAt(const Parameters &p, double t)
 template <class StateAt>
 void states36(benchmark::State &state, const Case &given, const StateAt &stateAt)
 {
-    const std::vector<double> times = given.sampling.instants();
+    const std::vector<double> times = given.sampling.timeStamps();
     std::vector<State> states(times.size());
     for (auto _ : state) {
         for (std::size_t i = 0; i < times.size(); ++i) {
@@ -113,7 +113,7 @@ void closedFormBatch(benchmark::State &state, std::int64_t target)
 {
     hwy::SetSupportedTargetsForTest(target);
     const ClosedForm batch{Mechanism(nominal().parameters)};
-    const std::vector<double> times = nominal().sampling.instants();
+    const std::vector<double> times = nominal().sampling.timeStamps();
     std::vector<std::vector<double>> values(6, std::vector<double>(times.size()));
     std::vector<Status> statuses(times.size());
     PlottedColumns columns{};
@@ -134,10 +134,10 @@ void newton36(benchmark::State &state, const Case &given, WarmStart warmStart, E
     options.warmStart = warmStart;
     options.elimination = elimination;
     const Mechanism mechanism(given.parameters);
-    const std::vector<double> times = given.sampling.instants();
+    const std::vector<double> times = given.sampling.timeStamps();
     int iterations = 0;
     for (auto _ : state) {
-        NewtonInstant last;
+        NewtonTimeStep last;
         iterations = 0;
         for (const double t : times) {
             advance(mechanism, t, last, options);

@@ -414,7 +414,7 @@ private:
         for (std::size_t i = 0; i < read.time.size(); ++i) {
             QVERIFY(isSame(result.trajectory.time[i], read.time[i]));
         }
-        const Trajectory whole = sample(result.mechanism, sampling.instants(), allChannels(), solver);
+        const Trajectory whole = sample(result.mechanism, sampling.timeStamps(), allChannels(), solver);
         for (const ReferenceSeries &series : read.series) {
             for (std::size_t i = 0; i < read.time.size(); ++i) {
                 QVERIFY2(isSame(whole[series.channel][i], series.values[i]), nameOf(series.channel).data());

@@ -210,7 +210,7 @@ void addCaseOfTheStudy(ClaimFile &f)
     const std::span<const Case> cases = hardCases();
     const Case &hardCase = cases[static_cast<std::size_t>(f.number * 11) % cases.size()];
     f.truth = hardCase.parameters;
-    f.instants = hardCase.sampling.instants();
+    f.instants = hardCase.sampling.timeStamps();
     f.timeForm = digits(17);
     f.motion = [truth = *f.truth](double t) { return manyDigits<Digits100>(truth, t, 0.0); };
     f.mayBeMissed = true;

@@ -66,7 +66,7 @@ std::shared_ptr<const Result> compute(const Choices &choices, std::stop_token st
     } else {
         QElapsedTimer clock;
         clock.start();
-        result->trajectory = sample(mechanism, sampling.instants(), plottedChannels(), solver, stop);
+        result->trajectory = sample(mechanism, sampling.timeStamps(), plottedChannels(), solver, stop);
         if (solver.method == Method::Newton) {
             result->sampleSeconds = static_cast<double>(clock.nsecsElapsed()) * 1e-9;
         }

@@ -72,7 +72,7 @@ struct Result {
     std::optional<double> sampleSeconds;
 
     /// Whether the trajectory is stored. A long motion in closed form is not: computing it is faster than storing it.
-    bool hasSamples() const { return trajectory.time.size() == summary.instants; }
+    bool hasSamples() const { return trajectory.time.size() == summary.timeSteps; }
 };
 
 /// The diagnosis of a reference file: the mechanism that it belongs to, and what explains its difference from the

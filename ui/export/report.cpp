@@ -271,7 +271,7 @@ QString methodText(const Result &result)
                      numberText(summary.largestResidual, 2));
     }
     text += u' ' + Report::tr("%1 time steps from t = %2 s to %3 s, %4 of them solved.")
-                       .arg(countText(summary.instants), numberText(sampling.start),
+                       .arg(countText(summary.timeSteps), numberText(sampling.start),
                             numberText(sampling.start + sampling.duration), countText(summary.count(Status::Solved)));
     return text + u' ' + fewSamplesSentence(result.mechanism, sampling);
 }

@@ -2,7 +2,7 @@
 
 // What the mouse and the keyboard do to the mechanism view.
 
-#include "core/sampling/crank_instant.h"
+#include "core/sampling/crank_time.h"
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/text/written_number.h"
 
@@ -168,7 +168,7 @@ void MechanismView::wheelEvent(QWheelEvent *event)
 void MechanismView::goToCrankAngle(double theta2)
 {
     emit timeRequested(
-        nearestInstantAtCrankAngle(m_scene.mechanism(), m_scene.result->sampling, theta2, m_scene.pose.time));
+        nearestTimeAtCrankAngle(m_scene.mechanism(), m_scene.result->sampling, theta2, m_scene.pose.time));
 }
 
 void MechanismView::endDrag()

@@ -3,7 +3,7 @@
 
 #include "core/mechanism/channel.h"
 #include "core/newton/newton.h"
-#include "core/sampling/instant_equations.h"
+#include "core/sampling/time_step_equations.h"
 #include "ui/text/axis_scale.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/written_number.h"
@@ -126,7 +126,7 @@ double timeStep(const Sampling &sampling)
     return sampling.duration / sampling.steps;
 }
 
-InstantEquations solvedEquations(const Result &result, double time)
+TimeStepEquations solvedEquations(const Result &result, double time)
 {
     return equationsAt(result.mechanism, time, timeStep(result.sampling), result.solver);
 }
@@ -181,7 +181,7 @@ ChartContent residualChart(std::vector<ChartSeries> series, const NewtonOptions 
 
 Page equationPage(const Result &result, double time)
 {
-    const InstantEquations equations = solvedEquations(result, time);
+    const TimeStepEquations equations = solvedEquations(result, time);
     Page page = emptyPage(equations.state.status, result);
     page.fileName = NewtonPages::tr("equations", "name of a file");
     PageTable table{
@@ -215,7 +215,7 @@ Page equationPage(const Result &result, double time)
 
 Page jacobianPage(const Result &result, double time)
 {
-    const InstantEquations equations = solvedEquations(result, time);
+    const TimeStepEquations equations = solvedEquations(result, time);
     Page page = emptyPage(equations.state.status, result);
     page.fileName = NewtonPages::tr("jacobian", "name of a file");
     PageTable table{
@@ -266,7 +266,7 @@ Page iterationPage(const Result &result, double time)
     IterationHistory rough;
     IterationHistory warm;
     solve(result.mechanism, time, options, {}, &rough);
-    const NewtonInstant before = solve(result.mechanism, time - step, options);
+    const NewtonTimeStep before = solve(result.mechanism, time - step, options);
     if (before.positionStatus == Status::Solved) {
         solve(result.mechanism, time, options, before, &warm);
     }

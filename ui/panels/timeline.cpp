@@ -2,7 +2,7 @@
 #include "ui/panels/timeline.h"
 
 #include "core/mechanism/turn.h"
-#include "core/sampling/crank_instant.h"
+#include "core/sampling/crank_time.h"
 #include "ui/panels/run_form.h"
 #include "ui/text/written_number.h"
 #include "ui/widgets/named.h"
@@ -152,7 +152,7 @@ QLayout *Timeline::createScrubbing()
     m_slider->setSuffix(tr(" s"));
     m_slider->setMinimumWidth(60);
     connect(m_slider, &NumberSlider::valueChanged, this,
-            [this](int step) { emit timeRequested(m_sampling.instant(step)); });
+            [this](int step) { emit timeRequested(m_sampling.timeStamp(step)); });
 
     auto *row = new QHBoxLayout;
     row->setSpacing(5);
@@ -325,7 +325,7 @@ void Timeline::stepTo(double step)
 {
     pause();
     emit timeRequested(
-        m_sampling.instant(static_cast<int>(std::clamp(step, 0.0, static_cast<double>(m_sampling.steps)))));
+        m_sampling.timeStamp(static_cast<int>(std::clamp(step, 0.0, static_cast<double>(m_sampling.steps)))));
 }
 
 void Timeline::goToAngle(double degrees)
@@ -336,7 +336,7 @@ void Timeline::goToAngle(double degrees)
             (degrees / kDegreesPerRadian - m_parameters.theta20) / omega2; // of this angle, including whole turns
         if (!(time >= m_sampling.start && time <= last())) {
             const double period = kTurn / std::abs(omega2);
-            time = instantAtCrankAngle(Mechanism(m_parameters), degrees / kDegreesPerRadian, m_sampling.start).value_or(m_sampling.start);
+            time = timeAtCrankAngle(Mechanism(m_parameters), degrees / kDegreesPerRadian, m_sampling.start).value_or(m_sampling.start);
             if (time > last()) { // the crank does not reach the angle: go to the nearer end
                 time = m_sampling.start - (time - period) < time - last() ? m_sampling.start : last();
             }

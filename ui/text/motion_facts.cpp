@@ -2,7 +2,7 @@
 #include "ui/text/motion_facts.h"
 
 #include "core/closed_form/closed_form.h"
-#include "core/sampling/crank_instant.h"
+#include "core/sampling/crank_time.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/written_number.h"
 
@@ -129,7 +129,7 @@ public:
         fact.theta2 = theta2;
         const double end = m_sampling.start + m_sampling.duration;
         for (const double nudge : {0.0, kNudge, -kNudge}) {
-            const auto time = instantAtCrankAngle(m_mechanism, theta2 + nudge, m_sampling.start);
+            const auto time = timeAtCrankAngle(m_mechanism, theta2 + nudge, m_sampling.start);
             if (time && *time <= end + kSlack * m_sampling.duration &&
                 (!fact.instant || !isAssemblable(*fact.instant))) {
                 fact.instant = std::min(*time, end);
@@ -337,7 +337,7 @@ std::vector<MotionFact> peakFacts(const Mechanism &mechanism, const MotionLimits
 QString fewSamplesSentence(const Mechanism &mechanism, const Sampling &run)
 {
     constexpr double kRounding = 1e-9;
-    const double perTurn = instantsPerTurn(mechanism, run);
+    const double perTurn = timeStepsPerTurn(mechanism, run);
     const double wanted = run.steps * kFewestPerTurn / perTurn * (1.0 - kRounding);
     return wanted <= run.steps
                ? QString()

@@ -42,7 +42,7 @@ StatusBar::StatusBar(QWidget *parent)
 void StatusBar::showResult(const Result &result)
 {
     const SamplingSummary &summary = result.summary;
-    const QString samples = countText(summary.instants);
+    const QString samples = countText(summary.timeSteps);
     QStringList parts;
     if (const std::size_t missing = summary.count(Status::NotAssemblable); missing > 0) {
         parts << tr("cannot be assembled at %1 of %2 time steps").arg(countText(missing), samples);

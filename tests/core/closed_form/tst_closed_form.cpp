@@ -168,7 +168,7 @@ void tst_closed_form::isExactOnRandomMechanisms()
         const std::vector<double> times = randomTimes(random, 8, 0.0, turn);
         for (const Branch branch : {Branch::Open, Branch::Crossed}) {
             p.branch = branch;
-            const std::vector<double> around = Sampling{0.0, turn, 200}.instants();
+            const std::vector<double> around = Sampling{0.0, turn, 200}.timeStamps();
             const auto tolerances = scaled(channelSizes<long double>(p, exactRun<long double>(p, around)), kPromise);
             for (const double t : times) {
                 const State got = ClosedForm{Mechanism(p)}.stateAt(t);
@@ -180,7 +180,7 @@ void tst_closed_form::isExactOnRandomMechanisms()
     worst.check("of peak", kPromise);
 }
 
-/// At the doubles nearest to a toggle, too (instantsOf()).
+/// At the doubles nearest to a toggle, too (timeStampsOf()).
 void tst_closed_form::isExactOnNamedCases()
 {
     Worst worst;
@@ -189,7 +189,7 @@ void tst_closed_form::isExactOnNamedCases()
         if (isRocker(p)) {
             continue;
         }
-        const std::vector<double> times = instantsOf(which);
+        const std::vector<double> times = timeStampsOf(which);
         const std::vector<ExactState<Digits100>> run = exactRun<Digits100>(p, times);
         const auto tolerances = scaled(channelSizes<Digits100>(p, run), kPromise);
         for (std::size_t i = 0; i < times.size(); ++i) {
@@ -266,10 +266,10 @@ void tst_closed_form::isExactUpToARockersLimits()
 
     // A whole turn, both sides of each limit, and the doubles around it: of t, and of θ20 at t = 0.
     std::vector<std::pair<Parameters, double>> places;
-    for (const double t : turn.sampling.instants()) {
+    for (const double t : turn.sampling.timeStamps()) {
         places.emplace_back(parameters, t);
     }
-    for (const double limit : squareInstants(turn)) {
+    for (const double limit : perpendicularTimes(turn)) {
         for (double distance = 1e-1; distance > 1e-16; distance *= 0.1) {
             places.emplace_back(parameters, limit - distance);
             places.emplace_back(parameters, limit + distance);
@@ -317,7 +317,7 @@ void tst_closed_form::isExactAtAnyCrankAngle()
 {
     const Parameters p{.b = 60.0};
     auto tolerances =
-        scaled(channelSizes<long double>(p, exactRun<long double>(p, Sampling{}.instants())), 2.0 * kPromise);
+        scaled(channelSizes<long double>(p, exactRun<long double>(p, Sampling{}.timeStamps())), 2.0 * kPromise);
     tolerances[indexOf({Theta2, Order::Position})] = kInfinity; // it grows, and one double does not hold it
     const double limit = 1.6e6 / p.omega2;
     std::vector<double> times{limit, std::nextafter(limit, 0.0), std::nextafter(limit, 1e9), 0.999 * limit};
@@ -345,7 +345,7 @@ void tst_closed_form::manyTimeStampsAreThoseOfOne()
     for (const auto &[name, parameters] : mechanismList(200)) {
         Parameters p = parameters;
         std::vector<double> times = randomTimes(random, 61, -100.0, 100.0);
-        for (const double t : squareInstants({.name = {}, .parameters = p})) {
+        for (const double t : perpendicularTimes({.name = {}, .parameters = p})) {
             times.push_back(t);
         }
         for (const Branch branch : {Branch::Open, Branch::Crossed}) {
@@ -353,7 +353,7 @@ void tst_closed_form::manyTimeStampsAreThoseOfOne()
             QCOMPARE(differenceFromOne(p, times), QString());
         }
     }
-    const std::vector<double> times = Sampling{0.0, 1.0, 300}.instants();
+    const std::vector<double> times = Sampling{0.0, 1.0, 300}.timeStamps();
     for (std::size_t length = 0; length <= 260; length += length < 40 ? 1 : 11) {
         for (const std::size_t from : {0, 1, 3}) {
             QCOMPARE(differenceFromOne(Parameters(), std::span(times).subspan(from, length)), QString());
@@ -382,7 +382,7 @@ void tst_closed_form::specialTimeStampsStayApart()
         QCOMPARE(isAssemblable(Mechanism(parameters), special), status == Status::Solved || status == Status::Singular);
         for (std::size_t length = 1; length <= 20; ++length) {
             for (std::size_t place = 0; place < length; ++place) {
-                std::vector<double> times = Sampling{0.005, 0.2, 20}.instants();
+                std::vector<double> times = Sampling{0.005, 0.2, 20}.timeStamps();
                 times.resize(length);
                 times[place] = special;
                 times[(place * 7 + 3) % length] = special;

@@ -317,8 +317,8 @@ private slots:
             QVERIFY(!found.hasGaps);
             const Sampling sampling{std::min(from, to), std::min(std::abs(to - from), 2.5), 3000};
             const SolverSettings newton = byMethod(Method::Newton);
-            const Trajectory first = sample(Mechanism(parameters), sampling.instants(), plottedChannels(), newton);
-            const Trajectory second = sample(other, sampling.instants(), plottedChannels(), newton);
+            const Trajectory first = sample(Mechanism(parameters), sampling.timeStamps(), plottedChannels(), newton);
+            const Trajectory second = sample(other, sampling.timeStamps(), plottedChannels(), newton);
             for (const ChannelDifference &channel : found.channels) {
                 double largest = 0.0;
                 for (std::size_t i = 0; i < first.time.size(); ++i) {

@@ -63,7 +63,7 @@ void tst_mechanism::findsTheFirstFault()
     }
 }
 
-/// And those of squareInstants() are where cos θ2 = 0, or where the height of B above A is b.
+/// And those of perpendicularTimes() are where cos θ2 = 0, or where the height of B above A is b.
 void tst_mechanism::namedCasesAreMechanisms()
 {
     std::set<std::string_view> names;
@@ -73,12 +73,12 @@ void tst_mechanism::namedCasesAreMechanisms()
         const Parameters &p = which.parameters;
         const std::string name(which.name);
         QVERIFY2(!findFault(p) && names.insert(which.name).second, name.c_str());
-        const std::vector<double> instants = instantsOf(which);
+        const std::vector<double> instants = timeStampsOf(which);
         QVERIFY2(instants.size() > std::size_t(which.sampling.steps) && std::ranges::is_sorted(instants), name.c_str());
         QVERIFY2(instants.front() >= which.sampling.start, name.c_str());
         QVERIFY2(instants.back() <= which.sampling.start + which.sampling.duration, name.c_str());
-        QVERIFY2(!squareInstants(which).empty() || p.omega2 == 0.0, name.c_str());
-        for (const double t : squareInstants(which)) {
+        QVERIFY2(!perpendicularTimes(which).empty() || p.omega2 == 0.0, name.c_str());
+        for (const double t : perpendicularTimes(which)) {
             const double theta2 = p.omega2 * t + p.theta20;
             const double tolerance = 1e-15 * (8.0 + std::abs(theta2)); // rad
             const double height = std::abs(p.c - p.a * std::sin(theta2));

@@ -34,12 +34,12 @@ inline std::vector<NewtonOptions> everyWay(int maxIterations, double tolerance)
 }
 
 /// Each time step from the one before.
-inline std::vector<NewtonInstant> run(const Parameters &parameters, const std::vector<double> &times,
-                                      const NewtonOptions &options)
+inline std::vector<NewtonTimeStep> run(const Parameters &parameters, const std::vector<double> &times,
+                                       const NewtonOptions &options)
 {
     const Mechanism mechanism(parameters);
-    std::vector<NewtonInstant> done;
-    NewtonInstant instant;
+    std::vector<NewtonTimeStep> done;
+    NewtonTimeStep instant;
     for (const double t : times) {
         advance(mechanism, t, instant, options);
         done.push_back(instant);
@@ -48,9 +48,9 @@ inline std::vector<NewtonInstant> run(const Parameters &parameters, const std::v
 }
 
 /// Coordinates to start from, without derivatives.
-inline NewtonInstant startAt(const Vector12 &q)
+inline NewtonTimeStep startAt(const Vector12 &q)
 {
-    NewtonInstant start;
+    NewtonTimeStep start;
     start.q = q;
     start.positionStatus = Status::Solved;
     start.state.status = Status::NotFinite;
@@ -59,7 +59,7 @@ inline NewtonInstant startAt(const Vector12 &q)
 
 inline std::vector<double> turn(const Parameters &parameters, int steps, double turns = 1.0)
 {
-    return Sampling{0.0, turns * kTurn / std::abs(parameters.omega2), steps}.instants();
+    return Sampling{0.0, turns * kTurn / std::abs(parameters.omega2), steps}.timeStamps();
 }
 
 inline QString described(const NewtonOptions &options)
@@ -71,7 +71,7 @@ inline QString described(const NewtonOptions &options)
         .arg(options.tolerance);
 }
 
-inline QString described(const Parameters &parameters, const NewtonInstant &instant)
+inline QString described(const Parameters &parameters, const NewtonTimeStep &instant)
 {
     return QStringLiteral("%1\n    t=%2: status %3 after %4 iterations, residual %5, theta3 %6")
         .arg(QString::fromStdString(describe(parameters)))

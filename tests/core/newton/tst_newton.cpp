@@ -81,7 +81,7 @@ void TestNewton::agreesWithTheClosedFormAtEveryScale()
                     }
                     NewtonOptions options = kToTheEnd;
                     options.elimination = elimination;
-                    for (const NewtonInstant &instant : run(p, times, options)) {
+                    for (const NewtonTimeStep &instant : run(p, times, options)) {
                         QVERIFY2(instant.state.status == Status::Solved, qPrintable(described(p, instant)));
                         const Deviation deviation =
                             worstDeviation(instant.state, closedFormState(p, instant.t), instant.t, sizes);
@@ -104,11 +104,11 @@ void TestNewton::errorIsWithinTwiceTheConditioning()
 {
     for (const Case &which : allCases()) {
         const Parameters &p = which.parameters;
-        const std::vector<double> times = instantsOf(which);
-        const std::vector<double> square = squareInstants(which);
+        const std::vector<double> times = timeStampsOf(which);
+        const std::vector<double> square = perpendicularTimes(which);
         Deviation worst;
         for (const WarmStart start : {WarmStart::Previous, WarmStart::Taylor}) {
-            const std::vector<NewtonInstant> done =
+            const std::vector<NewtonTimeStep> done =
                 run(p, times, {50, 0.0, ToleranceKind::Absolute, start, Elimination::Structured});
             for (std::size_t i = 0; i < times.size(); ++i) {
                 const bool isJudged = i % 2 == 0 || std::binary_search(square.begin(), square.end(), times[i]);
@@ -136,7 +136,7 @@ void TestNewton::needsTheIterationsOfTheDocumentation()
 {
     for (const double b : {60.0, 65.0}) {
         for (NewtonOptions options : everyWay(10, 1e-8)) {
-            const std::vector<NewtonInstant> done = run(withCoupler(b), Sampling{}.instants(), options);
+            const std::vector<NewtonTimeStep> done = run(withCoupler(b), Sampling{}.timeStamps(), options);
             int iterations = 0;
             for (std::size_t i = 1; i < done.size(); ++i) {
                 QVERIFY(!done[i].isColdStart && done[i].state.status == Status::Solved);
@@ -160,8 +160,8 @@ void TestNewton::iterationsDependNeitherOnScaleNorOnTime()
             continue;
         }
         const auto compare = [&](const Parameters &p, const std::vector<double> &times,
-                                 const std::vector<NewtonInstant> &expected) {
-            const std::vector<NewtonInstant> done = run(p, times, options);
+                                 const std::vector<NewtonTimeStep> &expected) {
+            const std::vector<NewtonTimeStep> done = run(p, times, options);
             for (std::size_t i = 0; i < done.size(); ++i) {
                 const bool isSame = done[i].iterations == expected[i].iterations &&
                                     done[i].state.status == expected[i].state.status && done[i].residual <= 1e-10;
@@ -170,20 +170,20 @@ void TestNewton::iterationsDependNeitherOnScaleNorOnTime()
         };
         for (const double gap : {1.0 / 3.0, 1e-2, 1e-4}) {
             const Parameters unit = withCoupler(45.0 * (1.0 + gap));
-            const std::vector<NewtonInstant> expected = run(unit, Sampling{}.instants(), options);
+            const std::vector<NewtonTimeStep> expected = run(unit, Sampling{}.timeStamps(), options);
             for (const double factor : {1e-9, 1e-3, 1e6, 1e9}) {
                 Parameters p = unit;
                 p.a *= factor;
                 p.b *= factor;
                 p.c *= factor;
-                compare(p, Sampling{}.instants(), expected);
+                compare(p, Sampling{}.timeStamps(), expected);
             }
         }
         Parameters p;
         p.omega2 = 6.25; // few bits, so that whole turns later the crank angles are the same but for rounding
         const double period = kTurn / p.omega2;
         const double late = std::round(1e9 / period) * period;
-        compare(p, Sampling{late, period, 200}.instants(), run(p, Sampling{0.0, period, 200}.instants(), options));
+        compare(p, Sampling{late, period, 200}.timeStamps(), run(p, Sampling{0.0, period, 200}.timeStamps(), options));
     }
 }
 
@@ -192,7 +192,7 @@ void TestNewton::iterationsDependNeitherOnScaleNorOnTime()
 void TestNewton::bothEliminationsTakeTheSameIterations()
 {
     for (const Case &which : allCases()) {
-        const std::vector<double> times = instantsOf(which);
+        const std::vector<double> times = timeStampsOf(which);
         const int mayDiffer = which.name.starts_with("change point") ? 1 : 0;
         for (const double tolerance : {1e-4, 1e-8}) {
             for (NewtonOptions options : everyWay(10, tolerance)) {
@@ -200,9 +200,9 @@ void TestNewton::bothEliminationsTakeTheSameIterations()
                 if (options.elimination == Elimination::Structured || (isAbsolute && which.name == "lengths x 1e9")) {
                     continue;
                 }
-                const std::vector<NewtonInstant> dense = run(which.parameters, times, options);
+                const std::vector<NewtonTimeStep> dense = run(which.parameters, times, options);
                 options.elimination = Elimination::Structured;
-                const std::vector<NewtonInstant> structured = run(which.parameters, times, options);
+                const std::vector<NewtonTimeStep> structured = run(which.parameters, times, options);
                 int different = 0;
                 for (std::size_t i = 0; i < times.size(); ++i) {
                     const bool isSame = dense[i].iterations == structured[i].iterations &&
@@ -220,8 +220,8 @@ void TestNewton::coldStartConvergesWithinItsLimit()
 {
     for (const Case &which : allCases()) {
         const Mechanism mechanism(which.parameters);
-        for (const double t : instantsOf(which)) {
-            const NewtonInstant instant = solve(mechanism, t, kToTheEnd);
+        for (const double t : timeStampsOf(which)) {
+            const NewtonTimeStep instant = solve(mechanism, t, kToTheEnd);
             const bool exists = ClosedForm{mechanism}.motionAt(t).status != Status::NotAssemblable;
             const Status expected = exists ? Status::Solved : Status::NotAssemblable;
             QVERIFY2(instant.positionStatus == expected, qPrintable(described(which.parameters, instant)));
@@ -246,7 +246,7 @@ void TestNewton::keepsTheBranchWithFewStepsATurn()
                                    0.2 * (kind / 12),
                                    kind / 6 % 2 == 0 ? Branch::Open : Branch::Crossed};
                 for (const NewtonOptions &options : {kReport, kToTheEnd}) {
-                    for (const NewtonInstant &instant : run(p, turn(p, 3 * steps, 3.0), options)) {
+                    for (const NewtonTimeStep &instant : run(p, turn(p, 3 * steps, 3.0), options)) {
                         const double error = std::abs(instant.state.q[Theta3] - exactTheta3(p, instant.t));
                         QVERIFY2(instant.state.status == Status::Solved && error < kTolerance,
                                  qPrintable(described(p, instant)));
@@ -271,7 +271,7 @@ void TestNewton::replacesAStartThatCannotConverge()
                                     centre - 0.5 * std::numbers::pi, kNone}) {
             q[Theta3] = theta3;
             for (const NewtonOptions &options : everyWay(50, 0.0)) {
-                const NewtonInstant instant = solve(Mechanism(p), 0.2, options, startAt(q));
+                const NewtonTimeStep instant = solve(Mechanism(p), 0.2, options, startAt(q));
                 const bool isRight = std::abs(instant.q[Theta3] - exactTheta3(p, 0.2)) < 1e-12;
                 QVERIFY2(instant.positionStatus == Status::Solved && isRight, qPrintable(described(options)));
             }
@@ -304,8 +304,8 @@ void TestNewton::statesWhyThereIsNoPosition()
         Parameters p = withCoupler(row.b);
         p.omega2 = row.omega2;
         IterationHistory history(1);
-        const NewtonInstant start = startAt(solve(Mechanism(), 0.0).q);
-        const NewtonInstant instant = solve(Mechanism(p), row.t, {row.maxIterations, 1e-8}, start, &history);
+        const NewtonTimeStep start = startAt(solve(Mechanism(), 0.0).q);
+        const NewtonTimeStep instant = solve(Mechanism(p), row.t, {row.maxIterations, 1e-8}, start, &history);
         QVERIFY2(instant.positionStatus == row.status && instant.state.status == row.status &&
                      instant.iterations == row.iterations,
                  qPrintable(described(p, instant)));
@@ -313,7 +313,7 @@ void TestNewton::statesWhyThereIsNoPosition()
         QCOMPARE(history.empty(), row.iterations == 0);
     }
     // θ3 of a coupler of 1e-13 a is lost in the rounding of the crank.
-    const NewtonInstant whirling = solve(Mechanism({1e3, 1e-9, 0.0, kTurn, 0.0, Branch::Open}), 0.0);
+    const NewtonTimeStep whirling = solve(Mechanism({1e3, 1e-9, 0.0, kTurn, 0.0, Branch::Open}), 0.0);
     QCOMPARE(whirling.positionStatus, Status::IterationLimit);
     QCOMPARE(whirling.iterations, 0);
 }
@@ -326,7 +326,7 @@ void TestNewton::isSingularAtTheExactToggle()
             continue;
         }
         const double t = which.parameters.c > 0.0 ? 0.75 : 0.25;
-        const NewtonInstant instant = solve(Mechanism(which.parameters), t, kToTheEnd);
+        const NewtonTimeStep instant = solve(Mechanism(which.parameters), t, kToTheEnd);
         QCOMPARE(instant.state.status, Status::Singular);
         QVERIFY(std::abs(instant.q[Theta3] - exactTheta3(which.parameters, t)) < 1e-7);
         QVERIFY(instant.state.q == instant.q);
@@ -345,16 +345,16 @@ void TestNewton::isNeverSilentlyWrong()
         const Parameters &p = which.parameters;
         const Mechanism mechanism(p);
         const double reach = p.a + p.b + std::abs(p.c);
-        const std::vector<double> times = instantsOf(which);
+        const std::vector<double> times = timeStampsOf(which);
         const std::vector<ExactState<Digits100>> exactStates = exactRun<Digits100>(p, times);
         const std::array<double, kChannelCount> part = scaled(channelSizes<Digits100>(p, exactStates), 0.01);
         std::vector<NewtonOptions> ways = everyWay(10, 1e-8);
         std::ranges::copy(everyWay(50, 0.0), std::back_inserter(ways));
         for (const NewtonOptions &options : ways) {
             const bool isRelative = options.toleranceKind == ToleranceKind::Relative;
-            const std::vector<NewtonInstant> done = run(p, times, options);
+            const std::vector<NewtonTimeStep> done = run(p, times, options);
             for (std::size_t i = 0; i < done.size(); ++i) {
-                const NewtonInstant &instant = done[i];
+                const NewtonTimeStep &instant = done[i];
                 const ExactState<Digits100> &exact = exactStates[i];
                 if (instant.positionStatus != Status::Solved) {
                     continue;
@@ -419,14 +419,14 @@ void TestNewton::iteratesBelowATooLargeTolerance()
     };
     for (const Row &row : rows) {
         const Parameters &p = row.parameters;
-        const std::vector<double> times = Sampling{}.instants();
+        const std::vector<double> times = Sampling{}.timeStamps();
         const auto tolerances = scaled(channelSizes<long double>(p, exactRun<long double>(p, times)), 0.01);
         for (const NewtonOptions &options : everyWay(60, row.tolerance)) {
             if (options.toleranceKind != row.kind) {
                 continue;
             }
             int unsolved = 0;
-            for (const NewtonInstant &instant : run(p, times, options)) {
+            for (const NewtonTimeStep &instant : run(p, times, options)) {
                 if (instant.state.status != Status::Solved) {
                     ++unsolved;
                     continue;
@@ -447,10 +447,10 @@ void TestNewton::historyHoldsEveryIterate()
     for (const NewtonOptions &options : everyWay(10, 1e-8)) {
         Vector12 otherBranch = coldStart(mechanism, t);
         otherBranch[Theta3] = 3.0;
-        const NewtonInstant before = solve(mechanism, t - 0.005, options);
-        for (const NewtonInstant &start : {NewtonInstant(), startAt(before.q), startAt(otherBranch)}) {
+        const NewtonTimeStep before = solve(mechanism, t - 0.005, options);
+        for (const NewtonTimeStep &start : {NewtonTimeStep(), startAt(before.q), startAt(otherBranch)}) {
             IterationHistory history(3);
-            const NewtonInstant instant = solve(mechanism, t, options, start, &history);
+            const NewtonTimeStep instant = solve(mechanism, t, options, start, &history);
             QCOMPARE(instant.isColdStart, start.positionStatus != Status::Solved || start.q == otherBranch);
             QVERIFY(history.front().q == (instant.isColdStart ? coldStart(mechanism, t) : start.q));
             QVERIFY(history.back().q == instant.q);
@@ -464,7 +464,7 @@ void TestNewton::historyHoldsEveryIterate()
         }
     }
     IterationHistory history;
-    const NewtonInstant unreached = solve(mechanism, t, {1000, 1e-300, {}, {}, {}}, {}, &history);
+    const NewtonTimeStep unreached = solve(mechanism, t, {1000, 1e-300, {}, {}, {}}, {}, &history);
     QCOMPARE(unreached.positionStatus, Status::IterationLimit);
     QCOMPARE(history.size(), kLongestHistory);
     QVERIFY(history.back().q == unreached.q);

@@ -120,7 +120,7 @@ void TestNewtonRandom::callsNothingSolvedThatIsOffByOnePercent()
             for (int k = 0; k < 20; ++k) {
                 const double t = randomTime(p, k, random);
                 const double before = t - std::pow(10.0, random.uniform(-4.0, 0.0)) / p.omega2;
-                const NewtonInstant instant = solve(mechanism, t, kReport, solve(mechanism, before, kReport));
+                const NewtonTimeStep instant = solve(mechanism, t, kReport, solve(mechanism, before, kReport));
                 const ExactState<double> exact = closedFormState(p, t);
                 const Status status = instant.state.status;
                 if (exact.status != Status::Solved) {
@@ -173,7 +173,7 @@ void TestNewtonRandom::givesDerivativesBesideAToggleOnlyWithTheirDigits()
         }
         for (const double tolerance : {0.0, 1e-12, 1e-8, 1e-4}) {
             for (const NewtonOptions &options : everyWay(60, tolerance)) {
-                const NewtonInstant instant = run(p, {before, t}, options).back();
+                const NewtonTimeStep instant = run(p, {before, t}, options).back();
                 if (instant.state.status == Status::Solved) {
                     ++solved;
                     const Deviation deviation = worstDeviation(instant.state, exact, t, tolerances);
@@ -195,8 +195,8 @@ void TestNewtonRandom::structuredStepsAreTheDenseOnes()
     const std::vector<Case> cases = allCases();
     for (const Case &which : cases) {
         const Mechanism mechanism(which.parameters);
-        for (const double t : instantsOf(which)) {
-            const NewtonInstant answer = solve(mechanism, t);
+        for (const double t : timeStampsOf(which)) {
+            const NewtonTimeStep answer = solve(mechanism, t);
             if (answer.positionStatus == Status::NotAssemblable) {
                 continue;
             }

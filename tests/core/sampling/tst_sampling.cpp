@@ -6,8 +6,8 @@
 #include "core/closed_form/state_at.h"
 #include "core/mechanism/in_parallel.h"
 #include "core/newton/newton.h"
-#include "core/sampling/crank_instant.h"
-#include "core/sampling/instant_equations.h"
+#include "core/sampling/crank_time.h"
+#include "core/sampling/time_step_equations.h"
 #include "core/study/cases.h"
 #include "tests/support/random_mechanisms.h"
 #include "tests/support/suite.h"
@@ -66,7 +66,7 @@ private slots:
         const Sampling rows[] = {
             {}, {0.0, 1.0, 1}, {0.25, 1.0 / 3.0, 7}, {1.0, -1.0, 10}, {2.0, 0.0, 3}, {1e9, 1.0, 200}};
         for (const Sampling &sampling : rows) {
-            const std::vector<double> times = sampling.instants();
+            const std::vector<double> times = sampling.timeStamps();
             QCOMPARE(times.size(), std::size_t(sampling.steps) + 1);
             QVERIFY(times.front() == sampling.start && times.back() == sampling.start + sampling.duration);
             for (int i = 0; i <= sampling.steps; ++i) {
@@ -75,7 +75,7 @@ private slots:
         }
         Parameters slow;
         slow.omega2 = -std::numbers::pi;
-        QCOMPARE(instantsPerTurn(Mechanism(slow), {}), 400.0);
+        QCOMPARE(timeStepsPerTurn(Mechanism(slow), {}), 400.0);
     }
 
     /// Values, statuses and the summary, over every case and by both methods, of all channels and of any subset.
@@ -84,13 +84,13 @@ private slots:
         for (const Case &which : allCases()) {
             const Mechanism mechanism(which.parameters);
             const ClosedForm closedForm(mechanism);
-            const std::vector<double> times = instantsOf(which);
+            const std::vector<double> times = timeStampsOf(which);
             for (const SolverSettings &settings : {kClosedForm, kNewton}) {
                 const Trajectory all = sample(mechanism, times, allChannels(), settings);
                 QVERIFY(all.complete && all.time == times);
-                SamplingSummary expected{.instants = times.size()};
+                SamplingSummary expected{.timeSteps = times.size()};
                 std::array<std::vector<double>, kChannelCount> values;
-                NewtonInstant instant;
+                NewtonTimeStep instant;
                 for (std::size_t i = 0; i < times.size(); ++i) {
                     advance(mechanism, times[i], instant);
                     const bool isNewton = settings.method == Method::Newton;
@@ -157,7 +157,7 @@ private slots:
     {
         const Sampling sampling{0.0, 2.0, 70000};
         const Mechanism mechanism(withCoupler(40.0));
-        const Trajectory whole = sample(mechanism, sampling.instants(), only(kSlider), kClosedForm);
+        const Trajectory whole = sample(mechanism, sampling.timeStamps(), only(kSlider), kClosedForm);
         std::vector<double> values;
         SamplingSummary summary;
         int pieces = 0;
@@ -200,25 +200,25 @@ private slots:
             const auto error = [&](double t) {
                 return std::abs(std::remainder(p.omega2 * t + p.theta20 - theta2, 2.0 * std::numbers::pi));
             };
-            const double t = instantAtCrankAngle(mechanism, theta2, start).value();
+            const double t = timeAtCrankAngle(mechanism, theta2, start).value();
             QVERIFY(error(t) < 1e-10 && t >= start && t < start + period * (1.0 + 1e-9));
-            QVERIFY(instantAtCrankAngle(mechanism, p.omega2 * start + p.theta20, start).value() - start < 1e-9);
+            QVERIFY(timeAtCrankAngle(mechanism, p.omega2 * start + p.theta20, start).value() - start < 1e-9);
 
             const Sampling sampling{start, 1.5 * period, 10};
             const double middle = start + random.uniform(0.0, 1.5) * period;
-            const double nearest = nearestInstantAtCrankAngle(mechanism, sampling, theta2, middle);
+            const double nearest = nearestTimeAtCrankAngle(mechanism, sampling, theta2, middle);
             QVERIFY(error(nearest) < 1e-10 && nearest >= start && nearest <= start + 1.5 * period);
             QVERIFY(std::abs(nearest - middle) <= period);
             const Sampling brief{start, 1e-3 * period, 10};
-            const double end = nearestInstantAtCrankAngle(mechanism, brief, theta2, start);
+            const double end = nearestTimeAtCrankAngle(mechanism, brief, theta2, start);
             QVERIFY(error(end) <= std::min(error(start), error(start + brief.duration)) + 1e-10);
         }
         Parameters still;
         still.omega2 = 0.0;
         still.theta20 = 1.0;
-        QCOMPARE(instantAtCrankAngle(Mechanism(still), 1.0, 3.0), 3.0);
-        QVERIFY(!instantAtCrankAngle(Mechanism(still), 1.1, 3.0));
-        QCOMPARE(nearestInstantAtCrankAngle(Mechanism(still), {}, 1.1, 0.3), 0.3);
+        QCOMPARE(timeAtCrankAngle(Mechanism(still), 1.0, 3.0), 3.0);
+        QVERIFY(!timeAtCrankAngle(Mechanism(still), 1.1, 3.0));
+        QCOMPARE(nearestTimeAtCrankAngle(Mechanism(still), {}, 1.1, 0.3), 0.3);
     }
 
     /// The closed form knows nothing of the constraints: that they hold there is evidence for both.
@@ -228,17 +228,17 @@ private slots:
         constexpr double kStep = 0.005; // s
         for (const SolverSettings &settings : {kClosedForm, kNewton}) {
             for (const double t : {0.0, 0.2, 0.55, 0.9}) {
-                const InstantEquations equations = equationsAt(mechanism, t, kStep, settings);
+                const TimeStepEquations equations = equationsAt(mechanism, t, kStep, settings);
                 QVERIFY(equations.hasPosition() && equations.C.norm() <= 1e-12);
                 QVERIFY((equations.Cq * equations.state.qDot + equations.Ct).norm() <= 1e-10);
                 QVERIFY((equations.Cq * equations.state.qDDot - equations.Qd).norm() <= 1e-9);
                 QVERIFY(equations.Qd.norm() > 1.0 && equations.Ct[CrankDrive] == -mechanism.omega2());
             }
-            const InstantEquations none = equationsAt(Mechanism(withCoupler(40.0)), 0.75, kStep, settings);
+            const TimeStepEquations none = equationsAt(Mechanism(withCoupler(40.0)), 0.75, kStep, settings);
             QVERIFY(none.state.status == Status::NotAssemblable && !none.hasPosition());
             QVERIFY(none.C.array().isNaN().all() && none.Cq.array().isNaN().all() && none.Qd.array().isNaN().all());
         }
-        const InstantEquations last = equationsAt(mechanism, 0.2, 0.05, {Method::Newton, {1, 1e-8}});
+        const TimeStepEquations last = equationsAt(mechanism, 0.2, 0.05, {Method::Newton, {1, 1e-8}});
         QCOMPARE(last.state.status, Status::IterationLimit);
         QVERIFY(last.hasPosition() && last.C.norm() > 1e-8 && last.Qd.array().isNaN().all());
     }

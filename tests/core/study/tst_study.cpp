@@ -235,7 +235,7 @@ void tst_study::onlyApproximationsAreSilentlyWrong()
                                     .arg(nameOf(row.method).c_str())
                                     .arg(row.tolerance.value_or(-1.0))
                                     .arg(row.silentFailures.value_or(0))
-                                    .arg(result.instants)
+                                    .arg(result.timeStamps)
                                     .arg(row.maxError.value_or(0.0))));
         }
     }
@@ -245,7 +245,7 @@ void tst_study::countsEveryInstantOnce()
 {
     Case which = coarse(named("theta20 = 1 rad"), 30); // two square instants beside the steps
     const CaseResult result = studied(which);
-    QCOMPARE(result.instants, std::size_t(33));
+    QCOMPARE(result.timeStamps, std::size_t(33));
     for (const MethodResult &row : result.methods) {
         std::size_t sum = 0;
         for (const std::size_t count : row.counts) {

@@ -342,7 +342,8 @@ private slots:
             const Sampling sampling{0.0, 2.0, 120'000};
             const std::shared_ptr<const Result> result = resultOf({.model = withCoupler(b), .sampling = sampling});
             QVERIFY(!result->hasSamples());
-            const Trajectory whole = sample(result->mechanism, sampling.instants(), plottedChannels(), result->solver);
+            const Trajectory whole =
+                sample(result->mechanism, sampling.timeStamps(), plottedChannels(), result->solver);
             QCOMPARE(result->summary.statusCounts, whole.summary.statusCounts);
         }
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/sampling/crank_instant.h"
+#include "core/sampling/crank_time.h"
 
 #include "core/mechanism/turn.h"
 #include "core/mechanism/two_part_angle.h"
@@ -11,18 +11,18 @@
 namespace slidercrank
 {
 
-std::optional<double> instantAtCrankAngle(const Mechanism &mechanism, double theta2, double start)
+std::optional<double> timeAtCrankAngle(const Mechanism &mechanism, double theta2, double start)
 {
     const double wanted = std::remainder(theta2, kTurn);
     const double angle = crankAngle(mechanism.omega2(), start, mechanism.theta20()).hi;
 
-    // The same angle entered in degrees and in radians differs by its roundings. Without this allowance a difference in
-    // the last digit would cost a whole turn.
+    // The same angle entered in degrees and in radians differs by rounding. Without this tolerance a difference in the
+    // last digit would add a whole revolution.
     const double same = 1e-12 + 4.0 * std::numeric_limits<double>::epsilon() * std::abs(angle);
 
     if (mechanism.omega2() == 0.0) {
-        const bool isThere = std::abs(std::remainder(angle - wanted, kTurn)) <= same;
-        return isThere ? std::optional(start) : std::nullopt;
+        const bool hasAngle = std::abs(std::remainder(angle - wanted, kTurn)) <= same;
+        return hasAngle ? std::optional(start) : std::nullopt;
     }
     const double direction = mechanism.omega2() > 0.0 ? 1.0 : -1.0;
     const double turns = std::ceil((direction * (angle - wanted) - same) / kTurn);
@@ -30,7 +30,7 @@ std::optional<double> instantAtCrankAngle(const Mechanism &mechanism, double the
     return std::isfinite(t) ? std::optional(std::max(t, start)) : std::nullopt;
 }
 
-double nearestInstantAtCrankAngle(const Mechanism &mechanism, const Sampling &sampling, double theta2, double t)
+double nearestTimeAtCrankAngle(const Mechanism &mechanism, const Sampling &sampling, double theta2, double t)
 {
     const double omega2 = mechanism.omega2();
     if (omega2 == 0.0) {

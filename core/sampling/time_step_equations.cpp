@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/sampling/instant_equations.h"
+#include "core/sampling/time_step_equations.h"
 
 #include "core/closed_form/state_at.h"
 #include "core/newton/constraints.h"
@@ -12,14 +12,14 @@
 namespace slidercrank
 {
 
-InstantEquations equationsAt(const Mechanism &mechanism, double t, double step, const SolverSettings &settings)
+TimeStepEquations equationsAt(const Mechanism &mechanism, double t, double step, const SolverSettings &settings)
 {
-    InstantEquations equations;
+    TimeStepEquations equations;
     if (settings.method == Method::Newton) {
-        const NewtonInstant before = solve(mechanism, t - step, settings.newton);
-        const NewtonInstant instant = solve(mechanism, t, settings.newton, before);
-        equations.state = instant.state;
-        equations.q = instant.q;
+        const NewtonTimeStep before = solve(mechanism, t - step, settings.newton);
+        const NewtonTimeStep timeStep = solve(mechanism, t, settings.newton, before);
+        equations.state = timeStep.state;
+        equations.q = timeStep.q;
     } else {
         equations.state = ClosedForm(mechanism).stateAt(t);
         equations.q = equations.state.q;
