@@ -25,7 +25,7 @@ QString AxisScale::label(double value, const QLocale &locale) const
     if (isLogarithmic) {
         return powerOfTen(static_cast<int>(std::lround(value)));
     }
-    // A tick near zero is zero: neither -0 nor the 1e-17 that stepping from one end leaves.
+    // A tick near zero is shown as 0, not as -0 or as the rounding error of the steps, such as 1e-17.
     const double shown = std::abs(value) < step * 1e-6 ? 0.0 : value / std::pow(10.0, exponent);
     return locale.toString(shown, 'f', decimals);
 }
@@ -61,7 +61,7 @@ AxisScale axisScale(const Interval &range, double intervals)
     }
     constexpr double kRoundingRoom = 1e-9;
     constexpr double kMostDecimals = 17.0;
-    const double exponentOfStep = std::log10(scale.step) - scale.exponent; // not finite where the range underflows
+    const double exponentOfStep = std::log10(scale.step) - scale.exponent; // not finite if the range underflows
     const double decimals = -std::floor(exponentOfStep + kRoundingRoom);
     scale.decimals = decimals > 0.0 ? static_cast<int>(std::min(decimals, kMostDecimals)) : 0;
     return scale;
@@ -90,7 +90,7 @@ AxisScale logarithmicScale(const Interval &range, double intervals)
 Interval roundedOutwards(const Interval &range)
 {
     const double largest = largestMagnitude(range);
-    // Below this part of the values a difference is nothing but their rounding.
+    // A relative difference below this limit is a rounding error.
     constexpr double kSmallestPart = 1e-12;
     if (!(range.length() > kSmallestPart * largest)) {
         const double half = largest > 0.0 ? 0.1 * largest : 1.0;
@@ -101,7 +101,7 @@ Interval roundedOutwards(const Interval &range)
     constexpr double kParts = 16.0;
     const double step = nextRoundNumber(range.length() / kParts);
     const double room = kRoom * range.length();
-    // Room below a range that starts at zero would only suggest negative values.
+    // A margin below zero would suggest negative values.
     const double lower = range.lower == 0.0 ? 0.0 : std::floor((range.lower - room) / step) * step;
     return {lower, std::ceil((range.upper + room) / step) * step};
 }

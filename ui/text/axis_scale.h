@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Where an axis has its ticks and how their numbers are written, so that labels stay short whatever the size of the
-// values: very large and very small ones share a power of a thousand, which goes to the unit ("[10⁻³ %]").
+// Chooses the ticks of an axis and the format of their labels. Labels of very large and very small values are short,
+// because the axis shows a common power of a thousand beside its unit ("[10⁻³ %]").
 
 #include "ui/text/interval.h"
 #include "ui/text/written_number.h"
@@ -16,33 +16,33 @@ namespace slidercrank
 {
 
 struct AxisScale {
-    double step = 1.0; ///< between ticks: 1, 2 or 5 times a power of ten
+    double step = 1.0; ///< distance between ticks: 1, 2 or 5 times a power of ten
     int exponent = 0;  ///< labels show value / 10^exponent; a multiple of 3
     int decimals = 0;
     bool isLogarithmic = false; ///< values are decimal logarithms; labels are powers of ten
 
     QString label(double value, const QLocale &locale) const;
 
-    /// "mm", or "10³ mm".
+    /// Returns the unit with the power of ten: "mm" or "10³ mm".
     QString unit(const QString &unit) const;
 
-    /// Of the longest label in that range.
+    /// Returns the number of characters of the longest label in the range.
     int labelLength(const Interval &range) const;
 
     friend bool operator==(const AxisScale &, const AxisScale &) = default;
 };
 
-/// About that many intervals between ticks, at least one.
+/// Returns a scale that divides the range into about `intervals` intervals.
 AxisScale axisScale(const Interval &range, double intervals);
 
-/// For degrees: parts and multiples of a turn where ticks are more than a few degrees apart.
+/// Returns a scale for degrees. Ticks that are more than a few degrees apart are parts or multiples of a turn.
 AxisScale degreeScale(const Interval &range, double intervals);
 
-/// For decimal logarithms: whole decades.
+/// Returns a scale for decimal logarithms. Ticks are whole decades apart.
 AxisScale logarithmicScale(const Interval &range, double intervals);
 
-/// The range widened a little and rounded outwards, so that the axis stands still while the values change a little.
-/// A range without length gets one.
+/// Returns the range, widened a little and rounded outwards, so that small changes of the values do not move the axis.
+/// A range of length zero is widened, too.
 Interval roundedOutwards(const Interval &range);
 
 } // namespace slidercrank

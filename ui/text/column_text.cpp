@@ -63,7 +63,7 @@ public:
     }
 };
 
-/// With the name of the file, if there are several.
+/// Appends the name of the file if several files are joined.
 QString withFile(const QString &text, const FileLayout &layout, std::size_t file)
 {
     return file < layout.files.size() ? ColumnText::tr("%1 (%2)").arg(text, QString::fromUtf8(layout.files[file]))

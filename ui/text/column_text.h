@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// How a reference file is written and what its columns mean, in words.
+// Describes the format of a reference file and the meaning of its columns.
 
 #include "core/import/reference_data.h"
 
@@ -14,38 +14,38 @@
 namespace slidercrank
 {
 
-/// As printed; "column 3" if there is none.
+/// Returns the heading of a column as it is written in the file, or "column 3" if it has none.
 QString headingAlone(const FileLayout &layout, std::size_t column);
 
-/// With the name of the file, "Value (b.csv)", if several are joined.
+/// Returns the heading, followed by the name of the file if several files are joined: "Value (b.csv)".
 QString headingText(const FileLayout &layout, std::size_t column);
 
-/// Whether the column only repeats the time stamps of files that are joined.
+/// Returns true if the column only repeats the time stamps of another joined file.
 bool repeatsInstants(const FileLayout &layout, std::size_t column);
 
-/// "12", or "12 (b.csv)" if several files are joined.
+/// Returns the line number of a skipped row: "12", or "12 (b.csv)" if several files are joined.
 QString lineText(const FileLayout &layout, const SkippedRow &row);
 
-/// Columns that are not used, without those that repeat the time stamps.
+/// Returns the columns that are not used, except those that repeat the time stamps.
 std::vector<std::size_t> ignoredColumns(const FileLayout &layout);
 QStringList ignoredHeadings(const FileLayout &layout);
 
-/// "time", "θ³", or a dash for a column that is ignored.
+/// Returns the quantity in a column: "time", "θ³", or a dash if the column is ignored.
 QString meaningText(const FileColumn &column);
 
-/// "rad/s", or "° (none given)".
+/// Returns the unit of a column: "rad/s", or "° (none given)" if the file does not state it.
 QString unitText(const FileColumn &column);
 
-/// Why a column has its meaning, as a clause.
+/// Returns the reason for the meaning of a column, as a clause.
 QString reasonText(const FileLayout &layout, std::size_t column);
 
-/// "significant digits: 6", or a dash if it is unknown.
+/// Describes how values are rounded: "significant digits: 6", or a dash if that is unknown.
 QString roundingText(const Rounding &rounding);
 
-/// "UTF-8, columns separated by commas, decimal point, headings in line 1"
+/// Describes the format: "UTF-8, columns separated by commas, decimal point, headings in line 1".
 QString formText(const FileLayout &layout);
 
-/// The range of the rows: "t = 0 … 1 s", or "θ₂ = 0 … 360°".
+/// Returns the range of the abscissa: "t = 0 … 1 s" or "θ₂ = 0 … 360°".
 QString abscissaText(const ReferenceData &data);
 
 } // namespace slidercrank

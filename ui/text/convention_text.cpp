@@ -95,7 +95,7 @@ public:
     }
 };
 
-/// A unit and its size, compared with those of the same quantity.
+/// A unit and its size relative to the other units of the table.
 struct NamedUnit {
     double size;
     const char *name;
@@ -112,10 +112,10 @@ constexpr NamedUnit kTimeUnits[] = {{0.001, QT_TRANSLATE_NOOP("slidercrank::Conv
                                     {1.0, QT_TRANSLATE_NOOP("slidercrank::ConventionText", "seconds")},
                                     {60.0, QT_TRANSLATE_NOOP("slidercrank::ConventionText", "minutes")}};
 
-/// "in radians, but read as degrees", if these units differ by that factor.
+/// Returns "in radians, but read as degrees" if two units of the table differ by the factor; otherwise an empty string.
 QString unitText(double factor, std::span<const NamedUnit> units)
 {
-    constexpr double kSlack = 1e-9; // of a factor that was computed
+    constexpr double kSlack = 1e-9; // relative rounding error of a computed factor
     for (const NamedUnit &read : units) {
         for (const NamedUnit &meant : units) {
             if (&meant != &read && std::abs(factor * read.size - meant.size) <= kSlack * meant.size) {
@@ -137,7 +137,7 @@ QString unitText(const Convention &convention)
     }
 }
 
-/// Fills in the columns and the amount.
+/// Inserts the columns and the amount into a text.
 QString filled(QString text, const Convention &convention)
 {
     QStringList names;
@@ -159,7 +159,7 @@ QString filled(QString text, const Convention &convention)
     return text.replace(QStringLiteral("%1"), listed(names));
 }
 
-/// How the values of all these columns were differenced; none if they do not agree.
+/// Returns the kind of differences that all columns contain, or nullopt if they do not agree.
 std::optional<Difference> commonDifference(const Convention &convention, const ReferenceData &data)
 {
     std::optional<Difference> common;
@@ -210,7 +210,7 @@ QString effectOf(const ConventionFinding &finding)
     const bool isContinuous = convention.kind == Kind::WholeTurns && convention.amount == 0.0;
     const QString action = filled(
         isContinuous ? ConventionText::tr("Makes %1 continuous") : ConventionText::action(convention.kind), convention);
-    return convention.kind == Kind::NotDerivative // then no error is left
+    return convention.kind == Kind::NotDerivative // then there is no error afterwards
                ? ConventionText::tr("%1: its largest error is %2 % of peak.").arg(action, errorText(finding.before))
                : ConventionText::tr("%1: largest error %2 % of peak instead of %3 %.")
                      .arg(action, errorText(finding.after), errorText(finding.before));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The conventions of a file that differ from its headings, in words. Numbers in QLocale(), columns by the names that
-// they have in files (theta3, R4_x_diff).
+// Describes the conventions by which a file differs from its headings. Numbers are written in the default locale.
+// Columns are called by their names in files (theta3, R4_x_diff).
 
 #include "core/identification/convention.h"
 
@@ -14,18 +14,18 @@
 namespace slidercrank
 {
 
-/// A few words: "angle unit".
+/// Returns the name of a convention: "angle unit".
 QString nameOf(const Convention &convention);
 
-/// "theta3: in radians, but read as degrees." `data`: the file as it was printed.
+/// Explains a convention: "theta3: in radians, but read as degrees." `data` is the file before conventions are applied.
 QString explanationOf(const Convention &convention, const ReferenceData &data);
 
-/// What applying it does, and to what good: "Multiplies theta3 by 57.2958: largest error 0.001 % of peak instead of 98
-/// %."
+/// Describes how a convention changes the data and the error: "Multiplies theta3 by 57.2958: largest error 0.001 % of
+/// peak instead of 98 %."
 QString effectOf(const ConventionFinding &finding);
 
-/// "R4_x_diff: forward differences, …": of the columns that are known to be differences, and that no finding leaves
-/// out.
+/// Returns a sentence for each group of columns that contain finite differences instead of derivatives: "R4_x_diff:
+/// forward differences, …". Columns that a finding leaves out are not named.
 QStringList differenceSentences(const ReferenceData &data, std::span<const ConventionFinding> findings);
 
 } // namespace slidercrank

@@ -8,7 +8,7 @@
 namespace slidercrank
 {
 
-/// Why no mechanism meets the request, with the bound that it exceeds.
+/// Explains why no mechanism meets the request, and states the bound that the request violates.
 QString designFaultText(const DesignFault &fault, const DesignRequest &request);
 
 } // namespace slidercrank

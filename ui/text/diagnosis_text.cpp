@@ -46,7 +46,7 @@ public:
                   "derivatives to find the mechanism: export more time steps, or more columns.");
     }
 
-    /// What another mechanism is, in a bracket behind it.
+    /// Describes how an alternative is related to the mechanism that was found.
     static QString why(Why why)
     {
         switch (why) {
@@ -65,7 +65,7 @@ bool isLength(Parameter parameter)
     return parameter != Parameter::Omega2 && parameter != Parameter::Theta20;
 }
 
-/// "b/a = 3.000000 ± 0.000002", a being given.
+/// Returns the ratio of a length to a: "3.000000 ± 0.000002".
 QString ratioText(Parameter parameter, const Identification &found)
 {
     const Parameters &p = found.parameters;
@@ -75,7 +75,7 @@ QString ratioText(Parameter parameter, const Identification &found)
                               characteristicLength(p) / p.a);
 }
 
-/// The parameters that were found, each as an equation.
+/// Returns an equation for each identified parameter, and the assembly.
 QStringList foundTexts(const Identification &found)
 {
     const QString equation =
@@ -93,7 +93,7 @@ QStringList foundTexts(const Identification &found)
     return texts << withNoun(found.parameters.branch);
 }
 
-/// The parameters that the data do not determine, as they were given.
+/// Returns an equation with the given value for each parameter that the data do not determine.
 QStringList givenTexts(const Identification &found)
 {
     QStringList texts;
@@ -105,17 +105,17 @@ QStringList givenTexts(const Identification &found)
     return texts;
 }
 
-/// With as many decimals as show how much is missing, four at most; never rounded up.
+/// Returns a fraction in percent, with up to four decimals to show the difference from 100 %; never rounded up.
 QString percentText(double part)
 {
-    constexpr double kSlack = 1e-9; // 99.5 is 995 tenths, to rounding
+    constexpr double kSlack = 1e-9; // 99.5 equals 995 tenths except for rounding
     const double missing = std::max(100.0 * (1.0 - part), 1e-4);
     const int decimals = std::clamp(-static_cast<int>(std::floor(std::log10(missing * (1.0 + kSlack)))), 0, 4);
     const double unit = std::pow(10.0, decimals);
     return QLocale().toString(std::floor((100.0 - missing) * unit + kSlack) / unit, 'f', decimals);
 }
 
-/// The channel that differs most from the mechanism that was found; null if nothing was compared.
+/// Returns the channel that differs most from the mechanism that was found, or nullptr if nothing was compared.
 const ChannelComparison *worstChannel(const Diagnosis &diagnosis)
 {
     const auto worst = std::ranges::max_element(diagnosis.identified, {}, [](const ChannelComparison &channel) {
@@ -124,7 +124,7 @@ const ChannelComparison *worstChannel(const Diagnosis &diagnosis)
     return worst == diagnosis.identified.end() || !worst->percentOfPeak ? nullptr : &*worst;
 }
 
-/// "θ³ (1.2 % of its peak), Rₓ⁴ (3 % of its peak)": columns that the mechanism does not fit.
+/// Lists the columns that the mechanism does not fit: "θ³ (1.2 % of its peak), Rₓ⁴ (3 % of its peak)".
 QString leftOutText(const Identification &found)
 {
     QStringList columns;
@@ -207,7 +207,7 @@ QString notIdentifiedText(const Diagnosis &diagnosis)
 
 QString crankSpeedText(const CrankSpeedChange &speed)
 {
-    int digits = 4; // more if those do not show two digits of the change
+    int digits = 4; // more if they do not show two digits of the change
     while (digits < 9 &&
            std::abs(speed.atEnd - speed.atStart) < 20.0 * std::abs(speed.atStart) * std::pow(10.0, 1 - digits)) {
         ++digits;
@@ -346,7 +346,7 @@ QString changeText(const Diagnosis &diagnosis, const Mechanism &mechanism)
     }
     const auto [parameter, value, explained] = *diagnosis.change;
     const double given = valueOf(mechanism.parameters(), parameter);
-    int digits = 5; // more if those do not tell the two apart
+    int digits = 5; // more if the two values look equal
     while (digits < 12 && parameterText(parameter, value, digits) == parameterText(parameter, given, digits)) {
         ++digits;
     }

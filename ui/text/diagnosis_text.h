@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What was found out about a reference file, as a person reads it: the same sentences in the window, on the command
-// line and in the report. Said of a file that differs from the mechanism at hand, they agree with each other: no change
-// is named and no other reading offered beside a sentence that nothing explains the file.
+// Describes the result of identifying a mechanism from a reference file. The window, the command line and the report
+// use the same sentences. If no mechanism explains the file, no changed parameter or convention is suggested either.
 
 #include "core/identification/diagnosis.h"
 
@@ -13,31 +12,31 @@
 namespace slidercrank
 {
 
-/// A parameter as it was found, with its unit: "60.000000 ± 0.000001 mm"; where only ratios are known, of a:
-/// "3.000000 ± 0.000002 a"; a dash for what the data do not fix.
+/// Returns the identified value of a parameter with its standard error and unit: "60.000000 ± 0.000001 mm". If only
+/// ratios of lengths are identifiable, lengths are multiples of a: "3.000000 ± 0.000002 a". Returns a dash if the data
+/// do not determine the parameter.
 QString measuredText(Parameter parameter, const Identification &found);
 
-/// Of a mechanism that explains the file: what the data cannot fix or tell apart, and what noise is left. Empty where
-/// there is nothing to say.
+/// Returns the reservations about an identified mechanism: parameters that the data do not determine, mechanisms that
+/// fit equally well, columns and rows that were left out, and noise. Returns an empty string if there are none.
 QString caveatsOf(const Diagnosis &diagnosis);
 
-/// Whose motion the file is: the parameters with their standard errors and what the data cannot fix; or each mechanism
-/// that explains it; or what is missing; or what comes nearest, as just that: "a = 20.000001 ± 0.000003 mm, …, open
-/// assembly."
+/// Summarizes an identification: the parameters with their standard errors ("a = 20.000001 ± 0.000003 mm, …, open
+/// assembly."), or all mechanisms that fit, or the reason why none was found, or the nearest mechanism.
 QString summaryOf(const Diagnosis &diagnosis);
 
-/// "Round numbers come as near to the data: a = 20 mm, …". Empty where there are none.
+/// Returns "Nominal values fit equally well: a = 20 mm, …", or an empty string if they do not.
 QString roundNumbersText(const Diagnosis &diagnosis);
 
-/// "This error looks like b = 60 instead of 65 mm, which explains 99.9999 % of it." Empty where no single parameter
-/// explains nearly all. `mechanism`: the one at hand.
+/// Returns "With b = 60 mm instead of 65 mm, 99.9999 % of the difference disappears.", or an empty string if no single
+/// parameter explains nearly all of the difference. `mechanism` is the given mechanism.
 QString changeText(const Diagnosis &diagnosis, const Mechanism &mechanism);
 
-/// What explains why the file differs from the mechanism at hand, a line each; maybe nothing. `data`: the file as it
-/// was printed.
+/// Returns the explanations of the difference between the file and the given mechanism, one per line; the list may be
+/// empty. `data` is the file before conventions are applied.
 QStringList differenceLines(const Diagnosis &diagnosis, const ReferenceData &data, const Mechanism &mechanism);
 
-/// The same, and whose motion the file is where it is not of the mechanism at hand.
+/// Returns the lines of differenceLines(), followed by the mechanism of the file if it is not the given one.
 QStringList explanationLines(const Diagnosis &diagnosis, const ReferenceData &data, const Mechanism &mechanism);
 
 } // namespace slidercrank

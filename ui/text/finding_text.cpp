@@ -155,12 +155,12 @@ QString pinnedText(const Parameters &pinned, const Parameters &present)
 
 QString measuredText(double value, double standardError, double scale)
 {
-    constexpr double kArithmetic = 1e-13; // of the scale: a smaller error is that of the computation
+    constexpr double kArithmetic = 1e-13; // relative to the scale: smaller errors are rounding errors
     if (!(standardError > kArithmetic * scale) || std::isinf(standardError)) {
         constexpr int kDigitsAlone = 9;
         return numberText(value, kDigitsAlone);
     }
-    // The place of the first digit of the error, after it is rounded to one digit: 0.96 is 1.
+    // Power of ten of the error, rounded to one digit: 0 for 0.96, which is rounded to 1.
     const int place = exponentOf(standardError / 0.95);
     const double unit = std::pow(10.0, place);
     const double rounded = std::round(value / unit) * unit + 0.0; // never -0

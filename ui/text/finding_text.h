@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Channels, parameters and the result of a comparison in words, the same in the window, on the command line and in the
-// report. Numbers in QLocale(), with units.
+// Names channels and parameters, and describes the result of a comparison. The window, the command line and the report
+// use the same texts. Numbers are written in the default locale, with units.
 
 #include "core/comparison/comparison.h"
 
@@ -15,70 +15,71 @@
 namespace slidercrank
 {
 
-/// "x", "x and y", "x, y and z".
+/// Joins words to a list: "x", "x and y", "x, y and z".
 QString listed(const QStringList &words);
 
-/// To three digits; "∞".
+/// Returns an error with three significant digits, or "∞".
 QString errorText(double value);
 
-/// "θ³", "ω³", "Rₓ⁴", "v⁴"; the crank angle is "θ₂", as in the controls. Derivatives have letters of their own: fonts
-/// misplace the dots of θ̇, and d²θ³/dt² looks like a cube.
+/// Returns the symbol of a channel: "θ³", "ω³", "Rₓ⁴", "v⁴". The crank angle is "θ₂", as in the controls. Derivatives
+/// have their own letters because fonts misplace the dot of θ̇, and the superscript of d²θ³/dt² looks like a cube.
 QString symbolOf(Channel channel);
 
-/// "coupler angle", "slider velocity".
+/// Returns the name of a channel: "coupler angle", "slider velocity".
 QString quantityOf(Channel channel);
 
-/// "theta3", "R4_x_diff".
+/// Returns the name of a channel in files: "theta3", "R4_x_diff".
 QString columnNameOf(Channel channel);
 
-/// "mm/s²", "°".
+/// Returns the unit of a channel in files: "mm/s²", "°".
 QString unitOf(Channel channel);
 
-/// "a", "ω₂".
+/// Returns the symbol of a parameter: "a", "ω₂".
 QString symbolOf(Parameter parameter);
 
 inline constexpr std::array kParameters{Parameter::A, Parameter::B, Parameter::C, Parameter::Omega2,
                                         Parameter::Theta20};
 
-/// In options and JSON: "a", "omega2".
+/// Returns the name of a parameter in options and JSON: "a", "omega2".
 const char *wordOf(Parameter parameter);
 
-/// "open", "crossed".
+/// Returns "open" or "crossed".
 QString assemblyText(Branch branch);
 
-/// "open assembly".
+/// Returns "open assembly" or "crossed assembly".
 QString withNoun(Branch branch);
 
-/// From the unit of the core to the one that is displayed: θ₂₀ in degrees.
+/// Converts a value from the unit of the core to the displayed unit: θ₂₀ from radians to degrees.
 double shownFactor(Parameter parameter);
 
-/// That unit, with the space that belongs before it.
+/// Returns the displayed unit, preceded by a space where one is needed.
 QString unitBehind(Parameter parameter);
 
-/// "a = 20 mm".
+/// Returns an equation such as "a = 20 mm".
 QString equationText(Parameter parameter, double value, int digits = 6);
 
-/// A parameter to so many significant digits, trailing zeros left out, with the unit in which people think of it:
-/// "65 mm", "6.28319 rad/s", "-30°".
+/// Returns the value of a parameter with its displayed unit: "65 mm", "6.28319 rad/s", "-30°". `digits` is the largest
+/// number of significant digits; trailing zeros are omitted.
 QString parameterText(Parameter parameter, double value, int digits = 6);
 
-/// "a = 20 mm, b = 60 mm, c = 25 mm, ω₂ = 6.28319 rad/s, θ₂₀ = 0°, open assembly".
+/// Returns all parameters: "a = 20 mm, b = 60 mm, c = 25 mm, ω₂ = 6.28319 rad/s, θ₂₀ = 0°, open assembly".
 QString mechanismText(const Mechanism &mechanism, int digits = 6);
 
-/// What differs in a pinned mechanism: "b = 65 mm, crossed assembly", or "pinned" if nothing does.
+/// Returns the parameters in which a pinned mechanism differs: "b = 65 mm, crossed assembly", or "pinned" if none do.
 QString pinnedText(const Parameters &pinned, const Parameters &present);
 
-/// A value down to the first digit of its standard error: "20.000001 ± 0.000003". The value alone if there is no
-/// standard error (NaN), or only that of rounding numbers of size `scale`.
+/// Returns a value rounded to the first digit of its standard error: "20.000001 ± 0.000003". Omits the standard error
+/// if it is NaN, infinite, or no larger than the rounding error of numbers of size `scale`.
 QString measuredText(double value, double standardError, double scale);
 
-/// "agrees within the rounding of the file", "close: within 12 times the rounding of the file", "differs".
+/// Describes a verdict: "agrees within the rounding of the file", "close: within 12 times the rounding of the file",
+/// "differs".
 QString verdictText(const ChannelComparison &channel);
 
-/// The rules for verdicts, and the numbers of this channel; several lines.
+/// Explains the criteria of the verdict and states the numbers of this channel, in several lines.
 QString verdictFormula(const ChannelComparison &channel);
 
-/// The verdict on a file: "Match: 6 of 6 quantities agree within the rounding of the file."
+/// Summarizes a comparison: "Match: 6 of 6 quantities agree within the rounding of the file."
 QString summaryOf(std::span<const ChannelComparison> channels);
 
 } // namespace slidercrank

@@ -4,7 +4,7 @@
 namespace slidercrank
 {
 
-/// Both ends belong to it. Units are those of the caller.
+/// A closed interval. The caller chooses the unit.
 struct Interval {
     double lower = 0.0;
     double upper = 1.0;

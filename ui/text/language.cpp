@@ -17,7 +17,7 @@ namespace
 {
 
 const QString kKey = QStringLiteral("language");
-const QString kTranslator = QStringLiteral("translator"); // their name among the application's children
+const QString kTranslator = QStringLiteral("translator"); // object name of the installed translators
 
 QString codeOf(QLocale::Language language)
 {

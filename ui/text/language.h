@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The language of what people read, and with it how they write numbers. Files and their keys know none.
+// Sets the language of the user interface and its number format. Files and their keys are the same in every language.
 
 namespace slidercrank
 {
 
 enum class Language { System, English, Spanish };
 
-/// Installs the translations of the application there is, Qt's own too where the system has them, and sets the default
-/// locale: of the language chosen, the system's own variant where it is of that language. Widgets are told as by Qt,
-/// with QEvent::LanguageChange. System: the first of the system's languages that there is, or else English.
+/// Installs the translations of the application, and those of Qt if the system has them, and sets the default locale.
+/// The system's locale is used if it has the chosen language. Widgets receive QEvent::LanguageChange.
+/// Language::System selects the first of the system's languages that is supported, or English if there is none.
 void setLanguage(Language language);
 
-/// What was chosen in the window, remembered with the settings.
+/// Reads and writes the language in the settings.
 Language chosenLanguage();
 void rememberLanguage(Language language);
 

@@ -27,7 +27,7 @@ struct MotionFacts {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
-/// With as many digits as it takes to tell the two lengths apart.
+/// Returns two lengths with at least six digits, and with enough digits to distinguish them.
 QStringList distinctTexts(double x, double y)
 {
     constexpr int kMostDigits = 17;
@@ -38,10 +38,10 @@ QStringList distinctTexts(double x, double y)
     return {numberText(x, digits) + QStringLiteral(" mm"), numberText(y, digits) + QStringLiteral(" mm")};
 }
 
-/// Six digits of a limit (mm), rounded up or down to the side on which it holds.
+/// Returns a limit (mm) with six digits, rounded up if it is a lower limit and down if it is an upper limit.
 QString roundedText(double limit, bool isUp)
 {
-    constexpr double kSlack = 1e-6; // of the last digit: 0.1 + 0.2 is 0.3
+    constexpr double kSlack = 1e-6; // of the last digit: 0.1 + 0.2 equals 0.3 except for rounding
     const double unit = limit == 0.0 ? 1.0 : std::pow(10.0, 5.0 - std::floor(std::log10(std::abs(limit))));
     return numberText((isUp ? std::ceil(limit * unit - kSlack) : std::floor(limit * unit + kSlack)) / unit);
 }
@@ -63,7 +63,7 @@ QString anyOf(const QStringList &bounds)
                                     .arg(bounds.first(bounds.size() - 1).join(QStringLiteral(", ")), bounds.last());
 }
 
-/// Each of the lengths changed by itself.
+/// States, for each length by itself, the values with which the crank makes full turns.
 QString helpForFullTurn(const Mechanism &mechanism)
 {
     QStringList bounds{atLeast("b", shortestCouplerForFullTurn(mechanism))};
@@ -118,12 +118,12 @@ public:
         m_facts.push_back({name, valueText(number, unit), number, unit, explanation, {}, remark, {}});
     }
 
-    /// A fact at a crank angle, with the first time at which the crank has it. The end of a range of assemblable angles
-    /// is known to a rounding only: there the time is one at which the mechanism can be assembled.
+    /// Adds a fact at a crank angle, with the first time at which the crank has that angle. Limit positions are known
+    /// only up to a rounding error; there, the time is one at which the mechanism can be assembled.
     void addAt(double theta2, const QString &name, double number, const QString &unit, const QString &explanation)
     {
-        constexpr double kNudge = 1e-9; // rad, more than the rounding of a crank angle
-        constexpr double kSlack = 1e-9; // of the duration: the end of the time range counts
+        constexpr double kNudge = 1e-9; // rad, more than the rounding error of a crank angle
+        constexpr double kSlack = 1e-9; // relative to the duration, to include the end of the time range
         add(name, number, unit, explanation);
         MotionFact &fact = m_facts.back();
         fact.theta2 = theta2;
@@ -163,7 +163,7 @@ private:
     std::vector<MotionFact> m_facts;
 };
 
-/// A length, or 0 if it is only the rounding of a + b + |c|.
+/// Returns a length, or 0 if it is only a rounding error of a + b + |c|.
 double cleaned(double length, const Mechanism &mechanism)
 {
     constexpr double kRounding = 1e-14;
@@ -186,7 +186,7 @@ void addDeadCentres(FactList &list, const Mechanism &mechanism, const MotionLimi
     }
 }
 
-/// Where the crank can go no further.
+/// Adds the limit positions of the crank.
 void addLimitPositions(FactList &list, const Mechanism &mechanism, const MotionLimits &limits)
 {
     const bool isLocked = limits.mobility == Mobility::Locked;
@@ -228,7 +228,7 @@ void addStrokeTimes(FactList &list, const Mechanism &mechanism, const MotionLimi
              MotionFacts::tr("Time of the slower stroke divided by the time of the faster one"));
 }
 
-/// By crank angle, from 0 to 360°.
+/// Sorts places by crank angle, from 0 to 360°.
 std::vector<PeakPlace> sorted(std::vector<PeakPlace> places)
 {
     constexpr double kZero = 1e-9; // rad: 0 may have been computed as slightly less
@@ -295,7 +295,7 @@ std::vector<MotionFact> positionFacts(const Mechanism &mechanism, const MotionLi
     };
     addTransmission(mechanism.c() == 0.0 ? 0.25 * kTurn : limits.largestPressureAngleAt);
     if (mechanism.c() == 0.0) {
-        addTransmission(-0.25 * kTurn); // the same on both sides
+        addTransmission(-0.25 * kTurn); // a second minimum, by symmetry
     }
     return list.facts();
 }
@@ -304,7 +304,7 @@ std::vector<MotionFact> peakFacts(const Mechanism &mechanism, const MotionLimits
                                   const std::vector<Peak> &peaks, const Sampling &run)
 {
     FactList list(mechanism, run);
-    std::vector<PeakPlace> unbounded; // the same of all channels that are
+    std::vector<PeakPlace> unbounded; // the same places for all unbounded channels
     for (const Peak &peak : peaks) {
         if (std::isinf(peak.magnitude)) {
             unbounded = sorted(peak.places);

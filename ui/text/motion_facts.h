@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What is said about the limits of a motion, in words and numbers with units: why the crank turns round or does not,
-// where the slider turns back, how fast slider and coupler ever get.
+// Describes the limits of a motion: whether and why the crank makes full turns, where the slider reverses, and the peak
+// velocities and accelerations of slider and coupler.
 
 #include "core/limits/extremes.h"
 #include "core/limits/mobility.h"
@@ -16,41 +16,43 @@
 namespace slidercrank
 {
 
-/// A row of a table: a value at a crank angle, or one with a remark.
+/// A row of the table of limits: a value, with the crank angle at which it occurs or with a remark.
 struct MotionFact {
     QString name;
     QString value;
-    double number = 0.0; ///< the same, every digit, in the unit
-    QString unit;        ///< empty: a ratio
+    double number = 0.0; ///< the value at full precision, in `unit`
+    QString unit;        ///< empty if the value is a ratio
     QString explanation;
     std::optional<double> theta2; ///< rad
     QString remark;
-    std::optional<double> instant; ///< s, where the run first comes to that crank angle
+    std::optional<double> instant; ///< first time at which the crank has this angle, s
 };
 
-/// Whether the crank turns round, with the numbers of the inequality that decides it, and what would help.
+/// States whether the crank makes full turns, with the inequality that decides it and the changes that would permit it.
 QString mobilitySentence(const Mechanism &mechanism, const MotionLimits &limits);
 
-/// The length that it takes (mm, without the unit), shortened so that one typed as it stands will do.
+/// Returns a lower limit of a length (mm), rounded up to six digits so that the rounded value satisfies the limit. The
+/// text contains no unit.
 QString atLeastText(double limit);
 
-/// Dead centres, the ends of a rocker, the stroke and its times, the transmission angle.
+/// Returns the dead centres, the limit positions of the crank, the stroke, its times and the transmission angle.
 std::vector<MotionFact> positionFacts(const Mechanism &mechanism, const MotionLimits &limits, const Sampling &run);
 
 std::vector<MotionFact> peakFacts(const Mechanism &mechanism, const MotionLimits &limits,
                                   const std::vector<Peak> &peaks, const Sampling &run);
 
-/// That the samples are too few for a line through them to be the motion, and how many steps would do; empty where they
-/// are not.
+/// Returns a warning if the samples are too few to draw the motion, with a sufficient number of steps; otherwise an
+/// empty string.
 QString fewSamplesSentence(const Mechanism &mechanism, const Sampling &run);
 
-/// "95 in all, at most 4 an instant", over the instants that Newton-Raphson found; a dash where it found none.
+/// Returns "95 in total, at most 4 at a time step", over the time steps that Newton-Raphson solved, or a dash if it
+/// solved none.
 QString iterationsText(const SamplingSummary &run, const NewtonOptions &options);
 
-/// Within [0, 360), in degrees, without the unit.
+/// Returns the angle in degrees, within [0, 360), without the unit.
 QString crankAngleText(double radians);
 
-/// An instant of a run, or a time, of that length (s), without the unit: of the same decimals for all of a run.
+/// Returns a time (s) without the unit. All times of a time range of the given length have the same number of decimals.
 QString secondsText(double seconds, double length);
 
 } // namespace slidercrank

@@ -14,7 +14,7 @@ struct QuantityText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::QuantityText)
 };
 
-/// The digits and signs of a locale as a file has them.
+/// Replaces the digits and signs of a locale by those of the C locale.
 QString withoutLocale(const QString &text, const QLocale &locale)
 {
     QString plain = text;
@@ -29,10 +29,10 @@ QString withoutLocale(const QString &text, const QLocale &locale)
     return plain;
 }
 
-/// As a sentence can hold it.
+/// Shortens an input for a quotation in a message.
 QString quoted(const QString &text)
 {
-    constexpr int kMost = 24; // letters
+    constexpr int kMost = 24; // characters
     const QString line = text.simplified();
     return line.size() > kMost ? line.first(kMost) + QStringLiteral("…") : line;
 }

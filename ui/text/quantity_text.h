@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Numbers with units as they are typed in the user's locale, and why one will not do, in one short sentence.
+// Reads numbers with units in the user's locale, and explains why an input is invalid.
 
 #include "core/import/quantity.h"
 
@@ -12,15 +12,15 @@
 namespace slidercrank
 {
 
-/// With the locale's decimal sign, or a point.
+/// Reads a number with an optional unit. The decimal sign is that of the locale, or a point.
 Quantity readQuantity(const QString &text, const std::optional<Unit> &wanted, const QLocale &locale = {});
 
-/// A whole number, also in groups of three as countText() writes it.
+/// Reads a whole number, with or without the group separators that countText() writes.
 Quantity readCount(const QString &text);
 
 QString quantityFaultText(const QString &text, QuantityFault fault, const std::optional<Unit> &wanted);
 
-/// Those that are understood where that one is wanted, as people write them.
+/// Returns the units that can be entered for a quantity of this dimension.
 QStringList unitsFor(const Unit &wanted);
 
 } // namespace slidercrank

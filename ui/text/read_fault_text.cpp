@@ -13,7 +13,7 @@ struct ReadFaultText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::ReadFaultText)
 
 public:
-    /// Why a column whose heading suggests a channel is none.
+    /// Explains why a column is ignored although its heading suggests a channel.
     static QString clause(ColumnReason reason)
     {
         switch (reason) {
@@ -24,7 +24,7 @@ public:
         }
     }
 
-    /// %1 is the heading (or file), %2 the channel or its unit, %3 the reason for a row, %4 that for a column.
+    /// %1 is the heading or the file, %2 the channel or its unit, %3 the fault of a row, %4 that of a column.
     static QString sentence(ReadFault::Kind kind)
     {
         using enum ReadFault::Kind;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Why a file, or a row of it, cannot be read, in the language in use.
+// Explains, in the current language, why a file or a row cannot be read.
 
 #include "core/import/reference_data.h"
 
@@ -10,10 +10,10 @@
 namespace slidercrank
 {
 
-/// A sentence that says what to do.
+/// Returns a sentence that explains the fault and how to correct it.
 QString sentenceOf(const ReadFault &fault);
 
-/// A clause: "not a number".
+/// Returns the reason for skipping a row, as a clause: "not a number".
 QString reasonOf(const SkippedRow &row);
 
 } // namespace slidercrank

@@ -11,12 +11,13 @@ namespace slidercrank
 namespace
 {
 
-/// QSettings of Qt 6.4 does not see that the disk is full, and leaves a part of its file or nothing.
+/// Returns true if the disk has space for the settings. QSettings of Qt 6.4 does not detect a full disk and would
+/// truncate its file.
 bool hasRoomFor(const QSettings &settings)
 {
-    constexpr qsizetype kEnough = 1 << 16; // bytes, several times what there is to remember
+    constexpr qsizetype kEnough = 1 << 16; // bytes, several times the size of the settings
     if (!QFile::exists(settings.fileName())) {
-        return true; // nothing to lose, or it is no file but a registry
+        return true; // no settings to lose, or they are stored in the registry
     }
     QTemporaryFile trial(settings.fileName());
     return trial.open() && trial.write(QByteArray(kEnough, ' ')) == kEnough && trial.flush();

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The one place that writes QSettings.
+// Writes the settings of the user.
 
 #include <QVariantMap>
 
 namespace slidercrank
 {
 
-/// From one run to the next, where there is room for it; otherwise all that was chosen before stays as it is. A value
-/// that is not valid is forgotten.
+/// Saves each entry in QSettings. Invalid values remove their key. Leaves the settings unchanged if the disk is full.
 void remember(const QVariantMap &choices);
 
 } // namespace slidercrank

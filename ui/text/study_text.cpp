@@ -23,7 +23,7 @@ struct StudyText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::StudyText)
 
 public:
-    /// Patterns of the properties of a case; formulas stay as they are.
+    /// Patterns of the properties of a case. Formulas are not translated.
     static constexpr const char *kPatterns[] = {QT_TR_NOOP("Table 1 of the report"),
                                                 QT_TR_NOOP("this mechanism"),
                                                 QT_TR_NOOP("the author's file"),
@@ -44,7 +44,7 @@ public:
                                                 QT_TR_NOOP("%1 steps a turn")};
 };
 
-/// Translates "toggle gap 1e-4" by the pattern "toggle gap %1".
+/// Translates a property such as "toggle gap 1e-4" with the pattern "toggle gap %1".
 QString propertyText(const QString &property)
 {
     for (const char *pattern : StudyText::kPatterns) {
@@ -67,14 +67,14 @@ const MethodResult *findRow(const CaseResult &result, MethodName::Kind kind, std
     return row == result.methods.end() ? nullptr : &*row;
 }
 
-/// Two significant digits: "4", "4.6", "130".
+/// Returns a ratio with two significant digits: "4", "4.6", "130".
 QString ratioText(double ratio)
 {
     const double step = std::pow(10.0, std::floor(std::log10(ratio)) - 1.0);
     return numberText(step * std::round(ratio / step));
 }
 
-/// "65 (60 to 70)": the ratio of two times, with the range that their spreads leave.
+/// Returns the ratio of two times with the range that follows from their spreads: "65 (60 to 70)".
 QString timeRatioText(const MethodResult &slower, const MethodResult &faster)
 {
     const auto edge = [](const MethodResult &row, double side) {
@@ -91,7 +91,7 @@ struct Field {
     QJsonValue value;
 };
 
-const QString kCounts = QStringLiteral("counts"); // in JSON an object, in CSV a column for each status
+const QString kCounts = QStringLiteral("counts"); // an object in JSON, one column per status in CSV
 
 QJsonValue toJson(std::optional<double> value)
 {
@@ -149,7 +149,7 @@ QJsonArray toArray(const std::vector<Row> &rows)
     return array;
 }
 
-/// A line of CSV: of the values, or of their keys.
+/// Returns a line of CSV with the values of the row, or the header line with their keys.
 QString csvLine(const MethodResult &row, bool isHeader)
 {
     QStringList cells;
@@ -186,7 +186,7 @@ QString closedFormSentence(const CaseResult &result)
     if (!closedForm->maxError && !newton->maxError) {
         return StudyText::tr("Neither the closed form nor dense Newton-Raphson solves a time step here.");
     }
-    constexpr double kFaster = 1.05; // smaller ratios say nothing
+    constexpr double kFaster = 1.05; // smaller ratios are within the measurement error
     const QString speed = newton->nsPerState >= kFaster * closedForm->nsPerState
                               ? StudyText::tr("Closed form: %1 times faster than dense Newton-Raphson")
                                     .arg(timeRatioText(*newton, *closedForm))

@@ -26,7 +26,7 @@ constexpr RoleColours kRoles[] = {
 
 QPalette paletteOf(bool dark)
 {
-    QPalette palette(QColor(dark ? 0x2b2d30 : 0xf3f3f3)); // and the shades that follow from it
+    QPalette palette(QColor(dark ? 0x2b2d30 : 0xf3f3f3)); // Qt derives the other shades from it
     for (const RoleColours &colours : kRoles) {
         palette.setColor(colours.role, QColor(dark ? colours.dark : colours.light));
     }

@@ -10,14 +10,14 @@ namespace slidercrank
 namespace
 {
 
-/// A power of a thousand apart, grouped digits mislead beside a decimal comma.
+/// Returns the locale without group separators, which could be mistaken for a decimal sign.
 QLocale withoutGroups(QLocale locale)
 {
     locale.setNumberOptions(locale.numberOptions() | QLocale::OmitGroupSeparator | QLocale::RejectGroupSeparator);
     return locale;
 }
 
-/// What the locale writes as "1.5e-08", with the exponent written by `write`.
+/// Formats a value, and passes the mantissa and the exponent of a text such as "1.5e-08" to `write`.
 template <typename Write>
 QString withExponent(double value, int significantDigits, Write write)
 {
@@ -57,7 +57,7 @@ QString shortNumber(double value, int digits, const QLocale &locale)
     if (exponent >= -6 && exponent < 6) {
         return withoutGroups(locale).toString(value, 'f', std::max(0, digits - 1 - exponent));
     }
-    const QString text = locale.toString(value, 'e', digits - 1); // rounds 9.996e1 to 1.00e2
+    const QString text = locale.toString(value, 'e', digits - 1); // 9.996e1 is rounded to 1.00e2
     const qsizetype e = text.indexOf(u'e', 0, Qt::CaseInsensitive);
     return withPowerOfTen(text.first(e), locale.toInt(text.mid(e + 1)));
 }
@@ -96,7 +96,7 @@ QString countText(std::size_t count)
     QString text = locale.toString(static_cast<qulonglong>(count));
     constexpr qsizetype kGroup = 3;
     if (const qsizetype first = text.indexOf(separator); !separator.isEmpty() && first > kGroup) {
-        text.insert(first - kGroup, separator); // Qt writes 1000.000 for a million in Spanish
+        text.insert(first - kGroup, separator); // in Spanish, Qt writes 1000.000 for a million
     }
     return text;
 }
@@ -108,7 +108,7 @@ QString dash()
 
 double nextRoundNumber(double value)
 {
-    constexpr double kSlack = 1e-9; // 0.1 · 20 is 2, to rounding
+    constexpr double kSlack = 1e-9; // 0.1 · 20 equals 2 except for rounding
     const double decade = std::pow(10.0, std::floor(std::log10(value)));
     for (const double mantissa : {1.0, 2.0, 5.0}) {
         if (mantissa * decade >= value * (1.0 - kSlack)) {

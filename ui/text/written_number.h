@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Numbers as people read them, in the user's locale and without a sign between thousands, which could be taken for a
-// decimal sign. Powers of ten are written as "1.5·10⁻⁸", and where somebody types as "1.5e-8".
+// Formats numbers in the user's locale, without group separators, which could be mistaken for a decimal sign. Powers of
+// ten are displayed as "1.5·10⁻⁸" and entered as "1.5e-8".
 
 #include <QLocale>
 #include <QString>
@@ -12,30 +12,30 @@
 namespace slidercrank
 {
 
-/// At most so many significant digits, without trailing zeros.
+/// Formats a value with at most `significantDigits` digits, without trailing zeros.
 QString numberText(double value, int significantDigits = 6);
 
-/// So many significant digits; written out between 1e-6 and 1e6.
+/// Formats a value with exactly `digits` significant digits. Values below 1e-6 or from 1e6 on have a power of ten.
 QString shortNumber(double value, int digits, const QLocale &locale = QLocale());
 
-/// A dash for what does not exist.
+/// Formats a value, or returns a dash for nullopt.
 QString numberText(std::optional<double> value, int significantDigits);
 QString shortNumber(std::optional<double> value, int digits);
 QString dash();
 
-/// Every digit, as one types it.
+/// Formats a value at full precision, as it can be entered: "1.5e-8".
 QString typedNumberText(double value);
 
-/// "10⁻⁷"
+/// Returns a power of ten: "10⁻⁷".
 QString powerOfTen(int exponent);
 
-/// "1.5·10⁻⁷"; a mantissa of 1 is left out.
+/// Returns a mantissa with a power of ten: "1.5·10⁻⁷". A mantissa of 1 is omitted.
 QString withPowerOfTen(const QString &mantissa, int exponent);
 
-/// With groups of three digits.
+/// Formats a whole number with group separators.
 QString countText(std::size_t count);
 
-/// The least of … 1, 2, 5, 10, 20, 50 … that is not below the value (> 0).
+/// Returns the smallest of …, 1, 2, 5, 10, 20, 50, … that is at least `value`. Requires value > 0.
 double nextRoundNumber(double value);
 
 QLocale localeWithoutGroups();
