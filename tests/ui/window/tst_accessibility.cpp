@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The window for those who cannot see it, or have no mouse: what a screen reader is told, where the Tab key leads.
+// Accessibility of the window: the names and values that a screen reader receives, and the order of the Tab key.
 
 #include "tests/support/suite.h"
 #include "tests/ui/window/window_fixture.h"
@@ -29,7 +29,7 @@ QString described(const QWidget *widget)
     return QStringLiteral("%1 \"%2\"").arg(QLatin1String(widget->metaObject()->className()), widget->objectName());
 }
 
-/// What a person operates, or stops at with the Tab key; the parts that a control is made of are the control's.
+/// Whether the widget is a control, or accepts the focus by the Tab key. Internal parts of a control do not count.
 bool isControl(const QWidget *widget)
 {
     const bool operated = qobject_cast<const QAbstractButton *>(widget) || qobject_cast<const QSlider *>(widget) ||
@@ -44,14 +44,14 @@ bool isControl(const QWidget *widget)
     return (operated || stops) && !isPart;
 }
 
-/// The arrow keys lead there from the one that is chosen.
-bool isOneOfAChoice(const QWidget *widget)
+/// Whether the widget is an unchecked button of an exclusive group. The arrow keys reach it, not the Tab key.
+bool isUncheckedInGroup(const QWidget *widget)
 {
     const auto *button = qobject_cast<const QAbstractButton *>(widget);
     return button && button->group() && button->group()->exclusive() && !button->isChecked();
 }
 
-/// The room of the window, or the dialog, in which a control is.
+/// Returns the panel or dialog that contains the control.
 const QWidget *panelOf(const QWidget *widget)
 {
     const QWidget *panel = widget->parentWidget();
@@ -62,20 +62,20 @@ const QWidget *panelOf(const QWidget *widget)
     return panel;
 }
 
-/// With its surroundings, where a style may draw the focus.
+/// Returns a picture of the widget and a margin around it, in which a style may draw the focus.
 QImage pictureOf(QWidget *widget)
 {
-    constexpr int kAround = 4; // px
+    constexpr int kMargin = 4; // px
     QWidget *window = widget->window();
     const QRect area(widget->mapTo(window, QPoint()), widget->size());
     QCoreApplication::processEvents();
-    return window->grab(area.adjusted(-kAround, -kAround, kAround, kAround)).toImage();
+    return window->grab(area.adjusted(-kMargin, -kMargin, kMargin, kMargin)).toImage();
 }
 
 QString accessible(QWidget *widget, QAccessible::Text text)
 {
-    QAccessibleInterface *told = QAccessible::queryAccessibleInterface(widget);
-    return told ? told->text(text).trimmed() : QString();
+    QAccessibleInterface *accessibleInterface = QAccessible::queryAccessibleInterface(widget);
+    return accessibleInterface ? accessibleInterface->text(text).trimmed() : QString();
 }
 
 } // namespace
@@ -87,8 +87,8 @@ class TestAccessibility : public WindowFixture
 private:
     QStringList m_faults;
 
-    /// A number is told as one, with the range in which it may be.
-    void judgeNumber(QWidget *box)
+    /// Checks that a number box tells its value and its range as numbers.
+    void checkNumber(QWidget *box)
     {
         const QAccessibleValueInterface *number = QAccessible::queryAccessibleInterface(box)->valueInterface();
         const double smallest = number ? number->minimumValue().toDouble() : 0.0;
@@ -103,7 +103,8 @@ private:
         }
     }
 
-    void judge(QWidget *window)
+    /// Checks the names and values of all visible controls.
+    void checkControls(QWidget *window)
     {
         QHash<std::pair<const QWidget *, QString>, const QWidget *> names;
         for (QWidget *widget : window->findChildren<QWidget *>()) {
@@ -128,7 +129,7 @@ private:
                     m_faults << QStringLiteral("%1 \"%2\" has no value").arg(described(widget), name);
                 }
                 if (qobject_cast<QAbstractSpinBox *>(widget)) {
-                    judgeNumber(widget);
+                    checkNumber(widget);
                 }
                 if (qobject_cast<QSlider *>(widget) && widget->objectName() != "designRatio" &&
                     value[value.size() - 1].isDigit()) {
@@ -138,8 +139,8 @@ private:
         }
     }
 
-    /// By the Tab key all the way round, from wherever the focus is.
-    void walk(QWidget *window)
+    /// Presses the Tab key until the focus returns, and checks that every control was reached and showed the focus.
+    void checkTabOrder(QWidget *window)
     {
         QSet<QWidget *> reached;
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab); // styles show the focus once keys are used
@@ -149,7 +150,7 @@ private:
             const QImage focused = pictureOf(stop);
             QTest::keyClick(stop, Qt::Key_Tab);
             if (stop->hasFocus() && qobject_cast<QLabel *>(stop)) {
-                QTest::keyClick(stop, Qt::Key_Tab); // from the label to its link, and on
+                QTest::keyClick(stop, Qt::Key_Tab); // the first key moved the focus to the link of the label
             }
             if (stop->hasFocus()) {
                 m_faults << QStringLiteral("%1 does not let the Tab key out").arg(described(stop));
@@ -162,38 +163,39 @@ private:
         }
         for (QWidget *widget : window->findChildren<QWidget *>()) {
             const bool wanted = widget->isVisible() && widget->isEnabled() && isControl(widget) &&
-                                !isOneOfAChoice(widget) && widget->window() == window;
+                                !isUncheckedInGroup(widget) && widget->window() == window;
             if (wanted && !reached.contains(widget)) {
                 m_faults << QStringLiteral("%1 is not reached by the Tab key").arg(described(widget));
             }
         }
     }
 
-    /// What opens from the timeline's button.
-    QWidget *openRun()
+    /// Opens the form of the time range by its button.
+    QWidget *openTimeRange()
     {
         part<QAbstractButton>("runButton")->click();
         QCoreApplication::processEvents();
         return part("runForm");
     }
 
-    /// On every page, in the form of the time range and in presentation mode, without and with a reference.
-    void everywhere(const std::function<void(QWidget *)> &look)
+    /// Calls the function on every page, for the form of the time range and in presentation mode, each without and with
+    /// a reference.
+    void checkEveryView(const std::function<void(QWidget *)> &check)
     {
         for (const bool withReference : {false, true}) {
-            QSettings().clear(); // so that the window greets, too
+            QSettings().clear(); // the window then shows its greeting, too
             openWindow();
             if (withReference) {
                 openSample();
             }
-            onEveryPage(*m_window, [&](const QString &) { look(m_window.get()); });
-            QWidget *form = openRun();
-            look(form);
+            onEveryPage(*m_window, [&](const QString &) { check(m_window.get()); });
+            QWidget *form = openTimeRange();
+            check(form);
             form->close();
             m_window->presentation().setOn(true);
             m_window->activateWindow();
             QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
-            look(m_window.get());
+            check(m_window.get());
         }
         m_faults.removeDuplicates();
         QVERIFY2(m_faults.isEmpty(), qPrintable(m_faults.join(u'\n')));
@@ -204,33 +206,34 @@ private slots:
 
     void cleanup() { m_window.reset(); }
 
-    void everyControlHasANameOfItsOwnAndAValue()
+    void everyControlHasAUniqueNameAndAValue()
     {
-        everywhere([this](QWidget *window) { judge(window); });
+        checkEveryView([this](QWidget *window) { checkControls(window); });
     }
 
-    void theTabKeyReachesEveryControlAndTheFocusIsSeen()
+    void theTabKeyReachesEveryControlAndTheFocusIsVisible()
     {
-        everywhere([this](QWidget *window) { walk(window); });
+        checkEveryView([this](QWidget *window) { checkTabOrder(window); });
     }
 
-    void everyDialogIsJudgedAsTheWindowIs()
+    void controlsOfDialogsHaveNamesAndValues()
     {
         openWindow();
         openSample();
         session().setParameter(Parameter::B, 70.0);
         showTab(2);
-        child<QAbstractButton>(*part("referencePanel"), "remedyButton")->click(); // chooses columns
+        child<QAbstractButton>(*part("referencePanel"), "remedyButton")
+            ->click(); // opens the dialog for choosing columns
         for (const char *name : {"Theory and help", "Keyboard and mouse", "Animation…"}) {
             action(QString::fromUtf8(name))->trigger();
         }
-        m_window->close(); // asks about the change
+        m_window->close(); // asks whether to save the change
         QCoreApplication::processEvents();
         int dialogs = 0;
         for (auto *dialog : m_window->findChildren<QDialog *>()) {
             if (dialog->isVisible()) {
                 ++dialogs;
-                judge(dialog);
+                checkControls(dialog);
                 QVERIFY2(!dialog->windowTitle().isEmpty(), qPrintable(described(dialog)));
             }
         }
@@ -238,7 +241,7 @@ private slots:
         QVERIFY2(m_faults.isEmpty(), qPrintable(m_faults.join(u'\n')));
     }
 
-    void aNumberSetFromOutsideIsAnEdit()
+    void aNumberSetByAScreenReaderIsAnEdit()
     {
         openWindow();
         auto *box = part<QAbstractSpinBox>("box_b");

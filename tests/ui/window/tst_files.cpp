@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Scenes and exports as files: opened, saved, named in dialogs; and what is asked before something is lost.
+// Scene files and exported files: opening, saving, file dialogs, and the questions before changes are lost.
 
 #include "tests/support/suite.h"
 #include "tests/ui/window/window_fixture.h"
@@ -33,7 +33,7 @@ class TestFiles : public WindowFixture
 private slots:
     void init()
     {
-        forget();
+        resetSettings();
         m_folder = std::make_unique<QTemporaryDir>();
         openWindow();
     }
@@ -87,7 +87,7 @@ private slots:
         QVERIFY(m_window->scene().saveTo(path("rig.json")));
         openSample();
         session().undoStack().setClean();
-        session().setTime(0.5); // looking is no edit
+        session().setTime(0.5); // changing the time is not an edit
         QVERIFY(!m_window->isWindowModified());
         session().setParameter(Parameter::B, 70.0);
         QVERIFY(m_window->isWindowModified());
@@ -108,7 +108,7 @@ private slots:
             double saved;
         };
         m_window->close();
-        QVERIFY(!m_window->isVisible()); // nothing would be lost
+        QVERIFY(!m_window->isVisible()); // there are no changes to lose
         for (const Row &row : {Row{QMessageBox::Cancel, false, 65.0}, Row{QMessageBox::Discard, true, 65.0},
                                Row{QMessageBox::Save, true, 70.0}}) {
             openWindow();
@@ -131,11 +131,11 @@ private slots:
         question("unsavedQuestion")->button(QMessageBox::Discard)->click();
         AWAIT(session().reference());
         QCOMPARE(session().parameters().a, 12.0);
-        QVERIFY(!m_window->isWindowModified() && !question("unsavedQuestion")); // once
+        QVERIFY(!m_window->isWindowModified() && !question("unsavedQuestion")); // it is asked once
         for (const auto &[answer, a] : {std::pair{QMessageBox::Cancel, 21.0}, {QMessageBox::Discard, 12.0}}) {
             openWindow();
             m_window->scene().open(rig);
-            session().setParameter(Parameter::A, 21.0); // while its reference is read
+            session().setParameter(Parameter::A, 21.0); // while the reference is being read
             AWAIT(question("unsavedQuestion"));
             QCOMPARE(session().parameters().a, 21.0);
             question("unsavedQuestion")->button(answer)->click();
@@ -144,12 +144,12 @@ private slots:
         }
     }
 
-    void whatAnotherProgramSavedIsAskedAbout()
+    void asksBeforeItReplacesWhatAnotherProgramSaved()
     {
         m_window->scene().open(sceneWithReference());
         AWAIT(session().reference());
         session().setParameter(Parameter::A, 13.0);
-        m_window->scene().save(); // what it has saved itself is not
+        m_window->scene().save(); // does not ask about its own changes of the file
         QVERIFY(!question("changedQuestion"));
         QCOMPARE(savedIn("rig.json").a, 13.0);
         Scene other;
@@ -170,7 +170,7 @@ private slots:
         QCOMPARE(savedIn("rig.json").a, 15.0);
     }
 
-    void aNumberThatIsTypedAndNotEnteredCounts()
+    void savesANumberThatIsStillBeingTyped()
     {
         QVERIFY(m_window->scene().saveTo(path("rig.json")));
         auto *box = part<QAbstractSpinBox>("box_b");
@@ -189,10 +189,10 @@ private slots:
         }
     }
 
-    void whatCannotBeOpenedOrSavedIsToldAndChangesNothing()
+    void reportsFilesThatCannotBeOpenedOrSaved()
     {
         session().setParameter(Parameter::B, 70.0);
-        drop({fileWith(*m_folder, "rig.json", "{\"version\": 99}")});
+        drop({writeFile(*m_folder, "rig.json", "{\"version\": 99}")});
         QVERIFY(messages()->text().contains("rig.json") && !question("unsavedQuestion"));
         QVERIFY(session().undoStack().canUndo());
         QVERIFY(!m_window->scene().saveTo("/no/such/folder/other.json"));
@@ -218,7 +218,7 @@ private slots:
         QCOMPARE(m_window->scene().path(), path("rig.json"));
     }
 
-    void aCancelSaysWhatIsShown()
+    void explainsWhatIsShownAfterACancel()
     {
         const auto cancel = [this] { emit m_window->findChild<StatusBar *>()->cancelled(); };
         Scene scene;
@@ -291,17 +291,17 @@ private slots:
             QCOMPARE(lastFolder(QStandardPaths::HomeLocation), m_folder->path());
         }
         action("Figure…")->trigger();
-        QCOMPARE(dialog()->directory().path(), m_folder->path()); // where the last was saved
+        QCOMPARE(dialog()->directory().path(), m_folder->path()); // the folder of the last saved file
     }
 
-    void theAnimationIsAsItsFormSays()
+    void theAnimationHasTheSettingsOfItsForm()
     {
         action(QStringLiteral("Animation…"))->trigger();
         auto *form = m_window->findChild<AnimationForm *>();
         const auto *outcome = child<QLabel>(*form, "outcomeLabel");
         QVERIFY(outcome->text().startsWith("30 frames: 1 s"));
         child<QSpinBox>(*form, "rateBox")->setValue(8);
-        child<QSpinBox>(*form, "widthBox")->setValue(201); // videos need even sides
+        child<QSpinBox>(*form, "widthBox")->setValue(201); // rounded to 200, because videos need even sides
         child<QSpinBox>(*form, "heightBox")->setValue(120);
         child<QDoubleSpinBox>(*form, "lengthBox")->setValue(1.5);
         QVERIFY(outcome->text().startsWith("12 frames: 1.5 s"));
@@ -313,7 +313,7 @@ private slots:
         QCOMPARE(QDir(path("new")).entryList(QDir::Files).size(), 12);
         QCOMPARE(frame("frame_0001.png").size(), QSize(200, 120));
         QVERIFY(frame("frame_0001.png") != frame("frame_0012.png"));
-        QCOMPARE(frame("frame_0001.png"), frame("frame_0009.png")); // a revolution later
+        QCOMPARE(frame("frame_0001.png"), frame("frame_0009.png")); // one revolution later
     }
 
     void theNameFollowsTheFilter()
@@ -327,10 +327,10 @@ private slots:
         QCOMPARE(name()->text(), QStringLiteral("b = 67.5"));
     }
 
-    void asksForANameAndBeforeAnOlderFileGoes()
+    void asksForANameAndBeforeReplacingAFile()
     {
         session().setParameter(Parameter::B, 70.0);
-        const QString older = fileWith(*m_folder, "θ₂ ñ 曲柄.slidercrank", "older");
+        const QString older = writeFile(*m_folder, "θ₂ ñ 曲柄.slidercrank", "older");
         press(Qt::Key_S, Qt::ControlModifier);
         answerWith(QMessageBox::No);
         choose(QStringLiteral("θ₂ ñ 曲柄"));
@@ -341,9 +341,9 @@ private slots:
         QVERIFY(contentOf(older).startsWith("{\n"));
         QVERIFY(!m_window->isWindowModified());
 
-        fileWith(*m_folder, "a.html.pdf", "older");
+        writeFile(*m_folder, "a.html.pdf", "older");
         action(QStringLiteral("Report…"))->trigger();
-        choose("a.html"); // the dialog asked about another name
+        choose("a.html"); // the dialog checked this name, not that of the file that exists
         QCOMPARE(contentOf(path("a.html.pdf")), QByteArray("older"));
         QCOMPARE(name()->text(), QStringLiteral("a.html.pdf"));
     }
@@ -363,7 +363,7 @@ private:
         return path("rig.json");
     }
 
-    /// Null where it is not asked.
+    /// Returns the question, or null if it is not open.
     QMessageBox *question(const char *name) const
     {
         settle();
@@ -399,7 +399,7 @@ private:
         settle();
     }
 
-    /// The question that the dialog waits for.
+    /// Answers the modal question that the file dialog will open.
     static void answerWith(QMessageBox::StandardButton button)
     {
         QTimer::singleShot(100, qApp, [button] {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Keys and wheel as a person uses them: pressed on the window, wherever the focus is.
+// Keys and mouse wheel: the events are sent to the window, with the focus on different controls.
 
 #include "tests/support/suite.h"
 #include "tests/ui/window/window_fixture.h"
@@ -29,7 +29,7 @@ QString described(const QWidget *widget)
     return QStringLiteral("%1 \"%2\"").arg(QLatin1String(widget->metaObject()->className()), widget->objectName());
 }
 
-/// What Space could have changed.
+/// Returns everything that the Space key could change.
 QVariantList stateOf(const QWidget *widget)
 {
     const auto *button = qobject_cast<const QAbstractButton *>(widget);
@@ -72,7 +72,7 @@ private:
         }
     }
 
-    /// Every place that the Tab key comes to.
+    /// Presses Space at every control that the Tab key reaches. Space must only start and stop the playback.
     void pressSpaceAtEveryStop(const QString &page)
     {
         QSet<QWidget *> seen;
@@ -89,7 +89,7 @@ private:
             stop->setFocus();
             press(Qt::Key_Tab);
             if (stop->hasFocus()) {
-                press(Qt::Key_Tab); // from a label to its link, and on
+                press(Qt::Key_Tab); // the first key moved the focus to the link of the label
             }
         }
         QVERIFY(seen.size() > 20);
@@ -98,7 +98,7 @@ private:
 private slots:
     void init()
     {
-        forget();
+        resetSettings();
         openWindow();
         m_timeline = part<Timeline>("timeline");
         m_timeline->setClock([] { return 0.0; });
@@ -106,7 +106,7 @@ private slots:
 
     void cleanup() { m_window.reset(); }
 
-    void spacePlaysFromTheFirstSecondOnAndAfterAClick()
+    void spacePlaysFromTheStartAndAfterAClick()
     {
         press(Qt::Key_Space);
         QVERIFY(m_timeline->isPlaying());
@@ -119,7 +119,8 @@ private slots:
         press(Qt::Key_Space);
         QVERIFY(!m_timeline->isPlaying());
         QTest::simulateEvent(m_window->windowHandle(), true, Qt::Key_Space, Qt::NoModifier, " ", false);
-        QTest::simulateEvent(m_window->windowHandle(), true, Qt::Key_Space, Qt::NoModifier, " ", true); // held
+        QTest::simulateEvent(m_window->windowHandle(), true, Qt::Key_Space, Qt::NoModifier, " ",
+                             true); // repeated while it is held down
         QVERIFY(m_timeline->isPlaying());
     }
 
@@ -140,7 +141,7 @@ private slots:
         QCOMPARE(textIn("box_b"), QStringLiteral("25 mm"));
         press(Qt::Key_Return);
         QCOMPARE(session().parameters().b, 25.0);
-        press(Qt::Key_Space); // it is entered: the box only has the focus
+        press(Qt::Key_Space); // the number is entered, so the box no longer uses Space
         QVERIFY(m_timeline->isPlaying());
         typeInto("box_b", "20/3");
         press(Qt::Key_Return);
@@ -150,8 +151,8 @@ private slots:
         QVERIFY(!m_timeline->isPlaying());
     }
 
-    /// Home set b to 1 mm after its slider had been dragged.
-    void homeAndEndBelongToThePlaybackUnlessATextIsEdited()
+    /// A former defect: Home set b to 1 mm after its slider had been dragged.
+    void homeAndEndMoveTheTimeUnlessATextIsEdited()
     {
         for (const char *name : {"slider_b", "timeSlider", "positionTable", "unit_theta20", "playButton", "tabBar"}) {
             part(QLatin1String(name))->setFocus();
@@ -169,7 +170,7 @@ private slots:
         QCOMPARE(session().time(), 0.5);
     }
 
-    void theArrowsToTheSideBelongToTheControlThatUsesThem()
+    void leftAndRightMoveTheTimeUnlessTheControlUsesThem()
     {
         session().setTime(0.5);
         part("slider_b")->setFocus();
@@ -187,11 +188,11 @@ private slots:
         QCOMPARE(part<QComboBox>("unit_theta20")->currentIndex(), 0);
     }
 
-    void anOpenListHasItsKeys()
+    void anOpenListUsesItsOwnKeys()
     {
         auto *list = part<QComboBox>("unit_theta20");
         list->setFocus();
-        press(Qt::Key_Return); // opens it
+        press(Qt::Key_Return); // opens the list
         AWAIT(QApplication::activePopupWidget());
         press(Qt::Key_Down);
         press(Qt::Key_Space);
@@ -201,13 +202,13 @@ private slots:
         QCOMPARE(list->currentIndex(), 1);
     }
 
-    void theTimeRangeHasTheKeysOfTheWindow()
+    void theKeysOfTheWindowWorkInTheTimeRange()
     {
         press(Qt::Key_R, Qt::ControlModifier);
         AWAIT(part("startBox")->hasFocus());
         press(Qt::Key_Space);
         QVERIFY(m_timeline->isPlaying());
-        press(Qt::Key_3); // in place of what is there
+        press(Qt::Key_3); // replaces the selected number
         QCOMPARE(textIn("startBox"), QStringLiteral("3 s"));
         press(Qt::Key_Return);
         QCOMPARE(session().sampling().start, 3.0);
@@ -224,7 +225,7 @@ private slots:
 
     void enterPressesAButton()
     {
-        QSettings().clear(); // the greeting has a button
+        QSettings().clear(); // the window then shows its greeting, which has a button
         openWindow();
         showTab(3);
         part<QAbstractButton>("segment1")->click();
@@ -248,7 +249,7 @@ private slots:
         }
     }
 
-    void loopAndSpeedHaveKeysAndTheMenuFollows()
+    void keysChangeLoopAndSpeedAndTheirMenuItems()
     {
         press(Qt::Key_L, Qt::ControlModifier);
         QVERIFY(!part<QAbstractButton>("loopButton")->isChecked() && !m_timeline->isLooping());
@@ -256,9 +257,9 @@ private slots:
         QVERIFY(action("Loop")->isChecked());
         const auto chosen = [this] {
             QStringList speeds;
-            for (const QAction *one : m_window->findChildren<QAction *>()) {
-                if (one->isChecked() && one->text().endsWith(u'×')) {
-                    speeds << one->text();
+            for (const QAction *action : m_window->findChildren<QAction *>()) {
+                if (action->isChecked() && action->text().endsWith(u'×')) {
+                    speeds << action->text();
                 }
             }
             return speeds;
@@ -269,7 +270,7 @@ private slots:
         press(Qt::Key_Left, Qt::ShiftModifier);
         press(Qt::Key_Left, Qt::ShiftModifier);
         QCOMPARE(m_timeline->speed(), 0.5);
-        m_timeline->setSpeed(0.3); // none of them
+        m_timeline->setSpeed(0.3); // not a speed of the menu
         QCOMPARE(chosen(), QStringList());
     }
 
@@ -278,7 +279,7 @@ private slots:
         showTab(3);
         session().setSolver({Method::Newton, {}});
         QAction *figure = action(QStringLiteral("Figure…"));
-        figure->disconnect(); // it would ask for a file
+        figure->disconnect(); // otherwise it opens a file dialog
         QSignalSpy asked(figure, &QAction::triggered);
         int boxes = 0;
         for (const char *name : {"box_a", "box_omega2", "timeBox", "angleBox", "unit_theta20", "runButton",
@@ -295,24 +296,24 @@ private slots:
         }
     }
 
-    void whatIsBeingTypedIsUndoneInItsBox()
+    void undoesTypingInTheBox()
     {
         session().setParameter(Parameter::B, 70.0);
         typeInto("box_a", "33");
         press(Qt::Key_Z, Qt::ControlModifier);
         QCOMPARE(session().parameters().b, 70.0);
         QCOMPARE(textIn("box_a"), QStringLiteral("20 mm"));
-        press(Qt::Key_Y, Qt::ControlModifier); // nothing comes back
+        press(Qt::Key_Y, Qt::ControlModifier); // nothing is restored
         QCOMPARE(textIn("box_a"), QStringLiteral("20 mm"));
-        press(Qt::Key_Z, Qt::ControlModifier); // nothing of its own is left
+        press(Qt::Key_Z, Qt::ControlModifier); // the box has nothing to undo, so the session undoes b
         QCOMPARE(session().parameters().b, 65.0);
         typeInto("box_a", "33");
         press(Qt::Key_Return);
-        press(Qt::Key_Z, Qt::ControlModifier); // the focus is still in the box
+        press(Qt::Key_Z, Qt::ControlModifier); // while the box still has the focus
         QCOMPARE(session().parameters().a, 20.0);
     }
 
-    void theWheelChangesOnlyWhatHasTheFocus()
+    void theWheelChangesOnlyTheControlWithTheFocus()
     {
         showTab(3);
         session().setSolver({Method::Newton, {}});
@@ -334,7 +335,7 @@ private slots:
         }
     }
 
-    void copiesTheRowsThatAreSelected()
+    void copiesTheSelectedRows()
     {
         struct Row {
             int tab;
@@ -366,12 +367,12 @@ private slots:
             QCOMPARE(copied().size(), 3);
             QVERIFY(messages()->text().endsWith("headings: 2."));
         }
-        part("mechanismView")->setFocus(); // anywhere else the figure
+        part("mechanismView")->setFocus(); // without a table or text, Ctrl+C copies the figure
         press(Qt::Key_C, Qt::ControlModifier);
         QVERIFY(QApplication::clipboard()->mimeData()->hasImage());
     }
 
-    void copiesWhatIsSelectedInASentence()
+    void copiesSelectedText()
     {
         session().setParameter(Parameter::B, -1.0);
         settle();
@@ -381,7 +382,7 @@ private slots:
         press(Qt::Key_C, Qt::ControlModifier);
         QCOMPARE(QApplication::clipboard()->text(), sentence->selectedText());
         sentence->setSelection(0, 0);
-        press(Qt::Key_C, Qt::ControlModifier); // nothing is selected
+        press(Qt::Key_C, Qt::ControlModifier); // without selected text, Ctrl+C copies the figure
         QVERIFY(QApplication::clipboard()->mimeData()->hasImage());
     }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The window as a person uses it: with the mouse and the keys, judged by what is painted.
+// The main window, operated with mouse and keys. Most tests check what is painted.
 
 #include "tests/support/suite.h"
 #include "tests/ui/window/window_fixture.h"
@@ -45,7 +45,7 @@ bool isBlank(const QImage &image)
     return image == one;
 }
 
-/// The sample's columns in three files, as CAD programs export plots.
+/// Writes the columns of the sample into three files, as CAD programs export plots. Returns the paths.
 QStringList plotsOfSample(const QTemporaryDir &folder)
 {
     const QByteArrayList lines = contentOf(kSample).mid(3).trimmed().split('\n');
@@ -61,7 +61,7 @@ QStringList plotsOfSample(const QTemporaryDir &folder)
             }
             text += cells.join(',') + '\n';
         }
-        paths += fileWith(folder, QLatin1String(name), text);
+        paths += writeFile(folder, QLatin1String(name), text);
     }
     return paths;
 }
@@ -75,13 +75,13 @@ class TestMainWindow : public WindowFixture
 private slots:
     void init()
     {
-        forget();
+        resetSettings();
         openWindow();
     }
 
     void cleanup() { m_window.reset(); }
 
-    void startsCalmWithEverythingDrawn()
+    void startsStoppedWithEverythingDrawn()
     {
         QCOMPARE(session().time(), 0.0);
         QVERIFY(!part<Timeline>("timeline")->isPlaying());
@@ -110,16 +110,16 @@ private slots:
         m_window->exports().write(m_window->exports().figure(), "/no/such/folder/figure.png");
         QVERIFY(messages()->isVisible() && messages()->text().contains("figure.png cannot be written"));
         openSample();
-        session().setParameter(Parameter::B, -1.0); // another subject
+        session().setParameter(Parameter::B, -1.0); // a problem of another kind
         m_window->exports().copy(m_window->exports().figure());
         QCOMPARE(messages()->text().count('\n'), 2);
         session().setParameter(Parameter::B, 64.0);
-        QVERIFY(!messages()->text().contains("at least")); // it no longer applies
-        letTimePass(*part("confirmation"));                      // a hint fades
+        QVERIFY(!messages()->text().contains("at least")); // the length is valid again
+        letTimePass(*part("confirmation"));                // until the hint disappears
         settle();
         QVERIFY(messages()->text().startsWith("/no/such/folder/figure.png cannot be written"));
         QCOMPARE(messages()->text().count('\n'), 0);
-        QCOMPARE(part("columns")->size(), columns); // nothing moves the layout
+        QCOMPARE(part("columns")->size(), columns); // messages do not change the layout
         child<QAbstractButton>(*messages(), "messageDismiss")->click();
         QVERIFY(!messages()->isVisible() && messages()->text().isEmpty());
     }
@@ -142,7 +142,7 @@ private slots:
         AWAIT(session().time() > 0.4 && session().time() < 0.7);
     }
 
-    void theVerdictIsInTheTabOfTheErrors()
+    void theTabOfTheErrorsShowsTheVerdict()
     {
         const QImage curve = picture("plot_theta3");
         drop({kSample});
@@ -165,13 +165,13 @@ private slots:
         press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
         AWAIT(session().diagnosis() && session().diagnosis()->parameters == session().parameters());
         settle(*m_window);
-        QVERIFY(!errors->findChild<QLabel *>("findingLabel")); // nothing to explain
+        QVERIFY(!errors->findChild<QLabel *>("findingLabel")); // there is no error to explain
         action("Close reference")->trigger();
         QVERIFY(!session().reference() && !action("Close reference")->isEnabled());
     }
 
-    /// Nothing visible moved where the plots were zoomed to another time.
-    void aRowOfTheErrorsBringsItsTimeIntoView()
+    /// A former defect: a click had no visible effect while the plots were zoomed to another time range.
+    void aRowOfTheErrorTableShowsItsTime()
     {
         openSample();
         auto *plots = m_window->findChild<PlotGrid *>();
@@ -186,7 +186,8 @@ private slots:
         QVERIFY(!plots->zoom().time || (plots->zoom().time->lower <= time && time <= plots->zoom().time->upper));
     }
 
-    /// A table by crank angle whose heading does not say so.
+    /// The heading of the first file does not say that its first column is the crank angle; that of the second one
+    /// does.
     void theFirstColumnIsTheTimeOrTheCrankAngle()
     {
         const QTemporaryDir folder;
@@ -198,11 +199,11 @@ private slots:
                     QByteArray::number(20.0 * std::cos(theta2) + 65.0 * std::cos(theta3), 'f', 6) + '\n';
         }
         QSignalSpy loaded(&session(), &Session::referenceLoaded);
-        drop({fileWith(folder, "table.csv", "phi,R4_x\n" + rows)});
+        drop({writeFile(folder, "table.csv", "phi,R4_x\n" + rows)});
         AWAIT(loaded.count() == 1);
-        QCOMPARE(session().result()->comparison.front().verdict, Verdict::Differs); // 0, 15, 30 s
+        QCOMPARE(session().result()->comparison.front().verdict, Verdict::Differs); // the angles were read as seconds
         QVERIFY(messages()->text().contains("The time range is now that of table.csv: 0 s to 360 s."));
-        session().setSampling({0.0, 3.0, 200}); // another one
+        session().setSampling({0.0, 3.0, 200});
         QVERIFY(!messages()->text().contains("The time range"));
         showTab(2);
         const auto remedies = part("referencePanel")->findChildren<QPushButton *>();
@@ -215,28 +216,28 @@ private slots:
         session().undoStack().undo();
         QVERIFY(!session().reference()->data.crank);
 
-        drop({fileWith(folder, "named.csv", "Crank angle,R4_x\n" + rows)}); // its heading says so
+        drop({writeFile(folder, "named.csv", "Crank angle,R4_x\n" + rows)});
         AWAIT(session().reference()->name == "named.csv");
         QCOMPARE(session().result()->comparison.front().verdict, Verdict::Agrees);
         QVERIFY(messages()->text().contains("named.csv is a table by crank angle: ω₂ and θ₂₀ give its time."));
     }
 
-    void aBadFileIsToldAndNothingIsLost()
+    void aWrongFileIsReportedAndTheReferenceRemains()
     {
         const QTemporaryDir folder;
         openSample();
-        drop({fileWith(folder, "bad.csv", "hello\n")});
+        drop({writeFile(folder, "bad.csv", "hello\n")});
         AWAIT(messages()->text().contains("bad.csv"));
         QCOMPARE(session().result()->comparison.size(), std::size_t(6));
-        drop({fileWith(folder, "bad.csv", "time,R4_x\n0,85\n1,85\n")}); // corrected
+        drop({writeFile(folder, "bad.csv", "time,R4_x\n0,85\n1,85\n")}); // the user has corrected the file
         AWAIT(session().reference()->name == "bad.csv");
         QVERIFY2(!messages()->text().contains("cannot"), qPrintable(messages()->text()));
     }
 
-    void asksForTheMeaningOfColumnsThatHeadingsDoNotTell()
+    void asksForTheMeaningOfUnclearColumns()
     {
         const QTemporaryDir folder;
-        m_window->openReference(fileWith(folder, "columns.csv", "time,J1_x,J2_x\n0,80,1\n1,70,2\n2,75,1\n"));
+        m_window->openReference(writeFile(folder, "columns.csv", "time,J1_x,J2_x\n0,80,1\n1,70,2\n2,75,1\n"));
         AWAIT(messages()->isVisible());
         const auto *choose = child<QAbstractButton>(*messages(), "messageRemedy");
         QCOMPARE(choose->text(), QStringLiteral("Choose columns…"));
@@ -250,7 +251,7 @@ private slots:
               session().reference()->data.find(slider)->values.front() == 1.0);
     }
 
-    void severalFilesOfOneMotionAreReadAsOne()
+    void severalFilesOfOneMotionAreJoined()
     {
         const QTemporaryDir folder;
         const QStringList plots = plotsOfSample(folder);
@@ -264,7 +265,7 @@ private slots:
         openSample();
         const auto whole = errors();
         QCOMPARE(whole.size(), std::size_t(6));
-        drop({plots[2], plots[0], plots[1]}); // as a person picked them
+        drop({plots[2], plots[0], plots[1]}); // not in alphabetical order
         AWAIT(session().reference()->paths == plots && session().diagnosis());
         QVERIFY(errors() == whole);
         QCOMPARE(session().reference()->name, QStringLiteral("coupler.csv + 2 more"));
@@ -289,12 +290,12 @@ private slots:
         }
     }
 
-    void thePinnedMotionStaysUnderWhatFollows()
+    void showsThePinnedMotionBelowTheCurrentOne()
     {
         const QImage linkage = picture("mechanismView");
         press(Qt::Key_K, Qt::ControlModifier);
         QVERIFY(session().pinned() == std::vector<Parameters>{Parameters()});
-        QCOMPARE(picture("mechanismView"), linkage); // they are the same
+        QCOMPARE(picture("mechanismView"), linkage); // the pinned motion is the current one
         session().setParameter(Parameter::B, 80.0);
         const QImage both = picture("plot_R4_x");
         const QImage ghost = picture("mechanismView");
@@ -309,16 +310,16 @@ private slots:
         QVERIFY(session().pinned().empty() && picture("plot_R4_x") != both && picture("mechanismView") != ghost);
         press(Qt::Key_Z, Qt::ControlModifier);
         QCOMPARE(picture("plot_R4_x"), both);
-        emit m_window->findChild<PlotGrid *>()->pinRequested(); // from its menu
+        emit m_window->findChild<PlotGrid *>()->pinRequested(); // by the menu of the plots
         QCOMPARE(session().pinned().size(), std::size_t(2));
     }
 
-    void theStatusLineTellsWhatWasComputed()
+    void theStatusLineShowsWhatWasComputed()
     {
         const auto said = [this] { return m_window->statusBar()->currentMessage(); };
-        QVERIFY2(!said().contains("form"), qPrintable(said())); // closed form goes without saying
+        QVERIFY2(!said().contains("form"), qPrintable(said())); // closed form is the default and is not mentioned
         session().setSampling({0.0, 1.0, 1'000'000});
-        QVERIFY2(!said().contains(" ms"), qPrintable(said())); // none of them has been computed
+        QVERIFY2(!said().contains(" ms"), qPrintable(said())); // so many samples are not computed in advance
         session().setSampling({0.0, 1.0, 200});
         SolverSettings solver{Method::Newton, {}};
         session().setSolver(solver);
@@ -332,9 +333,9 @@ private slots:
         QVERIFY2(said().contains("cannot be assembled at "), qPrintable(said()));
     }
 
-    void showsTheImpossibleAndRecovers()
+    void showsAMechanismThatCannotBeAssembledAndRecovers()
     {
-        session().setParameter(Parameter::B, 4.0); // less than |c| - a = 5; there and back: the view may have grown
+        session().setParameter(Parameter::B, 4.0); // less than |c| - a = 5; changed twice, because the view may grow
         session().setParameter(Parameter::B, 65.0);
         const QImage possible = picture("mechanismView");
         session().setParameter(Parameter::B, 4.0);
@@ -343,7 +344,7 @@ private slots:
         QCOMPARE(picture("mechanismView"), possible);
     }
 
-    void makesItsPanelsWhenTheyAreShown()
+    void createsPanelsWhenTheyAreFirstShown()
     {
         QVERIFY(!m_window->findChild<NewtonPanel *>());
         auto *bar = part<QTabBar>("tabBar");
@@ -356,7 +357,7 @@ private slots:
         QCOMPARE(session().solver().method, Method::Newton);
 
         showTab(3);
-        part<QAbstractButton>("segment1")->click(); // the equations
+        part<QAbstractButton>("segment1")->click(); // the page of the equations
         settle(*m_window);
         const QImage before = picture("mechanismView");
         auto *table = part<QTableView>("equationTable");
@@ -381,7 +382,7 @@ private slots:
         QVERIFY(part("studyPanel")->isAncestorOf(m_window->focusWidget()));
     }
 
-    void foldsThePanelsWhenSmallUntilThePersonChooses()
+    void foldsThePanelsOfASmallWindowUntilTheUserChooses()
     {
         auto *tabs = m_window->findChild<FoldingTabs *>();
         m_window->resize(1024, 700);
@@ -396,13 +397,13 @@ private slots:
         settle();
         QVERIFY(tabs->isFolded());
         auto *bar = part<QTabBar>("tabBar");
-        for (int click = 0; click < 2; ++click) { // the current tab: the second click hides nothing
+        for (int click = 0; click < 2; ++click) { // the second click, on the current tab, does not fold the panels
             QTest::mouseClick(bar, Qt::LeftButton, {}, bar->tabRect(0).center());
             QVERIFY(!tabs->isFolded());
         }
     }
 
-    void aThemeChosenLiveLooksLikeOneChosenBefore()
+    void aThemeLooksTheSameWhetherChosenBeforeOrLater()
     {
         const auto look = [this](Theme first, Theme then) {
             m_window->setTheme(first);
@@ -412,7 +413,7 @@ private slots:
             m_window->setTheme(then);
             QList<QImage> pictures;
             onEveryPage(*m_window, [&](const QString &) {
-                m_window->statusBar()->clearMessage(); // it tells a time, which is never the same
+                m_window->statusBar()->clearMessage(); // it shows a duration, which varies
                 pictures << m_window->grab().toImage();
             });
             return pictures;
@@ -431,16 +432,16 @@ private slots:
         }
     }
 
-    void inPresentationModeMechanismAndPlotsFillTheScreen()
+    void mechanismAndPlotsFillTheScreenInPresentationMode()
     {
         m_window->resize(1250, 850);
         openSample();
         auto *columns = part<QSplitter>("columns");
         auto *mechanism = m_window->findChild<MechanismView *>();
-        const auto letters = [this](const char *name) { return QFontInfo(part(name)->font()).pixelSize(); };
+        const auto fontSize = [this](const char *name) { return QFontInfo(part(name)->font()).pixelSize(); };
         const auto header = [this] { return part<QTableView>("errorTable")->horizontalHeader()->font().toString(); };
         const QList<int> sizes = columns->sizes();
-        const int usual = letters("mechanismView");
+        const int usual = fontSize("mechanismView");
         const QString usualHeader = header();
         const QImage errors = picture("errorPanel");
 
@@ -453,14 +454,14 @@ private slots:
         QVERIFY(!tabs->isFolded() && part("errorTable")->isVisible());
         press(Qt::Key_F9);
         const int large = std::max(usual, m_window->screen()->size().height() / 45);
-        QCOMPARE(letters("mechanismView"), large);
+        QCOMPARE(fontSize("mechanismView"), large);
         QCOMPARE(QFontInfo(m_window->findChild<PlotGrid *>()->font()).pixelSize(), large);
         QVERIFY(part("parameterBox")->isVisible() && !part("box_a")->isVisible() && !part("box_c")->isVisible());
         part<QComboBox>("parameterBox")->setCurrentIndex(2);
         part("box_c")->setFocus();
         press(Qt::Key_Up);
         QCOMPARE(session().parameters().c, 26.0);
-        press(Qt::Key_Z, Qt::ControlModifier); // the keys of the hidden menus
+        press(Qt::Key_Z, Qt::ControlModifier); // the shortcuts work although the menus are hidden
         QCOMPARE(session().parameters().c, 25.0);
         m_window->exports().copy(m_window->exports().figure());
         QVERIFY(!messages()->isVisible());
@@ -472,14 +473,14 @@ private slots:
         QVERIFY(m_window->menuBar()->height() > 1 && m_window->statusBar()->isVisible());
         AWAIT_COMPARE(columns->sizes().first(), sizes.first());
         QCOMPARE(QFontInfo(m_window->findChild<PlotGrid *>()->font()).pixelSize(), usual);
-        QCOMPARE(header(), usualHeader); // it kept the large letters
+        QCOMPARE(header(), usualHeader); // a former defect: it stayed large
         session().unpinMotions();
         settle(*m_window);
         QCOMPARE(picture("errorPanel"), errors);
 
         m_window->resize(1240, 850);
         settle(*m_window);
-        QVERIFY(!tabs->isFolded()); // F9 in presentation mode is no choice for the usual window
+        QVERIFY(!tabs->isFolded()); // F9 in presentation mode does not affect the usual window
         m_window->setWindowState(Qt::WindowMaximized);
         press(Qt::Key_F11);
         QCOMPARE(m_window->windowState(), Qt::WindowMaximized | Qt::WindowFullScreen);
@@ -488,12 +489,12 @@ private slots:
         m_window->setWindowState(Qt::WindowNoState);
         session().undoStack().setClean();
         press(Qt::Key_F11);
-        m_window->close(); // it is not remembered
+        m_window->close(); // presentation mode is not saved
         openWindow();
         QVERIFY(!m_window->isFullScreen());
     }
 
-    void theMechanismFillsTheWindowByADoubleClick()
+    void theEnlargedMechanismFillsTheWindow()
     {
         auto *mechanism = m_window->findChild<MechanismView *>();
         const int width = mechanism->width();
@@ -505,9 +506,9 @@ private slots:
         QVERIFY(part("plot_R4_x")->isVisible());
     }
 
-    void remembersItsArrangement()
+    void restoresItsLayout()
     {
-        const QSize size(780, 740); // it fits the screen
+        const QSize size(780, 740); // smaller than the screen
         const auto box = [this](const char *name) { return part<QComboBox>(QLatin1String(name)); };
         m_window->resize(size);
         part<QSplitter>("columns")->setSizes({360, 420});
@@ -516,7 +517,7 @@ private slots:
         box("unit_theta20")->setCurrentIndex(1);
         box("unit_omega2")->setCurrentIndex(2);
         showTab(4);
-        press(Qt::Key_F9); // it was folded, for the window is low
+        press(Qt::Key_F9); // the tabs were folded, because the window is low
         QVERIFY(!m_window->findChild<FoldingTabs *>()->isFolded());
         part<Timeline>("timeline")->setSpeed(0.005);
         const QList<int> sizes = part<QSplitter>("columns")->sizes();
@@ -532,7 +533,7 @@ private slots:
         QCOMPARE(part<Timeline>("timeline")->speed(), 0.005);
         QVERIFY(!m_window->isWindowModified());
         m_window->close();
-        QSettings().setValue("view/speed", "fast"); // edited by hand
+        QSettings().setValue("view/speed", "fast"); // invalid values, as if edited by hand
         QSettings().setValue("view/tab", 99);
         QSettings().setValue("view/unit_theta20", -7);
         openWindow();
@@ -542,9 +543,9 @@ private slots:
     void exclusiveChoicesAreRadioActions()
     {
         int groups = 0;
-        for (const QAction *one : m_window->findChildren<QAction *>()) {
-            if (one->actionGroup() && one->actionGroup()->actions().first() == one) {
-                QVERIFY2(one->actionGroup()->isExclusive(), qPrintable(one->text()));
+        for (const QAction *action : m_window->findChildren<QAction *>()) {
+            if (action->actionGroup() && action->actionGroup()->actions().first() == action) {
+                QVERIFY2(action->actionGroup()->isExclusive(), qPrintable(action->text()));
                 ++groups;
             }
         }
@@ -564,14 +565,14 @@ private slots:
         QLocale::setDefault(QLocale::c());
     }
 
-    void theHelpHasEveryKeyAndSetsItsFormulas()
+    void theHelpDescribesEveryKeyAndFormatsFormulas()
     {
         for (const char *name : {":/help/english.html", ":/help/spanish.html"}) {
             const QString page = QString::fromUtf8(contentOf(name));
             QVERIFY(page.contains("C<sub>q</sub>") && !page.contains(QChar(0x307)) && !page.contains(u'_'));
             int keys = 0;
-            for (const QAction *one : m_window->findChildren<QAction *>()) {
-                for (const QKeySequence &key : one->shortcuts()) {
+            for (const QAction *action : m_window->findChildren<QAction *>()) {
+                for (const QKeySequence &key : action->shortcuts()) {
                     QVERIFY2(page.contains(key.toString(QKeySequence::PortableText)), qPrintable(key.toString()));
                     ++keys;
                 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Somebody who does anything: random, seeded events of mouse, keys, drops, menus, dialogs, sizes, screens, themes and
-// languages; who opens files, right and wrong ones, and cancels what is under way. Nothing may crash, hang or end in a
-// state that is none; best run under the sanitizers. SLIDERCRANK_MONKEY_EVENTS and SLIDERCRANK_MONKEY_SEED choose how
-// many and which.
+// Sends seeded random events to the window: mouse, keys, drops, menus, dialogs, sizes, screens, themes and languages.
+// It also opens correct and wrong files, and cancels tasks. The window must not crash, hang or reach an invalid state.
+// The test is most useful with the sanitizers. SLIDERCRANK_MONKEY_EVENTS sets the number of events, and
+// SLIDERCRANK_MONKEY_SEED the seed.
 
 #include "ui/document/session.h"
 #include "ui/window/main_window.h"
@@ -76,8 +76,8 @@ public:
         m_window = std::make_unique<MainWindow>();
         m_window->resize(1024, 700);
         m_window->show();
-        // What waits for an answer gets one, also from within a dialog's own loop: an answer that opens another dialog
-        // must not keep the timer from the next.
+        // The timer answers open dialogs, also while one runs its own event loop. The answer is queued, because an
+        // answer that opens another dialog would otherwise block the timer.
         QObject::connect(&m_answers, &QTimer::timeout, &m_answers, [this] {
             QMetaObject::invokeMethod(
                 &m_answers, [this] { answer(); }, Qt::QueuedConnection);
@@ -86,36 +86,36 @@ public:
     }
 
     MainWindow &window() { return *m_window; }
-    const QString &lastDeed() const { return m_lastDeed; }
+    const QString &lastAction() const { return m_lastAction; }
 
     void act()
     {
-        struct Deed {
+        struct Action {
             const char *name;
             int weight;
             void (Monkey::*act)();
         };
-        static constexpr Deed kDeeds[] = {{"a slider", 20, &Monkey::moveSlider},
-                                          {"text", 12, &Monkey::type},
-                                          {"a drag", 20, &Monkey::drag},
-                                          {"a click", 14, &Monkey::click},
-                                          {"the wheel", 8, &Monkey::turnWheel},
-                                          {"a key", 16, &Monkey::press},
-                                          {"a tab", 4, &Monkey::switchTab},
-                                          {"a menu", 8, &Monkey::trigger},
-                                          {"a context menu", 2, &Monkey::askContextMenu},
-                                          {"a drop", 2, &Monkey::drop},
-                                          {"a file", 3, &Monkey::open},
-                                          {"cancel", 3, &Monkey::cancel},
-                                          {"the size", 4, &Monkey::resize},
-                                          {"a moment", 3, &Monkey::wait}};
+        static constexpr Action kActions[] = {{"a slider", 20, &Monkey::moveSlider},
+                                              {"text", 12, &Monkey::type},
+                                              {"a drag", 20, &Monkey::drag},
+                                              {"a click", 14, &Monkey::click},
+                                              {"the wheel", 8, &Monkey::turnWheel},
+                                              {"a key", 16, &Monkey::press},
+                                              {"a tab", 4, &Monkey::switchTab},
+                                              {"a menu", 8, &Monkey::trigger},
+                                              {"a context menu", 2, &Monkey::askContextMenu},
+                                              {"a drop", 2, &Monkey::drop},
+                                              {"a file", 3, &Monkey::open},
+                                              {"cancel", 3, &Monkey::cancel},
+                                              {"the size", 4, &Monkey::resize},
+                                              {"a moment", 3, &Monkey::wait}};
         int choice = below(119);
-        const Deed *deed = std::begin(kDeeds);
-        for (; choice >= deed->weight; ++deed) {
-            choice -= deed->weight;
+        const Action *action = std::begin(kActions);
+        for (; choice >= action->weight; ++action) {
+            choice -= action->weight;
         }
-        m_lastDeed = QLatin1String(deed->name);
-        (this->*deed->act)();
+        m_lastAction = QLatin1String(action->name);
+        (this->*action->act)();
         QCoreApplication::processEvents();
     }
 
@@ -155,15 +155,16 @@ private:
         }
         write(QStringLiteral("large.csv"), large);
         write(QStringLiteral("half written.csv"), large);
-        QFile::resize(path(QStringLiteral("half written.csv")), qint64{1} << 32); // takes no room on most disks
-        // Of its own, because what is exported is proposed beside the reference.
+        QFile::resize(path(QStringLiteral("half written.csv")),
+                      qint64{1} << 32); // a sparse file, which takes no space on most disks
+        // A copy of the sample, because exported files are proposed in the folder of the reference.
         QFile::copy(QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv"),
                     path(QStringLiteral("sample.csv")));
         m_files << path(QStringLiteral("sample.csv")) << path(QStringLiteral("not there.csv"))
                 << path(QStringLiteral("saved.json")) << m_folder;
     }
 
-    /// On show and enabled, in the window or what is open over it.
+    /// Returns a random visible and enabled widget of the window or of the modal dialog, or null if there is none.
     template <class Kind>
     Kind *oneShown()
     {
@@ -280,7 +281,7 @@ private:
         }
         if (!all.isEmpty()) {
             QAction *action = all[below(static_cast<int>(all.size()))];
-            m_lastDeed += QStringLiteral(" \"%1\"").arg(action->text());
+            m_lastAction += QStringLiteral(" \"%1\"").arg(action->text());
             action->trigger();
         }
     }
@@ -308,7 +309,7 @@ private:
     QString oneFile()
     {
         const QString file = m_files[below(static_cast<int>(m_files.size()))];
-        m_lastDeed += QLatin1Char(' ') + file;
+        m_lastAction += QLatin1Char(' ') + file;
         return file;
     }
 
@@ -342,7 +343,7 @@ private:
         }
     }
 
-    /// And the place: on another of the screens, or half over its edge.
+    /// Resizes the window, and sometimes moves it to another screen or partly beyond an edge.
     void resize()
     {
         m_window->resize(500 + below(1200), 400 + below(800));
@@ -351,7 +352,7 @@ private:
         }
     }
 
-    /// What would be done in a moment is done now.
+    /// Lets the time of a random active timer elapse.
     void wait()
     {
         QList<QTimer *> all = m_window->findChildren<QTimer *>();
@@ -398,7 +399,7 @@ private:
     QString m_folder;
     QStringList m_files;
     QTimer m_answers;
-    QString m_lastDeed;
+    QString m_lastAction;
     std::unique_ptr<MainWindow> m_window;
 };
 
@@ -419,7 +420,7 @@ private slots:
     void initTestCase()
     {
         QVERIFY(m_folder.isValid());
-        qputenv("HOME", m_folder.path().toLocal8Bit()); // whatever is saved under a proposed name
+        qputenv("HOME", m_folder.path().toLocal8Bit()); // files that are saved under their proposed names
         QVERIFY(QDir::setCurrent(m_folder.path()));
         QStandardPaths::setTestModeEnabled(true);
         QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope,
@@ -429,7 +430,7 @@ private slots:
         QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
     }
 
-    void doesAnythingAndNothingBreaks()
+    void survivesRandomEvents()
     {
         const int events = numberFrom("SLIDERCRANK_MONKEY_EVENTS", runs(kEvents, kManyEvents));
         const int seed = numberFrom("SLIDERCRANK_MONKEY_SEED", kSeed);
@@ -437,13 +438,13 @@ private slots:
         Monkey monkey(static_cast<unsigned>(seed), m_folder.path());
         for (int i = 0; i < events; ++i) {
             monkey.act();
-            const QString where = QStringLiteral("event %1 of seed %2: %3").arg(i).arg(seed).arg(monkey.lastDeed());
+            const QString where = QStringLiteral("event %1 of seed %2: %3").arg(i).arg(seed).arg(monkey.lastAction());
             const Session &session = monkey.window().session();
             QVERIFY2(!findFault(session.parameters()), qPrintable(where));
             QVERIFY2(session.result(), qPrintable(where));
             QVERIFY2(std::isfinite(session.time()), qPrintable(where));
             if (!monkey.window().isVisible()) {
-                monkey.window().show(); // it was closed
+                monkey.window().show(); // an event has closed it
             }
         }
     }
@@ -452,8 +453,8 @@ private:
     QTemporaryDir m_folder;
 };
 
-/// Two screens side by side, one of them finer, where there is none of one's own.
-void takeTwoScreens(const QString &file)
+/// Configures two screens of different resolution side by side if the platform is offscreen.
+void configureTwoScreens(const QString &file)
 {
     QFile screens(file);
     if (qgetenv("QT_QPA_PLATFORM") == "offscreen" && screens.open(QIODevice::WriteOnly)) {
@@ -469,7 +470,7 @@ void takeTwoScreens(const QString &file)
 static int run(int argc, char *argv[])
 {
     const QTemporaryDir folder;
-    takeTwoScreens(folder.filePath(QStringLiteral("screens.json")));
+    configureTwoScreens(folder.filePath(QStringLiteral("screens.json")));
     const QApplication application(argc, argv);
     TestMonkey test;
     return QTest::qExec(&test, argc, argv);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Texts in both languages, larger than usual and on small screens: nothing is cut off or out of reach. Numbers on the
-// screen as the user writes them, here with a decimal comma; in files with a point, always.
+// No text is cut off in either language, with large fonts or on small screens, and every control remains accessible.
+// Numbers on the screen follow the locale, here with a decimal comma; numbers in files always have a decimal point.
 
 #include "tests/support/suite.h"
 #include "tests/ui/window/window_fixture.h"
@@ -43,7 +43,7 @@ int widthOf(const QWidget &widget, const QString &text)
     return widget.fontMetrics().horizontalAdvance(text);
 }
 
-/// Texts of a table that do not fit into their cells.
+/// Returns the texts of a table that do not fit into their cells.
 QStringList cutOffIn(const QTableView &table)
 {
     QStringList cut;
@@ -71,7 +71,7 @@ QStringList cutOffIn(const QTableView &table)
     return cut;
 }
 
-/// The text of a widget if it does not fit.
+/// Returns the text of a widget if it does not fit, or an empty text.
 QString cutOff(const QWidget *widget)
 {
     if (const auto *label = qobject_cast<const QLabel *>(widget)) {
@@ -104,7 +104,7 @@ QString cutOff(const QWidget *widget)
     return {};
 }
 
-/// All that can be read, also in the tables and their tool tips.
+/// Returns all visible texts, including those of tables and their tool tips.
 QStringList textsOf(const QWidget &window)
 {
     QStringList texts;
@@ -137,7 +137,7 @@ class TestReadability : public WindowFixture
     Q_OBJECT
 
 private slots:
-    void init() { forget(); }
+    void init() { resetSettings(); }
 
     void cleanup()
     {
@@ -185,16 +185,16 @@ private slots:
         QCOMPARE(m_window->size(), QSize(1400, 900));
     }
 
-    void everythingIsWithinReachOnASmallScreen()
+    void everythingFitsOnASmallScreen()
     {
         for (const Language language : {Language::English, Language::Spanish}) {
             setLanguage(language);
-            QSettings().clear(); // it greets
-            Scene left;          // by a crash
-            left.parameters.b = 70.0;
+            QSettings().clear(); // the window then shows its greeting
+            Scene recovered;
+            recovered.parameters.b = 70.0;
             const QDir folder = QFileInfo(QSettings().fileName()).dir();
             QVERIFY(folder.mkpath("."));
-            QCOMPARE(writeScene(left, folder.filePath("recovery_left.json")), std::nullopt);
+            QCOMPARE(writeScene(recovered, folder.filePath("recovery_left.json")), std::nullopt);
             openWindow();
             m_window->resize(kSmall);
             const auto fits = [this](const QString &page) {
@@ -208,7 +208,8 @@ private slots:
             fits("folded");
             m_window->findChild<FoldingTabs *>()->choose(false);
             onEveryPage(*m_window, fits);
-            const QString file = fileWith(m_settings, QString(240, u'x') + ".csv", contentOf(kSample)); // a long word
+            const QString file =
+                writeFile(m_settings, QString(240, u'x') + ".csv", contentOf(kSample)); // a name without spaces
             m_window->openReference(file);
             AWAIT(session().diagnosis());
             onEveryPage(*m_window, fits);
@@ -216,7 +217,7 @@ private slots:
         }
     }
 
-    void theFirstWindowIsWithinItsScreen()
+    void theFirstWindowFitsItsScreen()
     {
         MainWindow window;
         const QRect available = window.screen()->availableGeometry();
@@ -231,7 +232,7 @@ private slots:
         QVERIFY(!small.isMaximized());
     }
 
-    void aCountIsReadAsItIsShown()
+    void countsAreReadInTheFormatInWhichTheyAreShown()
     {
         QLocale::setDefault(QLocale(QLocale::Spanish, QLocale::Spain));
         openWindow();
@@ -247,7 +248,7 @@ private slots:
         QCOMPARE(box->accessibleDescription(), QStringLiteral("This must be a whole number from 1 to 1.000.000."));
     }
 
-    void everyNumberOnTheScreenHasAComma()
+    void numbersOnTheScreenHaveADecimalComma()
     {
         QLocale::setDefault(QLocale(QLocale::Spanish, QLocale::Spain));
         openWindow();
@@ -266,10 +267,10 @@ private slots:
                 commas += text.contains(comma) ? 1 : 0;
             }
         });
-        QVERIFY2(commas > 300, qPrintable(QString::number(commas))); // there is something to look at
+        QVERIFY2(commas > 300, qPrintable(QString::number(commas))); // the test has found numbers
     }
 
-    void everyNumberInAFileHasAPoint()
+    void numbersInFilesHaveADecimalPoint()
     {
         QLocale::setDefault(QLocale(QLocale::Spanish, QLocale::Spain));
         const QTemporaryDir folder;
@@ -281,7 +282,7 @@ private slots:
         m_window->exports().writeData(data, allChannels());
         AWAIT_COMPARE(contentOf(data).count('\n'), 202);
         const QList<QByteArray> lines = contentOf(data).split('\n');
-        QCOMPARE(lines[2].count(','), lines[0].count(',')); // between the columns only
+        QCOMPARE(lines[2].count(','), lines[0].count(',')); // commas separate columns only
         QVERIFY(lines[2].contains("0.005"));
         showTab(3);
         part<QAbstractButton>("segment4")->click();

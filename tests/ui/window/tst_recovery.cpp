@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What a crash leaves: windows in other processes are killed, and the next one is asked what it offers.
+// Recovery after a crash: the tests kill windows in other processes, and check what the next window offers.
 
 #include "tests/support/suite.h"
 #include "tests/ui/window/window_fixture.h"
@@ -19,7 +19,7 @@ using namespace slidercrank;
 namespace
 {
 
-/// As the program has them.
+/// Uses the settings in that folder, under the name of the program.
 void useSettingsIn(const QString &path)
 {
     QCoreApplication::setOrganizationName(QStringLiteral("slidercrank"));
@@ -28,7 +28,7 @@ void useSettingsIn(const QString &path)
     QSettings().setValue(QStringLiteral("greeted"), true);
 }
 
-/// In another process: opens the scene, if any, sets b = 70 mm, and waits to be killed.
+/// Runs in another process: opens the scene, if any, sets b = 70 mm, and waits to be killed.
 int editAndWait(const QString &settings, const QString &scene)
 {
     useSettingsIn(settings);
@@ -66,25 +66,25 @@ private slots:
         m_other.waitForFinished();
     }
 
-    void keepsWhatIsUnsavedUntilItIsSavedOrDiscarded()
+    void writesACopyUntilChangesAreSavedOrDiscarded()
     {
         openWindow();
         session().setParameter(Parameter::B, 70.0);
-        rest();
+        writeCopy();
         QCOMPARE(copies().size(), 1);
         QCOMPARE(std::get<Scene>(readScene(copies().first())).parameters, session().parameters());
-        session().setTime(0.5); // looking is no edit
+        session().setTime(0.5); // changing the time is not an edit
         QVERIFY(!recovery().findChild<QTimer *>()->isActive());
         QVERIFY(m_window->scene().saveTo(m_folder->filePath("rig.json")));
         QVERIFY(files().isEmpty());
         session().setParameter(Parameter::B, 71.0);
-        rest();
+        writeCopy();
         QCOMPARE(copies().size(), 1);
         session().undoStack().undo();
         QVERIFY(files().isEmpty());
 
         session().setParameter(Parameter::B, 72.0);
-        rest();
+        writeCopy();
         QCOMPARE(copies().size(), 1);
         m_window->close();
         answer(QMessageBox::Discard);
@@ -94,16 +94,16 @@ private slots:
         QVERIFY(offer().isEmpty());
     }
 
-    void offersWhatACrashLeft()
+    void offersTheCopyAfterACrash()
     {
-        QByteArray height = "time,R4_y\n"; // of the same motion
+        QByteArray height = "time,R4_y\n"; // a second file of the same motion
         for (int i = 0; i <= 200; ++i) {
             height += QByteArray::number(0.005 * i, 'f', 6) + ",25\n";
         }
         const QString rig = m_folder->filePath("rig.json");
         Scene scene;
         scene.parameters.a = 12.0;
-        scene.reference = ReferenceSource{{kSample, fileWith(*m_folder, "height.csv", height)}, {}, {}};
+        scene.reference = ReferenceSource{{kSample, writeFile(*m_folder, "height.csv", height)}, {}, {}};
         scene.pinned = {Parameters()};
         QCOMPARE(writeScene(scene, rig), std::nullopt);
         editElsewhere(rig);
@@ -118,8 +118,8 @@ private slots:
         QCOMPARE(session().parameters().b, 70.0);
         QVERIFY(session().pinned() == scene.pinned);
         QVERIFY(m_window->isWindowModified() && offer().isEmpty());
-        QCOMPARE(m_window->scene().path(), QString()); // a name is asked for: the file may be newer
-        QCOMPARE(copies().size(), 1);                  // it is still not saved
+        QCOMPARE(m_window->scene().path(), QString()); // saving asks for a name, because the file may be newer
+        QCOMPARE(copies().size(), 1);                  // the restored changes are still unsaved
         QVERIFY(m_window->scene().saveTo(rig));
         QCOMPARE(std::get<Scene>(readScene(rig)).parameters.b, 70.0);
         QVERIFY(files().isEmpty());
@@ -132,7 +132,7 @@ private slots:
         for (int start = 0; start < 2; ++start) {
             openWindow();
             QVERIFY(!offer().isEmpty());
-            m_window->openReference(kSample); // other messages come and go
+            m_window->openReference(kSample); // shows and removes other messages
             AWAIT(session().diagnosis());
             QVERIFY(!offer().isEmpty());
         }
@@ -143,18 +143,18 @@ private slots:
         QVERIFY(offer().isEmpty());
     }
 
-    void restoringAsksAboutWhatWasEditedSince()
+    void restoringAsksBeforeItDiscardsEdits()
     {
         editElsewhere();
         crash();
         openWindow();
         session().setParameter(Parameter::A, 11.0);
-        rest();
+        writeCopy();
         press("messageRemedy");
         QCOMPARE(session().parameters().a, 11.0);
         answer(QMessageBox::Cancel);
         QCOMPARE(session().parameters().a, 11.0);
-        QVERIFY(!offer().isEmpty()); // as before
+        QVERIFY(!offer().isEmpty()); // the offer is unchanged
         press("messageRemedy");
         answer(QMessageBox::Discard);
         QCOMPARE(session().parameters().a, Parameters().a);
@@ -163,19 +163,19 @@ private slots:
         QCOMPARE(copies().size(), 1);
     }
 
-    void twoWindowsTakeNothingFromEachOther()
+    void aWindowDoesNotOfferTheCopyOfAnotherOpenWindow()
     {
         editElsewhere();
         openWindow();
         QVERIFY(offer().isEmpty());
         session().setParameter(Parameter::B, 80.0);
-        rest();
+        writeCopy();
         QCOMPARE(copies().size(), 2);
         m_window.reset();
         QCOMPARE(copies().size(), 1);
         crash();
         QVERIFY(QFile::copy(copies().first(), QFileInfo(QSettings().fileName()).dir().filePath("recovery_x.json")));
-        openWindow(); // one at a time
+        openWindow(); // offers one copy at a time
         press("messageDismiss");
         QCOMPARE(copies().size(), 1);
         openWindow();
@@ -183,7 +183,7 @@ private slots:
         QCOMPARE(session().parameters().b, 70.0);
     }
 
-    void theProgramHoldsWhatItOffersUntilItIsKilled()
+    void anOfferedCopyIsLockedUntilTheProgramEnds()
     {
         editElsewhere();
         crash();
@@ -205,8 +205,8 @@ private slots:
 private:
     Recovery &recovery() const { return *m_window->findChild<Recovery *>(); }
 
-    /// What would be written in a moment.
-    void rest() const { letTimePass(recovery()); }
+    /// Lets the delay elapse after which the copy is written.
+    void writeCopy() const { letTimePass(recovery()); }
 
     QString offer() const
     {

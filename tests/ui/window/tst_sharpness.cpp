@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// At every device pixel ratio (QT_SCALE_FACTOR; ctest runs it at 1, 1.5 and 2) what is painted is painted with all the
-// pixels there are, not made larger from fewer: neighbouring pixels may differ as much as anywhere, wherever they are.
-// Also on another screen, with twice the ratio, to which the window is moved.
+// The views are painted at the full resolution for every device pixel ratio (QT_SCALE_FACTOR; ctest uses 1, 1.5 and 2),
+// also after the window was moved to a screen with another ratio. In a picture that was scaled up, some neighbouring
+// columns of pixels hardly differ.
 
 #include "tests/support/suite.h"
 #include "tests/ui/window/window_fixture.h"
@@ -20,28 +20,28 @@ using namespace slidercrank;
 namespace
 {
 
-/// The sharpest step in grey from a pixel to its right neighbour, by where in the pattern of a scaled picture the pair
-/// is: of two columns at a ratio of 2, of three at 1.5. A picture scaled up has pairs that hardly differ.
+/// Returns the largest differences in grey between a pixel and its right neighbour, by the column modulo 6. The pattern
+/// of a picture that was scaled up repeats every two columns at a ratio of 2, and every three at 1.5.
 std::array<int, 6> sharpestSteps(const QImage &picture)
 {
     std::array<int, 6> sharpest{};
     for (int y = 0; y < picture.height(); ++y) {
         for (int x = 0; x + 1 < picture.width(); ++x) {
             const int step = std::abs(qGray(picture.pixel(x + 1, y)) - qGray(picture.pixel(x, y)));
-            int &most = sharpest[static_cast<std::size_t>(x % 6)];
-            most = std::max(most, step);
+            int &largest = sharpest[static_cast<std::size_t>(x % 6)];
+            largest = std::max(largest, step);
         }
     }
     return sharpest;
 }
 
-/// Where Qt's offscreen platform shows windows: two screens, the right one with twice the pixels.
+/// The configuration of Qt's offscreen platform: two screens, the right one with a device pixel ratio of 2.
 constexpr const char *kScreens = R"({"synchronousWindowSystemEvents": true, "windowFrameMargins": false, "screens": [
     {"name": "left", "x": 0, "y": 0, "width": 2000, "height": 1200, "logicalDpi": 96, "logicalBaseDpi": 96, "dpr": 1},
     {"name": "right", "x": 2000, "y": 0, "width": 2000, "height": 1200, "logicalDpi": 96, "logicalBaseDpi": 96, "dpr": 2}
 ]})";
 
-/// At the edges there are numbers only: what moves, and is painted over the rest, is not judged.
+/// The edges of the views that are checked. They contain only numbers and titles, and no moving parts.
 const std::pair<QString, Qt::Edge> kEdges[] = {{"mechanismView", Qt::BottomEdge},
                                                {"plot_theta3", Qt::LeftEdge},
                                                {"plot_theta3_diff2", Qt::BottomEdge},
@@ -55,7 +55,7 @@ class TestSharpness : public WindowFixture
     Q_OBJECT
 
 private:
-    /// As a person moves it.
+    /// Moves the window to the screen.
     static void moveTo(const QScreen *screen, QWidget &window)
     {
         window.windowHandle()->setScreen(const_cast<QScreen *>(screen));
@@ -71,18 +71,18 @@ private:
 
     static QRect edgeOf(const QWidget &widget, Qt::Edge edge)
     {
-        constexpr int kEdge = 26; // px, numbers and a title
+        constexpr int kEdge = 26; // px, the height of numbers and a title
         return edge == Qt::BottomEdge ? QRect(0, widget.height() - kEdge, widget.width(), kEdge)
                                       : QRect(0, 0, 3 * kEdge, widget.height());
     }
 
-    void judge(const QString &name, const QImage &picture)
+    void checkSharpness(const QString &name, const QImage &picture)
     {
         const std::array<int, 6> sharpest = sharpestSteps(picture);
-        const int most = *std::max_element(sharpest.begin(), sharpest.end());
-        QVERIFY(most > 60); // there is something
+        const int largest = *std::max_element(sharpest.begin(), sharpest.end());
+        QVERIFY(largest > 60); // the picture is not empty
         for (const int step : sharpest) {
-            QVERIFY2(step > 0.6 * most, qPrintable(QStringLiteral("%1: %2 of %3").arg(name).arg(step).arg(most)));
+            QVERIFY2(step > 0.6 * largest, qPrintable(QStringLiteral("%1: %2 of %3").arg(name).arg(step).arg(largest)));
         }
     }
 
@@ -90,7 +90,7 @@ private slots:
     void initTestCase()
     {
         openWindow();
-        m_window->resize(1900, 1100); // many numbers on each edge
+        m_window->resize(1900, 1100); // large enough for many numbers on each edge
         openSample();
         showTab(3);
         part<QAbstractButton>("segment3")->click();
@@ -99,24 +99,24 @@ private slots:
 
     void cleanupTestCase() { m_window.reset(); }
 
-    void theRatioIsTheOneAskedFor()
+    void hasTheRequestedRatio()
     {
-        bool told = false;
-        const double asked = qEnvironmentVariable("QT_SCALE_FACTOR").toDouble(&told);
-        QCOMPARE(m_window->devicePixelRatio(), told ? asked : 1.0);
+        bool isRequested = false;
+        const double requested = qEnvironmentVariable("QT_SCALE_FACTOR").toDouble(&isRequested);
+        QCOMPARE(m_window->devicePixelRatio(), isRequested ? requested : 1.0);
     }
 
-    void paintsWithAllThePixelsThereAre()
+    void paintsAtFullResolution()
     {
         for (const auto &[name, edge] : kEdges) {
             const QRect area = edgeOf(*part(name), edge);
             const QImage picture = part(name)->grab(area).toImage();
             QCOMPARE(picture.size(), area.size() * m_window->devicePixelRatio());
-            judge(name, picture);
+            checkSharpness(name, picture);
         }
     }
 
-    void followsTheWindowToAnotherScreen()
+    void paintsAtFullResolutionOnAnotherScreen()
     {
         const QList<QScreen *> screens = QGuiApplication::screens();
         QCOMPARE(screens.size(), 2);
@@ -124,7 +124,7 @@ private slots:
         plain.show();
         moveTo(screens[1], plain);
         if (plain.devicePixelRatio() != screens[1]->devicePixelRatio()) {
-            QSKIP("This Qt's offscreen platform tells no window of another screen's ratio.");
+            QSKIP("This Qt's offscreen platform does not tell windows the ratio of another screen.");
         }
         for (const auto &[name, edge] : kEdges) {
             const QRect area = edgeOf(*part(name), edge);
@@ -133,22 +133,22 @@ private slots:
             moveTo(screens[1]);
             const QImage there = part(name)->grab(area).toImage();
             QCOMPARE(there.size(), area.size() * screens[1]->devicePixelRatio());
-            judge(name, there);
+            checkSharpness(name, there);
             moveTo(screens[0]);
             QCOMPARE(part(name)->grab(area).toImage(), before);
         }
     }
 
-    void aPictureMadeLargerIsFoundOut()
+    void detectsAPictureThatWasScaledUp()
     {
         const double ratio = m_window->devicePixelRatio();
         if (ratio == 1.0) {
-            QSKIP("At a ratio of 1 nothing is made larger.");
+            QSKIP("At a ratio of 1, nothing is scaled up.");
         }
         const QImage full = m_window->findChild<QWidget *>(QStringLiteral("mechanismView"))->grab().toImage();
-        const QImage few = full.scaled(full.size() / ratio, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+        const QImage reduced = full.scaled(full.size() / ratio, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
         for (const Qt::TransformationMode mode : {Qt::FastTransformation, Qt::SmoothTransformation}) {
-            const std::array<int, 6> blurred = sharpestSteps(few.scaled(full.size(), Qt::IgnoreAspectRatio, mode));
+            const std::array<int, 6> blurred = sharpestSteps(reduced.scaled(full.size(), Qt::IgnoreAspectRatio, mode));
             const std::array<int, 6> sharp = sharpestSteps(full);
             QVERIFY(*std::min_element(blurred.begin(), blurred.end()) <
                     0.6 * *std::max_element(sharp.begin(), sharp.end()));
@@ -164,7 +164,7 @@ static int run(int argc, char *argv[])
         return EXIT_FAILURE;
     }
     screens.close();
-    QDir::setCurrent(folder.path()); // a colon of a full name would end it
+    QDir::setCurrent(folder.path()); // the full path may contain a colon, which would end the option
     qputenv("QT_QPA_PLATFORM", "offscreen:configfile=screens.json");
     QApplication application(argc, argv);
     TestSharpness test;

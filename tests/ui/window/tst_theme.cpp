@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The colours as different eyes see them, judged by formulas from elsewhere: G. M. Machado, M. M. Oliveira and L. A. F.
-// Fernandes, "A Physiologically-based Model for Simulation of Color Vision Deficiency", IEEE TVCG 15 (2009), the
+// The contrast of the colours, also with colour vision deficiencies. Sources: G. M. Machado, M. M. Oliveira and L. A.
+// F. Fernandes, "A Physiologically-based Model for Simulation of Color Vision Deficiency", IEEE TVCG 15 (2009), the
 // matrices of severity 1; CIE 1976 L*a*b* differences; the contrast of the W3C's WCAG 2.1.
 
 #include "tests/support/suite.h"
@@ -19,15 +19,15 @@ namespace
 {
 
 using Triple = std::array<double, 3>;
-using Sight = std::array<Triple, 3>;
+using Matrix = std::array<Triple, 3>;
 
-constexpr Sight kUsual{{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
-constexpr Sight kProtanopia{
+constexpr Matrix kNormal{{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
+constexpr Matrix kProtanopia{
     {{0.152286, 1.052583, -0.204868}, {0.114503, 0.786281, 0.099216}, {-0.003882, -0.048116, 1.051998}}};
-constexpr Sight kDeuteranopia{
+constexpr Matrix kDeuteranopia{
     {{0.367322, 0.860646, -0.227968}, {0.280085, 0.672501, 0.047413}, {-0.011820, 0.042940, 0.968881}}};
 
-Triple times(const Sight &matrix, const Triple &vector)
+Triple times(const Matrix &matrix, const Triple &vector)
 {
     Triple product{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -38,19 +38,19 @@ Triple times(const Sight &matrix, const Triple &vector)
     return product;
 }
 
-/// sRGB without its gamma.
+/// Returns the linear components of an sRGB colour.
 Triple linear(const QColor &colour)
 {
     const auto channel = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
     return {channel(colour.redF()), channel(colour.greenF()), channel(colour.blueF())};
 }
 
-constexpr Sight kToXyz{
+constexpr Matrix kToXyz{
     {{0.4124564, 0.3575761, 0.1804375}, {0.2126729, 0.7151522, 0.0721750}, {0.0193339, 0.1191920, 0.9503041}}};
 
-Triple labAsSeen(const QColor &colour, const Sight &sight)
+Triple labAsSeen(const QColor &colour, const Matrix &vision)
 {
-    Triple seen = times(sight, linear(colour));
+    Triple seen = times(vision, linear(colour));
     for (double &channel : seen) {
         channel = std::clamp(channel, 0.0, 1.0);
     }
@@ -62,10 +62,10 @@ Triple labAsSeen(const QColor &colour, const Sight &sight)
     return {116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)};
 }
 
-double distance(const QColor &one, const QColor &other, const Sight &sight)
+double distance(const QColor &one, const QColor &other, const Matrix &vision)
 {
-    const Triple a = labAsSeen(one, sight);
-    const Triple b = labAsSeen(other, sight);
+    const Triple a = labAsSeen(one, vision);
+    const Triple b = labAsSeen(other, vision);
     return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
@@ -83,19 +83,19 @@ class TestTheme : public QObject
     Q_OBJECT
 
 private slots:
-    void everyEyeTellsTheCurvesApart()
+    void curvesDifferWithEveryColourVision()
     {
-        constexpr double kInTheSameAxes = 25.0; // ten times what is just noticed
+        constexpr double kInTheSameAxes = 25.0; // ten times the smallest difference that is noticed
         constexpr double kInOneFigure = 20.0;
         for (const Theme theme : {Theme::Light, Theme::Dark}) {
             const SeriesColours colours = seriesColours(paletteFor(theme));
             const std::array<QColor, 4> curves{colours.model, colours.reference, colours.error, colours.errorOther};
-            for (const Sight &sight : {kUsual, kProtanopia, kDeuteranopia}) {
-                QVERIFY(distance(colours.model, colours.reference, sight) > kInTheSameAxes);
-                QVERIFY(distance(colours.error, colours.errorOther, sight) > kInTheSameAxes);
+            for (const Matrix &vision : {kNormal, kProtanopia, kDeuteranopia}) {
+                QVERIFY(distance(colours.model, colours.reference, vision) > kInTheSameAxes);
+                QVERIFY(distance(colours.error, colours.errorOther, vision) > kInTheSameAxes);
                 for (std::size_t i = 0; i < curves.size(); ++i) {
                     for (std::size_t j = 0; j < i; ++j) {
-                        const double apart = distance(curves[i], curves[j], sight);
+                        const double apart = distance(curves[i], curves[j], vision);
                         QVERIFY2(apart > kInOneFigure, qPrintable(QString("%1 %2: %3").arg(i).arg(j).arg(apart)));
                     }
                 }
@@ -103,18 +103,18 @@ private slots:
         }
     }
 
-    void redAndGreenAreTheSameToADeuteranope()
+    void redAndGreenAreSimilarWithDeuteranopia()
     {
-        // The simulation itself: what is known to be confused comes nearer, what is not stays.
+        // Checks the simulation: it brings only those colours together that are known to be confused.
         const QColor red(0xb0, 0x50, 0x00);
         const QColor green(0x60, 0x80, 0x00);
-        QVERIFY(distance(red, green, kUsual) > 45.0);
+        QVERIFY(distance(red, green, kNormal) > 45.0);
         QVERIFY(distance(red, green, kDeuteranopia) < 15.0);
         QVERIFY(distance(Qt::blue, Qt::yellow, kDeuteranopia) > 100.0);
         QVERIFY(std::abs(contrast(Qt::black, Qt::white) - 21.0) < 1e-3);
     }
 
-    void curvesStandOutAndTextsCanBeRead()
+    void curvesAndTextsHaveEnoughContrast()
     {
         constexpr double kGraphics = 3.0; // WCAG 1.4.11
         constexpr double kText = 4.5;     // WCAG 1.4.3
@@ -125,7 +125,7 @@ private slots:
                                         colours.cursor, colours.warning}) {
                 QVERIFY2(contrast(curve, colours.background) > kGraphics, qPrintable(curve.name()));
             }
-            // Sentences are written in it, values in these two.
+            // Sentences have the colour of warnings; values have the colours of errors.
             QVERIFY(contrast(colours.warning, palette.color(QPalette::Window)) > kText);
             QVERIFY(contrast(colours.error, colours.background) > kText);
             QVERIFY(contrast(colours.errorOther, colours.background) > kText);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A window with empty settings, and hands to use it.
+// A fixture that opens a window with empty settings, and functions that operate the window.
 
 #include "ui/widgets/message_bar.h"
 #include "ui/window/main_window.h"
@@ -33,8 +33,8 @@ namespace slidercrank
 
 inline const QString kSample = QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv"); // b = 60 mm
 
-/// The name of a file with that content.
-inline QString fileWith(const QTemporaryDir &folder, const QString &name, const QByteArray &content)
+/// Writes a file, and returns its path.
+inline QString writeFile(const QTemporaryDir &folder, const QString &name, const QByteArray &content)
 {
     QFile file(folder.filePath(name));
     if (!file.open(QIODevice::WriteOnly) || file.write(content) != content.size()) {
@@ -59,17 +59,17 @@ protected:
         QApplication::setStyle(QStringLiteral("Fusion"));
         QApplication::setCursorFlashTime(0);
         QLocale::setDefault(QLocale::c());
-        forget();
+        resetSettings();
     }
 
-    /// As after the first start.
-    static void forget()
+    /// Resets the settings to those after the first start.
+    static void resetSettings()
     {
         QSettings().clear();
         QSettings().setValue(QStringLiteral("greeted"), true);
     }
 
-    /// In place of the window before.
+    /// Opens a window in place of the previous one.
     void openWindow()
     {
         m_window.reset();
@@ -105,7 +105,7 @@ protected:
         qFatal("no action %s", qPrintable(text));
     }
 
-    /// As the window system delivers it: to the window, which finds the focus.
+    /// Sends a key to the window or to its open popup, as the window system does.
     void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) const
     {
         QWidget *popup = QApplication::activePopupWidget();
@@ -145,7 +145,7 @@ protected:
     std::unique_ptr<MainWindow> m_window;
 };
 
-/// On each tab, and on each page that buttons in it choose.
+/// Calls the function on each tab, and on each page of a tab that buttons choose.
 inline void onEveryPage(MainWindow &window, const std::function<void(const QString &page)> &look)
 {
     auto *tabs = window.findChild<QTabWidget *>();
