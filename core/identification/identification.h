@@ -55,8 +55,8 @@ struct Identification {
         enum class Why {
             // Images that no column excludes, however exact. Listed for Identified, too.
             MirrorImage,     ///< R4x alone: c, ω2 and θ20 negated
-            Reversed,        ///< θ3 alone: the crank turns the other way, from π - θ20
-            OtherAssembly,   ///< derivatives of θ3 alone: c negated, θ20 half a turn on
+            Reversed,        ///< θ3 alone: the crank rotates in the opposite direction, from π - θ20
+            OtherAssembly,   ///< derivatives of θ3 alone: c negated, θ20 increased by π
             Alias,           ///< another speed gives the same values at the same times
             AnotherMechanism ///< another mechanism, or another interpretation of the file
         };

@@ -29,8 +29,8 @@ constexpr double toggle(double gap, double c = 25.0)
 }
 
 const std::vector<Row> kNominal = {
-    {"Table 1 of the report", 65.0},
-    {"b = 60, the author's file", 60.0},
+    {"Table 1 of the reference report", 65.0},
+    {"b = 60, the reference report's file", 60.0},
     {"b = 60, crossed", 60.0, 25.0, Branch::Crossed},
     {"c = 0", 60.0, 0.0},
     {"c = 0, crossed", 60.0, 0.0, Branch::Crossed},
@@ -53,7 +53,7 @@ const std::vector<Row> kHard{
     {"rocker, two arcs", 10.0, 5.0},
     {"rocker, two arcs, crossed", 10.0, 5.0, Branch::Crossed},
     {"rocker, two arcs, c = 0", 10.0, 0.0},
-    {"rocker by a hair, gap -1e-8", toggle(-1e-8)},
+    {"barely a rocker, gap -1e-8", toggle(-1e-8)},
     {"locked, b = |c| - a", 5.0},
     {"never assemblable", 4.0},
     {"b/a = 1e3", 2e4},

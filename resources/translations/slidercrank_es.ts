@@ -1212,8 +1212,8 @@ Equipo: %1. Tiempo: %2 s.
         <translation>El archivo corresponde al otro montaje: su corredera está al otro lado de A.</translation>
     </message>
     <message>
-        <source>The clock of the file is off by %3 s.</source>
-        <translation>El reloj del archivo está desfasado %3 s.</translation>
+        <source>The time stamps of the file are shifted by %3 s.</source>
+        <translation>Los tiempos del archivo están desplazados %3 s.</translation>
     </message>
     <message>
         <source>%1: not the time derivative of the position column.</source>
@@ -1429,12 +1429,12 @@ Equipo: %1. Tiempo: %2 s.
         <translation>su imagen especular, con c, ω₂ y θ₂₀ de signo contrario</translation>
     </message>
     <message>
-        <source>one that turns the other way, from 180° − θ₂₀</source>
+        <source>one that rotates in the opposite direction, from 180° − θ₂₀</source>
         <translation>el que gira en sentido contrario, desde 180° − θ₂₀</translation>
     </message>
     <message>
-        <source>the other assembly, with c negated and θ₂₀ half a turn on</source>
-        <translation>el otro montaje, con c de signo contrario y θ₂₀ media vuelta más allá</translation>
+        <source>the other assembly, with c negated and θ₂₀ increased by 180°</source>
+        <translation>el otro montaje, con c de signo contrario y θ₂₀ aumentado en 180°</translation>
     </message>
     <message>
         <source>another crank speed with the same values at these time steps</source>
@@ -4721,16 +4721,16 @@ Tiempos medidos en %2</translation>
 <context>
     <name>slidercrank::StudyText</name>
     <message>
-        <source>Table 1 of the report</source>
-        <translation>Tabla 1 del informe</translation>
+        <source>Table 1 of the reference report</source>
+        <translation>Tabla 1 del informe de referencia</translation>
     </message>
     <message>
         <source>this mechanism</source>
         <translation>este mecanismo</translation>
     </message>
     <message>
-        <source>the author&apos;s file</source>
-        <translation>el archivo del autor</translation>
+        <source>the reference report&apos;s file</source>
+        <translation>el archivo del informe de referencia</translation>
     </message>
     <message>
         <source>crossed</source>
@@ -4765,7 +4765,7 @@ Tiempos medidos en %2</translation>
         <translation>dos arcos</translation>
     </message>
     <message>
-        <source>rocker by a hair</source>
+        <source>barely a rocker</source>
         <translation>oscila por muy poco</translation>
     </message>
     <message>

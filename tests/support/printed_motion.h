@@ -20,7 +20,7 @@
 namespace slidercrank
 {
 
-/// In the order of kPlottedChannels, in the author's units.
+/// In the order of kPlottedChannels, in the default units (mm, °, s).
 inline constexpr std::size_t kPrintedChannels = 6;
 using PrintedRow = std::array<long double, kPrintedChannels>;
 

@@ -57,7 +57,7 @@ public:
         case ZeroPoint: return tr("%1: measured from another origin; %4 is %1 %2.");
         case SwappedColumns: return tr("%1: each has the heading of the other.");
         case Branch: return tr("The file belongs to the other assembly: its slider is on the other side of A.");
-        case TimeShift: return tr("The clock of the file is off by %3 s.");
+        case TimeShift: return tr("The time stamps of the file are shifted by %3 s.");
         case NotDerivative: return tr("%1: not the time derivative of the position column.");
         case Axis: return tr("The slider moves along y instead of x, as in an upright engine.");
         }

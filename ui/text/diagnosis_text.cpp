@@ -51,8 +51,8 @@ public:
     {
         switch (why) {
         case Why::MirrorImage: return tr("its mirror image, with c, ω₂ and θ₂₀ negated");
-        case Why::Reversed: return tr("one that turns the other way, from 180° − θ₂₀");
-        case Why::OtherAssembly: return tr("the other assembly, with c negated and θ₂₀ half a turn on");
+        case Why::Reversed: return tr("one that rotates in the opposite direction, from 180° − θ₂₀");
+        case Why::OtherAssembly: return tr("the other assembly, with c negated and θ₂₀ increased by 180°");
         case Why::Alias: return tr("another crank speed with the same values at these time steps");
         case Why::AnotherMechanism: break;
         }

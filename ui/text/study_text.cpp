@@ -24,9 +24,9 @@ struct StudyText {
 
 public:
     /// Patterns of the properties of a case. Formulas are not translated.
-    static constexpr const char *kPatterns[] = {QT_TR_NOOP("Table 1 of the report"),
+    static constexpr const char *kPatterns[] = {QT_TR_NOOP("Table 1 of the reference report"),
                                                 QT_TR_NOOP("this mechanism"),
-                                                QT_TR_NOOP("the author's file"),
+                                                QT_TR_NOOP("the reference report's file"),
                                                 QT_TR_NOOP("crossed"),
                                                 QT_TR_NOOP("toggle gap %1"),
                                                 QT_TR_NOOP("exact toggle"),
@@ -35,7 +35,7 @@ public:
                                                 QT_TR_NOOP("rocker"),
                                                 QT_TR_NOOP("one arc"),
                                                 QT_TR_NOOP("two arcs"),
-                                                QT_TR_NOOP("rocker by a hair"),
+                                                QT_TR_NOOP("barely a rocker"),
                                                 QT_TR_NOOP("gap %1"),
                                                 QT_TR_NOOP("locked"),
                                                 QT_TR_NOOP("never assemblable"),

@@ -27,7 +27,7 @@ namespace
 
 constexpr double kTooFar = 0.02; // of the peak
 
-/// What the textbook says of any of the columns used here, in the author's units.
+/// What the textbook says of any of the columns used here, in the default units (mm, °, s).
 double exactValue(const Parameters &p, Channel channel, double t)
 {
     const double degree = std::numbers::pi / 180.0;

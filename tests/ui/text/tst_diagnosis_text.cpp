@@ -100,11 +100,11 @@ private slots:
             {[](Diagnosis &d) {
                  d.identification.alternatives = {{Why::Reversed, {}}};
              },
-             "These columns cannot tell it from one that turns the other way, from 180° − θ₂₀."},
+             "These columns cannot tell it from one that rotates in the opposite direction, from 180° − θ₂₀."},
             {[](Diagnosis &d) {
                  d.identification.alternatives = {{Why::OtherAssembly, {}}};
              },
-             "These columns cannot tell it from the other assembly, with c negated and θ₂₀ half a turn on."},
+             "These columns cannot tell it from the other assembly, with c negated and θ₂₀ increased by 180°."},
             {[](Diagnosis &d) {
                  d.identification.identifiable[indexOf(Parameter::Omega2)] = false;
                  d.identification.identifiable[indexOf(Parameter::Theta20)] = false;
