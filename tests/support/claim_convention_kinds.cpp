@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Kinds of files that are to be read otherwise than they say: other origins, units, signs, half turns, swapped columns;
-// and such as can be told only with a given mechanism.
+// Kinds of files whose columns have other origins, units or signs than their headings state, are half a turn off or are
+// swapped, and kinds whose deviation can be found only with a given mechanism.
 #include "tests/support/claim_file.h"
 
 #include "core/mechanism/turn.h"
@@ -20,7 +20,7 @@ void expect(ClaimFile &f, std::vector<Finding> findings)
     f.interpretations.push_back({*f.truth, std::move(findings)});
 }
 
-/// An origin next to nothing need not be found.
+/// Expects the origins of the columns. Small origins need not be found.
 void expectOrigins(ClaimFile &f)
 {
     for (const double least : {5e-4, 5e-3}) {
@@ -37,7 +37,7 @@ void expectOrigins(ClaimFile &f)
 void shift(ClaimFile &f, Channel channel)
 {
     f.at(channel).origin = isAngle(channel.coordinate)
-                               ? f.random.uniform(5.0, 170.0) * f.random.sign() // never as half a turn
+                               ? f.random.uniform(5.0, 170.0) * f.random.sign() // never close to half a turn
                                : f.truth->a * f.random.uniform(0.2, 9.0) * f.random.sign();
 }
 
@@ -50,7 +50,7 @@ void addShifted(ClaimFile &f, Channels columns, const Channels &shifted)
     expectOrigins(f);
 }
 
-/// The columns count from the first row.
+/// Adds columns of which the shifted ones are zero in the first row.
 void addFromStart(ClaimFile &f, const Channels &columns, const Channels &shifted, NumberForm form = {})
 {
     f.add(columns, form);
@@ -75,7 +75,7 @@ void multiply(ClaimFile &f, const Channels &channels, double factor)
     }
 }
 
-/// All six columns, some in another unit or with another sign, named `finding`.
+/// Adds all six columns, multiplies some by `factor`, and expects this to be reported as `finding`.
 void addMultiplied(ClaimFile &f, std::string_view finding, const Channels &channels, double factor)
 {
     f.add(kSix);
@@ -83,7 +83,8 @@ void addMultiplied(ClaimFile &f, std::string_view finding, const Channels &chann
     expect(f, {{finding, channels, 1.0 / factor}});
 }
 
-/// One length has another unit, or the two others have: then it is another mechanism.
+/// Writes one slider column in another length unit. Equally true: the other two have another unit, with another
+/// mechanism.
 void addLengthUnit(ClaimFile &f, Channel channel, double unit, const std::vector<Finding> &more = {})
 {
     f.add(kSix);
@@ -99,22 +100,22 @@ void addLengthUnit(ClaimFile &f, Channel channel, double unit, const std::vector
     f.interpretations[1].findings.push_back({"length-unit", others, 1.0 / unit});
 }
 
-/// The slider's axis points the other way; or the coupler's angle is seen from its other end.
+/// Reverses the slider's axis. Equally true: the coupler's angle is measured at its other end.
 void addAxisTheOtherWay(ClaimFile &f)
 {
     addMultiplied(f, "sign", kSlider, -1.0);
-    // x → -x and θ → θ + 180°: -c, θ20 + 180°, the other assembly.
+    // x → -x and θ → θ + 180° correspond to -c, θ20 + 180° and the other branch.
     f.interpretations.push_back({mirrorImages(*f.truth)[7], {{"half-turn", {kTheta}}}});
 }
 
-/// Angles count clockwise, heights upwards; or the height has the wrong sign.
+/// Counts angles clockwise. Equally true: the sign of the height is wrong.
 void addClockwise(ClaimFile &f)
 {
     addMultiplied(f, "sign", kCoupler, -1.0);
     f.add(kY);
     const Parameters mirrored = mirrorImages(*f.truth)[2];
     f.interpretations.push_back({mirrored, {{"sign", {kY}, -1.0}}});
-    constexpr double kSmall = 4.0; // a height of one digit does not tell its own sign
+    constexpr double kSmall = 4.0; // the sign of so small a height cannot be found
     if (std::abs(f.truth->c) < kSmall) {
         f.interpretations.push_back({mirrored, {}});
     }
@@ -127,7 +128,7 @@ void addHalfTurn(ClaimFile &f)
     expect(f, {{"half-turn", {kTheta}}});
 }
 
-/// The textbook's θ_3, within 0 … 360°.
+/// Writes the textbook's θ_3, in the range 0 … 360°.
 void addHalfTurnWithinATurn(ClaimFile &f)
 {
     f.add(kSix);
@@ -150,7 +151,7 @@ void addSwapped(ClaimFile &f)
     expect(f, {{"swapped-columns", {one.named, other.named}}});
 }
 
-/// Scaled, late, or another function altogether.
+/// Replaces the values of a column by scaled, delayed or unrelated ones.
 void spoil(ClaimFile &f, Channel channel)
 {
     const int way = f.random.whole(0, 2);
@@ -175,7 +176,8 @@ void addNoDerivative(ClaimFile &f)
     expect(f, {{"not-derivative", {channel}}});
 }
 
-/// Derivatives as a spreadsheet makes them, with 80 rows a turn and more: less than one part in a hundred off.
+/// Adds derivatives by finite differences, as a spreadsheet computes them. With 80 rows a turn or more the error is
+/// below 1 %.
 void addCentralDifferences(ClaimFile &f)
 {
     f.add(kSix);
@@ -226,16 +228,16 @@ void addTwoFaults(ClaimFile &f)
     expect(f, findings);
 }
 
-/// Instants in ms, derivatives per second.
+/// Writes the time stamps in ms, but the derivatives per second.
 void addMillisecondsOnly(ClaimFile &f)
 {
     f.add(kSix);
     f.timeFactor = 1e3;
-    f.mayBeMissed = true; // the time has the wrong unit, or four derivatives have
+    f.mayBeMissed = true; // either the time or the four derivatives have the wrong unit
     expect(f, {{"time-unit", {}, 1e-3}});
 }
 
-/// A slider that moves along y, in the axes of the file.
+/// Writes the motion of a slider that moves along the y axis of the file.
 void addAlongY(ClaimFile &f)
 {
     f.add({kX, kY, kTheta});
@@ -251,7 +253,7 @@ void addAlongY(ClaimFile &f)
     expect(f, {{"axis"}});
 }
 
-// With the true mechanism, or nearly so, given.
+// Kinds for which the true mechanism, or a similar one, is given.
 
 void addGiven(ClaimFile &f, const Channels &channels = kSix)
 {
@@ -299,7 +301,7 @@ void addOneParameterOff(ClaimFile &f)
     value = *f.wrongGiven == Parameter::Theta20 ? value + 0.1 : value * (1.0 + f.random.uniform(0.02, 0.05));
     expect(f, {});
     if (f.wrongGiven == Parameter::Theta20) {
-        f.interpretations.push_back({f.given, {{"time-shift"}}}); // the same, with another name
+        f.interpretations.push_back({f.given, {{"time-shift"}}}); // the same deviation under another name
     }
 }
 

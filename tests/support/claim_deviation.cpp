@@ -18,7 +18,7 @@ bool canBeFitted(Channel channel)
            (channel.coordinate == Theta2 && channel.order != Order::Acceleration);
 }
 
-/// The product of the units that the claim found for a column.
+/// Returns the product of the unit factors that the claim found for a column.
 double unitFactor(const ProgramClaim &claim, Channel channel)
 {
     double factor = 1.0;
@@ -30,19 +30,19 @@ double unitFactor(const ProgramClaim &claim, Channel channel)
     return factor;
 }
 
-/// The claimed motion beside the numbers of one column, as the claim reads them.
+/// Deviation of one column, as interpreted by the claim, from the claimed motion.
 struct ColumnDeviation {
     Channel channel;
     const ClaimColumn *column = nullptr;
     double largest = 0.0;
-    double largestWithTurns = 0.0; ///< an angle's whole turns count
+    double largestWithTurns = 0.0; ///< the same without removing whole turns from angles
     double rms = 0.0;
     double peak = 0.0;                ///< of the numbers
-    double range = 0.0;               ///< of the motion, largest less smallest value
+    double range = 0.0;               ///< largest minus smallest value of the motion
     double spread = 0.0;              ///< standard deviation of the numbers
-    double uncertainty = 0.0;         ///< rms of what rounding of values and instants, and the noise, explain
-    double medianUncertainties = 0.0; ///< |deviation| / uncertainty of one row
-    double mostUncertainties = 0.0;   ///< of rows with wrong readings that are not excluded
+    double uncertainty = 0.0;         ///< rms explained by noise and by the rounding of values and time stamps
+    double medianUncertainties = 0.0; ///< median of |deviation| / uncertainty over the rows
+    double mostUncertainties = 0.0;   ///< largest ratio among rows with wrong readings that are not excluded
 };
 
 class Deviations
@@ -58,7 +58,7 @@ public:
         }
     }
 
-    /// Of all columns that stand under the names of the file.
+    /// Returns the deviations of all columns except swapped ones.
     std::vector<ColumnDeviation> all() const
     {
         std::vector<ColumnDeviation> deviations;
@@ -142,7 +142,7 @@ private:
     const ClaimFile &m_file;
     const ProgramClaim &m_claim;
     const Parameters m_mechanism;
-    std::vector<std::size_t> m_rows; ///< of the file, for each row of the data
+    std::vector<std::size_t> m_rows; ///< row of the file for each row of the data
 };
 
 std::string percent(double part)
@@ -150,7 +150,8 @@ std::string percent(double part)
     return std::to_string(100.0 * part) + " %";
 }
 
-/// The printed deviations are those of the printed mechanism, and `nearest` is nearer than a constant.
+/// Checks that the printed deviations are those of the printed mechanism, and that `nearest` fits better than a
+/// constant.
 std::string falsePrintedDeviation(const ClaimFile &file, const ProgramClaim &claim,
                                   const std::vector<ColumnDeviation> &deviations)
 {
@@ -179,11 +180,11 @@ std::string falsePrintedDeviation(const ClaimFile &file, const ProgramClaim &cla
     return {};
 }
 
-/// Every column that an identified mechanism does not explain is named, and so is every wrong reading.
+/// Checks that every column and every wrong reading that an identified mechanism does not explain is named.
 std::string unnamedDeviation(const ProgramClaim &claim, const std::vector<ColumnDeviation> &deviations)
 {
     constexpr double kVisible = 5e-4; // of the peak
-    constexpr double kFar = 16.0;     // twice as far as what is to be excluded
+    constexpr double kFar = 16.0;     // twice the limit beyond which readings must be excluded
     for (const ColumnDeviation &deviation : deviations) {
         if (isLeftOut(claim, deviation.channel) || !canBeFitted(deviation.channel)) {
             continue;
@@ -201,7 +202,7 @@ std::string unnamedDeviation(const ProgramClaim &claim, const std::vector<Column
     return {};
 }
 
-/// Noise has to be that of the readings which are not wrong.
+/// Checks that the claimed noise does not exceed the noise of the correct readings.
 std::string falseNoise(const ClaimFile &file, const ProgramClaim &claim)
 {
     constexpr double kMost = 1.5;
@@ -229,7 +230,7 @@ std::string falseNoise(const ClaimFile &file, const ProgramClaim &claim)
     return {};
 }
 
-/// An approximate mechanism explains every column in use to 1 %, and has no standard errors.
+/// Checks that an approximate mechanism explains every used column to 1 % and has no standard errors.
 std::string falseApproximation(const ProgramClaim &claim, const std::vector<ColumnDeviation> &deviations)
 {
     constexpr double kMost = 0.01;
@@ -252,7 +253,7 @@ std::string falseApproximation(const ProgramClaim &claim, const std::vector<Colu
     return {};
 }
 
-/// Round numbers explain the file equally well, by the largest or by the mean deviation.
+/// Checks that the round numbers explain the file equally well, by the largest or by the rms deviation.
 std::string falseRounding(const ProgramClaim &claim, const std::vector<ColumnDeviation> &exact,
                           const std::vector<ColumnDeviation> &rounded)
 {
@@ -291,7 +292,7 @@ std::string falseExclusion(const ClaimFile &file, const ProgramClaim &claim)
     return {};
 }
 
-/// A verdict better than `differs` for a motion that is off by more than 2 % of its peak beyond half the printed step.
+/// Finds a verdict better than `differs` for a motion whose error exceeds 2 % of its peak plus half a rounding step.
 std::string falseVerdict(const ClaimFile &file, const ReferenceData &read,
                          const std::vector<ChannelComparison> &verdicts, const Parameters &model,
                          const ProgramClaim *claim, const Deviations &reader)
@@ -313,7 +314,7 @@ std::string falseVerdict(const ClaimFile &file, const ReferenceData &read,
                 continue;
             }
             double least = INFINITY;
-            for (const double late : {0.0, -0.5, 0.5}) { // times the step of the time
+            for (const double late : {0.0, -0.5, 0.5}) { // in rounding steps of the time
                 const double t = read.time[i] + late * file.timeStep * file.timeFactor;
                 const double motion = static_cast<double>(motionAt(model, t)[indexOf(verdict.channel)]);
                 peak = late == 0.0 ? std::max(peak, std::abs(motion)) : peak;
@@ -330,7 +331,7 @@ std::string falseVerdict(const ClaimFile &file, const ReferenceData &read,
     return {};
 }
 
-/// The columns hold the motion and nothing else.
+/// Returns whether the columns contain the exact motion in the stated units.
 bool isPlain(const ClaimFile &file)
 {
     return file.truth && !file.byAngle && file.timeFactor == 1.0 && file.timeOffset == 0.0 && file.badRows.empty() &&

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Kinds of files with the faults of sensors, filters, loggers and spreadsheets. What may be claimed:
 //
-//   identified    only where the parameters hold to their standard errors. Filtered, interpolated or integrated values
-//                 move the parameters by more than the residuals show, so they lead to `approximate`.
-//   approximate   a mechanism explains every column in use to 1 % of its range. It has no standard errors and no
-//   origins. nearest       what is printed is what was fitted, with its own deviation. It is a miss where the deviation
-//   from the
-//                 truth is below half a percent.
+//   identified    only if the parameters are accurate within their standard errors. Filtered, interpolated or
+//                 integrated values change the parameters by more than the residuals show, so they lead to
+//                 `approximate`.
+//   approximate   if a mechanism explains every used column to 1 % of its range. It has no standard errors and no
+//                 origins.
+//   nearest       if the printed mechanism is the fitted one, with its own deviation. It is a miss if the deviation
+//                 from the truth is below half a percent.
 //
-// Wrong readings are excluded and named, columns that do not belong to the motion are left out and named.
+// Wrong readings are excluded and named. Columns that do not belong to the motion are omitted and named.
 #include "tests/support/claim_file.h"
 
 #include "core/mechanism/turn.h"
@@ -36,7 +37,7 @@ Channels anyColumns(ClaimFile &f)
     return f.random.pick({Channels{kX}, Channels{kX, kTheta}, Channels{kCrank, kX}, kSix});
 }
 
-/// 1 to 3 turns, 100 to 400 rows. Claimed parameters have to hold to their standard errors.
+/// Samples 1 to 3 turns with 100 to 400 rows. Claimed parameters must be accurate within their standard errors.
 void add(ClaimFile &f, const Channels &channels, NumberForm form = {})
 {
     f.tolerance = 1e-5;
@@ -51,8 +52,8 @@ double step(const ClaimFile &f)
 
 // Systematic deviations.
 
-/// Where they exceed half a percent of the range, no mechanism need be found. `late`: how far the values lag behind
-/// (s).
+/// Accepts an approximate mechanism. None need be found if the deviations exceed half a percent of the range. `late` is
+/// the delay of the values in s.
 void expectApproximate(ClaimFile &f, double late = 0.0)
 {
     constexpr double kSmall = 0.005;
@@ -72,7 +73,7 @@ void expectApproximate(ClaimFile &f, double late = 0.0)
     }
 }
 
-/// Puts every column, known for `margin` more rows on both sides, through a filter.
+/// Filters every column. The filter's input has additional rows at both ends.
 void filter(ClaimFile &f, const std::function<Values(const Values &)> &process, double late = 0.0)
 {
     constexpr int kMargin = 300;
@@ -105,7 +106,7 @@ Values lowPassed(Values values, double weight)
     return values;
 }
 
-/// First-order low-pass filters one after the other, whose time constant is a small part of a turn.
+/// Applies first-order low-pass filters in series. Their time constant is a small part of a turn.
 void addLowPass(ClaimFile &f, int filters, bool isZeroPhase)
 {
     add(f, anyColumns(f), digits(f.random.whole(6, 8)));
@@ -125,7 +126,8 @@ void addLowPass(ClaimFile &f, int filters, bool isZeroPhase)
     filter(f, process, isZeroPhase ? 0.0 : filters * (1.0 - weight) / weight * step(f));
 }
 
-/// Lagrange's polynomial through the nearest points of a coarse run; one point: the last one.
+/// Interpolates coarse samples by Lagrange polynomials through the nearest points; with one point, repeats the last
+/// sample.
 void addInterpolated(ClaimFile &f, int points)
 {
     add(f, anyColumns(f), digits(f.random.whole(6, 8)));
@@ -147,7 +149,7 @@ void addInterpolated(ClaimFile &f, int points)
     expectApproximate(f, points == 1 ? 0.5 * coarse : 0.0);
 }
 
-/// Adds part · swing · shape(row, turns since the start) to those columns.
+/// Adds part · swing · shape(row, turns since the start) to the given columns.
 void disturb(ClaimFile &f, const Channels &channels, double part,
              const std::function<double(std::size_t, double)> &shape)
 {
@@ -162,7 +164,7 @@ void disturb(ClaimFile &f, const Channels &channels, double part,
     expectApproximate(f);
 }
 
-/// Slow and irregular, growing with time, as integrators err.
+/// Adds the error of an integrator: slow, irregular and growing with time.
 void addIntegrated(ClaimFile &f)
 {
     add(f, anyColumns(f), digits(9));
@@ -203,7 +205,7 @@ void addBacklash(ClaimFile &f)
             [&](std::size_t row, double) { return std::copysign(0.5, f.exactValue(kV, f.instants[row])); });
 }
 
-/// Noise that grows with the reading.
+/// Adds noise that grows with the reading.
 void addProportionalNoise(ClaimFile &f)
 {
     add(f, f.random.pick({Channels{kX}, Channels{kX, kTheta}}), digits(7));
@@ -214,8 +216,8 @@ void addProportionalNoise(ClaimFile &f)
     });
 }
 
-/// Positions of a mechanism that changes a little as it turns: an elastic coupler, a bearing with play, an uneven
-/// crank.
+/// Writes the positions of a mechanism that changes slightly as it turns: an elastic coupler, a bearing with play, an
+/// uneven crank.
 void addImperfect(ClaimFile &f, const std::function<void(Parameters &, double theta2)> &change)
 {
     f.motion = [truth = *f.truth, change](double t) {
@@ -250,9 +252,9 @@ void addSpeedRipple(ClaimFile &f)
     addImperfect(f, [=](Parameters &p, double theta2) { p.theta20 += part * std::sin(times * theta2); });
 }
 
-// No mechanism with a constant speed.
+// Mechanisms whose speed is not constant.
 
-/// `theta2` by the angle (rad) that a crank of constant speed has turned.
+/// Writes the motion for the crank angle theta2(angle), where `angle` is that of a crank with constant speed (rad).
 void addUneven(ClaimFile &f, const Channels &channels, const std::function<double(double)> &theta2)
 {
     add(f, channels);
@@ -271,7 +273,7 @@ void addUneven(ClaimFile &f, const Channels &channels, const std::function<doubl
     f.truth = std::nullopt;
 }
 
-/// A second run begins in the middle, with the crank elsewhere.
+/// Joins two recordings; the second one starts at another crank angle.
 void addJoinedRuns(ClaimFile &f)
 {
     const double jump = f.random.uniform(0.1, 3.0) * f.random.sign();
@@ -280,7 +282,7 @@ void addJoinedRuns(ClaimFile &f)
               [=](double even) { return even < at ? even : even + jump; });
 }
 
-/// The recording begins before the crank turns, or goes on after it has stopped.
+/// Starts the recording before the crank turns, or continues it after the crank has stopped.
 void addStandstill(ClaimFile &f)
 {
     const double at = f.random.uniform(1.5, 4.5);
@@ -291,7 +293,7 @@ void addStandstill(ClaimFile &f)
 
 // Columns that contradict each other.
 
-/// The slider's columns of one mechanism, the coupler's of another one.
+/// Writes the slider's columns of one mechanism and the coupler's columns of another.
 void addTwoMechanisms(ClaimFile &f)
 {
     add(f, f.random.pick({Channels{kX, kTheta}, kSix}));
@@ -307,14 +309,14 @@ void addTwoMechanisms(ClaimFile &f)
     f.truth = std::nullopt;
 }
 
-/// Expects the motion of all columns but these, which are to be named in one way or another.
+/// Expects the motion of all columns except the given ones, which must be named as deviating.
 void expectForeign(ClaimFile &f, const Channels &channels)
 {
     f.setContent(Content::Foreign, channels);
     f.interpretations = {{*f.truth, {{"not-derivative", channels, 0.0, true}}}};
 }
 
-/// At least 0.7 % of the peak away.
+/// Replaces one derivative by that of another mechanism, which differs by at least 0.7 % of the peak.
 void addForeignDerivative(ClaimFile &f)
 {
     add(f, kSix);
@@ -353,7 +355,7 @@ void addUnconnected(ClaimFile &f)
     expectForeign(f, {channel});
 }
 
-/// The coupler's columns are some rows late: the slider's mechanism is true, but it need not be found.
+/// Delays the coupler's columns by some rows. The slider's mechanism is true but need not be found.
 void addLaggingChannel(ClaimFile &f)
 {
     add(f, f.random.pick({Channels{kX, kTheta}, kSix}));
@@ -371,7 +373,8 @@ void addLaggingChannel(ClaimFile &f)
 
 // Derivatives by differentiation of the positions in the file.
 
-/// Polynomials of second order through 2 · half + 1 rows (Savitzky-Golay); of two neighbours where half is 1.
+/// Returns the derivative of the quadratic fitted to 2 · half + 1 rows (Savitzky-Golay); central differences for half
+/// = 1.
 double differentiated(const Values &values, std::size_t row, int half, Order order, double step)
 {
     double squares = 0.0;
@@ -391,7 +394,7 @@ double differentiated(const Values &values, std::size_t row, int half, Order ord
     return sum;
 }
 
-/// Noisy or rounded positions; the derivatives cannot be computed at the ends and are empty there.
+/// Writes noisy or rounded positions and their numerical derivatives, which are empty at both ends.
 void addDifferentiated(ClaimFile &f, double noise, int half, bool isForward)
 {
     add(f, kSix, digits(7));
@@ -421,7 +424,7 @@ void addDifferentiated(ClaimFile &f, double noise, int half, bool isForward)
 
 // Encoders, converters, decimals.
 
-/// Of an encoder that counts down to the next step nobody sees that its angles are half a step too small.
+/// Writes encoder angles. If the encoder truncates, the file does not show that its angles are half a step too small.
 void addEncoders(ClaimFile &f)
 {
     add(f, {kCrank, kX}, digits(10));
@@ -443,7 +446,7 @@ void addTruncated(ClaimFile &f)
     NumberForm form = decimals(f.random.whole(3, 4));
     form.isTruncated = true;
     add(f, f.random.pick({Channels{kX}, Channels{kX, kTheta}, Channels{kCrank, kX}}), form);
-    f.tolerance = 2e-3; // nobody sees that all values are half a step too small
+    f.tolerance = 2e-3; // the file does not show that all values are half a step too small
 }
 
 // Wrong readings.
@@ -485,7 +488,7 @@ void addSwappedDigits(ClaimFile &f)
     });
 }
 
-/// The reading stays the same for some rows.
+/// Repeats one reading for some rows.
 void addFrozen(ClaimFile &f)
 {
     add(f, f.random.pick({Channels{kX}, Channels{kX, kTheta}, kSix}), digits(7));
@@ -500,7 +503,7 @@ void addFrozen(ClaimFile &f)
     }
 }
 
-/// A sensor that ends before the motion does. The rows at its limits are gaps.
+/// Limits the range of a sensor to less than the motion. The saturated rows are bad rows.
 void addSaturated(ClaimFile &f)
 {
     add(f, f.random.pick({Channels{kX}, Channels{kX, kTheta}, kSix}), digits(7));
@@ -540,7 +543,7 @@ void addJitter(ClaimFile &f)
         }
     }
     expectApproximate(f);
-    f.tolerance = 2e-3; // the columns share the error of the time, and no model of independent columns knows that
+    f.tolerance = 2e-3; // the time error correlates the columns, which the program assumes to be independent
 }
 
 void addMixedSampling(ClaimFile &f)
@@ -556,7 +559,7 @@ void addMixedSampling(ClaimFile &f)
     f.timeStep = f.timeForm.stepAt(f.instants.back());
 }
 
-/// Blocks of rows that were never transmitted, and cells that are empty.
+/// Clears a block of cells in each column, as if the data had not been transmitted.
 void addLostBlocks(ClaimFile &f)
 {
     add(f, anyColumns(f));
@@ -580,7 +583,7 @@ void addNoisyMistake(ClaimFile &f, std::string_view finding, const Channels &cha
     f.interpretations = {{*f.truth, {{finding, channels, 1.0 / factor}}}};
 }
 
-// By the crank angle, of which nothing says ω2 and θ20.
+// Files by crank angle, which do not determine ω2 and θ20.
 
 void addByAngle(ClaimFile &f, ClaimFile::ByAngle byAngle, double turns, double noise = 0.0)
 {
@@ -604,7 +607,7 @@ void addOffsetAngle(ClaimFile &f)
     f.interpretations = {{*f.truth, {{"zero-point", {kCrank}, -offset}}}};
 }
 
-/// Positions of a crank whose angle counts clockwise are those of the mirror image.
+/// Counts the crank angle clockwise. The positions are also those of the mirror image.
 void addReversedAngle(ClaimFile &f)
 {
     addByAngle(f, {-1.0}, 1.0);
@@ -619,7 +622,7 @@ void addReversedAngle(ClaimFile &f)
 void addAngleInRadians(ClaimFile &f)
 {
     addByAngle(f, {1.0 / kDegreesPerRadian}, f.random.uniform(1.0, 3.0));
-    // The reader may see it by itself.
+    // The reader may recognize the unit itself.
     f.interpretations = {{*f.truth, {{"angle-unit", {kCrank}, kDegreesPerRadian}}}, {*f.truth, {}}};
 }
 

@@ -33,7 +33,7 @@ Pose poseAt(const Parameters &p, long double theta2, long double w, long double 
     const long double pi = std::acos(-1.0L);
     const long double degree = pi / 180.0L;
     const bool isOpen = p.branch == Branch::Open;
-    const long double s = (isOpen ? 1.0L : -1.0L) * std::sqrt((b - h) * (b + h)); // of the coupler along x
+    const long double s = (isOpen ? 1.0L : -1.0L) * std::sqrt((b - h) * (b + h)); // projection of the coupler on x
     const long double theta3 = isOpen ? std::asin(h / b) : pi - std::asin(h / b);
     const long double hDDot = a * sine * w * w - a * cosine * alpha;
     const long double w3 = -a * cosine * w / s;
@@ -83,7 +83,7 @@ double roundTo(double value, double step)
     return std::round(value / step) * step;
 }
 
-/// The name of a kind, the seed of the suite and the number of the file as 64 bits (FNV-1a, then splitmix64).
+/// Hashes the name of a kind, the seed of the suite and the number of the file to 64 bits (FNV-1a, then splitmix64).
 std::uint64_t seedFor(std::string_view kind, std::uint64_t suiteSeed, int number)
 {
     std::uint64_t bits = 0xcbf29ce484222325ULL;
@@ -296,7 +296,7 @@ void ClaimFile::print()
     text += '\n';
 }
 
-/// A systematic fault that nobody can see in the file is drawn once more.
+/// Generates the file. Repeats this while the systematic deviation is too small to be visible in the file.
 ClaimFile claimFile(const ClaimKind &kind, std::uint64_t suiteSeed, int number)
 {
     constexpr std::uint64_t kMostDraws = 20;

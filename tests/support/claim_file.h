@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Files of known origin, to test what the program claims about them. Each kind of file is a function of a seed and
-// gives the same file on every machine. Lengths in mm, angles in rad, time in s; columns in the units of the files (mm,
-// °, s) unless their factor says otherwise.
+// Files of known origin, which test what the program claims about a file. Each kind of file is a function of a seed and
+// gives the same file on every machine. Lengths are in mm, angles in rad and times in s. Columns are in the units of
+// the files (mm, °, s) unless their factor states another unit.
 
 #include "core/mechanism/channel.h"
 #include "core/mechanism/mechanism.h"
@@ -38,16 +38,17 @@ inline const Channels kSix(kPlottedChannels.begin(), kPlottedChannels.end());
 inline const Channels kSlider{kX, kV, kA};
 inline const Channels kCoupler{kTheta, kOmega, kAlpha};
 
-/// The 36 channels at one time, by indexOf(), in the units of the files; NaN where the mechanism cannot be assembled.
+/// The values of the 36 channels at one time, indexed by indexOf(), in the units of the files; NaN where the mechanism
+/// cannot be assembled.
 using Pose = std::array<long double, kChannelCount>;
 
-/// The textbook's formulas for a crank at this angle with this speed and acceleration (rad, s).
+/// Evaluates the textbook's formulas for the given crank angle, speed and acceleration (rad, rad/s, rad/s²).
 Pose poseAt(const Parameters &parameters, long double theta2, long double speed, long double acceleration = 0.0L);
 
-/// For a crank that turns at constant speed.
+/// Evaluates the textbook's formulas at time t for a crank that turns at constant speed.
 Pose motionAt(const Parameters &parameters, long double t);
 
-/// How a program writes a number.
+/// The format in which a program prints a number.
 struct NumberForm {
     enum class Rule {
         Digits,          ///< significant digits, "%.6g"
@@ -56,11 +57,11 @@ struct NumberForm {
     };
     Rule rule = Rule::Digits;
     int count = 6;
-    bool everyDigit = false;  ///< the rounded number is printed once more with "%.18e"
-    double quantum = 0.0;     ///< of an encoder or converter, before the number is printed; 0: none
-    bool isTruncated = false; ///< the next lower value of the quantum or decimal instead of the nearest one
+    bool everyDigit = false;  ///< the rounded number is then printed with "%.18e"
+    double quantum = 0.0;     ///< step of an encoder or converter, applied before printing; 0: none
+    bool isTruncated = false; ///< rounds down to the quantum or decimal instead of to the nearest
 
-    double stepAt(double value) const; ///< distance of neighbouring printable values
+    double stepAt(double value) const; ///< distance between neighbouring printable values
     std::string print(double value) const;
 };
 
@@ -73,38 +74,38 @@ inline NumberForm decimals(int count)
     return {NumberForm::Rule::Decimals, count};
 }
 
-/// One column, and what is true of it: values = numbers of `shown` · factor + origin + noise.
+/// One column and how its values were made: values = `shown` channel · factor + origin + noise.
 struct ClaimColumn {
     enum class Content {
-        Motion,     ///< nothing but what is named here
-        Systematic, ///< and a small deviation that is not white: filtered, interpolated, integrated
-        Foreign     ///< another motion, or errors that hide it
+        Motion,     ///< the motion with the factor, origin and noise below
+        Systematic, ///< with a small deviation that is not white: filtered, interpolated, integrated
+        Foreign     ///< another motion, or errors that hide the motion
     };
-    Channel named; ///< by the heading
-    Channel shown; ///< whose numbers it holds
+    Channel named; ///< channel that the heading names
+    Channel shown; ///< channel whose values the column contains
     NumberForm form{};
     double factor = 1.0;
     double origin = 0.0;
     double noise = 0.0; ///< rms of white noise, in the unit of the column
     Content content = Content::Motion;
-    std::vector<double> values{}; ///< before rounding; NaN is an empty cell
+    std::vector<double> values{}; ///< before rounding; NaN for an empty cell
 };
 
-/// What the program may say about columns, in the words of `identify`: "zero-point", "angle-unit", …
+/// A finding about columns that the program may report, by its name in `identify`: "zero-point", "angle-unit", …
 struct Finding {
     std::string_view name;
     Channels channels{};
     double amount = 0.0;     ///< 0: any
-    bool isOptional = false; ///< true, in whole or in part, but it need not be said
+    bool isOptional = false; ///< true in whole or in part, but the program need not report it
 };
 
-/// One true way to read a file.
+/// One true interpretation of a file.
 struct ExpectedInterpretation {
     Parameters mechanism;
     std::vector<Finding> findings{};
 };
 
-/// Random numbers that are the same with every standard library.
+/// Generates random numbers that are the same with every standard library.
 class Random
 {
 public:
@@ -113,8 +114,8 @@ public:
     {
     }
     double uniform(double from, double to);
-    double logUniform(double from, double to); ///< both > 0
-    int whole(int from, int to);               ///< both included
+    double logUniform(double from, double to); ///< requires both > 0
+    int whole(int from, int to);               ///< from `from` to `to` inclusive
     double normal();
     bool chance(double probability) { return uniform(0.0, 1.0) < probability; }
     double sign() { return chance(0.5) ? 1.0 : -1.0; }
@@ -128,55 +129,56 @@ private:
     std::mt19937_64 m_engine;
 };
 
-/// a 5 … 100, b 1.05 … 6 times a + |c|, c up to 1.2 a of either sign, speed 0.5 … 100 rad/s of either sign, a quarter
-/// of them crossed; every second one has round lengths.
+/// Returns a random mechanism that makes full turns: a is 5 … 100 mm, b is 1.05 … 6 times a + |c|, |c| is at most 1.2
+/// a, and |ω2| is 0.5 … 100 rad/s. A quarter of the mechanisms are crossed; half of them have round lengths.
 Parameters anyMechanism(Random &random);
 
 struct ClaimFile {
     ClaimFile(std::uint64_t seed, int fileNumber);
 
     Random random;
-    int number = 0; ///< of the file in its kind, for kinds that go through a list
+    int number = 0; ///< number of the file within its kind, for kinds that iterate over a list
 
-    std::optional<Parameters> truth; ///< none: no slider-crank made it
+    std::optional<Parameters> truth; ///< nullopt if no slider-crank produces this motion
     std::vector<ExpectedInterpretation>
-        interpretations{}; ///< the true ones; if empty when finished, the truth without findings
-    Parameters given{};    ///< the mechanism that the program is asked with
+        interpretations{}; ///< all true interpretations; if empty, the truth without findings
+    Parameters given{};    ///< the mechanism that is passed to the program
 
-    // What may be expected.
-    bool hasTooFewValues = false;  ///< whatever is identified from it is luck
-    bool mayBeMissed = false;      ///< the linearized fit says that the mechanism is determined, but it may be refused
-    bool mayBeApproximate = false; ///< systematic deviations: `approximate` is as good as `identified`
-    bool hasSaturation = false;    ///< its bad rows need not be named
-    double tolerance = 2e-3;       ///< of the claimed parameters, relative, where it is more than 5 standard errors
-    std::set<std::size_t> badRows{};                    ///< with wrong readings; nothing else may be excluded
-    std::optional<std::array<double, 2>> crankSpeeds{}; ///< θ2 advances unevenly: its first and last speed (rad/s)
-    std::optional<Parameter> wrongGiven{};              ///< the one parameter in which `given` differs from the truth
+    // What the test expects.
+    bool hasTooFewValues = false;    ///< too few values to identify a mechanism reliably
+    bool mayBeMissed = false;        ///< may be refused although the linearized fit determines the mechanism
+    bool mayBeApproximate = false;   ///< has systematic deviations: `approximate` is as good as `identified`
+    bool hasSaturation = false;      ///< the program need not name the bad rows
+    double tolerance = 2e-3;         ///< relative tolerance of the claimed parameters, or 5 standard errors if larger
+    std::set<std::size_t> badRows{}; ///< rows with wrong readings; no other row may be excluded
+    std::optional<std::array<double, 2>> crankSpeeds{}; ///< first and last speed (rad/s) of a crank that turns unevenly
+    std::optional<Parameter> wrongGiven{};              ///< the only parameter in which `given` differs from the truth
 
     // The rows.
     std::vector<double> instants{}; ///< s
-    double timeFactor = 1.0;        ///< the file holds instants · timeFactor + timeOffset
+    double timeFactor = 1.0;        ///< the file contains instants · timeFactor + timeOffset
     double timeOffset = 0.0;
     NumberForm timeForm = digits(15);
-    double timeStep = 0.0; ///< s, to which the file rounds the instants; 0: printed exactly
+    double timeStep = 0.0; ///< rounding step of the time stamps, s; 0: printed exactly
     bool keepsEmptyRows = false;
-    std::vector<std::size_t> repeatedRows{}; ///< printed twice
-    struct ByAngle {                         ///< the first column holds θ2 · factor + origin (°) instead of the time
+    std::vector<std::size_t> repeatedRows{}; ///< rows that are printed twice
+    struct ByAngle { ///< the first column contains θ2 · factor + origin (°) instead of the time
         double factor = 1.0;
         double origin = 0.0;
         bool isWithinATurn = false;
     };
     std::optional<ByAngle> byAngle{};
     std::vector<ClaimColumn> columns{};
-    std::function<Pose(double)> motion{}; ///< of time; the truth's if empty
+    std::function<Pose(double)> motion{}; ///< the motion as a function of time; if empty, that of the truth
 
-    // Filled when it is printed.
+    // Filled in by print().
     std::string text;
-    std::vector<std::size_t> lines{}; ///< of each row, counted from 1; 0: not printed
+    std::vector<std::size_t> lines{}; ///< line of each row, counted from 1; 0: not printed
 
-    /// Instants of so many turns, with steps of three digits, printed exactly, or as they come, with nine digits.
+    /// Samples the given number of turns. The time step either has three digits and is printed exactly, or is arbitrary
+    /// and its time stamps are printed with nine digits.
     void sample(double turns, int rows, double start = 0.0);
-    void sample(); ///< 0.6 … 3 turns, 60 … 400 rows
+    void sample(); ///< samples 0.6 … 3 turns with 60 … 400 rows
 
     ClaimColumn &add(Channel channel, NumberForm form = {});
     void add(const Channels &channels, NumberForm form = {});
@@ -184,11 +186,11 @@ struct ClaimFile {
 
     double exactValue(Channel channel, double t) const;
     void setContent(ClaimColumn::Content content, const Channels &channels);
-    double swing(Channel channel); ///< half of largest less smallest value
-    void setNoise(double part);    ///< of each column, as part of its swing
+    double swing(Channel channel); ///< half the difference between the largest and the smallest value
+    void setNoise(double part);    ///< sets the noise of each column as a fraction of its swing
 
-    void compute(); ///< the values of the columns that have none
-    void print();   ///< all that has not been done yet
+    void compute(); ///< computes the values of the columns that have none
+    void print();   ///< computes what is missing and writes `text` and `lines`
 };
 
 struct ClaimKind {
@@ -198,10 +200,10 @@ struct ClaimKind {
 
 ClaimFile claimFile(const ClaimKind &kind, std::uint64_t suiteSeed, int number);
 
-std::span<const ClaimKind> plainKinds();       ///< their headings say what they are
-std::span<const ClaimKind> limitKinds();       ///< toggles, rockers, crossed, …
+std::span<const ClaimKind> plainKinds();       ///< files whose headings name quantity and unit
+std::span<const ClaimKind> limitKinds();       ///< toggles, rockers, crossed mechanisms, …
 std::span<const ClaimKind> conventionKinds();  ///< other units, origins, signs, …
-std::span<const ClaimKind> otherMotionKinds(); ///< no slider-crank
+std::span<const ClaimKind> otherMotionKinds(); ///< motions of other mechanisms
 std::span<const ClaimKind> faultKinds();       ///< sensors, filters, loggers and spreadsheets with their faults
 
 } // namespace slidercrank

@@ -16,7 +16,7 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kStandardErrors = 5.0; ///< within which a claimed parameter has to lie
+constexpr double kStandardErrors = 5.0; ///< largest accepted error of a claimed parameter
 constexpr double kOriginTolerance = 2e-3;
 
 std::string describe(const Parameters &p)
@@ -48,13 +48,13 @@ Pose poseInRow(const ClaimFile &file, const Parameters &parameters, std::size_t 
                         : motionAt(parameters, t);
 }
 
-/// How an image of the truth reads in the file's columns.
+/// Result of comparing an image of the truth with the truth in the file's columns.
 struct Likeness {
-    bool isSame = false;                               ///< no column tells the image from the truth
-    std::vector<std::pair<Channel, double>> offsets{}; ///< image less truth, of columns with a free origin
+    bool isSame = false;                               ///< no column distinguishes the image from the truth
+    std::vector<std::pair<Channel, double>> offsets{}; ///< image minus truth, for columns with a free origin
 };
 
-/// Compares to half a printed step; columns whose origin the claim takes to be free up to a constant.
+/// Compares with a tolerance of half a rounding step; columns whose origin the claim treats as free, up to a constant.
 Likeness compareImage(const ClaimFile &file, const Parameters &truth, const Parameters &image,
                       const ProgramClaim &claim)
 {
@@ -94,7 +94,7 @@ Likeness compareImage(const ClaimFile &file, const Parameters &truth, const Para
 }
 
 struct ParameterErrors {
-    std::array<double, kParameterCount> difference{}; ///< claimed less true
+    std::array<double, kParameterCount> difference{}; ///< claimed minus true
     std::array<double, kParameterCount> standardError{};
     std::array<bool, kParameterCount> counts{};
     std::array<double, kParameterCount> sizes{};
@@ -118,7 +118,7 @@ ParameterErrors parameterErrors(const ProgramClaim &claim, const Parameters &par
     errors.counts = claim.identifiable;
     errors.sizes = parameterSizes(truth);
     double scale = 1.0;
-    if (claim.onlyRatios) { // b and c go with the a that was given
+    if (claim.onlyRatios) { // b and c scale with the given a
         scale = parameters.a / truth.a;
         errors.counts[indexOf(Parameter::A)] = false;
         errors.counts[indexOf(Parameter::B)] = errors.counts[indexOf(Parameter::C)] = true;
@@ -174,11 +174,12 @@ bool isSameFinding(const ClaimFile &file, const Finding &claimed, const Finding 
     return expected.amount == 0.0 || std::abs(claimed.amount - expected.amount) <= 1e-9 * std::abs(expected.amount);
 }
 
-/// The mechanism of a claim, one of its images (whose origins nobody states) or one of its alternatives (which may read
-/// the file in another way, and have no standard errors).
+/// The mechanism of a claim, one of its images (whose origins are not reported), or one of its alternatives (which may
+/// interpret the file in another way and have no standard errors).
 enum class Role { Mechanism, Image, Alternative };
 
-/// Whole turns change nothing that is claimed; a column that is named as left out need not be called no derivative.
+/// Returns whether the claim states the expected findings. Ignores whole turns. A column that is listed as left out
+/// need not also be reported as "not-derivative".
 bool areSameFindings(const ClaimFile &file, const ProgramClaim &claim, const std::vector<Finding> &expected,
                      const Likeness &likeness, Role role)
 {
@@ -203,7 +204,7 @@ bool areSameFindings(const ClaimFile &file, const ProgramClaim &claim, const std
     });
 }
 
-/// Why a mechanism with the claim's findings is not a true interpretation; empty if it is one.
+/// Explains why a mechanism with the claim's findings is not a true interpretation. Empty if it is one.
 std::string falseMechanism(const ClaimFile &file, const ProgramClaim &claim, const Parameters &parameters,
                            Role role = Role::Mechanism)
 {
@@ -234,7 +235,8 @@ std::string falseMechanism(const ClaimFile &file, const ProgramClaim &claim, con
     return why;
 }
 
-/// `isRight`: set where the truth is the mechanism of the claim, or among those that it lists.
+/// Explains which claimed mechanism is false. Sets `isRight` if the claim contains the truth as its mechanism or in its
+/// list.
 std::string falseMechanisms(const ClaimFile &file, const ProgramClaim &claim, bool &isRight)
 {
     if (file.hasTooFewValues) {
@@ -259,8 +261,8 @@ std::string falseMechanisms(const ClaimFile &file, const ProgramClaim &claim, bo
     return !isRight ? why : wrong.empty() ? "" : "rounded " + wrong;
 }
 
-/// Without a mechanism that is claimed, findings have to be those of a true interpretation, but `nearest` may state
-/// the origins that were fitted; with an approximate mechanism some of them, and no origins.
+/// Checks the findings of a claim without an identified mechanism. They must be those of a true interpretation, except
+/// that `nearest` may state fitted origins. An approximate mechanism may omit findings and must not state origins.
 std::string falseFindings(const ClaimFile &file, const ProgramClaim &claim)
 {
     const bool isApproximate = claim.outcome == ClaimedOutcome::Approximate;
@@ -289,7 +291,7 @@ std::string falseFindings(const ClaimFile &file, const ProgramClaim &claim)
     return {};
 }
 
-/// Allows 5 % of each speed.
+/// Checks the claimed crank speeds with a tolerance of 5 %.
 std::string falseCrankSpeeds(const ClaimFile &file, const ProgramClaim &claim)
 {
     if (!claim.crankSpeeds) {

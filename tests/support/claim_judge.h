@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Whether what the program claims about a file of known origin is true.
+// Judges whether the program's claims about a file of known origin are true.
 
 #include "tests/support/claim_file.h"
 #include "tests/support/program_claim.h"
@@ -14,15 +14,16 @@ namespace slidercrank
 
 struct ClaimJudgement {
     ClaimedOutcome outcome = ClaimedOutcome::None;
-    bool isRight = false; ///< identified (or approximate, where that is as good), or the truth is among those listed
-    bool isDetermined = false; ///< the file determines its mechanism
-    std::string falseClaim{};  ///< why; empty: none
-    std::string miss{};        ///< what was missed in a file that determines its mechanism
+    bool isRight = false;      ///< the truth is the identified (or accepted approximate) mechanism or is listed
+    bool isDetermined = false; ///< whether the file determines its mechanism
+    std::string falseClaim{};  ///< why a claim is false; empty if none is
+    std::string miss{};        ///< what the program missed although the file determines its mechanism
 };
 
 ClaimJudgement judgeClaim(const ClaimFile &file, const ReferenceData &data, const ProgramClaim &claim);
 
-/// How many of its standard errors each parameter is away from the nearest image of the truth; empty unless identified.
+/// Returns the distance of each parameter from the nearest image of the truth, in standard errors. Empty unless
+/// identified.
 std::vector<double> errorsInStandardErrors(const ClaimFile &file, const ProgramClaim &claim);
 
 } // namespace slidercrank

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Kinds of files whose headings say what they are: ordinary mechanisms, mechanisms at their limits, and motions that no
-// slider-crank makes.
+// Kinds of files whose headings are correct: ordinary mechanisms, mechanisms at their limits, and motions of other
+// mechanisms.
 #include "tests/support/claim_file.h"
 
 #include "core/mechanism/turn.h"
@@ -19,7 +19,7 @@ namespace
 
 using Rule = NumberForm::Rule;
 
-/// Rounded to three places less than the noise.
+/// Number format for noisy columns, with a rounding step far below the noise.
 const NumberForm kNoisyForm = digits(7);
 
 void add(ClaimFile &f, double turns, int rows, const Channels &channels, NumberForm form = {})
@@ -45,7 +45,7 @@ void addFewRowsATurn(ClaimFile &f, double least, const Channels &channels)
     add(f, rows / f.random.uniform(least, 1.9), rows, channels);
 }
 
-/// Sensors that drift, with a memory of some twenty rows. No standard error may be claimed for it.
+/// Writes sensors whose drift is correlated over about twenty rows, so that standard errors would be wrong.
 void addDriftingNoise(ClaimFile &f)
 {
     constexpr double kMemory = 0.95;
@@ -62,7 +62,7 @@ void addDriftingNoise(ClaimFile &f)
     }
 }
 
-/// 30 frames a second; the time has four decimals.
+/// Samples at 30 frames per second. The time has four decimals.
 void addFrames(ClaimFile &f)
 {
     f.truth->omega2 = f.random.logUniform(0.5, 15.0) * f.random.sign();
@@ -95,7 +95,7 @@ void addThetaInEveryTenthRow(ClaimFile &f)
     }
 }
 
-/// Whole degrees of the crank, a whole offset, a constant speed.
+/// Uses a crank angle in whole degrees, an integer offset and a constant speed.
 void addWholeNumbers(ClaimFile &f)
 {
     f.truth->c = std::round(f.truth->c);
@@ -113,7 +113,7 @@ Channels centre(Coordinate x, Coordinate y)
     return {{x, Order::Position}, {y, Order::Position}, {x, Order::Velocity}, {y, Order::Velocity}};
 }
 
-/// All lengths in another unit: nothing in the file tells it from a mechanism of another size.
+/// Scales all lengths to another unit. The file cannot be distinguished from one of a mechanism of another size.
 void addLengthsInAnotherUnit(ClaimFile &f)
 {
     const double unit = f.random.pick({1e-3, 0.1, 1.0 / 25.4});
@@ -125,7 +125,7 @@ void addLengthsInAnotherUnit(ClaimFile &f)
 
 // Limits.
 
-/// By the many-digit judge: the textbook's formulas cancel near a toggle.
+/// Computes the pose in multiple precision, because the textbook's formulas suffer from cancellation near a toggle.
 template <class Real>
 Pose manyDigits(const Parameters &parameters, double t, double zero)
 {
@@ -145,11 +145,11 @@ Pose manyDigits(const Parameters &parameters, double t, double zero)
 void addExact(ClaimFile &f)
 {
     f.motion = [truth = *f.truth](double t) { return manyDigits<Digits50>(truth, t, kExactZero); };
-    f.mayBeMissed = true; // a few rows outweigh all others
+    f.mayBeMissed = true; // a few rows dominate the fit
     f.add(kSix);
 }
 
-/// With rows at the toggle itself, where the last digit of a length moves the first of an acceleration.
+/// Includes rows at the toggle, where the last digit of a length changes the first digit of an acceleration.
 void addToggle(ClaimFile &f)
 {
     Parameters &p = *f.truth;
@@ -165,7 +165,7 @@ void makeRocker(ClaimFile &f)
     p.b = (p.a + std::abs(p.c)) * f.random.uniform(0.75, 0.98);
 }
 
-/// The crank turns on where the coupler does not reach: those rows are left out, or have empty cells.
+/// Turns a rocker's crank beyond its limits. Rows that cannot be assembled are omitted or have empty cells.
 void addRockerWithGaps(ClaimFile &f)
 {
     makeRocker(f);
@@ -181,7 +181,7 @@ void addRockerBetweenLimits(ClaimFile &f)
     add(f, 1.8 / kTurn, f.random.whole(60, 400), kSix);
 }
 
-/// a = b with an offset is a rocker; without one it folds through its change points.
+/// Uses a = b: a rocker if it has an offset; otherwise the mechanism passes through its change points.
 void addEqualLengths(ClaimFile &f)
 {
     f.truth->b = f.truth->a;
@@ -204,7 +204,7 @@ void addLateClock(ClaimFile &f)
     f.add(kSix);
 }
 
-/// Where nothing moves or nothing can be assembled there is no mechanism in it.
+/// Uses one of the hard cases. Some of them do not move or cannot be assembled.
 void addCaseOfTheStudy(ClaimFile &f)
 {
     const std::span<const Case> cases = hardCases();
@@ -217,9 +217,9 @@ void addCaseOfTheStudy(ClaimFile &f)
     f.add(kSix);
 }
 
-// No slider-crank.
+// Motions of other mechanisms.
 
-/// Position and derivatives of a pin that is driven otherwise, or of a crank, by the angle of an even one.
+/// Position and derivatives of a pin or a crank, as functions of the angle of a crank with constant speed.
 using Law = std::function<std::array<long double, 3>(long double angle)>;
 
 void addOtherMotion(ClaimFile &f, const Channels &channels, const Law &law, double noise = 0.0)
@@ -246,7 +246,7 @@ void addOtherMotion(ClaimFile &f, const Channels &channels, const Law &law, doub
     };
 }
 
-/// A Scotch yoke with so much of the third harmonic.
+/// Returns the motion of a Scotch yoke with the given amplitude of the third harmonic.
 Law yoke(double third)
 {
     return [third](long double angle) {
@@ -265,7 +265,7 @@ Law dampedOscillation()
     };
 }
 
-/// A slider-crank whose crank does not turn evenly.
+/// Writes a slider-crank whose crank speed is not constant.
 void addUneven(ClaimFile &f, Channels channels, bool withCrank, const Law &law)
 {
     if (withCrank) {
@@ -285,7 +285,7 @@ void addUneven(ClaimFile &f, Channels channels, bool withCrank, const Law &law)
     }
 }
 
-/// Faster by so much from turn to turn.
+/// Returns a crank motion whose speed grows by `part` per turn.
 Law ramp(double part)
 {
     return [growth = part / kTurn](long double angle) {
@@ -294,7 +294,7 @@ Law ramp(double part)
     };
 }
 
-/// Faster and slower by so much, so many times a turn.
+/// Returns a crank motion whose speed oscillates with the amplitude `part`, `times` per turn.
 Law ripple(double part, double times)
 {
     return [=](long double angle) {
@@ -314,7 +314,7 @@ void addRandomNumbers(ClaimFile &f, const Channels &channels, int rows)
     }
 }
 
-/// A slider on a line that is not level: R4_y varies with R4_x.
+/// Tilts the slider's line, so that R4_y varies with R4_x.
 void addSlopingLine(ClaimFile &f)
 {
     f.add(f.random.chance(0.5) ? Channels{kX, kY} : Channels{kX, kY, kTheta});
@@ -411,7 +411,7 @@ const ClaimKind kPlainKinds[] = {
      [](ClaimFile &f) {
          addFewRowsATurn(f, 1.3, {kX, kV});
      }},
-    // At 1.34 rows a turn the other speed that meets the same instants has 3.94; a true 1.1 looks like 11.
+    // At 1.34 rows a turn, another speed fits the same samples with 3.94 rows a turn; a true 1.1 looks like 11.
     {"1.3 to 1.9 rows a turn, R4_x alone", [](ClaimFile &f) { addFewRowsATurn(f, 1.35, {kX}); }},
     {"two to four values",
      [](ClaimFile &f) {
@@ -450,7 +450,7 @@ const ClaimKind kPlainKinds[] = {
     {"R3 alone",
      [](ClaimFile &f) {
          f.add(centre(R3x, R3y));
-         f.mayBeMissed = true; // no column of the six
+         f.mayBeMissed = true; // none of the six plotted channels
      }},
     {"R2 alone", [](ClaimFile &f) { f.add(centre(R2x, R2y)); }},
     {"R3 beside six columns",
@@ -464,7 +464,7 @@ const ClaimKind kPlainKinds[] = {
          f.add(centre(R2x, R2y));
      }},
     {"all lengths in another unit", addLengthsInAnotherUnit},
-    {"clock in ms, positions", // another mechanism as well, and nothing in the file tells
+    {"clock in ms, positions", // another mechanism fits equally well
      [](ClaimFile &f) {
          f.truth->omega2 *= 1e-3;
          f.add({kX, kTheta});

@@ -21,7 +21,7 @@ namespace
 
 struct JudgedFile {
     ClaimJudgement judgement;
-    double milliseconds = 0.0; ///< that the claim took
+    double milliseconds = 0.0; ///< duration of the claim
     std::string text;
 };
 
@@ -37,7 +37,7 @@ JudgedFile judgeFile(const ClaimKind &kind, int number)
         result.milliseconds =
             std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
         result.judgement = judgeClaim(file, *data, claim);
-    } else if (file.text.find('\n') + 1 < file.text.size()) { // some mechanism cannot be assembled at all
+    } else if (file.text.find('\n') + 1 < file.text.size()) { // the file has at least one row of data
         result.judgement.falseClaim = "cannot be read";
     }
     return result;

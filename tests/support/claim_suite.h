@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Runs kinds of files through the program and prints a line for each kind.
+// Runs files of each kind through the program and prints one line for each kind. Environment variables:
 //
-//     SLIDERCRANK_CLAIM_KIND   only the kinds whose name contains this
-//     SLIDERCRANK_CLAIM_SEED   another suite of files
+//     SLIDERCRANK_CLAIM_KIND   runs only the kinds whose name contains this text
+//     SLIDERCRANK_CLAIM_SEED   uses another seed
 //     SLIDERCRANK_CLAIM_RUNS   number of files of each kind
-//     SLIDERCRANK_CLAIM_FILE   only the file of that number
-//     SLIDERCRANK_CLAIM_DIR    where the files with a false claim or a miss are written
+//     SLIDERCRANK_CLAIM_FILE   runs only the file with this number
+//     SLIDERCRANK_CLAIM_DIR    folder to which files with a false claim or a miss are written
 
 #include "tests/support/claim_file.h"
 
 namespace slidercrank
 {
 
-/// The sanitizers, thirty times slower, look at memory and not at numbers: a few files are enough for them.
+/// Sanitizer builds are thirty times slower and check memory, not numbers, so they run only a few files.
 #ifdef __SANITIZE_ADDRESS__
 inline constexpr bool kIsMemoryCheck = true;
 #else
@@ -25,7 +25,7 @@ struct ClaimTotals {
     int files = 0;
     int falseClaims = 0;
     int determined = 0; ///< files that determine their mechanism
-    int missed = 0;     ///< of these
+    int missed = 0;     ///< determined files whose mechanism was not found
 };
 
 std::uint64_t claimSeed();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Reads reference files from texts, and describes the results in one line.
+// Reads reference files from memory and describes the results in one line.
 
 #include "core/import/reference_data.h"
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// How far a computed motion is from the exact one (exact_motion.h), in words. Lengths in mm, angles in rad, time in s.
+// Measures and describes the deviation of a computed motion from the exact one (exact_motion.h). Lengths in mm, angles
+// in rad, time in s.
 
 #include "core/mechanism/state.h"
 #include "core/study/exact_motion.h"
@@ -25,7 +26,7 @@ inline double valueOf(const State &state, Channel channel)
     return std::numeric_limits<double>::quiet_NaN();
 }
 
-/// The size of each channel in a run (rad, mm): its peak; naturalSize() where it is identically zero.
+/// Returns the peak of each channel in a run (rad, mm), or its naturalSize() where it is identically zero.
 template <class Real>
 std::array<double, kChannelCount> channelSizes(const Parameters &parameters, std::span<const ExactState<Real>> run)
 {
@@ -56,21 +57,22 @@ std::vector<ExactState<Real>> exactRun(const Parameters &parameters, std::span<c
     return run;
 }
 
-/// One value beside the exact one.
+/// A computed value with the exact value and its tolerance.
 struct Deviation {
     Channel channel;
     double t = 0.0;
     double got = 0.0;
     double exact = 0.0;
-    double error = 0.0;     ///< |got - exact|, the difference taken in many digits; infinite where got is not a number
+    double error = 0.0;     ///< |got - exact| in multiple precision; infinite if `got` is not a number
     double tolerance = 0.0; ///< absolute
 
     bool accepted() const { return error <= tolerance; }
-    /// In units of the tolerance.
+    /// Returns the error in units of the tolerance.
     double ratio() const { return error == 0.0 ? 0.0 : error / tolerance; }
 };
 
-/// The worst channel, in units of its tolerance, of those orders that exist.
+/// Returns the deviation of the channel with the largest error in units of its tolerance. Considers the orders up to
+/// `last`; without an exact solution of the derivatives, only positions.
 template <class Real>
 Deviation worstDeviation(const State &got, const ExactState<Real> &exact, double t,
                          const std::array<double, kChannelCount> &tolerances, Order last = Order::Acceleration)

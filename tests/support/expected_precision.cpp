@@ -20,9 +20,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr std::size_t kMostRows = 80; // they stand for all others
+constexpr std::size_t kMostRows = 80; // number of rows that represent the file
 
-/// The mechanism with its time counted from the middle of the file, so that ω2 and θ20 are hardly correlated.
+/// Least-squares fit linearized at the truth. Time is counted from the middle of the file, so that ω2 and θ20 are
+/// hardly correlated.
 class LinearizedFit
 {
 public:
@@ -87,7 +88,7 @@ public:
         for (std::size_t j = 0; j < m_unknowns.size(); ++j) {
             const auto at = static_cast<Index>(j);
             double variance = covariance(at, at);
-            if (m_unknowns[j] == Parameter::Theta20) { // back to t = 0; before it stands ω2
+            if (m_unknowns[j] == Parameter::Theta20) { // converted back to t = 0; the unknown before it is ω2
                 const double lever = m_middle * std::abs(m_truth.omega2);
                 variance += lever * lever * covariance(at - 1, at - 1) - 2.0 * lever * covariance(at, at - 1);
             }
@@ -130,14 +131,14 @@ private:
         std::size_t column;
         long double exact; ///< without factor and origin
         double error;
-        double log;        ///< of spread / error
-        double deviation;  ///< from the exact motion, in errors, of a column with systematic deviations; else 0
-        VectorXd gradient; ///< by each unknown in its size, then by each free origin, in errors
+        double log;        ///< logarithm of spread / error
+        double deviation;  ///< from the exact motion, in errors; 0 in a column without systematic deviations
+        VectorXd gradient; ///< by the scaled unknowns, then by the free origins, in errors
     };
 
     Index unknownCount() const { return static_cast<Index>(m_unknowns.size() + m_freeOrigins.size()); }
 
-    /// The mechanism so many sizes away.
+    /// Returns the pose of the mechanism whose parameters differ from the truth by `step`, in parameter sizes.
     Pose pose(std::size_t row, const VectorXd &step, long double late = 0.0L) const
     {
         Parameters p = m_truth;
@@ -194,7 +195,7 @@ private:
         }
     }
 
-    /// A value that happens to be next to zero must not decide alone.
+    /// Returns the largest rounding step of a column, because the step of a single value close to zero is too small.
     static double largestStep(const ClaimColumn &column)
     {
         double largest = 0.0;
@@ -237,7 +238,7 @@ private:
     }
 
     const ClaimFile &m_file;
-    Parameters m_truth; ///< its θ20 in the middle of the file
+    Parameters m_truth; ///< θ20 is the angle in the middle of the file
     const std::size_t m_stride;
     const double m_middle;
     std::array<double, kParameterCount> m_sizes{};
@@ -247,7 +248,8 @@ private:
     std::vector<Value> m_values;
 };
 
-/// Positions alone at even instants belong to other speeds as well; four rows a turn are taken to be enough to tell.
+/// Returns whether the speed is unambiguous. Equally spaced positions alone fit several speeds; four rows a turn are
+/// enough.
 bool hasEnoughRowsATurn(const ClaimFile &file)
 {
     constexpr double kRowsATurn = 4.0;
@@ -299,8 +301,8 @@ bool areDeviationsVisible(const ClaimFile &file)
 bool determinesItsMechanism(const ClaimFile &file)
 {
     constexpr double kLargestError = 0.01;
-    constexpr double kLeastEvidence = 40.0;      // some more than the program asks for
-    constexpr std::size_t kFewestNoisyRows = 20; // of which noise can be told from misfit
+    constexpr double kLeastEvidence = 40.0;      // more than the program requires
+    constexpr std::size_t kFewestNoisyRows = 20; // needed to distinguish noise from misfit
     if (!file.truth || file.hasTooFewValues || file.mayBeMissed || file.instants.size() < 4 ||
         !hasEnoughRowsATurn(file)) {
         return false;

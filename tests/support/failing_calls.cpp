@@ -14,8 +14,8 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-// The C library's functions of these names, for everybody in the process. They do what they are for by a system call:
-// nothing else is needed, and nothing has to be there before main().
+// Replaces functions of the C library for the whole process. They make the system calls directly, so that they need no
+// other function and no initialization before main().
 
 namespace
 {
@@ -25,7 +25,7 @@ constexpr std::size_t kLongestPath = 4096;
 char folder[kLongestPath];
 char mark[kLongestPath];
 bool kills = false;
-std::atomic<int> left = 0; ///< calls until the one that fails; 0: none will
+std::atomic<int> left = 0; ///< remaining calls up to and including the one that fails; 0: none fails
 std::atomic<bool> failed = false;
 
 void copy(char (&to)[kLongestPath], const char *from)
@@ -45,7 +45,7 @@ void copy(char (&to)[kLongestPath], const char *from)
     }
 }
 
-/// Of a call that would change something at that path; whether it is to fail.
+/// Counts a call that would change the file at this path. Returns whether the call must fail.
 bool fails(const char *path)
 {
     if (left == 0 || std::strncmp(path, folder, std::strlen(folder)) != 0) {
@@ -94,7 +94,7 @@ int opened(int directory, const char *path, int flags, mode_t mode)
     return static_cast<int>(failOr(writes && fails(path), ENOSPC, SYS_openat, directory, path, flags, mode));
 }
 
-/// The last argument of an open() that may make a file.
+/// Returns the mode argument of an open() call that may create a file, otherwise 0.
 mode_t modeOf(int flags, va_list arguments)
 {
     return (flags & O_CREAT) != 0 || (flags & O_TMPFILE) == O_TMPFILE ? va_arg(arguments, mode_t) : 0;
@@ -102,7 +102,7 @@ mode_t modeOf(int flags, va_list arguments)
 
 } // namespace
 
-// NOLINTBEGIN: their names and arguments are not ours to choose
+// NOLINTBEGIN: the C library defines these names and arguments
 extern "C" {
 
 void failCall(const char *where, int which)

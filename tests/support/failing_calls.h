@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A disk that fails: of the calls by which a process changes files in one folder, and below it, the one asked for fails
-// once, or is the last that the process makes. Linked to a test this is about its own calls; preloaded, about those of
-// a program that finds in its environment what is asked for. Linux alone.
+// Simulates a failing disk. Of the system calls by which a process changes files in or below a folder, the selected one
+// fails once or kills the process. A test links this file to make its own calls fail. A program preloads it and selects
+// the call by environment variables. Linux only.
 
 namespace slidercrank
 {
 
-/// SLIDERCRANK_FAILING_FOLDER; SLIDERCRANK_FAILING_CALL: which, from 1; SLIDERCRANK_FAILING_END: "kill", or the file
-/// that is made when the call failed.
+/// Names of the environment variables: the folder, the number of the call that fails (from 1), and "kill" or the path
+/// of a file that is created when the call has failed.
 inline constexpr char kFailingFolder[] = "SLIDERCRANK_FAILING_FOLDER";
 inline constexpr char kFailingCall[] = "SLIDERCRANK_FAILING_CALL";
 inline constexpr char kFailingEnd[] = "SLIDERCRANK_FAILING_END";
@@ -17,7 +17,8 @@ inline constexpr char kFailingEnd[] = "SLIDERCRANK_FAILING_END";
 } // namespace slidercrank
 
 extern "C" {
-/// From here on; `which` of 0: none.
+/// Makes the call with number `which` fail, counted from now on. With 0, no call fails.
 void failCall(const char *folder, int which);
+/// Returns whether the selected call has failed.
 bool hasFailed();
 }

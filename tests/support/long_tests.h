@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Random suites are short, unless SLIDERCRANK_LONG_TESTS=1 asks for many cases (tests/run --long).
+// The number of random cases: few by default, many if SLIDERCRANK_LONG_TESTS=1 (tests/run --long).
 
 #include <QtGlobal>
 
@@ -15,7 +15,8 @@ inline int runs(int usual, int many)
     return qEnvironmentVariableIntValue("SLIDERCRANK_LONG_TESTS") > 0 ? many : usual;
 }
 
-/// Of cases about numbers. The sanitizers, many times slower, look at memory: an eighth is enough for them.
+/// Returns the number of cases of a numerical test. Sanitizer builds are many times slower and check memory, so they
+/// run an eighth.
 inline int numericRuns(int usual, int many)
 {
 #ifdef __SANITIZE_ADDRESS__

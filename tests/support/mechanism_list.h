@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The mechanisms that the laws of the core are tested on: those of the named cases, rockers next to every limit of
-// their existence, and random ones.
+// The mechanisms on which the properties of the core are tested: the named cases, rockers close to every limit of their
+// existence, and random mechanisms.
 
 #include "core/closed_form/motion_constants.h"
 #include "core/study/cases.h"
@@ -25,7 +25,7 @@ inline bool isRocker(const Parameters &p)
     return MotionConstants(Mechanism(p)).epsilon < 0.0;
 }
 
-/// Rockers next to every limit of their existence.
+/// Returns rockers close to every limit of their existence.
 inline std::vector<NamedMechanism> difficultRockers()
 {
     return {
@@ -39,7 +39,8 @@ inline std::vector<NamedMechanism> difficultRockers()
         {"b/a = 1e4", {1e-3, 25.0001, 25.0003, 3.0, 1.0, Branch::Open}}};
 }
 
-/// All of them. Every third of the `random` ones turns all round, is a rocker, or is near a toggle on either side.
+/// Returns all mechanisms. Of the `random` ones, a third make full turns, a third are rockers, and a third are close to
+/// a toggle on either side.
 inline std::vector<NamedMechanism> mechanismList(int random, std::uint64_t seed = 1)
 {
     std::vector<NamedMechanism> list;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A folder in which something older lies where a file is to be written, and what must be there afterwards: the older or
-// the new, whole, and nothing else.
+// A folder with an older file at the path to be saved. Checks that after saving it contains either the complete older
+// file or the complete new file, and nothing else.
 
 #include <QByteArray>
 #include <QDir>
@@ -23,13 +23,13 @@ namespace slidercrank
 
 inline const QByteArray kOlder = "what was there before\n";
 
-/// A way to write a file.
+/// One way of saving a file, by the command line or by the window.
 struct Save {
     const char *name;
     QString file;
-    int frames = 0;             ///< numbered, in place of the file; two more lie there before
-    QStringList arguments = {}; ///< of the program, --output to come
-    std::function<void(const QString &path)> inWindow = {}; ///< told in the message bar
+    int frames = 0;             ///< number of frames saved instead of one file; the folder has two more older ones
+    QStringList arguments = {}; ///< arguments of the program, without --output
+    std::function<void(const QString &path)> inWindow = {}; ///< saves by the window, which reports in its message bar
 
     QStringList files(bool isOlder) const
     {
@@ -47,7 +47,7 @@ inline QByteArray contentOf(const QString &path)
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-/// Nothing of it is missing, by what its format says about itself. `lines`: how many there should be of a table.
+/// Returns whether the file is complete according to its format. `lines` is the expected number of lines of a table.
 inline bool isWhole(const QString &path, qsizetype lines)
 {
     const QByteArray bytes = contentOf(path);
@@ -71,8 +71,8 @@ inline bool isWhole(const QString &path, qsizetype lines)
 }
 
 struct Outcome {
-    bool isWritten = false; ///< so it says; else that it is not
-    QString fault;          ///< it says neither
+    bool isWritten = false; ///< the program reports success; otherwise it reports an error
+    QString fault;          ///< set if the program reports neither
 };
 
 inline QStringList namesIn(const QString &folder)
@@ -80,7 +80,7 @@ inline QStringList namesIn(const QString &folder)
     return QDir(folder).entryList(QDir::AllEntries | QDir::NoDotAndDotDot | QDir::Hidden | QDir::System, QDir::Name);
 }
 
-/// A folder with what was there before.
+/// A temporary folder that contains the older files.
 class Place
 {
 public:
@@ -100,7 +100,7 @@ public:
     qint64 size() const { return QFileInfo(m_folder.filePath(m_save.files(false).first())).size(); }
     qsizetype lines() const { return contentOf(path()).count('\n'); }
 
-    /// Empty where all is as it was said to be.
+    /// Describes how the folder contradicts the reported outcome. Empty if it does not.
     QString fault(const Outcome &outcome, qsizetype lines) const
     {
         if (!outcome.fault.isEmpty()) {
@@ -120,8 +120,9 @@ public:
         return {};
     }
 
-    /// The same of one that could say nothing any more. What it was about to put there may lie beside; so may, of
-    /// frames, the older ones: they are never gone before the new ones are there, and never among them.
+    /// Checks the folder after the program was killed, so that it reported no outcome. Temporary files may remain, and
+    /// so may older frames that were moved aside: they must not be deleted before the new frames exist, nor mixed with
+    /// them.
     QString faultAfterKill(qsizetype lines) const
     {
         std::set<bool> isOlder;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The motion of a slider-crank as a simulation would print it: the textbook's formulas in long double, rounded by
-// printf. It shares nothing with the core that it is to judge.
+// Prints the motion of a slider-crank as a simulation program would: the textbook's formulas in long double, rounded by
+// printf. It shares no code with the core that it judges.
 
-#include "core/mechanism/mechanism.h"
 #include "core/import/reference_data.h"
+#include "core/mechanism/mechanism.h"
 
 #include <array>
 #include <cmath>
@@ -24,7 +24,8 @@ namespace slidercrank
 inline constexpr std::size_t kPrintedChannels = 6;
 using PrintedRow = std::array<long double, kPrintedChannels>;
 
-/// Norton, "Design of Machinery", eq. 4.16, 6.22, 7.15. NaN where there is no motion.
+/// Computes the motion at time t (Norton, "Design of Machinery", eq. 4.16, 6.22, 7.15). Returns NaN where the mechanism
+/// cannot be assembled.
 inline PrintedRow textbookMotion(const Parameters &p, long double t)
 {
     const long double pi = std::acos(-1.0L);
@@ -54,7 +55,7 @@ struct Printing {
     const char *timeFormat = "%.9g";
 };
 
-/// `isGap(row, channel)`: an empty cell.
+/// Returns the CSV text. The cells for which `isGap(row, channel)` is true are empty.
 template <typename IsGap>
 std::string printedMotion(const Parameters &parameters, const Printing &printing, IsGap isGap)
 {
@@ -89,7 +90,7 @@ std::string printedMotion(const Parameters &parameters, const Printing &printing
     return text;
 }
 
-/// Read as any file is; empty where it cannot be.
+/// Prints the motion and reads it with the program's reader. Returns empty data if it cannot be read.
 template <typename IsGap>
 ReferenceData printedData(const Parameters &parameters, const Printing &printing, IsGap isGap)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A picture in a file as somebody else's programs see it: netpbm for PNG, librsvg for SVG, poppler for PDF.
+// Reads image files with independent programs: netpbm for PNG, librsvg for SVG, poppler for PDF.
 
 #include <QByteArray>
 #include <QFileInfo>
@@ -17,7 +17,7 @@
 #include <cstdlib>
 #include <vector>
 
-/// What the program prints; empty where it is not there or fails.
+/// Returns the standard output of a program, or nothing if the program is missing or fails.
 inline QByteArray outputOf(const QString &program, const QStringList &arguments, const QByteArray &input = {})
 {
     QProcess process;
@@ -30,7 +30,7 @@ inline QByteArray outputOf(const QString &program, const QStringList &arguments,
 
 struct PrintedPicture {
     QSize size;
-    QByteArray rgb; ///< row by row
+    QByteArray rgb; ///< three bytes per pixel, row by row
 
     struct Colour {
         int red, green, blue;
@@ -55,11 +55,12 @@ struct PrintedPicture {
     }
 };
 
-/// Of a binary PPM with 8 bits a colour, which all of these programs print; no size where it is none.
+/// Parses a binary PPM with 8 bits per colour, the output format of all these programs. Returns an empty size on
+/// failure.
 inline PrintedPicture pictureInPpm(const QByteArray &ppm)
 {
     PrintedPicture picture;
-    const QByteArrayList words = ppm.left(60).simplified().split(' '); // none of them writes comments
+    const QByteArrayList words = ppm.left(60).simplified().split(' '); // none of the programs writes comments
     if (words.size() < 4 || words[0] != "P6" || words[3].left(3) != "255") {
         return picture;
     }
@@ -72,7 +73,7 @@ inline PrintedPicture pictureInPpm(const QByteArray &ppm)
     return picture;
 }
 
-/// A PDF at twice 96 dots to the inch, because poppler draws thin lines fainter than they are.
+/// Reads an image file. A PDF is rendered at 192 dots per inch, because poppler draws thin lines too faint at 96.
 inline PrintedPicture printedPicture(const QString &path)
 {
     const QString suffix = QFileInfo(path).suffix();
@@ -86,7 +87,7 @@ inline PrintedPicture printedPicture(const QString &path)
     return pictureInPpm(outputOf(QStringLiteral("pngtopnm"), {path}));
 }
 
-/// The first program missing of those that it takes; empty: none.
+/// Returns the first of the programs that is not installed, or an empty string.
 inline QString missingProgram(const QStringList &programs)
 {
     const auto missing = std::find_if(programs.begin(), programs.end(), [](const QString &program) {
@@ -95,9 +96,9 @@ inline QString missingProgram(const QStringList &programs)
     return missing == programs.end() ? QString() : *missing;
 }
 
-/// Where the axes of the plots are, left to right and top to bottom: between the ends of their grid lines, which are
-/// grey on white and longer than half a plot's share. `across`: how many are side by side, and as many below each
-/// other.
+/// Returns the rectangles of the plot axes, left to right and top to bottom. They are found by their grid lines, which
+/// are grey on white and longer than half of a plot's share of the picture. The picture has `across` rows and columns
+/// of plots.
 inline std::vector<QRect> axesIn(const PrintedPicture &picture, int across)
 {
     struct Run {
@@ -107,7 +108,7 @@ inline std::vector<QRect> axesIn(const PrintedPicture &picture, int across)
         const PrintedPicture::Colour colour = picture.at(x, y);
         return colour.isGrey() && colour.red < 0xf4;
     };
-    // Where there are lines of grey in one direction. Curves that cross one interrupt it; grey of lettering is short.
+    // Finds the grey lines in one direction. Curves that cross a line interrupt it; grey runs within text are short.
     const auto runs = [across](int lines, int length, const auto &isGreyAt) {
         const int shortest = length / across / 2;
         constexpr int kLettering = 10; // px

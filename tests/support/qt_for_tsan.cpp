@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What Qt hands from one thread to another, it guards where the thread sanitizer does not look: Qt's libraries are not
-// compiled with it. Here are the ways that the program uses, told to it. Linked to what it watches only: these stand in
-// front of Qt's functions of the same names.
+// Tells the thread sanitizer how Qt synchronizes threads, which it cannot see because Qt's libraries are not compiled
+// with it. Covers the functions that the program uses: those below replace Qt's functions of the same names. Linked
+// only in builds with the thread sanitizer.
 
 #include <QFutureInterface>
 #include <QMetaObject>
@@ -21,7 +21,7 @@
 namespace
 {
 
-char allThatEnded; // its address stands for the end of each piece of work
+char allThatEnded; // its address represents the end of every task
 
 class Handed : public QRunnable
 {
@@ -74,14 +74,14 @@ private:
 
 } // namespace
 
-/// A test may fork where threads are, to be killed or to run into a limit in its child.
+/// Allows tests to fork while other threads run, for children that are killed or reach a resource limit.
 extern "C" const char *__tsan_default_options()
 {
     return "die_after_fork=0";
 }
 
-/// QProcess lets its child work in the parent's memory until it is another program, and the sanitizer takes the parent
-/// to be that child from then on: so a memory of its own.
+/// Gives the child of QProcess its own memory. QProcess otherwise shares the parent's memory until exec(), and the
+/// sanitizer would then take the parent for the child.
 extern "C" int clone(int (*function)(void *), void *stack, int flags, void *argument, ...) noexcept
 {
     using Clone = int (*)(int (*)(void *), void *, int, void *, ...);
@@ -132,8 +132,7 @@ void QFutureInterfaceBase::reportFinished()
 void QFutureInterfaceBase::waitForResult(int index)
 {
     using Wait = void (*)(QFutureInterfaceBase *, int);
-    static const auto wait =
-        reinterpret_cast<Wait>(dlsym(RTLD_NEXT, "_ZN20QFutureInterfaceBase13waitForResultEi"));
+    static const auto wait = reinterpret_cast<Wait>(dlsym(RTLD_NEXT, "_ZN20QFutureInterfaceBase13waitForResultEi"));
     wait(this, index);
     __tsan_acquire(&allThatEnded);
 }

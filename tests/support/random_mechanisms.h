@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Random mechanisms that can be replayed: the same on every machine, whatever its standard library.
+// Random mechanisms that are the same on every machine and with every standard library.
 
 #include "core/mechanism/mechanism.h"
 
@@ -25,8 +25,8 @@ public:
         return from + (to - from) * std::ldexp(static_cast<double>(m_engine() >> 11), -53);
     }
 
-    /// The crank turns round with at least a fiftieth to spare: b = 1.02 … 7.4 times a + |c|; offset and speed of both
-    /// signs, both branches in turn.
+    /// Returns a mechanism whose crank makes full turns with a margin of at least 2 %: b is 1.02 … 7.4 times a + |c|.
+    /// Offset and speed have either sign, and the branches alternate.
     Parameters next()
     {
         Parameters p;

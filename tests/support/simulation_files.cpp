@@ -47,9 +47,9 @@ using Columns = std::vector<WrittenColumn>;
 
 struct Style {
     std::string before{}; ///< lines above the headings
-    std::string mark{};   ///< before the headings
+    std::string mark{};   ///< text before the headings
     std::string cell = ",";
-    std::string nameCell{}; ///< delimiter of the headings, if it is another one
+    std::string nameCell{}; ///< delimiter of the headings, if it differs
     std::string below{};    ///< lines between headings and numbers
     std::string rowBegin{};
     std::string lineEnd = "\n";
@@ -276,7 +276,7 @@ std::vector<SimulationFile> simulationFiles()
     read("LibreOffice, quoted text", "help.libreoffice.org, Export Text File: \"Quote all text cells\"",
          "\"time [min]\"=Time*min|\"R4_x [cm]\"=X*cm", {.format = "%.12g"}, "time[min] R4_x[cm]");
 
-    // Linkages in the browser.
+    // Linkage simulators in the browser.
     constexpr auto kPmks = "github.com/PMKS-Web/PMKSWeb src/app/component/analysis-graph/analysis-graph.component.ts, "
                            "downloadCSV()";
     read("PMKS+, velocity of a joint", kPmks,
@@ -285,7 +285,7 @@ std::vector<SimulationFile> simulationFiles()
     refused("MotionGen, curves over the time", "the names as in gripper-curves.csv; the time is assumed",
             "time=Time|J1_x=X|J1_y=Offset|J2_x=V|J2_y=Zero", {}, "its heading does not name the body");
 
-    // Other programs of linkages.
+    // Other linkage programs.
     refused("Linkage, motion paths",
             "github.com/stainlessio/Linkage linkageView.cpp, OnFileSaveMotion(): \"Connector \" and its name, the "
             "number of "
@@ -386,7 +386,7 @@ std::vector<SimulationFile> simulationFiles()
             "=Time|=X*m", {.before = "#1\ndouble slider(101,2)\n", .cell = " ", .hasHeadings = false},
             "no column beside the time has a known heading");
 
-    // Measured.
+    // Measurements.
     read("Tracker, video analysis", "physics.brocku.ca/Courses/2P20/Tracker, page 21: a title, then t, x, y",
          "t=Time|x=X|y=Offset", {.before = "cm_A\n", .cell = "\t", .format = "%.9E"}, "time[] R4_x?[] R4_y?[]");
     constexpr auto kTracker =

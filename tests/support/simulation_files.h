@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Files of one motion (Table 1 with b = 60, 101 time stamps of one turn) as simulation programs write them, with the
-// source of their headings, and files of other kinds. The numbers are computed by the textbook's formulas, not by the
-// core.
+// Files of one motion (Table 1 with b = 60, 101 time stamps of one turn) in the formats of simulation programs, with
+// the source of their headings, and files that contain no motion. The numbers are computed with the textbook's
+// formulas, not with the core.
 
 #include <string>
 #include <vector>
@@ -11,7 +11,7 @@
 namespace slidercrank
 {
 
-/// Content of a column.
+/// The content of a column.
 enum class Written {
     Time,
     RowNumber,
@@ -32,9 +32,9 @@ enum class Written {
 struct WrittenColumn {
     std::string heading;
     Written content = Written::Time;
-    double unit = 1.0;       ///< of the file, in mm, degrees and s
-    std::string suffix{};    ///< after each number
-    double readFactor = 1.0; ///< of the values that are read, if the file does not state its unit
+    double unit = 1.0;       ///< unit of the column, in mm, degrees and s
+    std::string suffix{};    ///< text after each number
+    double readFactor = 1.0; ///< factor of the values that are read, if the file does not state the unit
 };
 
 struct SimulationFile {
@@ -42,14 +42,14 @@ struct SimulationFile {
     std::string source; ///< of the headings
     std::string bytes;
     std::vector<WrittenColumn> columns;
-    std::string becomes;   ///< role and unit of each column, "time[s] R4_x?[mm] -", with a question mark for a guess
-    std::string refusal{}; ///< part of the sentence, if it is refused
+    std::string becomes; ///< expected role and unit of each column, "time[s] R4_x?[mm] -"; a guess has a question mark
+    std::string refusal{}; ///< part of the error message, if the file is rejected
 };
 
-/// Files of a program that exports one plot at a time.
+/// The files of a program that exports one plot at a time.
 struct SimulationPlots {
     std::string program;
-    std::string source;                ///< of the headings, or of the kind of export
+    std::string source;                ///< where the headings or the export are documented
     std::vector<SimulationFile> files; ///< `program` is the name of the file
     std::string becomes;               ///< like SimulationFile::becomes, for the columns of all files
     std::string refusal{};
@@ -65,7 +65,7 @@ std::vector<SimulationFile> simulationFiles();
 std::vector<SimulationPlots> simulationPlots();
 std::vector<OtherFile> otherFiles();
 
-/// Returns the content of a column in a row, in mm, degrees and s.
+/// Returns the value of a column in a row, in mm, degrees and s.
 double writtenValue(Written content, int row);
 
 inline constexpr int kWrittenRows = 101;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A study of Table 1 whose times are no machine's: 5 ns for the first method, and for each of the others a third more
-// than for the one before.
+// A study of Table 1 with artificial times that do not depend on the machine: 5 ns for the first method, and a third
+// more for each following method.
 
 #include "core/study/study.h"
 

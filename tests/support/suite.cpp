@@ -26,7 +26,7 @@ Suite::Suite(const char *name, Run run)
 
 } // namespace slidercrank
 
-/// The suite is named by the first argument, or by a symbolic link to the executable.
+/// Runs the suite named by the first argument or by the symbolic link through which the executable was started.
 int main(int argc, char *argv[])
 {
     const std::string program = argv[0];

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The test suites of a module share one executable (see tests/README.md). A suite is one file with one class of tests, which
-// ends with a line such as
+// The test suites of a module share one executable (see tests/README.md). A suite is one file with one class of tests,
+// which ends with a line such as
 //     const Suite suite("tst_newton", runWithoutApplication<TestNewton>);
 
 #include <QApplication>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A device that keeps the texts drawn on it, each with the bounds of its ink in px.
+// A paint device that records each text drawn on it, with its tight bounding rectangle in px.
 
 #include <QFontMetricsF>
 #include <QPaintDevice>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// How tests wait, on a machine of any speed: for a state, as long as it takes; for what is posted, until it is done;
-// for a timer, not at all.
+// Functions that let tests wait independently of the speed of the machine: until a condition is true or until all
+// posted events are processed. Timers are triggered at once instead of waited for.
 
 #include <QAbstractEventDispatcher>
 #include <QCoreApplication>
@@ -15,10 +15,10 @@
 namespace slidercrank
 {
 
-/// Only a test that is red waits so long, ms.
+/// Timeout in ms, reached only by a test that fails.
 inline constexpr int kPatience = 120'000;
 
-/// As QTRY_VERIFY and its like, but with patience, and without their conversions.
+/// Like QTRY_VERIFY and QTRY_COMPARE, but with the timeout above and without their type conversions.
 #define AWAIT_THEN(state, verify)                                                                                      \
     do {                                                                                                               \
         static_cast<void>(QTest::qWaitFor([&] { return static_cast<bool>(state); }, slidercrank::kPatience));          \
@@ -28,10 +28,10 @@ inline constexpr int kPatience = 120'000;
 #define AWAIT2(state, hint) AWAIT_THEN(state, QVERIFY2(state, hint))
 #define AWAIT_COMPARE(actual, expected) AWAIT_THEN((actual) == (expected), QCOMPARE(actual, expected))
 
-/// Lays out, paints and does all else that is posted, and what that posts in its turn.
+/// Processes all posted events, including layout, painting and the events that these post.
 inline void settle()
 {
-    constexpr int kMostRounds = 100; // what plays is never done
+    constexpr int kMostRounds = 100; // an animation posts events without end
     auto *events = QAbstractEventDispatcher::instance();
     int round = 0;
     do {
@@ -39,14 +39,14 @@ inline void settle()
     } while (events->processEvents(QEventLoop::AllEvents) && ++round < kMostRounds);
 }
 
-/// What is done in other threads is over, and has been heard of.
+/// Waits until all background tasks have finished and their results have been delivered.
 inline void finishAside()
 {
     QVERIFY(QThreadPool::globalInstance()->waitForDone(kPatience));
     settle();
 }
 
-/// What the object's own timers would do later they do now.
+/// Triggers the active timers of the object at once.
 inline void letTimePass(QObject &object)
 {
     for (QTimer *timer : object.findChildren<QTimer *>(QString(), Qt::FindDirectChildrenOnly)) {
@@ -57,7 +57,7 @@ inline void letTimePass(QObject &object)
     }
 }
 
-/// The same of the window and of all that we put into it.
+/// Triggers the active timers of the window and of all our widgets in it.
 inline void letTimePassIn(QWidget &window)
 {
     letTimePass(window);
@@ -68,7 +68,7 @@ inline void letTimePassIn(QWidget &window)
     }
 }
 
-/// As settle(), with what the window was to show in a moment.
+/// Processes all posted events and triggers the timers of the window.
 inline void settle(QWidget &window)
 {
     settle();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The parts of a widget by their object names, and typing into them.
+// Finds child widgets by object name, and types numbers into them.
 
 #include <QAbstractSpinBox>
 #include <QTest>
@@ -9,7 +9,7 @@
 namespace slidercrank
 {
 
-/// Ends the test program if there is no such part.
+/// Returns the child with this object name. Terminates the test program if there is none.
 template <typename Widget>
 Widget *child(const QWidget &parent, const QString &name)
 {
@@ -20,7 +20,7 @@ Widget *child(const QWidget &parent, const QString &name)
     return widget;
 }
 
-/// Types a number, also with characters that are on no key, and presses Enter.
+/// Types a number and presses Enter. The text may contain characters that no key produces.
 inline void typeNumber(QAbstractSpinBox *box, const QString &text)
 {
     box->setFocus();
