@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The closed form against the many-digit judge, and many time stamps at once against one.
+// Compares the closed form with multiple-precision results, and its evaluation of many time stamps with that of one.
 
 #include "core/closed_form/state_at.h"
 #include "tests/support/deviation.h"
@@ -15,11 +15,11 @@ using namespace slidercrank;
 namespace
 {
 
-/// The largest error of the closed form, relative to a channel's peak.
+/// The documented largest error of the closed form, relative to a channel's peak.
 constexpr double kPromise = 1e-15;
 
-/// Roundings between input and result, in units of 2^-53: two for a sine, one for each sum and product, three times
-/// those of s.
+/// Accumulated rounding error in units of 2^-53: two for a sine, one for each sum and product, three times the error
+/// of s.
 constexpr double kRoundings = 16.0;
 
 constexpr double kQuarter = 0.5 * std::numbers::pi;
@@ -30,8 +30,8 @@ QString text(const Parameters &parameters, const Deviation &deviation)
     return QString::fromStdString(describe(parameters) + "\n    " + describe(deviation));
 }
 
-/// The size of each value together with that of the two terms that the channels of bodies 3 and 4 are the sum of:
-/// R4x = a cos θ2 + s and R3 = (A + B)/2, which may cancel. The position R4x itself does not cancel.
+/// Returns the size of each value plus that of its terms, which may cancel in the channels of bodies 3 and 4:
+/// R4x = a cos θ2 + s and R3 = (A + B)/2. The terms of the position R4x itself do not cancel.
 std::array<double, kChannelCount> termSizes(const Parameters &parameters, const ExactState<Digits100> &exact)
 {
     std::array<double, kChannelCount> sizes;
@@ -49,7 +49,7 @@ std::array<double, kChannelCount> termSizes(const Parameters &parameters, const 
     return sizes;
 }
 
-/// Keeps the worst deviation and its mechanism.
+/// Records the largest deviation and its mechanism.
 struct Worst {
     Deviation deviation;
     Parameters parameters;
@@ -77,8 +77,8 @@ std::vector<double> randomTimes(RandomMechanisms &random, int count, double from
     return times;
 }
 
-/// Evaluates with every instruction set of this processor and compares with one time stamp after another, to the last
-/// bit; `wanted` has a bit for each plotted channel. Returns the first difference.
+/// Evaluates all time stamps at once with every instruction set of this processor, and compares them bit by bit with
+/// the evaluation of single time stamps. `wanted` has a bit for each plotted channel. Returns the first difference.
 QString differenceFromOne(const Parameters &parameters, std::span<const double> times, unsigned wanted = 63)
 {
     constexpr double kNotWritten = -12345.0;
@@ -136,7 +136,7 @@ private slots:
     void saysWhatDoesNotExist();
 };
 
-/// And knows the reference file: R4x(0) of b = 60.
+/// The multiple-precision results also agree with the reference file: R4x(0) for b = 60.
 void tst_closed_form::judgeDifferentiatesItsPositions()
 {
     const double kStep = 1e-12;
@@ -180,7 +180,7 @@ void tst_closed_form::isExactOnRandomMechanisms()
     worst.check("of peak", kPromise);
 }
 
-/// At the doubles nearest to a toggle, too (timeStampsOf()).
+/// The time stamps include the doubles closest to a toggle (timeStampsOf()).
 void tst_closed_form::isExactOnNamedCases()
 {
     Worst worst;
@@ -201,8 +201,8 @@ void tst_closed_form::isExactOnNamedCases()
     worst.check("of peak", kPromise);
 }
 
-/// At the doubles nearest to ±90° and their neighbours every value is exact to its own size, not to a peak elsewhere;
-/// from 1e-16 to 0.1 rad away, to the channel's size between half and twice that distance.
+/// At the doubles closest to ±90° and their neighbours, the error is relative to each value, not to the channel's peak.
+/// At distances from 1e-16 to 0.1 rad it is relative to the channel's size between half and twice that distance.
 void tst_closed_form::isExactNearNinetyDegrees()
 {
     Worst worst;
@@ -252,19 +252,19 @@ void tst_closed_form::isExactUpToARockersLimits_data()
     }
 }
 
-/// Near its limits a rocker's b - |h| is a difference, and a rounding of a, b, c or θ2 changes it by as much as itself:
-/// no result for rounded numbers is better than u(|f| + κ). For the numbers as given it is exact to the last digits.
+/// Near the limits of a rocker, rounding a, b, c or θ2 can change b - |h| by its own size, so that no result for
+/// rounded inputs is better than u(|f| + κ). For the exact inputs the result is accurate to the last digits.
 void tst_closed_form::isExactUpToARockersLimits()
 {
     QFETCH(const Parameters, parameters);
     constexpr double kConditionRoundings = 4.0;
     constexpr double kNearTheLimit = 1e-4;
-    constexpr double kAtTheLimit = 1e-30; // of a + b + |c|: an angle in two parts cannot tell this from the limit
+    constexpr double kAtTheLimit = 1e-30; // of a + b + |c|: a two-part angle cannot resolve a smaller distance
     const Case turn{.name = {},
                     .parameters = parameters,
                     .sampling = {0.0, 2.0 * std::numbers::pi / std::abs(parameters.omega2), 50}};
 
-    // A whole turn, both sides of each limit, and the doubles around it: of t, and of θ20 at t = 0.
+    // A whole turn, both sides of each limit, and the neighbouring doubles of t, and of θ20 at t = 0.
     std::vector<std::pair<Parameters, double>> places;
     for (const double t : turn.sampling.timeStamps()) {
         places.emplace_back(parameters, t);
@@ -303,7 +303,7 @@ void tst_closed_form::isExactUpToARockersLimits()
         const Order last = got.status == Status::Solved ? Order::Acceleration : Order::Position;
         worst.add(p, worstDeviation(got, exact, t, tolerances, last));
         if (clearance < kNearTheLimit) {
-            // Next to a dead centre R4x is a small difference.
+            // Close to a dead centre, R4x is a small difference of its terms.
             sizes[indexOf({R4x, Order::Position})] += 2.0 * sizes[indexOf({R2x, Order::Position})];
             worstNear.add(p, worstDeviation(got, exact, t, scaled(sizes, kRoundings * kUnitRoundoff), last));
         }
@@ -312,13 +312,13 @@ void tst_closed_form::isExactUpToARockersLimits()
     worstNear.check("u|f| near a limit", kRoundings);
 }
 
-/// Up to 1e15 s; the largest angle that vectors reduce, 1.6e6 rad, cannot be seen in the numbers.
+/// Up to 1e15 s. The results do not change at 1.6e6 rad, the largest angle that the vectorized code reduces.
 void tst_closed_form::isExactAtAnyCrankAngle()
 {
     const Parameters p{.b = 60.0};
     auto tolerances =
         scaled(channelSizes<long double>(p, exactRun<long double>(p, Sampling{}.timeStamps())), 2.0 * kPromise);
-    tolerances[indexOf({Theta2, Order::Position})] = kInfinity; // it grows, and one double does not hold it
+    tolerances[indexOf({Theta2, Order::Position})] = kInfinity; // the angle grows, and one double cannot represent it
     const double limit = 1.6e6 / p.omega2;
     std::vector<double> times{limit, std::nextafter(limit, 0.0), std::nextafter(limit, 1e9), 0.999 * limit};
     for (double t = 0.1; t < 1e15; t *= 1.37) {
@@ -337,7 +337,7 @@ void tst_closed_form::isExactAtAnyCrankAngle()
     QCOMPARE(differenceFromOne(p, times), QString());
 }
 
-/// To the last bit, rockers and both branches, any length and any selection of channels; nothing else is written.
+/// Bit by bit, for rockers, both branches, arrays of any length and any selection of channels. Nothing else is written.
 void tst_closed_form::manyTimeStampsAreThoseOfOne()
 {
     QVERIFY(!hwy::SupportedAndGeneratedTargets().empty());
@@ -364,10 +364,10 @@ void tst_closed_form::manyTimeStampsAreThoseOfOne()
     }
 }
 
-/// Every kind of time stamp that vectors leave out, at every place among ordinary ones.
+/// Puts every kind of time stamp that the vectorized code cannot process at every position among ordinary ones.
 void tst_closed_form::specialTimeStampsStayApart()
 {
-    const Parameters locked{.b = 5.0, .c = 25.0, .theta20 = kQuarter}; // in its one pose at t = 0
+    const Parameters locked{.b = 5.0, .c = 25.0, .theta20 = kQuarter}; // in its only pose at t = 0
     struct Row {
         Parameters parameters;
         double t;
@@ -394,7 +394,7 @@ void tst_closed_form::specialTimeStampsStayApart()
     }
 }
 
-/// By powers of two, to the last bit.
+/// Scales by powers of two; the results agree bit by bit.
 void tst_closed_form::scalesWithTheMechanism()
 {
     const Parameters p;

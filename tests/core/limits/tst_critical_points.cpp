@@ -25,7 +25,7 @@ namespace
 constexpr std::size_t kChannels = kPlottedChannels.size();
 constexpr int kSteps = 20'000;
 
-/// The motion at crank angles all round, with ω2 = 1 or -1.
+/// The motion at crank angles over a full turn, with ω2 = 1 or -1.
 struct Turn {
     std::vector<double> theta2;
     std::array<std::vector<double>, kChannels> values;
@@ -54,7 +54,8 @@ Turn turnOf(Parameters p)
     return turn;
 }
 
-/// Where the motion reaches beyond what the course says it can between two neighbouring crank angles; empty: nowhere.
+/// Describes where the motion between two crank angles exceeds the range given by the critical points. Empty if it does
+/// not.
 QString whereItLeaves(const CriticalPoints &course, std::size_t channel, const Turn &turn)
 {
     const std::vector<double> &values = turn.values[channel];
@@ -62,7 +63,7 @@ QString whereItLeaves(const CriticalPoints &course, std::size_t channel, const T
     for (const double value : values) {
         size = std::isfinite(value) ? std::max(size, std::abs(value)) : size;
     }
-    constexpr int kLook = 50; // angles at once
+    constexpr int kLook = 50; // number of angle steps per interval
     for (std::size_t from = 0; from + kLook < values.size(); from += kLook) {
         const std::size_t to = from + kLook;
         double lower = std::min(values[from], values[to]);
@@ -76,7 +77,7 @@ QString whereItLeaves(const CriticalPoints &course, std::size_t channel, const T
             }
         }
         if (!isWhole) {
-            continue; // it ends or begins there
+            continue; // the motion ends or begins in this interval
         }
         for (std::size_t i = from; i <= to; ++i) {
             const double beyond = std::max(lower - values[i], values[i] - upper);
@@ -110,7 +111,7 @@ void check(const Parameters &p, const QString &name)
 
 } // namespace
 
-/// Between two places of a course the motion only rises or only falls.
+/// Between two critical points the motion is monotonic.
 class TestCriticalPoints : public QObject
 {
     Q_OBJECT
@@ -136,7 +137,7 @@ private slots:
         }
     }
 
-    /// Against velocities of the constraint equations: v = ω3 × (r − P) at each of the coupler's points.
+    /// Compares with velocities from the constraint equations: v = ω3 × (r − P) at each point of the coupler.
     void theInstantCentreExplainsTheCouplersVelocities()
     {
         RandomMechanisms random(5);
@@ -158,7 +159,8 @@ private slots:
                                                                {q[R3x], q[R3y], v[R3x], v[R3y]},
                                                                {q[R4x], q[R4y], v[R4x], v[R4y]}}};
             for (const auto &[x, y, vx, vy] : points) {
-                const double far = 1.0 + std::hypot(centre->position.x, centre->position.y) / p.a; // that much cancels
+                const double far = 1.0 + std::hypot(centre->position.x, centre->position.y) /
+                                             p.a; // cancellation grows with the distance
                 QVERIFY(std::abs(vx + omega3 * (y - centre->position.y)) <= 1e-9 * far * size);
                 QVERIFY(std::abs(vy - omega3 * (x - centre->position.x)) <= 1e-9 * far * size);
             }
@@ -167,10 +169,10 @@ private slots:
         }
         Parameters square;
         square.theta20 = 0.5 * std::numbers::pi;
-        QVERIFY(instantCentre(Mechanism(square), 0.0)->toA > 1e15); // beyond all bounds, but for π's last digit
-        square.b = square.c - square.a; // a fold: crank and coupler upright, one over the other
+        QVERIFY(instantCentre(Mechanism(square), 0.0)->toA > 1e15); // infinite, except for the rounding of π
+        square.b = square.c - square.a;                             // crank and coupler are vertical and overlap
         square.theta20 = 0.0;
-        QVERIFY(!instantCentre(Mechanism(square), 0.0)); // there is no pose
+        QVERIFY(!instantCentre(Mechanism(square), 0.0)); // cannot be assembled
     }
 
     void isEmptyWhereNothingMoves()

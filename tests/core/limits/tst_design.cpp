@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The mechanism with a wanted stroke and time ratio, judged by the limits of its motion.
+// Tests the design of a mechanism for a given stroke and time ratio, by the limits of its motion.
 
 #include "core/limits/design.h"
 #include "core/limits/mobility.h"
@@ -83,8 +83,8 @@ void TestDesign::hasTheBestTransmissionAngle()
     }
 }
 
-/// In-line: half the stroke is the crank. And the dead centres of a = 20, b = 65, c = 25 (Norton, "Design of
-/// Machinery", section 3.8) lead back to that mechanism.
+/// In-line mechanism: the crank is half the stroke. The dead centres of a = 20, b = 65, c = 25 (Norton, "Design of
+/// Machinery", section 3.8) reproduce that mechanism.
 void TestDesign::agreesWithPublishedDesigns()
 {
     const Lengths inLine = findLengths(80.0, 1.0, 4.0);

@@ -18,8 +18,8 @@ namespace
 constexpr double kPi = std::numbers::pi;
 constexpr double kTurn = 2.0 * kPi;
 
-/// Half the height of b cos θ3's valley at the steepest coupler, in crank angle; where it is small the peaks are as
-/// narrow.
+/// Returns the approximate width in crank angle of the minimum of b cos θ3 at the steepest coupler. The peaks are about
+/// as narrow.
 double valleyOf(const Parameters &p)
 {
     const Digits50 gap = Digits50(p.b) - p.a - std::abs(p.c);
@@ -33,7 +33,7 @@ Digits50 valueAt(const Parameters &p, Channel channel, const Digits50 &theta2)
     return exactState(in).values[indexOf(channel)];
 }
 
-/// Crank angles all round the circle, closer to each other beside ±90°, down to a hundredth of the valley.
+/// Returns distances from ±90° that cover the circle. Close to ±90° they are as dense as a hundredth of the valley.
 std::vector<double> angleSteps(const Parameters &p)
 {
     std::vector<double> steps;
@@ -49,7 +49,7 @@ struct ExactPeak {
     Digits50 magnitude;
 };
 
-/// The largest of a fine scan, refined by golden section between its neighbours.
+/// Finds the largest value of a fine scan and refines it by golden-section search between its neighbours.
 ExactPeak scannedPeak(const Parameters &p, Channel channel)
 {
     using std::abs;
@@ -163,7 +163,7 @@ void tst_extremes::peaksAreThoseOfAFineScan()
         const double relative = static_cast<double>((Digits50(peak.magnitude) - exact.magnitude) / exact.magnitude);
         QVERIFY2(std::abs(relative) <= 4e-15, describe(p, peak, exact).c_str());
 
-        // As the angle from ±90° goes; a double there is itself no finer than 2.2e-16.
+        // Proportional to the angle from ±90°, at which the spacing of doubles is 2.2e-16.
         const double fromSteepest = std::abs(std::abs(static_cast<double>(exact.theta2)) - 0.5 * kPi);
         const double tolerance = 1e-11 * valleyOf(p) + 1e-14 * fromSteepest + 2.3e-16;
         double nearest = kTurn;
@@ -176,7 +176,7 @@ void tst_extremes::peaksAreThoseOfAFineScan()
     }
 }
 
-/// θ3 depends on sin θ2 alone, so that its derivatives peak twice; without an offset the slider's speed does, too.
+/// θ3 depends only on sin θ2, so its derivatives have two equal peaks; without an offset, so does the slider's speed.
 void tst_extremes::everyPlaceHasThePeaksValue()
 {
     RandomMechanisms random(72);
@@ -236,8 +236,8 @@ void tst_extremes::aRockerIsUnboundedAtItsLimits()
     }
 }
 
-/// The slider comes to the toggle and turns back from it at once: the speeds have one-sided limits (those of θ3 are
-/// ±ω √(a/b)), an acceleration would have to be infinite.
+/// At the toggle the slider reverses abruptly: the velocities have one-sided limits (that of θ3 is ±ω √(a/b)), and the
+/// accelerations are unbounded.
 void tst_extremes::anExactToggleBoundsOnlyTheSpeeds()
 {
     for (const double c : {25.0, -25.0}) {
@@ -262,7 +262,7 @@ void tst_extremes::anExactToggleBoundsOnlyTheSpeeds()
     }
 }
 
-/// a = b, c = 0: the slider goes to 2a and back in one half turn and rests in the other.
+/// a = b, c = 0: the slider moves to 2a and back in one half turn and rests during the other.
 void tst_extremes::theChangePointTurnsTheCouplerEvenly()
 {
     const Parameters p{20.0, 20.0, 0.0, -3.0, 0.0, Branch::Open};

@@ -17,10 +17,10 @@ namespace
 constexpr double kPi = std::numbers::pi;
 constexpr double kTurn = 2.0 * kPi;
 
-/// Relative to a + b + |c|, or rad: a few roundings, more where a square root of a small difference stands.
+/// Tolerance relative to a + b + |c|, or in rad: a few rounding errors. Square roots of small differences need more.
 constexpr double kTolerance = 1e-12;
 
-/// Full turns, rockers of one and of two arcs, impossible ones.
+/// Returns a random mechanism: one with full turns, a rocker with one or two arcs, or one that cannot be assembled.
 Parameters anyMechanism(RandomMechanisms &random)
 {
     Parameters p = random.next();
@@ -41,7 +41,7 @@ std::vector<Parameters> mechanisms()
     return all;
 }
 
-/// By exact sums.
+/// Determines the mobility with exact sums.
 Mobility exactMobility(const Parameters &p)
 {
     const Digits100 a = p.a;
@@ -64,7 +64,7 @@ ExactState<Real> atAngle(Parameters p, double theta2)
     return exactState<Real>(p, 0.0);
 }
 
-/// From 0 to 1 as x does, but slower near both.
+/// Maps 0 … 1 to 0 … 1 with denser samples at both ends.
 double crowded(double x)
 {
     return 0.5 - 0.5 * std::cos(kPi * x);
@@ -93,7 +93,7 @@ bool near(const std::optional<double> &x, const std::optional<double> &y, double
     return x.has_value() == y.has_value() && (!x || near(*x, *y, tolerance));
 }
 
-/// Prints the mechanism beside a failure.
+/// Like QVERIFY, but a failure also prints the mechanism.
 #define VERIFY_FOR(parameters, condition) QVERIFY2(condition, describe(parameters).c_str())
 
 } // namespace
@@ -130,7 +130,7 @@ void tst_mobility::classifiesByExactSums()
     }
 }
 
-/// One unit in the last place of b decides; where a + |c| is no double, b is compared with the exact sum.
+/// One unit in the last place of b decides. If a + |c| is not exactly representable, b is compared with the exact sum.
 void tst_mobility::grashofIsSharp()
 {
     for (const auto &[a, c] : {std::pair(20.0, 25.0),
@@ -167,13 +167,13 @@ void tst_mobility::rangesAreOrderedWithinATurn()
     }
 }
 
-/// c → -c is a mirror along x: θ2 → -θ2, and the crank turns the other way. The other branch is a mirror along y:
-/// θ2 → π - θ2, R4x → -R4x. Lengths may be of any size.
+/// c → -c mirrors the mechanism at the x axis: θ2 → -θ2, and ω2 changes sign. The other branch mirrors it at the y
+/// axis: θ2 → π - θ2, R4x → -R4x. Lengths are also scaled.
 void tst_mobility::mirrorsAndScalesWithTheMechanism()
 {
     struct Image {
         Parameters parameters;
-        double along; ///< of R4x and of lengths
+        double along; ///< factor of R4x and of the lengths
         double (*angle)(double);
         bool exchangesDirections;
     };
@@ -208,7 +208,7 @@ void tst_mobility::mirrorsAndScalesWithTheMechanism()
                                        kTolerance));
                 }
             }
-            for (const CrankRange &range : limits.ranges) { // the same arc, perhaps from the other end
+            for (const CrankRange &range : limits.ranges) { // the same arc, possibly traversed from the other end
                 const double middle = image.angle(0.5 * (range.from + range.to));
                 VERIFY_FOR(p, std::ranges::any_of(other.ranges, [&](const CrankRange &found) {
                                return near(found.to - found.from, range.to - range.from, kTolerance) &&
@@ -220,7 +220,7 @@ void tst_mobility::mirrorsAndScalesWithTheMechanism()
     }
 }
 
-/// Each of the three lengths taken to its limit just turns round, and no further.
+/// A mechanism with one length at its limit still makes full turns; slightly beyond the limit it does not.
 void tst_mobility::eachLengthHasItsLimitForAFullTurn()
 {
     const Parameters p{20.0, 65.0, -25.0, 1.0};
@@ -239,7 +239,7 @@ void tst_mobility::eachLengthHasItsLimitForAFullTurn()
     QVERIFY(turns(&Parameters::c, -c) && !turns(&Parameters::c, std::nextafter(-c, -1e3)));
 }
 
-/// All round the circle, but for what lies within rounding of an end.
+/// Checked over the full circle, except within rounding of the ends of the ranges.
 void tst_mobility::rangesAreWhereThereIsAPose()
 {
     constexpr double kBesideAnEnd = 1e-9;
@@ -255,7 +255,7 @@ void tst_mobility::rangesAreWhereThereIsAPose()
     }
 }
 
-/// |c - a sin θ2| = b there; to √u in the angle where a range is about to vanish or to close.
+/// |c - a sin θ2| = b at the ends. The angle is accurate only to √u if a range nearly vanishes or nearly closes.
 void tst_mobility::rangesEndWhereTheCouplerIsSquare()
 {
     for (const Parameters &p : mechanisms()) {
@@ -290,21 +290,21 @@ void tst_mobility::deadCentresStandStill()
                 continue;
             }
             VERIFY_FOR(p, centre->theta2 >= -kPi && centre->theta2 < kPi);
-            // B is b + a, or |b - a|, away from O2.
+            // The distance of B from O2 is b + a or |b - a|.
             const double distance = stretched ? p.b + p.a : std::abs(p.b - p.a);
             VERIFY_FOR(p, near(std::hypot(centre->R4x, p.c), distance, kTolerance * characteristicLength(p)));
 
             const ExactState<Digits50> exact = atAngle<Digits50>(p, centre->theta2);
             const double cosine = std::abs(static_cast<double>(exact.cosTheta3));
             if (cosine < 1e-3) {
-                continue; // at an end of the motion, where nothing stands still
+                continue; // the dead centre is at a limit of the motion, where the velocity is not zero
             }
             VERIFY_FOR(p, exact.status == Status::Solved);
             const double R4 = static_cast<double>(exact.values[indexOf({R4x, Order::Position})]);
             const double R4Dot = static_cast<double>(exact.values[indexOf({R4x, Order::Velocity})]);
             const double R4DDot = static_cast<double>(exact.values[indexOf({R4x, Order::Acceleration})]);
             VERIFY_FOR(p, near(centre->R4x, R4, kTolerance * characteristicLength(p) / cosine));
-            // An error of u in θ2 leaves u R̈4x of speed; and more, for lengths, where terms larger than it cancel.
+            // An error u of θ2 causes a velocity of u R̈4x, and more if larger terms cancel.
             VERIFY_FOR(p, near(R4Dot, 0.0,
                                16.0 * kUnitRoundoff * (kPi * std::abs(R4DDot) + characteristicLength(p) / cosine)));
         }
@@ -312,11 +312,11 @@ void tst_mobility::deadCentresStandStill()
     QVERIFY(outer > 0 && inner > 0);
 }
 
-/// Sampled densely towards ±90° and towards the ends of a rocker's arcs, where the slider turns within a tiny angle.
+/// Samples densely near ±90° and near the ends of a rocker's arcs, where the slider reverses within a small angle.
 void tst_mobility::strokeIsThatOfTheMotion()
 {
     constexpr int kSamples = 2000;
-    constexpr double kSampling = 1e-5; // of a + b + |c|: what samples that far apart can miss
+    constexpr double kSampling = 1e-5; // of a + b + |c|: error due to the distance of the samples
     for (const Parameters &p : mechanisms()) {
         const MotionLimits limits = motionLimits(Mechanism(p));
         VERIFY_FOR(p, limits.stroke.has_value() == (limits.mobility != Mobility::Impossible));
@@ -355,7 +355,8 @@ void tst_mobility::strokeIsThatOfTheMotion()
     }
 }
 
-/// Turning with ω2 from the inner one by angleOutwards the crank is at the outer one, and the slider never turned back.
+/// From the inner dead centre the crank turns by angleOutwards to the outer one, and the slider never reverses
+/// meanwhile.
 void tst_mobility::anglesLeadFromDeadCentreToDeadCentre()
 {
     int seen = 0;
@@ -396,7 +397,7 @@ void tst_mobility::largestPressureAngleIsThatOfTheMotion()
             continue;
         }
         const double largest = limits.largestPressureAngle;
-        // θ3 reaches asin of its largest sine: known to √u where that is 1
+        // the largest θ3 is asin of the largest sine, accurate to √u if the sine is 1
         const ExactState<Digits50> there = atAngle<Digits50>(p, limits.largestPressureAngleAt);
         const double height = std::abs(p.c - p.a * std::sin(limits.largestPressureAngleAt));
         VERIFY_FOR(p, near(std::sin(largest), height / p.b, kTolerance * characteristicLength(p) / p.b));
@@ -418,10 +419,10 @@ void tst_mobility::largestPressureAngleIsThatOfTheMotion()
     }
 }
 
-/// And positions beyond the stroke to its nearer end.
+/// Positions beyond the stroke lead to its nearer end.
 void tst_mobility::sliderPositionsLeadBackToTheCrank()
 {
-    constexpr double kPerpendicular = 1e-3; // of b: nearer to a limit a position does not tell the angle
+    constexpr double kPerpendicular = 1e-3; // of b: closer to a limit, a position does not determine the angle
     RandomMechanisms random(35);
     int checked = 0;
     for (int i = 0; i < 2000; ++i) {

@@ -54,7 +54,8 @@ void tst_mechanism::findsTheFirstFault()
               Row{-1.0, ofLink(Reason::NotPositive)}, Row{-0.0, ofLink(Reason::NotPositive)},
               Row{std::nextafter(1e-9, 0.0), ofLink(Reason::TooShort)}, Row{1e-9, std::nullopt}}) {
             Parameters parameters;
-            parameters.theta20 = parameter == Parameter::Theta20 || !reason ? 0.0 : kNone; // a second fault, later
+            parameters.theta20 =
+                parameter == Parameter::Theta20 || !reason ? 0.0 : kNone; // a second fault, in a later parameter
             valueOf(parameters, parameter) = value;
             const std::optional<ParameterFault> fault = findFault(parameters);
             QCOMPARE(fault.has_value(), reason.has_value());
@@ -63,7 +64,7 @@ void tst_mechanism::findsTheFirstFault()
     }
 }
 
-/// And those of perpendicularTimes() are where cos θ2 = 0, or where the height of B above A is b.
+/// Also checks that at perpendicularTimes() cos θ2 = 0, or the height of B above A is b.
 void tst_mechanism::namedCasesAreMechanisms()
 {
     std::set<std::string_view> names;
@@ -88,7 +89,7 @@ void tst_mechanism::namedCasesAreMechanisms()
     }
 }
 
-/// In the order of `solve`: all of q, then q̇, then q̈; x, y and θ of each body.
+/// In the order of `solve`: all of q, then q̇, then q̈, each with x, y and θ of each body.
 void tst_mechanism::channelsHaveTheNamesAndUnitsOfFiles()
 {
     struct Derivative {

@@ -14,7 +14,7 @@ using boost::multiprecision::cpp_rational;
 namespace
 {
 
-/// Any sign, any digits, exponents from -span to span.
+/// Returns a random number of either sign with an exponent from -span to span.
 double anyDouble(RandomMechanisms &random, double span)
 {
     return std::ldexp(random.uniform(-1.0, 1.0), static_cast<int>(random.uniform(-span, span)));
@@ -29,7 +29,7 @@ QString numbers(std::initializer_list<double> values)
     return text;
 }
 
-/// |lo| is at most half a unit in the last place of hi.
+/// Returns whether |lo| is at most half a unit in the last place of hi.
 bool isNormalized(TwoPart value)
 {
     return value.hi + value.lo == value.hi;
@@ -76,7 +76,7 @@ void tst_two_part_angle::productIsExact()
     }
 }
 
-/// To 1e-31 of the size of its terms, that is 103 bits; also where ω2 t and θ20 cancel.
+/// The error is at most 1e-31 (103 bits) of the size of the terms, even if ω2 t and θ20 cancel.
 void tst_two_part_angle::crankAngleHasTwiceTheDigits()
 {
     constexpr double kRelative = 1e-31;
@@ -94,7 +94,7 @@ void tst_two_part_angle::crankAngleHasTwiceTheDigits()
     }
 }
 
-/// Within 2u of 1 at any size. Without the second part the error would be that of the angle: 1e-7 at 1e9.
+/// The error is at most 2u at angles of any size. Without the second part it would be that of the angle: 1e-7 at 1e9.
 void tst_two_part_angle::sineAndCosineKeepTheSecondPart()
 {
     RandomMechanisms random(4);
@@ -117,7 +117,7 @@ void tst_two_part_angle::sineAndCosineKeepTheSecondPart()
     qInfo("worst: %.3g of the tolerance", worst);
 }
 
-/// The cosine of the double nearest 90° is 6e-17, and all its digits count beside a toggle.
+/// The cosine of the double closest to 90° is 6e-17, and near a toggle all its digits matter.
 void tst_two_part_angle::cosineIsExactNextToNinetyDegrees()
 {
     constexpr double kRelative = 4.0 * kUnitRoundoff;
@@ -132,8 +132,8 @@ void tst_two_part_angle::cosineIsExactNextToNinetyDegrees()
     }
 }
 
-/// Beside every multiple of 90° the part has some 30 digits of its own, but for what the last digits of the angle make
-/// of it.
+/// Close to every multiple of 90° the result has about 30 significant digits, except for the effect of the angle's own
+/// rounding.
 void tst_two_part_angle::fineSineHasTwiceTheDigits()
 {
     constexpr double kRelative = 1e-30;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Runs of Newton-Raphson for its tests, and their deviation from the exact motion.
+// Helpers that run Newton-Raphson and compare the results with the exact motion.
 
 #include "core/closed_form/state_at.h"
 #include "core/newton/newton.h"
@@ -17,9 +17,9 @@ namespace slidercrank
 
 inline constexpr double kTurn = 2.0 * std::numbers::pi;
 inline constexpr NewtonOptions kReport;            ///< Table 2 of the reference report
-inline constexpr NewtonOptions kToTheEnd{50, 0.0}; ///< until the residual no longer decreases
+inline constexpr NewtonOptions kToTheEnd{50, 0.0}; ///< iterates until the residual no longer decreases
 
-/// Every combination of elimination, warm start and tolerance kind, the reference report's first.
+/// Returns every combination of elimination, warm start and tolerance kind, starting with that of the reference report.
 inline std::vector<NewtonOptions> everyWay(int maxIterations, double tolerance)
 {
     std::vector<NewtonOptions> ways;
@@ -33,7 +33,7 @@ inline std::vector<NewtonOptions> everyWay(int maxIterations, double tolerance)
     return ways;
 }
 
-/// Each time step from the one before.
+/// Solves all time steps, each with a warm start from the previous one.
 inline std::vector<NewtonTimeStep> run(const Parameters &parameters, const std::vector<double> &times,
                                        const NewtonOptions &options)
 {
@@ -47,7 +47,7 @@ inline std::vector<NewtonTimeStep> run(const Parameters &parameters, const std::
     return done;
 }
 
-/// Coordinates to start from, without derivatives.
+/// Returns a time step that provides start coordinates but no derivatives.
 inline NewtonTimeStep startAt(const Vector12 &q)
 {
     NewtonTimeStep start;
@@ -82,7 +82,7 @@ inline QString described(const Parameters &parameters, const NewtonTimeStep &ins
         .arg(instant.q[Theta3], 0, 'g', 17);
 }
 
-/// The closed form as a judge.
+/// Returns the state by the closed form, as reference for deviations.
 inline ExactState<double> closedFormState(const Parameters &parameters, double t)
 {
     const State state = ClosedForm{Mechanism(parameters)}.stateAt(t);

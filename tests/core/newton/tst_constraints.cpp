@@ -21,7 +21,7 @@ bool isAngleRow(Eigen::Index row)
     return row == GroundAngle || row == SliderAngle || row == CrankDrive;
 }
 
-/// Lengths are judged in units of a + b + |c|, angles in rad.
+/// Returns the unit of a row's tolerance: a + b + |c| for lengths, 1 rad for angles.
 double rowUnit(const Parameters &p, Eigen::Index row)
 {
     return isAngleRow(row) ? 1.0 : p.a + p.b + std::abs(p.c);
@@ -32,7 +32,7 @@ double coordinateUnit(const Parameters &p, Eigen::Index column)
     return isAngle(static_cast<Coordinate>(column)) ? 1.0 : p.a + p.b + std::abs(p.c);
 }
 
-/// Anything: lengths within the mechanism's reach, angles within a turn or so.
+/// Returns random coordinates: lengths of the order of the mechanism's size, angles within about one turn.
 Vector12 anywhere(const Parameters &p, RandomMechanisms &random)
 {
     Vector12 q;
@@ -56,7 +56,7 @@ QString entry(const Parameters &p, const char *what, Eigen::Index row, Eigen::In
         .arg(QString::fromStdString(describe(p)));
 }
 
-/// Of a central difference with this step: truncation h²/6 and rounding u/h, both below a thousandth of a millionth.
+/// Step and tolerance of central differences: the truncation error h²/6 and the rounding error u/h are both below 1e-9.
 constexpr double kStep = 1e-5;
 constexpr double kDifferenceTolerance = 1e-9;
 
@@ -84,7 +84,7 @@ private slots:
     void determinantIsMinusBCosTheta3();
 };
 
-/// Pushing one coordinate out of its place breaks the constraints that hold it, by that much, and no others.
+/// Changing one coordinate violates exactly the constraints that contain it, by the amount of the change.
 void tst_constraints::rowsMeanWhatTheirNamesSay()
 {
     const Parameters p;
@@ -107,7 +107,7 @@ void tst_constraints::rowsMeanWhatTheirNamesSay()
         {Theta4, {{SliderAngle, 1.0}}},
     };
     constexpr double kPush = 0.5;
-    constexpr double kTolerance = 1e-13; // mm or rad, a few roundings of 100 mm
+    constexpr double kTolerance = 1e-13; // mm or rad, a few rounding errors of 100 mm
     for (const Row &row : rows) {
         Vector12 pushed = q;
         pushed[row.pushed] += kPush;
@@ -120,8 +120,8 @@ void tst_constraints::rowsMeanWhatTheirNamesSay()
     }
 }
 
-/// C = 0, C_q q̇ = -C_t and C_q q̈ = Q_d, on the exact motion of random mechanisms: to a few roundings of the terms of
-/// each row.
+/// C = 0, C_q q̇ = -C_t and C_q q̈ = Q_d on the exact motion of random mechanisms, within a few rounding errors of the
+/// terms of each row.
 void tst_constraints::vanishOnTheExactMotion()
 {
     constexpr double kRoundings = 16.0;
@@ -139,7 +139,7 @@ void tst_constraints::vanishOnTheExactMotion()
         const Vector12 velocity = Cq * qDot + constraintTimeDerivative(mechanism);
         const Vector12 Qd = quadraticVelocityTerm(mechanism, q, qDot);
         const Vector12 acceleration = Cq * qDDot - Qd;
-        // An error of u in θ2 or θ3 moves each C by u θ ∂C/∂θ, and its derivatives by as much of theirs.
+        // A relative error u of θ2 or θ3 changes each C by u θ ∂C/∂θ, and likewise the derivatives of C.
         const Vector12 angleSizes = Vector12::Constant(1.0 + std::abs(q[Theta2]) + std::abs(q[Theta3]));
         const Vector12 velocityTerms = Cq.cwiseAbs() * qDot.cwiseAbs();
         const Vector12 accelerationTerms = Cq.cwiseAbs() * qDDot.cwiseAbs() + Qd.cwiseAbs();
@@ -175,7 +175,7 @@ void tst_constraints::jacobianIsTheDerivative()
                 Vector12 less = q;
                 more[column] += step;
                 less[column] -= step;
-                // t = 0: C_q does not depend on it, and a large ω2 t would only drown the difference.
+                // t = 0, because C_q does not depend on t and a large ω2 t would hide the difference.
                 const Vector12 difference = (constraints(mechanism, more, 0.0) - constraints(mechanism, less, 0.0)) /
                                             (more[column] - less[column]);
                 for (Eigen::Index row = 0; row < kCoordinateCount; ++row) {
@@ -224,7 +224,7 @@ void tst_constraints::quadraticVelocityTermIsTheDerivative()
             const Vector12 earlier = constraintJacobian(mechanism, q - kStep * qDot) * qDot;
             const Vector12 expected = -(later - earlier) / (2.0 * kStep);
             for (Eigen::Index row = 0; row < kCoordinateCount; ++row) {
-                // speeds of up to 5 rad/s: the third derivative is up to 5⁴ times the length
+                // at speeds up to 5 rad/s the third derivative is up to 5⁴ times the length
                 const double tolerance = 100.0 * kDifferenceTolerance * rowUnit(parameters, row);
                 QVERIFY2(std::abs(Qd[row] - expected[row]) <= tolerance,
                          qPrintable(entry(parameters, "Qd", row, 0, Qd[row], expected[row], tolerance)));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Newton-Raphson over the named cases and random mechanisms: how accurate it is, how many iterations it takes, that it
-// stays on its branch, and that it says so where it has no answer.
+// Tests Newton-Raphson on the named cases and on random mechanisms: its accuracy, its number of iterations, that it
+// stays on its branch, and that it reports when it finds no solution.
 
 #include "core/newton/constraints.h"
 #include "tests/core/newton/newton_runs.h"
@@ -26,7 +26,7 @@ Parameters withCoupler(double b, double c = 25.0)
     return parameters;
 }
 
-/// |f| + κ for each channel: the error that rounding the inputs causes is u times that.
+/// Returns |f| + κ for each channel. Rounding the inputs causes an error of u times this.
 template <class Real>
 std::array<double, kChannelCount> roundingSizes(const Parameters &p, double t, const ExactState<Real> &exact)
 {
@@ -77,7 +77,7 @@ void TestNewton::agreesWithTheClosedFormAtEveryScale()
                 const auto sizes = scaled(channelSizes<long double>(p, exactRun<long double>(p, times)), kPart);
                 for (const Elimination elimination : {Elimination::Dense, Elimination::Structured}) {
                     if (elimination == Elimination::Dense && factor != 1.0) {
-                        continue; // its matrix mixes mm and rad: 1e-11 of rad/s² is rounding beside 1e11 mm
+                        continue; // the matrix mixes mm and rad: 1e-11 rad/s² is lost in rounding next to 1e11 mm
                     }
                     NewtonOptions options = kToTheEnd;
                     options.elimination = elimination;
@@ -98,8 +98,8 @@ void TestNewton::agreesWithTheClosedFormAtEveryScale()
     }
 }
 
-/// README: 1.9 u (|f| + κ) in elimination order with tolerance 0. Judged at every other time step and wherever the
-/// coupler is square.
+/// README: 1.9 u (|f| + κ) in elimination order with tolerance 0. Checked at every other time step and where the
+/// coupler is perpendicular to the slider's path.
 void TestNewton::errorIsWithinTwiceTheConditioning()
 {
     for (const Case &which : allCases()) {
@@ -122,7 +122,7 @@ void TestNewton::errorIsWithinTwiceTheConditioning()
                             worst, worstDeviation(done[i].state, exact, times[i], scaled(sizes, 2.0 * kUnitRoundoff)));
                     }
                 };
-                constexpr double kEnoughClearance = 1e-4; // for 50 digits
+                constexpr double kEnoughClearance = 1e-4; // resolved by 50 digits
                 const ExactState<Digits50> exact = exactState<Digits50>(p, times[i]);
                 exact.clearance > kEnoughClearance ? judge(exact) : judge(exactState<Digits100>(p, times[i]));
             }
@@ -180,15 +180,15 @@ void TestNewton::iterationsDependNeitherOnScaleNorOnTime()
             }
         }
         Parameters p;
-        p.omega2 = 6.25; // few bits, so that whole turns later the crank angles are the same but for rounding
+        p.omega2 = 6.25; // few bits, so that the crank angles repeat after whole turns except for rounding
         const double period = kTurn / p.omega2;
         const double late = std::round(1e9 / period) * period;
         compare(p, Sampling{late, period, 200}.timeStamps(), run(p, Sampling{0.0, period, 200}.timeStamps(), options));
     }
 }
 
-/// Except where rounding decides: at the one singular time step of a change point, and for lengths of 1e10 mm, which
-/// satisfy an absolute tolerance of 1e-8 mm by chance only.
+/// Excludes the cases in which rounding decides: the singular time step of a change point, and lengths of 1e10 mm,
+/// which satisfy an absolute tolerance of 1e-8 mm only by chance.
 void TestNewton::bothEliminationsTakeTheSameIterations()
 {
     for (const Case &which : allCases()) {
@@ -230,7 +230,7 @@ void TestNewton::coldStartConvergesWithinItsLimit()
     }
 }
 
-/// A warm start alone would jump to the other assembly here.
+/// With so few steps a warm start alone would jump to the other branch.
 void TestNewton::keepsTheBranchWithFewStepsATurn()
 {
     constexpr double kTolerance = 1e-11; // θ3 has the relative error u/cos² θ3: 1e-13 for the smallest gap
@@ -259,7 +259,8 @@ void TestNewton::keepsTheBranchWithFewStepsATurn()
     QVERIFY(coldStarts > 100); // otherwise nothing was tested
 }
 
-/// From the other branch, from a square coupler, whose matrix is singular, and from no angle at all.
+/// Starts from the other branch, from a perpendicular coupler (singular matrix), and from an angle that is not a
+/// number.
 void TestNewton::replacesAStartThatCannotConverge()
 {
     for (const Branch branch : {Branch::Open, Branch::Crossed}) {
@@ -312,7 +313,7 @@ void TestNewton::statesWhyThereIsNoPosition()
         QVERIFY(instant.state.q.array().isNaN().all() && instant.state.qDDot.array().isNaN().all());
         QCOMPARE(history.empty(), row.iterations == 0);
     }
-    // θ3 of a coupler of 1e-13 a is lost in the rounding of the crank.
+    // The rounding of the crank pin's position exceeds a coupler of 1e-13 a, so that θ3 is undetermined.
     const NewtonTimeStep whirling = solve(Mechanism({1e3, 1e-9, 0.0, kTurn, 0.0, Branch::Open}), 0.0);
     QCOMPARE(whirling.positionStatus, Status::IterationLimit);
     QCOMPARE(whirling.iterations, 0);
@@ -334,11 +335,11 @@ void TestNewton::isSingularAtTheExactToggle()
     }
 }
 
-/// By every way: the residual is that of the answer and within the tolerance, and what is called solved has a position
-/// that is right as far as the residual can tell, and derivatives that are right to a hundredth of the channel's peak
-/// at the very least. With r the tolerance, or its rounding, b sin θ3 is known to 2r (four rows make it up), so θ3 to
-/// 2r/(b |cos θ3|) and, since sin θ3 is flat there, to √(4r/b) at worst. Its relative error in cos θ3 is that of each
-/// derivative, once more for each division by it.
+/// With all options: the reported residual is that of the solution and within the tolerance. If the status is Solved,
+/// the position is correct to the accuracy that the residual permits, and the derivatives have an error below 1 % of
+/// the channel's peak. Let r be the tolerance, or the rounding error if larger. Four rows contribute to b sin θ3, so it
+/// is known to 2r. Therefore θ3 is known to 2r/(b |cos θ3|) and, since sin θ3 is flat at a toggle, to √(4r/b) at worst.
+/// The relative error of cos θ3 enters a derivative once for each division by cos θ3.
 void TestNewton::isNeverSilentlyWrong()
 {
     for (const Case &which : allCases()) {
@@ -372,7 +373,7 @@ void TestNewton::isNeverSilentlyWrong()
                          qPrintable(where));
                 QVERIFY2(instant.residual <= std::max(options.tolerance, rowRounding), qPrintable(where));
 
-                // At the very limit of a rocker, rounding decides whether there is a position; the limit is the answer.
+                // At the limit of a rocker, rounding decides whether it can be assembled; the exact limit is accepted.
                 const bool isAtLimit = std::abs(static_cast<double>(exact.clearance)) < 1e-14;
                 if (isAtLimit && exact.status != Status::Solved) {
                     continue;
@@ -402,7 +403,7 @@ void TestNewton::isNeverSilentlyWrong()
     }
 }
 
-/// A tolerance that is larger than the motion itself, or than what a nearby toggle permits.
+/// Uses a tolerance larger than the motion itself, or too large for a nearby toggle.
 void TestNewton::iteratesBelowATooLargeTolerance()
 {
     struct Row {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Newton-Raphson at random time stamps of mechanisms of all kinds: what it calls solved is right.
+// Tests Newton-Raphson at random time stamps of mechanisms of all kinds: every solution with status Solved is correct.
 
 #include "core/newton/constraints.h"
 #include "core/newton/structured_system.h"
@@ -23,7 +23,7 @@ namespace
 /// Random mechanisms of one kind.
 struct Kind {
     const char *name;
-    double unsolved; ///< largest accepted part of the time stamps that have a pose
+    double unsolved; ///< largest accepted fraction of unsolved time stamps, of those that can be assembled
     void (*change)(Parameters &p, double gap, RandomMechanisms &random);
 };
 
@@ -49,7 +49,8 @@ const Kind kKinds[] = {
      }},
 };
 
-/// A time stamp anywhere among the angles that have a pose, or, for `i` of 2 or 3 modulo 4, close to a square coupler.
+/// Returns a random time stamp at which the mechanism can be assembled. If `i` is 2 or 3 modulo 4, the coupler is
+/// nearly perpendicular to the slider's path.
 double randomTime(const Parameters &p, int i, RandomMechanisms &random)
 {
     const double lowest = std::asin(std::clamp((p.c - p.b) / p.a, -1.0, 1.0));
@@ -66,7 +67,7 @@ double randomTime(const Parameters &p, int i, RandomMechanisms &random)
     return (mirrored + kTurn * turns - p.theta20) / p.omega2;
 }
 
-/// The peak of each channel in a turn of a hundred steps and, for a rocker, in a hundred poses.
+/// Returns the peak of each channel over a turn of a hundred steps and, for a rocker, over a hundred random poses.
 std::array<double, kChannelCount> peaks(const Parameters &p)
 {
     constexpr int kSteps = 100;
@@ -100,7 +101,7 @@ private slots:
     void structuredStepsAreTheDenseOnes();
 };
 
-/// With Table 2, warm started from another random time stamp.
+/// Uses the options of Table 2 and a warm start from another random time stamp.
 void TestNewtonRandom::callsNothingSolvedThatIsOffByOnePercent()
 {
     for (std::size_t kind = 0; kind < std::size(kKinds); ++kind) {
@@ -145,8 +146,9 @@ void TestNewtonRandom::callsNothingSolvedThatIsOffByOnePercent()
     }
 }
 
-/// Within 0.03 rad of a toggle, of a limit, of an exact toggle and of a change point: what is called solved is right to
-/// three times twice kResolvedPart of the value, or of what it would be where nothing is steep.
+/// Within 0.03 rad of a toggle, a limit, an exact toggle and a change point, solutions with status Solved have a
+/// relative error below 6 kResolvedPart. The error is relative to the value or, if larger, to its size far from the
+/// toggle.
 void TestNewtonRandom::givesDerivativesBesideAToggleOnlyWithTheirDigits()
 {
     constexpr double kPart = 6.0 * kResolvedPart;
@@ -187,8 +189,8 @@ void TestNewtonRandom::givesDerivativesBesideAToggleOnlyWithTheirDigits()
     QVERIFY(solved > kMechanisms);
 }
 
-/// From any iterate, both eliminations make the step ‖difference‖ <= u (κ ‖Δq‖ + ‖q‖), with the 2-norm of the twelve
-/// numbers (mm and rad mixed) and κ the ratio of the extreme singular values of C_q.
+/// From any iterate, the steps of both eliminations agree: ‖difference‖ <= u (κ ‖Δq‖ + ‖q‖), with the 2-norm of the
+/// twelve numbers (mm and rad mixed) and κ the ratio of the extreme singular values of C_q.
 void TestNewtonRandom::structuredStepsAreTheDenseOnes()
 {
     using LongVector = Eigen::Matrix<long double, kCoordinateCount, 1>;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Sampled motions equal those of the solvers, whatever is asked for; the constraint equations hold along them; the
-// crank is where it was asked to be.
+// Tests that sampled motions equal the solvers' results for any selection, that they satisfy the constraint equations,
+// and that the crank has the requested angle.
 
 #include "core/closed_form/state_at.h"
 #include "core/mechanism/in_parallel.h"
@@ -27,7 +27,7 @@ constexpr Channel kSlider{R4x, Order::Position};
 constexpr SolverSettings kClosedForm;
 constexpr SolverSettings kNewton{Method::Newton, {}};
 
-/// The same numbers, or both NaN.
+/// Returns whether the values are equal or both NaN.
 bool isSame(const std::vector<double> &x, const std::vector<double> &y)
 {
     return std::ranges::equal(x, y, [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); });
@@ -78,7 +78,7 @@ private slots:
         QCOMPARE(timeStepsPerTurn(Mechanism(slow), {}), 400.0);
     }
 
-    /// Values, statuses and the summary, over every case and by both methods, of all channels and of any subset.
+    /// Compares values, statuses and the summary for every case, both methods, all channels and subsets of them.
     void samplesAreThoseOfTheSolver()
     {
         for (const Case &which : allCases()) {
@@ -180,7 +180,7 @@ private slots:
         }
         std::latch both(2);
         const auto work = [&both, caller = std::this_thread::get_id()](std::size_t) {
-            both.arrive_and_wait(); // one piece each
+            both.arrive_and_wait(); // each thread has one piece
             if (std::this_thread::get_id() != caller) {
                 throw std::bad_alloc();
             }
@@ -221,7 +221,7 @@ private slots:
         QCOMPARE(nearestTimeAtCrankAngle(Mechanism(still), {}, 1.1, 0.3), 0.3);
     }
 
-    /// The closed form knows nothing of the constraints: that they hold there is evidence for both.
+    /// The closed form does not use the constraint equations, so their agreement confirms both.
     void theConstraintEquationsHold()
     {
         const Mechanism mechanism;
