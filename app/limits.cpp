@@ -132,8 +132,8 @@ QString textLimits(const Mechanism &mechanism, const MotionLimits &limits)
         if (fact.theta2) {
             place = CommandLine::tr("at θ₂ = %1°").arg(QString::number(degreesFromZero(*fact.theta2), 'f', 2));
         }
-        if (fact.instant) {
-            place += CommandLine::tr(", t = %1 s").arg(secondsText(*fact.instant, revolution.duration));
+        if (fact.time) {
+            place += CommandLine::tr(", t = %1 s").arg(secondsText(*fact.time, revolution.duration));
         }
         rows.push_back({fact.name, fact.value, place + (fact.remark.isEmpty() ? "" : ' ' + fact.remark)});
     }

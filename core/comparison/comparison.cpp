@@ -278,10 +278,10 @@ MotionDifference differenceOf(const Mechanism &mechanism, const Mechanism &other
     }
     const std::vector<double> times = Sampling{std::min(from, to), duration, kSteps}.timeStamps();
     const Trajectory model = exactMotion(mechanism, times, plottedChannels());
-    Trajectory kept = exactMotion(other, times, plottedChannels());
+    Trajectory pinned = exactMotion(other, times, plottedChannels());
     MotionDifference difference;
     for (const Channel channel : kPlottedChannels) {
-        const ReferenceSeries series{channel, std::move(kept.values[indexOf(channel)]), Rounding()};
+        const ReferenceSeries series{channel, std::move(pinned.values[indexOf(channel)]), Rounding()};
         const ChannelComparison comparison = compareChannel(times, model[channel], series, sizeOf(mechanism, channel));
         difference.hasGaps =
             difference.hasGaps || (channel.order == Order::Position && comparison.count < times.size());

@@ -43,7 +43,7 @@ std::vector<TableRow> rowsOf(const std::vector<MotionFact> &facts, double durati
         QString explanation = fact.explanation;
         TableCell angle{.text = fact.remark};
         if (fact.theta2) {
-            explanation += u'\n' + (fact.instant ? LimitsPage::tr("Click or press Enter to go there")
+            explanation += u'\n' + (fact.time ? LimitsPage::tr("Click or press Enter to go there")
                                                  : LimitsPage::tr("Outside the simulated time range"));
             const double degrees = kDegreesPerRadian * *fact.theta2;
             angle = {.text = crankAngleText(*fact.theta2), .number = degrees < 0.0 ? degrees + 360.0 : degrees};
@@ -52,10 +52,10 @@ std::vector<TableRow> rowsOf(const std::vector<MotionFact> &facts, double durati
                           .csv = fact.unit.isEmpty() ? fact.name : QStringLiteral("%1 [%2]").arg(fact.name, fact.unit)},
                          {.text = valueText(fact), .number = fact.number},
                          angle,
-                         {.text = fact.instant ? secondsText(*fact.instant, duration) : dash(),
-                          .number = fact.instant,
-                          .tone = fact.instant ? Tone::Link : Tone::Normal}},
-                        fact.instant});
+                         {.text = fact.time ? secondsText(*fact.time, duration) : dash(),
+                          .number = fact.time,
+                          .tone = fact.time ? Tone::Link : Tone::Normal}},
+                        fact.time});
         for (TableCell &cell : rows.back().cells) {
             cell.explanation = explanation;
         }

@@ -131,8 +131,8 @@ public:
         for (const double nudge : {0.0, kNudge, -kNudge}) {
             const auto time = timeAtCrankAngle(m_mechanism, theta2 + nudge, m_sampling.start);
             if (time && *time <= end + kSlack * m_sampling.duration &&
-                (!fact.instant || !isAssemblable(*fact.instant))) {
-                fact.instant = std::min(*time, end);
+                (!fact.time || !isAssemblable(*fact.time))) {
+                fact.time = std::min(*time, end);
             }
         }
     }

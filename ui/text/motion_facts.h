@@ -25,7 +25,7 @@ struct MotionFact {
     QString explanation;
     std::optional<double> theta2; ///< rad
     QString remark;
-    std::optional<double> instant; ///< first time at which the crank has this angle, s
+    std::optional<double> time;   ///< first time at which the crank has this angle, s
 };
 
 /// States whether the crank makes full turns, with the inequality that decides it and the changes that would permit it.
