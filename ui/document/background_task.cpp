@@ -22,8 +22,8 @@ constexpr int kProgressSteps = 1000;
 /// short tasks do not wait for long ones.
 QThreadPool *threadPool()
 {
-    constexpr int kLongTasks =
-        8; // study, export, recovery file, reference file, identification, and some that are stopping
+    // The study, an export, the recovery file, the reference file, the identification, and tasks that are stopping.
+    constexpr int kLongTasks = 8;
     QThreadPool *pool = QThreadPool::globalInstance();
     static const bool isLarge = (pool->setMaxThreadCount(pool->maxThreadCount() + kLongTasks), true);
     Q_UNUSED(isLarge)
@@ -50,7 +50,7 @@ void BackgroundTask::run(const Work &work, const std::function<void(const std::a
         const QPointer<BackgroundTask> self(this);
         const Outcome outcome = watcher->result();
         outcome.problem.isEmpty() ? done(outcome.value) : failed(outcome.problem);
-        if (self && m_watcher == watcher) { // otherwise it was deleted, or has started other work
+        if (self && m_watcher == watcher) { // otherwise the task was deleted, or has started other work
             discard();
         }
     });

@@ -17,7 +17,8 @@ namespace slidercrank
 namespace
 {
 
-/// Returns the key of the choices for such files: a hash, because headings may contain characters that keys may not.
+/// Returns the settings key for files with these headings. It is a hash, because headings may contain characters that
+/// are not allowed in keys.
 QString settingsKey(const FileLayout &layout, const QStringList &paths)
 {
     QStringList parts;

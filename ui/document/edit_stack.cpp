@@ -11,7 +11,7 @@ namespace
 {
 
 constexpr int kUndoLimit = 200;
-constexpr std::chrono::seconds kSameStepWithin{1}; // longer than the delay before a key that is held down repeats
+constexpr std::chrono::seconds kSameStepWithin{1}; // longer than the delay before a held key repeats
 
 /// Restores the choices before or after an edit. Qt merges successive commands with the same id().
 class EditCommand : public QUndoCommand

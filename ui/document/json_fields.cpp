@@ -33,7 +33,7 @@ void JsonFields::write(const char *name, const QJsonValue &value)
     }
 }
 
-/// Writes the value, or reads a value of the same type. Returns Undefined if there is none.
+/// Writes the value, or reads a value of the same type. Returns Undefined if there is no such value.
 QJsonValue JsonFields::exchange(const char *name, const QJsonValue &value)
 {
     write(name, value);
@@ -43,17 +43,17 @@ QJsonValue JsonFields::exchange(const char *name, const QJsonValue &value)
     return isFound ? found : QJsonValue::Undefined;
 }
 
-void JsonFields::operator()(const char *name, double &value, double least, double most)
+void JsonFields::operator()(const char *name, double &value, double smallest, double largest)
 {
     value = exchange(name, value).toDouble(value);
-    check(value >= least && value <= most, name);
+    check(value >= smallest && value <= largest, name);
 }
 
-void JsonFields::operator()(const char *name, int &value, int most)
+void JsonFields::operator()(const char *name, int &value, int largest)
 {
     const QJsonValue found = exchange(name, value);
     value = found.toInt(found.isDouble() ? 0 : value); // 0 if the number is not whole
-    check(value >= 1 && value <= most, name);
+    check(value >= 1 && value <= largest, name);
 }
 
 void JsonFields::operator()(const char *name, QStringList &value)
@@ -82,7 +82,7 @@ void JsonFields::operator()(const char *name, std::vector<Channel> &value)
     }
 }
 
-/// Writes the numbers, or null if there are none; or reads `count` numbers.
+/// When writing, writes the numbers, or null if there are none. When reading, reads `count` numbers.
 std::vector<double> JsonFields::exchangeNumbers(const char *name, const std::vector<double> &numbers, std::size_t count)
 {
     QJsonArray array;

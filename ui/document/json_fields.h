@@ -48,10 +48,10 @@ public:
 
     void operator()(const char *name, bool &value) { value = exchange(name, value).toBool(value); }
     void operator()(const char *name, QString &value) { value = exchange(name, value).toString(value); }
-    void operator()(const char *name, double &value, double least = -kLargestParameter,
-                    double most = kLargestParameter);
-    void operator()(const char *name, int &value, int most); ///< from 1 to `most`
-    void operator()(const char *name, QStringList &value);   ///< a string, or a list of strings
+    void operator()(const char *name, double &value, double smallest = -kLargestParameter,
+                    double largest = kLargestParameter);
+    void operator()(const char *name, int &value, int largest); ///< from 1 to `largest`
+    void operator()(const char *name, QStringList &value);      ///< a string, or a list of strings
     void operator()(const char *name, std::vector<Channel> &value);
     void operator()(const char *name, std::optional<Interval> &value);
     void operator()(const char *name, std::optional<QRectF> &value);

@@ -40,14 +40,14 @@ std::string fileName(const QString &path)
     return QFileInfo(path).fileName().toStdString();
 }
 
-/// The sentence about a fault that concerns a file as a whole.
+/// Returns the message about a fault that concerns the whole file.
 QString wholeFileFault(ReadFault::Kind kind, const QString &shownName)
 {
     return readErrorText(ReadError{0, 0, {}, {kind}}, {shownName});
 }
 
-/// Reads a file, a pipe or standard input. Returns a sentence if that fails. If the beginning is not text, or if the
-/// file is too large, nothing but the beginning is read.
+/// Reads a file, a pipe or standard input. Returns a message if that fails. Reads only the beginning if that is not
+/// text or if the file is too large.
 std::optional<QString> readFile(const QString &path, const std::stop_token &stop, QByteArray &bytes)
 {
     constexpr qsizetype kBlock = 1 << 22; // bytes
@@ -82,7 +82,7 @@ std::optional<QString> readFile(const QString &path, const std::stop_token &stop
     return isComplete ? std::nullopt : std::optional(wholeFileFault(ReadFault::Kind::Unreadable, name));
 }
 
-/// Returns the first lines of a file; empty if it cannot be read.
+/// Returns the first lines of a file, or an empty array if it cannot be read.
 QByteArray readBeginning(const QString &path)
 {
     constexpr qint64 kLimit = 1 << 20; // bytes: about 15 000 rows of seven columns, which are read in milliseconds
@@ -95,7 +95,7 @@ QByteArray readBeginning(const QString &path)
     return bytes;
 }
 
-/// The name for legends: "results.csv", or "results.csv + 2 more".
+/// Returns the name for legends: "results.csv", or "results.csv + 2 more".
 QString shortName(const QStringList &paths)
 {
     const QString name =

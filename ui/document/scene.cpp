@@ -26,7 +26,7 @@ struct SceneText {
 
 constexpr int kVersion = 1;
 constexpr double kLargestTime = std::numeric_limits<double>::max();
-constexpr qint64 kLargestFile = 1 << 20; // bytes; a scene has a few thousand
+constexpr qint64 kLargestFile = 1 << 20; // bytes; a typical scene has a few thousand
 
 void describe(Scene &scene, JsonFields &fields)
 {
@@ -68,7 +68,7 @@ QString absolutePath(const QDir &folder, const QString &path)
     return path.startsWith(u':') ? path : QDir::cleanPath(folder.absoluteFilePath(path));
 }
 
-/// Returns a sentence if the file is not a scene that this version can read.
+/// Returns a message if the file is not a scene that this version can read.
 std::optional<QString> versionFault(const QJsonValue &version, const QString &file)
 {
     if (!version.isDouble()) {

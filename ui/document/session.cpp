@@ -21,9 +21,9 @@ namespace slidercrank
 namespace
 {
 
-constexpr std::chrono::milliseconds kSettlingTime{200}; // longer than between two edits of a drag
+constexpr std::chrono::milliseconds kSettlingTime{200}; // longer than the time between two edits of a drag
 
-// Identities of edits that do not change parameters. Those of parameters are sets of bits, see changeName().
+// Identities of edits that do not change parameters. Edits of parameters use sets of bits, see changeName().
 constexpr int kSamplingIdentity = 100;
 constexpr int kSolverIdentity = 101;
 
@@ -36,7 +36,7 @@ Sampling rangeOf(const std::vector<double> &times, const Sampling &sampling)
     return isUsable ? Sampling{start, span > 0.0 ? span : sampling.duration, sampling.steps} : sampling;
 }
 
-/// Whether the range of `outer` contains that of `inner`, within rounding.
+/// Whether the range of `outer` contains the range of `inner`, within rounding errors.
 bool contains(const Sampling &outer, const Sampling &inner)
 {
     const double slack = 1e-9 * std::abs(outer.duration);
@@ -44,7 +44,7 @@ bool contains(const Sampling &outer, const Sampling &inner)
     return inner.start >= first - slack && inner.start + inner.duration <= last + slack;
 }
 
-/// Removes from the choices what cannot be computed quickly.
+/// Returns the choices without the parts that cannot be computed quickly.
 Choices simplified(Choices choices)
 {
     choices.solver.method = Method::ClosedForm;
@@ -290,8 +290,8 @@ void Session::read(const std::function<ReferenceSource()> &source,
 {
     const auto work = [source](const std::stop_token &stop, const BackgroundTask::Progress &progress) {
         ReadOptions options;
-        options.progress = [&progress](std::size_t bytes, std::size_t all) {
-            progress(static_cast<double>(bytes) / static_cast<double>(std::max(all, bytes)));
+        options.progress = [&progress](std::size_t bytes, std::size_t total) {
+            progress(static_cast<double>(bytes) / static_cast<double>(std::max(total, bytes)));
         };
         return readReference(source(), stop, options);
     };
@@ -301,7 +301,7 @@ void Session::read(const std::function<ReferenceSource()> &source,
 void Session::loadReference(const QStringList &paths, const std::optional<std::vector<ColumnChoice>> &columns)
 {
     const auto pipe = std::ranges::find_if(paths, [](const QString &path) { return isPipeOrDevice(QFileInfo(path)); });
-    if (pipe != paths.end()) { // reading it might never end
+    if (pipe != paths.end()) { // reading a pipe might never end
         emit referenceRefused(
             paths, tr("%1 is a pipe or a device: save the data in a file, and open that.").arg(displayName(*pipe)));
         return;

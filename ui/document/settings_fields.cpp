@@ -15,7 +15,7 @@ constexpr int kMostSteps = 1'000'000;
 constexpr int kMostIterations = 1000;
 constexpr int kMostColumns = 1'000'000;
 
-/// Names of the roles other than ColumnRole::Channel, by ColumnRole.
+/// Names of the roles other than ColumnRole::Channel, in the order of ColumnRole.
 constexpr std::array kRoles{"ignored", "time", "crank-angle"};
 
 } // namespace

@@ -26,7 +26,7 @@ struct WholeFileText {
 bool synchronize(const QSaveFile &file)
 {
 #ifdef Q_OS_UNIX
-    return ::fsync(file.handle()) == 0 || errno == EINVAL || errno == ENOTSUP; // not supported by some file systems
+    return ::fsync(file.handle()) == 0 || errno == EINVAL || errno == ENOTSUP; // some file systems do not support it
 #else
     return true;
 #endif
@@ -49,7 +49,7 @@ bool WholeFile::fail(const QString &reason)
 /// Opens without a buffer, because QSaveFile::commit() of Qt 6.4 ignores a failure to write the rest of a buffer.
 bool WholeFile::open()
 {
-    if (isPipeOrDevice(QFileInfo(m_file.fileName()))) { // it would be replaced by a file
+    if (isPipeOrDevice(QFileInfo(m_file.fileName()))) { // QSaveFile would replace it by a file
         return fail(WholeFileText::tr("it is a pipe or a device"));
     }
     return m_file.open(QIODevice::WriteOnly | QIODevice::Unbuffered) || fail(m_file.errorString());
@@ -57,7 +57,7 @@ bool WholeFile::open()
 
 bool WholeFile::write(const QByteArray &bytes)
 {
-    for (qint64 done = 0; m_reason.isEmpty() && done < bytes.size();) { // a disk that is nearly full takes only a part
+    for (qint64 done = 0; m_reason.isEmpty() && done < bytes.size();) { // a nearly full disk accepts only a part
         const qint64 count = m_file.write(bytes.constData() + done, bytes.size() - done);
         if (count <= 0) {
             return fail(m_file.errorString());

@@ -30,7 +30,7 @@ void Ghost::update()
 {
     const Result &result = *m_session->result();
     const auto &diagnosis = m_session->diagnosis();
-    std::optional<Mechanism> lengths; // of the mechanism found in the file, or else of the model
+    std::optional<Mechanism> lengths; // of the mechanism that moves as in the file, or of the pinned one
     if (m_isWanted && std::ranges::count(result.comparison, Verdict::Differs, &ChannelComparison::verdict) > 0) {
         const bool isFound = diagnosis && diagnosis->found.identification.hasMechanism();
         lengths.emplace(isFound ? diagnosis->found.identification.parameters : m_session->parameters());

@@ -71,7 +71,7 @@ bool KeyFilter::eventFilter(QObject *watched, QEvent *event)
     }
     if (type == QEvent::Show) {
         if (qobject_cast<QComboBox *>(widget)) {
-            widget->setFocusPolicy(Qt::StrongFocus); // the wheel does not give it the focus
+            widget->setFocusPolicy(Qt::StrongFocus); // turning the wheel does not give it the focus
         }
         return false;
     }

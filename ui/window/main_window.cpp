@@ -50,7 +50,7 @@ namespace
 
 const QString kSamplePath = QStringLiteral(":/data/inventor_sample.csv");
 
-/// Returns a height (px) that shows the error table and its sentence, also with a large font.
+/// Returns a height (px) at which the error table and its text are visible, also with a large font.
 int panelHeight()
 {
     constexpr int kUsual = 230; // px
@@ -64,7 +64,7 @@ QStringList droppedFiles(const QDropEvent &event)
     for (const QUrl &url : event.mimeData()->urls()) {
         paths += url.toLocalFile();
     }
-    paths.removeAll(QString()); // not on this machine
+    paths.removeAll(QString()); // the path of a URL that is not a local file
     return paths;
 }
 
@@ -131,7 +131,8 @@ MainWindow::MainWindow(QWidget *parent)
     column->addWidget(m_views.columns);
     setStatusBar(m_status);
     setMenuBar(new Menus(*this, m_views));
-    m_views.timeline->findChild<RunForm *>()->addActions(menuBar()->findChildren<QAction *>()); // for their keys
+    // The shortcuts of the window also work in the form of the time range.
+    m_views.timeline->findChild<RunForm *>()->addActions(menuBar()->findChildren<QAction *>());
     connectDocument();
     showTitle();
     showResult(m_session->result());
@@ -258,7 +259,7 @@ void MainWindow::connectPlots()
             [this](const QString &name) { m_exports->copy(m_exports->plot(name)); });
 }
 
-/// Makes a panel whose page is updated with every change of the session.
+/// Creates a panel whose page is updated with every change of the session.
 TablePanel *MainWindow::makePanel(const QString &name, const QString &title, const std::function<Page()> &makePage)
 {
     auto *panel = new TablePanel(name, title, makePage);
@@ -409,7 +410,8 @@ void MainWindow::showTitle()
 void MainWindow::showResult(const std::shared_ptr<const Result> &result)
 {
     const int tab = m_views.tabs->indexOf(m_views.errors);
-    if (const QString title = errorTitle(*result); title != m_views.tabs->tabText(tab)) { // setting it lays out the window
+    if (const QString title = errorTitle(*result);
+        title != m_views.tabs->tabText(tab)) { // setting the text lays out the window again
         m_views.tabs->setTabText(tab, title);
     }
     m_status->showResult(*result);

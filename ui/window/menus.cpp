@@ -64,7 +64,7 @@ void enableWhile(QAction *action, const Session &session, const std::function<bo
     QObject::connect(&session, &Session::resultChanged, action, update);
 }
 
-/// Opens the help beside the window, at the section with that anchor.
+/// Opens the help at the section with that anchor, in a separate window.
 void showHelp(const QString &title, const QString &anchor, QWidget *window)
 {
     auto *dialog = new QDialog(window);
@@ -159,8 +159,8 @@ void Menus::addEdit()
     menu->addAction(tr("Copy &mechanism"), exports, [exports] { exports->copy(exports->mechanism()); });
     menu->addSeparator();
     menu->addAction(tr("P&in this motion"), Qt::CTRL | Qt::Key_K, session, &Session::pinMotion);
-    QAction *unpin =
-        menu->addAction(tr("Remo&ve pinned motions"), Qt::CTRL | Qt::SHIFT | Qt::Key_K, session, &Session::unpinMotions);
+    QAction *unpin = menu->addAction(tr("Remo&ve pinned motions"), Qt::CTRL | Qt::SHIFT | Qt::Key_K, session,
+                                     &Session::unpinMotions);
     enableWhile(unpin, *session, [](const Result &result) { return !result.pinned.empty(); });
     menu->addAction(tr("Rese&t all parameters"), session, [session] { session->setParameters(Parameters()); });
 }
@@ -180,7 +180,7 @@ void Menus::addView()
     QAction *fold = addSwitch(menu, tr("Show the &panels below"), true, Qt::Key_F9);
     connect(fold, &QAction::triggered, tabs, [tabs, presentation](bool shown) {
         if (presentation->isOn()) {
-            tabs->setFolded(!shown); // not a choice for the usual window
+            tabs->setFolded(!shown); // does not affect the usual window
         } else {
             tabs->choose(!shown);
         }

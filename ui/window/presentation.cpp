@@ -25,7 +25,7 @@ namespace slidercrank
 namespace
 {
 
-/// Returns a font that can be read from the back of a lecture room; never smaller than the usual one.
+/// Returns a font that is legible from the back of a lecture room, and not smaller than the usual font.
 QFont largeFont(const QWidget &window)
 {
     constexpr int kLinesOnScreen = 45;

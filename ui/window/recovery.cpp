@@ -26,9 +26,9 @@ namespace
 constexpr std::chrono::seconds kRest{2};
 
 const QString kMessage = QStringLiteral("recovery");
-const QString kPrefix = QStringLiteral("recovery_"); // of the file names of copies
+const QString kPrefix = QStringLiteral("recovery_"); // prefix of the file names of copies
 
-/// Returns the folder of the settings; on Windows, where settings are no file, that of the configuration.
+/// Returns the folder of the settings file, or the configuration folder on Windows, where settings are not a file.
 QDir folder()
 {
 #ifdef Q_OS_WIN

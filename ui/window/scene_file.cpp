@@ -22,7 +22,7 @@ namespace slidercrank
 namespace
 {
 
-/// Makes a question with a Cancel button. It replaces an unanswered question of that name.
+/// Creates a question with a Cancel button. It replaces an open question of the same name.
 QMessageBox *makeQuestion(const char *name, const QString &title, const QString &text, QWidget *window)
 {
     if (auto *unanswered = window->findChild<QMessageBox *>(QLatin1String(name))) {
@@ -154,8 +154,8 @@ void SceneFile::finishOpening(const QString &problem)
 
 void SceneFile::chooseAndOpen()
 {
-    auto *dialog = new QFileDialog(m_window, tr("Open scene"), recentFolder(),
-                                   tr("Scenes (*.slidercrank *.json);;All files (*)"));
+    auto *dialog =
+        new QFileDialog(m_window, tr("Open scene"), recentFolder(), tr("Scenes (*.slidercrank *.json);;All files (*)"));
     dialog->setFileMode(QFileDialog::ExistingFile);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString &path) { open(path); });
