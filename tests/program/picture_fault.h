@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Judges exported pictures by their pixels and their text.
+// Checks the pixels and the texts of exported pictures.
 
 #include "tests/support/place_of_a_save.h"
 #include "tests/support/printed_picture.h"
@@ -24,9 +24,9 @@ enum class PictureSubject { Figure, Plot, Errors, Mechanism, Study };
 
 struct SubjectDescription {
     const char *name;
-    QString renderName; ///< on the command line; empty if it cannot be rendered there
-    int plots;
-    QStringList texts; ///< that the picture contains
+    QString renderName; ///< its name on the command line; empty if `render` does not offer it
+    int plots;          ///< number of plots in the picture
+    QStringList texts;  ///< texts that the picture must contain
 };
 
 inline const SubjectDescription &describe(PictureSubject subject)
@@ -45,7 +45,7 @@ inline const SubjectDescription &describe(PictureSubject subject)
     return kDescriptions[static_cast<std::size_t>(subject)];
 }
 
-/// A zoom in which the curves extend beyond their axes on every side.
+/// Returns a zoom in which the curves extend beyond their axes on every side.
 inline PlotZoom closeZoom()
 {
     PlotZoom zoom;
@@ -66,8 +66,8 @@ inline bool isSimilar(const PrintedPicture::Colour &pixel, const QColor &colour)
            kTolerance;
 }
 
-/// Returns what is wrong with the curves, or nothing if each plot has curves and all are within their axes. `scale`:
-/// pixels of the picture per logical pixel.
+/// Describes what is wrong with the curves. Returns an empty text if each plot has curves and all curves are within
+/// their axes. `scale`: pixels of the picture per logical pixel.
 inline QString curveFault(const PrintedPicture &picture, PictureSubject subject, double scale)
 {
     const int plots = describe(subject).plots;
@@ -108,7 +108,8 @@ inline QString curveFault(const PrintedPicture &picture, PictureSubject subject,
                                        : QStringLiteral("no curve in plot %1").arg(empty - pixelsWithin.begin());
 }
 
-/// Returns what is wrong with the picture, or nothing if it is the subject in that size (px at 96 dpi).
+/// Describes what is wrong with the picture. Returns an empty text if it shows the subject and has that size (px at 96
+/// dpi).
 inline QString pictureFault(const QString &path, PictureSubject subject, const QSize &size, double scale)
 {
     const QString suffix = QFileInfo(path).suffix();
@@ -116,7 +117,7 @@ inline QString pictureFault(const QString &path, PictureSubject subject, const Q
     const bool isPdf = suffix == QLatin1String("pdf");
     const double pixels = isPdf ? 2.0 : suffix == QLatin1String("png") ? scale : 1.0;
     const QSize difference = picture.size - size * pixels;
-    const int rounding = isPdf ? 2 : 0; // to whole points
+    const int rounding = isPdf ? 2 : 0; // because PDF pages are rounded to whole points
     if (std::max(std::abs(difference.width()), std::abs(difference.height())) > rounding) {
         return QStringLiteral("%1 x %2 pixels").arg(picture.size.width()).arg(picture.size.height());
     }
@@ -140,7 +141,7 @@ inline QString pictureFault(const QString &path, PictureSubject subject, const Q
     } else {
         return {};
     }
-    text.remove(u' '); // a text may be written in pieces
+    text.remove(u' '); // because a text may be stored in several pieces
     for (const QString &word : describe(subject).texts) {
         if (!text.contains(QString(word).remove(u' '))) {
             return QStringLiteral("no \"%1\" in %2").arg(word, text);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Runs the command line, in the process of the test or as a program of its own, and reads its output.
+// Runs commands in the process of the test or in a separate process, and reads their output.
 
 #include "app/command_line.h"
 #include "tests/support/waiting.h"
@@ -19,7 +19,7 @@
 namespace slidercrank
 {
 
-/// Written by a simulation of the initial mechanism with b = 60 mm.
+/// A file from a simulation of the default mechanism with b = 60 mm.
 inline const QString kSample = QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv");
 
 /// The exit status and the output of a command.
@@ -58,7 +58,7 @@ inline RunResult run(const QString &line)
     return run(splitCommand(line));
 }
 
-/// Waits for the end of a program.
+/// Waits until a program ends, and returns its exit status and output.
 inline RunResult resultOf(QProcess &process)
 {
     const bool hasEnded = process.waitForFinished(kPatience) && process.exitStatus() == QProcess::NormalExit;
@@ -103,7 +103,7 @@ struct CsvTable {
         rows.erase(rows.begin());
     }
 
-    /// Infinity if there is no such column.
+    /// Returns the number in that row and column, or infinity if there is no such column.
     double at(std::size_t row, const char *name) const
     {
         const qsizetype column = header.indexOf(name);

@@ -58,7 +58,7 @@ Parameters withCoupler(double b)
     return parameters;
 }
 
-/// Whether both have the same bits, except for the sign of a zero, which is not written; or both are NaN.
+/// Whether both numbers have the same bits or are NaN. The sign of a zero may differ, because it is not written.
 bool isSame(double written, double read)
 {
     return std::bit_cast<std::uint64_t>(written) == std::bit_cast<std::uint64_t>(read) ||
@@ -101,30 +101,31 @@ private slots:
 
     void cleanup() { m_window.reset(); }
 
-    void theDataAreReadBackToTheLastBit()
+    void exportedDataAreReadBackExactly()
     {
         struct Row {
             double b;
             Method method;
-            bool all;
+            bool allColumns;
         };
         for (const Row &row : {Row{60.0, Method::ClosedForm, false}, Row{65.0, Method::Newton, true},
                                Row{40.0, Method::ClosedForm, false}, Row{40.0, Method::Newton, true}}) {
             init(); // opens another window
-            isReadBack(row.b, row.method, row.all);
+            checkReadBack(row.b, row.method, row.allColumns);
         }
     }
 
     void theUserChoosesTheColumns()
     {
-        for (const auto &[choice, columns] : {std::pair(0, 8), std::pair(1, 37)}) { // the plotted ones, or all
+        for (const auto &[choice, columns] : {std::pair(0, 8), std::pair(1, 37)}) { // the plotted columns, or all
             actionNamed(*m_window, QStringLiteral("Data…"))->trigger();
             auto *dialog = m_window->findChild<QFileDialog *>();
             QVERIFY(dialog);
             dialog->setDirectory(m_folder->path());
             dialog->selectNameFilter(dialog->nameFilters().at(choice));
             auto *name = dialog->findChild<QLineEdit *>();
-            const QString chosen = m_folder->filePath(QStringLiteral("chosen%1").arg(choice)); // without suffix
+            const QString chosen =
+                m_folder->filePath(QStringLiteral("chosen%1").arg(choice)); // the dialog adds the suffix
             name->setText(chosen);
             QTest::keyClick(name, Qt::Key_Return);
             AWAIT(QFile::exists(chosen + QStringLiteral(".csv")));
@@ -145,7 +146,7 @@ private slots:
         const QString path = m_folder->filePath(QStringLiteral("long.csv"));
         QSignalSpy steps(m_window->findChild<QProgressBar *>(), &QProgressBar::valueChanged);
         m_window->exports().writeData(path, plottedChannels());
-        QCOMPARE(steps.count(), 0); // the call returns at once
+        QCOMPARE(steps.count(), 0); // the call returns before the file is written
         AWAIT(m_messages->text().startsWith(QStringLiteral("Exported to ")));
         QVERIFY2(steps.count() >= 3, qPrintable(QString::number(steps.count())));
         QCOMPARE(contentOf(path).count('\n'), qsizetype(200002));
@@ -176,7 +177,7 @@ private slots:
         QCOMPARE(QDir(m_folder->path()).entryList(QDir::Files), QStringList(QStringLiteral("long.csv")));
     }
 
-    void reportsWhatCannotBeWritten()
+    void reportsFilesThatCannotBeWritten()
     {
         const QString nowhere = m_folder->filePath(QStringLiteral("missing/file"));
         m_window->exports().writeData(nowhere + QStringLiteral(".csv"), plottedChannels());
@@ -248,7 +249,7 @@ private slots:
         }
     }
 
-    /// Both from the window and from `render`.
+    /// Checks the pictures of the window and those of the command `render`.
     void picturesShowTheirSubject()
     {
         QFETCH(const PictureSubject, subject);
@@ -386,7 +387,7 @@ private slots:
     }
 
 private:
-    void isReadBack(double b, Method method, bool all)
+    void checkReadBack(double b, Method method, bool allColumns)
     {
         Session &session = m_window->session();
         session.setParameters(withCoupler(b));
@@ -400,7 +401,7 @@ private:
         session.setSampling(sampling);
 
         const QString path = m_folder->filePath(QStringLiteral("motion.csv"));
-        m_window->exports().writeData(path, all ? allChannels() : plottedChannels());
+        m_window->exports().writeData(path, allColumns ? allChannels() : plottedChannels());
         AWAIT2(m_messages->text().startsWith(QStringLiteral("Exported to ")), qPrintable(m_messages->text()));
         QVERIFY(!contentOf(path).contains('\r'));
 
@@ -410,14 +411,14 @@ private:
         const Result &result = *session.result();
         const ReferenceData &read = result.reference->data;
         QCOMPARE(read.time.size(), result.trajectory.time.size());
-        QCOMPARE(read.series.size(), std::size_t(all ? 36 : 7));
+        QCOMPARE(read.series.size(), std::size_t(allColumns ? 36 : 7));
         for (std::size_t i = 0; i < read.time.size(); ++i) {
             QVERIFY(isSame(result.trajectory.time[i], read.time[i]));
         }
-        const Trajectory whole = sample(result.mechanism, sampling.timeStamps(), allChannels(), solver);
+        const Trajectory computed = sample(result.mechanism, sampling.timeStamps(), allChannels(), solver);
         for (const ReferenceSeries &series : read.series) {
             for (std::size_t i = 0; i < read.time.size(); ++i) {
-                QVERIFY2(isSame(whole[series.channel][i], series.values[i]), nameOf(series.channel).data());
+                QVERIFY2(isSame(computed[series.channel][i], series.values[i]), nameOf(series.channel).data());
             }
         }
         for (const ChannelComparison &comparison : result.comparison) {

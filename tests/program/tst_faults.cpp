@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Writes files while calls of the system fail, while the disk is full, and until the program is killed. Afterwards
-// either the older file or the complete new file is there, the message or the exit status says which, and no other file
-// is left.
+// Writes files while system calls fail, while the disk is full, and while the program is killed. Afterwards, either the
+// older file or the complete new file must exist, the message or the exit status must say which, and no other file may
+// remain.
 
 #include "tests/support/failing_calls.h"
 #include "tests/support/long_tests.h"
@@ -50,7 +50,7 @@ namespace
 
 const QString kSample = QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv");
 
-/// Limits the size of files while it exists, as if the disk were full.
+/// Limits the size of files during its lifetime, as if the disk were full.
 class FileSizeLimit
 {
 public:
@@ -70,19 +70,19 @@ private:
 
 QProcessEnvironment environment(const QString &folder = {}, int call = 0, const QString &end = {})
 {
-    QProcessEnvironment all = QProcessEnvironment::systemEnvironment();
+    QProcessEnvironment variables = QProcessEnvironment::systemEnvironment();
     if (call > 0) {
-        all.insert(QStringLiteral("LD_PRELOAD"), QStringLiteral(SLIDERCRANK_FAILING_CALLS));
-        all.insert(QLatin1String(kFailingFolder), folder);
-        all.insert(QLatin1String(kFailingCall), QString::number(call));
-        all.insert(QLatin1String(kFailingEnd), end);
-        const QString options = all.value(QStringLiteral("ASAN_OPTIONS"));
-        all.insert(QStringLiteral("ASAN_OPTIONS"), options + QStringLiteral(":verify_asan_link_order=0"));
+        variables.insert(QStringLiteral("LD_PRELOAD"), QStringLiteral(SLIDERCRANK_FAILING_CALLS));
+        variables.insert(QLatin1String(kFailingFolder), folder);
+        variables.insert(QLatin1String(kFailingCall), QString::number(call));
+        variables.insert(QLatin1String(kFailingEnd), end);
+        const QString options = variables.value(QStringLiteral("ASAN_OPTIONS"));
+        variables.insert(QStringLiteral("ASAN_OPTIONS"), options + QStringLiteral(":verify_asan_link_order=0"));
     }
-    return all;
+    return variables;
 }
 
-/// Runs the program. `sizeLimit`: the largest size of a file, bytes.
+/// Runs the program. `sizeLimit`: largest size of a file, in bytes.
 Outcome run(const QStringList &arguments, const QProcessEnvironment &environment, std::optional<rlim_t> sizeLimit = {})
 {
     QProcess program;
@@ -110,7 +110,7 @@ Outcome run(const QStringList &arguments, const QProcessEnvironment &environment
     return {false, QStringLiteral("exit %1, %2").arg(program.exitCode()).arg(QString::fromLocal8Bit(error))};
 }
 
-/// Size limits at which writing a file of that size fails: at the start, at the ends of buffers, near the end.
+/// Returns size limits at which writing a file of that size fails: at its start, after full buffers, and near its end.
 std::set<rlim_t> sizeLimitsFor(qint64 size)
 {
     std::set<rlim_t> limits;
@@ -160,8 +160,8 @@ private slots:
 
     void cleanup() { m_faults.clear(); }
 
-    void aCallOfACommandFails_data() { nameCommands(); }
-    void aCallOfACommandFails()
+    void aSystemCallOfACommandFails_data() { addCommands(); }
+    void aSystemCallOfACommandFails()
     {
         QFETCH(const int, index);
         const Save save = commands()[index];
@@ -174,36 +174,37 @@ private slots:
                                         environment(place.folder(), call, mark));
             if (call == 0) { // no call fails
                 lines = place.lines();
-            } else if (!QFile::exists(mark)) { // there are fewer calls
+            } else if (!QFile::exists(mark)) { // the command has made all its calls without a failure
                 QVERIFY2(call > 3, "No call fails: the library of failing calls is not loaded");
                 QCOMPARE(place.fault(outcome, lines), QString());
                 QVERIFY(outcome.isWritten);
                 break;
             } else {
-                judge(QStringLiteral("call %1").arg(call), place.fault(outcome, lines));
+                recordTrial(QStringLiteral("call %1").arg(call), place.fault(outcome, lines));
             }
         }
         QVERIFY2(m_faults.isEmpty(), qPrintable(m_faults.join(u'\n')));
     }
 
-    void aCommandOnAFullDisk_data() { nameCommands(); }
+    void aCommandOnAFullDisk_data() { addCommands(); }
     void aCommandOnAFullDisk()
     {
         QFETCH(const int, index);
         const Save save = commands()[index];
-        const Place whole(save);
-        QVERIFY(run(save.arguments + QStringList{QStringLiteral("--output"), whole.path()}, environment()).isWritten);
-        for (const rlim_t limit : sizeLimitsFor(whole.size())) {
+        const Place undisturbed(save);
+        QVERIFY(
+            run(save.arguments + QStringList{QStringLiteral("--output"), undisturbed.path()}, environment()).isWritten);
+        for (const rlim_t limit : sizeLimitsFor(undisturbed.size())) {
             const Place place(save);
             const Outcome outcome =
                 run(save.arguments + QStringList{QStringLiteral("--output"), place.path()}, environment(), limit);
-            judge(QStringLiteral("%1 bytes").arg(limit), place.fault(outcome, whole.lines()));
+            recordTrial(QStringLiteral("%1 bytes").arg(limit), place.fault(outcome, undisturbed.lines()));
         }
         QVERIFY2(m_faults.isEmpty(), qPrintable(m_faults.join(u'\n')));
     }
 
-    void aCommandIsKilledAtACall_data() { nameCommands({"solve to CSV", "render SVG"}); }
-    void aCommandIsKilledAtACall()
+    void aCommandIsKilledAtASystemCall_data() { addCommands({"solve to CSV", "render SVG"}); }
+    void aCommandIsKilledAtASystemCall()
     {
         QFETCH(const int, index);
         const Save save = commands()[index];
@@ -218,7 +219,7 @@ private slots:
                 QVERIFY(call > 3);
                 break;
             } else {
-                judge(QStringLiteral("call %1").arg(call), place.faultAfterKill(lines));
+                recordTrial(QStringLiteral("call %1").arg(call), place.faultAfterKill(lines));
             }
         }
         QVERIFY2(m_faults.isEmpty(), qPrintable(m_faults.join(u'\n')));
@@ -234,13 +235,13 @@ private slots:
             const QByteArray error = program.readAllStandardError();
             const bool isReported =
                 program.exitCode() == 3 && error.count('\n') == 1 && error.contains("No space left");
-            judge(QLatin1String(line), isReported ? QString() : QString::fromLocal8Bit(error));
+            recordTrial(QLatin1String(line), isReported ? QString() : QString::fromLocal8Bit(error));
         }
         QVERIFY2(m_faults.isEmpty(), qPrintable(m_faults.join(u'\n')));
     }
 
-    /// The descriptor of the closed stream must not be that of the next file that is opened.
-    void aStreamIsClosed()
+    /// The program must not reuse the descriptor of the closed stream for the next file that it opens.
+    void aStandardStreamIsClosed()
     {
         const auto without = [](const QList<int> &streams, const QStringList &arguments) {
             QProcess program;
@@ -265,7 +266,7 @@ private slots:
         QCOMPARE(contentOf(path), complete);
     }
 
-    /// Nor is a link to a pipe.
+    /// A link to a pipe is not replaced either.
     void aPipeIsNotReplaced()
     {
         const QTemporaryDir folder;
@@ -278,8 +279,8 @@ private slots:
         QVERIFY(QFileInfo(link).isSymLink() && QFileInfo(pipe).exists() && !QFileInfo(pipe).isFile());
     }
 
-    void aCallOfTheWindowFails_data() { nameSaves(); }
-    void aCallOfTheWindowFails()
+    void aSystemCallOfTheWindowFails_data() { addSaves(); }
+    void aSystemCallOfTheWindowFails()
     {
         QFETCH(const int, index);
         const Save save = savesOfTheWindow()[index];
@@ -298,33 +299,34 @@ private slots:
                 QVERIFY(outcome.isWritten);
                 break;
             } else {
-                judge(QStringLiteral("call %1").arg(call), place.fault(outcome, lines));
+                recordTrial(QStringLiteral("call %1").arg(call), place.fault(outcome, lines));
             }
         }
         QVERIFY2(m_faults.isEmpty(), qPrintable(m_faults.join(u'\n')));
     }
 
-    void theWindowOnAFullDisk_data() { nameSaves(); }
+    void theWindowOnAFullDisk_data() { addSaves(); }
     void theWindowOnAFullDisk()
     {
         QFETCH(const int, index);
         const Save save = savesOfTheWindow()[index];
-        const Place whole(save);
-        const Outcome all = saveInWindow(save, whole.path());
-        QCOMPARE(whole.fault(all, whole.lines()), QString());
-        for (const rlim_t limit : sizeLimitsFor(whole.size())) {
+        const Place undisturbed(save);
+        const Outcome success = saveInWindow(save, undisturbed.path());
+        QCOMPARE(undisturbed.fault(success, undisturbed.lines()), QString());
+        for (const rlim_t limit : sizeLimitsFor(undisturbed.size())) {
             const Place place(save);
             Outcome outcome;
             {
                 const FileSizeLimit sizeLimit(limit);
                 outcome = saveInWindow(save, place.path());
             }
-            judge(QStringLiteral("%1 bytes").arg(limit), place.fault(outcome, whole.lines()));
+            recordTrial(QStringLiteral("%1 bytes").arg(limit), place.fault(outcome, undisturbed.lines()));
         }
         QVERIFY2(m_faults.isEmpty(), qPrintable(m_faults.join(u'\n')));
     }
 
-    /// The third call, after opening and writing, synchronizes the file. Qt would repeat it and ignore the failure.
+    /// The third system call, after opening and writing, synchronizes the file. QSaveFile alone would ignore the
+    /// failure.
     void theDiskFailsAfterWriting()
     {
         const QTemporaryDir folder;
@@ -346,7 +348,7 @@ private slots:
             WholeFile file(path);
             QVERIFY(file.open() && file.write("newer"));
             std::stop_source stop;
-            stop.request_stop(); // as if the disk were slow
+            stop.request_stop(); // as if the user cancelled while a slow disk writes
             QVERIFY(!file.commit(stop.get_token()));
         }
         QFile file(path);
@@ -369,18 +371,18 @@ private slots:
             rememberFiles({QStringLiteral("x.json")});
             rememberLanguage(Language::English);
             saveLayout(*m_window);
-            judge(QStringLiteral("%1 bytes").arg(limit),
-                  contentOf(path) == before ? QString() : QString::fromUtf8(contentOf(path)));
+            recordTrial(QStringLiteral("%1 bytes").arg(limit),
+                        contentOf(path) == before ? QString() : QString::fromUtf8(contentOf(path)));
         }
         QCOMPARE(namesIn(QFileInfo(path).path()), QStringList(QFileInfo(path).fileName()));
         QVERIFY2(m_faults.isEmpty(), qPrintable(m_faults.join(u'\n')));
-        rememberLanguage(Language::System); // without the limit
+        rememberLanguage(Language::System); // this succeeds without the limit
         QVERIFY(!contentOf(path).contains("language"));
     }
 
 private:
-    /// Adds a row for each command. `selection`: unless the tests are long, only these.
-    void nameCommands(const QByteArrayList &selection = {}) const
+    /// Adds a row for each command. If there is a selection, short test runs use only these commands.
+    void addCommands(const QByteArrayList &selection = {}) const
     {
         QTest::addColumn<int>("index");
         int index = 0;
@@ -392,7 +394,7 @@ private:
         }
     }
 
-    void nameSaves()
+    void addSaves()
     {
         Sampling sampling;
         sampling.duration = 0.03;
@@ -443,7 +445,7 @@ private:
         auto *bar = m_window->findChild<MessageBar *>();
         bar->clear();
         save.inWindow(path);
-        settle(); // closes questions that are answered
+        settle(); // lets answered questions close
         const bool hasMessage = QTest::qWaitFor([bar] { return !bar->text().isEmpty(); }, kPatience);
         const QString text = bar->text();
         const bool isWritten =
@@ -453,12 +455,12 @@ private:
         return {isWritten, hasMessage && (isWritten || isReason) ? QString() : QStringLiteral("message: ") + text};
     }
 
-    void judge(const QString &what, const QString &fault)
+    void recordTrial(const QString &name, const QString &fault)
     {
         ++m_trials;
         if (!fault.isEmpty()) {
             ++m_failures;
-            m_faults += what + QStringLiteral(": ") + fault;
+            m_faults += name + QStringLiteral(": ") + fault;
         }
     }
 
@@ -468,7 +470,7 @@ private:
     StudyPanel *m_study = nullptr;
     int m_trials = 0;
     int m_failures = 0;
-    QStringList m_faults; ///< in the current test
+    QStringList m_faults; ///< of the current test
 };
 
 const Suite suite("tst_faults", runWithWidgets<TestFaults>);

@@ -40,9 +40,9 @@ namespace
 
 bool isBlank(const QImage &image)
 {
-    QImage one = image;
-    one.fill(image.pixelColor(0, 0));
-    return image == one;
+    QImage uniform = image;
+    uniform.fill(image.pixelColor(0, 0));
+    return image == uniform;
 }
 
 /// Writes the columns of the sample into three files, as CAD programs export plots. Returns the paths.

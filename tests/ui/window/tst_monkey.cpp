@@ -122,9 +122,9 @@ public:
 private:
     int below(int end) { return static_cast<int>(m_random() % static_cast<unsigned>(std::max(1, end))); }
     template <class Container>
-    auto oneOf(const Container &all)
+    auto randomElement(const Container &elements)
     {
-        return all[static_cast<std::size_t>(below(static_cast<int>(std::size(all))))];
+        return elements[static_cast<std::size_t>(below(static_cast<int>(std::size(elements))))];
     }
 
     QString path(const QString &name) const { return QDir(m_folder).filePath(name); }
@@ -166,12 +166,12 @@ private:
 
     /// Returns a random visible and enabled widget of the window or of the modal dialog, or null if there is none.
     template <class Kind>
-    Kind *oneShown()
+    Kind *randomWidget()
     {
         QWidget *top = QApplication::activeModalWidget() ? QApplication::activeModalWidget() : m_window.get();
-        QList<Kind *> all = top->findChildren<Kind *>();
-        erase_if(all, [](const Kind *one) { return !one->isVisible() || !one->isEnabled(); });
-        return all.isEmpty() ? nullptr : all[below(static_cast<int>(all.size()))];
+        QList<Kind *> widgets = top->findChildren<Kind *>();
+        erase_if(widgets, [](const Kind *widget) { return !widget->isVisible() || !widget->isEnabled(); });
+        return widgets.isEmpty() ? nullptr : widgets[below(static_cast<int>(widgets.size()))];
     }
 
     QPoint within(const QWidget &widget) { return {below(widget.width()), below(widget.height())}; }
@@ -185,20 +185,20 @@ private:
 
     void moveSlider()
     {
-        if (auto *slider = oneShown<QAbstractSlider>()) {
+        if (auto *slider = randomWidget<QAbstractSlider>()) {
             slider->setValue(slider->minimum() + below(slider->maximum() - slider->minimum() + 1));
         }
     }
 
     void type()
     {
-        const QPointer<QLineEdit> line = oneShown<QLineEdit>();
+        const QPointer<QLineEdit> line = randomWidget<QLineEdit>();
         if (!line) {
             return;
         }
         line->setFocus();
         line->selectAll();
-        for (const QChar letter : QString::fromUtf8(oneOf(kTexts))) {
+        for (const QChar letter : QString::fromUtf8(randomElement(kTexts))) {
             QKeyEvent event(QEvent::KeyPress, 0, Qt::NoModifier, letter);
             if (line) {
                 QCoreApplication::sendEvent(line, &event);
@@ -211,8 +211,8 @@ private:
 
     void drag()
     {
-        const QPointer<QWidget> widget = oneShown<QWidget>();
-        const Qt::KeyboardModifiers modifiers = oneOf(kModifiers);
+        const QPointer<QWidget> widget = randomWidget<QWidget>();
+        const Qt::KeyboardModifiers modifiers = randomElement(kModifiers);
         const Qt::MouseButton button = below(5) == 0 ? Qt::MiddleButton : Qt::LeftButton;
         if (!widget) {
             return;
@@ -231,9 +231,9 @@ private:
 
     void click()
     {
-        const QPointer<QWidget> widget = oneShown<QWidget>();
+        const QPointer<QWidget> widget = randomWidget<QWidget>();
         const QPoint at = widget ? within(*widget) : QPoint();
-        const Qt::KeyboardModifiers modifiers = oneOf(kModifiers);
+        const Qt::KeyboardModifiers modifiers = randomElement(kModifiers);
         const bool isDouble = below(7) == 0;
         for (const auto &[type, buttons] :
              {std::pair{QEvent::MouseMove, Qt::NoButton},
@@ -248,10 +248,10 @@ private:
 
     void turnWheel()
     {
-        if (auto *widget = oneShown<QWidget>()) {
+        if (auto *widget = randomWidget<QWidget>()) {
             const QPoint at = within(*widget);
             QWheelEvent event(at, widget->mapToGlobal(at), {}, {0, 120 * (below(9) - 4)}, Qt::NoButton,
-                              oneOf(kModifiers), Qt::NoScrollPhase, false);
+                              randomElement(kModifiers), Qt::NoScrollPhase, false);
             QCoreApplication::sendEvent(widget, &event);
         }
     }
@@ -263,12 +263,13 @@ private:
         if (!target) {
             target = m_window.get();
         }
-        QTest::sendKeyEvent(QTest::Click, target, static_cast<Qt::Key>(oneOf(kKeys)), QString(), oneOf(kModifiers));
+        QTest::sendKeyEvent(QTest::Click, target, static_cast<Qt::Key>(randomElement(kKeys)), QString(),
+                            randomElement(kModifiers));
     }
 
     void switchTab()
     {
-        if (auto *bar = oneShown<QTabBar>(); bar && bar->count() > 0) {
+        if (auto *bar = randomWidget<QTabBar>(); bar && bar->count() > 0) {
             bar->setCurrentIndex(below(bar->count()));
         }
     }
@@ -299,7 +300,7 @@ private:
 
     void askContextMenu()
     {
-        if (auto *widget = oneShown<QWidget>()) {
+        if (auto *widget = randomWidget<QWidget>()) {
             const QPoint at = within(*widget);
             QContextMenuEvent event(QContextMenuEvent::Mouse, at, widget->mapToGlobal(at));
             QCoreApplication::sendEvent(widget, &event);
@@ -355,10 +356,10 @@ private:
     /// Lets the time of a random active timer elapse.
     void wait()
     {
-        QList<QTimer *> all = m_window->findChildren<QTimer *>();
-        erase_if(all, [](const QTimer *one) { return !one->isActive(); });
-        if (!all.isEmpty()) {
-            letTimePass(*all[below(static_cast<int>(all.size()))]->parent());
+        QList<QTimer *> timers = m_window->findChildren<QTimer *>();
+        erase_if(timers, [](const QTimer *timer) { return !timer->isActive(); });
+        if (!timers.isEmpty()) {
+            letTimePass(*timers[below(static_cast<int>(timers.size()))]->parent());
         }
         settle();
     }
@@ -381,7 +382,7 @@ private:
                 static constexpr const char *kNames[] = {"saved.json",   "x.png",     "x.svg",
                                                          "x.pdf",        "x.csv",     "x.gif",
                                                          "frames/x.png", "x.unknown", "no/such/folder.png"};
-                files->selectFile(path(QLatin1String(oneOf(kNames))));
+                files->selectFile(path(QLatin1String(randomElement(kNames))));
                 static_cast<QDialog *>(files)->accept();
             } else {
                 files->selectFile(m_files[below(static_cast<int>(m_files.size()))]);

@@ -62,17 +62,17 @@ Triple labAsSeen(const QColor &colour, const Matrix &vision)
     return {116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)};
 }
 
-double distance(const QColor &one, const QColor &other, const Matrix &vision)
+double distance(const QColor &first, const QColor &second, const Matrix &vision)
 {
-    const Triple a = labAsSeen(one, vision);
-    const Triple b = labAsSeen(other, vision);
+    const Triple a = labAsSeen(first, vision);
+    const Triple b = labAsSeen(second, vision);
     return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-double contrast(const QColor &one, const QColor &other)
+double contrast(const QColor &first, const QColor &second)
 {
-    const double a = times(kToXyz, linear(one))[1] + 0.05;
-    const double b = times(kToXyz, linear(other))[1] + 0.05;
+    const double a = times(kToXyz, linear(first))[1] + 0.05;
+    const double b = times(kToXyz, linear(second))[1] + 0.05;
     return std::max(a, b) / std::min(a, b);
 }
 
