@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The arguments, the messages, the exit status and the streams of the command line. Most cases call it in this process;
-// what depends on the operating system starts the program itself.
+// The arguments, messages, exit statuses and streams of the command line. Most cases run in the process of the test.
+// Cases that depend on the operating system start the program itself.
 
 #include "app/help.h"
 #include "app/option_table.h"
@@ -162,7 +162,7 @@ private slots:
         QVERIFY(contentOf(path("scene.svg")).startsWith("<?xml"));
     }
 
-    void writesFilesWholeOrNotAtAll()
+    void writesFilesOrReportsErrors()
     {
         const QString file = path("motion.csv");
         for (const char *option : {"-o", "--output"}) {
@@ -198,7 +198,7 @@ private slots:
         QVERIFY(QSettings().allKeys().filter("language").isEmpty());
     }
 
-    void helpsInShortLines()
+    void printsHelpInShortLines()
     {
         for (const CommandDescription &command : allCommands()) {
             const bool isWindow = &command == &allCommands().front();
@@ -244,7 +244,7 @@ private slots:
 #endif
     }
 
-    void leavesNothingBehindWhenInterrupted()
+    void leavesNoFilesWhenInterrupted()
     {
 #ifdef Q_OS_UNIX
         QProcess process;

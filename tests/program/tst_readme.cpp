@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Every command of the README runs, and prints the lines that the README shows.
+// Runs every command of the README, and checks that it prints the lines that the README shows.
 
 #include "tests/support/suite.h"
 

@@ -46,7 +46,7 @@ private slots:
             QVERIFY(channel["percentOfPeak"].toDouble() < 0.001);
         }
 
-        // JSON and CSV hold the same errors, which are those against the textbook.
+        // JSON and CSV contain the same errors, which are the differences from the textbook's formulas.
         const QJsonObject other = run({"compare", kSample, "--format", "json"}).firstFile();
         const CsvTable csv(run({"compare", kSample, "--format", "csv"}).output);
         QCOMPARE(csv.header.first(), QByteArray("file"));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Files as simulation programs write them are read correctly, or refused with advice. Other files are refused.
+// The program reads the files of simulation programs correctly, or refuses them with advice. It refuses other files.
 
 #include "core/import/reference_data.h"
 #include "tests/support/printed_motion.h"
@@ -38,7 +38,7 @@ std::string describeColumns(const FileLayout &layout)
     return text;
 }
 
-/// Whether column i has the values that were written. True for a column that is ignored.
+/// Whether column i was read with the written values. Returns true for an ignored column.
 bool hasWrittenValues(const ReferenceData &data, std::size_t i, const WrittenColumn &written)
 {
     const FileColumn &column = data.layout.columns[i];

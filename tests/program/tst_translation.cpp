@@ -95,7 +95,7 @@ QStringList matches(const QString &text, const QString &pattern)
     return found;
 }
 
-/// The words of three letters or more, without those of options, keys and tags.
+/// Returns the words of three letters or more, without those of options, file names and tags.
 QSet<QString> wordsOf(const QString &text)
 {
     QString plain = text;
@@ -105,7 +105,7 @@ QSet<QString> wordsOf(const QString &text)
     return {words.begin(), words.end()};
 }
 
-/// The words of the text that occur in English messages only.
+/// Returns the words of the text that occur in English messages only.
 QSet<QString> englishWords(const QString &text)
 {
     static const QSet<QString> english = [] {
@@ -122,7 +122,7 @@ QSet<QString> englishWords(const QString &text)
     return wordsOf(text) & english;
 }
 
-/// All texts that the window shows or passes to a screen reader, including those of hidden tabs.
+/// Returns all texts that the window shows or passes to a screen reader, including those of hidden tabs.
 QStringList textsOf(const QMainWindow &window)
 {
     QStringList texts{window.windowTitle(), window.statusBar()->currentMessage()};
@@ -162,7 +162,7 @@ QStringList textsOf(const QMainWindow &window)
     return texts;
 }
 
-/// Opens every tab in turn, the first one last.
+/// Opens every tab, from the last to the first.
 void openTabs(MainWindow &window)
 {
     auto *tabs = window.findChild<FoldingTabs *>();
@@ -173,7 +173,7 @@ void openTabs(MainWindow &window)
     }
 }
 
-/// Fills every tab.
+/// Opens the sample, and fills every tab.
 void fillTabs(MainWindow &window)
 {
     QSignalSpy diagnosed(&window.session(), &Session::diagnosisChanged);
@@ -197,7 +197,7 @@ bool isTooWide(const QWidget &widget, const QString &text, int width)
     return document.idealWidth() > width + 1;
 }
 
-/// The texts of visible widgets that do not fit into them.
+/// Returns the texts that do not fit into their visible widgets.
 QStringList cutOffTexts(const QMainWindow &window)
 {
     QStringList found;
@@ -296,8 +296,8 @@ private slots:
         }
     }
 
-    /// If this fails, build the target update_translations, and translate what is unfinished then.
-    void theTranslationMatchesTheSources()
+    /// If this fails, build the target update_translations, and translate the unfinished messages.
+    void theTranslationFileMatchesTheSources()
     {
         if (!QFile::exists(QStringLiteral(SLIDERCRANK_LUPDATE))) {
             QSKIP("lupdate is missing.");
@@ -346,8 +346,8 @@ private slots:
         }
     }
 
-    /// Translations that equal the source contain only words that both languages have.
-    void nothingIsLeftInEnglish()
+    /// A translation may equal its source only if all its words exist in both languages.
+    void noTranslationIsEnglish()
     {
         const QSet<QString> common{QStringLiteral("rms"),   QStringLiteral("rad"),     QStringLiteral("rpm"),
                                    QStringLiteral("error"), QStringLiteral("newton"),  QStringLiteral("raphson"),

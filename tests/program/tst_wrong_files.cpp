@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Files that are too large, files that are not tables, and too little memory: the program reports each in one line,
-// soon, and without using much memory. The large files are sparse and take no space on the disk.
+// The program refuses files that are too large or not tables, and reports insufficient memory. Each message has one
+// line. The program must not use much memory for this. The large files are sparse and take no space on the disk.
 
 #include "tests/program/run_program.h"
 #include "tests/support/suite.h"
@@ -88,7 +88,7 @@ private slots:
 #endif
     }
 
-    void refusesOtherThingsThanFiles_data()
+    void refusesFoldersAndDevices_data()
     {
         QTest::addColumn<QString>("path");
         QTest::addColumn<QByteArray>("message");
@@ -100,7 +100,7 @@ private slots:
         QTest::newRow("missing") << "/nowhere/x.csv" << QByteArray("cannot be opened");
     }
 
-    void refusesOtherThingsThanFiles()
+    void refusesFoldersAndDevices()
     {
         QFETCH(const QString, path);
         QFETCH(const QByteArray, message);
@@ -112,7 +112,7 @@ private slots:
         QCOMPARE(outcome.status, 3);
     }
 
-    void refusesManyMissingFilesSoon()
+    void refusesManyMissingFilesQuickly()
     {
         QStringList arguments{"compare", "--join"};
         for (int i = 0; i < 50'000; ++i) {
@@ -142,7 +142,7 @@ private slots:
         program.start(QStringLiteral(SLIDERCRANK_PROGRAM), {"compare", "--format", "csv", m_file});
         QVERIFY(program.waitForStarted(kPatience));
         QFile pipe(m_file);
-        QVERIFY(pipe.open(QIODevice::WriteOnly)); // waits until the program opens it
+        QVERIFY(pipe.open(QIODevice::WriteOnly)); // waits until the program opens the pipe
         constexpr int kRows = 300'000;            // more than the buffer of a pipe holds
         QCOMPARE(pipe.write(rows(kRows)), rows(kRows).size());
         pipe.close();
@@ -152,8 +152,8 @@ private slots:
 #endif
     }
 
-    /// With any amount of memory: too little at the first allocation, at a later one, or in another thread.
-    void reportsMissingMemory()
+    /// Increases the memory limit in steps, so that different allocations fail, also those in other threads.
+    void reportsInsufficientMemory()
     {
 #ifdef Q_OS_UNIX
         if (kIsSanitized) {

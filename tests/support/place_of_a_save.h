@@ -90,7 +90,7 @@ public:
         for (const QString &name : save.files(true)) {
             QFile file(m_folder.filePath(name));
             if (!file.open(QIODevice::WriteOnly) || file.write(kOlder) != kOlder.size()) {
-                qFatal("A test has no room for what is there before");
+                qFatal("cannot write the older files of a test");
             }
         }
     }
@@ -106,15 +106,15 @@ public:
         if (!outcome.fault.isEmpty()) {
             return outcome.fault;
         }
-        const QString said = outcome.isWritten ? QStringLiteral("done; ") : QStringLiteral("an error; ");
+        const QString report = outcome.isWritten ? QStringLiteral("done; ") : QStringLiteral("an error; ");
         const QStringList names = namesIn(folder());
         if (names != m_save.files(!outcome.isWritten)) {
-            return said + QStringLiteral("there are ") + names.join(u' ');
+            return report + QStringLiteral("there are ") + names.join(u' ');
         }
         for (const QString &name : names) {
             const QString file = m_folder.filePath(name);
             if (outcome.isWritten ? !isWhole(file, lines) : contentOf(file) != kOlder) {
-                return said + QStringLiteral("%1 has %2 bytes").arg(name).arg(QFileInfo(file).size());
+                return report + QStringLiteral("%1 has %2 bytes").arg(name).arg(QFileInfo(file).size());
             }
         }
         return {};
@@ -138,16 +138,16 @@ public:
             }
         }
         if (isOlder.size() > 1) {
-            return QStringLiteral("older ones and new ones");
+            return QStringLiteral("older frames and new frames");
         }
         const bool isNew = isOlder.contains(false) && count == m_save.files(false).size();
         int older = 0;
-        QDirIterator walk(folder(), QDir::Files, QDirIterator::Subdirectories);
-        while (walk.hasNext()) {
-            older += contentOf(walk.next()) == kOlder ? 1 : 0;
+        QDirIterator iterator(folder(), QDir::Files, QDirIterator::Subdirectories);
+        while (iterator.hasNext()) {
+            older += contentOf(iterator.next()) == kOlder ? 1 : 0;
         }
         return isNew || older == m_save.files(true).size() ? QString()
-                                                           : QStringLiteral("neither the older nor the new");
+                                                           : QStringLiteral("neither the older nor the new files");
     }
 
 private:
