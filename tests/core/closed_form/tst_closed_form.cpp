@@ -123,21 +123,21 @@ class tst_closed_form : public QObject
     Q_OBJECT
 
 private slots:
-    void judgeDifferentiatesItsPositions();
+    void exactDerivativesMatchExactPositions();
     void isExactOnRandomMechanisms();
     void isExactOnNamedCases();
     void isExactNearNinetyDegrees();
     void isExactUpToARockersLimits_data();
     void isExactUpToARockersLimits();
     void isExactAtAnyCrankAngle();
-    void manyTimeStampsAreThoseOfOne();
-    void specialTimeStampsStayApart();
+    void manyTimeStampsEqualSingleOnes();
+    void specialTimeStampsDoNotAffectOthers();
     void scalesWithTheMechanism();
-    void saysWhatDoesNotExist();
+    void reportsWhatDoesNotExist();
 };
 
 /// The multiple-precision results also agree with the reference file: R4x(0) for b = 60.
-void tst_closed_form::judgeDifferentiatesItsPositions()
+void tst_closed_form::exactDerivativesMatchExactPositions()
 {
     const double kStep = 1e-12;
     Parameters p{.b = 60.0};
@@ -338,7 +338,7 @@ void tst_closed_form::isExactAtAnyCrankAngle()
 }
 
 /// Bit by bit, for rockers, both branches, arrays of any length and any selection of channels. Nothing else is written.
-void tst_closed_form::manyTimeStampsAreThoseOfOne()
+void tst_closed_form::manyTimeStampsEqualSingleOnes()
 {
     QVERIFY(!hwy::SupportedAndGeneratedTargets().empty());
     RandomMechanisms random(20240503);
@@ -365,7 +365,7 @@ void tst_closed_form::manyTimeStampsAreThoseOfOne()
 }
 
 /// Puts every kind of time stamp that the vectorized code cannot process at every position among ordinary ones.
-void tst_closed_form::specialTimeStampsStayApart()
+void tst_closed_form::specialTimeStampsDoNotAffectOthers()
 {
     const Parameters locked{.b = 5.0, .c = 25.0, .theta20 = kQuarter}; // in its only pose at t = 0
     struct Row {
@@ -411,7 +411,7 @@ void tst_closed_form::scalesWithTheMechanism()
     }
 }
 
-void tst_closed_form::saysWhatDoesNotExist()
+void tst_closed_form::reportsWhatDoesNotExist()
 {
     for (const auto &[p, t] : {std::pair(Parameters{.b = 4.0}, 0.3), std::pair(Parameters(), kNone)}) {
         const State state = ClosedForm{Mechanism(p)}.stateAt(t);

@@ -117,14 +117,14 @@ class TestCriticalPoints : public QObject
     Q_OBJECT
 
 private slots:
-    void holdsWhateverHappensInBetween()
+    void motionIsMonotonicBetweenCriticalPoints()
     {
         for (const NamedMechanism &each : mechanismList(numericRuns(200, 5000), 11)) {
             check(each.parameters, QString::fromStdString(each.name + ' ' + describe(each.parameters)));
         }
     }
 
-    void endsAndBeginsWhereARockerStops()
+    void includesTheLimitsOfARocker()
     {
         Parameters p;
         p.b = 40.0;
@@ -138,7 +138,7 @@ private slots:
     }
 
     /// Compares with velocities from the constraint equations: v = ω3 × (r − P) at each point of the coupler.
-    void theInstantCentreExplainsTheCouplersVelocities()
+    void instantCentreGivesTheCouplersVelocities()
     {
         RandomMechanisms random(5);
         for (int i = 0; i < 300; ++i) {

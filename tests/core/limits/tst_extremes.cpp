@@ -122,17 +122,17 @@ class tst_extremes : public QObject
     Q_OBJECT
 
 private slots:
-    void peaksAreThoseOfAFineScan_data();
-    void peaksAreThoseOfAFineScan();
+    void peaksEqualThoseOfAFineScan_data();
+    void peaksEqualThoseOfAFineScan();
     void everyPlaceHasThePeaksValue();
     void speedScalesThePeaks();
     void aRockerIsUnboundedAtItsLimits();
     void anExactToggleBoundsOnlyTheSpeeds();
-    void theChangePointTurnsTheCouplerEvenly();
-    void nothingMovesWithoutSpeedOrRoom();
+    void couplerSpeedIsConstantWithChangePoints();
+    void nothingMovesWithoutSpeedOrMobility();
 };
 
-void tst_extremes::peaksAreThoseOfAFineScan_data()
+void tst_extremes::peaksEqualThoseOfAFineScan_data()
 {
     QTest::addColumn<Parameters>("p");
     std::set<std::array<double, 4>> seen;
@@ -151,7 +151,7 @@ void tst_extremes::peaksAreThoseOfAFineScan_data()
     QTest::newRow("gap 2e-17") << barely;
 }
 
-void tst_extremes::peaksAreThoseOfAFineScan()
+void tst_extremes::peaksEqualThoseOfAFineScan()
 {
     QFETCH(Parameters, p);
     const std::vector<Peak> peaks = motionPeaks(Mechanism(p));
@@ -263,7 +263,7 @@ void tst_extremes::anExactToggleBoundsOnlyTheSpeeds()
 }
 
 /// a = b, c = 0: the slider moves to 2a and back in one half turn and rests during the other.
-void tst_extremes::theChangePointTurnsTheCouplerEvenly()
+void tst_extremes::couplerSpeedIsConstantWithChangePoints()
 {
     const Parameters p{20.0, 20.0, 0.0, -3.0, 0.0, Branch::Open};
     const std::vector<Peak> peaks = motionPeaks(Mechanism(p));
@@ -279,7 +279,7 @@ void tst_extremes::theChangePointTurnsTheCouplerEvenly()
     }
 }
 
-void tst_extremes::nothingMovesWithoutSpeedOrRoom()
+void tst_extremes::nothingMovesWithoutSpeedOrMobility()
 {
     Parameters p;
     p.omega2 = 0.0;

@@ -104,16 +104,16 @@ class tst_mobility : public QObject
 
 private slots:
     void classifiesByExactSums();
-    void grashofIsSharp();
+    void grashofLimitIsExact();
     void rangesAreOrderedWithinATurn();
     void mirrorsAndScalesWithTheMechanism();
     void eachLengthHasItsLimitForAFullTurn();
-    void rangesAreWhereThereIsAPose();
-    void rangesEndWhereTheCouplerIsSquare();
-    void deadCentresStandStill();
-    void strokeIsThatOfTheMotion();
+    void rangesContainTheAssemblableAngles();
+    void rangesEndWhereTheCouplerIsPerpendicular();
+    void velocityIsZeroAtDeadCentres();
+    void strokeEqualsThatOfTheMotion();
     void anglesLeadFromDeadCentreToDeadCentre();
-    void largestPressureAngleIsThatOfTheMotion();
+    void largestPressureAngleEqualsThatOfTheMotion();
     void sliderPositionsLeadBackToTheCrank();
 };
 
@@ -131,7 +131,7 @@ void tst_mobility::classifiesByExactSums()
 }
 
 /// One unit in the last place of b decides. If a + |c| is not exactly representable, b is compared with the exact sum.
-void tst_mobility::grashofIsSharp()
+void tst_mobility::grashofLimitIsExact()
 {
     for (const auto &[a, c] : {std::pair(20.0, 25.0),
                                {20.0, -25.0},
@@ -240,7 +240,7 @@ void tst_mobility::eachLengthHasItsLimitForAFullTurn()
 }
 
 /// Checked over the full circle, except within rounding of the ends of the ranges.
-void tst_mobility::rangesAreWhereThereIsAPose()
+void tst_mobility::rangesContainTheAssemblableAngles()
 {
     constexpr double kBesideAnEnd = 1e-9;
     for (const Parameters &p : mechanisms()) {
@@ -256,7 +256,7 @@ void tst_mobility::rangesAreWhereThereIsAPose()
 }
 
 /// |c - a sin θ2| = b at the ends. The angle is accurate only to √u if a range nearly vanishes or nearly closes.
-void tst_mobility::rangesEndWhereTheCouplerIsSquare()
+void tst_mobility::rangesEndWhereTheCouplerIsPerpendicular()
 {
     for (const Parameters &p : mechanisms()) {
         const MotionLimits limits = motionLimits(Mechanism(p));
@@ -272,7 +272,7 @@ void tst_mobility::rangesEndWhereTheCouplerIsSquare()
     }
 }
 
-void tst_mobility::deadCentresStandStill()
+void tst_mobility::velocityIsZeroAtDeadCentres()
 {
     int outer = 0;
     int inner = 0;
@@ -313,7 +313,7 @@ void tst_mobility::deadCentresStandStill()
 }
 
 /// Samples densely near ±90° and near the ends of a rocker's arcs, where the slider reverses within a small angle.
-void tst_mobility::strokeIsThatOfTheMotion()
+void tst_mobility::strokeEqualsThatOfTheMotion()
 {
     constexpr int kSamples = 2000;
     constexpr double kSampling = 1e-5; // of a + b + |c|: error due to the distance of the samples
@@ -389,7 +389,7 @@ void tst_mobility::anglesLeadFromDeadCentreToDeadCentre()
     QVERIFY(seen > 50);
 }
 
-void tst_mobility::largestPressureAngleIsThatOfTheMotion()
+void tst_mobility::largestPressureAngleEqualsThatOfTheMotion()
 {
     for (const Parameters &p : mechanisms()) {
         const MotionLimits limits = motionLimits(Mechanism(p));

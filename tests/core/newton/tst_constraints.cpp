@@ -76,7 +76,7 @@ class tst_constraints : public QObject
     Q_OBJECT
 
 private slots:
-    void rowsMeanWhatTheirNamesSay();
+    void rowsMatchTheirNames();
     void vanishOnTheExactMotion();
     void jacobianIsTheDerivative();
     void timeDerivativeIsTheDerivative();
@@ -85,7 +85,7 @@ private slots:
 };
 
 /// Changing one coordinate violates exactly the constraints that contain it, by the amount of the change.
-void tst_constraints::rowsMeanWhatTheirNamesSay()
+void tst_constraints::rowsMatchTheirNames()
 {
     const Parameters p;
     const Mechanism mechanism(p);

@@ -50,13 +50,13 @@ private slots:
     void iterationsDependNeitherOnScaleNorOnTime();
     void bothEliminationsTakeTheSameIterations();
     void coldStartConvergesWithinItsLimit();
-    void keepsTheBranchWithFewStepsATurn();
-    void replacesAStartThatCannotConverge();
-    void statesWhyThereIsNoPosition();
+    void staysOnTheBranchWithFewStepsPerTurn();
+    void replacesStartsThatCannotConverge();
+    void reportsWhyThereIsNoSolution();
     void isSingularAtTheExactToggle();
-    void isNeverSilentlyWrong();
+    void solvedStatesAreCorrect();
     void iteratesBelowATooLargeTolerance();
-    void historyHoldsEveryIterate();
+    void historyContainsEveryIterate();
     void eachIterationSquaresTheErrorOfTheCouplerAngle();
 };
 
@@ -231,7 +231,7 @@ void TestNewton::coldStartConvergesWithinItsLimit()
 }
 
 /// With so few steps a warm start alone would jump to the other branch.
-void TestNewton::keepsTheBranchWithFewStepsATurn()
+void TestNewton::staysOnTheBranchWithFewStepsPerTurn()
 {
     constexpr double kTolerance = 1e-11; // θ3 has the relative error u/cos² θ3: 1e-13 for the smallest gap
     int coldStarts = 0;
@@ -261,7 +261,7 @@ void TestNewton::keepsTheBranchWithFewStepsATurn()
 
 /// Starts from the other branch, from a perpendicular coupler (singular matrix), and from an angle that is not a
 /// number.
-void TestNewton::replacesAStartThatCannotConverge()
+void TestNewton::replacesStartsThatCannotConverge()
 {
     for (const Branch branch : {Branch::Open, Branch::Crossed}) {
         Parameters p;
@@ -280,7 +280,7 @@ void TestNewton::replacesAStartThatCannotConverge()
     }
 }
 
-void TestNewton::statesWhyThereIsNoPosition()
+void TestNewton::reportsWhyThereIsNoSolution()
 {
     struct Row {
         double b;
@@ -340,7 +340,7 @@ void TestNewton::isSingularAtTheExactToggle()
 /// the channel's peak. Let r be the tolerance, or the rounding error if larger. Four rows contribute to b sin θ3, so it
 /// is known to 2r. Therefore θ3 is known to 2r/(b |cos θ3|) and, since sin θ3 is flat at a toggle, to √(4r/b) at worst.
 /// The relative error of cos θ3 enters a derivative once for each division by cos θ3.
-void TestNewton::isNeverSilentlyWrong()
+void TestNewton::solvedStatesAreCorrect()
 {
     for (const Case &which : allCases()) {
         const Parameters &p = which.parameters;
@@ -441,7 +441,7 @@ void TestNewton::iteratesBelowATooLargeTolerance()
     }
 }
 
-void TestNewton::historyHoldsEveryIterate()
+void TestNewton::historyContainsEveryIterate()
 {
     const Mechanism mechanism;
     const double t = 0.4;

@@ -96,13 +96,13 @@ class TestNewtonRandom : public QObject
     Q_OBJECT
 
 private slots:
-    void callsNothingSolvedThatIsOffByOnePercent();
-    void givesDerivativesBesideAToggleOnlyWithTheirDigits();
-    void structuredStepsAreTheDenseOnes();
+    void solvedStatesAreAccurateToOnePercent();
+    void solvedDerivativesAreAccurateNearAToggle();
+    void structuredStepsEqualDenseSteps();
 };
 
 /// Uses the options of Table 2 and a warm start from another random time stamp.
-void TestNewtonRandom::callsNothingSolvedThatIsOffByOnePercent()
+void TestNewtonRandom::solvedStatesAreAccurateToOnePercent()
 {
     for (std::size_t kind = 0; kind < std::size(kKinds); ++kind) {
         constexpr double kPart = 0.01;
@@ -149,7 +149,7 @@ void TestNewtonRandom::callsNothingSolvedThatIsOffByOnePercent()
 /// Within 0.03 rad of a toggle, a limit, an exact toggle and a change point, solutions with status Solved have a
 /// relative error below 6 kResolvedPart. The error is relative to the value or, if larger, to its size far from the
 /// toggle.
-void TestNewtonRandom::givesDerivativesBesideAToggleOnlyWithTheirDigits()
+void TestNewtonRandom::solvedDerivativesAreAccurateNearAToggle()
 {
     constexpr double kPart = 6.0 * kResolvedPart;
     constexpr int kMechanisms = 600;
@@ -191,7 +191,7 @@ void TestNewtonRandom::givesDerivativesBesideAToggleOnlyWithTheirDigits()
 
 /// From any iterate, the steps of both eliminations agree: ‖difference‖ <= u (κ ‖Δq‖ + ‖q‖), with the 2-norm of the
 /// twelve numbers (mm and rad mixed) and κ the ratio of the extreme singular values of C_q.
-void TestNewtonRandom::structuredStepsAreTheDenseOnes()
+void TestNewtonRandom::structuredStepsEqualDenseSteps()
 {
     using LongVector = Eigen::Matrix<long double, kCoordinateCount, 1>;
     const std::vector<Case> cases = allCases();

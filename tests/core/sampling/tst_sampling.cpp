@@ -79,7 +79,7 @@ private slots:
     }
 
     /// Compares values, statuses and the summary for every case, both methods, all channels and subsets of them.
-    void samplesAreThoseOfTheSolver()
+    void samplesEqualTheSolversResults()
     {
         for (const Case &which : allCases()) {
             const Mechanism mechanism(which.parameters);
@@ -153,7 +153,7 @@ private slots:
         }
     }
 
-    void piecesMakeUpTheWhole()
+    void piecesEqualTheWholeSampling()
     {
         const Sampling sampling{0.0, 2.0, 70000};
         const Mechanism mechanism(withCoupler(40.0));
@@ -173,7 +173,7 @@ private slots:
         QCOMPARE(pieces, 5);
     }
 
-    void whatAThreadThrowsReachesTheCaller()
+    void exceptionsInThreadsReachTheCaller()
     {
         if (std::thread::hardware_concurrency() < 2) {
             QSKIP("needs two processors");
@@ -188,7 +188,7 @@ private slots:
         QVERIFY_THROWS_EXCEPTION(std::bad_alloc, inParallel(2, work));
     }
 
-    void theCrankIsWhereItWasAskedToBe()
+    void crankHasTheRequestedAngle()
     {
         RandomMechanisms random(51);
         for (int i = 0; i < 500; ++i) {
