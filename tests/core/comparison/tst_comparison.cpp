@@ -17,10 +17,10 @@ namespace
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr Channel kTheta3{Theta3, Order::Position};
-constexpr ChannelSize kSize{1.0, 100.0}; // errors are small next to its motion
+constexpr ChannelSize kSize{1.0, 100.0}; // errors are small compared with this motion
 constexpr std::size_t kRows = 100;
 
-/// A column printed with three decimals: half a step is 0.0005.
+/// Compares with a column printed with three decimals, so that half a rounding step is 0.0005.
 const Rounding kThreeDecimals{Rounding::Rule::Decimals, 3};
 const Rounding kSixDigits{Rounding::Rule::SignificantDigits, 6};
 constexpr double kHalfStep = 0.0005;
@@ -56,7 +56,7 @@ std::vector<ChannelComparison> compareFile(const QString &path, double b, Method
 const QString kInventorFile = QStringLiteral(SLIDERCRANK_SOURCE_DIR "/../shared/reference/InventorData.csv");
 const QString kSample = QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv");
 
-/// Measured values are quoted with three digits.
+/// Returns whether the value agrees with the quoted one, which has three digits.
 bool isNear(double value, double quoted)
 {
     return std::abs(value - quoted) <= 5e-3 * quoted;
@@ -79,7 +79,7 @@ private slots:
         QCOMPARE(result.timeOfMaxAbs, 1.0);
         QCOMPARE(result.rms.value(), std::sqrt((0.0 + 0.25 + 1.0 + 0.0625) / 4.0));
         QCOMPARE(result.maxPercent.value(), 25.0);
-        QCOMPARE(result.timeOfMaxPercent, 0.5); // the first of two
+        QCOMPARE(result.timeOfMaxPercent, 0.5); // the first of two equal maxima
         QCOMPARE(result.zeroReference, std::size_t(1));
         QCOMPARE(result.percentOfPeak.value(), 25.0);
         QCOMPARE(result.roundingStep.value(), 0.001);
@@ -89,7 +89,7 @@ private slots:
     void judgesByHalfSteps()
     {
         struct Row {
-            std::size_t count; ///< of a hundred values near 10 that differ
+            std::size_t count; ///< number of deviating values among a hundred values near 10
             double halfSteps;
             Verdict verdict;
         };
@@ -109,8 +109,8 @@ private slots:
         }
     }
 
-    /// Whole numbers, of a motion with a range of 200: half of it is 100.
-    void whatLiesBeyondIsSmallNextToTheMotion()
+    /// The values are integers of a motion from -100 to 100.
+    void verdictDependsOnTheErrorRelativeToTheMotion()
     {
         struct Row {
             double percentBeyond;
@@ -131,7 +131,7 @@ private slots:
         }
     }
 
-    void knowsHowLargeAMotionIs()
+    void computesTheSizeOfAMotion()
     {
         const Mechanism mechanism;
         const double omega = mechanism.omega2();
@@ -139,12 +139,12 @@ private slots:
         QCOMPARE(sizeOf(mechanism, {R4y, Order::Acceleration}).still, 20.0 * omega * omega);
         QCOMPARE(sizeOf(mechanism, {Theta2, Order::Velocity}).still, omega * kDegreesPerRadian);
         QCOMPARE(sizeOf(mechanism, {Theta2, Order::Position}).most, 180.0);
-        QCOMPARE(sizeOf(mechanism, {R4x, Order::Position}).still, 0.0); // the range of the model
+        QCOMPARE(sizeOf(mechanism, {R4x, Order::Position}).still, 0.0); // R4x moves, so its size is its range
         QCOMPARE(sizeOf(mechanism, {R1x, Order::Position}).natural, 110.0);
     }
 
-    /// An error of 0.004 is within half a step at 1139.91 and 80 of them at 12.3456.
-    void takesTheStepOfEachValue()
+    /// An error of 0.004 is below half a rounding step of 1139.91, but 80 half steps of 12.3456.
+    void usesTheRoundingStepOfEachValue()
     {
         QCOMPARE(compareValues({12.3456, 1139.914}, {12.3456, 1139.91}, kSixDigits).verdict, Verdict::Agrees);
         QCOMPARE(compareValues({12.3496, 1139.91}, {12.3456, 1139.91}, kSixDigits).verdict, Verdict::Close);
@@ -152,8 +152,8 @@ private slots:
         QVERIFY(std::abs(compareValues(values, values, kSixDigits).roundingStep.value() - 0.01) < 1e-12);
     }
 
-    /// What is smaller than the rounding of the largest values, or than double precision, is zero.
-    void countsWhatIsZeroWithinItsRounding()
+    /// Values below the rounding step of the largest values, or below double precision, count as zero.
+    void countsValuesThatAreZeroWithinRounding()
     {
         struct Row {
             std::vector<double> model;
@@ -178,7 +178,7 @@ private slots:
         }
     }
 
-    /// A channel that is zero throughout is measured by the mechanism's size.
+    /// The size of a channel that is always zero is the natural size of the mechanism.
     void judgesZerosByTheNaturalSize()
     {
         for (const auto &[noise, verdict] :
@@ -205,8 +205,8 @@ private slots:
         QCOMPARE(empty.verdict, Verdict::Differs);
     }
 
-    /// By either method: the effect of rounded time stamps is that of the exact motion.
-    void anEvenClockMayBeARoundedOne()
+    /// With both methods: rounded time stamps of an even sampling explain small differences, and the verdict is Close.
+    void evenTimeStampsMayBeRounded()
     {
         struct Row {
             double spacing;
@@ -234,7 +234,7 @@ private slots:
         }
     }
 
-    /// A hundred thousand rows, on several threads: each channel as alone.
+    /// The comparison of 100 000 rows with several threads equals that of each channel alone.
     void comparesLongFiles()
     {
         const Mechanism mechanism({.b = 44.0}); // cannot be assembled everywhere

@@ -15,7 +15,7 @@ using namespace slidercrank;
 namespace
 {
 
-constexpr int kRows = 50; // intervals a turn: coarse, so that what stands between rows matters
+constexpr int kRows = 50; // intervals per turn: few, so that the interpolation matters
 
 Mechanism withCoupler(double b)
 {
@@ -31,7 +31,7 @@ const Channel kTheta3Rate{Theta3, Order::Velocity};
 const Channel kSlider{R4x, Order::Position};
 const Channel kSliderSpeed{R4x, Order::Velocity};
 
-/// One turn of the mechanism with b = 60 as a file with those columns.
+/// Returns one turn of the mechanism with b = 60 as reference data with the given columns.
 ReferenceData fileWith(std::initializer_list<Channel> channels)
 {
     ReferenceData data;
@@ -51,7 +51,7 @@ ReferenceData fileWith(std::initializer_list<Channel> channels)
     return data;
 }
 
-/// How far the pins are from those of that mechanism at most, mm, over instants on and between the rows.
+/// Returns the largest distance (mm) of the pins from those of the mechanism, at times on and between the rows.
 double farthest(const ReferenceData &data, const Mechanism &lengths, const Mechanism &truth)
 {
     double farthest = 0.0;
@@ -78,7 +78,7 @@ class TestReferencePose : public QObject
 private slots:
     void followsTheFileBetweenItsRows()
     {
-        // Straight lines would be off by 20 mm · (2π/50)²/8 = 0.04 mm and more; at the ends there are only parabolas.
+        // Linear interpolation has an error of at least 20 mm · (2π/50)²/8 = 0.04 mm. Parabolas are used at the ends.
         const double off = farthest(fileWith({kTheta3, kSlider}), kOfTheFile, kOfTheFile);
         QVERIFY2(off < 0.02, qPrintable(QString::number(off)));
     }
@@ -97,7 +97,7 @@ private slots:
         QVERIFY(std::abs(pose.pinY - (25.0 - 65.0 * 25.0 / 60.0)) < 1e-12);
     }
 
-    void anAngleKeptWithinOneTurnIsFollowedAcrossItsJump()
+    void unwrapsAnglesThatAreLimitedToOneTurn()
     {
         ReferenceData data = fileWith({kTheta3, kSlider});
         for (double &value : data.series[0].values) {
@@ -106,7 +106,7 @@ private slots:
         QVERIFY(farthest(data, kOfTheFile, kOfTheFile) < 0.02);
     }
 
-    void isNowhereOutsideTheRowsOrBesideAnEmptyCell()
+    void isEmptyOutsideTheRowsOrNextToAnEmptyCell()
     {
         ReferenceData data = fileWith({kTheta3, kSlider});
         data.series[1].values[10] = std::numeric_limits<double>::quiet_NaN();
@@ -121,7 +121,7 @@ private slots:
         QVERIFY(referencePoseAt(data, kOfTheFile, 11.5 / kRows).exists);
     }
 
-    void isNowhereWithoutThePositionsItNeeds()
+    void isEmptyWithoutTheRequiredPositions()
     {
         QVERIFY(!referencePoseAt(fileWith({kTheta3Rate, kSliderSpeed}), kOfTheFile, 0.5).exists);
         QVERIFY(!referencePoseAt(ReferenceData(), kOfTheFile, 0.0).exists);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The verdict over files of known origin: a file of the mechanism itself never differs, and one that is off by more
-// than a fiftieth of its peak, beyond half of what was printed, is never better than that. Each kind over random
-// mechanisms.
+// Tests the verdict about files of known origin, for random mechanisms. A file of the mechanism itself never gets the
+// verdict `differs`. A file whose error exceeds half a rounding step plus 2 % of its peak never gets a better verdict.
 
 #include "core/comparison/comparison.h"
 #include "tests/support/long_tests.h"
@@ -25,9 +24,9 @@ using namespace slidercrank;
 namespace
 {
 
-constexpr double kTooFar = 0.02; // of the peak
+constexpr double kTooFar = 0.02; // of the peak, beyond half a rounding step
 
-/// What the textbook says of any of the columns used here, in the default units (mm, °, s).
+/// Returns the value of a channel by the textbook's formulas, in the default units (mm, °, s).
 double exactValue(const Parameters &p, Channel channel, double t)
 {
     const double degree = std::numbers::pi / 180.0;
@@ -48,7 +47,7 @@ std::string text(const char *format, double value)
     return cell.data();
 }
 
-/// As it would be printed after it was rounded to six digits.
+/// Returns the value rounded to six significant digits.
 double toSixDigits(double value)
 {
     return std::strtod(text("%.6g", value).c_str(), nullptr);
@@ -61,13 +60,13 @@ struct Kind {
     std::vector<Channel> channels;
     const char *format = "%.6g";
     const char *timeFormat = "%.9g";
-    double rate = 30.0; ///< instants a second
+    double rate = 30.0; ///< rows per second
     int rows = 61;
-    bool rocks = false;                ///< cannot turn round: the file has gaps
+    bool rocks = false;                ///< rocker: the file has gaps
     bool chosenAngles = false;         ///< the crank advances by whole degrees
-    bool sixDigits = false;            ///< whatever the format prints
-    double clockError = 0.0;           ///< of all the instants together, in steps of the last decimal of four
-    Verdict atLeast = Verdict::Agrees; ///< of the true file, in 95 of a hundred
+    bool sixDigits = false;            ///< values are rounded to six digits before they are printed
+    double clockError = 0.0;           ///< error of the last time stamp, in units of its fourth decimal
+    Verdict atLeast = Verdict::Agrees; ///< required verdict in 95 % of the true files
 };
 
 const std::vector<Channel> kSix(kPlottedChannels.begin(), kPlottedChannels.end());
@@ -81,10 +80,10 @@ std::vector<std::pair<const char *, Kind>> kinds()
         kSlider, {R4y, Order::Position}, {R4y, Order::Velocity}, {Theta2, Order::Velocity}};
     return {
         {"six columns of six digits", {.channels = kSix, .rate = 100.0, .rows = 201}},
-        {"instants of 4 decimals", {.channels = kSix, .timeFormat = "%.4f"}},
-        {"instants of 2 decimals", {.channels = kSix, .timeFormat = "%.2f"}},
-        {"instants of 9 digits, values of 9", {.channels = kSix, .format = "%.9g"}},
-        {"instants of 4 decimals, evenly spaced all the same",
+        {"time stamps of 4 decimals", {.channels = kSix, .timeFormat = "%.4f"}},
+        {"time stamps of 2 decimals", {.channels = kSix, .timeFormat = "%.2f"}},
+        {"time stamps of 9 digits, values of 9", {.channels = kSix, .format = "%.9g"}},
+        {"time stamps of 4 decimals, evenly spaced all the same",
          {.channels = kSix, .timeFormat = "%.4f", .rate = 1.0 / 0.0133, .clockError = 0.45, .atLeast = Verdict::Close}},
         {"a double's own digits", {.channels = kSix, .format = "%.17g", .timeFormat = "%.17g"}},
         {"six digits printed with 19", {.channels = kSix, .format = "%.18e", .timeFormat = "%.18e", .sixDigits = true}},
@@ -94,8 +93,8 @@ std::vector<std::pair<const char *, Kind>> kinds()
          {.channels = constants, .format = "%.6f", .sixDigits = true}},
         {"whole millimetres", {.channels = {kSlider}, .format = "%.0f", .rate = 100.0, .rows = 201}},
         {"rockers", {.channels = kSix, .rate = 100.0, .rows = 201, .rocks = true}},
-        {"rockers, instants of 4 decimals", {.channels = kSix, .timeFormat = "%.4f", .rocks = true}},
-        {"rockers, instants of 2 decimals", {.channels = kSix, .timeFormat = "%.2f", .rocks = true}},
+        {"rockers, time stamps of 4 decimals", {.channels = kSix, .timeFormat = "%.4f", .rocks = true}},
+        {"rockers, time stamps of 2 decimals", {.channels = kSix, .timeFormat = "%.2f", .rocks = true}},
         {"chosen angles", {.channels = {kCrank, kSlider}, .format = "%.0f", .rate = 100.0, .chosenAngles = true}},
         {"two rows", {.channels = kSix, .timeFormat = "%.1f", .rate = 10.0, .rows = 2}},
         {"whole millimetres of another mechanism",
@@ -114,21 +113,22 @@ std::vector<std::pair<const char *, Kind>> kinds()
           .rows = 2}},
         {"three rows of another mechanism, a tenth of a second apart",
          {.file = File::OtherMechanism, .channels = kSix, .timeFormat = "%.1f", .rate = 10.0, .rows = 3}},
-        {"few instants of another mechanism, unevenly chosen",
+        {"few time stamps of another mechanism, unevenly chosen",
          {.file = File::OtherMechanism, .channels = kSix, .timeFormat = "%.1f", .rate = 7.0, .rows = 8}},
         {"chosen angles of another mechanism",
          {.file = File::OtherMechanism, .channels = {kCrank, kSlider}, .format = "%.0f", .rate = 100.0, .rows = 101}},
         {"a 3 % short, whole millimetres",
          {.file = File::ShortCrank, .channels = {kSlider, kSliderSpeed}, .format = "%.0f", .rate = 100.0, .rows = 201}},
         {"a 3 % short, six digits", {.file = File::ShortCrank, .channels = kSix, .rate = 100.0, .rows = 201}},
-        {"a 3 % short, instants of 4 decimals", {.file = File::ShortCrank, .channels = kSix, .timeFormat = "%.4f"}},
+        {"a 3 % short, time stamps of 4 decimals", {.file = File::ShortCrank, .channels = kSix, .timeFormat = "%.4f"}},
     };
 }
 
-/// A file, and how far what it prints is from the model at the instants that were meant.
+/// A file and the error of its values with respect to the model at the exact time stamps.
 struct Written {
     std::string bytes;
-    std::vector<double> tooFar; ///< by channel: the largest error beyond half of what was printed, of the peak
+    std::vector<double>
+        tooFar; ///< for each channel, the largest error minus half a rounding step, relative to the peak
 };
 
 Written written(const Kind &kind, const Parameters &of, const Parameters &model)
@@ -163,7 +163,7 @@ Written written(const Kind &kind, const Parameters &of, const Parameters &model)
     return file;
 }
 
-/// One to six turns in two seconds.
+/// Returns the mechanism with a speed that makes at most three turns in two seconds.
 Parameters slow(Parameters p, RandomMechanisms &random)
 {
     p.omega2 = std::copysign(random.uniform(0.5, 3.0) * std::numbers::pi, p.omega2);
@@ -190,7 +190,8 @@ private slots:
     {
         QFETCH(const int, place);
         const Kind kind = kinds()[static_cast<std::size_t>(place)].second;
-        RandomMechanisms random(20261122 + static_cast<std::uint64_t>(place)); // fixed: a failure can be repeated
+        RandomMechanisms random(20261122 +
+                                static_cast<std::uint64_t>(place)); // a fixed seed makes failures reproducible
         const int files = runs(50, 2000);
         int right = 0;
         int tooFar = 0;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every claim that the program prints is true: files of known origin, kind by kind, and what the program says about
-// them.
+// Tests that everything the program claims about files of known origin is true, for each kind of file.
 
 #include "core/mechanism/in_parallel.h"
 #include "tests/support/claim_judge.h"
@@ -71,7 +70,7 @@ private slots:
         const auto percent = [&](std::size_t k) { return 100.0 * within[k] / parameters; };
         std::printf("%d identified; %.2f %.2f %.2f %% within one, two, three standard errors\n", identified, percent(0),
                     percent(1), percent(2));
-        const double chance = std::sqrt(1000.0 / files); // fewer files, wider limits
+        const double chance = std::sqrt(1000.0 / files); // the tolerance grows if there are fewer files
         if (isNoisy && !kIsMemoryCheck) {
             QVERIFY(std::abs(percent(0) - 68.0) <= 4.0 * chance);
             QVERIFY(std::abs(percent(1) - 95.0) <= 2.0 * chance);

@@ -29,7 +29,8 @@ using Kind = Convention::Kind;
 namespace
 {
 
-std::atomic<std::size_t> largestAllocation = 0; // bytes, since it was set to 0; QtTest's watchdog allocates as well
+std::atomic<std::size_t> largestAllocation =
+    0; // bytes, since the last reset to 0; atomic, because QtTest's watchdog thread allocates, too
 
 void count(std::size_t size)
 {
@@ -55,7 +56,7 @@ void *operator new(std::size_t size, const std::nothrow_t &) noexcept
     return std::malloc(std::max<std::size_t>(size, 1));
 }
 
-// Not inlined, lest g++ 14 take new and free for a mistaken pair.
+// Not inlined, because g++ 14 would otherwise warn of a mismatch of new and free.
 [[gnu::noinline]] void operator delete(void *memory) noexcept
 {
     std::free(memory);
@@ -77,8 +78,8 @@ std::vector<ConventionFinding> findConventions(const ReferenceData &data, const 
 
 constexpr double kPi = std::numbers::pi;
 
-/// How many of the random files are tried. The sanitizers, thirty times slower, look at memory and not at numbers: a
-/// few are enough for them.
+/// Returns the number of random files to test. Sanitizer builds are thirty times slower and check memory, not numbers,
+/// so they test only a few.
 int filesOf(int all)
 {
     const int some = (all + 9) / 10;
@@ -98,7 +99,7 @@ constexpr Channel kXDDot{R4x, Order::Acceleration};
 const std::vector<Channel> kAngles{kTheta, kThetaDot, kThetaDDot};
 const std::vector<Channel> kLengths{kX, kXDot, kXDDot};
 
-/// A file before it is written: a column of the time and one of each channel.
+/// The content of a file: the time column and one column for each channel.
 struct Table {
     std::vector<double> time;
     std::vector<std::pair<Channel, std::vector<double>>> columns;
@@ -117,7 +118,8 @@ struct Table {
     }
 };
 
-/// The textbook's motion (Norton, "Design of Machinery", eq. 4.16, 6.22, 7.15, with θ³ = θ_3 - 180°), in mm and °.
+/// Appends a row with the textbook's motion (Norton, "Design of Machinery", eq. 4.16, 6.22, 7.15, with θ³ = θ_3 -
+/// 180°), in mm and °.
 void appendMotion(Table &table, const Parameters &p, double t)
 {
     const double theta2 = p.omega2 * t + p.theta20;
@@ -156,7 +158,7 @@ void append(std::string &text, double value, int digits)
     text.append(buffer.data(), end.ptr);
 }
 
-/// The file as it is read back from six significant digits.
+/// Writes the table with six significant digits and reads it back.
 ReferenceData writtenAndRead(const Table &table)
 {
     std::string csv = "time";
@@ -201,7 +203,7 @@ public:
         return p;
     }
 
-    /// 80 to 500 instants over 0.6 to 3 turns.
+    /// Returns 80 to 500 time stamps over 0.6 to 3 turns.
     std::vector<double> instants(const Parameters &p)
     {
         const int rows = static_cast<int>(uniform(80.0, 500.0));
@@ -227,13 +229,14 @@ void multiply(Table &table, const std::vector<Channel> &channels, double factor)
     }
 }
 
-/// A change of a file, and the conventions that must be found. `parameters` become the given mechanism.
+/// A change of a file and the conventions that must be found. `parameters` are passed as the given mechanism.
 struct Fault {
     const char *name;
     std::function<std::vector<Convention>(Table &, Parameters &, RandomFiles &)> inject;
 };
 
-/// Columns in another unit or with the other sign: multiplied by `amount` they are right.
+/// Returns a fault that writes columns in another unit or with the other sign. Multiplying them by `amount` corrects
+/// them.
 Fault multiplied(const char *name, Kind kind, const std::vector<Channel> &channels, double amount)
 {
     return {name, [=](Table &table, Parameters &, RandomFiles &) {
@@ -311,7 +314,7 @@ const std::vector<Fault> &faults()
     return all;
 }
 
-/// Faults that another mechanism explains equally well.
+/// Returns faults that another mechanism explains equally well.
 const std::vector<Fault> &faultsOfTheWhole()
 {
     static const std::vector<Fault> all{
@@ -380,7 +383,7 @@ bool isSame(const Convention &found, const Convention &expected)
            std::abs(found.amount - expected.amount) <= slack * std::abs(expected.amount);
 }
 
-/// Whether exactly these were found, in any order, and each reduces the error to nearly zero.
+/// Returns whether exactly these conventions were found, in any order, and each reduces the error to nearly zero.
 bool areFound(const std::vector<ConventionFinding> &findings, const std::vector<Convention> &expected)
 {
     const auto isFound = [&](const Convention &one) {
@@ -581,7 +584,7 @@ private slots:
             Parameters p = files.mechanism();
             Table table = motionAt(p, files.instants(p));
             fault.inject(table, p, files);
-            // Negated, the angles of a crossed mechanism are a whole turn away from those of its mirror image.
+            // The negated angles of a crossed mechanism differ by a whole turn from those of its mirror image.
             const std::vector<double> &angles = table[kTheta];
             const bool turned = std::all_of(angles.begin(), angles.end(), [](double angle) { return angle < -90.0; });
             const std::vector<Convention> expected =
@@ -605,7 +608,7 @@ private slots:
             const std::vector<ConventionFinding> found = findConventions(data, Mechanism(similar));
             QVERIFY2(areFound(found, expected), (std::to_string(i) + ": " + inWords(found)).c_str());
 
-            Parameters reversed = p; // what the file looks like when θ3 is taken half a turn on
+            Parameters reversed = p; // similar to the motion of the file with θ3 shifted by half a turn
             reversed.omega2 *= 0.7;
             const std::vector<ConventionFinding> otherwise = findConventions(data, Mechanism(reversed));
             QVERIFY2(areFound(otherwise, {{Kind::HalfTurn, {kTheta}, p.branch == Branch::Open ? 180.0 : -180.0}}),
@@ -613,7 +616,7 @@ private slots:
         }
     }
 
-    void takesAnglesThatJumpTogether()
+    void acceptsAnglesThatJumpTogether()
     {
         RandomFiles files(9);
         for (int i = 0; i < filesOf(50); ++i) {
@@ -665,7 +668,7 @@ private slots:
                 series.values[row] = std::numeric_limits<double>::quiet_NaN();
             }
         }
-        // Columns that are none of the six, and no motion of this mechanism.
+        // Adds a column that is not one of the six channels and is not the motion of this mechanism.
         data.series.push_back({{R2x, Order::Position}, std::vector<double>(data.time.size(), 7.0), {}});
         for (const Mechanism &compared : {Mechanism(p), Mechanism()}) {
             const std::vector<ConventionFinding> found = findConventions(data, compared);
@@ -675,8 +678,8 @@ private slots:
 
     void findsThatTheSliderMovesAlongY_data()
     {
-        QTest::addColumn<std::vector<Channel>>("kept"); // of the motion along x
-        QTest::addColumn<double>("angleAdded");         // to θ3
+        QTest::addColumn<std::vector<Channel>>("kept"); // channels of the motion along x
+        QTest::addColumn<double>("angleAdded");         // added to θ3
         QTest::addColumn<bool>("hasX");
         QTest::newRow("the position alone") << std::vector{kX} << 0.0 << false;
         QTest::newRow("its derivatives, too") << kLengths << 0.0 << true;
@@ -722,7 +725,8 @@ private slots:
                 QCOMPARE(found[1].convention.kind, Kind::ZeroPoint);
                 QVERIFY2(std::abs(found[1].convention.amount + angleAdded) < 1e-3, inWords(found).c_str());
             }
-            // Read so, and compared with any other mechanism, the file is the same motion.
+            // After these conventions are applied, the file agrees with the mechanism. They are also found if another
+            // mechanism is given.
             ReferenceData read = data;
             for (const ConventionFinding &finding : found) {
                 read = applied(finding.convention, std::move(read));
@@ -742,7 +746,7 @@ private slots:
         for (int i = 0; i < filesOf(10); ++i) {
             const Parameters p = files.mechanism();
             Table table = motionAt(p, files.instants(p));
-            // y stands, but for what a solver leaves; once without x.
+            // y is constant except for the error of a solver. Every second file has no x.
             std::vector<double> nearly(table.time.size());
             std::ranges::generate(nearly, [&] { return p.c + files.uniform(-1e-9, 1e-9); });
             if (i % 2 == 1) {
@@ -752,7 +756,7 @@ private slots:
             const std::vector<ConventionFinding> found = findConventions(writtenAndRead(table), Mechanism(p));
             QVERIFY2(found.empty(), inWords(found).c_str());
         }
-        // What moves along y need not be a slider.
+        // A motion along y need not be that of a slider.
         Table table = motionAt(Parameters(), files.instants(Parameters()));
         table.keepOnly({kX});
         table.columns[0].first.coordinate = R4y;
@@ -821,7 +825,7 @@ private slots:
             const std::vector<ConventionFinding> found = findConventions(data, Mechanism(compared));
             const std::size_t largest = largestAllocation;
             QVERIFY2(areFound(found, {{Kind::AngleUnit, kAngles, 180.0 / kPi}}), inWords(found).c_str());
-            // Read otherwise, the file is copied once, column by column; nothing is larger than one.
+            // Applying a convention copies the file column by column, so no allocation exceeds one column.
             QVERIFY2(largest <= sizeof(double) * instants.size(), std::to_string(largest).c_str());
         }
     }
@@ -850,7 +854,7 @@ private slots:
 
     void keepsTheRoundingStepAfterAHalfTurn()
     {
-        // 204.624 has its last digit at 0.001, and so has the 24.624 that it is half a turn before.
+        // The last digit of 204.624 is 0.001, and it remains so for 24.624, half a turn before.
         ReferenceData data;
         data.time = {0.0, 1.0, 2.0};
         data.series.push_back({kTheta, {204.624, 190.5, 180.25}, {Rounding::Rule::SignificantDigits, 6}});

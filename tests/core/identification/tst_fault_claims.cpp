@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every claim about files with the faults of sensors, filters, loggers and spreadsheets is true, and small systematic
-// errors hide no nominal lengths.
+// Tests that every claim about files with the faults of sensors, filters, loggers and spreadsheets is true, and that
+// round lengths are found in spite of small systematic errors.
 
 #include "tests/support/claim_judge.h"
 #include "tests/support/claim_suite.h"
@@ -20,7 +20,7 @@ namespace
 
 const Parameters kMechanism{43.0, 154.0, -27.0, 7.0, 0.4, Branch::Open};
 
-/// 240 rows of 1.6 turns.
+/// Samples 1.6 turns with 240 rows.
 ClaimFile emptyFile(const Parameters &mechanism = kMechanism)
 {
     ClaimFile file(1, 0);
@@ -49,7 +49,7 @@ Claimed claimAbout(ClaimFile file)
     return {claim, judgeClaim(file, *data, claim)};
 }
 
-/// Empty if there is no false claim and the outcome is that one.
+/// Returns an error message, or an empty string if no claim is false and the outcome is the expected one.
 QString wrongClaim(const Claimed &claimed, ClaimedOutcome outcome)
 {
     const auto name = [](ClaimedOutcome which) { return std::string(kOutcomeNames[static_cast<std::size_t>(which)]); };

@@ -27,7 +27,7 @@ const Parameters kOrdinary{20.0, 60.0, 25.0, 6.25, 0.25, Branch::Open};
 using Outcome = Identification::Outcome;
 using Why = Identification::Alternative::Why;
 
-/// A mechanism of the kind that people build: the coupler 3 % to three times longer than a full turn needs.
+/// Returns a mechanism with typical proportions. Its coupler is 1.03 to 3 times as long as a full turn requires.
 Parameters ordinary(RandomMechanisms &random)
 {
     Parameters p;
@@ -50,8 +50,8 @@ Printing printingOfTurns(const Parameters &p, double turns, int rows, const std:
     return printing;
 }
 
-/// Largest difference of lengths as part of a, of the speed as part of itself, of angles in rad; of the image that
-/// comes nearest, where `images` are allowed.
+/// Returns the largest difference of the parameters: lengths relative to a, the relative speed, angles in rad. If
+/// `images` are allowed, uses the closest one.
 double distance(const Parameters &found, const Parameters &truth, bool images = false)
 {
     double least = std::numeric_limits<double>::infinity();
@@ -96,7 +96,7 @@ constexpr Channel kX{R4x, Order::Position};
 constexpr Channel kXDot{R4x, Order::Velocity};
 constexpr Channel kTheta{Theta3, Order::Position};
 
-/// The mean of so many rows about each; none at the ends.
+/// Replaces each value by the mean of `width` rows around it. The values at the ends become gaps.
 void average(std::vector<double> &values, std::size_t width)
 {
     const std::vector<double> before = values;
@@ -195,7 +195,7 @@ private slots:
             printing.timeFormat = "%.12g";
             const Identification result = identified(printedData(truth, printing));
             QCOMPARE(result.outcome, Outcome::Identified);
-            // At t = 0 the angle is as uncertain as the speed times 1e4 s.
+            // The uncertainty of the angle at t = 0 is that of the speed times 1e4 s.
             const double off = std::remainder(result.parameters.theta20 - truth.theta20, 2.0 * kPi);
             QVERIFY(std::abs(off) < 5.0 * result.standardError[indexOf(Parameter::Theta20)]);
             truth.theta20 = result.parameters.theta20;
@@ -245,7 +245,7 @@ private slots:
         QVERIFY(found.identification.leftOut[0].percentOfPeak > 0.1 && found.conventions.empty());
     }
 
-    void findsNoMechanismInColumnsOfTwo()
+    void findsNoMechanismInColumnsOfTwoMechanisms()
     {
         ReferenceData data = printedData(kOrdinary);
         Parameters other = kOrdinary;
@@ -259,11 +259,11 @@ private slots:
         const Diagnosis found = diagnose(data, Mechanism());
         QCOMPARE(found.identification.outcome, Outcome::Nearest);
         const double worst = *std::ranges::max(found.identified, {}, &ChannelComparison::percentOfPeak).percentOfPeak;
-        QVERIFY2(worst < 5.0, QByteArray::number(worst)); // it is what was fitted
+        QVERIFY2(worst < 5.0, QByteArray::number(worst)); // the mechanism is the fitted one
     }
 
-    /// x measured from the far end, in the opposite direction. If its derivatives have the same direction, the slider
-    /// may as well belong to the mechanism turned by 180°. If they have the other one, or θ2 is known, it does not.
+    /// The file contains x measured from the far end, in the opposite direction. If its derivatives have the same
+    /// direction, the file also fits the mechanism turned by 180°. If not, or if θ2 is known, it does not.
     void readsADepthInBothWaysUnlessOtherColumnsDecide_data()
     {
         QTest::addColumn<std::string>("channels");
@@ -316,7 +316,7 @@ private slots:
         QCOMPARE(result.excludedRows, (std::vector<std::size_t>{9, 102}));
     }
 
-    void takesQuantizedAndSaturatedValuesAsSuch()
+    void acceptsQuantizedAndSaturatedValues()
     {
         ReferenceData data = printedData(kOrdinary, printingOfTurns(kOrdinary, 2.0, 240, "110000"));
         constexpr double kEncoderStep = 360.0 / 2048.0;
@@ -324,7 +324,7 @@ private slots:
             value = std::round(value / kEncoderStep) * kEncoderStep;
         }
         Rounding &rounding = std::ranges::find(data.series, kTheta, &ReferenceSeries::channel)->rounding;
-        rounding.rule = Rounding::Rule::Multiples; // as the reader finds it
+        rounding.rule = Rounding::Rule::Multiples; // as the reader determines it
         rounding.quantum = kEncoderStep / rounding.unitFactor;
         const ValueRange range = rangeOf(valuesOf(data, kX));
         for (double &value : valuesOf(data, kX)) {
@@ -347,7 +347,7 @@ private slots:
         QCOMPARE(identified(data).outcome, Outcome::None);
     }
 
-    void saysWhatIsMissing()
+    void reportsWhatIsMissing()
     {
         using Lack = Identification::Lack;
         Parameters standing;
@@ -359,7 +359,7 @@ private slots:
         QCOMPARE(identified(printedData(standing)).lack, Lack::NothingMoves);
         QCOMPARE(identified(printedData(Parameters(), printing)).lack, Lack::FewValues);
         QCOMPARE(identified(ReferenceData()).lack, Lack::FewTimeStamps);
-        printing.rows = 7; // of seven numbers to six digits five parameters are chance
+        printing.rows = 7; // five parameters fit seven numbers of six digits by chance
         QCOMPARE(identified(printedData(Parameters(), printing)).outcome, Outcome::Insufficient);
     }
 
@@ -370,7 +370,7 @@ private slots:
         QVERIFY(diagnose(printedData(Parameters()), Mechanism(), source.get_token()).identification.stopped);
     }
 
-    void findsTheParameterThatMakesADifference()
+    void findsTheParameterThatExplainsTheDifference()
     {
         RandomMechanisms random(kSeed);
         for (const Parameter parameter :

@@ -35,7 +35,7 @@ class TestRoundNumbers : public QObject
     Q_OBJECT
 
 private slots:
-    void takesTheRoundestNumberThatTheErrorLeavesRoomFor_data()
+    void choosesTheRoundestNumberWithinTheError_data()
     {
         QTest::addColumn<double>("value");
         QTest::addColumn<double>("standardError");
@@ -51,7 +51,7 @@ private slots:
         QTest::newRow("large") << 123456789.4 << 200.0 << 123456790.0;
     }
 
-    void takesTheRoundestNumberThatTheErrorLeavesRoomFor()
+    void choosesTheRoundestNumberWithinTheError()
     {
         QFETCH(const double, value);
         QFETCH(const double, standardError);
@@ -59,7 +59,7 @@ private slots:
         QCOMPARE(roundest(value, standardError, std::array{1.0}), expected);
     }
 
-    void countsInTheUnitInWhichTheNumberIsRoundest()
+    void usesTheUnitInWhichTheNumberIsRoundest()
     {
         const std::array units{1.0, kPi / 180.0, kPi / 30.0};
         QCOMPARE(roundest(6.2831853001, 7e-9, units), 2.0 * kPi); // 60 turns a minute
@@ -67,7 +67,7 @@ private slots:
         QCOMPARE(roundest(kPi / 4.0 + 1e-9, 7e-9, units), kPi / 4.0); // 45 °/s
     }
 
-    void findsTheNumbersThatSomebodyChose()
+    void findsTheOriginalRoundNumbers()
     {
         RandomMechanisms random(kSeed);
         int exact = 0;
@@ -92,10 +92,10 @@ private slots:
                          ? 1
                          : 0;
         }
-        QVERIFY2(exact >= kMechanisms * 9 / 10, QByteArray::number(exact)); // three standard errors are no certainty
+        QVERIFY2(exact >= kMechanisms * 9 / 10, QByteArray::number(exact)); // some errors exceed three standard errors
     }
 
-    void roundsNothingAwayThatTheDataHold_data()
+    void doesNotRoundBeyondTheAccuracyOfTheData_data()
     {
         QTest::addColumn<double>("turns");
         QTest::addColumn<QByteArray>("format");
@@ -104,7 +104,7 @@ private slots:
         QTest::newRow("a twentieth of a turn, where the parameters depend on each other") << 0.05 << QByteArray("%.6g");
     }
 
-    void roundsNothingAwayThatTheDataHold()
+    void doesNotRoundBeyondTheAccuracyOfTheData()
     {
         QFETCH(const double, turns);
         QFETCH(const QByteArray, format);
@@ -142,7 +142,7 @@ private slots:
         QVERIFY(found > 25);
     }
 
-    void keepsWhatTheDataDoNotFix()
+    void keepsParametersThatTheDataDoNotDetermine()
     {
         Parameters start;
         start.a = 31.25;

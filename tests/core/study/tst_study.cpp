@@ -16,7 +16,7 @@ using namespace slidercrank;
 namespace
 {
 
-/// Errors and statuses without the time that good times take.
+/// Returns a request that measures errors and statuses, but no accurate times.
 StudyRequest quick(std::vector<Case> cases)
 {
     StudyRequest request;
@@ -68,28 +68,28 @@ class tst_study : public QObject
     Q_OBJECT
 
 private slots:
-    void namesTheMethodsOfTheContract();
+    void namesTheDocumentedMethods();
     void closedFormIsExactToTheLastDigits();
-    void aSmallerToleranceIsNoLessExact();
+    void smallerTolerancesAreNotLessAccurate();
     void differencesAreSecondOrderInTheStep();
     void differencesOfAParabolaAreExact();
     void harmonicsFallWithTheirNumber();
     void harmonicsAreLeftOutWhereTheCrankRocks();
-    void twoHarmonicsAreTheTextbooks();
-    void theBoundIsOfTheSizeOfRounding();
-    void theBoundFollowsTheGap();
+    void twoHarmonicsEqualTheTextbookFormula();
+    void errorBoundHasTheSizeOfRoundingErrors();
+    void errorBoundIsInverseToTheGap();
     void onlyApproximationsAreSilentlyWrong();
-    void countsEveryInstantOnce();
-    void knowsTheWorstStatus();
-    void tellsWhatCannotBeAssembled();
-    void theBestFrontComparesEqualOutputsOnly();
-    void tellsErrorAgainstCost();
+    void countsEveryTimeStepOnce();
+    void reportsTheWorstStatus();
+    void reportsWhatCannotBeAssembled();
+    void bestFrontComparesOnlyEqualOutputs();
+    void reportsErrorAndCost();
     void progressRisesToOne();
     void stopsWhenAsked();
     void measuresTimes();
 };
 
-void tst_study::namesTheMethodsOfTheContract()
+void tst_study::namesTheDocumentedMethods()
 {
     std::vector<std::string> names;
     for (const StudyMethod &method : studyMethods()) {
@@ -117,7 +117,7 @@ void tst_study::closedFormIsExactToTheLastDigits()
     }
 }
 
-void tst_study::aSmallerToleranceIsNoLessExact()
+void tst_study::smallerTolerancesAreNotLessAccurate()
 {
     const CaseResult result = studied(coarse(nominalCases()[0], 50));
     for (const char *method :
@@ -125,7 +125,7 @@ void tst_study::aSmallerToleranceIsNoLessExact()
         double before = 1.0;
         for (const double tolerance : {1e-4, 1e-8, 1e-12, 0.0}) {
             const double error = errorOf(result, method, tolerance);
-            constexpr double kNoise = 1e-14; // where all of them are exact
+            constexpr double kNoise = 1e-14; // errors below this are rounding errors
             QVERIFY2(error <= before + kNoise, method);
             before = error;
         }
@@ -169,7 +169,7 @@ void tst_study::harmonicsFallWithTheirNumber()
         QVERIFY2(error < 0.2 * before, qPrintable(QString("%1: %2 after %3").arg(method).arg(error).arg(before)));
         before = error;
     }
-    QCOMPARE_LT(before, 2e-13); // nothing but rounding, which n² makes the more of
+    QCOMPARE_LT(before, 2e-13); // only rounding errors, which grow with n²
 }
 
 void tst_study::harmonicsAreLeftOutWhereTheCrankRocks()
@@ -179,7 +179,7 @@ void tst_study::harmonicsAreLeftOutWhereTheCrankRocks()
     QVERIFY(rowOf(result, "closed-form"));
 }
 
-void tst_study::twoHarmonicsAreTheTextbooks()
+void tst_study::twoHarmonicsEqualTheTextbookFormula()
 {
     // Norton, section 13.2, c = 0: ẍ ≈ -r ω² (cos ωt + (r/l) cos 2ωt), up to terms of (r/l)³.
     Parameters parameters;
@@ -197,7 +197,7 @@ void tst_study::twoHarmonicsAreTheTextbooks()
     }
 }
 
-void tst_study::theBoundIsOfTheSizeOfRounding()
+void tst_study::errorBoundHasTheSizeOfRoundingErrors()
 {
     const CaseResult result = studied(coarse(nominalCases()[0], 50));
     for (const MethodResult &row : result.methods) {
@@ -205,14 +205,14 @@ void tst_study::theBoundIsOfTheSizeOfRounding()
     }
 }
 
-void tst_study::theBoundFollowsTheGap()
+void tst_study::errorBoundIsInverseToTheGap()
 {
     double before = 0.0;
     for (const char *name : {"toggle gap 1e-4, c > 0", "toggle gap 1e-6, c > 0", "toggle gap 1e-8, c > 0"}) {
         const CaseResult result = studied(coarse(named(name), 20));
         const double bound = rowOf(result, "closed-form")->errorBound.value();
         if (before > 0.0) {
-            QVERIFY2(bound / before > 90.0 && bound / before < 110.0, name); // as 1/gap
+            QVERIFY2(bound / before > 90.0 && bound / before < 110.0, name); // the bound grows with 1/gap
         }
         before = bound;
     }
@@ -241,9 +241,9 @@ void tst_study::onlyApproximationsAreSilentlyWrong()
     }
 }
 
-void tst_study::countsEveryInstantOnce()
+void tst_study::countsEveryTimeStepOnce()
 {
-    Case which = coarse(named("theta20 = 1 rad"), 30); // two square instants beside the steps
+    Case which = coarse(named("theta20 = 1 rad"), 30); // two times with a perpendicular coupler besides the steps
     const CaseResult result = studied(which);
     QCOMPARE(result.timeStamps, std::size_t(33));
     for (const MethodResult &row : result.methods) {
@@ -255,21 +255,22 @@ void tst_study::countsEveryInstantOnce()
     }
 }
 
-void tst_study::knowsTheWorstStatus()
+void tst_study::reportsTheWorstStatus()
 {
     Case which = nominalCases()[0];
     which.parameters.a *= 1e9;
     which.parameters.b *= 1e9;
     which.parameters.c *= 1e9;
     const CaseResult result = studied(coarse(which, 20));
-    const MethodResult *report = rowOf(result, "newton-dense", 1e-8); // mm: below what rounding leaves
+    const MethodResult *report =
+        rowOf(result, "newton-dense", 1e-8); // mm: smaller than the rounding error of the residual
     QVERIFY(report);
     QCOMPARE(report->status, Status::IterationLimit);
     QVERIFY(report->counts[static_cast<std::size_t>(Status::IterationLimit)] > 0);
     QCOMPARE(rowOf(result, "newton-structured", 1e-8)->status, Status::Solved);
 }
 
-void tst_study::tellsWhatCannotBeAssembled()
+void tst_study::reportsWhatCannotBeAssembled()
 {
     const CaseResult result = studied(coarse(named("never assemblable"), 10));
     for (const MethodResult &row : result.methods) {
@@ -278,7 +279,7 @@ void tst_study::tellsWhatCannotBeAssembled()
     }
 }
 
-void tst_study::theBestFrontComparesEqualOutputsOnly()
+void tst_study::bestFrontComparesOnlyEqualOutputs()
 {
     CaseResult result;
     const auto add = [&](double time, std::optional<double> error, int channels = 36) {
@@ -299,9 +300,9 @@ void tst_study::theBestFrontComparesEqualOutputsOnly()
     QCOMPARE(bestFront(result), (std::vector<std::size_t>{1, 0, 5, 6}));
 }
 
-/// One fixed set of outputs: a smaller step makes differences more accurate and everything dearer; an exact method has
-/// one row or the same error in all.
-void tst_study::tellsErrorAgainstCost()
+/// For a fixed set of outputs, a smaller step makes differences more accurate and every method slower. An exact method
+/// has only one row, or the same error in all rows.
+void tst_study::reportsErrorAndCost()
 {
     const StudyResult study = runStudy(quick({nominalCases()[0], nominalCases()[1]}));
     QVERIFY(study.cases[1].workPrecision.empty());
