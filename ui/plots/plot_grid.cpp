@@ -37,6 +37,8 @@ PlotGrid::PlotGrid(QWidget *parent)
         m_panes[plot]->setAccessibleName(name);
     }
     m_caption->setObjectName(QStringLiteral("no_reference_hint"));
+    m_caption->setAutoFillBackground(true);
+    m_caption->setBackgroundRole(QPalette::Base); // the background of the figure
     m_caption->setTextInteractionFlags(Qt::LinksAccessibleByMouse); // the keyboard uses the menu instead
     connect(m_caption, &QLabel::linkActivated, this, &PlotGrid::openReferenceRequested);
     makeChoices();
@@ -256,7 +258,6 @@ void PlotGrid::updateCaption()
     const QRect legend = m_figure.legendPlace();
     const int textWidth = m_caption->sizeHint().width();
     m_caption->setGeometry(width() - textWidth - kGap, 0, textWidth, legend.height());
-    m_caption->setAutoFillBackground(true);
     m_caption->setVisible(!text.isEmpty() && (m_measured || legend.right() < m_caption->x()));
 }
 
