@@ -2,6 +2,7 @@
 #include "ui/plots/chart.h"
 
 #include "ui/plots/plot_drawing.h"
+#include "ui/text/written_number.h"
 
 #include <QMouseEvent>
 #include <QToolTip>
@@ -15,11 +16,21 @@ namespace slidercrank
 namespace
 {
 
+/// Labels the ticks of a logarithmic axis with powers of ten: 10⁻³.
+class DecadeTicker : public QCPAxisTickerLog
+{
+protected:
+    QString getTickLabel(double tick, const QLocale &, QChar, int) override
+    {
+        return powerOfTen(static_cast<int>(std::lround(std::log10(tick))));
+    }
+};
+
 void setAxis(QCPAxis &axis, const ChartAxis &content, double pixelsPerLabel)
 {
     const bool isVertical = axis.orientation() == Qt::Vertical;
     const int pixels = isVertical ? axis.axisRect()->height() : axis.axisRect()->width();
-    const auto ticker = content.isLogarithmic ? QSharedPointer<QCPAxisTicker>(new QCPAxisTickerLog)
+    const auto ticker = content.isLogarithmic ? QSharedPointer<QCPAxisTicker>(new DecadeTicker)
                                               : QSharedPointer<QCPAxisTicker>(new QCPAxisTicker);
     ticker->setTickCount(std::max(1, static_cast<int>(pixels / pixelsPerLabel)));
     axis.setTicker(ticker);
@@ -27,8 +38,6 @@ void setAxis(QCPAxis &axis, const ChartAxis &content, double pixelsPerLabel)
     axis.setRange(content.range.lower, content.range.upper);
     if (content.isLogarithmic) {
         axis.setScaleType(QCPAxis::stLogarithmic);
-        axis.setNumberFormat(QStringLiteral("eb")); // powers of ten
-        axis.setNumberPrecision(0);
     }
 }
 

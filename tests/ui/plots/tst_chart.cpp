@@ -87,8 +87,8 @@ private slots:
             Chart chart;
             chart.setContent(content(legend));
             const QStringList texts = textsOf(chart, {500, 300});
-            for (const char *wanted : {"iteration", "residual", "rough start", "tolerance", "10", "-6"}) {
-                QVERIFY2(texts.contains(QLatin1String(wanted)), wanted);
+            for (const char *wanted : {"iteration", "residual", "rough start", "tolerance", "10⁻⁶"}) {
+                QVERIFY2(texts.contains(QString::fromUtf8(wanted)), wanted);
             }
             QVERIFY(!textsOf(chart, {90, 60}).contains(QStringLiteral("rough start")));
         }
