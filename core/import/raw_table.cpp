@@ -123,7 +123,7 @@ void appendColumns(TableForm &form, const std::string &name, RawTable &table)
         std::ranges::move(preview[row], std::back_inserter(table.layout.rows[row]));
     }
     for (const Heading &heading : form.headings) {
-        RawColumn &column = table.columns.emplace_back(heading, table.columns.size());
+        RawColumn &column = table.columns.emplace_back(RawColumn{.heading = heading, .index = table.columns.size()});
         column.use = {.heading = heading.printed, .unit = heading.unit, .file = table.files.size() - 1};
         column.values.reserve(rows);
     }

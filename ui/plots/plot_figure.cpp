@@ -70,7 +70,7 @@ void fit(PlotCurve &curve, const Interval &time, const Interval &values, const Q
     const auto areTooClose = [&](const CurvePoint &a, const CurvePoint &b) {
         return b.value == a.value && b.t - a.t < time.length() / axes.width();
     };
-    curve.dots.erase(std::ranges::unique(curve.dots, areTooClose).begin(), curve.dots.end());
+    curve.dots.erase(std::unique(curve.dots.begin(), curve.dots.end(), areTooClose), curve.dots.end());
     curve.points = clip(curve.points, time, values);
     if (curve.dots.empty()) {
         curve.dots = isolatedPoints(curve.points);

@@ -25,7 +25,7 @@ struct ConventionText {
 public:
     static QString name(Kind kind)
     {
-        using enum Kind;
+        using enum Convention::Kind;
         switch (kind) {
         case AngleUnit: return tr("angle unit");
         case LengthUnit: return tr("length unit");
@@ -46,7 +46,7 @@ public:
     /// %1 are the columns, %2 "+ 5 mm" or "− 5 mm", %3 "5", %4 the symbol of the first column, %5 "-5 mm".
     static QString explanation(Kind kind)
     {
-        using enum Kind;
+        using enum Convention::Kind;
         switch (kind) {
         case AngleUnit: return tr("%1: in a unit of angle %3 times as large as the one read.");
         case LengthUnit: return tr("%1: in a unit of length %3 times as large as the one read.");
@@ -66,7 +66,7 @@ public:
 
     static QString action(Kind kind)
     {
-        using enum Kind;
+        using enum Convention::Kind;
         switch (kind) {
         case AngleUnit:
         case LengthUnit: return tr("Multiplies %1 by %3");
