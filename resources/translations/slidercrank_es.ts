@@ -1161,7 +1161,7 @@ Equipo: %1. Tiempo: %2 s.
     </message>
     <message>
         <source>%1: jumps by whole turns.</source>
-        <translation>%1: salta vueltas enteras.</translation>
+        <translation>%1: tiene saltos de vueltas enteras.</translation>
     </message>
     <message>
         <source>%1: its largest error is %2 % of peak.</source>
@@ -1209,7 +1209,7 @@ Equipo: %1. Tiempo: %2 s.
     </message>
     <message>
         <source>The file belongs to the other assembly: its slider is on the other side of A.</source>
-        <translation>El archivo corresponde al otro montaje: su corredera está al otro lado de A.</translation>
+        <translation>El archivo corresponde a la otra configuración: su corredera está al otro lado de A.</translation>
     </message>
     <message>
         <source>The time stamps of the file are shifted by %3 s.</source>
@@ -1434,7 +1434,7 @@ Equipo: %1. Tiempo: %2 s.
     </message>
     <message>
         <source>the other assembly, with c negated and θ₂₀ increased by 180°</source>
-        <translation>el otro montaje, con c de signo contrario y θ₂₀ aumentado en 180°</translation>
+        <translation>la otra configuración, con c de signo contrario y θ₂₀ aumentado en 180°</translation>
     </message>
     <message>
         <source>another crank speed with the same values at these time steps</source>
@@ -1450,7 +1450,7 @@ Equipo: %1. Tiempo: %2 s.
     </message>
     <message>
         <source>%1 fit the file up to %2 % of peak; the rest is systematic (filtered, interpolated or integrated data?), so no standard errors can be given.</source>
-        <translation>%1 se ajustan al archivo salvo un %2 % del máximo; el resto es sistemático (¿datos filtrados, interpolados o integrados?), por lo que no se pueden dar errores típicos.</translation>
+        <translation>%1 se ajustan al archivo salvo un %2 % del máximo; el resto es sistemático (¿datos filtrados, interpolados o integrados?), por lo que no se pueden dar errores estándar.</translation>
     </message>
     <message>
         <source>No mechanism fits this file.</source>
@@ -1568,7 +1568,7 @@ Equipo: %1. Tiempo: %2 s.
     </message>
     <message>
         <source>; at %1 more the model does not exist</source>
-        <translation>; en otros %1 el modelo no existe</translation>
+        <translation>; en otros %1 el mecanismo no se puede ensamblar</translation>
     </message>
     <message>
         <source>The file writes this channel in steps of at most %1.</source>
@@ -1600,7 +1600,7 @@ Equipo: %1. Tiempo: %2 s.
     </message>
     <message>
         <source>Unbounded: one of the two reaches a limit position</source>
-        <translation>Sin cota: uno de los dos alcanza una posición límite</translation>
+        <translation>Sin límite: uno de los dos alcanza una posición límite</translation>
     </message>
     <message>
         <source>Largest |this − pinned|; root mean square %1.</source>
@@ -2655,7 +2655,7 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
     </message>
     <message>
         <source>The names in %1 do not tell what all of its columns are: some are guessed.</source>
-        <translation>Los nombres de %1 no dicen qué son todas sus columnas: algunas se han deducido.</translation>
+        <translation>Los nombres de %1 no identifican todas sus columnas: algunas se han deducido.</translation>
     </message>
     <message>
         <source>%1 is a table by crank angle: ω₂ and θ₂₀ give its time.</source>
@@ -2733,7 +2733,7 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
     </message>
     <message>
         <source>unbounded</source>
-        <translation>sin cota</translation>
+        <translation>sin límite</translation>
     </message>
     <message>
         <source>It would make full turns if %1.</source>
@@ -2797,7 +2797,7 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
     </message>
     <message>
         <source>The velocities grow without bound as the crank approaches its limit position</source>
-        <translation>Las velocidades crecen sin cota cuando la manivela se acerca a su posición límite</translation>
+        <translation>Las velocidades crecen sin límite cuando la manivela se acerca a su posición límite</translation>
     </message>
     <message>
         <source>mean forward speed</source>
@@ -2833,7 +2833,7 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
     </message>
     <message>
         <source>The coupler is perpendicular to the slider&apos;s line, and the velocities jump</source>
-        <translation>La biela es perpendicular a la línea de la corredera, y las velocidades saltan</translation>
+        <translation>La biela es perpendicular a la línea de la corredera, y las velocidades dan un salto</translation>
     </message>
     <message>
         <source>The crank is at rest, ω₂ = 0; it could make full turns: b = %1 ≥ a + |c| = %2.</source>
@@ -2841,11 +2841,11 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
     </message>
     <message>
         <source>The crank just makes full turns: b = a = %1, c = 0, a change point. At θ₂ = %2 the coupler is perpendicular to the slider&apos;s line, and the velocities jump.</source>
-        <translation>La manivela da justo vueltas completas: b = a = %1, c = 0, un punto de cambio. En θ₂ = %2 la biela es perpendicular a la línea de la corredera y las velocidades saltan.</translation>
+        <translation>La manivela da vueltas completas justo en el límite: b = a = %1, c = 0, un punto de cambio. En θ₂ = %2 la biela es perpendicular a la línea de la corredera y las velocidades dan un salto.</translation>
     </message>
     <message>
         <source>The crank just makes full turns: b = a + |c| = %1. At θ₂ = %2 the coupler is perpendicular to the slider&apos;s line, and the velocities jump.</source>
-        <translation>La manivela da justo vueltas completas: b = a + |c| = %1. En θ₂ = %2 la biela es perpendicular a la línea de la corredera y las velocidades saltan.</translation>
+        <translation>La manivela da vueltas completas justo en el límite: b = a + |c| = %1. En θ₂ = %2 la biela es perpendicular a la línea de la corredera y las velocidades dan un salto.</translation>
     </message>
     <message>
         <source>90° and 270°</source>
@@ -3034,7 +3034,7 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
     </message>
     <message>
         <source>from a rough start</source>
-        <translation>desde un comienzo aproximado</translation>
+        <translation>desde una estimación inicial aproximada</translation>
     </message>
     <message>
         <source>from %1 s earlier</source>
@@ -3042,7 +3042,7 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
     </message>
     <message>
         <source>From a rough start: θ₂ exact, θ³ = 0 (crossed: 180°)</source>
-        <translation>Desde un comienzo aproximado: θ₂ exacto, θ³ = 0 (cruzada: 180°)</translation>
+        <translation>Desde una estimación inicial aproximada: θ₂ exacto, θ³ = 0 (cruzada: 180°)</translation>
     </message>
     <message>
         <source>From the position one time step before</source>
@@ -3059,7 +3059,7 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
     </message>
     <message>
         <source>Iterations, a row for each</source>
-        <translation>Iteraciones, una fila por cada una</translation>
+        <translation>Iteraciones, una fila por iteración</translation>
     </message>
     <message>
         <source>step</source>
@@ -3067,7 +3067,7 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
     </message>
     <message>
         <source>0: the start</source>
-        <translation>0: el comienzo</translation>
+        <translation>0: la estimación inicial</translation>
     </message>
     <message>
         <source>● ‖C‖</source>
@@ -3096,7 +3096,7 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
     </message>
     <message>
         <source>Coordinates, a row for each</source>
-        <translation>Coordenadas, una fila por cada una</translation>
+        <translation>Coordenadas, una fila por coordenada</translation>
     </message>
     <message>
         <source>coordinate</source>
@@ -3718,7 +3718,7 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
     </message>
     <message>
         <source>Columns of the file, a row for each</source>
-        <translation>Columnas del archivo, una fila por cada una</translation>
+        <translation>Columnas del archivo, una fila por columna</translation>
     </message>
     <message>
         <source>heading</source>
@@ -4395,11 +4395,11 @@ SHA-256: %2</translation>
     </message>
     <message>
         <source>Iterates until ‖C‖ is at most this; 0: until it no longer decreases</source>
-        <translation>Itera hasta que ‖C‖ no pase de esto; 0: hasta que deje de disminuir</translation>
+        <translation>Itera hasta que ‖C‖ no supere este valor; 0: hasta que deje de disminuir</translation>
     </message>
     <message>
         <source>Absolute: mm and rad mixed, as in the reference report. Relative: lengths divided by a + b + |c|, the same at every scale</source>
-        <translation>Absoluta: mm y rad mezclados, como en el informe de referencia. Relativa: longitudes divididas por a + b + |c|, igual a toda escala</translation>
+        <translation>Absoluta: mm y rad mezclados, como en el informe de referencia. Relativa: longitudes divididas por a + b + |c|, igual en cualquier escala</translation>
     </message>
     <message>
         <source>At one time step</source>
@@ -4553,7 +4553,7 @@ SHA-256: %2</translation>
     </message>
     <message>
         <source>Rounding a, b, c, ω₂, θ₂₀ and t to doubles alone may cost %1</source>
-        <translation>Solo redondear a, b, c, ω₂, θ₂₀ y t a double puede costar %1</translation>
+        <translation>El solo redondeo de a, b, c, ω₂, θ₂₀ y t a double puede causar un error de %1</translation>
     </message>
     <message>
         <source>%1 channels</source>
@@ -4626,7 +4626,7 @@ SHA-256: %2</translation>
     </message>
     <message>
         <source>How fast is each method, and how accurate? Run the study: every method is timed on the same time steps, and its error is measured against a computation with 50 digits or more.</source>
-        <translation>¿Qué rápido es cada método, y qué exacto? Ejecute el estudio: cada método se cronometra en los mismos instantes, y su error se mide frente a un cálculo con 50 cifras o más.</translation>
+        <translation>¿Cuán rápido y cuán exacto es cada método? Ejecute el estudio: cada método se cronometra en los mismos instantes, y su error se mide frente a un cálculo con 50 cifras o más.</translation>
     </message>
     <message>
         <source>Of Newton-Raphson: absolute for the dense method of the reference report, relative for the others</source>
