@@ -37,16 +37,8 @@ QString AxisScale::unit(const QString &unit) const
 
 int AxisScale::labelLength(const Interval &range) const
 {
-    if (isLogarithmic) {
-        constexpr int kBase = 2;
-        const auto exponentLength = [](double value) {
-            return static_cast<int>(QString::number(static_cast<int>(std::lround(value))).size());
-        };
-        return kBase + std::max(exponentLength(range.lower), exponentLength(range.upper));
-    }
-    const double largest = largestMagnitude(range) / std::pow(10.0, exponent);
-    const int integerDigits = largest < 10.0 ? 1 : 1 + static_cast<int>(std::floor(std::log10(largest)));
-    return integerDigits + (decimals > 0 ? 1 + decimals : 0) + (range.lower < 0.0 ? 1 : 0);
+    const auto length = [this](double value) { return static_cast<int>(label(value, QLocale::c()).size()); };
+    return std::max(length(range.lower), length(range.upper));
 }
 
 AxisScale axisScale(const Interval &range, double intervals)

@@ -20,18 +20,18 @@ struct DesignText {
 
 QString designFaultText(const DesignFault &fault, const DesignRequest &request)
 {
+    const QString ratio = numberText(request.timeRatio < 1.0 ? 1.0 / request.timeRatio : request.timeRatio);
     switch (fault.reason) {
     case DesignFault::Reason::StrokeNotPositive: return DesignText::tr("The stroke must be greater than 0.");
     case DesignFault::Reason::TimeRatioOutOfRange:
         return DesignText::tr(
                    "There is no such mechanism: a crank that makes full turns has a time ratio below 3, not %1.")
-            .arg(numberText(request.timeRatio < 1.0 ? 1.0 / request.timeRatio : request.timeRatio));
+            .arg(ratio);
     case DesignFault::Reason::TransmissionAngleTooLarge:
         return DesignText::tr(
                    "There is no such mechanism: with a time ratio of %1 the minimum transmission angle is at most %2°; "
                    "an angle of %3° needs a time ratio below %4.")
-            .arg(numberText(request.timeRatio < 1.0 ? 1.0 / request.timeRatio : request.timeRatio),
-                 numberText(fault.bound * kDegreesPerRadian, 4),
+            .arg(ratio, numberText(fault.bound * kDegreesPerRadian, 4),
                  numberText(*request.transmissionAngle * kDegreesPerRadian, 4), numberText(fault.timeRatioBound, 4));
     }
     return {};

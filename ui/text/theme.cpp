@@ -54,14 +54,15 @@ QPalette paletteFor(Theme theme)
 SeriesColours seriesColours(const QPalette &palette)
 {
     const bool dark = palette.color(QPalette::Base).lightness() < 128;
-    return {.model = dark ? QColor(0x56, 0xb4, 0xe9) : QColor(0x00, 0x72, 0xb2),
-            .reference = dark ? QColor(0xe6, 0x9f, 0x00) : QColor(0xd5, 0x5e, 0x00),
-            .pinned = dark ? QColor(0xb8, 0xb8, 0xb8) : QColor(0x58, 0x58, 0x58),
-            .error = dark ? QColor(0xc2, 0x69, 0x95) : QColor(0x75, 0x1a, 0x63),
-            .errorOther = dark ? QColor(0x57, 0xd9, 0x98) : QColor(0x00, 0x7d, 0x5c),
-            .cursor = dark ? QColor(0xf0, 0xf0, 0xf0) : QColor(0x40, 0x40, 0x40),
-            .warning = dark ? QColor(0xff, 0x8a, 0x65) : QColor(0xc0, 0x39, 0x2b),
-            .grid = dark ? QColor(0x3c, 0x3f, 0x44) : QColor(0xe2, 0xe2, 0xe2),
+    const auto pick = [dark](QRgb light, QRgb onDark) { return QColor(dark ? onDark : light); };
+    return {.model = pick(0x0072b2, 0x56b4e9),
+            .reference = pick(0xd55e00, 0xe69f00),
+            .pinned = pick(0x585858, 0xb8b8b8),
+            .error = pick(0x751a63, 0xc26995),
+            .errorOther = pick(0x007d5c, 0x57d998),
+            .cursor = pick(0x404040, 0xf0f0f0),
+            .warning = pick(0xc0392b, 0xff8a65),
+            .grid = pick(0xe2e2e2, 0x3c3f44),
             .text = palette.color(QPalette::Text),
             .background = palette.color(QPalette::Base)};
 }

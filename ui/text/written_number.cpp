@@ -10,18 +10,20 @@ namespace slidercrank
 namespace
 {
 
-/// Returns the locale without group separators, which could be mistaken for a decimal sign.
-QLocale withoutGroups(QLocale locale)
+/// Returns a mantissa with a power of ten: "1.5·10⁻⁷". A mantissa of 1 is omitted.
+QString withPowerOfTen(const QString &mantissa, int exponent)
 {
-    locale.setNumberOptions(locale.numberOptions() | QLocale::OmitGroupSeparator | QLocale::RejectGroupSeparator);
-    return locale;
+    const QString power = powerOfTen(exponent);
+    return mantissa == QLocale().toString(1)    ? power
+           : mantissa == QLocale().toString(-1) ? QLocale().negativeSign() + power
+                                                : QStringLiteral("%1·%2").arg(mantissa, power);
 }
 
 /// Formats a value, and passes the mantissa and the exponent of a text such as "1.5e-08" to `write`.
 template <typename Write>
-QString withExponent(double value, int significantDigits, Write write)
+QString formatted(double value, char format, int digits, Write write)
 {
-    const QString text = localeWithoutGroups().toString(value + 0.0, 'g', significantDigits);
+    const QString text = localeWithoutGroups().toString(value + 0.0, format, digits);
     const qsizetype e = text.indexOf(u'e', 0, Qt::CaseInsensitive);
     return e < 0 ? text : write(text.first(e), QLocale().toInt(text.mid(e + 1)));
 }
@@ -30,36 +32,38 @@ QString withExponent(double value, int significantDigits, Write write)
 
 QLocale localeWithoutGroups()
 {
-    return withoutGroups(QLocale());
+    QLocale locale;
+    locale.setNumberOptions(locale.numberOptions() | QLocale::OmitGroupSeparator | QLocale::RejectGroupSeparator);
+    return locale;
 }
 
-QString numberText(double value, int significantDigits)
+QString numberText(std::optional<double> value, int significantDigits)
 {
-    return withExponent(value, significantDigits, withPowerOfTen);
+    return value ? formatted(*value, 'g', significantDigits, withPowerOfTen) : dash();
 }
 
 QString typedNumberText(double value)
 {
-    return withExponent(value, QLocale::FloatingPointShortest, [](const QString &mantissa, int exponent) {
+    return formatted(value, 'g', QLocale::FloatingPointShortest, [](const QString &mantissa, int exponent) {
         return QStringLiteral("%1e%2").arg(mantissa).arg(exponent);
     });
 }
 
-QString shortNumber(double value, int digits, const QLocale &locale)
+QString shortNumber(std::optional<double> value, int digits)
 {
-    if (!std::isfinite(value)) {
-        return std::isnan(value) ? dash() : value > 0.0 ? QStringLiteral("∞") : QStringLiteral("−∞");
+    if (!value || std::isnan(*value)) {
+        return dash();
     }
-    if (value == 0.0) {
-        return locale.toString(0);
+    if (std::isinf(*value)) {
+        return *value > 0.0 ? QStringLiteral("∞") : QStringLiteral("−∞");
     }
-    const int exponent = static_cast<int>(std::floor(std::log10(std::abs(value))));
-    if (exponent >= -6 && exponent < 6) {
-        return withoutGroups(locale).toString(value, 'f', std::max(0, digits - 1 - exponent));
+    if (*value == 0.0) {
+        return QLocale().toString(0);
     }
-    const QString text = locale.toString(value, 'e', digits - 1); // 9.996e1 is rounded to 1.00e2
-    const qsizetype e = text.indexOf(u'e', 0, Qt::CaseInsensitive);
-    return withPowerOfTen(text.first(e), locale.toInt(text.mid(e + 1)));
+    const int exponent = static_cast<int>(std::floor(std::log10(std::abs(*value))));
+    const bool isPlain = exponent >= -6 && exponent < 6;
+    return formatted(*value, isPlain ? 'f' : 'e', isPlain ? std::max(0, digits - 1 - exponent) : digits - 1,
+                     withPowerOfTen); // 9.996e9 is rounded to 1.00e10
 }
 
 QString powerOfTen(int exponent)
@@ -69,24 +73,6 @@ QString powerOfTen(int exponent)
         sign = sign == u'-' ? QChar(u'⁻') : QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹")[sign.digitValue()];
     }
     return QStringLiteral("10") + text;
-}
-
-QString withPowerOfTen(const QString &mantissa, int exponent)
-{
-    const QString power = powerOfTen(exponent);
-    return mantissa == QLocale().toString(1)    ? power
-           : mantissa == QLocale().toString(-1) ? QLocale().negativeSign() + power
-                                                : QStringLiteral("%1·%2").arg(mantissa, power);
-}
-
-QString numberText(std::optional<double> value, int significantDigits)
-{
-    return value ? numberText(*value, significantDigits) : dash();
-}
-
-QString shortNumber(std::optional<double> value, int digits)
-{
-    return value ? shortNumber(*value, digits) : dash();
 }
 
 QString countText(std::size_t count)

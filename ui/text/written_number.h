@@ -12,14 +12,11 @@
 namespace slidercrank
 {
 
-/// Formats a value with at most `significantDigits` digits, without trailing zeros.
-QString numberText(double value, int significantDigits = 6);
+/// Formats a value with at most `significantDigits` digits, without trailing zeros. Returns a dash for nullopt.
+QString numberText(std::optional<double> value, int significantDigits = 6);
 
 /// Formats a value with exactly `digits` significant digits. Values below 1e-6 or from 1e6 on have a power of ten.
-QString shortNumber(double value, int digits, const QLocale &locale = QLocale());
-
-/// Formats a value, or returns a dash for nullopt.
-QString numberText(std::optional<double> value, int significantDigits);
+/// Returns a dash for nullopt and NaN.
 QString shortNumber(std::optional<double> value, int digits);
 QString dash();
 
@@ -28,9 +25,6 @@ QString typedNumberText(double value);
 
 /// Returns a power of ten: "10⁻⁷".
 QString powerOfTen(int exponent);
-
-/// Returns a mantissa with a power of ten: "1.5·10⁻⁷". A mantissa of 1 is omitted.
-QString withPowerOfTen(const QString &mantissa, int exponent);
 
 /// Formats a whole number with group separators.
 QString countText(std::size_t count);

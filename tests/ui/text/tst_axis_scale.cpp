@@ -64,8 +64,6 @@ private slots:
         for (const auto &[value, digits, text] : rows) {
             QCOMPARE(shortNumber(value, digits), QString::fromUtf8(text));
         }
-        QCOMPARE(shortNumber(-12316.06, 7, QLocale(QLocale::English)), QStringLiteral("-12316.06")); // no groups
-        QCOMPARE(shortNumber(-12316.06, 7, QLocale(QLocale::Spanish)), QStringLiteral("-12316,06"));
         const std::pair<double, const char *> numbers[] = {{1e-8, "10⁻⁸"},   {-1e-12, "-10⁻¹²"},
                                                            {1e300, "10³⁰⁰"}, {0.002, "0.002"},
                                                            {-0.0, "0"},      {6.02e23, "6.02·10²³"}};
@@ -80,6 +78,7 @@ private slots:
         QCOMPARE(numberText(1.5e-7), QStringLiteral("1,5·10⁻⁷"));
         QCOMPARE(typedNumberText(1.5e-7), QStringLiteral("1,5e-7"));
         QCOMPARE(shortNumber(1.5e-7, 2), QStringLiteral("1,5·10⁻⁷"));
+        QCOMPARE(shortNumber(-12316.06, 7), QStringLiteral("-12316,06")); // no groups
         QCOMPARE(countText(1000000), QStringLiteral("1.000.000"));
     }
 
