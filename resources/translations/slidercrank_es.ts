@@ -320,18 +320,6 @@
         <translation>no se usa: ni la unidad ni los valores dicen si es un ángulo o una longitud</translation>
     </message>
     <message>
-        <source>%1; forward differences, not a derivative</source>
-        <translation>%1; son diferencias hacia delante, no una derivada</translation>
-    </message>
-    <message>
-        <source>%1; backward differences, not a derivative</source>
-        <translation>%1; son diferencias hacia atrás, no una derivada</translation>
-    </message>
-    <message>
-        <source>%1; central differences, not a derivative</source>
-        <translation>%1; son diferencias centrales, no una derivada</translation>
-    </message>
-    <message>
         <source>the time stamps, the same in all files</source>
         <translation>los instantes, los mismos en todos los archivos</translation>
     </message>
@@ -366,6 +354,22 @@
     <message>
         <source>assumed: the first column, whose values only increase</source>
         <translation>supuesta: la primera columna, cuyos valores solo crecen</translation>
+    </message>
+    <message>
+        <source>%1; %2, not a derivative</source>
+        <translation>%1; son %2, no una derivada</translation>
+    </message>
+    <message>
+        <source>forward differences</source>
+        <translation>diferencias hacia delante</translation>
+    </message>
+    <message>
+        <source>backward differences</source>
+        <translation>diferencias hacia atrás</translation>
+    </message>
+    <message>
+        <source>central differences</source>
+        <translation>diferencias centrales</translation>
     </message>
 </context>
 <context>
@@ -1244,18 +1248,6 @@ Equipo: %1. Tiempo: %2 s.
         <translation>Suma %5 a los instantes</translation>
     </message>
     <message>
-        <source>%1: forward differences, not the time derivative.</source>
-        <translation>%1: son diferencias hacia delante, no la derivada temporal.</translation>
-    </message>
-    <message>
-        <source>%1: backward differences, not the time derivative.</source>
-        <translation>%1: son diferencias hacia atrás, no la derivada temporal.</translation>
-    </message>
-    <message>
-        <source>%1: central differences, not the time derivative.</source>
-        <translation>%1: son diferencias centrales, no la derivada temporal.</translation>
-    </message>
-    <message>
         <source>milliseconds</source>
         <translation>milisegundos</translation>
     </message>
@@ -1278,6 +1270,10 @@ Equipo: %1. Tiempo: %2 s.
     <message>
         <source>%1: the angle of the coupler seen from B, as textbooks draw θ₃; %4 is %1 %2.</source>
         <translation>%1: el ángulo de la biela visto desde B, como dibujan θ₃ los libros de texto; %4 es %1 %2.</translation>
+    </message>
+    <message>
+        <source>%1: %2, not the time derivative.</source>
+        <translation>%1: son %2, no la derivada temporal.</translation>
     </message>
 </context>
 <context>

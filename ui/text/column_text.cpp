@@ -27,41 +27,29 @@ public:
         }
     }
 
-    static QString reason(ColumnReason reason)
-    {
-        using enum ColumnReason;
-        switch (reason) {
-        case KnownName: return tr("recognized by its heading");
-        case Chosen: return tr("chosen by hand");
-        case QuantityInName: return tr("assumed: the heading names the quantity, but not the body");
-        case WideAngle: return tr("assumed from its values: an angle beyond half a turn, or its derivative");
-        case RisingValues: return tr("assumed: the first column, whose values only increase");
-        case ModelicaName: return tr("assumed from the heading: named as in Modelica, in m, rad and s");
-        case AngleForTime: return tr("assumed: no column is the time, and this is the angle of the crank");
-        case UnknownName: return tr("ignored: unknown heading");
-        case UnknownBody: return tr("ignored: the heading does not name the body");
-        case RowNumber: return tr("ignored: it numbers the rows");
-        case Magnitude: return tr("ignored: a magnitude, of which “%1” is a component");
-        case SameTimeStamps: return tr("ignored: the same time stamps as “%1”");
-        case NoName: return tr("ignored: no heading");
-        case NoNumber: return tr("ignored: it contains no number");
-        case UnknownUnit: return tr("ignored: its unit is unknown, or does not suit the quantity");
-        case LikeOther: return tr("ignored: “%1” could be the same quantity");
-        case AngleOrLength: return tr("ignored: neither unit nor values tell whether it is an angle or a length");
-        }
-        return {};
-    }
-
-    static QString differences(Difference difference)
-    {
-        switch (difference) {
-        case Difference::Forward: return tr("%1; forward differences, not a derivative");
-        case Difference::Backward: return tr("%1; backward differences, not a derivative");
-        case Difference::Central: return tr("%1; central differences, not a derivative");
-        }
-        return {};
-    }
+    // In the order of ColumnReason.
+    static constexpr const char *kReasons[] = {
+        QT_TR_NOOP("recognized by its heading"), // KnownName
+        QT_TR_NOOP("chosen by hand"), // Chosen
+        QT_TR_NOOP("assumed: the heading names the quantity, but not the body"), // QuantityInName
+        QT_TR_NOOP("assumed from its values: an angle beyond half a turn, or its derivative"), // WideAngle
+        QT_TR_NOOP("assumed: the first column, whose values only increase"), // RisingValues
+        QT_TR_NOOP("assumed from the heading: named as in Modelica, in m, rad and s"), // ModelicaName
+        QT_TR_NOOP("assumed: no column is the time, and this is the angle of the crank"), // AngleForTime
+        QT_TR_NOOP("ignored: unknown heading"), // UnknownName
+        QT_TR_NOOP("ignored: the heading does not name the body"), // UnknownBody
+        QT_TR_NOOP("ignored: it numbers the rows"), // RowNumber
+        QT_TR_NOOP("ignored: a magnitude, of which “%1” is a component"), // Magnitude
+        QT_TR_NOOP("ignored: the same time stamps as “%1”"), // SameTimeStamps
+        QT_TR_NOOP("ignored: no heading"), // NoName
+        QT_TR_NOOP("ignored: it contains no number"), // NoNumber
+        QT_TR_NOOP("ignored: its unit is unknown, or does not suit the quantity"), // UnknownUnit
+        QT_TR_NOOP("ignored: “%1” could be the same quantity"), // LikeOther
+        QT_TR_NOOP("ignored: neither unit nor values tell whether it is an angle or a length"), // AngleOrLength
+    };
 };
+
+static_assert(std::size(ColumnText::kReasons) == static_cast<std::size_t>(ColumnReason::AngleOrLength) + 1);
 
 /// Appends the name of the file if several files are joined.
 QString withFile(const QString &text, const FileLayout &layout, std::size_t file)
@@ -139,11 +127,22 @@ QString reasonText(const FileLayout &layout, std::size_t column)
 {
     const FileColumn &read = layout.columns[column];
     QString reason = repeatsInstants(layout, column) ? ColumnText::tr("the time stamps, the same in all files")
-                                                     : ColumnText::reason(read.reason);
+                                                     : ColumnText::tr(ColumnText::kReasons[static_cast<int>(read.reason)]);
     if (read.otherColumn && *read.otherColumn < layout.columns.size() && reason.contains(u"%1")) {
         reason = reason.arg(headingText(layout, *read.otherColumn));
     }
-    return read.difference ? ColumnText::differences(*read.difference).arg(reason) : reason;
+    return read.difference ? ColumnText::tr("%1; %2, not a derivative").arg(reason, differenceText(*read.difference))
+                           : reason;
+}
+
+QString differenceText(Difference difference)
+{
+    switch (difference) {
+    case Difference::Forward: return ColumnText::tr("forward differences");
+    case Difference::Backward: return ColumnText::tr("backward differences");
+    case Difference::Central: return ColumnText::tr("central differences");
+    }
+    return {};
 }
 
 QString roundingText(const Rounding &rounding)

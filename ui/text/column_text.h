@@ -39,6 +39,9 @@ QString unitText(const FileColumn &column);
 /// Returns the reason for the meaning of a column, as a clause.
 QString reasonText(const FileLayout &layout, std::size_t column);
 
+/// Returns "forward differences", "backward differences" or "central differences".
+QString differenceText(Difference difference);
+
 /// Describes how values are rounded: "significant digits: 6", or a dash if that is unknown.
 QString roundingText(const Rounding &rounding);
 

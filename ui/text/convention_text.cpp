@@ -2,7 +2,7 @@
 #include "ui/text/convention_text.h"
 
 #include "core/import/difference.h"
-
+#include "ui/text/column_text.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/written_number.h"
 
@@ -23,102 +23,68 @@ struct ConventionText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::ConventionText)
 
 public:
-    static QString name(Kind kind)
-    {
-        using enum Convention::Kind;
-        switch (kind) {
-        case AngleUnit: return tr("angle unit");
-        case LengthUnit: return tr("length unit");
-        case TimeUnit: return tr("time unit");
-        case Sign: return tr("sign");
-        case HalfTurn: return tr("half a turn");
-        case WholeTurns: return tr("whole turns");
-        case ZeroPoint: return tr("origin");
-        case SwappedColumns: return tr("swapped columns");
-        case Branch: return tr("assembly");
-        case TimeShift: return tr("time shift");
-        case NotDerivative: return tr("no derivative");
-        case Axis: return tr("axis");
-        }
-        return {};
-    }
+    /// In the explanation and the action, %1 are the columns, %2 "+ 5 mm" or "− 5 mm", %3 "5", %4 the symbol of the first
+    /// column, %5 "-5 mm".
+    struct Row {
+        const char *name;
+        const char *explanation;
+        const char *action;
+    };
 
-    /// %1 are the columns, %2 "+ 5 mm" or "− 5 mm", %3 "5", %4 the symbol of the first column, %5 "-5 mm".
-    static QString explanation(Kind kind)
-    {
-        using enum Convention::Kind;
-        switch (kind) {
-        case AngleUnit: return tr("%1: in a unit of angle %3 times as large as the one read.");
-        case LengthUnit: return tr("%1: in a unit of length %3 times as large as the one read.");
-        case TimeUnit: return tr("The unit of time is %3 times as large as the one read.");
-        case Sign: return tr("%1: with the opposite sign.");
-        case HalfTurn: return tr("%1: measured from the opposite direction; %4 is %1 %2.");
-        case WholeTurns: return tr("%1: off by whole turns; %4 is %1 %2.");
-        case ZeroPoint: return tr("%1: measured from another origin; %4 is %1 %2.");
-        case SwappedColumns: return tr("%1: each has the heading of the other.");
-        case Branch: return tr("The file belongs to the other assembly: its slider is on the other side of A.");
-        case TimeShift: return tr("The time stamps of the file are shifted by %3 s.");
-        case NotDerivative: return tr("%1: not the time derivative of the position column.");
-        case Axis: return tr("The slider moves along y instead of x, as in an upright engine.");
-        }
-        return {};
-    }
-
-    static QString action(Kind kind)
-    {
-        using enum Convention::Kind;
-        switch (kind) {
-        case AngleUnit:
-        case LengthUnit: return tr("Multiplies %1 by %3");
-        case TimeUnit: return tr("Multiplies the time stamps by %3, and converts derivatives");
-        case Sign: return tr("Changes the sign of %1");
-        case HalfTurn:
-        case WholeTurns: return tr("Adds %5 to %1, made continuous");
-        case ZeroPoint: return tr("Adds %5 to %1");
-        case SwappedColumns: return tr("Exchanges %1");
-        case Branch: return tr("Sets the model to the other assembly");
-        case TimeShift: return tr("Adds %5 to the time stamps");
-        case NotDerivative: return tr("Leaves %1 out");
-        case Axis: return tr("Turns %1 by 90°, so that y becomes x");
-        }
-        return {};
-    }
-
-    static QString differences(Difference difference)
-    {
-        switch (difference) {
-        case Difference::Forward: return tr("%1: forward differences, not the time derivative.");
-        case Difference::Backward: return tr("%1: backward differences, not the time derivative.");
-        case Difference::Central: return tr("%1: central differences, not the time derivative.");
-        }
-        return {};
-    }
+    // In the order of Convention::Kind.
+    static constexpr Row kRows[] = {
+        {QT_TR_NOOP("angle unit"), QT_TR_NOOP("%1: in a unit of angle %3 times as large as the one read."),
+         QT_TR_NOOP("Multiplies %1 by %3")},
+        {QT_TR_NOOP("length unit"), QT_TR_NOOP("%1: in a unit of length %3 times as large as the one read."),
+         QT_TR_NOOP("Multiplies %1 by %3")},
+        {QT_TR_NOOP("time unit"), QT_TR_NOOP("The unit of time is %3 times as large as the one read."),
+         QT_TR_NOOP("Multiplies the time stamps by %3, and converts derivatives")},
+        {QT_TR_NOOP("sign"), QT_TR_NOOP("%1: with the opposite sign."), QT_TR_NOOP("Changes the sign of %1")},
+        {QT_TR_NOOP("half a turn"), QT_TR_NOOP("%1: measured from the opposite direction; %4 is %1 %2."),
+         QT_TR_NOOP("Adds %5 to %1, made continuous")},
+        {QT_TR_NOOP("whole turns"), QT_TR_NOOP("%1: off by whole turns; %4 is %1 %2."),
+         QT_TR_NOOP("Adds %5 to %1, made continuous")},
+        {QT_TR_NOOP("origin"), QT_TR_NOOP("%1: measured from another origin; %4 is %1 %2."),
+         QT_TR_NOOP("Adds %5 to %1")},
+        {QT_TR_NOOP("swapped columns"), QT_TR_NOOP("%1: each has the heading of the other."),
+         QT_TR_NOOP("Exchanges %1")},
+        {QT_TR_NOOP("assembly"),
+         QT_TR_NOOP("The file belongs to the other assembly: its slider is on the other side of A."),
+         QT_TR_NOOP("Sets the model to the other assembly")},
+        {QT_TR_NOOP("time shift"), QT_TR_NOOP("The time stamps of the file are shifted by %3 s."),
+         QT_TR_NOOP("Adds %5 to the time stamps")},
+        {QT_TR_NOOP("no derivative"), QT_TR_NOOP("%1: not the time derivative of the position column."),
+         QT_TR_NOOP("Leaves %1 out")},
+        {QT_TR_NOOP("axis"), QT_TR_NOOP("The slider moves along y instead of x, as in an upright engine."),
+         QT_TR_NOOP("Turns %1 by 90°, so that y becomes x")}};
+    /// A unit and its size relative to the other units of its kind.
+    struct Unit {
+        Kind kind;
+        double size;
+        const char *name;
+    };
+    static constexpr Unit kUnits[] = {{Kind::AngleUnit, 1.0, QT_TR_NOOP("degrees")},
+                                      {Kind::AngleUnit, kDegreesPerRadian, QT_TR_NOOP("radians")},
+                                      {Kind::AngleUnit, 360.0, QT_TR_NOOP("turns")},
+                                      {Kind::LengthUnit, 1.0, QT_TR_NOOP("millimetres")},
+                                      {Kind::LengthUnit, 10.0, QT_TR_NOOP("centimetres")},
+                                      {Kind::LengthUnit, 25.4, QT_TR_NOOP("inches")},
+                                      {Kind::LengthUnit, 1000.0, QT_TR_NOOP("metres")},
+                                      {Kind::TimeUnit, 0.001, QT_TR_NOOP("milliseconds")},
+                                      {Kind::TimeUnit, 1.0, QT_TR_NOOP("seconds")},
+                                      {Kind::TimeUnit, 60.0, QT_TR_NOOP("minutes")}};
 };
 
-/// A unit and its size relative to the other units of the table.
-struct NamedUnit {
-    double size;
-    const char *name;
-};
+static_assert(std::size(ConventionText::kRows) == static_cast<std::size_t>(Kind::Axis) + 1);
 
-constexpr NamedUnit kAngleUnits[] = {{1.0, QT_TRANSLATE_NOOP("slidercrank::ConventionText", "degrees")},
-                                     {kDegreesPerRadian, QT_TRANSLATE_NOOP("slidercrank::ConventionText", "radians")},
-                                     {360.0, QT_TRANSLATE_NOOP("slidercrank::ConventionText", "turns")}};
-constexpr NamedUnit kLengthUnits[] = {{1.0, QT_TRANSLATE_NOOP("slidercrank::ConventionText", "millimetres")},
-                                      {10.0, QT_TRANSLATE_NOOP("slidercrank::ConventionText", "centimetres")},
-                                      {25.4, QT_TRANSLATE_NOOP("slidercrank::ConventionText", "inches")},
-                                      {1000.0, QT_TRANSLATE_NOOP("slidercrank::ConventionText", "metres")}};
-constexpr NamedUnit kTimeUnits[] = {{0.001, QT_TRANSLATE_NOOP("slidercrank::ConventionText", "milliseconds")},
-                                    {1.0, QT_TRANSLATE_NOOP("slidercrank::ConventionText", "seconds")},
-                                    {60.0, QT_TRANSLATE_NOOP("slidercrank::ConventionText", "minutes")}};
-
-/// Returns "in radians, but read as degrees" if two units of the table differ by the factor; otherwise an empty string.
-QString unitText(double factor, std::span<const NamedUnit> units)
+/// Returns "in radians, but read as degrees" if the factor is the ratio of two known units; otherwise an empty string.
+QString unitText(const Convention &convention)
 {
     constexpr double kSlack = 1e-9; // relative rounding error of a computed factor
-    for (const NamedUnit &read : units) {
-        for (const NamedUnit &meant : units) {
-            if (&meant != &read && std::abs(factor * read.size - meant.size) <= kSlack * meant.size) {
+    for (const ConventionText::Unit &read : ConventionText::kUnits) {
+        for (const ConventionText::Unit &meant : ConventionText::kUnits) {
+            if (read.kind == convention.kind && meant.kind == convention.kind && &meant != &read &&
+                std::abs(convention.amount * read.size - meant.size) <= kSlack * meant.size) {
                 return ConventionText::tr("in %1, but read as %2")
                     .arg(ConventionText::tr(meant.name), ConventionText::tr(read.name));
             }
@@ -127,14 +93,9 @@ QString unitText(double factor, std::span<const NamedUnit> units)
     return {};
 }
 
-QString unitText(const Convention &convention)
+const ConventionText::Row &row(const Convention &convention)
 {
-    switch (convention.kind) {
-    case Kind::AngleUnit: return unitText(convention.amount, kAngleUnits);
-    case Kind::LengthUnit: return unitText(convention.amount, kLengthUnits);
-    case Kind::TimeUnit: return unitText(convention.amount, kTimeUnits);
-    default: return {};
-    }
+    return ConventionText::kRows[static_cast<int>(convention.kind)];
 }
 
 /// Inserts the columns and the amount into a text.
@@ -159,6 +120,17 @@ QString filled(QString text, const Convention &convention)
     return text.replace(QStringLiteral("%1"), listed(names));
 }
 
+bool onlyMakesContinuous(const Convention &convention)
+{
+    return convention.kind == Kind::WholeTurns && convention.amount == 0.0;
+}
+
+/// Returns "%1: forward differences, not the time derivative."
+QString notDerivativeText(Difference difference)
+{
+    return ConventionText::tr("%1: %2, not the time derivative.").arg(QStringLiteral("%1"), differenceText(difference));
+}
+
 /// Returns the kind of differences that all columns contain, or nullopt if they do not agree.
 std::optional<Difference> commonDifference(const Convention &convention, const ReferenceData &data)
 {
@@ -177,7 +149,7 @@ std::optional<Difference> commonDifference(const Convention &convention, const R
 
 QString nameOf(const Convention &convention)
 {
-    return ConventionText::name(convention.kind);
+    return ConventionText::tr(row(convention).name);
 }
 
 QString explanationOf(const Convention &convention, const ReferenceData &data)
@@ -186,30 +158,23 @@ QString explanationOf(const Convention &convention, const ReferenceData &data)
         return convention.kind == Kind::TimeUnit ? ConventionText::tr("The time is %1.").arg(unit)
                                                  : filled(QStringLiteral("%1: ") + unit + u'.', convention);
     }
-    if (convention.kind == Kind::NotDerivative) {
-        const std::optional<Difference> difference = commonDifference(convention, data);
-        return filled(difference ? ConventionText::differences(*difference)
-                                 : ConventionText::explanation(convention.kind),
-                      convention);
-    }
+    const std::optional<Difference> difference =
+        convention.kind == Kind::NotDerivative ? commonDifference(convention, data) : std::nullopt;
     const bool isOfCoupler = convention.kind == Kind::HalfTurn && convention.channels.front().coordinate == Theta3;
-    if (isOfCoupler) {
-        return filled(
-            ConventionText::tr("%1: the angle of the coupler seen from B, as textbooks draw θ₃; %4 is %1 %2."),
-            convention);
-    }
-    if (convention.kind == Kind::WholeTurns && convention.amount == 0.0) {
-        return filled(ConventionText::tr("%1: jumps by whole turns."), convention);
-    }
-    return filled(ConventionText::explanation(convention.kind), convention);
+    return filled(difference    ? notDerivativeText(*difference)
+                  : isOfCoupler ? ConventionText::tr("%1: the angle of the coupler seen from B, as textbooks draw θ₃; "
+                                                     "%4 is %1 %2.")
+                  : onlyMakesContinuous(convention) ? ConventionText::tr("%1: jumps by whole turns.")
+                                                    : ConventionText::tr(row(convention).explanation),
+                  convention);
 }
 
 QString effectOf(const ConventionFinding &finding)
 {
     const Convention &convention = finding.convention;
-    const bool isContinuous = convention.kind == Kind::WholeTurns && convention.amount == 0.0;
-    const QString action = filled(
-        isContinuous ? ConventionText::tr("Makes %1 continuous") : ConventionText::action(convention.kind), convention);
+    const QString action = filled(onlyMakesContinuous(convention) ? ConventionText::tr("Makes %1 continuous")
+                                                                  : ConventionText::tr(row(convention).action),
+                                  convention);
     return convention.kind == Kind::NotDerivative // then there is no error afterwards
                ? ConventionText::tr("%1: its largest error is %2 % of peak.").arg(action, errorText(finding.before))
                : ConventionText::tr("%1: largest error %2 % of peak instead of %3 %.")
@@ -230,7 +195,7 @@ QStringList differenceSentences(const ReferenceData &data, std::span<const Conve
             }
         }
         if (!columns.channels.empty()) {
-            sentences << filled(ConventionText::differences(kind), columns);
+            sentences << filled(notDerivativeText(kind), columns);
         }
     }
     return sentences;
