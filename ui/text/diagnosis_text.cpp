@@ -65,14 +65,25 @@ bool isLength(Parameter parameter)
     return parameter != Parameter::Omega2 && parameter != Parameter::Theta20;
 }
 
-/// Returns the ratio of a length to a: "3.000000 ± 0.000002".
-QString ratioText(Parameter parameter, const Identification &found)
+/// Returns `factor` times the value of the parameter, rounded to its standard error.
+QString scaledText(Parameter parameter, const Identification &found, double factor)
 {
     const Parameters &p = found.parameters;
+    const double value = factor * valueOf(p, parameter);
+    const double scale = parameter == Parameter::Omega2    ? std::abs(p.omega2)
+                         : parameter == Parameter::Theta20 ? 1.0
+                                                           : characteristicLength(p);
     return found.outcome == Outcome::Approximate
-               ? numberText(valueOf(p, parameter) / p.a, kApproximateDigits)
-               : measuredText(valueOf(p, parameter) / p.a, found.standardError[indexOf(parameter)] / p.a,
-                              characteristicLength(p) / p.a);
+               ? numberText(value, kApproximateDigits)
+               : measuredText(value, factor * found.standardError[indexOf(parameter)], factor * scale);
+}
+
+/// Returns the number of digits that show how two values differ, at least `fewest`.
+int digitsToTellApart(double x, double y, int fewest)
+{
+    constexpr int kMost = 12;
+    const double digits = 2.0 + std::ceil(std::log10(std::max(std::abs(x), std::abs(y)) / std::abs(x - y)));
+    return static_cast<int>(std::clamp<double>(digits, fewest, kMost));
 }
 
 /// Returns an equation for each identified parameter, and the assembly.
@@ -84,7 +95,8 @@ QStringList foundTexts(const Identification &found)
     for (const Parameter parameter : kParameters) {
         if (found.onlyRatios && isLength(parameter)) {
             if (parameter != Parameter::A) {
-                texts << equation.arg(symbolOf(parameter) + QStringLiteral("/a"), ratioText(parameter, found));
+                texts << equation.arg(symbolOf(parameter) + QStringLiteral("/a"),
+                                      scaledText(parameter, found, 1.0 / found.parameters.a));
             }
         } else if (found.identifiable[indexOf(parameter)]) {
             texts << equation.arg(symbolOf(parameter), measuredText(parameter, found));
@@ -207,11 +219,7 @@ QString notIdentifiedText(const Diagnosis &diagnosis)
 
 QString crankSpeedText(const CrankSpeedChange &speed)
 {
-    int digits = 4; // more if they do not show two digits of the change
-    while (digits < 9 &&
-           std::abs(speed.atEnd - speed.atStart) < 20.0 * std::abs(speed.atStart) * std::pow(10.0, 1 - digits)) {
-        ++digits;
-    }
+    const int digits = digitsToTellApart(speed.atStart, speed.atEnd, 4);
     return DiagnosisText::tr("The crank speed is not constant: %1 rad/s at the start and %2 rad/s at the end.")
         .arg(numberText(speed.atStart, digits), numberText(speed.atEnd, digits));
 }
@@ -227,22 +235,12 @@ QString noiseText(const Identification::Noise &noise)
 
 QString measuredText(Parameter parameter, const Identification &found)
 {
-    const Parameters &p = found.parameters;
-    const bool isIdentifiable = found.identifiable[indexOf(parameter)];
-    if (found.outcome == Outcome::Approximate && isIdentifiable) {
-        return parameterText(parameter, valueOf(p, parameter), kApproximateDigits);
-    }
     if (found.onlyRatios && isLength(parameter) && parameter != Parameter::A) {
-        return DiagnosisText::tr("%1 a").arg(ratioText(parameter, found));
+        return DiagnosisText::tr("%1 a").arg(scaledText(parameter, found, 1.0 / found.parameters.a));
     }
-    const double scale = parameter == Parameter::Omega2    ? std::abs(p.omega2)
-                         : parameter == Parameter::Theta20 ? 1.0
-                                                           : characteristicLength(p);
-    const double factor = shownFactor(parameter);
-    return isIdentifiable ? measuredText(factor * valueOf(p, parameter),
-                                         factor * found.standardError[indexOf(parameter)], factor * scale) +
-                                unitBehind(parameter)
-                          : dash();
+    return found.identifiable[indexOf(parameter)]
+               ? scaledText(parameter, found, shownFactor(parameter)) + unitBehind(parameter)
+               : dash();
 }
 
 QString caveatsOf(const Diagnosis &diagnosis)
@@ -346,10 +344,7 @@ QString changeText(const Diagnosis &diagnosis, const Mechanism &mechanism)
     }
     const auto [parameter, value, explained] = *diagnosis.change;
     const double given = valueOf(mechanism.parameters(), parameter);
-    int digits = 5; // more if the two values look equal
-    while (digits < 12 && parameterText(parameter, value, digits) == parameterText(parameter, given, digits)) {
-        ++digits;
-    }
+    const int digits = digitsToTellApart(value, given, 5);
     return DiagnosisText::tr("With %1 instead of %2, %3 % of the difference disappears.")
         .arg(equationText(parameter, value, digits), parameterText(parameter, given, digits + 1),
              percentText(explained));
