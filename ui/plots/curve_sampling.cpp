@@ -14,16 +14,47 @@ namespace
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Returns the part of the line from `start` to `start + step` that lies within the range; 0 is its start, 1 its end.
-/// An upper end below the lower one means that no part does. This is the test of one pair of parallel edges by Liang
-/// and Barsky, A new concept and method for line clipping, 1984.
-Interval partWithin(double start, double step, const Interval &range)
+bool isGap(const CurvePoint &point)
 {
-    if (step == 0.0) {
-        return {0.0, range.contains(start) ? 1.0 : -1.0};
+    return std::isnan(point.value);
+}
+
+std::vector<double> finiteValues(std::span<const CurvePoint> points)
+{
+    std::vector<double> values;
+    values.reserve(points.size());
+    for (const CurvePoint &point : points) {
+        if (std::isfinite(point.value)) {
+            values.push_back(point.value);
+        }
     }
-    const auto [enter, leave] = std::minmax({(range.lower - start) / step, (range.upper - start) / step});
-    return {enter, leave};
+    return values;
+}
+
+/// Cuts off the parts of the polyline where a coordinate is below an edge, or above it if `sign` is -1.
+std::vector<CurvePoint> cutOff(std::span<const CurvePoint> points, double CurvePoint::*coordinate, double edge,
+                               double sign)
+{
+    std::vector<CurvePoint> kept;
+    kept.reserve(points.size());
+    const auto isInside = [&](const CurvePoint &point) { return sign * (point.*coordinate - edge) >= 0.0; };
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const CurvePoint &to = points[i];
+        const CurvePoint &from = points[i > 0 ? i - 1 : 0];
+        if (isInside(from) != isInside(to) && !isGap(from) && !isGap(to)) {
+            const double part = (edge - from.*coordinate) / (to.*coordinate - from.*coordinate);
+            CurvePoint crossing{std::lerp(from.t, to.t, part), std::lerp(from.value, to.value, part)};
+            crossing.*coordinate = edge;
+            kept.push_back(crossing);
+            if (isInside(from)) {
+                kept.push_back({crossing.t, kNoValue});
+            }
+        }
+        if (isGap(to) ? !kept.empty() && !isGap(kept.back()) : isInside(to)) {
+            kept.push_back(to);
+        }
+    }
+    return kept;
 }
 
 } // namespace
@@ -106,22 +137,17 @@ std::vector<CurvePoint> withoutNeedlessPoints(std::span<const CurvePoint> points
 
 std::optional<Interval> extremes(std::span<const CurvePoint> points)
 {
-    Interval range{kInfinity, -kInfinity};
-    for (const CurvePoint &point : points) {
-        range.lower = point.value < range.lower ? point.value : range.lower; // NaN is not smaller
-        range.upper = point.value > range.upper ? point.value : range.upper;
+    const std::vector<double> values = finiteValues(points);
+    if (values.empty()) {
+        return std::nullopt;
     }
-    return range.lower > range.upper ? std::nullopt : std::optional(range);
+    const auto [least, most] = std::ranges::minmax(values);
+    return Interval{least, most};
 }
 
 double quantile(std::span<const CurvePoint> points, double part)
 {
-    std::vector<double> values;
-    for (const CurvePoint &point : points) {
-        if (std::isfinite(point.value)) {
-            values.push_back(point.value);
-        }
-    }
+    std::vector<double> values = finiteValues(points);
     const auto place = values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
     std::ranges::nth_element(values, place);
     return *place;
@@ -129,65 +155,19 @@ double quantile(std::span<const CurvePoint> points, double part)
 
 std::vector<CurvePoint> clip(std::span<const CurvePoint> points, const Interval &time, const Interval &values)
 {
-    constexpr double kFar = 1e6; // axis lengths; farther away, rounding errors would exceed the length of the axis
-    const Interval reachable{values.lower - kFar * values.length(), values.upper + kFar * values.length()};
-    std::vector<CurvePoint> kept;
-    kept.reserve(points.size());
-    const CurvePoint *before = nullptr; // null after a gap
-    const auto endLine = [&](double t) {
-        if (!kept.empty() && !std::isnan(kept.back().value)) {
-            kept.push_back({t, kNoValue});
-        }
-    };
-    for (const CurvePoint &to : points) {
-        if (std::isnan(to.value)) {
-            endLine(to.t);
-            before = nullptr;
-            continue;
-        }
-        const CurvePoint &from = before ? *before : to;
-        before = &to;
-        const double fromValue = std::clamp(from.value, reachable.lower, reachable.upper);
-        const double dt = to.t - from.t;
-        const double dv = std::clamp(to.value, reachable.lower, reachable.upper) - fromValue;
-        const Interval inTime = partWithin(from.t, dt, time);
-        const Interval inValues = partWithin(fromValue, dv, values);
-        const double enter = std::max({0.0, inTime.lower, inValues.lower});
-        const double leave = std::min({1.0, inTime.upper, inValues.upper});
-        if (enter > leave) {
-            endLine(to.t);
-            continue;
-        }
-        const auto at = [&](double along) {
-            return CurvePoint{std::clamp(from.t + along * dt, time.lower, time.upper),
-                              std::clamp(fromValue + along * dv, values.lower, values.upper)};
-        };
-        if (enter > 0.0) {
-            endLine(at(enter).t);
-        }
-        if (kept.empty() || std::isnan(kept.back().value)) {
-            kept.push_back(at(enter));
-        }
-        if (&from != &to) {
-            kept.push_back(leave < 1.0 ? at(leave) : to);
-        }
-        if (leave < 1.0) {
-            endLine(kept.back().t);
-        }
-    }
-    return kept;
+    const std::vector<CurvePoint> after = cutOff(points, &CurvePoint::t, time.lower, 1.0);
+    const std::vector<CurvePoint> within = cutOff(after, &CurvePoint::t, time.upper, -1.0);
+    return cutOff(cutOff(within, &CurvePoint::value, values.lower, 1.0), &CurvePoint::value, values.upper, -1.0);
 }
 
 std::vector<CurvePoint> isolatedPoints(std::span<const CurvePoint> points)
 {
     std::vector<CurvePoint> isolated;
-    bool isAfterGap = true;
+    const auto isGapAt = [&](std::size_t i) { return i >= points.size() || isGap(points[i]); };
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const bool isGap = std::isnan(points[i].value);
-        if (!isGap && isAfterGap && (i + 1 == points.size() || std::isnan(points[i + 1].value))) {
+        if (!isGapAt(i) && isGapAt(i - 1) && isGapAt(i + 1)) { // before the first point, i - 1 is the largest number
             isolated.push_back(points[i]);
         }
-        isAfterGap = isGap;
     }
     return isolated;
 }

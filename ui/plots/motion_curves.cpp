@@ -14,15 +14,6 @@ namespace
 {
 
 constexpr double kBeyondAll = 1e300; // replaces ±∞: beyond the end of any axis, but lines to it can be clipped
-using Kind = CriticalPoint::Kind;
-
-void addGap(std::vector<CurvePoint> &points, double t)
-{
-    if (!points.empty() && !std::isnan(points.back().value)) {
-        points.push_back({t, kNoValue});
-    }
-}
-
 /// Returns the time stamps that divide the range into equal pieces, including both ends.
 std::vector<double> evenTime(const Interval &range, std::size_t pieces)
 {
@@ -44,31 +35,26 @@ std::optional<Interval> usualExtremes(std::vector<CurvePoint> points)
     return isUnbounded && range ? Interval{quantile(points, kLeftOut), quantile(points, 1.0 - kLeftOut)} : range;
 }
 
-/// Returns a vertical line in each pixel column for each part of a turn without gaps. If there is only one part, the
-/// lines go up and down alternately and are connected.
+/// Returns a vertical line in each pixel column for each part of a turn without gaps.
 std::vector<CurvePoint> strokes(const std::vector<CurvePoint> &turn, const Interval &range, std::size_t columns)
 {
     std::vector<Interval> bands;
     bool isOpen = false;
     for (const CurvePoint &point : turn) {
-        if (!std::isnan(point.value)) {
-            const Interval known = isOpen ? bands.back() : Interval{point.value, point.value};
-            bands.resize(bands.size() + (isOpen ? 0 : 1));
-            bands.back() = {std::min(known.lower, point.value), std::max(known.upper, point.value)};
+        if (!isOpen && !std::isnan(point.value)) {
+            bands.push_back({point.value, point.value});
         }
         isOpen = !std::isnan(point.value);
+        if (isOpen) {
+            bands.back() = {std::min(bands.back().lower, point.value), std::max(bands.back().upper, point.value)};
+        }
     }
     std::vector<CurvePoint> points;
     points.reserve(3 * bands.size() * columns);
     for (std::size_t i = 0; i < columns; ++i) {
         const double t = range.lower + range.length() * (static_cast<double>(i) + 0.5) / static_cast<double>(columns);
         for (const Interval &band : bands) {
-            const bool falls = bands.size() == 1 && i % 2 == 1;
-            points.push_back({t, falls ? band.upper : band.lower});
-            points.push_back({t, falls ? band.lower : band.upper});
-            if (bands.size() > 1) {
-                points.push_back({t, kNoValue});
-            }
+            points.insert(points.end(), {{t, band.lower}, {t, band.upper}, {t, kNoValue}});
         }
     }
     return points;
@@ -95,14 +81,11 @@ MotionSamples sampleMotion(const ClosedForm &motion, std::vector<double> time)
 MotionCurves::MotionCurves(const Mechanism &mechanism, const Interval &time)
     : m_motion(mechanism)
     , m_time(time)
-    , m_speed(std::abs(mechanism.omega2()))
-    , m_phase0(mechanism.omega2() < 0.0 ? -mechanism.theta20() : mechanism.theta20())
+    , m_omega2(mechanism.omega2())
+    , m_theta20(mechanism.theta20())
 {
-    if (m_speed > 0.0) {
-        const std::array points = findCriticalPoints(mechanism);
-        for (std::size_t channel = 0; channel < points.size(); ++channel) {
-            addPassages(channel, points[channel], mechanism.omega2() < 0.0);
-        }
+    if (m_omega2 != 0.0) {
+        m_critical = findCriticalPoints(mechanism);
     }
 }
 
@@ -121,22 +104,6 @@ MotionCurves::MotionCurves(const Trajectory &trajectory)
     }
 }
 
-void MotionCurves::addPassages(std::size_t channel, const CriticalPoints &points, bool isBackwards)
-{
-    std::vector<Passage> &passages = m_passages[channel];
-    for (const CriticalPoint &point : points) {
-        const Kind reversed = point.kind == Kind::Begin ? Kind::End : Kind::Begin;
-        const Kind kind = isBackwards && point.kind != Kind::Extremum ? reversed : point.kind;
-        passages.push_back({wrapToTwoPi(isBackwards ? -point.theta2 : point.theta2),
-                            std::clamp(toFileUnit(kPlottedChannels[channel], point.value), -kBeyondAll, kBeyondAll),
-                            kind});
-    }
-    if (isBackwards) {
-        std::ranges::reverse(passages); // at an exact toggle a channel ends and begins at the same angle
-    }
-    std::ranges::stable_sort(passages, {}, &Passage::phase);
-}
-
 double MotionCurves::nearestTime(double t) const
 {
     if (isExact()) {
@@ -153,93 +120,70 @@ double MotionCurves::value(std::size_t channel, double time) const
     return m_samples.time.empty() ? kNoValue : m_samples.values[channel][nearestIndex(m_samples.time, time)];
 }
 
-/// Returns the line through the samples and the critical points between them.
-std::vector<CurvePoint> MotionCurves::line(std::size_t channel, const MotionSamples &samples) const
+/// Returns the samples and the critical points between them, with a gap beyond each limit of the motion.
+std::vector<CurvePoint> MotionCurves::exactPoints(std::size_t channel, const MotionSamples &samples) const
 {
-    const std::vector<double> &time = samples.time;
-    const std::vector<double> &values = samples.values[channel];
-    const std::vector<Passage> &passages = m_passages[channel];
     std::vector<CurvePoint> points;
-    points.reserve(values.size() + passages.size());
-    std::size_t next = 0;
-    const auto addSamplesUntil = [&](double t) {
-        for (; next < values.size() && time[next] <= t; ++next) {
-            if (std::isfinite(values[next])) {
-                points.push_back({time[next], values[next]});
-            } else {
-                addGap(points, time[next]);
-            }
-        }
-    };
-    constexpr double kLargestAngle = 1e12; // rad; beyond it a double cannot represent the position within a turn
-    const double phase = m_phase0 + m_speed * time.front();
-    if (!passages.empty() && std::max(std::abs(phase), std::abs(m_phase0 + m_speed * time.back())) <= kLargestAngle) {
-        double turnStart = kTurn * std::floor(phase / kTurn);
-        auto passage = std::ranges::upper_bound(passages, phase - turnStart, {}, &Passage::phase);
-        for (;; ++passage) {
-            if (passage == passages.end()) {
-                passage = passages.begin();
-                turnStart += kTurn;
-            }
-            const double t = std::max(time.front(), time.front() + (turnStart - phase + passage->phase) / m_speed);
-            if (!(t <= time.back())) {
-                break;
-            }
-            addSamplesUntil(t);
-            if (passage->kind == Kind::Begin) {
-                addGap(points, t);
-            }
-            points.push_back({t, passage->value});
-            if (passage->kind == Kind::End) {
-                addGap(points, t);
+    for (std::size_t i = 0; i < samples.time.size(); ++i) {
+        const double value = samples.values[channel][i];
+        points.push_back({samples.time[i], std::isfinite(value) ? value : kNoValue});
+    }
+    const Interval range{samples.time.front(), samples.time.back()};
+    const double period = kTurn / std::abs(m_omega2);
+    const double turns = std::ceil(range.length() / period);
+    for (const CriticalPoint &point : m_critical[channel]) {
+        const double first = (point.theta2 - m_theta20) / m_omega2;
+        const double passed = std::ceil((range.lower - first) / period);
+        const double value = std::clamp(toFileUnit(kPlottedChannels[channel], point.value), -kBeyondAll, kBeyondAll);
+        const bool isLast = (point.kind == CriticalPoint::Kind::End) == (m_omega2 > 0.0);
+        for (double turn = 0.0; turn <= turns; ++turn) {
+            const double t = first + (passed + turn) * period;
+            if (range.contains(t)) {
+                points.push_back({t, value});
+                if (point.kind != CriticalPoint::Kind::Extremum) {
+                    points.push_back({std::nextafter(t, isLast ? kBeyondAll : -kBeyondAll), kNoValue});
+                }
             }
         }
     }
-    addSamplesUntil(time.back());
+    std::ranges::stable_sort(points, {}, &CurvePoint::t);
     return points;
 }
 
-MotionCurves::Curve MotionCurves::sampledCurve(std::size_t channel, const Interval &range, std::size_t columns) const
+void MotionCurves::computeExactCurves(const Interval &range)
 {
-    constexpr Interval kAnyValue{-kBeyondAll, kBeyondAll};
-    const std::vector<CurvePoint> points = decimate(m_samples.time, m_samples.values[channel], range, columns);
-    return {points, extremes(clip(points, range, kAnyValue))};
-}
-
-void MotionCurves::computeExactCurves(const Interval &range, std::size_t columns)
-{
-    const Interval shown{std::max(range.lower, m_time.lower), std::min(range.upper, m_time.upper)};
-    m_curves = {};
-    if (!(shown.lower <= shown.upper)) {
-        return;
-    }
-    const double part = range.length() > 0.0 ? shown.length() / range.length() : 1.0;
-    const auto pixels = static_cast<std::size_t>(std::ceil(std::max(1.0, part * static_cast<double>(columns))));
-    const bool isBand = m_speed * shown.length() >= kTurn * static_cast<double>(pixels);
     constexpr std::size_t kPerTurn = 400;
     constexpr double kWholeTurn = 1.001 * kTurn; // more than a turn, so that rounding errors lose no critical point
-    const Interval sampled = isBand ? Interval{shown.lower, shown.lower + kWholeTurn / m_speed} : shown;
-    const std::size_t pieces = isBand ? kPerTurn : shown.length() > 0.0 ? 2 * pixels : 0;
-    const MotionSamples samples = sampleMotion(*m_motion, evenTime(sampled, pieces));
+    const Interval shown{std::max(range.lower, m_time.lower), std::min(range.upper, m_time.upper)};
+    const double speed = std::abs(m_omega2);
+    const bool isBand = speed * shown.length() >= kTurn * static_cast<double>(m_columns);
+    const Interval sampled{shown.lower, isBand ? shown.lower + kWholeTurn / speed : shown.upper};
+    m_curves = {};
+    if (shown.lower > shown.upper) {
+        return;
+    }
+    const MotionSamples samples = sampleMotion(*m_motion, evenTime(sampled, isBand ? kPerTurn : 2 * m_columns));
     for (std::size_t channel = 0; channel < m_curves.size(); ++channel) {
-        std::vector<CurvePoint> points = line(channel, samples);
+        std::vector<CurvePoint> points = exactPoints(channel, samples);
         m_curves[channel].extremes = usualExtremes(points);
-        m_curves[channel].points = isBand ? strokes(points, shown, pixels) : std::move(points);
+        m_curves[channel].points = isBand ? strokes(points, shown, m_columns) : std::move(points);
     }
 }
 
 const MotionCurves::Curves &MotionCurves::curves(const Interval &range, std::size_t columns)
 {
-    if (m_range != range || m_columns != columns) {
-        m_range = range;
-        m_columns = columns;
-        if (isExact()) {
-            computeExactCurves(range, columns);
-        } else {
-            for (std::size_t channel = 0; channel < m_curves.size(); ++channel) {
-                m_curves[channel] = sampledCurve(channel, range, columns);
-            }
-        }
+    if (m_range == range && m_columns == columns) {
+        return m_curves;
+    }
+    m_range = range;
+    m_columns = columns;
+    if (isExact()) {
+        computeExactCurves(range);
+        return m_curves;
+    }
+    for (std::size_t channel = 0; channel < m_curves.size(); ++channel) {
+        const std::vector<CurvePoint> points = decimate(m_samples.time, m_samples.values[channel], range, columns);
+        m_curves[channel] = {points, extremes(clip(points, range, {-kBeyondAll, kBeyondAll}))};
     }
     return m_curves;
 }

@@ -58,23 +58,14 @@ public:
     const Curves &curves(const Interval &range, std::size_t columns);
 
 private:
-    /// A critical point, in the order in which the crank passes it.
-    struct Passage {
-        double phase = 0.0; ///< rad, within [0, 2π), increasing with time
-        double value = 0.0;
-        CriticalPoint::Kind kind = CriticalPoint::Kind::Extremum;
-    };
-
-    void addPassages(std::size_t channel, const CriticalPoints &points, bool isBackwards);
-    Curve sampledCurve(std::size_t channel, const Interval &range, std::size_t columns) const;
-    void computeExactCurves(const Interval &range, std::size_t columns);
-    std::vector<CurvePoint> line(std::size_t channel, const MotionSamples &samples) const;
+    std::vector<CurvePoint> exactPoints(std::size_t channel, const MotionSamples &samples) const;
+    void computeExactCurves(const Interval &range);
 
     std::optional<ClosedForm> m_motion;
     Interval m_time;
-    double m_speed = 0.0;  ///< |ω2|
-    double m_phase0 = 0.0; ///< rad, at t = 0
-    std::array<std::vector<Passage>, kPlottedChannels.size()> m_passages;
+    double m_omega2 = 0.0;
+    double m_theta20 = 0.0;
+    std::array<CriticalPoints, kPlottedChannels.size()> m_critical;
     MotionSamples m_samples; ///< empty if the motion is exact
 
     Curves m_curves; ///< of the last call of curves()
