@@ -6,6 +6,7 @@
 #include "app/console.h"
 #include "ui/text/language.h"
 #include "ui/window/main_window.h"
+#include "ui/window/messages.h"
 #include "ui/window/scene_file.h"
 
 #include <QApplication>
@@ -77,6 +78,8 @@ int openWindow(const Command &command)
         window.scene().open(command.scene, command.referenceFiles);
     } else if (!command.referenceFiles.isEmpty()) {
         window.openReference(command.referenceFiles);
+    } else {
+        window.messages().greetOnce();
     }
     return QApplication::exec();
 }

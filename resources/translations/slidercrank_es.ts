@@ -4233,14 +4233,6 @@ SHA-256: %2</translation>
         <translation>Cambiado en otra parte</translation>
     </message>
     <message>
-        <source>Replace</source>
-        <translation>Reemplazar</translation>
-    </message>
-    <message>
-        <source>Save as…</source>
-        <translation>Guardar como…</translation>
-    </message>
-    <message>
         <source>Save your changes as a scene?</source>
         <translation>¿Guardar los cambios como escena?</translation>
     </message>

@@ -102,12 +102,7 @@ Session::Session(QObject *parent)
     connect(&m_settling, &QTimer::timeout, this, &Session::startDiagnosis);
     connect(&m_reading, &BackgroundTask::progressed, this, &Session::readingProgressed);
     for (const BackgroundTask *task : {&m_computation, &m_reading, &m_diagnosing}) {
-        connect(task, &BackgroundTask::runningChanged, this, [this](bool running) {
-            m_runningTasks += running ? 1 : -1;
-            if (m_runningTasks == (running ? 1 : 0)) {
-                emit busyChanged(running);
-            }
-        });
+        connect(task, &BackgroundTask::runningChanged, this, &Session::busyChanged);
     }
 }
 
@@ -234,6 +229,7 @@ void Session::publish(std::shared_ptr<const Result> result)
 {
     const bool isNewReference = result->choices.reference != m_result->choices.reference;
     m_result = std::move(result);
+    m_isOpening = false;
     emit resultChanged(m_result);
     emit timeChanged(pose());
     if (m_result->reference) {
@@ -285,8 +281,8 @@ void Session::publishDiagnosis(std::shared_ptr<const ReferenceDiagnosis> diagnos
     }
 }
 
-void Session::read(const std::function<ReferenceSource()> &source,
-                   const std::function<void(const ReferenceOutcome &)> &done)
+void Session::read(const QStringList &paths, const std::function<ReferenceSource()> &source,
+                   const std::function<void(const std::shared_ptr<const Reference> &)> &done)
 {
     const auto work = [source](const std::stop_token &stop, const BackgroundTask::Progress &progress) {
         ReadOptions options;
@@ -295,7 +291,14 @@ void Session::read(const std::function<ReferenceSource()> &source,
         };
         return readReference(source(), stop, options);
     };
-    m_reading.start(work, done, done);
+    const auto finish = [this, paths, done](const ReferenceOutcome &outcome) {
+        if (const QString *sentence = std::get_if<QString>(&outcome)) {
+            emit referenceRefused(paths, *sentence);
+        } else {
+            done(std::get<std::shared_ptr<const Reference>>(outcome));
+        }
+    };
+    m_reading.start(work, finish, finish);
 }
 
 void Session::loadReference(const QStringList &paths, const std::optional<std::vector<ColumnChoice>> &columns)
@@ -309,12 +312,7 @@ void Session::loadReference(const QStringList &paths, const std::optional<std::v
     const auto source = [paths, columns]() -> ReferenceSource {
         return {paths, columns ? *columns : savedChoices(readLayout(paths), paths), {}};
     };
-    read(source, [this, paths, columns](const ReferenceOutcome &outcome) {
-        if (const QString *sentence = std::get_if<QString>(&outcome)) {
-            emit referenceRefused(paths, *sentence);
-            return;
-        }
-        const auto &reference = std::get<std::shared_ptr<const Reference>>(outcome);
+    read(paths, source, [this, paths, columns](const std::shared_ptr<const Reference> &reference) {
         if (columns) {
             saveChoices(reference->data.layout, paths, *columns);
         }
@@ -331,34 +329,16 @@ void Session::readAbscissaAs(ColumnRole role)
 
 void Session::open(const Choices &choices, double seconds, const std::optional<ReferenceSource> &source)
 {
-    if (!source) {
-        m_reading.discard();
-        finishOpening(choices, seconds, {});
-        return;
-    }
-    const auto finish = [this, choices, seconds, before = m_choices](const ReferenceOutcome &outcome) {
-        const auto *reference = std::get_if<std::shared_ptr<const Reference>>(&outcome);
-        const ReferenceOutcome timed = reference ? timedBy(Mechanism(choices.parameters), *reference) : outcome;
-        const QString *problem = std::get_if<QString>(&timed);
-        const auto start = [this, seconds, problem = problem ? *problem : QString(),
-                            complete = with(choices, &Choices::reference, problem ? nullptr : *reference)] {
-            finishOpening(complete, seconds, problem);
-        };
-        if (m_choices == before) {
-            start();
-        } else {
-            emit editedMeanwhile(start);
-        }
-    };
-    read([source = *source] { return source; }, finish);
-}
-
-void Session::finishOpening(const Choices &choices, double seconds, const QString &problem)
-{
+    m_reading.discard();
     m_edits.clear();
+    m_isOpening = true;
     applyChoices(choices);
     setTime(seconds);
-    emit opened(problem);
+    if (source) {
+        read(
+            source->paths, [source = *source] { return source; },
+            [this](const std::shared_ptr<const Reference> &reference) { setReference(reference); });
+    }
 }
 
 void Session::setReference(const std::shared_ptr<const Reference> &reference)
@@ -382,12 +362,13 @@ void Session::adoptReference(const std::shared_ptr<const Reference> &reference)
     const bool isReadAgain = m_choices.reference && m_choices.reference->paths == reference->paths;
     const bool isRangeKept =
         contains(choices.sampling, range) && !(isReadAgain && isRangeOfReference(choices.sampling));
-    if (range != choices.sampling && !isRangeKept) {
-        choices.sampling = range;
-        emit timeRangeReplaced(reference, range);
-    }
+    const bool isRangeReplaced = range != choices.sampling && !isRangeKept;
+    choices.sampling = isRangeReplaced ? range : choices.sampling;
     m_reading.discard();
     edit(choices, changeName(m_choices.reference, reference));
+    if (isRangeReplaced) {
+        emit timeRangeReplaced(reference, range);
+    }
 }
 
 void Session::useFoundMechanism()
@@ -418,17 +399,17 @@ bool Session::cancel()
 {
     m_computation.discard();
     m_reading.discard();
-    const bool isScene = m_edits.count() == 0; // then the result is still that of the previous scene
     if (m_choices == m_result->choices) {
         stopDiagnosis();
-        return true;
-    }
-    edit(isScene ? simplified(m_choices) : m_result->choices, {EditStack::tr("cancelling")});
-    if (isScene) {
+    } else if (m_isOpening) {
+        edit(simplified(m_choices), {EditStack::tr("cancelling")});
         emit problemFound(
             tr("Cancelled: the parts of the scene that take long to compute are left out. Undo computes them."));
+        return false;
+    } else {
+        edit(m_result->choices, {EditStack::tr("cancelling")});
     }
-    return !isScene;
+    return true;
 }
 
 } // namespace slidercrank

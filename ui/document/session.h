@@ -49,8 +49,8 @@ public:
     /// Whether anything was edited since the undo stack was clean. Opening a reference file is not an edit.
     bool isModified() const { return m_edits.isModified(); }
 
-    /// Replaces all choices and the time, which cannot be undone. Reads the reference from `source` first, in the
-    /// background. Emits opened(), or editedMeanwhile() if anything was edited before the file was read.
+    /// Replaces all choices and the time, which cannot be undone. Then reads the reference from `source` in the background;
+    /// the time range remains that of the choices.
     void open(const Choices &choices, double seconds, const std::optional<ReferenceSource> &source);
 
 public slots:
@@ -101,15 +101,13 @@ signals:
     void diagnosisChanged(const std::shared_ptr<const slidercrank::ReferenceDiagnosis> &diagnosis); ///< may be null
     void referenceLoaded(const std::shared_ptr<const slidercrank::Reference> &reference);           ///< may be null
 
-    /// Emitted before the time range of a reference replaces the current one.
+    /// Emitted after the time range of a reference has replaced the former one.
     void timeRangeReplaced(const std::shared_ptr<const slidercrank::Reference> &reference,
                            const slidercrank::Sampling &sampling);
     void referenceRefused(const QStringList &paths, const QString &sentence); ///< nothing has changed
-    void opened(const QString &problem); ///< `problem`: why the scene was opened without its reference, or empty
-    void editedMeanwhile(const std::function<void()> &open); ///< open() opens the scene and discards the edits
-    void readingProgressed(double part);                     ///< 0 … 1 of the reference file
-    void problemFound(const QString &sentence);              ///< nothing has changed
-    void busyChanged(bool busy);                             ///< whether any background task runs
+    void readingProgressed(double part);        ///< 0 … 1 of the reference file
+    void problemFound(const QString &sentence); ///< nothing has changed
+    void busyChanged(bool busy);                ///< emitted when a background task starts or ends
 
 private:
     void edit(const Choices &choices, const EditName &name);
@@ -124,10 +122,9 @@ private:
     /// Reads in the background, with these column choices or else the saved ones, then calls adoptReference().
     void loadReference(const QStringList &paths, const std::optional<std::vector<ColumnChoice>> &columns);
 
-    /// Reads in the background from what `source` returns there, then calls done().
-    void read(const std::function<ReferenceSource()> &source,
-              const std::function<void(const ReferenceOutcome &)> &done);
-    void finishOpening(const Choices &choices, double seconds, const QString &problem);
+    /// Reads in the background from what `source` returns there, then calls done() or emits referenceRefused().
+    void read(const QStringList &paths, const std::function<ReferenceSource()> &source,
+              const std::function<void(const std::shared_ptr<const Reference> &)> &done);
 
     void recompute();
     void publish(std::shared_ptr<const Result> result);
@@ -143,7 +140,7 @@ private:
     BackgroundTask m_computation;
     BackgroundTask m_reading;
     BackgroundTask m_diagnosing;
-    int m_runningTasks = 0;
+    bool m_isOpening = false; ///< whether the result is still that of the scene before
     QTimer m_settling{this}; ///< runs while the parameters may still be changing
 
     EditStack m_edits{[this](const Choices &choices) { applyChoices(choices); }, this};

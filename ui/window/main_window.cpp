@@ -125,7 +125,7 @@ MainWindow::MainWindow(QWidget *parent)
     column->setContentsMargins(0, 0, 0, 0);
     setCentralWidget(page);
     auto *messageBar = new MessageBar(page);
-    m_messages = new Messages(m_session, m_scene, messageBar);
+    m_messages = new Messages(this, messageBar);
     m_presentation = new Presentation(m_views, messageBar, this);
     makeViews();
     column->addWidget(m_views.columns);
@@ -139,7 +139,6 @@ MainWindow::MainWindow(QWidget *parent)
     restoreLayout(*this);
     new KeyFilter(this);
     m_session->setTime(m_session->sampling().start);
-    m_messages->greetOnce();
     new Recovery(m_session, m_scene, messageBar, this);
     m_views.mechanism->setFocus();
 }
@@ -159,9 +158,6 @@ void MainWindow::connectDocument()
     connect(m_scene, &SceneFile::changed, this, &MainWindow::showTitle);
     connect(m_exports, &Exports::exported, m_messages, &Messages::confirm);
     connect(m_exports, &Exports::problemFound, m_messages, &Messages::showProblem);
-    connect(m_messages, &Messages::openReferenceRequested, this, &MainWindow::chooseReference);
-    connect(m_messages, &Messages::openSampleRequested, this, &MainWindow::openSample);
-    connect(m_messages, &Messages::columnsRequested, this, &MainWindow::chooseColumns);
     connect(m_session, &Session::busyChanged, m_status, &StatusBar::setBusy);
     connect(m_session, &Session::readingProgressed, m_status, &StatusBar::setProgress);
     connect(m_session, &Session::referenceLoaded, m_status, [this] { m_status->setProgress(-1.0); });
@@ -211,13 +207,26 @@ void MainWindow::follow(Changed changed, View *view, Slot slot, const Now &...no
     connect(m_session, changed, view, slot);
 }
 
+template <typename View>
+void MainWindow::connectDrags(const View *view)
+{
+    connect(view, &View::dragBegan, m_session, &Session::beginDrag);
+    connect(view, &View::dragEnded, m_session, &Session::endDrag);
+}
+
+template <typename Panel>
+void MainWindow::connectReports(const Panel *panel)
+{
+    connect(panel, &Panel::rowsCopied, m_messages, &Messages::confirmCopiedRows);
+    connect(panel, &Panel::problemFound, m_messages, &Messages::showProblem);
+}
+
 void MainWindow::connectViews()
 {
     ParameterPanel *panel = m_views.parameters;
     follow(&Session::parametersChanged, panel, &ParameterPanel::setParameters, m_session->parameters());
     connect(panel, &ParameterPanel::edited, m_session, &Session::setParameters);
-    connect(panel, &ParameterPanel::dragBegan, m_session, &Session::beginDrag);
-    connect(panel, &ParameterPanel::dragEnded, m_session, &Session::endDrag);
+    connectDrags(panel);
 
     Timeline *timeline = m_views.timeline;
     follow(&Session::parametersChanged, timeline, &Timeline::setParameters, m_session->parameters());
@@ -225,24 +234,19 @@ void MainWindow::connectViews()
     connect(m_session, &Session::timeChanged, timeline, &Timeline::setPose);
     connect(timeline, &Timeline::timeRequested, m_session, &Session::setTime);
     connect(timeline, &Timeline::samplingEdited, m_session, &Session::setSampling);
-    connectMechanism();
-    connectPlots();
-}
 
-void MainWindow::connectMechanism()
-{
-    MechanismView *view = m_views.mechanism;
-    follow(&Session::resultChanged, view, &MechanismView::setResult, m_session->result());
-    connect(m_session, &Session::timeChanged, view, &MechanismView::setPose);
-    connect(view, &MechanismView::timeRequested, m_session, &Session::setTime);
-    connect(view, &MechanismView::lengthRequested, m_session, &Session::setParameter);
-    connect(view, &MechanismView::branchRequested, m_session, [this](Branch branch) {
+    MechanismView *mechanism = m_views.mechanism;
+    follow(&Session::resultChanged, mechanism, &MechanismView::setResult, m_session->result());
+    connect(m_session, &Session::timeChanged, mechanism, &MechanismView::setPose);
+    connect(mechanism, &MechanismView::timeRequested, m_session, &Session::setTime);
+    connect(mechanism, &MechanismView::lengthRequested, m_session, &Session::setParameter);
+    connect(mechanism, &MechanismView::branchRequested, m_session, [this](Branch branch) {
         m_session->setParameters(with(m_session->parameters(), &Parameters::branch, branch));
     });
-    connect(view, &MechanismView::dragBegan, m_session, &Session::beginDrag);
-    connect(view, &MechanismView::dragEnded, m_session, &Session::endDrag);
-    connect(view, &MechanismView::enlarged, m_presentation,
+    connectDrags(mechanism);
+    connect(mechanism, &MechanismView::enlarged, m_presentation,
             [this] { m_presentation->setMechanismAlone(m_views.plots->isVisible()); });
+    connectPlots();
 }
 
 void MainWindow::connectPlots()
@@ -267,9 +271,8 @@ TablePanel *MainWindow::makePanel(const QString &name, const QString &title, con
     connect(m_session, &Session::diagnosisChanged, panel, &TablePanel::refresh);
     connect(panel, &TablePanel::timeRequested, m_session, &Session::setTime);
     connect(panel, &TablePanel::timeRequested, m_views.plots, &PlotGrid::showTime);
-    connect(panel, &TablePanel::rowsCopied, m_messages, &Messages::confirmCopiedRows);
     connect(panel, &TablePanel::remedyRequested, this, &MainWindow::applyRemedy);
-    connect(panel, &TablePanel::problemFound, m_messages, &Messages::showProblem);
+    connectReports(panel);
     return panel;
 }
 
@@ -281,14 +284,12 @@ QWidget *MainWindow::makeLimitsPanel()
     connect(panel, &LimitsPanel::responseShown, m_views.tabs, [this, panel] { m_views.tabs->showPage(panel); });
     const ResponseView *response = panel->response();
     connect(response, &ResponseView::parameterRequested, m_session, &Session::setParameter);
-    connect(response, &ResponseView::dragBegan, m_session, &Session::beginDrag);
-    connect(response, &ResponseView::dragEnded, m_session, &Session::endDrag);
+    connectDrags(response);
     connect(response, &ResponseView::copied, m_messages, &Messages::confirm);
     connect(response, &ResponseView::problemFound, m_messages, &Messages::showProblem);
     const DesignForm *design = panel->design();
     connect(design, &DesignForm::edited, m_session, &Session::setParameters);
-    connect(design, &DesignForm::dragBegan, m_session, &Session::beginDrag);
-    connect(design, &DesignForm::dragEnded, m_session, &Session::endDrag);
+    connectDrags(design);
     connect(m_views.parameters, &ParameterPanel::responseRequested, panel, &LimitsPanel::showResponse);
     return panel;
 }
@@ -302,8 +303,7 @@ QWidget *MainWindow::makeNewtonPanel()
             [panel](const Sampling &, const SolverSettings &solver) { panel->setSolver(solver); });
     follow(&Session::resultChanged, panel, &NewtonPanel::setResult, m_session->result());
     follow(&Session::timeChanged, panel, &NewtonPanel::setPose, m_session->pose());
-    connect(panel, &NewtonPanel::rowsCopied, m_messages, &Messages::confirmCopiedRows);
-    connect(panel, &NewtonPanel::problemFound, m_messages, &Messages::showProblem);
+    connectReports(panel);
     connect(panel, &NewtonPanel::partHovered, m_views.mechanism, &MechanismView::highlight);
     return panel;
 }
@@ -312,8 +312,7 @@ QWidget *MainWindow::makeStudyPanel()
 {
     auto *panel = new StudyPanel;
     follow(&Session::parametersChanged, panel, &StudyPanel::setParameters, m_session->parameters());
-    connect(panel, &StudyPanel::problemFound, m_messages, &Messages::showProblem);
-    connect(panel, &StudyPanel::rowsCopied, m_messages, &Messages::confirmCopiedRows);
+    connectReports(panel);
     return panel;
 }
 
@@ -432,12 +431,11 @@ void MainWindow::closeEvent(QCloseEvent *event)
                                    "below."));
         return;
     }
-    if (!m_isClosing && m_session->isModified()) {
+    if (m_session->isModified()) {
         event->ignore();
         m_scene->askThen([this] {
-            m_isClosing = true;
+            m_session->undoStack().setClean(); // the changes are saved or discarded
             close();
-            m_isClosing = false;
         });
         return;
     }
@@ -461,15 +459,11 @@ void MainWindow::dropEvent(QDropEvent *event)
     }
 }
 
+/// Folds the tabs of a low window, unless the user has chosen otherwise.
 void MainWindow::resizeEvent(QResizeEvent *event)
 {
-    QMainWindow::resizeEvent(event);
-    foldIfLow();
-}
-
-void MainWindow::foldIfLow()
-{
     constexpr int kLow = 800; // px: below this the nine plots need all the space
+    QMainWindow::resizeEvent(event);
     if (!m_presentation->isOn()) {
         m_views.tabs->suggest(height() < kLow);
     }

@@ -45,6 +45,7 @@ public slots:
     void openReference(const QString &path) { openReference(QStringList(path)); }
     void openSample();
     void chooseReference();
+    void chooseColumns(const QStringList &paths); ///< asks for the meaning of the columns of these files
 
     void setTheme(slidercrank::Theme theme);
 
@@ -60,12 +61,19 @@ private:
     void makeViews();
     void makeTabs();
     void connectViews();
-    void connectMechanism();
     void connectPlots();
 
     /// Calls the slot of `view` now with `now`, and whenever the session emits `changed`.
     template <typename Changed, typename View, typename Slot, typename... Now>
     void follow(Changed changed, View *view, Slot slot, const Now &...now);
+
+    /// Connects the signals by which a view begins and ends a drag.
+    template <typename View>
+    void connectDrags(const View *view);
+
+    /// Connects the signals by which a panel reports copied rows and problems.
+    template <typename Panel>
+    void connectReports(const Panel *panel);
 
     TablePanel *makePanel(const QString &name, const QString &title, const std::function<Page()> &makePage);
     QWidget *makeLimitsPanel();
@@ -73,11 +81,9 @@ private:
     QWidget *makeStudyPanel();
 
     void followReference(const std::shared_ptr<const Reference> &reference);
-    void chooseColumns(const QStringList &paths);
     void applyRemedy(const Finding &finding);
     void showTitle();
     void showResult(const std::shared_ptr<const Result> &result);
-    void foldIfLow();
 
     Session *m_session;
     Views m_views;
@@ -86,7 +92,6 @@ private:
     Presentation *m_presentation;
     Messages *m_messages;
     StatusBar *m_status;
-    bool m_isClosing = false; ///< the user has answered the question about unsaved changes
 };
 
 } // namespace slidercrank

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/messages.h"
 
-#include "ui/document/session.h"
-#include "ui/text/remember.h"
 #include "ui/text/written_number.h"
+#include "ui/window/main_window.h"
 #include "ui/window/scene_file.h"
 
 #include <QDir>
@@ -28,34 +27,32 @@ const QString kTimeRange = QStringLiteral("timeRange");
 
 } // namespace
 
-Messages::Messages(Session *session, SceneFile *scene, MessageBar *bar)
+Messages::Messages(MainWindow *window, MessageBar *bar)
     : QObject(bar)
+    , m_window(window)
     , m_bar(bar)
 {
+    const Session *session = &window->session();
     connect(session, &Session::problemFound, this,
             [this](const QString &sentence) { showAboutResult(Message::Kind::Problem, sentence); });
     connect(session, &Session::resultChanged, this, [this] { m_bar->removeMessage(kResult); });
+    connect(session, &Session::settingsChanged, this, [this] { m_bar->removeMessage(kTimeRange); });
     connect(session, &Session::timeRangeReplaced, this, &Messages::showTimeRange);
-    connect(session, &Session::settingsChanged, this, &Messages::followSampling);
     connect(session, &Session::referenceRefused, this, &Messages::showRefused);
     connect(session, &Session::referenceLoaded, this, &Messages::showReading);
-    connect(scene, &SceneFile::problemFound, this, &Messages::showProblem);
-    connect(scene, &SceneFile::saved, this,
+    connect(&window->scene(), &SceneFile::problemFound, this, &Messages::showProblem);
+    connect(&window->scene(), &SceneFile::saved, this,
             [this](const QString &path) { confirm(tr("Saved: %1").arg(QDir::toNativeSeparators(path))); });
-    connect(scene, &SceneFile::referenceMissing, this, [this](const QString &sentence) {
-        m_bar->showMessage({kReference, Message::Kind::Problem,
-                            tr("The scene is open without its reference. %1").arg(sentence), tr("Open reference…"),
-                            [this] { emit openReferenceRequested(); }});
-    });
 }
 
 void Messages::greetOnce()
 {
     const QString key = QStringLiteral("greeted");
-    if (!QSettings().value(key).toBool()) {
-        remember({{key, true}});
+    QSettings settings;
+    if (!settings.value(key).toBool()) {
+        settings.setValue(key, true);
         m_bar->showMessage({kGreeting, Message::Kind::Hint, tr("Drag a slider or a link. Press Space to play."),
-                            tr("Open the sample"), [this] { emit openSampleRequested(); }});
+                            tr("Open the sample"), [this] { m_window->openSample(); }});
     }
 }
 
@@ -79,54 +76,45 @@ void Messages::showAboutResult(Message::Kind kind, const QString &sentence)
     m_bar->showMessage({kResult, kind, sentence});
 }
 
+/// Offers to choose the columns if the files have any; otherwise another file.
 void Messages::showRefused(const QStringList &paths, const QString &sentence)
 {
-    m_refused = paths;
-    Message message{kReference, Message::Kind::Problem, sentence};
-    if (!readLayout(paths).columns.empty()) { // another column mapping may help
+    const bool isOpen = m_window->scene().lacksReference();
+    Message message{kReference, Message::Kind::Problem,
+                    isOpen ? tr("The scene is open without its reference. %1").arg(sentence) : sentence};
+    if (readLayout(paths).columns.empty()) {
+        message.actionText = tr("Open reference…");
+        message.action = [this] { m_window->chooseReference(); };
+    } else {
         message.actionText = tr("Choose columns…");
-        message.action = [this, paths] { emit columnsRequested(paths); };
+        message.action = [this, paths] { m_window->chooseColumns(paths); };
     }
     m_bar->showMessage(message);
 }
 
 void Messages::showReading(const std::shared_ptr<const Reference> &reference)
 {
+    m_bar->removeMessage(kReference);
     m_bar->removeMessage(kColumns);
-    if (!reference) {
+    if (!reference || reference->asPrinted || !reference->data.layout.isGuessed()) {
         return;
     }
-    if (reference->paths == m_refused) {
-        m_bar->removeMessage(kReference);
-    }
-    const std::vector<FileColumn> &columns = reference->data.layout.columns;
-    if (reference->asPrinted || !reference->data.layout.isGuessed()) {
-        return;
-    }
-    const bool isAngleOnly = std::ranges::all_of(columns, [](const FileColumn &column) {
+    const bool isAngleOnly = std::ranges::all_of(reference->data.layout.columns, [](const FileColumn &column) {
         return !isGuess(column.reason) || column.reason == ColumnReason::AngleForTime;
     });
     const QString sentence = isAngleOnly
                                  ? tr("%1 is a table by crank angle: ω₂ and θ₂₀ give its time.")
                                  : tr("The names in %1 do not tell what all of its columns are: some are guessed.");
     m_bar->showMessage({kColumns, Message::Kind::Question, sentence.arg(reference->name), tr("Choose columns…"),
-                        [this, paths = reference->paths] { emit columnsRequested(paths); }});
+                        [this, paths = reference->paths] { m_window->chooseColumns(paths); }});
 }
 
 void Messages::showTimeRange(const std::shared_ptr<const Reference> &reference, const Sampling &sampling)
 {
-    m_followed = sampling;
     m_bar->showMessage(
         {kTimeRange, Message::Kind::Hint,
          tr("The time range is now that of %1: %2 s to %3 s.")
              .arg(reference->name, numberText(sampling.start), numberText(sampling.start + sampling.duration))});
-}
-
-void Messages::followSampling(const Sampling &sampling)
-{
-    if (sampling.start != m_followed.start || sampling.duration != m_followed.duration) {
-        m_bar->removeMessage(kTimeRange);
-    }
 }
 
 } // namespace slidercrank

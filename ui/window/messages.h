@@ -15,15 +15,14 @@
 namespace slidercrank
 {
 
-class SceneFile;
-class Session;
+class MainWindow;
 
 class Messages : public QObject
 {
     Q_OBJECT
 
 public:
-    Messages(Session *session, SceneFile *scene, MessageBar *bar);
+    Messages(MainWindow *window, MessageBar *bar);
 
     void greetOnce(); ///< greets when the program is started for the first time
 
@@ -35,20 +34,13 @@ public slots:
     void confirmCopiedRows(int count);
     void showProblem(const QString &sentence);
 
-signals:
-    void openReferenceRequested();
-    void openSampleRequested();
-    void columnsRequested(const QStringList &paths); ///< asks for the column mapping of these files
-
 private:
     void showRefused(const QStringList &paths, const QString &sentence);
     void showReading(const std::shared_ptr<const Reference> &reference);
     void showTimeRange(const std::shared_ptr<const Reference> &reference, const Sampling &sampling);
-    void followSampling(const Sampling &sampling);
 
+    MainWindow *m_window;
     MessageBar *m_bar;
-    QStringList m_refused; ///< the files that could not be read last
-    Sampling m_followed;   ///< the time range that was last taken from a file
 };
 
 } // namespace slidercrank

@@ -26,7 +26,8 @@ namespace
 constexpr std::chrono::seconds kRest{2};
 
 const QString kMessage = QStringLiteral("recovery");
-const QString kPrefix = QStringLiteral("recovery_"); // prefix of the file names of copies
+const QString kName = QStringLiteral("recovery_%1.json");
+const QString kLockSuffix = QStringLiteral(".lock");
 
 /// Returns the folder of the settings file, or the configuration folder on Windows, where settings are not a file.
 QDir folder()
@@ -50,21 +51,40 @@ Recovery::Recovery(Session *session, SceneFile *scene, MessageBar *messages, QOb
     connect(&m_rest, &QTimer::timeout, this, &Recovery::write);
     connect(&session->undoStack(), &QUndoStack::indexChanged, this, &Recovery::followEdits);
     connect(&session->undoStack(), &QUndoStack::cleanChanged, this, &Recovery::followEdits);
-    findOffer();
+    for (const QFileInfo &file : folder().entryInfoList({kName.arg(QChar(u'*'))}, QDir::Files, QDir::Time)) {
+        Copy copy = claim(file.absoluteFilePath());
+        if (copy && std::holds_alternative<Scene>(readScene(pathOf(copy)))) {
+            m_offer = std::move(copy);
+            break; // older copies are offered at the next starts
+        }
+    }
     showOffer();
 }
 
 Recovery::~Recovery()
 {
-    removeCopy();
+    remove(m_copy);
 }
 
-/// Locks a copy; returns nullopt if another process has locked it.
-std::optional<Recovery::Copy> Recovery::claim(const QString &path)
+/// Locks the copy at that path. Returns null if another process has locked it.
+Recovery::Copy Recovery::claim(const QString &path)
 {
-    Copy copy{path, std::make_unique<QLockFile>(path + QStringLiteral(".lock"))};
-    copy.lock->setStaleLockTime(0); // the lock is released only when its process ends
-    return copy.lock->tryLock() ? std::optional(std::move(copy)) : std::nullopt;
+    auto lock = std::make_unique<QLockFile>(path + kLockSuffix);
+    lock->setStaleLockTime(0); // the lock is released only when its process ends
+    return lock->tryLock() ? std::move(lock) : nullptr;
+}
+
+QString Recovery::pathOf(const Copy &copy)
+{
+    return copy->fileName().chopped(kLockSuffix.size());
+}
+
+void Recovery::remove(Copy &copy)
+{
+    if (copy) {
+        QFile::remove(pathOf(copy));
+        copy.reset();
+    }
 }
 
 void Recovery::followEdits()
@@ -72,7 +92,8 @@ void Recovery::followEdits()
     if (m_session->isModified()) {
         m_rest.start(kRest);
     } else {
-        removeCopy();
+        m_rest.stop();
+        remove(m_copy);
     }
 }
 
@@ -80,37 +101,11 @@ void Recovery::followEdits()
 void Recovery::write()
 {
     if (!m_copy) {
-        const QString name = kPrefix + QUuid::createUuid().toString(QUuid::Id128) + QStringLiteral(".json");
         QDir().mkpath(folder().path());
-        m_copy = claim(folder().filePath(name));
+        m_copy = claim(folder().filePath(kName.arg(QUuid::createUuid().toString(QUuid::Id128))));
     }
     if (m_copy) {
-        writeScene(m_scene->scene(), m_copy->path);
-    }
-}
-
-void Recovery::removeCopy()
-{
-    m_rest.stop();
-    if (m_copy) {
-        QFile::remove(m_copy->path);
-        m_copy.reset();
-    }
-}
-
-/// Finds the latest copy. Older ones are offered at the next starts.
-void Recovery::findOffer()
-{
-    for (const QFileInfo &file : folder().entryInfoList(QDir::Files, QDir::Time)) {
-        if (!file.fileName().startsWith(kPrefix) || file.suffix() != u"json") {
-            continue;
-        }
-        std::optional<Copy> copy = claim(file.absoluteFilePath());
-        std::variant<Scene, QString> outcome = copy ? readScene(copy->path) : QString();
-        if (Scene *scene = std::get_if<Scene>(&outcome)) {
-            m_offer = Offer{std::move(*copy), std::move(*scene)};
-            return;
-        }
+        writeScene(m_scene->scene(), pathOf(m_copy));
     }
 }
 
@@ -120,29 +115,25 @@ void Recovery::showOffer()
         m_messages->removeMessage(kMessage);
         return;
     }
-    const QString when = QLocale().toString(QFileInfo(m_offer->copy.path).lastModified(), QLocale::ShortFormat);
-    const auto discard = [this] {
-        QFile::remove(m_offer->copy.path);
-        m_offer.reset();
-    };
+    const QString when = QLocale().toString(QFileInfo(pathOf(m_offer)).lastModified(), QLocale::ShortFormat);
     m_messages->showMessage({kMessage, Message::Kind::Question,
                              tr("The program ended before your changes were saved. They are kept, as of %1.").arg(when),
-                             tr("Restore"), [this] { restore(); }, tr("Discard"), discard});
+                             tr("Restore"), [this] { restore(); }, tr("Discard"), [this] { remove(m_offer); }});
 }
 
-/// Restores the offered copy, which then becomes the copy of the current scene. The offer remains until the scene is
-/// shown, because the user may cancel.
+/// Restores the offered copy, which then becomes the copy of the current scene. The user may cancel; then it is still
+/// offered.
 void Recovery::restore()
 {
-    const auto takeOver = [this] {
-        removeCopy();
-        if (m_offer) { // the user may have discarded it while the reference was read
-            m_copy = std::move(std::exchange(m_offer, std::nullopt)->copy);
-        }
-        write();
-        showOffer();
-    };
-    m_scene->restore(m_offer->scene, takeOver);
+    const std::variant<Scene, QString> scene = readScene(pathOf(m_offer));
+    if (std::holds_alternative<Scene>(scene)) {
+        m_scene->restore(std::get<Scene>(scene), [this] {
+            remove(m_copy);
+            m_copy = std::move(m_offer);
+            write();
+            showOffer();
+        });
+    }
     showOffer();
 }
 

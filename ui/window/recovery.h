@@ -6,15 +6,12 @@
 // next start offers to restore it. Each copy has a lock file that is released when its process ends, so that a window
 // does not offer the copy of another running window.
 
-#include "ui/document/scene.h"
-
 #include <QLockFile>
 #include <QObject>
 #include <QString>
 #include <QTimer>
 
 #include <memory>
-#include <optional>
 
 namespace slidercrank
 {
@@ -32,22 +29,14 @@ public:
     ~Recovery() override; ///< removes the copy
 
 private:
-    /// The copy of a scene, locked by this window.
-    struct Copy {
-        QString path;
-        std::unique_ptr<QLockFile> lock;
-    };
-    /// A copy left by a crash, which the user can restore.
-    struct Offer {
-        Copy copy;
-        Scene scene;
-    };
-    static std::optional<Copy> claim(const QString &path);
+    /// The lock of a copy, which this window holds. Null if there is no copy.
+    using Copy = std::unique_ptr<QLockFile>;
+    static Copy claim(const QString &path);
+    static QString pathOf(const Copy &copy);
+    static void remove(Copy &copy);
 
     void followEdits();
     void write();
-    void removeCopy();
-    void findOffer();
     void showOffer();
     void restore();
 
@@ -55,8 +44,8 @@ private:
     SceneFile *m_scene;
     MessageBar *m_messages;
     QTimer m_rest{this};
-    std::optional<Copy> m_copy;
-    std::optional<Offer> m_offer;
+    Copy m_copy;  ///< of the current scene
+    Copy m_offer; ///< was left by a crash, and can be restored
 };
 
 } // namespace slidercrank

@@ -10,31 +10,11 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QMessageBox>
-#include <QPushButton>
 
-#include <utility>
 #include <variant>
 
 namespace slidercrank
 {
-
-namespace
-{
-
-/// Creates a question with a Cancel button. It replaces an open question of the same name.
-QMessageBox *makeQuestion(const char *name, const QString &title, const QString &text, QWidget *window)
-{
-    if (auto *unanswered = window->findChild<QMessageBox *>(QLatin1String(name))) {
-        unanswered->reject();
-    }
-    auto *question = new QMessageBox(QMessageBox::Question, title, text, QMessageBox::Cancel, window);
-    question->setObjectName(QLatin1String(name));
-    question->setAttribute(Qt::WA_DeleteOnClose);
-    return question;
-}
-
-} // namespace
 
 SceneFile::SceneFile(Session *session, const Views &views, QWidget *window)
     : QObject(window)
@@ -45,8 +25,6 @@ SceneFile::SceneFile(Session *session, const Views &views, QWidget *window)
     connect(&session->undoStack(), &QUndoStack::cleanChanged, this, &SceneFile::changed);
     connect(&session->undoStack(), &QUndoStack::indexChanged, this, &SceneFile::changed);
     connect(session, &Session::referenceLoaded, this, [this] { m_missing.reset(); });
-    connect(session, &Session::opened, this, &SceneFile::finishOpening);
-    connect(session, &Session::editedMeanwhile, this, &SceneFile::askThen);
 }
 
 void SceneFile::enterTypedNumber()
@@ -70,6 +48,21 @@ Scene SceneFile::scene() const
             .mechanismFrame = m_views.mechanism->zoom()};
 }
 
+/// Opens a question. It replaces an open question of the same name.
+QMessageBox *SceneFile::ask(const char *name, const QString &title, const QString &text,
+                            QMessageBox::StandardButtons buttons, const std::function<void(int button)> &answered)
+{
+    if (auto *unanswered = m_window->findChild<QMessageBox *>(QLatin1String(name))) {
+        unanswered->reject();
+    }
+    auto *question = new QMessageBox(QMessageBox::Question, title, text, buttons, m_window);
+    question->setObjectName(QLatin1String(name));
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    connect(question, &QMessageBox::finished, this, answered);
+    question->open();
+    return question;
+}
+
 void SceneFile::askThen(const std::function<void()> &proceed)
 {
     enterTypedNumber();
@@ -78,20 +71,17 @@ void SceneFile::askThen(const std::function<void()> &proceed)
         return;
     }
     const QString name = QFileInfo(m_path).fileName();
-    QMessageBox *question = makeQuestion(
-        "unsavedQuestion", tr("Unsaved changes"),
-        name.isEmpty() ? tr("Save your changes as a scene?") : tr("Save your changes to %1?").arg(name), m_window);
+    QMessageBox *question =
+        ask("unsavedQuestion", tr("Unsaved changes"),
+            name.isEmpty() ? tr("Save your changes as a scene?") : tr("Save your changes to %1?").arg(name),
+            QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, [this, proceed](int answer) {
+                if (answer == QMessageBox::Save) {
+                    save(proceed);
+                } else if (answer == QMessageBox::Discard) {
+                    proceed();
+                }
+            });
     question->setInformativeText(tr("They will be lost if you don't."));
-    question->setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
-    question->setDefaultButton(QMessageBox::Save);
-    connect(question, &QMessageBox::finished, this, [this, proceed](int answer) {
-        if (answer == QMessageBox::Save) {
-            save(proceed);
-        } else if (answer == QMessageBox::Discard) {
-            proceed();
-        }
-    });
-    question->open();
 }
 
 void SceneFile::open(const QString &path, const QStringList &reference)
@@ -103,8 +93,13 @@ void SceneFile::open(const QString &path, const QStringList &reference)
         emit problemFound(*sentence);
         return;
     }
-    askThen([this, reference, opening = Opening{absolute, state, std::get<Scene>(outcome), {}}] {
-        show(opening, reference.isEmpty() ? opening.scene.reference : std::nullopt);
+    Scene scene = std::get<Scene>(outcome);
+    if (!reference.isEmpty()) {
+        scene.reference.reset();
+    }
+    askThen([this, absolute, state, scene, reference] {
+        show(scene, absolute, state);
+        rememberFiles({absolute});
         if (!reference.isEmpty()) {
             m_session->loadReference(reference);
         }
@@ -113,43 +108,29 @@ void SceneFile::open(const QString &path, const QStringList &reference)
 
 void SceneFile::restore(const Scene &scene, const std::function<void()> &proceed)
 {
-    askThen([this, opening = Opening{{}, {}, scene, proceed}] { show(opening, opening.scene.reference); });
-}
-
-void SceneFile::show(const Opening &opening, const std::optional<ReferenceSource> &reference)
-{
-    m_opening = opening;
-    const Scene &scene = opening.scene;
-    m_session->open({scene.parameters, scene.sampling, scene.solver, nullptr, scene.pinned}, scene.time, reference);
-}
-
-void SceneFile::finishOpening(const QString &problem)
-{
-    if (!m_opening) {
-        return;
-    }
-    const Opening opening = *std::exchange(m_opening, std::nullopt);
-    m_path = opening.path;
-    m_state = opening.state;
-    m_missing = problem.isEmpty() ? std::nullopt : opening.scene.reference;
-    m_views.plots->setSettings(opening.scene.plots);
-    m_views.plots->setZoom(opening.scene.zoom);
-    m_views.mechanism->setSettings(opening.scene.mechanism);
-    m_views.mechanism->setZoom(opening.scene.mechanismFrame);
-    if (m_session->result()->sampling != m_session->sampling()) { // still being computed; the result resets the zoom
-        const auto zoom = [this, zoom = opening.scene.zoom] { m_views.plots->setZoom(zoom); };
-        connect(m_session, &Session::resultChanged, this, zoom, Qt::SingleShotConnection);
-    }
-    if (opening.restored) {
+    askThen([this, scene, proceed] {
+        show(scene, {}, {});
         m_session->undoStack().resetClean();
-        opening.restored();
-    } else {
-        rememberFiles({m_path});
+        proceed();
+    });
+}
+
+void SceneFile::show(const Scene &scene, const QString &path, const FileState &state)
+{
+    m_session->open({scene.parameters, scene.sampling, scene.solver, nullptr, scene.pinned}, scene.time,
+                    scene.reference);
+    m_path = path;
+    m_state = state;
+    m_missing = scene.reference;
+    m_views.plots->setSettings(scene.plots);
+    m_views.plots->setZoom(scene.zoom);
+    m_views.mechanism->setSettings(scene.mechanism);
+    m_views.mechanism->setZoom(scene.mechanismFrame);
+    if (m_session->result()->sampling != scene.sampling) { // still being computed; the result resets the zoom
+        const auto setZoom = [this, zoom = scene.zoom] { m_views.plots->setZoom(zoom); };
+        connect(m_session, &Session::resultChanged, this, setZoom, Qt::SingleShotConnection);
     }
     emit changed();
-    if (!problem.isEmpty()) {
-        emit referenceMissing(problem);
-    }
 }
 
 void SceneFile::chooseAndOpen()
@@ -168,28 +149,17 @@ void SceneFile::save(const std::function<void()> &proceed)
     if (m_path.isEmpty()) {
         saveAs(proceed);
     } else if (QFileInfo::exists(m_path) && fileState(m_path) != m_state) {
-        askToReplace(proceed);
-    } else if (saveTo(m_path) && proceed) {
-        proceed();
+        const QString text = tr("%1 has been changed by another program since you opened it. Replace it?");
+        QMessageBox *question = ask("changedQuestion", tr("Changed elsewhere"), text.arg(QFileInfo(m_path).fileName()),
+                                    QMessageBox::Yes | QMessageBox::Cancel, [this, proceed](int answer) {
+                                        if (answer == QMessageBox::Yes) {
+                                            saveTo(m_path, proceed);
+                                        }
+                                    });
+        question->setDefaultButton(QMessageBox::Cancel);
+    } else {
+        saveTo(m_path, proceed);
     }
-}
-
-void SceneFile::askToReplace(const std::function<void()> &proceed)
-{
-    QMessageBox *question = makeQuestion(
-        "changedQuestion", tr("Changed elsewhere"),
-        tr("%1 has been changed by another program since you opened it. Replace it?").arg(QFileInfo(m_path).fileName()),
-        m_window);
-    question->addButton(tr("Replace"), QMessageBox::AcceptRole);
-    const QPushButton *saveElsewhere = question->addButton(tr("Save as…"), QMessageBox::ActionRole);
-    question->setDefaultButton(QMessageBox::Cancel);
-    connect(question, &QMessageBox::accepted, this, [this, proceed] {
-        if (saveTo(m_path) && proceed) {
-            proceed();
-        }
-    });
-    connect(saveElsewhere, &QPushButton::clicked, this, [this, proceed] { saveAs(proceed); });
-    question->open();
 }
 
 void SceneFile::saveAs(const std::function<void()> &proceed)
@@ -199,14 +169,10 @@ void SceneFile::saveAs(const std::function<void()> &proceed)
                                 {tr("Scenes (*.slidercrank)"), tr("Scenes (*.json)")},
                                 m_path.isEmpty() ? lastFolder(QStandardPaths::DocumentsLocation) : file.absolutePath(),
                                 m_path.isEmpty() ? tr("scene.slidercrank") : file.fileName(),
-                                [this, proceed](const QString &path, const QString &) {
-                                    if (saveTo(path) && proceed) {
-                                        proceed();
-                                    }
-                                }});
+                                [this, proceed](const QString &path, const QString &) { saveTo(path, proceed); }});
 }
 
-bool SceneFile::saveTo(const QString &path)
+bool SceneFile::saveTo(const QString &path, const std::function<void()> &proceed)
 {
     const QString absolute = QFileInfo(path).absoluteFilePath();
     if (const std::optional<QString> sentence = writeScene(scene(), absolute)) {
@@ -219,6 +185,9 @@ bool SceneFile::saveTo(const QString &path)
     rememberFiles({m_path});
     emit changed();
     emit saved(m_path);
+    if (proceed) {
+        proceed();
+    }
     return true;
 }
 

@@ -7,6 +7,7 @@
 #include "ui/document/scene.h"
 #include "ui/document/session.h"
 
+#include <QMessageBox>
 #include <QObject>
 #include <QString>
 
@@ -28,6 +29,9 @@ public:
 
     const QString &path() const { return m_path; } ///< empty if it was never saved
 
+    /// Whether the reference of the scene has not been opened. It is saved with the scene again.
+    bool lacksReference() const { return m_missing.has_value(); }
+
     /// Enters the number that is being typed into a box, so that it becomes part of the scene.
     void enterTypedNumber();
 
@@ -37,7 +41,7 @@ public:
     /// Calls proceed(), after the user has saved or discarded unsaved changes.
     void askThen(const std::function<void()> &proceed);
 
-    /// Shows a scene that has no file. Asks about unsaved changes first, and calls proceed() when the scene is shown.
+    /// Asks about unsaved changes, then shows a scene that was never saved, and calls proceed().
     void restore(const Scene &scene, const std::function<void()> &proceed);
 
 public slots:
@@ -51,36 +55,27 @@ public slots:
     void save(const std::function<void()> &proceed = {});
     void saveAs(const std::function<void()> &proceed = {});
 
-    /// Returns false if the scene cannot be written; problemFound then says why.
-    bool saveTo(const QString &path);
+    /// Saves the scene and calls proceed(). Returns false if the scene cannot be written; problemFound then says why.
+    bool saveTo(const QString &path, const std::function<void()> &proceed = {});
 
 signals:
     void changed(); ///< the path, or whether the scene is modified
     void saved(const QString &path);
     void problemFound(const QString &sentence);
-    void referenceMissing(const QString &sentence); ///< the scene was opened without its reference
 
 private:
-    /// A scene that is about to be shown.
-    struct Opening {
-        QString path;
-        FileState state;
-        Scene scene;
-        std::function<void()> restored; ///< set for a scene that has no file; called when it is shown
-    };
-    void show(const Opening &opening, const std::optional<ReferenceSource> &reference);
-    void finishOpening(const QString &problem);
-    void askToReplace(const std::function<void()> &proceed);
+    /// Shows the scene of that file, or of none if the path is empty.
+    void show(const Scene &scene, const QString &path, const FileState &state);
+
+    QMessageBox *ask(const char *name, const QString &title, const QString &text, QMessageBox::StandardButtons buttons,
+                     const std::function<void(int button)> &answered);
 
     Session *m_session;
     const Views &m_views;
     QWidget *m_window;
     QString m_path;
     FileState m_state; ///< of the file when it was last opened or saved
-
-    /// The reference that could not be opened; it is saved with the scene again.
-    std::optional<ReferenceSource> m_missing;
-    std::optional<Opening> m_opening; ///< set while its reference is being read
+    std::optional<ReferenceSource> m_missing; ///< the reference of the scene that has not been opened
 };
 
 } // namespace slidercrank

@@ -160,7 +160,6 @@ private slots:
         const QString data = folder.filePath(QStringLiteral("before/data/results.csv"));
         QVERIFY(QFile::copy(kSample, data));
         Session before;
-        QSignalSpy opened(&before, &Session::opened);
         const Channel slider{R4x, Order::Position};
         Scene scene;
         scene.reference = ReferenceSource{
@@ -168,7 +167,7 @@ private slots:
             {{2, ColumnRole::Channel, slider, "cm"}},
             {{Convention::Kind::HalfTurn, {kPlottedChannels[0]}, 180.0}, {Convention::Kind::TimeShift, {}, 0.125}}};
         before.open(toChoices(scene), 0.0, scene.reference);
-        QVERIFY(opened.wait(kPatience));
+        AWAIT(before.reference());
         scene.reference = toSource(*before.reference());
         QCOMPARE(writeScene(scene, folder.filePath(QStringLiteral("before/scene.json"))), std::nullopt);
         QVERIFY(QDir(folder.path()).rename(QStringLiteral("before"), QStringLiteral("after")));
@@ -176,10 +175,8 @@ private slots:
         const Scene back = std::get<Scene>(readScene(folder.filePath(QStringLiteral("after/scene.json"))));
         QCOMPARE(back.reference->paths, QStringList(folder.filePath(QStringLiteral("after/data/results.csv"))));
         Session after;
-        QSignalSpy reopened(&after, &Session::opened);
         after.open(toChoices(back), back.time, back.reference);
-        QVERIFY(reopened.wait(kPatience));
-        QCOMPARE(reopened.first().first().toString(), QString());
+        AWAIT(after.reference());
         const ReferenceData &was = before.reference()->data;
         const ReferenceData &is = after.reference()->data;
         QCOMPARE(is.time, was.time);
@@ -198,12 +195,12 @@ private slots:
     {
         Session session;
         session.loadReference(kSample);
-        QSignalSpy opened(&session, &Session::opened);
+        QSignalSpy refused(&session, &Session::referenceRefused);
         Choices choices;
         choices.parameters.b = 70.0;
         session.open(choices, 0.5, ReferenceSource{{QStringLiteral("/nowhere/results.csv")}, {}, {}});
-        QVERIFY(opened.wait(kPatience));
-        QVERIFY(opened.first().first().toString().contains(QLatin1String("results.csv")));
+        QVERIFY(refused.wait(kPatience));
+        QVERIFY(refused.first()[1].toString().contains(QLatin1String("results.csv")));
         QCOMPARE(session.parameters().b, 70.0);
         QCOMPARE(session.time(), 0.5);
         QVERIFY(!session.reference());

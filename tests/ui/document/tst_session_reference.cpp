@@ -95,10 +95,8 @@ private slots:
         Session session; // a scene keeps its own time range
         Choices saved;
         saved.sampling = {0.0, 2.0, 40};
-        QSignalSpy opened(&session, &Session::opened);
         session.open(saved, 1.0, ReferenceSource{{path}, {}, {}});
-        QVERIFY(opened.wait(kPatience));
-        QVERIFY(session.reference());
+        AWAIT(session.reference());
         QCOMPARE(session.sampling(), saved.sampling);
     }
 

@@ -6,6 +6,7 @@
 #include "tests/ui/window/window_fixture.h"
 
 #include "ui/widgets/number_slider.h"
+#include "ui/window/messages.h"
 #include "ui/window/presentation.h"
 
 #include <QAbstractItemView>
@@ -183,8 +184,8 @@ private:
     void checkEveryView(const std::function<void(QWidget *)> &check)
     {
         for (const bool withReference : {false, true}) {
-            QSettings().clear(); // the window then shows its greeting, too
             openWindow();
+            m_window->messages().greetOnce();
             if (withReference) {
                 openSample();
             }

@@ -6,6 +6,7 @@
 #include "tests/ui/window/window_fixture.h"
 
 #include "ui/panels/timeline.h"
+#include "ui/window/messages.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
@@ -225,8 +226,7 @@ private slots:
 
     void enterPressesAButton()
     {
-        QSettings().clear(); // the window then shows its greeting, which has a button
-        openWindow();
+        m_window->messages().greetOnce(); // shows a button
         showTab(3);
         part<QAbstractButton>("segment1")->click();
         settle(*m_window);

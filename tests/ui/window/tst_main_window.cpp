@@ -14,6 +14,7 @@
 #include "ui/text/language.h"
 #include "ui/widgets/folding_tabs.h"
 #include "ui/window/exports.h"
+#include "ui/window/messages.h"
 #include "ui/window/scene_file.h"
 #include "ui/window/window_settings.h"
 
@@ -94,13 +95,13 @@ private slots:
 
     void greetsTheFirstTimeOnly()
     {
-        QSettings().clear();
-        openWindow();
+        m_window->messages().greetOnce();
         QVERIFY(messages()->isVisible() && messages()->text().contains("Space"));
         child<QAbstractButton>(*messages(), "messageRemedy")->click();
         AWAIT(session().reference());
         QVERIFY(!messages()->text().contains("Space"));
         openWindow();
+        m_window->messages().greetOnce();
         QVERIFY(!messages()->isVisible());
     }
 

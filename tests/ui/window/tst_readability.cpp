@@ -12,6 +12,7 @@
 #include "ui/text/written_number.h"
 #include "ui/widgets/folding_tabs.h"
 #include "ui/window/exports.h"
+#include "ui/window/messages.h"
 #include "ui/window/scene_file.h"
 
 #include <QAbstractButton>
@@ -189,13 +190,14 @@ private slots:
     {
         for (const Language language : {Language::English, Language::Spanish}) {
             setLanguage(language);
-            QSettings().clear(); // the window then shows its greeting
+            resetSettings();
             Scene recovered;
             recovered.parameters.b = 70.0;
             const QDir folder = QFileInfo(QSettings().fileName()).dir();
             QVERIFY(folder.mkpath("."));
             QCOMPARE(writeScene(recovered, folder.filePath("recovery_left.json")), std::nullopt);
             openWindow();
+            m_window->messages().greetOnce();
             m_window->resize(kSmall);
             const auto fits = [this](const QString &page) {
                 settle(*m_window);

@@ -25,7 +25,6 @@ void useSettingsIn(const QString &path)
     QCoreApplication::setOrganizationName(QStringLiteral("slidercrank"));
     QCoreApplication::setApplicationName(QStringLiteral("slidercrank"));
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, path);
-    QSettings().setValue(QStringLiteral("greeted"), true);
 }
 
 /// Runs in another process: opens the scene, if any, sets b = 70 mm, and waits to be killed.
@@ -35,11 +34,7 @@ int editAndWait(const QString &settings, const QString &scene)
     MainWindow window;
     window.show();
     if (!scene.isEmpty()) {
-        QSignalSpy opened(&window.session(), &Session::opened);
         window.scene().open(scene);
-        if (opened.empty()) {
-            opened.wait(kPatience);
-        }
     }
     window.session().setParameter(Parameter::B, 70.0);
     letTimePass(*window.findChild<Recovery *>());

@@ -62,12 +62,7 @@ protected:
         resetSettings();
     }
 
-    /// Resets the settings to those after the first start.
-    static void resetSettings()
-    {
-        QSettings().clear();
-        QSettings().setValue(QStringLiteral("greeted"), true);
-    }
+    static void resetSettings() { QSettings().clear(); }
 
     /// Opens a window in place of the previous one.
     void openWindow()
