@@ -13,12 +13,10 @@
 #include "ui/document/whole_file.h"
 #include "ui/export/animation_export.h"
 #include "ui/panels/study_panel.h"
-#include "ui/text/language.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/window/exports.h"
 #include "ui/window/main_window.h"
 #include "ui/window/scene_file.h"
-#include "ui/window/window_settings.h"
 
 #include <QAbstractButton>
 #include <QApplication>
@@ -355,29 +353,6 @@ private slots:
         QVERIFY(file.open(QIODevice::ReadOnly));
         QCOMPARE(file.readAll(), QByteArray("older"));
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 1);
-    }
-
-    void settingsOnAFullDisk()
-    {
-        rememberLanguage(Language::Spanish);
-        rememberTheme(Theme::Dark);
-        saveLayout(*m_window);
-        const QString path = QSettings().fileName();
-        const QByteArray before = contentOf(path);
-        QVERIFY(before.contains("theme") && before.contains("language"));
-        for (const rlim_t limit : sizeLimitsFor(before.size())) {
-            const FileSizeLimit sizeLimit(limit);
-            rememberTheme(Theme::Light);
-            rememberFiles({QStringLiteral("x.json")});
-            rememberLanguage(Language::English);
-            saveLayout(*m_window);
-            recordTrial(QStringLiteral("%1 bytes").arg(limit),
-                        contentOf(path) == before ? QString() : QString::fromUtf8(contentOf(path)));
-        }
-        QCOMPARE(namesIn(QFileInfo(path).path()), QStringList(QFileInfo(path).fileName()));
-        QVERIFY2(m_faults.isEmpty(), qPrintable(m_faults.join(u'\n')));
-        rememberLanguage(Language::System); // this succeeds without the limit
-        QVERIFY(!contentOf(path).contains("language"));
     }
 
 private:

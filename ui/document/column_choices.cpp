@@ -2,7 +2,6 @@
 #include "ui/document/column_choices.h"
 
 #include "ui/document/settings_fields.h"
-#include "ui/text/remember.h"
 
 #include <QCryptographicHash>
 #include <QFileInfo>
@@ -53,7 +52,7 @@ void saveChoices(const FileLayout &layout, const QStringList &paths, const std::
 {
     QJsonArray array;
     std::ranges::transform(choices, std::back_inserter(array), toJson<ColumnChoice>);
-    remember({{settingsKey(layout, paths), choices.empty() ? QVariant() : QJsonDocument(array).toJson()}});
+    QSettings().setValue(settingsKey(layout, paths), QJsonDocument(array).toJson());
 }
 
 } // namespace slidercrank

@@ -18,7 +18,7 @@ namespace slidercrank
 /// Returns the saved choices for such files; empty if there are none.
 std::vector<ColumnChoice> savedChoices(const FileLayout &layout, const QStringList &paths);
 
-/// Saves the choices for such files. Without choices, removes those that are saved.
+/// Saves the choices for such files. They replace those that are saved.
 void saveChoices(const FileLayout &layout, const QStringList &paths, const std::vector<ColumnChoice> &choices);
 
 } // namespace slidercrank

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/language.h"
 
-#include "ui/text/remember.h"
-
 #include <QCoreApplication>
 #include <QLibraryInfo>
 #include <QLocale>
@@ -71,7 +69,7 @@ Language chosenLanguage()
 void rememberLanguage(Language language)
 {
     const QString code = codeOf(language == Language::Spanish ? QLocale::Spanish : QLocale::English);
-    remember({{kKey, language == Language::System ? QVariant() : code}});
+    QSettings().setValue(kKey, language == Language::System ? QString() : code);
 }
 
 } // namespace slidercrank

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/save_dialog.h"
 
-#include "ui/text/remember.h"
-
 #include <QCoreApplication>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -51,7 +49,7 @@ void chooseFileToSave(QWidget *parent, const SaveRequest &request)
     QObject::connect(dialog, &QFileDialog::fileSelected, parent, [parent, request, dialog](const QString &path) {
         const QString filter = dialog->selectedNameFilter();
         const QString completed = completedName(path, filter, request.filters);
-        remember({{kLastFolder, QFileInfo(completed).absolutePath()}});
+        QSettings().setValue(kLastFolder, QFileInfo(completed).absolutePath());
         if (completed == path || !QFileInfo::exists(completed)) {
             request.save(completed, filter);
             return;

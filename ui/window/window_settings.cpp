@@ -3,7 +3,6 @@
 
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/panels/timeline.h"
-#include "ui/text/remember.h"
 #include "ui/widgets/folding_tabs.h"
 
 #include <QAction>
@@ -29,10 +28,10 @@ const QString kSeparator = QStringLiteral("\x1f"); // between the paths of joine
 const QString kTheme = QStringLiteral("theme");
 const QString kWindow = QStringLiteral("layout/window");
 const QString kFolded = QStringLiteral("layout/folded");
-const QString kSplitterState = QStringLiteral("layout/%1");
+const QString kSplitterState = QStringLiteral("layout/");
 const QString kTab = QStringLiteral("view/tab");
 const QString kSpeed = QStringLiteral("view/speed");
-const QString kChoice = QStringLiteral("view/%1");
+const QString kChoice = QStringLiteral("view/");
 
 const QStringList kUnitBoxes{QStringLiteral("unit_omega2"), QStringLiteral("unit_theta20")};
 
@@ -57,7 +56,7 @@ void rememberFiles(const QStringList &paths)
     QStringList files = QSettings().value(kRecentFiles).toStringList();
     files.removeAll(paths.join(kSeparator));
     files.prepend(paths.join(kSeparator));
-    remember({{kRecentFiles, files.mid(0, kMostRecentFiles)}});
+    QSettings().setValue(kRecentFiles, files.mid(0, kMostRecentFiles));
 }
 
 QString recentFolder()
@@ -74,32 +73,30 @@ Theme chosenTheme()
 
 void rememberTheme(Theme theme)
 {
-    remember({{kTheme, static_cast<int>(theme)}});
+    QSettings().setValue(kTheme, static_cast<int>(theme));
 }
 
 void saveLayout(const QMainWindow &window)
 {
+    QSettings settings;
     const FoldingTabs &tabs = tabsIn(window);
-    QVariantMap layout{{kWindow, window.saveGeometry()},
-                       {kTab, tabs.currentIndex()},
-                       {kSpeed, window.findChild<Timeline *>()->speed()}};
+    settings.setValue(kWindow, window.saveGeometry());
+    settings.setValue(kTab, tabs.currentIndex());
+    settings.setValue(kSpeed, window.findChild<Timeline *>()->speed());
     if (tabs.chosen()) {
-        layout[kFolded] = *tabs.chosen();
+        settings.setValue(kFolded, *tabs.chosen());
     }
     for (const auto *splitter : window.findChildren<QSplitter *>()) {
         if (splitter != tabs.parentWidget() || !tabs.isFolded()) { // while folded, its state contains no height
-            layout[kSplitterState.arg(splitter->objectName())] = splitter->saveState();
+            settings.setValue(kSplitterState + splitter->objectName(), splitter->saveState());
         }
     }
     for (const QAction *choice : window.findChild<MechanismView *>()->choices()) {
-        if (choice->isCheckable()) {
-            layout[kChoice.arg(choice->objectName())] = choice->isChecked();
-        }
+        settings.setValue(kChoice + choice->objectName(), choice->isChecked());
     }
     for (const QString &name : kUnitBoxes) {
-        layout[kChoice.arg(name)] = window.findChild<QComboBox *>(name)->currentIndex();
+        settings.setValue(kChoice + name, window.findChild<QComboBox *>(name)->currentIndex());
     }
-    remember(layout);
 }
 
 void restoreLayout(QMainWindow &window)
@@ -107,22 +104,22 @@ void restoreLayout(QMainWindow &window)
     const QSettings settings;
     FoldingTabs &tabs = tabsIn(window);
     window.restoreGeometry(settings.value(kWindow).toByteArray());
-    tabs.setCurrentIndex(settings.value(kTab, 0).toInt());
+    tabs.setCurrentIndex(settings.value(kTab).toInt());
     window.findChild<Timeline *>()->setSpeed(settings.value(kSpeed, 1.0).toDouble());
     for (auto *splitter : window.findChildren<QSplitter *>()) {
-        splitter->restoreState(settings.value(kSplitterState.arg(splitter->objectName())).toByteArray());
+        splitter->restoreState(settings.value(kSplitterState + splitter->objectName()).toByteArray());
     }
     if (settings.contains(kFolded)) {
         tabs.choose(settings.value(kFolded).toBool());
     }
     for (QAction *choice : window.findChild<MechanismView *>()->choices()) {
-        if (choice->isCheckable() && choice->isChecked() != settings.value(kChoice.arg(choice->objectName())).toBool()) {
+        if (choice->isChecked() != settings.value(kChoice + choice->objectName()).toBool()) {
             choice->trigger();
         }
     }
     for (const QString &name : kUnitBoxes) {
         auto *box = window.findChild<QComboBox *>(name);
-        box->setCurrentIndex(std::clamp(settings.value(kChoice.arg(name)).toInt(), 0, box->count() - 1));
+        box->setCurrentIndex(std::clamp(settings.value(kChoice + name).toInt(), 0, box->count() - 1));
         emit box->activated(box->currentIndex());
     }
 }
