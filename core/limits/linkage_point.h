@@ -20,10 +20,6 @@ struct PlaneVector {
     double y = 0.0;
 
     double length() const { return std::sqrt(x * x + y * y); }
-    friend PlaneVector operator*(const PlaneVector &vector, double factor)
-    {
-        return {vector.x * factor, vector.y * factor};
-    }
 };
 
 /// Position, velocity and acceleration of a point (mm, s); NaN if they do not exist.

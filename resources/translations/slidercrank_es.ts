@@ -2196,78 +2196,58 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
     </message>
 </context>
 <context>
-    <name>slidercrank::MechanismArrows</name>
-    <message>
-        <source>at rest</source>
-        <translation>en reposo</translation>
-    </message>
-    <message>
-        <source>Scale: %1 mm = %2 %3</source>
-        <translation>Escala: %1 mm = %2 %3</translation>
-    </message>
-</context>
-<context>
-    <name>slidercrank::MechanismCentre</name>
-    <message>
-        <source>no velocity: the coupler is perpendicular to the slider&apos;s line</source>
-        <translation>sin velocidad: la biela está perpendicular a la línea de la corredera</translation>
-    </message>
-    <message>
-        <source>Instant centre P at infinity: the coupler translates at %1 mm/s</source>
-        <translation>Centro instantáneo P en el infinito: la biela se traslada a %1 mm/s</translation>
-    </message>
-    <message>
-        <source>Instant centre P, ω₃ = %1 rad/s; PA = %2 mm, PB = %3 mm</source>
-        <translation>Centro instantáneo P, ω₃ = %1 rad/s; PA = %2 mm, PB = %3 mm</translation>
-    </message>
-</context>
-<context>
-    <name>slidercrank::MechanismLabels</name>
-    <message>
-        <source>O₂</source>
-        <translation>O₂</translation>
-    </message>
-    <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
-    <message>
-        <source>G₃</source>
-        <translation>G₃</translation>
-    </message>
-    <message>
-        <source>outer dead centre</source>
-        <translation>punto muerto exterior</translation>
-    </message>
-    <message>
-        <source>inner dead centre</source>
-        <translation>punto muerto interior</translation>
-    </message>
-</context>
-<context>
-    <name>slidercrank::MechanismLinkage</name>
-    <message>
-        <source>file</source>
-        <translation>archivo</translation>
-    </message>
+    <name>slidercrank::MechanismSketch</name>
     <message>
         <source>gap = %1 mm</source>
-        <translation>hueco = %1 mm</translation>
+        <translation type="unfinished">hueco = %1 mm</translation>
+    </message>
+    <message>
+        <source>file</source>
+        <translation type="unfinished">archivo</translation>
     </message>
     <message>
         <source>pinned</source>
-        <translation>fijado</translation>
+        <translation type="unfinished">fijado</translation>
     </message>
-</context>
-<context>
-    <name>slidercrank::MechanismScenery</name>
+    <message>
+        <source>no velocity: the coupler is perpendicular to the slider&apos;s line</source>
+        <translation>sin velocidad: la biela es perpendicular a la línea de la corredera</translation>
+    </message>
+    <message>
+        <source>Instant centre P at infinity: the coupler translates at %1 mm/s</source>
+        <translation type="unfinished">Centro instantáneo P en el infinito: la biela se traslada a %1 mm/s</translation>
+    </message>
+    <message>
+        <source>Instant centre P, ω₃ = %1 rad/s; PA = %2 mm, PB = %3 mm</source>
+        <translation type="unfinished">Centro instantáneo P, ω₃ = %1 rad/s; PA = %2 mm, PB = %3 mm</translation>
+    </message>
+    <message>
+        <source>O₂</source>
+        <translation type="unfinished">O₂</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation type="unfinished">A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation type="unfinished">B</translation>
+    </message>
+    <message>
+        <source>G₃</source>
+        <translation type="unfinished">G₃</translation>
+    </message>
+    <message>
+        <source>outer dead centre</source>
+        <translation type="unfinished">punto muerto exterior</translation>
+    </message>
+    <message>
+        <source>inner dead centre</source>
+        <translation type="unfinished">punto muerto interior</translation>
+    </message>
     <message>
         <source>mm</source>
-        <translation>mm</translation>
+        <translation type="unfinished">mm</translation>
     </message>
 </context>
 <context>
@@ -2351,6 +2331,14 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
     <message>
         <source>The mechanism cannot be assembled at θ₂ = %1°: the coupler is too short. The crank makes full turns if b ≥ %2 mm.</source>
         <translation>El mecanismo no se puede ensamblar con θ₂ = %1°: la biela es demasiado corta. La manivela da vueltas completas si b ≥ %2 mm.</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation type="unfinished">en reposo</translation>
+    </message>
+    <message>
+        <source>Scale: %1 mm = %2 %3</source>
+        <translation type="unfinished">Escala: %1 mm = %2 %3</translation>
     </message>
 </context>
 <context>

@@ -66,27 +66,9 @@ DrawnPart MechanismDrawing::partAt(QPointF pixel) const
     return shape == m_shapes.rend() ? Background : shape->part;
 }
 
-std::set<DrawnPart> MechanismDrawing::parts() const
+bool MechanismDrawing::has(DrawnPart part) const
 {
-    std::set<DrawnPart> parts;
-    for (const DrawnShape &shape : m_shapes) {
-        parts.insert(shape.part);
-    }
-    parts.erase(Background);
-    return parts;
-}
-
-QRectF MechanismDrawing::bounds() const
-{
-    QRectF bounds;
-    for (const DrawnShape &shape : m_shapes) {
-        const double margin = shape.pen.widthF();
-        bounds |= shape.path.controlPointRect().adjusted(-margin, -margin, margin, margin);
-    }
-    for (const Label &label : m_labels) {
-        bounds |= label.box;
-    }
-    return bounds;
+    return std::ranges::find(m_shapes, part, &DrawnShape::part) != m_shapes.end();
 }
 
 void MechanismDrawing::add(const QPainterPath &path, const QPen &pen, const QBrush &brush, DrawnPart part)

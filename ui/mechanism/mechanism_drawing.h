@@ -14,7 +14,6 @@
 #include <QPen>
 #include <QString>
 
-#include <set>
 #include <vector>
 
 class QPainter;
@@ -70,10 +69,8 @@ public:
     /// Returns the part of the last shape under the pointer, within a few pixels.
     DrawnPart partAt(QPointF pixel) const;
 
-    std::set<DrawnPart> parts() const;
-
-    /// Returns a rectangle that contains all shapes and labels.
-    QRectF bounds() const;
+    /// Returns whether a shape belongs to the part.
+    bool has(DrawnPart part) const;
 
     const std::vector<DrawnShape> &shapes() const { return m_shapes; }
     const std::vector<Label> &labels() const { return m_labels; }

@@ -5,7 +5,6 @@
 #include "ui/mechanism/mechanism_text.h"
 #include "ui/text/written_number.h"
 
-#include <QCoreApplication>
 #include <QFontMetricsF>
 
 #include <algorithm>
@@ -17,25 +16,14 @@ namespace slidercrank
 namespace
 {
 
-struct MechanismLinkage {
-    Q_DECLARE_TR_FUNCTIONS(slidercrank::MechanismLinkage)
-};
-
 constexpr double kCrankWidth = 10.5;
 constexpr double kCouplerWidth = 8.0;
 constexpr double kJointRadius = 6.0; // covers the ends of the links
 
-QRectF sliderBox(QPointF centre)
-{
-    QRectF box(0.0, 0.0, 38.0, 24.0);
-    box.moveCenter(centre);
-    return box;
-}
-
 QPainterPath sliderPath(QPointF centre)
 {
     QPainterPath path;
-    path.addRect(sliderBox(centre));
+    path.addRect(QRectF(centre - QPointF(19.0, 12.0), QSizeF(38.0, 24.0)));
     return path;
 }
 
@@ -47,14 +35,21 @@ void MechanismSketch::addLinkage()
         return;
     }
     const MechanismSettings &settings = m_scene->settings;
-    avoidLinkage();
+    avoid(QRectF(m_O2 - QPointF(17.0, 0.0), QSizeF(34.0, 24.0))); // the ground below O2
+    if (cornerLineCount() > 0) {
+        constexpr double kUsualWidth = 240.0;
+        avoid(QRectF(0.0, 0.0, kUsualWidth, cornerLineTop(cornerLineCount())));
+    }
+    if (settings.dimensions) {
+        avoid(offsetDimension(), 24.0); // with its letter
+    }
     addModel();
     if (m_exists) {
         if (settings.acceleration) {
-            addMotionArrows(MotionKind::Acceleration, m_scene->acceleration, true);
+            addMotionArrows(m_scene->acceleration, true);
         }
         if (settings.showsVelocity()) { // with the instant centre, those of A and B are shown
-            addMotionArrows(MotionKind::Velocity, m_scene->velocity, settings.velocity);
+            addMotionArrows(m_scene->velocity, settings.velocity);
         }
         if (settings.instantCentre) {
             addInstantCentre();
@@ -77,24 +72,6 @@ void MechanismSketch::addLinkage()
     }
 }
 
-/// Prevents labels from overlapping the links, the slider, the ground and the dimensions.
-void MechanismSketch::avoidLinkage()
-{
-    avoid(QRectF(m_O2 - QPointF(17.0, 0.0), QSizeF(34.0, 24.0))); // the ground below O2
-    if (cornerLineCount() > 0) {
-        constexpr double kUsualWidth = 240.0;
-        avoid(QRectF(0.0, 0.0, kUsualWidth, cornerLineTop(cornerLineCount())));
-    }
-    if (m_scene->settings.dimensions) {
-        avoid(offsetDimension(), 24.0); // with its letter
-    }
-    if (m_exists) {
-        avoid({m_O2, m_A}, kCrankWidth);
-        avoid({m_A, m_B}, kCouplerWidth);
-        avoid(sliderBox(m_B));
-    }
-}
-
 void MechanismSketch::addLink(QPointF from, QPointF to, double width, const QColor &colour, DrawnPart part)
 {
     addLine(from, to, QPen(colour, width, Qt::SolidLine, Qt::FlatCap), part);
@@ -112,7 +89,11 @@ void MechanismSketch::addModel()
     const QColor &link = m_exists ? m_colours.model : m_colours.warning;
     addCircle(m_A, kAroundPin, Qt::NoPen, Qt::transparent, A);
     if (m_exists) {
-        add(sliderPath(m_B), QPen(m_ink, 1.5), faded(m_ink, 0.15), Slider);
+        const QPainterPath slider = sliderPath(m_B);
+        add(slider, QPen(m_ink, 1.5), faded(m_ink, 0.15), Slider);
+        avoid(slider.boundingRect());
+        avoid({m_O2, m_A}, kCrankWidth);
+        avoid({m_A, m_B}, kCouplerWidth);
         addLink(m_A, m_B, kCouplerWidth, link, Coupler);
     }
     addLink(m_O2, m_A, kCrankWidth, link, Crank);
@@ -136,20 +117,19 @@ void MechanismSketch::addMissingCoupler()
     const QLineF gap(toPixels({pin.x(), nearest}), toPixels({pin.x(), mechanism().c()}));
     addDimension(gap.p1(), gap.p2(), m_colours.warning);
     addLabelBeside(gap.center(), {1.0, 0.0}, 8.0,
-                   MechanismLinkage::tr("gap = %1 mm").arg(numberText(std::abs(mechanism().c() - nearest), 4)), m_ink);
+                   tr("gap = %1 mm").arg(numberText(std::abs(mechanism().c() - nearest), 4)), m_ink);
 }
 
-/// Adds the reason why the mechanism cannot be assembled and what would help, in the corner away from the crank and the
-/// slider's line.
+/// Adds the reason why the mechanism cannot be assembled and what would help.
 void MechanismSketch::addAssemblyProblem()
 {
     constexpr double kApart = 17.0; // from the edges
     const QString text = assemblyProblem(*m_scene);
     const QRectF available(0.0, 0.0, std::max(160.0, 0.45 * size.width()), 1e4);
-    QRectF box = QFontMetricsF(m_font).boundingRect(available, Qt::TextWordWrap, text);
+    const QSizeF extent = QFontMetricsF(m_font).boundingRect(available, Qt::TextWordWrap, text).size();
     const double numbers = textSize({}).height(); // the numbers of the grid along the lower edge
-    box.moveLeft(mechanism().branch() == Branch::Open ? size.width() - kApart - box.width() : kApart);
-    box.moveTop(mechanism().c() < 0.0 ? kApart : size.height() - kApart - numbers - box.height());
+    const QRectF inside = QRectF(QPointF(), size).adjusted(kApart, kApart, -kApart, -kApart - numbers);
+    const QRectF box = m_scene->inFreeCorner(inside, extent);
     QPainterPath frame;
     frame.addRoundedRect(box.adjusted(-9.0, -9.0, 9.0, 9.0), 4.0, 4.0);
     add(frame, QPen(m_colours.warning, 1.0), withAlpha(m_paper, 0.93));
@@ -172,7 +152,7 @@ void MechanismSketch::addGhost()
     add(path, QPen(colour, 1.6));
     avoid(coupler, 2.0);
     addLabelBeside(coupler.p2(), {0.0, coupler.dy() > 0.0 ? 1.0 : -1.0}, 22.0,
-                   isFile ? MechanismLinkage::tr("file") : MechanismLinkage::tr("pinned"), colour, true);
+                   isFile ? tr("file") : tr("pinned"), colour, true);
 }
 
 } // namespace slidercrank

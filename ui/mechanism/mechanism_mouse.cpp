@@ -130,11 +130,9 @@ void MechanismView::mouseReleaseEvent(QMouseEvent *event)
     }
     const bool isClick = !m_pressed->hasMoved && event->button() == Qt::LeftButton;
     endDrag();
-    const MotionLimits &limits = m_scene.result->limits;
-    if (isClick && m_pointed == DrawnPart::OuterDeadCentre) {
-        goToCrankAngle(limits.outer->theta2);
-    } else if (isClick && m_pointed == DrawnPart::InnerDeadCentre) {
-        goToCrankAngle(limits.inner->theta2);
+    if (isClick && (m_pointed == DrawnPart::OuterDeadCentre || m_pointed == DrawnPart::InnerDeadCentre)) {
+        const MotionLimits &limits = m_scene.result->limits;
+        goToCrankAngle((m_pointed == DrawnPart::OuterDeadCentre ? limits.outer : limits.inner)->theta2);
     }
     const bool isInside = rect().contains(event->position().toPoint());
     pointAt(isInside ? partUnder(event->position()) : DrawnPart::Background,
@@ -154,15 +152,13 @@ void MechanismView::mouseDoubleClickEvent(QMouseEvent *event)
 
 void MechanismView::wheelEvent(QWheelEvent *event)
 {
-    constexpr double kZoomPerNotch = 1.25;
     constexpr double kNotch = 120.0; // angleDelta() of one notch of a mouse wheel
     const double notches = event->angleDelta().y() / kNotch;
     if (notches == 0.0 || m_pressed) {
         QWidget::wheelEvent(event);
         return;
     }
-    zoomBy(std::pow(kZoomPerNotch, notches), event->position());
-    event->accept();
+    zoomBy(notches, event->position());
 }
 
 void MechanismView::goToCrankAngle(double theta2)
@@ -221,18 +217,17 @@ void MechanismView::pointAt(DrawnPart part, bool withShift)
 }
 
 /// Points at the next part, or with -1 at the previous one, in the order of DrawnPart.
-void MechanismView::pointAtNext(std::ptrdiff_t step)
+void MechanismView::pointAtNext(int step)
 {
+    constexpr int kCount = static_cast<int>(DrawnPart::ForbiddenArc) + 1;
     if (!m_scene.result || m_pressed) {
         return;
     }
-    std::set<DrawnPart> drawn = m_scenery.parts();
-    drawn.merge(m_linkage.parts());
-    drawn.insert(DrawnPart::Background);
-    const std::vector<DrawnPart> parts(drawn.begin(), drawn.end());
-    const auto count = static_cast<std::ptrdiff_t>(parts.size());
-    const std::ptrdiff_t now = std::ranges::find(parts, m_pointed) - parts.begin();
-    pointAt(parts[static_cast<std::size_t>((now + step + count) % count)], false);
+    DrawnPart part = m_pointed;
+    do {
+        part = static_cast<DrawnPart>((static_cast<int>(part) + step + kCount) % kCount);
+    } while (part != DrawnPart::Background && !m_scenery.has(part) && !m_linkage.has(part));
+    pointAt(part, false);
     m_noteDelay->stop();
     showNote();
 }

@@ -4,7 +4,6 @@
 #include "core/limits/instant_centre.h"
 #include "ui/text/axis_scale.h"
 
-#include <QCoreApplication>
 #include <QLocale>
 
 #include <algorithm>
@@ -15,14 +14,6 @@ namespace slidercrank
 
 namespace
 {
-
-struct MechanismLabels {
-    Q_DECLARE_TR_FUNCTIONS(slidercrank::MechanismLabels)
-};
-
-struct MechanismCentre {
-    Q_DECLARE_TR_FUNCTIONS(slidercrank::MechanismCentre)
-};
 
 constexpr double kBesideJoint = 9.0;
 
@@ -35,23 +26,23 @@ bool isAtInfinity(const InstantCentre &centre, const Mechanism &mechanism)
 
 QString instantCentreText(const InstantCentre &centre, const Mechanism &mechanism)
 {
-    const auto text = [](double value) { return shortNumber(value, 4); };
+    constexpr int kDigits = 4;
     if (!std::isfinite(centre.omega3)) {
-        return MechanismCentre::tr("no velocity: the coupler is perpendicular to the slider's line");
+        return MechanismSketch::tr("no velocity: the coupler is perpendicular to the slider's line");
     }
-    if (isAtInfinity(centre, mechanism)) {
-        return MechanismCentre::tr("Instant centre P at infinity: the coupler translates at %1 mm/s")
-            .arg(text(mechanism.a() * std::abs(mechanism.omega2())));
-    }
-    return MechanismCentre::tr("Instant centre P, ω₃ = %1 rad/s; PA = %2 mm, PB = %3 mm")
-        .arg(text(centre.omega3), text(centre.toA), text(centre.toB));
+    return isAtInfinity(centre, mechanism)
+               ? MechanismSketch::tr("Instant centre P at infinity: the coupler translates at %1 mm/s")
+                     .arg(shortNumber(mechanism.a() * std::abs(mechanism.omega2()), kDigits))
+               : MechanismSketch::tr("Instant centre P, ω₃ = %1 rad/s; PA = %2 mm, PB = %3 mm")
+                     .arg(shortNumber(centre.omega3, kDigits), shortNumber(centre.toA, kDigits),
+                          shortNumber(centre.toB, kDigits));
 }
 
 } // namespace
 
 /// Adds an arrow with a filled head for a velocity and with a hollow head for an acceleration, so that they differ not
 /// only in colour.
-void MechanismSketch::addArrow(QPointF tail, QPointF tip, MotionKind kind, bool isCut)
+void MechanismSketch::addArrow(QPointF tail, QPointF tip, const ArrowScale &arrows, bool isCut)
 {
     const double length = QLineF(tail, tip).length();
     if (length < 1.0) {
@@ -59,27 +50,27 @@ void MechanismSketch::addArrow(QPointF tail, QPointF tip, MotionKind kind, bool 
     }
     const QPointF direction = (tip - tail) / length;
     const double head = std::min(10.0, 0.6 * length);
-    const bool isVelocity = kind == MotionKind::Velocity;
-    const QColor &colour = isVelocity ? m_colours.errorOther : m_colours.error;
+    const QColor &colour = arrows.isOfVelocity() ? m_colours.errorOther : m_colours.error;
     addLine(tail, tip - 0.9 * head * direction, QPen(colour, 2.0, isCut ? Qt::DashLine : Qt::SolidLine, Qt::FlatCap));
     addArrowHead(tip, direction, head, colour);
-    if (!isVelocity) {
+    if (!arrows.isOfVelocity()) {
         addArrowHead(tip - 0.3 * head * direction, direction, 0.5 * head, m_paper);
     }
     avoid({tail, tip}, 4.0);
 }
 
-void MechanismSketch::addMotionArrows(MotionKind kind, const ArrowScale &arrows, bool withCentreOfMass)
+void MechanismSketch::addMotionArrows(const ArrowScale &arrows, bool withCentreOfMass)
 {
     for (const LinkagePoint point : kLinkagePoints) {
         const PointMotion motion = m_scene->motion(point);
-        const PlaneVector &vector = arrowVector(motion, kind);
+        const PlaneVector &vector = motion.*arrows.vector;
         const double amount = vector.length();
         if (amount > 0.0 && std::isfinite(amount) && (point != LinkagePoint::G3 || withCentreOfMass)) {
             const double shortened = std::min(1.0, arrows.largest / amount);
-            const PlaneVector drawn = vector * (shortened * arrows.length / arrows.amount);
+            const double mmPerUnit = shortened * arrows.length / arrows.amount;
             const QPointF tail(motion.position.x, motion.position.y);
-            addArrow(toPixels(tail), toPixels(tail + QPointF(drawn.x, drawn.y)), kind, shortened < 1.0 - 1e-9);
+            addArrow(toPixels(tail), toPixels(tail + mmPerUnit * QPointF(vector.x, vector.y)), arrows,
+                     shortened < 1.0 - 1e-9);
         }
     }
 }
@@ -127,16 +118,16 @@ void MechanismSketch::addRay(LinkagePoint point, QPointF centre)
 void MechanismSketch::addNames()
 {
     const QPointF coupler = m_exists ? unitVector(m_B - m_A) : QPointF();
-    addLabelBeside(m_O2, {-1.0, 0.4}, kBesideJoint + 8.0, MechanismLabels::tr("O₂"), m_ink);
-    addLabelBeside(m_A, unitVector(m_A - m_O2) - coupler, kBesideJoint, MechanismLabels::tr("A"), m_ink);
+    addLabelBeside(m_O2, {-1.0, 0.4}, kBesideJoint + 8.0, tr("O₂"), m_ink);
+    addLabelBeside(m_A, unitVector(m_A - m_O2) - coupler, kBesideJoint, tr("A"), m_ink);
     if (m_exists) {
         const QPointF across(coupler.y(), -coupler.x());
-        addLabelBeside(m_B, {0.0, -1.0}, 20.0, MechanismLabels::tr("B"), m_ink);
-        addLabelBeside(0.5 * (m_A + m_B), across.y() < 0.0 ? across : -across, kBesideJoint, MechanismLabels::tr("G₃"),
+        addLabelBeside(m_B, {0.0, -1.0}, 20.0, tr("B"), m_ink);
+        addLabelBeside(0.5 * (m_A + m_B), across.y() < 0.0 ? across : -across, kBesideJoint, tr("G₃"),
                        m_ink);
     }
-    for (const auto &[centre, name] : {std::pair(limits().outer, MechanismLabels::tr("outer dead centre")),
-                                       {limits().inner, MechanismLabels::tr("inner dead centre")}}) {
+    for (const auto &[centre, name] : {std::pair(limits().outer, tr("outer dead centre")),
+                                       {limits().inner, tr("inner dead centre")}}) {
         if (centre) {
             const double aboveNameOfB = 23.0 + textSize(name).height();
             addLabelBeside(toPixels({centre->R4x, mechanism().c()}), {0.0, -1.0}, aboveNameOfB, name, m_muted, true);

@@ -4,73 +4,11 @@
 #include "ui/mechanism/mechanism_frame.h"
 #include "ui/text/written_number.h"
 
-#include <QCoreApplication>
-
 #include <algorithm>
 #include <cmath>
 
 namespace slidercrank
 {
-
-namespace
-{
-
-struct MechanismArrows {
-    Q_DECLARE_TR_FUNCTIONS(slidercrank::MechanismArrows)
-};
-
-} // namespace
-
-Cycle computeCycle(const Mechanism &mechanism, const MotionLimits &limits)
-{
-    constexpr int kSteps = 180;
-    Cycle cycle;
-    for (const CrankRange &range : limits.ranges) {
-        std::vector<LinkageMotion> &arc = cycle.emplace_back();
-        for (const double theta2 : anglesAcross(range, kSteps)) {
-            const LinkageMotion motion = linkageMotion(withCrankAt(mechanism, theta2), 0.0);
-            if (!std::isnan(motion.front().position.x)) {
-                arc.push_back(motion);
-            }
-        }
-    }
-    return cycle;
-}
-
-ArrowScale computeArrowScale(const Cycle &cycle, MotionKind kind, const Mechanism &mechanism, double longest)
-{
-    // Times that of the crank pin, since an unbounded motion would make all other arrows tiny.
-    constexpr double kLargest = 2.5;
-    const double omega2 = std::abs(mechanism.omega2());
-    ArrowScale scale;
-    scale.largest = kLargest * mechanism.a() * (kind == MotionKind::Velocity ? omega2 : omega2 * omega2);
-    double largest = 0.0;
-    for (const std::vector<LinkageMotion> &arc : cycle) {
-        for (const LinkageMotion &sample : arc) {
-            for (const PointMotion &motion : sample) {
-                largest = std::fmax(largest, std::min(scale.largest, arrowVector(motion, kind).length()));
-            }
-        }
-    }
-    if (largest > 0.0) {
-        scale.length = nextRoundNumber(0.4 * longest);
-        scale.amount = nextRoundNumber(largest / longest * scale.length);
-    }
-    return scale;
-}
-
-QString arrowScaleText(const ArrowScale &scale, MotionKind kind)
-{
-    const QString unit = kind == MotionKind::Velocity ? QStringLiteral("mm/s") : QStringLiteral("mm/s²");
-    return scale.amount == 0.0 ? MechanismArrows::tr("at rest")
-                               : MechanismArrows::tr("Scale: %1 mm = %2 %3")
-                                     .arg(numberText(scale.length), numberText(scale.amount), unit);
-}
-
-const PlaneVector &arrowVector(const PointMotion &motion, MotionKind kind)
-{
-    return kind == MotionKind::Velocity ? motion.velocity : motion.acceleration;
-}
 
 QPointF MechanismScene::crankPin() const
 {
@@ -82,18 +20,57 @@ PointMotion MechanismScene::motion(LinkagePoint point) const
     return linkageMotion(mechanism(), pose.time)[static_cast<std::size_t>(point)];
 }
 
+QRectF MechanismScene::inFreeCorner(const QRectF &area, const QSizeF &size) const
+{
+    QRectF box(area.topLeft(), size);
+    if (mechanism().branch() == Branch::Open) {
+        box.moveRight(area.right());
+    }
+    if (mechanism().c() >= 0.0) {
+        box.moveBottom(area.bottom());
+    }
+    return box;
+}
+
 void MechanismScene::updateCycle()
 {
+    constexpr int kSteps = 180;
     cycle.clear();
     if (!result || !(settings.showsVelocity() || settings.acceleration || settings.path)) {
         return;
     }
-    constexpr double kLongestArrow = 0.25; // of the mechanism's extent
+    for (const CrankRange &range : result->limits.ranges) {
+        std::vector<LinkageMotion> &arc = cycle.emplace_back();
+        for (const double theta2 : anglesAcross(range, kSteps)) {
+            const LinkageMotion motion = linkageMotion(withCrankAt(mechanism(), theta2), 0.0);
+            if (!std::isnan(motion.front().position.x)) {
+                arc.push_back(motion);
+            }
+        }
+    }
+    updateScale(velocity);
+    updateScale(acceleration);
+}
+
+/// Chooses a round scale with which no arrow of the cycle is longer than a part of the mechanism's extent.
+void MechanismScene::updateScale(ArrowScale &scale)
+{
+    constexpr double kLongest = 0.25; // times the extent
+    constexpr double kLargest = 2.5;  // times that of A, since an unbounded motion would make all other arrows tiny
     const QRectF bounds = motionBounds(mechanism(), result->limits);
-    const double longest = kLongestArrow * std::max(bounds.width(), bounds.height());
-    cycle = computeCycle(mechanism(), result->limits);
-    velocity = computeArrowScale(cycle, MotionKind::Velocity, mechanism(), longest);
-    acceleration = computeArrowScale(cycle, MotionKind::Acceleration, mechanism(), longest);
+    const double longest = kLongest * std::max(bounds.width(), bounds.height());
+    const double omega2 = std::abs(mechanism().omega2());
+    scale.largest = kLargest * mechanism().a() * (scale.isOfVelocity() ? omega2 : omega2 * omega2);
+    double largest = 0.0;
+    for (const std::vector<LinkageMotion> &arc : cycle) {
+        for (const LinkageMotion &sample : arc) {
+            for (const PointMotion &motion : sample) {
+                largest = std::fmax(largest, std::min(scale.largest, (motion.*scale.vector).length()));
+            }
+        }
+    }
+    scale.length = largest > 0.0 ? nextRoundNumber(0.4 * longest) : 0.0;
+    scale.amount = largest > 0.0 ? nextRoundNumber(largest / longest * scale.length) : 0.0;
 }
 
 } // namespace slidercrank

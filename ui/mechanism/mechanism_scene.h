@@ -11,8 +11,7 @@
 #include "ui/document/result.h"
 #include "ui/document/view_settings.h"
 
-#include <QPointF>
-#include <QString>
+#include <QRectF>
 
 #include <memory>
 #include <vector>
@@ -20,27 +19,15 @@
 namespace slidercrank
 {
 
-enum class MotionKind { Velocity, Acceleration };
-
-/// The motion over one revolution, or over each range of an oscillating crank.
-using Cycle = std::vector<std::vector<LinkageMotion>>;
-
-Cycle computeCycle(const Mechanism &mechanism, const MotionLimits &limits);
-
+/// The scale of the arrows of the velocities or of the accelerations.
 struct ArrowScale {
-    double length = 0.0;  ///< mm of the drawing
-    double amount = 0.0;  ///< the mm/s or mm/s² that this length represents; 0 if nothing moves
-    double largest = 0.0; ///< arrows of larger amounts are shortened, mm/s or mm/s²
+    PlaneVector PointMotion::*vector; ///< the vector that an arrow represents
+    double length = 0.0;              ///< mm of the drawing
+    double amount = 0.0;              ///< the mm/s or mm/s² that this length represents; 0 if nothing moves
+    double largest = 0.0;             ///< arrows of larger amounts are shortened, mm/s or mm/s²
+
+    bool isOfVelocity() const { return vector == &PointMotion::velocity; }
 };
-
-/// Returns a round scale with which no arrow of the cycle is longer than `longest` (mm).
-ArrowScale computeArrowScale(const Cycle &cycle, MotionKind kind, const Mechanism &mechanism, double longest);
-
-/// Returns "Scale: 10 mm = 50 mm/s".
-QString arrowScaleText(const ArrowScale &scale, MotionKind kind);
-
-/// Returns the vector that the arrow represents.
-const PlaneVector &arrowVector(const PointMotion &motion, MotionKind kind);
 
 struct MechanismScene {
     std::shared_ptr<const Result> result; ///< null if nothing is to be drawn
@@ -48,10 +35,11 @@ struct MechanismScene {
     ReferencePose ghost; ///< the linkage of the reference or of the pinned motion
     MechanismSettings settings;
 
-    // These are empty unless arrows or the path of G3 are shown.
-    Cycle cycle;
-    ArrowScale velocity;
-    ArrowScale acceleration;
+    /// The motion over one revolution, or over each range of an oscillating crank. Empty unless arrows or the path of G3
+    /// are shown.
+    std::vector<std::vector<LinkageMotion>> cycle;
+    ArrowScale velocity{&PointMotion::velocity};
+    ArrowScale acceleration{&PointMotion::acceleration};
 
     const Mechanism &mechanism() const { return result->mechanism; }
 
@@ -63,8 +51,14 @@ struct MechanismScene {
 
     PointMotion motion(LinkagePoint point) const;
 
+    /// Returns a box of that size in the corner of the area that is away from the crank and the slider's line.
+    QRectF inFreeCorner(const QRectF &area, const QSizeF &size) const;
+
     /// Updates the cycle and the scales. Call it when the mechanism or the settings change.
     void updateCycle();
+
+private:
+    void updateScale(ArrowScale &scale);
 };
 
 } // namespace slidercrank

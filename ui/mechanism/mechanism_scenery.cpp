@@ -4,8 +4,6 @@
 #include "ui/mechanism/mechanism_text.h"
 #include "ui/text/written_number.h"
 
-#include <QCoreApplication>
-
 #include <algorithm>
 #include <cmath>
 
@@ -14,10 +12,6 @@ namespace slidercrank
 
 namespace
 {
-
-struct MechanismScenery {
-    Q_DECLARE_TR_FUNCTIONS(slidercrank::MechanismScenery)
-};
 
 constexpr double kBelowLine = 13.0; // from the slider's line to the rail
 
@@ -63,7 +57,7 @@ void MechanismSketch::addGrid()
         m_labels.push_back({text, box, m_muted, Qt::transparent, true});
         return box;
     };
-    const QRectF corner = addNumber({1.0, size.height()}, MechanismScenery::tr("mm"));
+    const QRectF corner = addNumber({1.0, size.height()}, tr("mm"));
     QPainterPath grid;
     for (double i = std::ceil(shown.left() / step); i <= std::floor(shown.right() / step); i += 1.0) {
         const double x = std::floor(toPixels({i * step, 0.0}).x()) + 0.5; // in the middle of a pixel
@@ -174,22 +168,22 @@ void MechanismSketch::addDimensionsAndScales()
         addLine(offset.p1(), m_O2, QPen(m_muted, 1.0));
         addDimension(offset.p1(), offset.p2(), m_muted);
         addLabelBeside(offset.center(), {m_O2.x() < offset.x1() ? 1.0 : -1.0, 0.0}, 3.0, QStringLiteral("c"), m_ink);
-        addCornerLabel(line++, 0.0,
-                       QStringList{lengthText(QStringLiteral("a"), mechanism().a()),
-                                   lengthText(QStringLiteral("b"), mechanism().b()),
-                                   lengthText(QStringLiteral("c"), mechanism().c())}
-                           .join(QStringLiteral("   ")));
+        QStringList lengths;
+        for (const Parameter length : {Parameter::A, Parameter::B, Parameter::C}) {
+            lengths << lengthText(mechanism(), length);
+        }
+        addCornerLabel(line++, 0.0, lengths.join(QStringLiteral("   ")));
     }
-    const auto addScale = [&](bool isShown, const ArrowScale &arrows, MotionKind kind) {
+    const auto addScale = [&](bool isShown, const ArrowScale &arrows) {
         constexpr double kSample = 26.0;
         if (isShown) {
             const QPointF left(7.0, cornerLineTop(line) + 0.5 * textSize({}, true).height());
-            addArrow(left, left + QPointF(kSample, 0.0), kind, false);
-            addCornerLabel(line++, kSample + 8.0, arrowScaleText(arrows, kind));
+            addArrow(left, left + QPointF(kSample, 0.0), arrows, false);
+            addCornerLabel(line++, kSample + 8.0, arrowScaleText(arrows));
         }
     };
-    addScale(settings.showsVelocity(), m_scene->velocity, MotionKind::Velocity);
-    addScale(settings.acceleration, m_scene->acceleration, MotionKind::Acceleration);
+    addScale(settings.showsVelocity(), m_scene->velocity);
+    addScale(settings.acceleration, m_scene->acceleration);
 }
 
 /// Returns the vertical line from the height of O2 to the slider's line, beside the crank's circle on the side away

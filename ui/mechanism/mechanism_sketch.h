@@ -7,11 +7,15 @@
 #include "ui/mechanism/mechanism_drawing.h"
 #include "ui/mechanism/mechanism_scene.h"
 
+#include <QCoreApplication>
+
 namespace slidercrank
 {
 
 class MechanismSketch : public MechanismDrawing
 {
+    Q_DECLARE_TR_FUNCTIONS(slidercrank::MechanismSketch)
+
 public:
     MechanismSketch(const MechanismScene &scene, const MechanismProjection &projection, const QPalette &palette,
                     const QFont &font);
@@ -47,10 +51,9 @@ private:
     void addMissingCoupler();
     void addAssemblyProblem();
     void addGhost();
-    void avoidLinkage();
 
-    void addArrow(QPointF tail, QPointF tip, MotionKind kind, bool isCut);
-    void addMotionArrows(MotionKind kind, const ArrowScale &scale, bool withCentreOfMass);
+    void addArrow(QPointF tail, QPointF tip, const ArrowScale &arrows, bool isCut);
+    void addMotionArrows(const ArrowScale &arrows, bool withCentreOfMass);
     void addInstantCentre();
     void addRay(LinkagePoint point, QPointF centre);
 

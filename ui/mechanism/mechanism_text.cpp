@@ -3,6 +3,7 @@
 
 #include "core/closed_form/closed_form.h"
 #include "core/mechanism/turn.h"
+#include "ui/text/finding_text.h"
 #include "ui/text/motion_facts.h"
 #include "ui/text/written_number.h"
 
@@ -95,15 +96,15 @@ QStringList partLines(const MechanismScene &scene, DrawnPart part)
         return QStringList(MechanismText::tr("G₃, the coupler's centre of mass")) + pointLines(scene, LinkagePoint::G3);
     case Crank:
         return QStringList(MechanismText::tr("Crank, %1: pull to change a.")
-                               .arg(lengthText(QStringLiteral("a"), mechanism.a()))) +
+                               .arg(lengthText(mechanism, Parameter::A))) +
                crankLines(scene);
     case Coupler:
         return QStringList(MechanismText::tr("Coupler, %1: pull to change b.")
-                               .arg(lengthText(QStringLiteral("b"), mechanism.b()))) +
+                               .arg(lengthText(mechanism, Parameter::B))) +
                couplerLines(scene);
     case Guide:
         return {MechanismText::tr("The slider's line, %1: drag up or down to change c.")
-                    .arg(lengthText(QStringLiteral("c"), mechanism.c()))};
+                    .arg(lengthText(mechanism, Parameter::C))};
     case OuterDeadCentre: return deadCentreLines(MechanismText::tr("Outer dead centre"), limits.outer);
     case InnerDeadCentre: return deadCentreLines(MechanismText::tr("Inner dead centre"), limits.inner);
     case ForbiddenArc:
@@ -121,9 +122,17 @@ QString partText(const MechanismScene &scene, DrawnPart part)
     return scene.result ? partLines(scene, part).join(u'\n') : QString();
 }
 
-QString lengthText(const QString &symbol, double length)
+QString lengthText(const Mechanism &mechanism, Parameter length)
 {
-    return QStringLiteral("%1 = %2 mm").arg(symbol, numberText(length));
+    return equationText(length, valueOf(mechanism.parameters(), length));
+}
+
+QString arrowScaleText(const ArrowScale &scale)
+{
+    return scale.amount == 0.0 ? MechanismText::tr("at rest")
+                               : MechanismText::tr("Scale: %1 mm = %2 %3")
+                                     .arg(numberText(scale.length), numberText(scale.amount),
+                                          scale.isOfVelocity() ? QStringLiteral("mm/s") : QStringLiteral("mm/s²"));
 }
 
 QString assemblyProblem(const MechanismScene &scene)

@@ -16,7 +16,10 @@ namespace slidercrank
 QString partText(const MechanismScene &scene, DrawnPart part);
 
 /// Returns "a = 20 mm".
-QString lengthText(const QString &symbol, double length);
+QString lengthText(const Mechanism &mechanism, Parameter length);
+
+/// Returns "Scale: 10 mm = 50 mm/s".
+QString arrowScaleText(const ArrowScale &scale);
 
 /// Returns why the mechanism cannot be assembled at this crank angle and what would help. Empty if it can be assembled.
 QString assemblyProblem(const MechanismScene &scene);

@@ -25,7 +25,6 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kZoomStep = 1.25;
 constexpr int kNoteDelay = 250;  // ms, so that no note appears while the pointer only passes over a part
 constexpr int kRefitDelay = 400; // ms without a change
 constexpr int kInset = 5;        // px, between the edge of the view and what lies over the drawing
@@ -113,8 +112,8 @@ void MechanismView::makeChoices()
               &MechanismSettings::instantCentre);
     m_choices << new QAction(this);
     m_choices.back()->setSeparator(true);
-    addZoom(tr("Zoom &in"), {Qt::Key_Plus, Qt::Key_Equal}, [this] { zoomBy(kZoomStep, QRectF(rect()).center()); });
-    addZoom(tr("Zoom &out"), {Qt::Key_Minus}, [this] { zoomBy(1.0 / kZoomStep, QRectF(rect()).center()); });
+    addZoom(tr("Zoom &in"), {Qt::Key_Plus, Qt::Key_Equal}, [this] { zoomBy(1.0, QRectF(rect()).center()); });
+    addZoom(tr("Zoom &out"), {Qt::Key_Minus}, [this] { zoomBy(-1.0, QRectF(rect()).center()); });
     addZoom(tr("&Fit"), {Qt::Key_0}, [this] { fit(); });
     addActions(m_choices);
 }
@@ -142,9 +141,10 @@ void MechanismView::fit()
     }
 }
 
-void MechanismView::zoomBy(double factor, QPointF pixel)
+void MechanismView::zoomBy(double steps, QPointF pixel)
 {
-    m_frame.zoom(factor, pixel, size());
+    constexpr double kStep = 1.25;
+    m_frame.zoom(std::pow(kStep, steps), pixel, size());
     refresh();
 }
 
@@ -281,24 +281,14 @@ void MechanismView::refresh()
     m_flip->resize(m_flip->sizeHint());
     m_flip->move(width() - m_flip->width() - kInset, kInset);
     updateLinkage();
-    update();
 }
 
-/// Draws the linkage in the current pose. Only the rectangles that it occupied before and occupies now are repainted.
+/// Draws the linkage in the current pose.
 void MechanismView::updateLinkage()
 {
-    constexpr int kHighlight = 4; // px by which a highlight exceeds its part
-    const double magnified = magnification();
     m_linkage = newSketch(size(), palette());
     m_linkage.addLinkage();
-    const QRectF bounds = m_linkage.bounds();
-    const QRect before = m_linkageArea;
-    m_linkageArea = rect();
-    if (std::isfinite(bounds.width() + bounds.height())) { // not if the crank angle is not a number
-        const QRectF painted = QRectF(magnified * bounds.topLeft(), magnified * bounds.size()) & QRectF(rect());
-        m_linkageArea = painted.toAlignedRect().adjusted(-kHighlight, -kHighlight, kHighlight, kHighlight);
-    }
-    update(before.united(m_linkageArea));
+    update();
 }
 
 void MechanismView::paintEvent(QPaintEvent *)
@@ -334,20 +324,18 @@ void MechanismView::paintEvent(QPaintEvent *)
 
 void MechanismView::paintMechanism(QPainter &painter, const QSize &size, const QPalette &palette) const
 {
-    MechanismSketch scenery = newSketch(size, palette);
-    scenery.addScenery();
-    MechanismSketch linkage = newSketch(size, palette);
-    linkage.addLinkage();
+    MechanismSketch sketch = newSketch(size, palette);
+    sketch.addScenery();
+    sketch.addLinkage();
     painter.save();
     painter.setClipRect(QRect(QPoint(0, 0), size), Qt::IntersectClip);
     painter.scale(magnification(), magnification());
-    scenery.paint(painter);
-    linkage.paint(painter);
+    sketch.paint(painter);
     painter.restore();
 }
 
-/// Shows the note about the part under the pointer, in the corner away from the crank and the slider's line. Where the
-/// mechanism cannot be assembled, this corner shows the reason instead.
+/// Shows the note about the part under the pointer. Where the mechanism cannot be assembled, the drawing shows the reason
+/// instead.
 void MechanismView::showNote()
 {
     constexpr int kWidest = 330;
@@ -358,11 +346,8 @@ void MechanismView::showNote()
     }
     m_note->setText(text);
     const int widest = std::min(kWidest, width() - 2 * kInset);
-    QRect box(0, 0, widest, m_note->heightForWidth(widest));
-    const Mechanism &mechanism = m_scene.mechanism();
-    box.moveLeft(mechanism.branch() == Branch::Open ? width() - kInset - widest : kInset);
-    box.moveTop(mechanism.c() < 0.0 ? kInset : height() - kInset - box.height());
-    m_note->setGeometry(box);
+    const QRectF inside = QRectF(rect()).adjusted(kInset, kInset, -kInset, -kInset);
+    m_note->setGeometry(m_scene.inFreeCorner(inside, QSizeF(widest, m_note->heightForWidth(widest))).toRect());
 }
 
 } // namespace slidercrank

@@ -13,7 +13,6 @@
 #include <QPixmap>
 #include <QWidget>
 
-#include <cstddef>
 #include <memory>
 #include <optional>
 
@@ -122,13 +121,13 @@ private:
     void updateLinkage();
     void describe();
     void fitFrame();
-    void zoomBy(double factor, QPointF pixel);
+    void zoomBy(double steps, QPointF pixel);
     void showNote();
 
     // mechanism_mouse.cpp: what the mouse and the keyboard do
     DrawnPart partUnder(QPointF pixel) const;
     void pointAt(DrawnPart part, bool withShift);
-    void pointAtNext(std::ptrdiff_t step);
+    void pointAtNext(int step);
     void goToCrankAngle(double theta2);
     void endDrag();
     void cancelDrag();
@@ -139,7 +138,6 @@ private:
     MechanismSketch m_scenery; ///< the parts that do not move
     QPixmap m_sceneryPicture;  ///< null if it is out of date
     MechanismSketch m_linkage; ///< the parts that move, in the current pose
-    QRect m_linkageArea;       ///< px, where m_linkage is painted
     std::optional<PressedButton> m_pressed;
     DrawnPart m_pointed = DrawnPart::Background;     ///< under the pointer
     DrawnPart m_highlighted = DrawnPart::Background; ///< by highlight()

@@ -3,6 +3,7 @@
 #include "tests/support/text_recorder.h"
 #include "tests/support/waiting.h"
 #include "ui/document/session.h"
+#include "ui/mechanism/mechanism_text.h"
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/text/theme.h"
 
@@ -215,7 +216,7 @@ private slots:
         const Drawn drawn(kOscillating, kNotAssembled);
         QCOMPARE(drawn.partAt({0.0, -20.0}), DrawnPart::A); // the crank is at its angle
         QCOMPARE(drawn.partAt({0.0, -10.0}), DrawnPart::Crank);
-        QVERIFY(!drawn.sketch->parts().contains(DrawnPart::Coupler));
+        QVERIFY(!drawn.sketch->has(DrawnPart::Coupler));
         QVERIFY(!drawn.label(QStringLiteral("gap = 5 mm")).isNull());
         const auto isCircleOfCoupler = [&drawn](const DrawnShape &shape) {
             const QRectF circle = shape.path.boundingRect();
@@ -438,7 +439,7 @@ private slots:
             QVERIFY(hasArrow((at(0.37 + kStep) - 2.0 * at(0.37) + at(0.37 - kStep)) / (kStep * kStep),
                              drawn.scene.acceleration, colours.error));
         }
-        QVERIFY(!drawn.label(arrowScaleText(drawn.scene.velocity, MotionKind::Velocity)).isNull());
+        QVERIFY(!drawn.label(arrowScaleText(drawn.scene.velocity)).isNull());
     }
 
     void showsTheInstantCentre()
