@@ -4,20 +4,13 @@
 #include "core/import/unit_text.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
-#include <cmath>
-#include <cstdint>
 
 namespace slidercrank
 {
 
 namespace
 {
-
-/// Powers of ten that a double represents exactly.
-constexpr std::array kExactPowers{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
-                                  1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
 constexpr std::string_view kGaps = "nan -nan na n/a #n/a #div/0! #num! null";
 
@@ -26,111 +19,67 @@ constexpr char kApostrophe = '\'';
 /// Minus signs, Fortran's exponents, and the characters that only separate thousands.
 constexpr std::string_view kNumberSpellings = "\u2212=-| ='|\u00A0='|\u2009='|\u202F='|D=e|d=e";
 
-/// Parses "e-12" or nothing. Returns false for any other text.
-bool parseExponent(std::string_view text, int &exponent)
-{
-    constexpr int kLargest = 100'000; // far beyond any double, and small enough that no sum overflows
-    if (text.empty()) {
-        return true;
-    }
-    text.remove_prefix(text.substr(1).starts_with('+') && !text.substr(2).starts_with('-') ? 2 : 1);
-    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), exponent);
-    const int limit = text.starts_with('-') ? -kLargest : kLargest;
-    exponent = fault == std::errc::result_out_of_range ? limit : std::clamp(exponent, -kLargest, kLargest);
-    return fault != std::errc::invalid_argument && end == text.data() + text.size();
-}
-
 /// Parses an optional minus sign, digits with at most one decimal sign, and an optional exponent.
 CellNumber parsePlain(std::string_view text, char decimal)
 {
-    CellNumber number; // returned everywhere, so that it is never copied
+    CellNumber number{.fault = RowFault::NotANumber};
     const bool isNegative = text.starts_with('-');
-    std::uint64_t mantissa = 0;
-    int count = 0;  // of digits
-    int whole = -1; // digits before the decimal sign; -1: no decimal sign yet
-    const std::size_t begin = isNegative ? 1 : 0;
-    std::size_t end = begin;
-    for (; end < text.size(); ++end) {
-        const auto digit = static_cast<unsigned>(text[end]) - unsigned{'0'};
-        if (digit <= 9) {
-            ++count;
-            mantissa = 10 * mantissa + digit;
-        } else if (text[end] == decimal && whole < 0) {
-            whole = count;
-        } else {
-            break;
-        }
-    }
-    const bool hasExponent = end < text.size() && (text[end] == 'e' || text[end] == 'E');
+    text.remove_prefix(isNegative ? 1 : 0);
+    std::string digits(text.substr(0, text.find_first_of("eE")));
+    std::string_view rest = text.substr(digits.size());
+    const std::size_t whole = std::min(digits.find(decimal), digits.size());
+    digits.erase(whole, 1);
     int exponent = 0;
-    if (count == 0 || (end < text.size() && !hasExponent) || !parseExponent(text.substr(end), exponent)) {
-        number.fault = RowFault::NotANumber;
-        return number;
-    }
-    int zeros = 0; // leading ones
-    for (std::size_t i = begin; i < end && (text[i] == '0' || text[i] == decimal); ++i) {
-        zeros += text[i] == '0' ? 1 : 0;
-    }
-    const int beforeFirst = exponent + (whole < 0 ? count : whole); // power of ten one above the first digit
-    constexpr int kMostDigits = 19;                                 // that fit into the mantissa
-    number.places.zero = zeros == count;
-    number.places.printed = beforeFirst - count;
-    if (zeros < count) {
-        number.places.first = beforeFirst - zeros - 1;
-        number.places.last = number.places.printed;
-        for (std::uint64_t rest = mantissa; count - zeros <= kMostDigits && rest % 10 == 0; rest /= 10) {
-            ++number.places.last;
+    if (!rest.empty()) {
+        rest.remove_prefix(rest.substr(1).starts_with('+') && !rest.substr(2).starts_with('-') ? 2 : 1);
+        const char *const end = rest.data() + rest.size();
+        const auto parsed = std::from_chars(rest.data(), end, exponent);
+        if (parsed.ec != std::errc() || parsed.ptr != end) {
+            return number;
         }
     }
-    // If both factors are exact, the result of one operation is correctly rounded.
-    constexpr std::uint64_t kLargestExact = std::uint64_t{1} << 53U;
-    const auto power = static_cast<std::size_t>(std::abs(number.places.printed));
-    if (count - zeros <= kMostDigits && mantissa <= kLargestExact && power < kExactPowers.size()) {
-        const auto exact = static_cast<double>(mantissa);
-        const double size = number.places.printed < 0 ? exact / kExactPowers[power] : exact * kExactPowers[power];
-        number.value = isNegative ? -size : size;
+    if (digits.empty() || !std::ranges::all_of(digits, isDigit)) {
         return number;
     }
-    std::string pointed;
-    if (decimal != '.' && whole >= 0) {
-        pointed = text;
-        std::ranges::replace(pointed, decimal, '.');
-        text = pointed;
-    }
-    double value = 0.0; // of a number that is too small
-    const std::errc fault = std::from_chars(text.data(), text.data() + text.size(), value).ec;
+    constexpr int kLargestExponent = 100'000; // far beyond any double, and small enough that no sum overflows
+    const int first = std::clamp(exponent, -kLargestExponent, kLargestExponent) + static_cast<int>(whole) - 1;
+    const auto placeOf = [first](std::size_t digit) { return first - static_cast<int>(digit); };
+    const std::size_t firstNonzero = digits.find_first_not_of('0');
+    number.places = {firstNonzero == digits.npos, placeOf(firstNonzero), placeOf(digits.find_last_not_of('0')),
+                     placeOf(digits.size() - 1)};
+    digits.append("e").append(std::to_string(number.places.printed));
+    double size = 0.0; // of a number that is too small
+    const std::errc fault = std::from_chars(digits.data(), digits.data() + digits.size(), size).ec;
     if (fault == std::errc::result_out_of_range && number.places.first > 0) {
         number.fault = RowFault::TooLarge;
-    } else {
-        number.value = value;
+        return number;
     }
-    return number;
+    return {isNegative ? -size : size, number.places, {}};
 }
 
 /// Returns the number without plus sign and thousands separators, or an empty text where these are ambiguous.
 std::string withoutSeparators(std::string_view text, char decimal, char separator)
 {
-    const std::string respelledText = respelled(text, kNumberSpellings);
-    std::string_view rest = respelledText;
-    rest.remove_prefix(std::min(rest.find_first_not_of(kApostrophe), rest.size()));
-    rest.remove_suffix(rest.size() - (rest.find_last_not_of(kApostrophe) + 1));
-    std::string plain = rest.starts_with('-') ? "-" : "";
-    rest.remove_prefix(rest.starts_with('-') || rest.starts_with('+') ? 1 : 0);
-    const std::string_view whole = rest.substr(0, rest.find(decimal));
-    const bool hasApostrophe = whole.find(kApostrophe) != whole.npos;
-    separator = hasApostrophe ? kApostrophe : separator;
-    const auto separators = std::ranges::count(whole, separator);
-    bool isGrouped = whole.size() % 4 != 0;
-    for (std::size_t i = 0; i < whole.size(); ++i) {
-        isGrouped = isGrouped && ((whole.size() - i) % 4 == 0 ? whole[i] == separator : isDigit(whole[i]));
-    }
-    const bool isClear =
-        separators == 0 || (isGrouped && (hasApostrophe || whole.size() < rest.size() || separators > 1));
-    if (!isClear || rest.starts_with('-') || rest.starts_with('+')) {
+    std::string plain = respelled(text, kNumberSpellings);
+    plain.erase(plain.find_last_not_of(kApostrophe) + 1);
+    plain.erase(0, plain.find_first_not_of(kApostrophe));
+    const bool isNegative = plain.starts_with('-');
+    plain.erase(0, isNegative || plain.starts_with('+') ? 1 : 0);
+    if (plain.starts_with('-') || plain.starts_with('+')) {
         return {};
     }
-    std::ranges::remove_copy(whole, std::back_inserter(plain), separator);
-    return plain.append(rest.substr(whole.size()));
+    const std::string whole = plain.substr(0, plain.find(decimal));
+    separator = whole.find(kApostrophe) != whole.npos ? kApostrophe : separator;
+    std::string digits = whole;
+    const std::size_t separators = std::erase(digits, separator);
+    plain.replace(0, whole.size(), digits);
+    std::string grouped = digits;
+    for (std::size_t end = digits.size(); end > 3; end -= 3) {
+        grouped.insert(end - 3, 1, separator);
+    }
+    const bool isClear = separators > 1 || separator == kApostrophe || digits.size() < plain.size();
+    const bool isGrouped = grouped == whole && isClear;
+    return separators == 0 || isGrouped ? (isNegative ? '-' + plain : plain) : std::string();
 }
 
 } // namespace

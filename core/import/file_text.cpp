@@ -7,7 +7,9 @@
 #include <boost/locale/encoding_utf.hpp>
 
 #include <algorithm>
+#include <array>
 #include <optional>
+#include <utility>
 
 namespace slidercrank
 {
@@ -61,17 +63,28 @@ bool isUtf8(std::string_view bytes)
     return surplus >= 0;
 }
 
-/// Returns the other text format that begins like this. "[s]" is a unit, though, and "<" may begin any text.
-std::optional<ReadFault::Kind> findFormat(std::string_view text)
+/// Throws if the file begins like one of another format. "[s]" is a unit, though, and "<" may begin any text.
+void refuseFormats(std::string_view text)
 {
     using enum ReadFault::Kind;
+    constexpr std::array<std::pair<std::string_view, ReadFault::Kind>, 10> kBeginnings{
+        {{"pk\x03\x04", Spreadsheet},
+         {"\xD0\xCF\x11\xE0", Spreadsheet},
+         {"\x1F\x8B", Spreadsheet},
+         {"%pdf", Pdf},
+         {"<!", Markup},
+         {"<?", Markup},
+         {"<html", Markup},
+         {"{\"", Json},
+         {"[{", Json},
+         {"[[", Json}}};
     std::string beginning = lowered(text.substr(0, 1000));
     std::erase_if(beginning, [](char c) { return isBlank(c) || c == '\r' || c == '\n'; });
-    const char first = beginning.empty() ? '\0' : beginning[0];
-    const char next = beginning.size() < 2 ? '\0' : beginning[1];
-    const bool isMarkup = first == '<' && ((next >= 'a' && next <= 'z') || next == '!' || next == '?');
-    const bool isJson = (first == '{' && next == '"') || (first == '[' && (next == '{' || next == '['));
-    return isMarkup ? std::optional(Markup) : isJson ? std::optional(Json) : std::nullopt;
+    for (const auto &[bytes, format] : kBeginnings) {
+        if (beginning.starts_with(bytes)) {
+            throw ReadError{.fault = {format}};
+        }
+    }
 }
 
 /// Returns the position of the first byte that cannot occur in text, or npos. A few control characters are tolerated.
@@ -107,12 +120,7 @@ std::string_view FileText::in(std::string_view bytes) const
 FileText decodeText(std::string_view bytes)
 {
     constexpr std::size_t kExamined = std::size_t{1} << 20U; // bytes, for the encoding
-    if (bytes.starts_with("PK\x03\x04") || bytes.starts_with("\xD0\xCF\x11\xE0") || bytes.starts_with("\x1F\x8B")) {
-        throw ReadError{.fault = {ReadFault::Kind::Spreadsheet}};
-    }
-    if (bytes.starts_with("%PDF")) {
-        throw ReadError{.fault = {ReadFault::Kind::Pdf}};
-    }
+    refuseFormats(bytes);
     FileText text;
     const bool isLittleEndian = bytes.starts_with("\xFF\xFE");
     if (isLittleEndian || bytes.starts_with("\xFE\xFF")) {
@@ -128,9 +136,7 @@ FileText decodeText(std::string_view bytes)
         const auto lines = static_cast<std::size_t>(std::ranges::count(whole.substr(0, binary), '\n'));
         throw ReadError{.line = lines + 1, .fault = {ReadFault::Kind::NotText}};
     }
-    if (const std::optional<ReadFault::Kind> format = findFormat(whole)) {
-        throw ReadError{.fault = {*format}};
-    }
+    refuseFormats(whole);
     return text;
 }
 

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -17,22 +16,11 @@ namespace slidercrank
 namespace
 {
 
-/// Returns the double nearest to 10^exponent, which std::pow() does not on every system; 0 or infinity outside the
-/// range of a double.
+/// Returns 10^exponent; 0 or infinity outside the range of a double. std::pow() is exact for whole numbers that are.
 double powerOfTen(int exponent)
 {
-    constexpr int kLargest = 330;
-    static const std::vector<double> powers = [] {
-        std::vector<double> all(2 * kLargest + 1);
-        for (int i = -kLargest; i <= kLargest; ++i) {
-            const std::string text = "1e" + std::to_string(i);
-            double &power = all[static_cast<std::size_t>(i + kLargest)];
-            power = i > 0 ? std::numeric_limits<double>::infinity() : 0.0;
-            std::from_chars(text.data(), text.data() + text.size(), power);
-        }
-        return all;
-    }();
-    return powers[static_cast<std::size_t>(std::clamp(exponent, -kLargest, kLargest) + kLargest)];
+    const double power = std::pow(10.0, std::abs(exponent));
+    return exponent < 0 ? 1.0 / power : power;
 }
 
 /// Returns the power of ten of the first digit of a positive number. A unit conversion and its inverse may turn a
@@ -40,9 +28,7 @@ double powerOfTen(int exponent)
 int decadeOf(double magnitude)
 {
     constexpr double kConversionSlack = 1e-12;
-    const double nudged = magnitude * (1.0 + kConversionSlack);
-    const int decade = static_cast<int>(std::floor(std::ilogb(nudged) * std::numbers::ln2 / std::numbers::ln10));
-    return nudged >= powerOfTen(decade + 1) ? decade + 1 : decade;
+    return static_cast<int>(std::floor(std::log10(magnitude) + kConversionSlack));
 }
 
 /// A number of at most so many digits may have been chosen by a person (25, 360, 12.75). Then it does not show how the
@@ -125,19 +111,13 @@ double Rounding::finestStep() const
 void RoundingObserver::observe(PrintedPlaces places, double value)
 {
     constexpr int kDigitsOfADouble = 16;
-    constexpr int kLargestExponent = 48; // values beyond are ignored
-    if (!places.zero && places.first - places.last + 1 >= kDigitsOfADouble) {
-        // Finding the shortest text takes as long as parsing the number, so only a sample of long columns is examined.
-        constexpr std::uint32_t kEnough = 256;
-        constexpr std::uint32_t kEvery = 16;
-        if (m_longNumbers++ >= kEnough && m_longNumbers % kEvery != 0) {
-            return;
-        }
-        places = shortestPlaces(places, value);
-    }
+    constexpr int kLargestExponent = 48; // values beyond mark missing numbers
     m_finestPlace = std::min(m_finestPlace, places.printed);
     if (places.zero) {
         return;
+    }
+    if (places.first - places.last + 1 >= kDigitsOfADouble) {
+        places = shortestPlaces(places, value);
     }
     const double magnitude = std::abs(value);
     if (m_values == 0) {
@@ -152,15 +132,8 @@ void RoundingObserver::observe(PrintedPlaces places, double value)
     if (std::abs(places.first) > kLargestExponent) {
         return;
     }
-    if (m_latest >= m_decades.size() || m_decades[m_latest].exponent != places.first) {
-        const auto found = std::ranges::find(m_decades, places.first, &Decade::exponent);
-        m_latest = static_cast<std::size_t>(found - m_decades.begin());
-        if (found == m_decades.end()) {
-            m_decades.push_back({places.first});
-        }
-    }
     const auto length = static_cast<std::size_t>(places.first - places.last);
-    ++m_decades[m_latest].counts[std::min(length, kMostDigits - 1)];
+    ++m_decades[places.first][std::min(length, kMostDigits - 1)];
 }
 
 Rounding RoundingObserver::infer(double unitFactor, bool areTimeStamps) const
@@ -178,21 +151,17 @@ Rounding RoundingObserver::infer(double unitFactor, bool areTimeStamps) const
         return rounding;
     }
     std::vector<RoundedDecade> decades;
-    for (const Decade &decade : m_decades) {
-        const double total = std::accumulate(decade.counts.begin(), decade.counts.end(), 0.0);
+    for (const auto &[exponent, counts] : m_decades) {
+        const double total = std::accumulate(counts.begin(), counts.end(), 0.0);
         const double needed = std::min(total, areTimeStamps ? 0.9 * total : 0.25 * (total + 8.0)); // to have ended
         double ended = 0.0;
-        int place = decade.exponent + 1;
+        int place = exponent + 1;
         for (std::size_t i = 0; i < kMostDigits && ended < needed; ++i) {
-            ended += decade.counts[i];
+            ended += counts[i];
             --place;
         }
-        decades.push_back({decade.exponent, place, total});
+        decades.push_back({exponent, place, total});
     }
-    if (decades.empty()) {
-        return rounding;
-    }
-    std::ranges::sort(decades, {}, &RoundedDecade::exponent);
     Distance least{std::numeric_limits<double>::infinity(), 0.0};
     const auto offer = [&](Rounding::Rule rule, int digits, const Distance &distance) {
         if (distance < least) {

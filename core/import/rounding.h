@@ -10,9 +10,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <optional>
 #include <span>
-#include <vector>
 
 namespace slidercrank
 {
@@ -87,18 +87,12 @@ public:
 private:
     static constexpr std::size_t kMostDigits = 17; ///< in the shortest text of a double
 
-    struct Decade {
-        int exponent = 0;
-        std::array<std::uint32_t, kMostDigits>
-            counts{}; ///< by number of digits from first to last non-zero one, less 1
-    };
-
     Rounding infer(double unitFactor, bool areTimeStamps) const;
     int coarsestPlace(const Rounding &rounding) const;
 
-    std::vector<Decade> m_decades;
-    std::size_t m_latest = 0;          ///< index of the decade of the previous value
-    std::uint32_t m_longNumbers = 0;   ///< number of values printed with all digits of a double
+    /// By power of ten: how many values have each number of digits from the first to the last non-zero one, less 1.
+    std::map<int, std::array<std::uint32_t, kMostDigits>> m_decades;
+
     std::uint64_t m_values = 0;        ///< number of values that are not zero
     std::uint64_t m_trailingZeros = 0; ///< number of zeros printed after the last non-zero decimal of these values
     int m_coarsestPlace = std::numeric_limits<int>::min(); ///< of the last printed digits
