@@ -1331,10 +1331,6 @@ Equipo: %1. Tiempo: %2 s.
         <translation>Con esta relación de tiempos, el ángulo de transmisión mínimo es mayor, %1°, con b/a = %2.</translation>
     </message>
     <message>
-        <source>No length may be below 10⁻⁹ mm or above 10¹² mm.</source>
-        <translation>Ninguna longitud puede ser menor que 10⁻⁹ mm ni mayor que 10¹² mm.</translation>
-    </message>
-    <message>
         <source>Minimum transmission angle</source>
         <translation>Ángulo de transmisión mínimo</translation>
     </message>
@@ -2118,25 +2114,6 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
     </message>
 </context>
 <context>
-    <name>slidercrank::LimitsPanel</name>
-    <message>
-        <source>Motion limits</source>
-        <translation>Límites del movimiento</translation>
-    </message>
-    <message>
-        <source>Values</source>
-        <translation>Valores</translation>
-    </message>
-    <message>
-        <source>Response</source>
-        <translation>Respuesta</translation>
-    </message>
-    <message>
-        <source>Design</source>
-        <translation>Diseño</translation>
-    </message>
-</context>
-<context>
     <name>slidercrank::MainWindow</name>
     <message>
         <source>Reference</source>
@@ -2193,6 +2170,38 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
     <message>
         <source>A file is still being written. Close the window when it is done, or cancel it below.</source>
         <translation>Todavía se está escribiendo un archivo. Cierre la ventana cuando termine, o cancélelo abajo.</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Valores</translation>
+    </message>
+    <message>
+        <source>Response</source>
+        <translation>Respuesta</translation>
+    </message>
+    <message>
+        <source>Design</source>
+        <translation>Diseño</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Ajustes</translation>
+    </message>
+    <message>
+        <source>Equations</source>
+        <translation>Ecuaciones</translation>
+    </message>
+    <message>
+        <source>Jacobian</source>
+        <translation>Jacobiano</translation>
+    </message>
+    <message>
+        <source>Iterations</source>
+        <translation>Iteraciones</translation>
+    </message>
+    <message>
+        <source>Coordinates</source>
+        <translation>Coordenadas</translation>
     </message>
 </context>
 <context>
@@ -3121,37 +3130,6 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
     <message>
         <source>Of the position; of the velocity per s, of the acceleration per s²</source>
         <translation>De la posición; la de la velocidad por s, la de la aceleración por s²</translation>
-    </message>
-</context>
-<context>
-    <name>slidercrank::NewtonPanel</name>
-    <message>
-        <source>Newton-Raphson</source>
-        <translation>Newton-Raphson</translation>
-    </message>
-    <message>
-        <source>Iterations</source>
-        <translation>Iteraciones</translation>
-    </message>
-    <message>
-        <source>Settings</source>
-        <translation>Ajustes</translation>
-    </message>
-    <message>
-        <source>Equations</source>
-        <translation>Ecuaciones</translation>
-    </message>
-    <message>
-        <source>Jacobian</source>
-        <translation>Jacobiano</translation>
-    </message>
-    <message>
-        <source>Coordinates</source>
-        <translation>Coordenadas</translation>
-    </message>
-    <message>
-        <source>Newton-Raphson at the current time</source>
-        <translation>Newton-Raphson en el instante mostrado</translation>
     </message>
 </context>
 <context>

@@ -288,7 +288,7 @@ private slots:
             break;
         case PictureSubject::Study: {
             size = QSize(900, 600);
-            StudyPanel panel;
+            StudyPanel panel(&session);
             panel.setResult(studyOfATurn());
             QCOMPARE(panel.exportPicture(path), std::nullopt);
             break;

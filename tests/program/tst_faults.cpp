@@ -375,7 +375,7 @@ private:
         sampling.duration = 0.03;
         m_window->session().setSampling(sampling);
         if (!m_study) {
-            m_study = new StudyPanel(m_window.get());
+            m_study = new StudyPanel(&m_window->session(), m_window.get());
             m_study->setResult(studyOfATurn());
         }
         QTest::addColumn<int>("index");

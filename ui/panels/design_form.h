@@ -5,7 +5,7 @@
 // and the time ratio fixed. Every change sets a, b and c in one edit.
 
 #include "core/limits/design.h"
-#include "ui/document/result.h"
+#include "core/mechanism/mechanism.h"
 
 #include <QWidget>
 
@@ -17,33 +17,26 @@ namespace slidercrank
 
 class NumberBox;
 class NumberSlider;
+class Session;
 
 class DesignForm : public QWidget
 {
     Q_OBJECT
 
 public:
-    explicit DesignForm(QWidget *parent = nullptr);
-
-    void setResult(const Result &result);
-
-signals:
-    void edited(const slidercrank::Parameters &parameters);
-    void dragBegan();
-    void dragEnded();
+    explicit DesignForm(Session *session, QWidget *parent = nullptr);
 
 private:
+    void createControls();
     void requestStroke(double stroke);
-    void requestTimeRatio(double timeRatio);
-    void requestTransmissionAngle(double degrees);
     void requestDesign(const DesignRequest &request);
     void apply(const Lengths &lengths);
     void refuse(const QString &sentence);
-    void showWanted();
+    void showParameters();
 
-    Parameters m_parameters;
-    DesignRequest m_wanted; ///< its time ratio is below 1 if c < 0; its stroke is 0 until a result is set
-    MotionLimits m_limits;
+    Session *m_session;
+    Parameters m_parameters; ///< the mechanism for which m_wanted is known
+    DesignRequest m_wanted;  ///< its time ratio is below 1 if c < 0; its stroke is 0 until there is one
     NumberBox *m_stroke;
     NumberBox *m_timeRatio;
     NumberBox *m_transmissionAngle;

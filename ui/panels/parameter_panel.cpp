@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/parameter_panel.h"
 
+#include "ui/document/session.h"
 #include "ui/panels/response.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/theme.h"
@@ -25,63 +26,10 @@
 namespace slidercrank
 {
 
-/// A display unit and its conversion from and to the core's unit.
-struct ShownUnit {
-    QString name;
-    Unit unit;
-    double halfTurn; ///< π rad in this unit; 0 for a length
-    double range;    ///< initial range of the slider, to both sides of 0
-
-    // Dividing by the half turn first converts 360 °/s, 60 rpm and 90° to the doubles nearest to 2π, 2π and π/2.
-    double toCore(double value) const { return isCoreUnit() ? value : value / halfTurn * std::numbers::pi; }
-    double fromCore(double value) const
-    {
-        if (isCoreUnit()) {
-            return value;
-        }
-        const double exact = value / std::numbers::pi * halfTurn;
-        const double rounded = QString::number(exact, 'g', 15).toDouble(); // 370, not 370.00000000000006
-        return toCore(rounded) == value ? rounded : exact;
-    }
-    bool isCoreUnit() const { return halfTurn == 0.0 || halfTurn == std::numbers::pi; }
-};
-
-struct ParameterText {
-    QString noun;
-    QString explanation;
-    std::vector<ShownUnit> units;
-};
-
 namespace
 {
 
-ParameterText textFor(Parameter parameter)
-{
-    const auto length = [](double range) {
-        return std::vector{ShownUnit{ParameterPanel::tr("mm"), kMillimetre, 0.0, range}};
-    };
-    switch (parameter) {
-    case Parameter::A:
-        return {ParameterPanel::tr("crank"), ParameterPanel::tr("Length of the crank, O₂ to A"), length(100.0)};
-    case Parameter::B:
-        return {ParameterPanel::tr("coupler"), ParameterPanel::tr("Length of the coupler, A to B"), length(200.0)};
-    case Parameter::C:
-        return {ParameterPanel::tr("offset"),
-                ParameterPanel::tr("Height of the slider's line above O₂; may be negative"), length(100.0)};
-    case Parameter::Omega2:
-        return {ParameterPanel::tr("crank speed"),
-                ParameterPanel::tr("Angular velocity of the crank, counter-clockwise positive"),
-                {{ParameterPanel::tr("rad/s"), kRadianPerSecond, std::numbers::pi, 20.0},
-                 {ParameterPanel::tr("°/s"), kDegreePerSecond, 180.0, 1000.0},
-                 {ParameterPanel::tr("rpm"), kTurnPerMinute, 30.0, 200.0}}};
-    case Parameter::Theta20:
-        return {ParameterPanel::tr("initial angle"),
-                ParameterPanel::tr("Angle of the crank at t = 0"),
-                {{ParameterPanel::tr("°"), kDegree, 180.0, 180.0},
-                 {ParameterPanel::tr("rad"), kRadian, std::numbers::pi, 3.2}}};
-    }
-    return {};
-}
+constexpr double kPi = std::numbers::pi;
 
 bool isPositive(Parameter parameter)
 {
@@ -154,9 +102,9 @@ private:
     Interval m_free{-kLargestParameter, kLargestParameter};
 };
 
-ParameterPanel::ParameterPanel(QWidget *parent)
+ParameterPanel::ParameterPanel(Session *session, QWidget *parent)
     : QWidget(parent)
-    , m_rows{{{Parameter::A}, {Parameter::B}, {Parameter::C}, {Parameter::Omega2}, {Parameter::Theta20}}}
+    , m_session(session)
     , m_grid(new QGridLayout(this))
     , m_chosen(named("parameterBox", new QComboBox(this), tr("Parameter to change")))
 {
@@ -165,36 +113,67 @@ ParameterPanel::ParameterPanel(QWidget *parent)
     m_grid->setHorizontalSpacing(4);
     m_grid->setVerticalSpacing(3);
     m_grid->setColumnStretch(1, 1);
-    for (Row &row : m_rows) {
-        addRow(row);
-        m_chosen->addItem(tr("%1 %2").arg(symbolOf(row.parameter), row.text->noun));
-    }
+    const auto length = [](double range) { return std::vector{ShownUnit{tr("mm"), kMillimetre, 0.0, range}}; };
+    addRow(Parameter::A, tr("crank"), tr("Length of the crank, O₂ to A"), length(100.0));
+    addRow(Parameter::B, tr("coupler"), tr("Length of the coupler, A to B"), length(200.0));
+    addRow(Parameter::C, tr("offset"), tr("Height of the slider's line above O₂; may be negative"), length(100.0));
+    addRow(Parameter::Omega2, tr("crank speed"), tr("Angular velocity of the crank, counter-clockwise positive"),
+           {{tr("rad/s"), kRadianPerSecond, kPi, 20.0},
+            {tr("°/s"), kDegreePerSecond, 180.0, 1000.0},
+            {tr("rpm"), kTurnPerMinute, 30.0, 200.0}});
+    addRow(Parameter::Theta20, tr("initial angle"), tr("Angle of the crank at t = 0"),
+           {{tr("°"), kDegree, 180.0, 180.0}, {tr("rad"), kRadian, kPi, 3.2}});
     m_chosen->setToolTip(tr("Parameter to change"));
     m_chosen->setCurrentIndex(static_cast<int>(Parameter::B));
     m_chosen->hide();
-    connect(m_chosen, &QComboBox::currentIndexChanged, this, &ParameterPanel::showRows);
+    connect(m_chosen, &QComboBox::currentIndexChanged, this, &ParameterPanel::arrange);
     m_grid->setRowStretch(m_grid->rowCount(), 1);
+    connect(session, &Session::parametersChanged, this, &ParameterPanel::showParameters);
     showParameters();
 }
 
-const ShownUnit &ParameterPanel::Row::shownUnit() const
+bool ParameterPanel::ShownUnit::isCoreUnit() const
 {
-    return text->units[unit ? static_cast<std::size_t>(unit->currentIndex()) : 0];
+    return halfTurn == 0.0 || halfTurn == kPi;
 }
 
-void ParameterPanel::addRow(Row &row)
+// Dividing by the half turn first converts 360 °/s, 60 rpm and 90° to the doubles nearest to 2π, 2π and π/2.
+double ParameterPanel::ShownUnit::toCore(double value) const
 {
-    const int line = static_cast<int>(&row - m_rows.data());
-    const QLatin1String key(wordOf(row.parameter));
-    const QString symbol = symbolOf(row.parameter);
-    row.text = std::make_shared<const ParameterText>(textFor(row.parameter));
-    const auto &[noun, explanation, units] = *row.text;
+    return isCoreUnit() ? value : value / halfTurn * kPi;
+}
+
+double ParameterPanel::ShownUnit::fromCore(double value) const
+{
+    if (isCoreUnit()) {
+        return value;
+    }
+    const double exact = value / kPi * halfTurn;
+    const double rounded = QString::number(exact, 'g', 15).toDouble(); // 370, not 370.00000000000006
+    return toCore(rounded) == value ? rounded : exact;
+}
+
+const ParameterPanel::ShownUnit &ParameterPanel::Row::shownUnit() const
+{
+    return units[unit ? static_cast<std::size_t>(unit->currentIndex()) : 0];
+}
+
+void ParameterPanel::addRow(Parameter parameter, const QString &noun, const QString &explanation,
+                            const std::vector<ShownUnit> &units)
+{
+    const int line = static_cast<int>(parameter);
+    const QLatin1String key(wordOf(parameter));
+    const QString symbol = symbolOf(parameter);
     const QString name = tr("%1 (%2)").arg(explanation, symbol);
+    m_chosen->addItem(tr("%1 %2").arg(symbol, noun));
+    Row &row = m_rows[indexOf(parameter)];
+    row.explanation = explanation;
+    row.units = units;
 
     row.label = new QLabel(tr("<b>%1</b> %2").arg(symbol, noun));
     row.label->setWordWrap(true); // large fonts and long translations must leave space for the slider
     row.label->setToolTip(explanation);
-    if (row.parameter != Parameter::Theta20) {
+    if (parameter != Parameter::Theta20) {
         row.label->setToolTip(explanation + u'\n' + tr("Click: how the limits of the motion depend on %1").arg(symbol));
         row.label->setCursor(Qt::PointingHandCursor);
         row.label->installEventFilter(this);
@@ -202,19 +181,16 @@ void ParameterPanel::addRow(Row &row)
     m_grid->addWidget(row.label, line, 0);
 
     row.slider = named(QStringLiteral("slider_") + key, new ParameterSlider, tr("%1, slider").arg(name));
-    row.slider->setToolTip(explanation);
     m_grid->addWidget(row.slider, line, 1);
-    connect(row.slider, &QSlider::valueChanged, this,
-            [this, &row] { edit(row, row.shownUnit().toCore(row.slider->number())); });
-    connect(row.slider, &QSlider::sliderPressed, this, &ParameterPanel::dragBegan);
-    connect(row.slider, &QSlider::sliderReleased, this, &ParameterPanel::dragEnded);
+    connect(row.slider, &QSlider::valueChanged, this, [this, parameter, &row] { edit(parameter, row.slider->number()); });
+    connect(row.slider, &QSlider::sliderPressed, m_session, &Session::beginDrag);
+    connect(row.slider, &QSlider::sliderReleased, m_session, &Session::endDrag);
 
     row.box = named(QStringLiteral("box_") + key, new NumberBox, name);
     row.box->setToolTip(explanation);
     row.label->setBuddy(row.box);
     m_grid->addWidget(row.box, line, 2, 1, units.size() > 1 ? 1 : 2);
-    connect(row.box, &NumberBox::edited, this,
-            [this, &row](double value) { edit(row, row.shownUnit().toCore(value)); });
+    connect(row.box, &NumberBox::edited, this, [this, parameter](double value) { edit(parameter, value); });
     if (units.size() == 1) {
         row.box->setSuffix(u' ' + units[0].name);
     } else {
@@ -225,7 +201,7 @@ void ParameterPanel::addRow(Row &row)
             row.unit->addItem(unit.name);
         }
         m_grid->addWidget(row.unit, line, 3);
-        connect(row.unit, &QComboBox::currentIndexChanged, this, [this, &row] { showRow(row); });
+        connect(row.unit, &QComboBox::currentIndexChanged, this, [this, parameter] { showRow(parameter); });
     }
 
     row.reset = named(QStringLiteral("reset_") + key, new QToolButton, tr("Reset %1").arg(symbol));
@@ -235,14 +211,15 @@ void ParameterPanel::addRow(Row &row)
     row.reset->setFocusPolicy(Qt::TabFocus);
     row.reset->setToolTip(tr("Back to the initial value"));
     m_grid->addWidget(row.reset, line, 4);
-    connect(row.reset, &QToolButton::clicked, this, [this, &row] { edit(row, valueOf(Parameters(), row.parameter)); });
+    connect(row.reset, &QToolButton::clicked, m_session,
+            [this, parameter] { m_session->setParameter(parameter, valueOf(Parameters(), parameter)); });
 }
 
 bool ParameterPanel::eventFilter(QObject *watched, QEvent *event)
 {
     const auto row = std::ranges::find(m_rows, watched, &Row::label);
     if (event->type() == QEvent::MouseButtonPress && row != m_rows.end()) {
-        emit responseRequested(row->parameter);
+        emit responseRequested(static_cast<Parameter>(row - m_rows.begin()));
     }
     return QWidget::eventFilter(watched, event);
 }
@@ -250,17 +227,17 @@ bool ParameterPanel::eventFilter(QObject *watched, QEvent *event)
 void ParameterPanel::setBrief(bool brief)
 {
     m_isBrief = brief;
-    showRows();
+    arrange();
 }
 
-void ParameterPanel::showRows()
+void ParameterPanel::arrange()
 {
-    for (int i = 0; i < static_cast<int>(m_rows.size()); ++i) {
-        const Row &row = m_rows[static_cast<std::size_t>(i)];
+    for (int line = 0; line < m_chosen->count(); ++line) {
+        const Row &row = m_rows[static_cast<std::size_t>(line)];
         row.label->setVisible(!m_isBrief);
         for (QWidget *part : std::initializer_list<QWidget *>{row.slider, row.box, row.unit, row.reset}) {
             if (part) {
-                part->setVisible(!m_isBrief || i == m_chosen->currentIndex());
+                part->setVisible(!m_isBrief || line == m_chosen->currentIndex());
             }
         }
     }
@@ -270,36 +247,32 @@ void ParameterPanel::showRows()
     }
 }
 
-void ParameterPanel::setParameters(const Parameters &parameters)
+void ParameterPanel::edit(Parameter parameter, double value)
 {
-    m_parameters = parameters;
-    showParameters();
+    m_session->setParameter(parameter, m_rows[indexOf(parameter)].shownUnit().toCore(value));
+    showParameters(); // also if nothing has changed
 }
 
-void ParameterPanel::edit(const Row &row, double value)
+void ParameterPanel::showParameters()
 {
-    Parameters wanted = m_parameters;
-    valueOf(wanted, row.parameter) = value;
-    const bool isUsable = wanted != m_parameters && !findFault(wanted);
-    if (isUsable) {
-        m_parameters = wanted;
-    }
-    showParameters();
-    if (isUsable) {
-        emit edited(wanted);
+    for (const Parameter parameter : kParameters) {
+        showRow(parameter);
     }
 }
 
-void ParameterPanel::showRow(const Row &row)
+void ParameterPanel::showRow(Parameter parameter)
 {
-    const double exact = valueOf(m_parameters, row.parameter);
+    const Row &row = m_rows[indexOf(parameter)];
+    const Parameters &parameters = m_session->parameters();
+    const double exact = valueOf(parameters, parameter);
     const ShownUnit &unit = row.shownUnit();
     const double value = unit.fromCore(exact);
+    const bool isLength = unit.halfTurn == 0.0;
 
     // The range of the slider must include the number and must not be much larger than the mechanism.
     constexpr double kMuchTooLong = 50.0;
-    const double size = unit.halfTurn == 0.0 ? std::max({m_parameters.a, m_parameters.b, std::abs(m_parameters.c)})
-                                             : std::max(std::abs(value), unit.range / kMuchTooLong);
+    const double size = isLength ? std::max({parameters.a, parameters.b, std::abs(parameters.c)})
+                                 : std::max(std::abs(value), unit.range / kMuchTooLong);
     const auto fits = [&](double range) {
         return range > 0.0 && std::abs(value) <= range && range <= kMuchTooLong * size * (1.0 + 1e-9);
     };
@@ -308,34 +281,21 @@ void ParameterPanel::showRow(const Row &row)
     row.slider->setRangeAndValue(keepsRange         ? present
                                  : fits(unit.range) ? unit.range
                                                     : nextRoundNumber(1.5 * size),
-                                 isPositive(row.parameter), value);
+                                 isPositive(parameter), value);
     row.slider->setSuffix(u' ' + unit.name);
+    row.slider->setToolTip(row.explanation);
+    if (isLength) { // shade the lengths with which the crank cannot make a full turn
+        const ResponseRange range = responseRange(parameters, parameter);
+        row.slider->setFree(range.fullTurn);
+        row.slider->setToolTip(row.explanation + u'\n' + fullTurnText(parameter, range));
+    }
 
     const double largest = unit.fromCore(kLargestParameter);
     row.box->setUnit(unit.unit);
-    row.box->setRange(isPositive(row.parameter) ? NumberRange{.smallest = 0.0, .isOpen = true}
-                                                : NumberRange{.smallest = -largest, .largest = largest});
+    row.box->setRange(isPositive(parameter) ? NumberRange{.smallest = 0.0, .isOpen = true}
+                                            : NumberRange{.smallest = -largest, .largest = largest});
     row.box->setValue(value);
-    row.reset->setEnabled(exact != valueOf(Parameters(), row.parameter));
-}
-
-void ParameterPanel::showParameters()
-{
-    for (const Row &row : m_rows) {
-        showRow(row);
-    }
-    shade();
-}
-
-/// Shades the lengths with which the crank cannot make a full turn.
-void ParameterPanel::shade()
-{
-    for (const Parameter parameter : {Parameter::A, Parameter::B, Parameter::C}) {
-        const Row &row = m_rows[indexOf(parameter)];
-        const ResponseRange range = responseRange(m_parameters, parameter);
-        row.slider->setFree(range.fullTurn);
-        row.slider->setToolTip(row.text->explanation + u'\n' + fullTurnText(parameter, range));
-    }
+    row.reset->setEnabled(exact != valueOf(Parameters(), parameter));
 }
 
 } // namespace slidercrank

@@ -2,14 +2,15 @@
 #pragma once
 
 // A slider, a box and a reset button for each of a, b, c, ω₂, θ₂₀. Numbers may be displayed shortened, but are stored
-// and emitted exactly.
+// exactly.
 
+#include "core/import/quantity.h"
 #include "core/mechanism/mechanism.h"
 
 #include <QWidget>
 
 #include <array>
-#include <memory>
+#include <vector>
 
 class QComboBox;
 class QGridLayout;
@@ -21,31 +22,19 @@ namespace slidercrank
 
 class NumberBox;
 class ParameterSlider;
-struct ParameterText;
-struct ShownUnit;
+class Session;
 
 class ParameterPanel : public QWidget
 {
     Q_OBJECT
 
 public:
-    explicit ParameterPanel(QWidget *parent = nullptr);
+    explicit ParameterPanel(Session *session, QWidget *parent = nullptr);
 
     /// Shows only the parameter that is chosen in a list instead of all of them.
     void setBrief(bool brief);
 
-public slots:
-    /// Shows the parameters and emits nothing.
-    void setParameters(const slidercrank::Parameters &parameters);
-
 signals:
-    /// The user changed a parameter. Only valid parameters are emitted.
-    void edited(const slidercrank::Parameters &parameters);
-
-    /// A slider was pressed or released: the edits in between form one undo step.
-    void dragBegan();
-    void dragEnded();
-
     /// The user clicked the name of a parameter that affects the limits of the motion.
     void responseRequested(slidercrank::Parameter parameter);
 
@@ -53,9 +42,21 @@ protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
+    /// A display unit and its conversion from and to the core's unit.
+    struct ShownUnit {
+        QString name;
+        Unit unit;
+        double halfTurn; ///< π rad in this unit; 0 for a length
+        double range;    ///< initial range of the slider, to both sides of 0
+
+        bool isCoreUnit() const;
+        double toCore(double value) const;
+        double fromCore(double value) const;
+    };
+
     struct Row {
-        Parameter parameter;
-        std::shared_ptr<const ParameterText> text{};
+        QString explanation;
+        std::vector<ShownUnit> units;
         QLabel *label = nullptr;
         ParameterSlider *slider = nullptr;
         NumberBox *box = nullptr;
@@ -65,17 +66,15 @@ private:
         const ShownUnit &shownUnit() const;
     };
 
-    void addRow(Row &row);
+    void addRow(Parameter parameter, const QString &noun, const QString &explanation,
+                const std::vector<ShownUnit> &units);
+    void edit(Parameter parameter, double value); ///< `value` is in the displayed unit
     void showParameters();
-    void showRow(const Row &row);
-    void showRows();
-    void shade();
+    void showRow(Parameter parameter);
+    void arrange();
 
-    /// Uses the number (in the core's unit) if the parameters are then valid; otherwise shows the previous one again.
-    void edit(const Row &row, double value);
-
-    Parameters m_parameters;
-    std::array<Row, 5> m_rows;
+    Session *m_session;
+    std::array<Row, kParameterCount> m_rows;
     QGridLayout *m_grid;
     QComboBox *m_chosen; ///< the row that is shown while the panel is brief
     bool m_isBrief = false;

@@ -33,7 +33,8 @@ LimitValues limitValues(const Mechanism &mechanism)
     values[2] = 90.0 - kDegreesPerRadian * limits.largestPressureAngle;
     for (const Peak &peak : motionPeaks(mechanism)) {
         if (peak.channel.coordinate == R4x) {
-            values[peak.channel.order == Order::Velocity ? 3 : 4] = peak.magnitude;
+            values[peak.channel.order == Order::Velocity ? 3 : 4] =
+                std::isfinite(peak.magnitude) ? peak.magnitude : kNone;
         }
     }
     return values;

@@ -18,7 +18,7 @@ namespace slidercrank
 enum class Limit { Stroke, TimeRatio, TransmissionAngle, SliderSpeed, SliderAcceleration };
 inline constexpr std::size_t kLimitCount = 5;
 
-/// One value for each Limit: NaN if the limit does not exist, infinite if a peak is unbounded.
+/// One value for each Limit: NaN if the limit does not exist or is unbounded.
 using LimitValues = std::array<double, kLimitCount>;
 
 LimitValues limitValues(const Mechanism &mechanism);

@@ -4,7 +4,7 @@
 #include "ui/text/axis_scale.h"
 #include "ui/text/written_number.h"
 
-#include <QKeyEvent>
+#include <QMouseEvent>
 #include <QPainter>
 
 #include <algorithm>
@@ -18,24 +18,6 @@ namespace
 
 /// Indices of the series of the chart; Corners are two opposite corners of its axes.
 enum Series : std::size_t { Corners, Curve };
-
-QString limitText(Limit limit)
-{
-    switch (limit) {
-    case Limit::Stroke: return ResponseChart::tr("stroke [mm]");
-    case Limit::TimeRatio: return ResponseChart::tr("time ratio");
-    case Limit::TransmissionAngle: return ResponseChart::tr("min. transmission angle [°]");
-    case Limit::SliderSpeed: return ResponseChart::tr("peak slider speed [mm/s]");
-    case Limit::SliderAcceleration: return ResponseChart::tr("peak slider acc. [mm/s²]");
-    }
-    return {};
-}
-
-/// Returns NaN for infinite values, so that the curve has a gap there.
-double drawable(double value)
-{
-    return std::isfinite(value) ? value : kNone;
-}
 
 /// Returns the range of the finite values, without the steep rise of a peak towards infinity.
 Interval valueRange(const Response &response, Limit limit)
@@ -62,7 +44,6 @@ ResponseChart::ResponseChart(Limit limit)
     : m_limit(static_cast<std::size_t>(limit))
 {
     setAccessibleName(title());
-    setFocusPolicy(Qt::StrongFocus);
     setCursor(Qt::SizeHorCursor);
 }
 
@@ -73,7 +54,7 @@ void ResponseChart::setCurve(const Response &response, const QString &title)
     ChartContent content{{title, m_range.assembled}, {{}, {kNone, kNone}}};
     content.series = {{}, {.line = ChartSeries::Line::Solid}};
     for (std::size_t i = 0; i < response.values.size(); ++i) {
-        content.series[Curve].points.emplace_back(response.values[i], drawable(response.limits[i][m_limit]));
+        content.series[Curve].points.emplace_back(response.values[i], response.limits[i][m_limit]);
     }
     setContent(content);
 }
@@ -96,13 +77,15 @@ void ResponseChart::setDots(const Dots &dots)
         setContent(changed);
         m_picture = {};
     }
-    setAccessibleDescription(shortNumber(drawable(dots[0].limits[m_limit]), 4));
+    setAccessibleDescription(shortNumber(dots[0].limits[m_limit], 4));
     update();
 }
 
 QString ResponseChart::title() const
 {
-    return limitText(static_cast<Limit>(m_limit));
+    const std::array titles{tr("stroke [mm]"), tr("time ratio"), tr("min. transmission angle [°]"),
+                            tr("peak slider speed [mm/s]"), tr("peak slider acc. [mm/s²]")};
+    return titles[m_limit];
 }
 
 QRectF ResponseChart::axisArea()
@@ -153,9 +136,6 @@ void ResponseChart::paintDots(QPainter &painter, const QPalette &palette)
         painter.setBrush(i == 0 ? colour : colours.background);
         painter.drawEllipse(dot, kRadius, kRadius);
         painter.setBrush(Qt::NoBrush);
-        if (i == 0 && hasFocus()) {
-            painter.drawEllipse(dot, kRing, kRing);
-        }
         const bool isRight = dot.x() > area.center().x();
         QRectF label(dot.x() + kRing, dot.y() - 2.0 * kRing, area.width(), 2.0 * kRing);
         label.moveLeft(isRight ? dot.x() - kRing - label.width() : label.left());
@@ -199,20 +179,18 @@ void ResponseChart::paintAll(QPainter &painter, const QSize &size, const QPalett
     copy.paintDots(painter, palette);
 }
 
-/// Requests the value, rounded to a small fraction of the range and limited to the range.
-void ResponseChart::request(double value)
-{
-    const double step = nextRoundNumber(m_range.assembled.length() / 400.0);
-    const double rounded = QString::number(std::round(value / step) * step, 'g', 12).toDouble();
-    emit requested(std::clamp(rounded, m_range.assembled.lower, m_range.assembled.upper));
-}
-
+/// Requests the value at that position, rounded to a small fraction of the range and limited to the range.
 void ResponseChart::requestAt(double pixel)
 {
     const QRectF area = axisArea();
-    if (area.width() > 0.0) {
-        request(m_range.assembled.lower + m_range.assembled.length() * (pixel - area.left()) / area.width());
+    if (area.width() <= 0.0) {
+        return;
     }
+    const auto &[lower, upper] = m_range.assembled;
+    const double value = std::lerp(lower, upper, (pixel - area.left()) / area.width());
+    const double step = nextRoundNumber((upper - lower) / 400.0);
+    const double rounded = QString::number(std::round(value / step) * step, 'g', 12).toDouble();
+    emit requested(std::clamp(rounded, lower, upper));
 }
 
 void ResponseChart::mousePressEvent(QMouseEvent *event)
@@ -238,38 +216,6 @@ void ResponseChart::mouseReleaseEvent(QMouseEvent *event)
     if (event->button() == Qt::LeftButton && m_isDragging) {
         m_isDragging = false;
         emit dragEnded();
-    }
-}
-
-/// Returns the change of the value when `key` is pressed; 0 if the key is not used.
-double ResponseChart::keyStep(int key) const
-{
-    const double step = nextRoundNumber(m_range.assembled.length() / 400.0);
-    switch (key) {
-    case Qt::Key_Left: return -step;
-    case Qt::Key_Right: return step;
-    case Qt::Key_PageDown: return -10.0 * step;
-    case Qt::Key_PageUp: return 10.0 * step;
-    default: return 0.0;
-    }
-}
-
-/// Uses the arrow keys for the dot rather than for the playback while the chart has the focus.
-bool ResponseChart::event(QEvent *event)
-{
-    if (event->type() == QEvent::ShortcutOverride && keyStep(static_cast<QKeyEvent *>(event)->key()) != 0.0) {
-        event->accept();
-        return true;
-    }
-    return Chart::event(event);
-}
-
-void ResponseChart::keyPressEvent(QKeyEvent *event)
-{
-    if (const double step = keyStep(event->key()); step != 0.0) {
-        request(m_dots[0].value + step);
-    } else {
-        Chart::keyPressEvent(event);
     }
 }
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A chart of one limit over a parameter. A dot marks the current value; it can be dragged with the mouse or moved with
-// the arrow keys.
+// A chart of one limit over a parameter. A dot marks the current value and can be dragged.
 
 #include "ui/panels/response.h"
 #include "ui/plots/chart.h"
@@ -45,20 +44,16 @@ signals:
     void dragEnded();
 
 protected:
-    bool event(QEvent *event) override;
     void changeEvent(QEvent *event) override;
     void paintEvent(QPaintEvent *event) override;
     void mousePressEvent(QMouseEvent *event) override;
     void mouseMoveEvent(QMouseEvent *event) override;
     void mouseReleaseEvent(QMouseEvent *event) override;
-    void keyPressEvent(QKeyEvent *event) override;
 
 private:
     QRectF axisArea(); ///< px
     void paintDots(QPainter &painter, const QPalette &palette);
     void paintShade(QPainter &painter, const QPalette &palette);
-    void request(double value);
-    double keyStep(int key) const;
     void requestAt(double pixel);
 
     std::size_t m_limit;

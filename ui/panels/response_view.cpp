@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/response_view.h"
 
-#include "ui/export/figure_export.h"
+#include "ui/document/session.h"
 #include "ui/panels/response_chart.h"
 #include "ui/panels/table_panel.h"
 #include "ui/text/axis_scale.h"
@@ -13,7 +13,6 @@
 #include <QComboBox>
 #include <QGridLayout>
 #include <QPainter>
-#include <QScrollArea>
 #include <QToolButton>
 
 #include <algorithm>
@@ -25,12 +24,13 @@ namespace
 {
 
 constexpr QSize kFigureSize(1500, 330); // px, of the exported charts
-constexpr QSize kSmallestChart(100, 90); // px; below this the charts scroll
+constexpr QSize kSmallestChart(100, 90); // px; below this the page scrolls
 
 } // namespace
 
-ResponseView::ResponseView(QWidget *parent)
+ResponseView::ResponseView(Session *session, QWidget *parent)
     : QWidget(parent)
+    , m_session(session)
     , m_parameter(named("responseParameter", new QComboBox, tr("Parameter that is varied")))
     , m_sentence(named("responseSentence", plainText()))
 {
@@ -56,12 +56,14 @@ ResponseView::ResponseView(QWidget *parent)
     addAction("responseCopy", tr("Copy"), tr("Copies the charts as an image"), &ResponseView::copy);
     addAction("responseExport", tr("Export…"),
               tr("Writes the charts to an image file, or the numbers of the curves to a CSV file"),
-              &ResponseView::chooseFile);
+              [this] {
+                  chooseExport(this, figureFilters() + QStringList(tr("Tables (*.csv)")), tr("response.png"),
+                               [this](const QString &path) { return exportTo(path); },
+                               [this](const QString &problem) { emit problemFound(problem); });
+              });
     setContextMenuPolicy(Qt::ActionsContextMenu);
 
-    auto *charts = new QWidget;
-    auto *grid = new QGridLayout(charts);
-    grid->setContentsMargins(0, 0, 0, 0);
+    auto *grid = new QGridLayout;
     grid->setSpacing(2);
     grid->setRowStretch(1, 1);
     for (std::size_t i = 0; i < kLimitCount; ++i) {
@@ -72,26 +74,16 @@ ResponseView::ResponseView(QWidget *parent)
         grid->addWidget(new Paragraph(title), 0, static_cast<int>(i));
         grid->addWidget(chart, 1, static_cast<int>(i));
         connect(chart, &ResponseChart::requested, this,
-                [this](double value) { emit parameterRequested(m_response.parameter, value); });
-        connect(chart, &ResponseChart::dragBegan, this, &ResponseView::dragBegan);
-        connect(chart, &ResponseChart::dragEnded, this, &ResponseView::dragEnded);
+                [this](double value) { m_session->setParameter(m_response.parameter, value); });
+        connect(chart, &ResponseChart::dragBegan, session, &Session::beginDrag);
+        connect(chart, &ResponseChart::dragEnded, session, &Session::endDrag);
     }
-    auto *scroll = new QScrollArea;
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setFocusPolicy(Qt::NoFocus);
-    scroll->setWidgetResizable(true);
-    scroll->setWidget(charts);
     auto *rows = new QVBoxLayout(this);
     rows->setContentsMargins(2, 0, 0, 0);
     rows->setSpacing(3);
     rows->addLayout(head);
-    rows->addWidget(scroll, 1);
-}
-
-void ResponseView::setResult(const std::shared_ptr<const Result> &result)
-{
-    m_result = result;
-    refresh();
+    rows->addLayout(grid, 1);
+    connect(session, &Session::resultChanged, this, &ResponseView::refresh);
 }
 
 void ResponseView::setParameter(Parameter parameter)
@@ -102,10 +94,10 @@ void ResponseView::setParameter(Parameter parameter)
 /// Computes new curves if anything except the value of the varied parameter has changed; otherwise moves only the dots.
 void ResponseView::refresh()
 {
-    if (!isVisible() || !m_result) {
+    if (!isVisible()) {
         return;
     }
-    const Parameters &parameters = m_result->mechanism.parameters();
+    const Parameters &parameters = m_session->result()->mechanism.parameters();
     const Parameter parameter = kVariedParameters[static_cast<std::size_t>(m_parameter->currentIndex())];
     const double value = valueOf(parameters, parameter);
     const int pixels = std::max(2, m_charts[0]->width());
@@ -142,7 +134,7 @@ void ResponseView::showResponse(bool isNew)
     const QString title = tr("%1 [%2]").arg(symbol, parameter == Parameter::Omega2 ? tr("rad/s") : tr("mm"));
     m_sentence->setText(fullTurnText(parameter, range) + u' ' + tr("Drag a dot to change %1.").arg(symbol));
     ResponseChart::Dots dots{{valueOf(parameters, parameter), limitValues(Mechanism(parameters))}};
-    for (const Parameters &pinned : m_result->pinned) {
+    for (const Parameters &pinned : m_session->result()->pinned) {
         dots.push_back({valueOf(pinned, parameter), limitValues(Mechanism(pinned))});
     }
     for (ResponseChart *chart : m_charts) {
@@ -153,19 +145,24 @@ void ResponseView::showResponse(bool isNew)
     }
 }
 
-void ResponseView::paint(QPainter &painter, const QSize &size) const
+FigureDrawing ResponseView::drawing() const
 {
-    const int line = 2 * QFontMetrics(font()).height();
-    const QSize part(size.width() / static_cast<int>(kLimitCount), size.height() - line);
-    painter.fillRect(QRect(QPoint(), size), paletteFor(Theme::Light).base());
-    for (std::size_t i = 0; i < kLimitCount; ++i) {
-        painter.save();
-        painter.translate(static_cast<int>(i) * part.width(), 0);
-        painter.drawText(QRect(0, 0, part.width(), line), Qt::AlignCenter, m_charts[i]->title());
-        painter.translate(0, line);
-        m_charts[i]->paintAll(painter, part, paletteFor(Theme::Light));
-        painter.restore();
-    }
+    return [this](QPainter &painter, const QSize &size) {
+        const QPalette light = paletteFor(Theme::Light);
+        const int line = 2 * QFontMetrics(font()).height();
+        const QSize part(size.width() / static_cast<int>(kLimitCount), size.height() - line);
+        painter.fillRect(QRect(QPoint(), size), light.base());
+        int left = 0;
+        for (const ResponseChart *chart : m_charts) {
+            painter.save();
+            painter.translate(left, 0);
+            painter.drawText(QRect(0, 0, part.width(), line), Qt::AlignCenter, chart->title());
+            painter.translate(0, line);
+            chart->paintAll(painter, part, light);
+            painter.restore();
+            left += part.width();
+        }
+    };
 }
 
 QByteArray ResponseView::csv() const
@@ -185,28 +182,20 @@ QByteArray ResponseView::csv() const
 
 std::optional<QString> ResponseView::exportTo(const QString &path) const
 {
-    if (!path.endsWith(QStringLiteral(".csv"), Qt::CaseInsensitive)) {
-        const FigureDrawing draw = [this](QPainter &painter, const QSize &size) { paint(painter, size); };
-        return exportFigure(path, {kFigureSize, 2.0}, accessibleName(),
-                            withParameters(draw, Mechanism(m_response.parameters), paletteFor(Theme::Light)));
+    if (path.endsWith(QStringLiteral(".csv"), Qt::CaseInsensitive)) {
+        return writeText(path, csv());
     }
-    return writeText(path, csv());
+    return exportFigure(path, {kFigureSize, 2.0}, accessibleName(),
+                        withParameters(drawing(), Mechanism(m_response.parameters), paletteFor(Theme::Light)));
 }
 
 void ResponseView::copy()
 {
-    const FigureDrawing draw = [this](QPainter &painter, const QSize &size) { paint(painter, size); };
-    if (const std::optional<QString> problem = copyFigureToClipboard({kFigureSize, 2.0}, draw)) {
+    if (const std::optional<QString> problem = copyFigureToClipboard({kFigureSize, 2.0}, drawing())) {
         emit problemFound(*problem);
     } else {
         emit copied(tr("The charts are in the clipboard."));
     }
-}
-
-void ResponseView::chooseFile()
-{
-    chooseExport(this, figureFilters() + QStringList(tr("Tables (*.csv)")), tr("response.png"),
-                 [this](const QString &path) { return exportTo(path); }, [this](const QString &problem) { emit problemFound(problem); });
 }
 
 void ResponseView::showEvent(QShowEvent *event)

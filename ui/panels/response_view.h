@@ -5,13 +5,11 @@
 // depend on one parameter. A dot marks the current value and can be dragged; pinned motions are additional dots.
 // The curves are computed in the background, one value per pixel.
 
-#include "ui/document/result.h"
 #include "ui/document/background_task.h"
+#include "ui/export/figure_export.h"
 #include "ui/panels/response.h"
 
 #include <QWidget>
-
-#include <memory>
 
 class QComboBox;
 class QLabel;
@@ -20,15 +18,14 @@ namespace slidercrank
 {
 
 class ResponseChart;
+class Session;
 
 class ResponseView : public QWidget
 {
     Q_OBJECT
 
 public:
-    explicit ResponseView(QWidget *parent = nullptr);
-
-    void setResult(const std::shared_ptr<const Result> &result);
+    explicit ResponseView(Session *session, QWidget *parent = nullptr);
 
     /// Shows the response to `parameter`, which must be one of kVariedParameters.
     void setParameter(Parameter parameter);
@@ -40,12 +37,7 @@ public:
     /// error message if the file cannot be written.
     std::optional<QString> exportTo(const QString &path) const;
 
-    QSize minimumSizeHint() const override { return {200, 100}; } ///< what does not fit scrolls
-
 signals:
-    void parameterRequested(slidercrank::Parameter parameter, double value);
-    void dragBegan();
-    void dragEnded();
     void copied(const QString &sentence);
     void problemFound(const QString &sentence);
 
@@ -56,12 +48,11 @@ protected:
 private:
     void refresh();
     void showResponse(bool isNew); ///< `isNew`: the curves have changed, not only the dots
-    void paint(QPainter &painter, const QSize &size) const;
+    FigureDrawing drawing() const;
     QByteArray csv() const;
     void copy();
-    void chooseFile();
 
-    std::shared_ptr<const Result> m_result;
+    Session *m_session;
     Response m_response;
     BackgroundTask m_work;
     bool m_isOutdated = false; ///< the result changed while the curves were being computed

@@ -2,6 +2,7 @@
 #include "ui/panels/run_form.h"
 
 #include "core/mechanism/turn.h"
+#include "ui/document/session.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/number_box.h"
 #include "ui/widgets/popup_position.h"
@@ -21,8 +22,9 @@ constexpr double kMaximumSteps = 1e6;
 
 } // namespace
 
-RunForm::RunForm(QWidget *parent)
+RunForm::RunForm(Session *session, QWidget *parent)
     : QFrame(parent, Qt::Popup)
+    , m_session(session)
 {
     named("runForm", this, tr("Time range and speed"));
     setFrameShape(QFrame::StyledPanel);
@@ -58,8 +60,9 @@ RunForm::RunForm(QWidget *parent)
     connect(m_speedBox, &NumberBox::edited, this, &RunForm::speedEdited);
     connect(m_revolution, &NumberBox::edited, this,
             [this](double seconds) { emit speedEdited(revolution() / seconds); });
-    setSampling(m_sampling);
-    setSpeed(m_speed);
+    connect(session, &Session::settingsChanged, this, &RunForm::showSettings);
+    connect(session, &Session::parametersChanged, this, &RunForm::showSettings);
+    showSettings();
 }
 
 NumberBox *RunForm::addBox(QFormLayout *form, const QString &objectName, const QString &name, const QString &suffix,
@@ -72,25 +75,10 @@ NumberBox *RunForm::addBox(QFormLayout *form, const QString &objectName, const Q
     return box;
 }
 
-void RunForm::setSampling(const Sampling &sampling)
-{
-    m_sampling = sampling;
-    m_start->setValue(sampling.start);
-    m_duration->setValue(sampling.duration);
-    m_steps->setValue(sampling.steps);
-}
-
-void RunForm::setParameters(const Parameters &parameters)
-{
-    m_parameters = parameters;
-    showRevolution();
-}
-
 void RunForm::setSpeed(double speed)
 {
     m_speed = speed;
-    m_speedBox->setValue(speed);
-    showRevolution();
+    showSettings();
 }
 
 void RunForm::openAt(const QWidget &widget)
@@ -104,12 +92,17 @@ void RunForm::openAt(const QWidget &widget)
 
 double RunForm::revolution() const
 {
-    return kTurn / std::abs(m_parameters.omega2);
+    return kTurn / std::abs(m_session->parameters().omega2);
 }
 
-void RunForm::showRevolution()
+void RunForm::showSettings()
 {
-    const bool turns = m_parameters.omega2 != 0.0;
+    const auto &[start, duration, steps] = m_session->sampling();
+    m_start->setValue(start);
+    m_duration->setValue(duration);
+    m_steps->setValue(steps);
+    m_speedBox->setValue(m_speed);
+    const bool turns = m_session->parameters().omega2 != 0.0;
     m_oneTurn->setEnabled(revolution() <= kLargestParameter);
     m_revolution->setEnabled(turns);
     if (turns) {
@@ -122,12 +115,8 @@ void RunForm::showRevolution()
 
 void RunForm::edit()
 {
-    const Sampling sampling{m_start->value(), m_duration->value(), static_cast<int>(m_steps->value())};
-    if (sampling.duration > 0.0 && sampling != m_sampling) {
-        m_sampling = sampling;
-        emit edited(sampling);
-    }
-    setSampling(m_sampling);
+    m_session->setSampling({m_start->value(), m_duration->value(), static_cast<int>(m_steps->value())});
+    showSettings(); // also if nothing has changed
 }
 
 } // namespace slidercrank

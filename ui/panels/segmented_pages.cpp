@@ -5,6 +5,7 @@
 
 #include <QButtonGroup>
 #include <QHBoxLayout>
+#include <QScrollArea>
 #include <QStackedWidget>
 #include <QToolButton>
 
@@ -28,7 +29,12 @@ SegmentedPages::SegmentedPages(const QString &buttonName, QWidget *parent)
 
 void SegmentedPages::addPage(const QString &title, QWidget *page)
 {
-    const int id = static_cast<int>(m_buttons->buttons().size());
+    auto *scroll = new QScrollArea;
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    scroll->setWidgetResizable(true);
+    scroll->setWidget(page);
+    const int id = m_stack->addWidget(scroll);
     auto *button = named(m_buttonName + QString::number(id), new QToolButton);
     button->setText(title);
     button->setCheckable(true);
@@ -36,21 +42,14 @@ void SegmentedPages::addPage(const QString &title, QWidget *page)
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     m_buttons->addButton(button, id);
     m_column->insertWidget(id, button);
-    m_stack->addWidget(page);
-    connect(button, &QToolButton::toggled, this, [this, button, page, id](bool checked) {
+    connect(button, &QToolButton::toggled, this, [this, button, id](bool checked) {
         button->setFocusPolicy(checked ? Qt::TabFocus : Qt::NoFocus); // arrow keys lead to the other buttons
         if (checked) {
-            m_stack->setCurrentWidget(page);
-            emit currentChanged(id);
+            m_stack->setCurrentIndex(id);
         }
     });
     button->setFocusPolicy(Qt::NoFocus);
     button->setChecked(id == 0);
-}
-
-int SegmentedPages::current() const
-{
-    return m_buttons->checkedId();
 }
 
 void SegmentedPages::setCurrent(int index)

@@ -20,14 +20,10 @@ public:
     /// `buttonName`: object name of the buttons, to which their index is appended.
     explicit SegmentedPages(const QString &buttonName, QWidget *parent = nullptr);
 
-    /// Adds a page. The same widget may be added with several titles. The first page is shown at first.
+    /// Adds a page, which scrolls if there is too little space. The first page is shown at first.
     void addPage(const QString &title, QWidget *page);
 
-    int current() const;
     void setCurrent(int index);
-
-signals:
-    void currentChanged(int index);
 
 private:
     QString m_buttonName;

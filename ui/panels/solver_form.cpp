@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/solver_form.h"
 
+#include "ui/document/session.h"
 #include "ui/text/axis_scale.h"
 #include "ui/text/motion_facts.h"
 #include "ui/text/written_number.h"
@@ -71,91 +72,75 @@ QStringList warningsOf(const Result &result)
 
 } // namespace
 
-SolverForm::SolverForm(QWidget *parent)
+SolverForm::SolverForm(Session *session, QWidget *parent)
     : QWidget(parent)
-    , m_method(named("methodBox", new QComboBox))
-    , m_tolerance(named("toleranceBox", new NumberBox))
-    , m_toleranceKind(named("toleranceKindBox", new QComboBox))
-    , m_iterations(named("iterationsBox", new NumberBox))
-    , m_outcome(named("outcomeLabel", plainText()))
-    , m_warnings(named("warningLabel", plainText()))
 {
     named("solverForm", this, tr("Settings and outcome"));
-    m_method->addItem(tr("Newton-Raphson"), QVariant::fromValue(Method::Newton));
-    m_method->addItem(tr("closed form, exact"), QVariant::fromValue(Method::ClosedForm));
-    m_method->setToolTip(tr("How the curves are computed"));
-    m_tolerance->setRange({.smallest = 0.0});
-    m_tolerance->setToolTip(tr("Iterates until ‖C‖ is at most this; 0: until it no longer decreases"));
-    m_toleranceKind->addItem(tr("absolute"), QVariant::fromValue(ToleranceKind::Absolute));
-    m_toleranceKind->addItem(tr("relative"), QVariant::fromValue(ToleranceKind::Relative));
-    m_toleranceKind->setToolTip(
-        tr("Absolute: mm and rad mixed, as in the reference report. Relative: lengths divided by a + b + |c|, the same "
-           "at every scale"));
-    m_iterations->setRange({.smallest = 1.0, .largest = kMaximumIterations, .isWhole = true});
-    m_iterations->setFixedDecimals(0);
-    m_iterations->setStep(1.0);
-    m_iterations->setToolTip(tr("At one time step"));
-
-    auto *settings = new QFormLayout;
-    settings->setVerticalSpacing(4);
-    settings->setRowWrapPolicy(QFormLayout::WrapLongRows); // on small screens
-    const auto add = [settings](const QString &name, QWidget *field) {
-        field->setAccessibleName(name);
+    auto *form = new QFormLayout;
+    form->setVerticalSpacing(4);
+    form->setRowWrapPolicy(QFormLayout::WrapLongRows); // on small screens
+    const auto addRow = [form](const char *objectName, const QString &name, auto *field, const QString &explanation) {
+        named(objectName, field, name)->setToolTip(explanation);
         field->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
-        settings->addRow(name, field);
+        form->addRow(name, field);
+        return field;
     };
-    add(tr("Method"), m_method);
-    add(tr("Tolerance"), m_tolerance);
-    add(tr("Tolerance type"), m_toleranceKind);
-    add(tr("Maximum iterations"), m_iterations);
-    connect(m_method, &QComboBox::activated, this, &SolverForm::edit);
-    connect(m_tolerance, &NumberBox::edited, this, &SolverForm::edit);
-    connect(m_toleranceKind, &QComboBox::activated, this, &SolverForm::edit);
-    connect(m_iterations, &NumberBox::edited, this, &SolverForm::edit);
+    auto *method = addRow("methodBox", tr("Method"), new QComboBox, tr("How the curves are computed"));
+    method->addItems({tr("Newton-Raphson"), tr("closed form, exact")}); // in the order of Method
+    auto *tolerance = addRow("toleranceBox", tr("Tolerance"), new NumberBox,
+                             tr("Iterates until ‖C‖ is at most this; 0: until it no longer decreases"));
+    tolerance->setRange({.smallest = 0.0});
+    auto *kind = addRow("toleranceKindBox", tr("Tolerance type"), new QComboBox,
+                        tr("Absolute: mm and rad mixed, as in the reference report. Relative: lengths divided by "
+                           "a + b + |c|, the same at every scale"));
+    kind->addItems({tr("absolute"), tr("relative")}); // in the order of ToleranceKind
+    auto *iterations = addRow("iterationsBox", tr("Maximum iterations"), new NumberBox, tr("At one time step"));
+    iterations->setRange({.smallest = 1.0, .largest = kMaximumIterations, .isWhole = true});
+    iterations->setFixedDecimals(0);
+    iterations->setStep(1.0);
 
-    auto *outcome = new QVBoxLayout;
-    outcome->addWidget(m_outcome);
-    outcome->addWidget(m_warnings);
-    outcome->addStretch(1);
+    auto *outcome = named("outcomeLabel", plainText());
+    auto *warnings = named("warningLabel", plainText());
+    auto *texts = new QVBoxLayout;
+    texts->addWidget(outcome);
+    texts->addWidget(warnings);
+    texts->addStretch(1);
     auto *columns = new QHBoxLayout(this);
     columns->setContentsMargins(4, 0, 0, 0);
     columns->setSpacing(20);
-    columns->addLayout(settings);
-    columns->addLayout(outcome, 1);
-    setSolver(m_solver);
-}
+    columns->addLayout(form);
+    columns->addLayout(texts, 1);
 
-void SolverForm::setSolver(const SolverSettings &solver)
-{
-    m_solver = solver;
-    m_method->setCurrentIndex(m_method->findData(QVariant::fromValue(solver.method)));
-    m_tolerance->setValue(solver.newton.tolerance);
-    m_toleranceKind->setCurrentIndex(m_toleranceKind->findData(QVariant::fromValue(solver.newton.toleranceKind)));
-    m_iterations->setValue(solver.newton.maxIterations);
-    for (QWidget *field : std::initializer_list<QWidget *>{m_tolerance, m_toleranceKind, m_iterations}) {
-        field->setEnabled(solver.method == Method::Newton);
+    const auto show = [=] {
+        const auto &[shownMethod, newton] = session->solver();
+        method->setCurrentIndex(static_cast<int>(shownMethod));
+        tolerance->setValue(newton.tolerance);
+        kind->setCurrentIndex(static_cast<int>(newton.toleranceKind));
+        iterations->setValue(newton.maxIterations);
+        for (QWidget *field : std::initializer_list<QWidget *>{tolerance, kind, iterations}) {
+            field->setEnabled(shownMethod == Method::Newton);
+        }
+        const QStringList sentences = warningsOf(*session->result());
+        outcome->setText(outcomeText(*session->result()));
+        warnings->setText(sentences.isEmpty() ? QString() : QStringLiteral("⚠ ") + sentences.join(u' '));
+    };
+    const auto edit = [=] {
+        SolverSettings solver = session->solver();
+        solver.method = static_cast<Method>(method->currentIndex());
+        solver.newton.tolerance = tolerance->value();
+        solver.newton.toleranceKind = static_cast<ToleranceKind>(kind->currentIndex());
+        solver.newton.maxIterations = static_cast<int>(iterations->value());
+        session->setSolver(solver);
+    };
+    for (const QComboBox *box : {method, kind}) {
+        connect(box, &QComboBox::activated, session, edit);
     }
-}
-
-void SolverForm::setResult(const Result &result)
-{
-    const QStringList warnings = warningsOf(result);
-    m_outcome->setText(outcomeText(result));
-    m_warnings->setText(warnings.isEmpty() ? QString() : QStringLiteral("⚠ ") + warnings.join(u' '));
-}
-
-void SolverForm::edit()
-{
-    SolverSettings solver = m_solver;
-    solver.method = m_method->currentData().value<Method>();
-    solver.newton.tolerance = m_tolerance->value();
-    solver.newton.toleranceKind = m_toleranceKind->currentData().value<ToleranceKind>();
-    solver.newton.maxIterations = static_cast<int>(m_iterations->value());
-    const bool isChange = solver != m_solver;
-    setSolver(solver);
-    if (isChange) {
-        emit edited(solver);
+    for (const NumberBox *box : {tolerance, iterations}) {
+        connect(box, &NumberBox::edited, session, edit);
     }
+    connect(session, &Session::settingsChanged, this, show);
+    connect(session, &Session::resultChanged, this, show);
+    show();
 }
 
 } // namespace slidercrank

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/study_panel.h"
 
+#include "ui/document/session.h"
 #include "ui/panels/study_page.h"
 #include "ui/panels/table_panel.h"
 #include "ui/text/finding_text.h"
@@ -40,8 +41,9 @@ std::size_t silentFailures(const StudyResult &result)
 
 } // namespace
 
-StudyPanel::StudyPanel(QWidget *parent)
+StudyPanel::StudyPanel(Session *session, QWidget *parent)
     : QWidget(parent)
+    , m_session(session)
     , m_runThis(named("runThisButton", new QPushButton))
     , m_runHard(named("runHardButton", new QPushButton))
     , m_progress(named("studyProgress", new QProgressBar, tr("Progress of the study")))
@@ -74,8 +76,6 @@ StudyPanel::StudyPanel(QWidget *parent)
     m_export->setText(tr("Export all cases…"));
     m_export->setToolTip(tr("The numbers of every case as CSV or JSON"));
     connect(m_export, &QToolButton::clicked, this, &StudyPanel::chooseFile);
-    connect(m_page, &TablePanel::rowsCopied, this, &StudyPanel::rowsCopied);
-    connect(m_page, &TablePanel::problemFound, this, &StudyPanel::problemFound);
 
     auto *controls = new QHBoxLayout;
     controls->setContentsMargins(6, 4, 6, 0);
@@ -98,18 +98,13 @@ StudyPanel::StudyPanel(QWidget *parent)
             emit finished();
         }
     });
+    connect(session, &Session::parametersChanged, this, &StudyPanel::showSummary);
     updateButtons();
-}
-
-void StudyPanel::setParameters(const Parameters &parameters)
-{
-    m_parameters = parameters;
-    showSummary();
 }
 
 void StudyPanel::runThisMechanism()
 {
-    run(m_runThis, {.cases = {studyCase(m_parameters)}});
+    run(m_runThis, {.cases = {studyCase(m_session->parameters())}});
 }
 
 void StudyPanel::runHardCases()
@@ -176,7 +171,7 @@ void StudyPanel::showSummary()
         parts << tr("cancelled");
     }
     const bool isOfThisMechanism = shown->name == studyCase(shown->parameters).name;
-    if (isOfThisMechanism && shown->parameters != m_parameters) {
+    if (isOfThisMechanism && shown->parameters != m_session->parameters()) {
         parts << tr("the mechanism has changed since: run again");
     }
     m_summary->setText(parts.join(", "));

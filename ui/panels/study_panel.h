@@ -21,6 +21,7 @@ class QToolButton;
 namespace slidercrank
 {
 
+class Session;
 class TablePanel;
 
 class StudyPanel : public QWidget
@@ -28,7 +29,7 @@ class StudyPanel : public QWidget
     Q_OBJECT
 
 public:
-    explicit StudyPanel(QWidget *parent = nullptr);
+    explicit StudyPanel(Session *session, QWidget *parent = nullptr);
 
     /// Writes the chart of the displayed case in the format of the suffix. Returns an error message if it cannot be
     /// written.
@@ -38,7 +39,6 @@ public:
     std::optional<QString> exportNumbers(const QString &path) const;
 
 public slots:
-    void setParameters(const slidercrank::Parameters &parameters);
     void setResult(const std::shared_ptr<const slidercrank::StudyResult> &result);
     void runThisMechanism();
     void runHardCases();
@@ -47,7 +47,6 @@ public slots:
 signals:
     void finished(); ///< the study is complete or was cancelled
     void problemFound(const QString &sentence);
-    void rowsCopied(int count);
 
 private:
     void run(QPushButton *button, StudyRequest request);
@@ -56,7 +55,7 @@ private:
     void updateButtons();
     void chooseFile();
 
-    Parameters m_parameters;
+    Session *m_session;
     std::shared_ptr<const StudyResult> m_result;
     BackgroundTask m_study;
     QPushButton *m_runThis;

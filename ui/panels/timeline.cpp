@@ -3,6 +3,7 @@
 
 #include "core/mechanism/turn.h"
 #include "core/sampling/crank_time.h"
+#include "ui/document/session.h"
 #include "ui/panels/run_form.h"
 #include "ui/text/written_number.h"
 #include "ui/widgets/named.h"
@@ -56,17 +57,17 @@ QIcon colouredIcon(const QWidget &widget, QStyle::StandardPixmap symbol)
 
 } // namespace
 
-Timeline::Timeline(QWidget *parent)
+Timeline::Timeline(Session *session, QWidget *parent)
     : QWidget(parent)
+    , m_session(session)
     , m_clock(steadySeconds)
     , m_speeds(new QActionGroup(this))
-    , m_runForm(new RunForm(this))
+    , m_runForm(new RunForm(session, this))
 {
     named("timeline", this, tr("Timeline"));
     m_frames.setInterval(16);
     m_frames.setTimerType(Qt::PreciseTimer);
     connect(&m_frames, &QTimer::timeout, this, &Timeline::nextFrame);
-    connect(m_runForm, &RunForm::edited, this, &Timeline::samplingEdited);
     connect(m_runForm, &RunForm::speedEdited, this, &Timeline::setSpeed);
     createActions();
     auto *rows = new QVBoxLayout(this);
@@ -75,7 +76,10 @@ Timeline::Timeline(QWidget *parent)
     rows->addLayout(createScrubbing());
     rows->addLayout(createButtons());
     colourIcons();
-    setSampling(m_sampling);
+    connect(session, &Session::parametersChanged, this, &Timeline::showTime);
+    connect(session, &Session::settingsChanged, this, &Timeline::showSampling);
+    connect(session, &Session::timeChanged, this, &Timeline::showTime);
+    showSampling();
     setSpeed(m_speed);
 }
 
@@ -94,10 +98,10 @@ void Timeline::createActions()
 {
     addAction(Play, tr("&Play or pause"), Qt::Key_Space, [this] { togglePlaying(); });
     m_actions[Play]->setAutoRepeat(false);
-    addAction(Forward, tr("Step &forward"), Qt::Key_Right, [this] { stepTo(std::floor(stepsAt(m_pose.time) + 1.0)); });
-    addAction(Back, tr("Step &back"), Qt::Key_Left, [this] { stepTo(std::ceil(stepsAt(m_pose.time) - 1.0)); });
-    addAction(Start, tr("To the &start"), Qt::Key_Home, [this] { emit timeRequested(m_sampling.start); });
-    addAction(End, tr("To the &end"), Qt::Key_End, [this] { emit timeRequested(last()); });
+    addAction(Forward, tr("Step &forward"), Qt::Key_Right, [this] { stepTo(std::floor(currentStep() + 1.0)); });
+    addAction(Back, tr("Step &back"), Qt::Key_Left, [this] { stepTo(std::ceil(currentStep() - 1.0)); });
+    addAction(Start, tr("To the &start"), Qt::Key_Home, [this] { m_session->setTime(first()); });
+    addAction(End, tr("To the &end"), Qt::Key_End, [this] { m_session->setTime(last()); });
     addAction(Loop, tr("&Loop"), Qt::CTRL | Qt::Key_L);
     m_actions[Loop]->setToolTip(tr("Start again at the end (Ctrl+L)"));
     m_actions[Loop]->setCheckable(true);
@@ -138,7 +142,7 @@ QLayout *Timeline::createScrubbing()
         return box;
     };
     m_timeBox = makeBox("timeBox", tr("Time in seconds"), tr("Time"), tr(" s"), kSecond);
-    connect(m_timeBox, &NumberBox::edited, this, &Timeline::timeRequested);
+    connect(m_timeBox, &NumberBox::edited, m_session, &Session::setTime);
 
     constexpr double kLargestAngle = 1e300; // degrees; larger than any angle that a mechanism reaches
     m_angleBox = makeBox("angleBox", tr("Crank angle in degrees"),
@@ -152,7 +156,7 @@ QLayout *Timeline::createScrubbing()
     m_slider->setSuffix(tr(" s"));
     m_slider->setMinimumWidth(60);
     connect(m_slider, &NumberSlider::valueChanged, this,
-            [this](int step) { emit timeRequested(m_sampling.timeStamp(step)); });
+            [this](int step) { m_session->setTime(m_session->sampling().timeStamp(step)); });
 
     auto *row = new QHBoxLayout;
     row->setSpacing(5);
@@ -215,49 +219,41 @@ void Timeline::changeEvent(QEvent *event)
     }
 }
 
-void Timeline::setSampling(const Sampling &sampling)
+double Timeline::first() const
 {
-    m_sampling = sampling;
+    return m_session->sampling().start;
+}
+
+double Timeline::last() const
+{
+    return first() + m_session->sampling().duration;
+}
+
+void Timeline::showSampling()
+{
+    const Sampling &sampling = m_session->sampling();
     const double step = sampling.duration / sampling.steps;
     const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(step))), 3, 9);
     m_timeBox->setFixedDecimals(decimals);
     m_timeBox->setStep(step);
-    m_timeBox->setRange({.smallest = m_sampling.start, .largest = last(), .takesNearest = true});
-    const double largest = std::max(std::abs(m_sampling.start), std::abs(last()));
+    const double largest = std::max(std::abs(first()), std::abs(last()));
     m_timeBox->setWidestText(QLocale().toString(-largest, 'f', decimals));
     {
         const QSignalBlocker quiet(m_slider);
-        m_slider->setScale(sampling.start, step);
+        m_slider->setScale(first(), step);
         m_slider->setRange(0, sampling.steps);
         m_slider->setPageStep(std::max(1, sampling.steps / 20));
     }
     if (isPlaying()) {
-        restartClock(std::clamp(m_requested, m_sampling.start, last()));
-    }
-    m_runForm->setSampling(sampling);
-    showTime();
-}
-
-void Timeline::setPose(const Pose &pose)
-{
-    m_pose = pose;
-    if (isPlaying() && pose.time != m_requested) {
-        restartClock(pose.time); // the time was changed during playback
+        restartClock(std::clamp(m_requested, first(), last()));
     }
     showTime();
-}
-
-void Timeline::setParameters(const Parameters &parameters)
-{
-    m_parameters = parameters;
-    m_angleBox->setEnabled(parameters.omega2 != 0.0);
-    m_runForm->setParameters(parameters);
 }
 
 void Timeline::play()
 {
     if (!isPlaying()) {
-        restartClock(m_pose.time < last() ? m_pose.time : m_sampling.start);
+        restartClock(m_session->time() < last() ? m_session->time() : first());
         m_frames.start();
         colourIcons();
     }
@@ -305,18 +301,19 @@ void Timeline::nextFrame()
     const bool isOver = time >= last() && !isLooping();
     m_requested = time < last() ? time
                   : isOver      ? last()
-                                : m_sampling.start + std::fmod(time - m_sampling.start, m_sampling.duration);
-    emit timeRequested(m_requested);
+                                : first() + std::fmod(time - first(), last() - first());
+    m_session->setTime(m_requested);
     if (isOver) {
         pause();
     }
 }
 
-/// Returns the number of time steps; a number that is whole except for rounding errors is rounded.
-double Timeline::stepsAt(double time) const
+/// A number that is whole except for rounding errors is rounded.
+double Timeline::currentStep() const
 {
     constexpr double kSame = 1e-6; // time steps
-    const double steps = (time - m_sampling.start) / m_sampling.duration * m_sampling.steps;
+    const auto &[start, duration, count] = m_session->sampling();
+    const double steps = std::clamp((m_session->time() - start) / duration, 0.0, 1.0) * count;
     const double nearest = std::round(steps);
     return std::abs(steps - nearest) < kSame ? nearest : steps;
 }
@@ -324,38 +321,38 @@ double Timeline::stepsAt(double time) const
 void Timeline::stepTo(double step)
 {
     pause();
-    emit timeRequested(
-        m_sampling.timeStamp(static_cast<int>(std::clamp(step, 0.0, static_cast<double>(m_sampling.steps)))));
+    m_session->setTime(m_session->sampling().timeStamp(static_cast<int>(step)));
 }
 
 void Timeline::goToAngle(double degrees)
 {
-    const double omega2 = m_parameters.omega2;
-    if (omega2 != 0.0) {
-        double time =
-            (degrees / kDegreesPerRadian - m_parameters.theta20) / omega2; // of this angle, including whole turns
-        if (!(time >= m_sampling.start && time <= last())) {
-            const double period = kTurn / std::abs(omega2);
-            time = timeAtCrankAngle(Mechanism(m_parameters), degrees / kDegreesPerRadian, m_sampling.start).value_or(m_sampling.start);
-            if (time > last()) { // the crank does not reach the angle: go to the nearer end
-                time = m_sampling.start - (time - period) < time - last() ? m_sampling.start : last();
-            }
+    const Parameters &parameters = m_session->parameters();
+    const double theta2 = degrees / kDegreesPerRadian;
+    double time = (theta2 - parameters.theta20) / parameters.omega2; // of this angle, including whole turns
+    if (!(time >= first() && time <= last())) {
+        const double period = kTurn / std::abs(parameters.omega2);
+        time = timeAtCrankAngle(Mechanism(parameters), theta2, first()).value_or(first());
+        if (time > last()) { // the crank does not reach the angle: go to the nearer end
+            time = first() - (time - period) < time - last() ? first() : last();
         }
-        emit timeRequested(time);
     }
-    showTime();
+    m_session->setTime(time);
 }
 
 void Timeline::showTime()
 {
-    m_timeBox->setValue(m_pose.time);
-    m_angleBox->setValue(m_pose.theta2 * kDegreesPerRadian);
+    const Pose pose = m_session->pose();
+    if (isPlaying() && pose.time != m_requested) {
+        restartClock(pose.time); // the time was changed during playback
+    }
+    m_timeBox->setValue(pose.time);
+    m_angleBox->setValue(pose.theta2 * kDegreesPerRadian);
+    m_angleBox->setEnabled(m_session->parameters().omega2 != 0.0);
     const QSignalBlocker quiet(m_slider);
-    m_slider->setValue(
-        static_cast<int>(std::lround(std::clamp(stepsAt(m_pose.time), 0.0, static_cast<double>(m_sampling.steps)))));
+    m_slider->setValue(static_cast<int>(std::lround(currentStep())));
     constexpr int kDigits = 3;
     m_run->setText(tr("%1 s · %2 ▾", "duration, playback speed")
-                       .arg(numberText(m_sampling.duration, kDigits), speedText(m_speed)));
+                       .arg(numberText(last() - first(), kDigits), speedText(m_speed)));
 }
 
 } // namespace slidercrank

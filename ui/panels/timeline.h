@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A widget that plays, steps and scrubs through the simulated time. It emits timeRequested() and shows the time that
-// setPose() returns to it. Playback follows the clock: a slow machine drops frames. A button opens the form for the time
-// range and the playback speed.
-
-#include "core/mechanism/mechanism.h"
-#include "core/sampling/trajectory.h"
-#include "ui/document/result.h"
+// A widget that plays, steps and scrubs through the simulated time. Playback follows the clock: a slow machine drops
+// frames. A button opens the form for the time range and the playback speed.
 
 #include <QTimer>
 #include <QWidget>
@@ -27,6 +22,7 @@ namespace slidercrank
 class NumberBox;
 class NumberSlider;
 class RunForm;
+class Session;
 
 /// Playback speeds in the menu: seconds of the motion per second of real time.
 inline constexpr std::array<double, 9> kSpeeds{0.1, 0.2, 0.25, 0.5, 1.0, 2.0, 4.0, 5.0, 10.0};
@@ -36,7 +32,7 @@ class Timeline : public QWidget
     Q_OBJECT
 
 public:
-    explicit Timeline(QWidget *parent = nullptr);
+    explicit Timeline(Session *session, QWidget *parent = nullptr);
 
     bool isPlaying() const { return m_frames.isActive(); }
     bool isLooping() const;
@@ -49,21 +45,11 @@ public:
     void fillMenu(QMenu *menu);
 
 public slots:
-    void setSampling(const slidercrank::Sampling &sampling);
-    void setPose(const slidercrank::Pose &pose);
-
-    /// Uses ω₂ and θ₂₀ to find the time of a typed crank angle.
-    void setParameters(const slidercrank::Parameters &parameters);
-
     void togglePlaying() { isPlaying() ? pause() : play(); }
     void play();
     void pause();
     void setSpeed(double speed);
     void openRun(); ///< opens the form for the time range and the speed
-
-signals:
-    void timeRequested(double seconds);
-    void samplingEdited(const slidercrank::Sampling &sampling);
 
 protected:
     void changeEvent(QEvent *event) override;
@@ -76,17 +62,17 @@ private:
     QLayout *createScrubbing();
     QLayout *createButtons();
     void colourIcons();
-    double last() const { return m_sampling.start + m_sampling.duration; } ///< end of the time range, s
+    double first() const; ///< start of the time range, s
+    double last() const;  ///< end of the time range, s
     void nextFrame();
     void restartClock(double from);
-    double stepsAt(double time) const; ///< time steps since the start
+    double currentStep() const; ///< time steps since the start
     void stepTo(double step);
     void goToAngle(double degrees);
+    void showSampling();
     void showTime();
 
-    Sampling m_sampling;
-    Parameters m_parameters;
-    Pose m_pose;
+    Session *m_session;
 
     // While playing, the time is m_playedFrom + m_speed · (m_clock() - m_playedSince).
     QTimer m_frames{this};

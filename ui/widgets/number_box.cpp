@@ -184,7 +184,7 @@ NumberBox::TypedNumber NumberBox::read(const QString &text) const
     if (typed.fault) {
         return {value(), quantityFaultText(number, *typed.fault, m_unit)};
     }
-    return {typed.value, m_range.takesNearest ? QString() : refusalOf(typed.value)};
+    return {typed.value, refusalOf(typed.value)};
 }
 
 QString NumberBox::refusalOf(double value) const

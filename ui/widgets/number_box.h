@@ -22,9 +22,8 @@ namespace slidercrank
 struct NumberRange {
     double smallest = -kLargestParameter;
     double largest = kLargestParameter;
-    bool isOpen = false;       ///< only numbers greater than the smallest
-    bool isWhole = false;      ///< whole numbers only
-    bool takesNearest = false; ///< a number outside the range is moved to its nearer end instead of being refused
+    bool isOpen = false;  ///< only numbers greater than the smallest
+    bool isWhole = false; ///< whole numbers only
 };
 
 class NumberBox : public QDoubleSpinBox

@@ -7,17 +7,20 @@
 #include "ui/panels/design_form.h"
 #include "ui/panels/error_page.h"
 #include "ui/panels/limits_page.h"
-#include "ui/panels/limits_panel.h"
-#include "ui/panels/newton_panel.h"
+#include "ui/panels/newton_pages.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/panels/reference_page.h"
+#include "ui/panels/response_view.h"
 #include "ui/panels/run_form.h"
+#include "ui/panels/segmented_pages.h"
+#include "ui/panels/solver_form.h"
 #include "ui/panels/study_panel.h"
 #include "ui/panels/table_panel.h"
 #include "ui/panels/timeline.h"
 #include "ui/plots/plot_grid.h"
 #include "ui/widgets/folding_tabs.h"
 #include "ui/widgets/message_bar.h"
+#include "ui/widgets/named.h"
 #include "ui/window/exports.h"
 #include "ui/window/ghost.h"
 #include "ui/window/key_filter.h"
@@ -176,13 +179,14 @@ void MainWindow::connectDocument()
 void MainWindow::makeViews()
 {
     m_views.mechanism = new MechanismView;
-    m_views.timeline = new Timeline;
-    m_views.parameters = new ParameterPanel;
+    m_views.timeline = new Timeline(m_session);
+    m_views.parameters = new ParameterPanel(m_session);
     m_views.plots = new PlotGrid;
     m_views.tabs = new FoldingTabs;
     makeTabs();
     m_views.columns = layOut(m_views);
-    connectViews();
+    connectMechanism();
+    connectPlots();
     m_views.ghost = new Ghost(m_session, m_views.mechanism);
 }
 
@@ -200,59 +204,28 @@ void MainWindow::makeTabs()
     m_views.tabs->addPage(tr("Speed and accuracy"), [this] { return makeStudyPanel(); });
 }
 
-template <typename Changed, typename View, typename Slot, typename... Now>
-void MainWindow::follow(Changed changed, View *view, Slot slot, const Now &...now)
+void MainWindow::connectMechanism()
 {
-    (view->*slot)(now...);
-    connect(m_session, changed, view, slot);
-}
-
-template <typename View>
-void MainWindow::connectDrags(const View *view)
-{
-    connect(view, &View::dragBegan, m_session, &Session::beginDrag);
-    connect(view, &View::dragEnded, m_session, &Session::endDrag);
-}
-
-template <typename Panel>
-void MainWindow::connectReports(const Panel *panel)
-{
-    connect(panel, &Panel::rowsCopied, m_messages, &Messages::confirmCopiedRows);
-    connect(panel, &Panel::problemFound, m_messages, &Messages::showProblem);
-}
-
-void MainWindow::connectViews()
-{
-    ParameterPanel *panel = m_views.parameters;
-    follow(&Session::parametersChanged, panel, &ParameterPanel::setParameters, m_session->parameters());
-    connect(panel, &ParameterPanel::edited, m_session, &Session::setParameters);
-    connectDrags(panel);
-
-    Timeline *timeline = m_views.timeline;
-    follow(&Session::parametersChanged, timeline, &Timeline::setParameters, m_session->parameters());
-    follow(&Session::settingsChanged, timeline, &Timeline::setSampling, m_session->sampling());
-    connect(m_session, &Session::timeChanged, timeline, &Timeline::setPose);
-    connect(timeline, &Timeline::timeRequested, m_session, &Session::setTime);
-    connect(timeline, &Timeline::samplingEdited, m_session, &Session::setSampling);
-
-    MechanismView *mechanism = m_views.mechanism;
-    follow(&Session::resultChanged, mechanism, &MechanismView::setResult, m_session->result());
-    connect(m_session, &Session::timeChanged, mechanism, &MechanismView::setPose);
-    connect(mechanism, &MechanismView::timeRequested, m_session, &Session::setTime);
-    connect(mechanism, &MechanismView::lengthRequested, m_session, &Session::setParameter);
-    connect(mechanism, &MechanismView::branchRequested, m_session, [this](Branch branch) {
+    MechanismView *view = m_views.mechanism;
+    view->setResult(m_session->result());
+    connect(m_session, &Session::resultChanged, view, &MechanismView::setResult);
+    connect(m_session, &Session::timeChanged, view, &MechanismView::setPose);
+    connect(view, &MechanismView::timeRequested, m_session, &Session::setTime);
+    connect(view, &MechanismView::lengthRequested, m_session, &Session::setParameter);
+    connect(view, &MechanismView::branchRequested, m_session, [this](Branch branch) {
         m_session->setParameters(with(m_session->parameters(), &Parameters::branch, branch));
     });
-    connectDrags(mechanism);
-    connect(mechanism, &MechanismView::enlarged, m_presentation,
+    connect(view, &MechanismView::dragBegan, m_session, &Session::beginDrag);
+    connect(view, &MechanismView::dragEnded, m_session, &Session::endDrag);
+    connect(view, &MechanismView::enlarged, m_presentation,
             [this] { m_presentation->setMechanismAlone(m_views.plots->isVisible()); });
-    connectPlots();
 }
 
 void MainWindow::connectPlots()
 {
     PlotGrid *plots = m_views.plots;
-    follow(&Session::resultChanged, plots, &PlotGrid::setResult, m_session->result());
+    plots->setResult(m_session->result());
+    connect(m_session, &Session::resultChanged, plots, &PlotGrid::setResult);
     connect(m_session, &Session::timeChanged, plots, &PlotGrid::setPose);
     connect(plots, &PlotGrid::timeRequested, m_session, &Session::setTime);
     connect(plots, &PlotGrid::pinRequested, m_session, &Session::pinMotion);
@@ -276,43 +249,53 @@ TablePanel *MainWindow::makePanel(const QString &name, const QString &title, con
     return panel;
 }
 
+void MainWindow::connectReports(const TablePanel *panel)
+{
+    connect(panel, &TablePanel::rowsCopied, m_messages, &Messages::confirmCopiedRows);
+    connect(panel, &TablePanel::problemFound, m_messages, &Messages::showProblem);
+}
+
 QWidget *MainWindow::makeLimitsPanel()
 {
-    auto *panel = new LimitsPanel(makePanel(QStringLiteral("limitsPanel"), tr("Motion limits"),
-                                            [this] { return limitsPage(*m_session->result()); }));
-    follow(&Session::resultChanged, panel, &LimitsPanel::setResult, m_session->result());
-    connect(panel, &LimitsPanel::responseShown, m_views.tabs, [this, panel] { m_views.tabs->showPage(panel); });
-    const ResponseView *response = panel->response();
-    connect(response, &ResponseView::parameterRequested, m_session, &Session::setParameter);
-    connectDrags(response);
+    auto *panel = named("limits", new SegmentedPages(QStringLiteral("limitsSegment")), tr("Motion limits"));
+    panel->addPage(tr("Values"), makePanel(QStringLiteral("limitsPanel"), tr("Motion limits"),
+                                           [this] { return limitsPage(*m_session->result()); }));
+    auto *response = new ResponseView(m_session);
+    panel->addPage(tr("Response"), response);
+    panel->addPage(tr("Design"), new DesignForm(m_session));
     connect(response, &ResponseView::copied, m_messages, &Messages::confirm);
     connect(response, &ResponseView::problemFound, m_messages, &Messages::showProblem);
-    const DesignForm *design = panel->design();
-    connect(design, &DesignForm::edited, m_session, &Session::setParameters);
-    connectDrags(design);
-    connect(m_views.parameters, &ParameterPanel::responseRequested, panel, &LimitsPanel::showResponse);
+    connect(m_views.parameters, &ParameterPanel::responseRequested, panel, [this, panel, response](Parameter parameter) {
+        response->setParameter(parameter);
+        panel->setCurrent(1);
+        m_views.tabs->showPage(panel);
+    });
     return panel;
 }
 
 QWidget *MainWindow::makeNewtonPanel()
 {
-    auto *panel = new NewtonPanel;
-    panel->setSolver(m_session->solver());
-    connect(panel, &NewtonPanel::edited, m_session, &Session::setSolver);
-    connect(m_session, &Session::settingsChanged, panel,
-            [panel](const Sampling &, const SolverSettings &solver) { panel->setSolver(solver); });
-    follow(&Session::resultChanged, panel, &NewtonPanel::setResult, m_session->result());
-    follow(&Session::timeChanged, panel, &NewtonPanel::setPose, m_session->pose());
-    connectReports(panel);
-    connect(panel, &NewtonPanel::partHovered, m_views.mechanism, &MechanismView::highlight);
+    auto *panel = named("newtonPanel", new SegmentedPages(QStringLiteral("segment")), tr("Newton-Raphson"));
+    panel->addPage(tr("Settings"), new SolverForm(m_session));
+    const auto addPage = [this, panel](const char *name, const QString &title, Page (*makePage)(const Result &, double)) {
+        const auto make = [this, makePage] { return makePage(*m_session->result(), m_session->time()); };
+        TablePanel *page = makePanel(QString::fromLatin1(name), title, make);
+        connect(m_session, &Session::timeChanged, page, &TablePanel::refresh);
+        connect(page, &TablePanel::partHovered, m_views.mechanism, &MechanismView::highlight);
+        panel->addPage(title, page);
+    };
+    addPage("equationPanel", tr("Equations"), equationPage);
+    addPage("jacobianPanel", tr("Jacobian"), jacobianPage);
+    addPage("iterationPanel", tr("Iterations"), iterationPage);
+    addPage("coordinatePanel", tr("Coordinates"), coordinatePage);
     return panel;
 }
 
 QWidget *MainWindow::makeStudyPanel()
 {
-    auto *panel = new StudyPanel;
-    follow(&Session::parametersChanged, panel, &StudyPanel::setParameters, m_session->parameters());
-    connectReports(panel);
+    auto *panel = new StudyPanel(m_session);
+    connect(panel, &StudyPanel::problemFound, m_messages, &Messages::showProblem);
+    connectReports(panel->findChild<TablePanel *>());
     return panel;
 }
 

@@ -60,22 +60,11 @@ private:
     void connectDocument();
     void makeViews();
     void makeTabs();
-    void connectViews();
+    void connectMechanism();
     void connectPlots();
 
-    /// Calls the slot of `view` now with `now`, and whenever the session emits `changed`.
-    template <typename Changed, typename View, typename Slot, typename... Now>
-    void follow(Changed changed, View *view, Slot slot, const Now &...now);
-
-    /// Connects the signals by which a view begins and ends a drag.
-    template <typename View>
-    void connectDrags(const View *view);
-
-    /// Connects the signals by which a panel reports copied rows and problems.
-    template <typename Panel>
-    void connectReports(const Panel *panel);
-
     TablePanel *makePanel(const QString &name, const QString &title, const std::function<Page()> &makePage);
+    void connectReports(const TablePanel *panel);
     QWidget *makeLimitsPanel();
     QWidget *makeNewtonPanel();
     QWidget *makeStudyPanel();

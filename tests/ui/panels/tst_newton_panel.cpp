@@ -5,17 +5,14 @@
 #include "tests/support/suite.h"
 #include "ui/document/session.h"
 #include "ui/panels/newton_pages.h"
-#include "ui/panels/newton_panel.h"
+#include "ui/panels/solver_form.h"
 #include "ui/widgets/number_box.h"
 
-#include "tests/support/waiting.h"
 #include "tests/support/widget_parts.h"
 
 #include <QComboBox>
 #include <QLabel>
-#include <QSignalSpy>
 #include <QTest>
-#include <QToolButton>
 
 #include <cmath>
 
@@ -129,80 +126,60 @@ private slots:
 
     void changesOneSettingAtATime()
     {
-        NewtonPanel panel;
+        Session session;
         SolverSettings expected{Method::Newton, {25, 1e-10}};
-        panel.setSolver(expected);
-        QSignalSpy edits(&panel, &NewtonPanel::edited);
-        const auto received = [&edits] { return edits.takeLast()[0].value<SolverSettings>(); };
-        auto *tolerance = child<NumberBox>(panel, "toleranceBox");
+        session.setSolver(expected);
+        const SolverForm form(&session);
+        auto *tolerance = child<NumberBox>(form, "toleranceBox");
+        auto *iterations = child<NumberBox>(form, "iterationsBox");
         QCOMPARE(tolerance->text(), QString("10⁻¹⁰"));
         typeNumber(tolerance, "3e-7");
         expected.newton.tolerance = 3e-7;
-        QCOMPARE(received(), expected);
-        typeNumber(child<NumberBox>(panel, "iterationsBox"), "40");
+        QCOMPARE(session.solver(), expected);
+        typeNumber(iterations, "40");
         expected.newton.maxIterations = 40;
-        QCOMPARE(received(), expected);
-        QTest::keyClick(child<QComboBox>(panel, "toleranceKindBox"), Qt::Key_Down);
+        QCOMPARE(session.solver(), expected);
+        QTest::keyClick(child<QComboBox>(form, "toleranceKindBox"), Qt::Key_Down);
         expected.newton.toleranceKind = ToleranceKind::Relative;
-        QCOMPARE(received(), expected);
+        QCOMPARE(session.solver(), expected);
         typeNumber(tolerance, "-1e-8"); // refused
-        typeNumber(tolerance, "3e-7");  // unchanged
-        QVERIFY(edits.isEmpty());
-        QTest::keyClick(child<QComboBox>(panel, "methodBox"), Qt::Key_Down);
+        QCOMPARE(session.solver(), expected);
+        QTest::keyClick(child<QComboBox>(form, "methodBox"), Qt::Key_Down);
         expected.method = Method::ClosedForm;
-        QCOMPARE(received(), expected);
-        QVERIFY(!tolerance->isEnabled() && !child<NumberBox>(panel, "iterationsBox")->isEnabled());
+        QCOMPARE(session.solver(), expected);
+        QVERIFY(!tolerance->isEnabled() && !iterations->isEnabled());
     }
 
     void showsTheOutcomeOfTheSolver()
     {
-        NewtonPanel panel;
-        const auto *outcome = child<QLabel>(panel, "outcomeLabel");
-        const auto *warnings = child<QLabel>(panel, "warningLabel");
-        const auto show = [&panel](const std::shared_ptr<const Result> &result) {
-            panel.setResult(result);
-            return result->summary;
+        Session session;
+        const SolverForm form(&session);
+        const auto text = [&form](const char *label) { return child<QLabel>(form, label)->text(); };
+        const auto run = [&session](const SolverSettings &solver, double b = 65.0, int steps = 200) {
+            session.setParameter(Parameter::B, b);
+            session.setSampling({0.0, 1.0, steps});
+            session.setSolver(solver);
+            return session.result()->summary;
         };
-        SamplingSummary run = show(resultWith({Method::Newton, {}}));
-        QVERIFY(outcome->text().contains(QString::number(run.iterations)));
-        QVERIFY(outcome->text().contains("All 201"));
-        QVERIFY(warnings->text().isEmpty());
-        show(resultWith({Method::ClosedForm, {}}));
-        QVERIFY(!outcome->text().contains("residual"));
+        SamplingSummary summary = run({Method::Newton, {}});
+        QVERIFY(text("outcomeLabel").contains(QString::number(summary.iterations)));
+        QVERIFY(text("outcomeLabel").contains("All 201"));
+        QVERIFY(text("warningLabel").isEmpty());
+        run({Method::ClosedForm, {}});
+        QVERIFY(!text("outcomeLabel").contains("residual"));
 
-        run = show(resultWith({Method::Newton, {2, 1e-8}}));
-        const QString failed = QString::number(run.count(Status::IterationLimit));
-        QVERIFY(failed != "0");
-        QVERIFY2(warnings->text().contains(failed + " of 201 time steps did not converge within 2 iterations"),
-                 qPrintable(warnings->text()));
-        run = show(resultWith({Method::ClosedForm, {}}, 40.0));
-        QVERIFY2(warnings->text().contains(
-                     QString("%1 of 201 time steps cannot be assembled").arg(run.count(Status::NotAssemblable))),
-                 qPrintable(warnings->text()));
-        QVERIFY(!warnings->text().contains("%"));
+        summary = run({Method::Newton, {2, 1e-8}});
+        QVERIFY(summary.count(Status::IterationLimit) > 0);
+        QVERIFY(text("warningLabel").contains(QString("%1 of 201 time steps did not converge within 2 iterations")
+                                                  .arg(summary.count(Status::IterationLimit))));
+        summary = run({Method::ClosedForm, {}}, 40.0);
+        QVERIFY(text("warningLabel").contains(
+            QString("%1 of 201 time steps cannot be assembled").arg(summary.count(Status::NotAssemblable))));
+        QVERIFY(!text("warningLabel").contains("%"));
 
-        run = show(resultWith({Method::Newton, {1, 1e-8}}, 65.0, 20)); // counts only the solved time steps
-        QCOMPARE(outcome->text().contains("All 21"), run.count(Status::Solved) == 21);
-        QCOMPARE(outcome->text().contains("Iterations: –"), run.found() == 0);
-    }
-
-    void computesOnlyTheVisiblePageAtTheCurrentTime()
-    {
-        NewtonPanel panel;
-        panel.resize(960, 200);
-        panel.show();
-        panel.setResult(resultWith({}));
-        panel.setPose(poseAt({}, 0.3));
-        QVERIFY(!panel.findChild<NumberTable *>());
-        child<QToolButton>(panel, "segment4")->click();
-        auto *table = child<NumberTable>(panel, "coordinateTable");
-        const auto angle = [table] { return table->model()->index(Theta2, 2).data().toString(); };
-        QCOMPARE(angle(), QString("108.0"));
-        panel.setPose(poseAt({}, 0.4));
-        letTimePass(*child<QWidget>(panel, "newtonTables"));
-        QCOMPARE(angle(), QString("144.0"));
-        child<QToolButton>(panel, "segment3")->click();
-        QVERIFY(!table->isVisible() && child<QWidget>(panel, "iterationPlot")->isVisible());
+        summary = run({Method::Newton, {1, 1e-8}}, 65.0, 20); // counts only the solved time steps
+        QCOMPARE(text("outcomeLabel").contains("All 21"), summary.count(Status::Solved) == 21);
+        QCOMPARE(text("outcomeLabel").contains("Iterations: –"), summary.found() == 0);
     }
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/suite.h"
+#include "ui/document/session.h"
 #include "ui/panels/parameter_panel.h"
+#include "ui/text/finding_text.h"
 #include "ui/text/theme.h"
 #include "ui/widgets/number_box.h"
 
@@ -14,6 +16,7 @@
 #include <QSlider>
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -24,16 +27,6 @@ namespace
 
 constexpr double kPi = std::numbers::pi;
 
-struct Field {
-    const char *key;
-    double Parameters::*member;
-};
-constexpr Field kFields[] = {{"a", &Parameters::a},
-                             {"b", &Parameters::b},
-                             {"c", &Parameters::c},
-                             {"omega2", &Parameters::omega2},
-                             {"theta20", &Parameters::theta20}};
-
 /// Every value differs from every default, so that the test finds exchanged parameters.
 Parameters givenParameters()
 {
@@ -41,29 +34,23 @@ Parameters givenParameters()
 }
 
 struct Shown {
-    ParameterPanel panel;
-    QSignalSpy edits{&panel, &ParameterPanel::edited};
+    Session session;
+    ParameterPanel panel{&session};
 
     explicit Shown(const Parameters &parameters = givenParameters())
     {
-        panel.setParameters(parameters);
+        session.setParameters(parameters);
+        session.endDrag(); // what follows is another step
         panel.resize(430, panel.sizeHint().height());
         panel.show();
     }
 
     template <typename Widget>
-    Widget *part(const QString &name) const
+    Widget *part(const char *kind, Parameter parameter) const
     {
-        return child<Widget>(panel, name);
+        return child<Widget>(panel, QLatin1String(kind) + u'_' + QLatin1String(wordOf(parameter)));
     }
-    /// Returns the parameters of the only edit since the last call.
-    Parameters received()
-    {
-        const auto parameters = edits.isEmpty() ? Parameters() : edits.last()[0].value<Parameters>();
-        const bool isOne = edits.count() == 1;
-        edits.clear();
-        return isOne ? parameters : Parameters{.a = -1.0};
-    }
+    NumberBox *box(Parameter parameter) const { return part<NumberBox>("box", parameter); }
 };
 
 } // namespace
@@ -75,50 +62,45 @@ class TestParameterPanel : public QObject
 private slots:
     void initTestCase() { QLocale::setDefault(QLocale::c()); }
 
-    void showsTheParametersWithoutEmittingThem()
-    {
-        const Shown shown;
-        QVERIFY(shown.edits.isEmpty());
-        for (const auto &[key, text] : {std::pair{"a", "21 mm"}, std::pair{"b", "66 mm"}, std::pair{"c", "-26 mm"},
-                                        std::pair{"omega2", "3"}, std::pair{"theta20", "28.6479"}}) {
-            QCOMPARE(shown.part<NumberBox>(QString("box_") + key)->text(), QString(text));
-        }
-    }
-
     void eachControlChangesItsOwnParameterOnly()
     {
-        for (const auto &[key, member] : kFields) {
+        const QStringList texts{"21 mm", "66 mm", "-26 mm", "3", "28.6479"};
+        for (const Parameter parameter : kParameters) {
             Shown shown;
-            auto *slider = shown.part<QSlider>(QString("slider_") + key);
+            QCOMPARE(shown.box(parameter)->text(), texts[static_cast<int>(parameter)]);
+            const auto isOnlyChange = [&] {
+                Parameters changed = shown.session.parameters();
+                valueOf(changed, parameter) = valueOf(givenParameters(), parameter);
+                return changed == givenParameters();
+            };
+            auto *slider = shown.part<QSlider>("slider", parameter);
             slider->setValue(slider->value() + 7);
-            Parameters received = shown.received();
-            QVERIFY2(received.*member > givenParameters().*member, key);
-            received.*member = givenParameters().*member;
-            QCOMPARE(received, givenParameters());
-            typeNumber(shown.part<NumberBox>(QString("box_") + key), "12.5");
-            received = shown.received();
-            received.*member = givenParameters().*member;
-            QCOMPARE(received, givenParameters());
-
-            auto *reset = shown.part<QAbstractButton>(QString("reset_") + key);
+            QVERIFY(valueOf(shown.session.parameters(), parameter) > valueOf(givenParameters(), parameter));
+            QVERIFY(isOnlyChange());
+            typeNumber(shown.box(parameter), "12.5");
+            QVERIFY(isOnlyChange());
+            auto *reset = shown.part<QAbstractButton>("reset", parameter);
             QVERIFY(reset->isEnabled());
             reset->click();
-            QCOMPARE(shown.received().*member, Parameters().*member);
+            QCOMPARE(valueOf(shown.session.parameters(), parameter), valueOf(Parameters(), parameter));
             QVERIFY(!reset->isEnabled());
         }
     }
 
-    void reportsTheBeginAndEndOfADrag()
+    void aDragIsOneStep()
     {
         Shown shown;
-        QSignalSpy began(&shown.panel, &ParameterPanel::dragBegan);
-        QSignalSpy ended(&shown.panel, &ParameterPanel::dragEnded);
-        auto *slider = shown.part<QSlider>("slider_b");
-        connect(&shown.panel, &ParameterPanel::edited, this, [&began] { QCOMPARE(began.count(), 1); });
-        QTest::mousePress(slider, Qt::LeftButton, {}, QPoint(slider->width() - 10, slider->height() / 2));
-        QCOMPARE(shown.edits.count(), 1); // the handle moves to the click
-        QTest::mouseRelease(slider, Qt::LeftButton, {}, QPoint(slider->width() - 10, slider->height() / 2));
-        QCOMPARE(ended.count(), 1);
+        auto *slider = shown.part<QSlider>("slider", Parameter::B);
+        const QPoint groove(slider->width() - 10, slider->height() / 2);
+        const int steps = shown.session.undoStack().count();
+        QTest::mousePress(slider, Qt::LeftButton, {}, groove);
+        QVERIFY(shown.session.parameters().b > 100.0); // the handle moves to the click
+        letTimePass(shown.session);
+        slider->setValue(20);
+        QTest::mouseRelease(slider, Qt::LeftButton, {}, groove);
+        QCOMPARE(shown.session.undoStack().count(), steps + 1);
+        slider->setValue(30);
+        QCOMPARE(shown.session.undoStack().count(), steps + 2);
     }
 
     void storesNumbersExactlyAndConvertsUnitsExactly()
@@ -127,14 +109,14 @@ private slots:
         exact.b = 60.12345678901234;
         exact.omega2 = std::nextafter(1.0 / 3.0, 1.0);
         exact.theta20 = 0.1234567890123456;
-        Shown given(exact);
-        for (const char *name : {"box_omega2", "box_theta20", "box_b"}) {
-            given.part<NumberBox>(name)->setFocus();
-            QTest::keyClick(given.part<NumberBox>(name), Qt::Key_Return);
+        const Shown given(exact);
+        for (const Parameter parameter : {Parameter::Omega2, Parameter::Theta20, Parameter::B}) {
+            given.box(parameter)->setFocus();
+            QTest::keyClick(given.box(parameter), Qt::Key_Return);
         }
-        typeNumber(given.part<NumberBox>("box_a"), "25");
+        typeNumber(given.box(Parameter::A), "25");
         exact.a = 25.0;
-        QVERIFY(given.received() == exact);
+        QVERIFY(given.session.parameters() == exact);
         struct Row {
             Parameter parameter;
             int shownUnit;
@@ -145,32 +127,29 @@ private slots:
                                Row{Parameter::Omega2, 1, "360", 2.0 * kPi}, Row{Parameter::Omega2, 2, "4 rad/s", 4.0},
                                Row{Parameter::Omega2, 2, "−90 °/s", -kPi / 2.0}, Row{Parameter::Theta20, 0, "90", kPi / 2.0},
                                Row{Parameter::Theta20, 1, "30 deg", kPi / 6.0}, Row{Parameter::Theta20, 0, "0.25rad", 0.25}}) {
-            Shown shown;
-            const QString key = row.parameter == Parameter::Omega2 ? "omega2" : "theta20";
-            shown.part<QComboBox>("unit_" + key)->setCurrentIndex(row.shownUnit);
-            QVERIFY(shown.edits.isEmpty()); // another unit does not change the number
-            typeNumber(shown.part<NumberBox>("box_" + key), QString::fromUtf8(row.typed));
-            QVERIFY2(std::abs(valueOf(shown.received(), row.parameter) / row.value - 1.0) <= 1e-15, row.typed);
+            const Shown shown;
+            shown.part<QComboBox>("unit", row.parameter)->setCurrentIndex(row.shownUnit);
+            QCOMPARE(shown.session.parameters(), givenParameters()); // another unit does not change the number
+            typeNumber(shown.box(row.parameter), QString::fromUtf8(row.typed));
+            QVERIFY2(std::abs(valueOf(shown.session.parameters(), row.parameter) / row.value - 1.0) <= 1e-15, row.typed);
         }
-        for (const int degrees : {370, 10, 123, -725}) {
-            Shown shown;
-            auto *box = shown.part<NumberBox>("box_theta20");
-            typeNumber(box, QString::number(degrees));
-            shown.panel.setParameters(shown.received());
-            QCOMPARE(box->text(), QString::number(degrees));
+        for (const char *degrees : {"370", "10", "123", "-725"}) {
+            const Shown shown;
+            typeNumber(shown.box(Parameter::Theta20), degrees);
+            QCOMPARE(shown.box(Parameter::Theta20)->text(), QString(degrees));
         }
     }
 
     void adaptsTheSliderRangeToTheMechanism()
     {
         Shown shown{Parameters()};
-        auto *slider = shown.part<QSlider>("slider_b");
+        auto *slider = shown.part<QSlider>("slider", Parameter::B);
         const int usual = slider->maximum();
-        shown.panel.setParameters({.b = 5000.0});
+        shown.session.setParameters({.b = 5000.0});
         QVERIFY(slider->value() < slider->maximum());
-        shown.panel.setParameters({});
+        shown.session.setParameters({});
         QCOMPARE(slider->maximum(), usual);
-        shown.panel.setParameters({.a = 0.02, .b = 0.065, .c = 0.025}); // a slider of 200 mm would be of no use
+        shown.session.setParameters({.a = 0.02, .b = 0.065, .c = 0.025}); // a slider of 200 mm would be of no use
         QVERIFY(slider->value() > slider->maximum() / 10);
     }
 
@@ -178,21 +157,22 @@ private slots:
     {
         struct Row {
             double b;
-            const char *slider;
+            Parameter parameter;
             QList<double> clear; ///< parts of the length of the slider
             QList<double> shaded;
             const char *tip;
         };
         for (const Row &row :
-             {Row{65.0, "a", {0.1, 0.38}, {0.42, 0.9}, "a ≤ 40 mm"},
-              Row{65.0, "b", {0.24, 0.9}, {0.05, 0.21}, "b ≥ 45 mm"},
-              Row{65.0, "c", {0.29, 0.5, 0.71}, {0.1, 0.26, 0.74, 0.9}, "-45 ≤ c ≤ 45 mm"},
-              Row{65.0, "omega2", {0.1, 0.9}, {}, ""}, Row{15.0, "a", {}, {0.05, 0.5, 0.9}, "no value of a"},
-              Row{15.0, "c", {}, {0.1, 0.5, 0.9}, "no value of c"}}) {
+             {Row{65.0, Parameter::A, {0.1, 0.38}, {0.42, 0.9}, "a ≤ 40 mm"},
+              Row{65.0, Parameter::B, {0.24, 0.9}, {0.05, 0.21}, "b ≥ 45 mm"},
+              Row{65.0, Parameter::C, {0.29, 0.5, 0.71}, {0.1, 0.26, 0.74, 0.9}, "-45 ≤ c ≤ 45 mm"},
+              Row{65.0, Parameter::Omega2, {0.1, 0.9}, {}, ""},
+              Row{15.0, Parameter::A, {}, {0.05, 0.5, 0.9}, "no value of a"},
+              Row{15.0, Parameter::C, {}, {0.1, 0.5, 0.9}, "no value of c"}}) {
             for (const Theme theme : {Theme::Light, Theme::Dark}) {
                 Shown shown({.b = row.b});
                 shown.panel.setPalette(paletteFor(theme));
-                auto *slider = shown.part<QSlider>(QString("slider_") + row.slider);
+                auto *slider = shown.part<QSlider>("slider", row.parameter);
                 const QImage image = slider->grab().toImage();
                 const QColor plain = shown.panel.palette().color(QPalette::Window);
                 const auto isShaded = [&](double part) {
@@ -201,12 +181,8 @@ private slots:
                     const QColor there = image.pixelColor(x, image.height() / 2 + 4); // below the groove
                     return std::abs(there.red() - plain.red()) + std::abs(there.blue() - plain.blue()) > 40;
                 };
-                for (const double part : row.clear) {
-                    QVERIFY2(!isShaded(part), row.slider);
-                }
-                for (const double part : row.shaded) {
-                    QVERIFY2(isShaded(part), row.slider);
-                }
+                QVERIFY2(std::ranges::none_of(row.clear, isShaded), row.tip);
+                QVERIFY2(std::ranges::all_of(row.shaded, isShaded), row.tip);
                 QVERIFY2(slider->toolTip().contains(QString::fromUtf8(row.tip)), qPrintable(slider->toolTip()));
             }
         }
@@ -226,12 +202,13 @@ private slots:
     void showsOneParameterWhileBrief()
     {
         Shown shown;
+        auto *chosen = child<QComboBox>(shown.panel, "parameterBox");
         shown.panel.setBrief(true);
-        QVERIFY(shown.part<QWidget>("box_b")->isVisible() && !shown.part<QWidget>("box_a")->isVisible());
-        shown.part<QComboBox>("parameterBox")->setCurrentIndex(2);
-        QVERIFY(shown.part<QWidget>("box_c")->isVisible() && !shown.part<QWidget>("box_b")->isVisible());
+        QVERIFY(shown.box(Parameter::B)->isVisible() && !shown.box(Parameter::A)->isVisible());
+        chosen->setCurrentIndex(2);
+        QVERIFY(shown.box(Parameter::C)->isVisible() && !shown.box(Parameter::B)->isVisible());
         shown.panel.setBrief(false);
-        QVERIFY(shown.part<QWidget>("box_a")->isVisible() && !shown.part<QWidget>("parameterBox")->isVisible());
+        QVERIFY(shown.box(Parameter::A)->isVisible() && !chosen->isVisible());
     }
 };
 

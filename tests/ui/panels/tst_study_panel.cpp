@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/document/session.h"
 #include "ui/panels/study_page.h"
 #include "ui/panels/study_panel.h"
 
@@ -93,7 +94,8 @@ private slots:
 
     void runsInTheBackgroundAndShowsEveryMethod()
     {
-        StudyPanel panel;
+        Session session;
+        StudyPanel panel(&session);
         panel.resize(960, 230);
         panel.show();
         QVERIFY(!panel.findChild<QTableView *>());
@@ -114,7 +116,7 @@ private slots:
         }
         const auto *summary = child<QLabel>(panel, "studySummary");
         QVERIFY(!summary->text().contains("run again"));
-        panel.setParameters({.b = 70.0});
+        session.setParameter(Parameter::B, 70.0);
         QVERIFY(summary->text().contains("run again"));
 
         hard->click();
@@ -126,7 +128,8 @@ private slots:
 
     void canBeDestroyedWhileTheStudyRuns()
     {
-        auto panel = std::make_unique<StudyPanel>();
+        Session session;
+        auto panel = std::make_unique<StudyPanel>(&session);
         panel->runHardCases();
         AWAIT(child<QProgressBar>(*panel, "studyProgress")->value() > 0);
         panel.reset();
@@ -135,7 +138,8 @@ private slots:
 
     void exportsTheChartAndTheNumbersOfEveryCase()
     {
-        StudyPanel panel;
+        Session session;
+        StudyPanel panel(&session);
         QVERIFY(panel.exportPicture("x.png").has_value()); // there is no result yet
         QVERIFY(panel.exportNumbers("x.csv").has_value());
         panel.setResult(studyOfATurn());

@@ -9,41 +9,31 @@
 
 #include <QActionGroup>
 #include <QMenu>
+#include <QSignalSpy>
 #include <QSlider>
 #include <QTest>
 #include <QToolButton>
 
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 using namespace slidercrank;
 
 namespace
 {
 
-/// A timeline with a session that answers its requests with a pose. Its clock advances only in passTime().
+/// A timeline with its session. Its clock advances only in passTime().
 struct Bench {
     Session session;
-    Timeline timeline;
+    Timeline timeline{&session};
     double clock = 1234.5; // s
-    std::vector<double> requested;
 
     explicit Bench(const Parameters &parameters = {}, const Sampling &sampling = {})
     {
-        QObject::connect(&timeline, &Timeline::timeRequested, &session, [this](double time) {
-            requested.push_back(time);
-            session.setTime(time);
-        });
-        QObject::connect(&session, &Session::timeChanged, &timeline, &Timeline::setPose);
-        QObject::connect(&session, &Session::parametersChanged, &timeline, &Timeline::setParameters);
-        QObject::connect(&session, &Session::settingsChanged, &timeline,
-                         [this](const Sampling &changed) { timeline.setSampling(changed); });
-        QObject::connect(&timeline, &Timeline::samplingEdited, &session, &Session::setSampling);
         session.setParameters(parameters);
         session.setSampling(sampling);
         session.setTime(sampling.start);
-        requested.clear();
+        session.endDrag(); // what follows is another step
         timeline.setClock([this] { return clock; });
     }
 
@@ -53,6 +43,9 @@ struct Bench {
         clock += seconds;
         letTimePass(timeline);
     }
+    bool shows(double time) const { return std::abs(session.time() - time) < 1e-9; }
+    NumberBox *box(const QString &name) const { return child<NumberBox>(timeline, name); }
+    void click(const QString &button) const { child<QToolButton>(timeline, button)->click(); }
 };
 
 } // namespace
@@ -68,7 +61,7 @@ private slots:
     {
         Bench bench({}, {0.0, 100.0, 200});
         bench.clock += 7.0; // before playback
-        child<QToolButton>(bench.timeline, "playButton")->click();
+        bench.click("playButton");
         QVERIFY(bench.timeline.isPlaying());
         double time = 0.0;
         for (const double speed : {1.0, 2.0, 0.1}) { // continues at another speed
@@ -76,45 +69,43 @@ private slots:
             for (const double frame : {0.016, 0.016, 0.2, 0.016}) { // one frame is late
                 bench.passTime(frame);
                 time += speed * frame;
-                QVERIFY(std::abs(bench.requested.back() - time) < 1e-9);
+                QVERIFY(bench.shows(time));
             }
         }
         bench.session.setTime(50.0); // the user scrubs
         bench.passTime(2.5);
-        QVERIFY(std::abs(bench.requested.back() - 50.25) < 1e-9);
-        QCOMPARE(bench.requested.size(), std::size_t(13));
+        QVERIFY(bench.shows(50.25));
         bench.timeline.togglePlaying();
         bench.passTime(0.5);
-        QCOMPARE(bench.requested.size(), std::size_t(13)); // playback is paused
+        QVERIFY(bench.shows(50.25)); // playback is paused
     }
 
     void playsWithTheRealClock()
     {
-        Timeline timeline; // without setClock()
-        double last = 0.0;
-        connect(&timeline, &Timeline::timeRequested, &timeline, [&last](double time) { last = time; });
-        timeline.setSampling({0.0, 1e6, 200});
+        Session session;
+        Timeline timeline(&session); // without setClock()
+        session.setSampling({0.0, 1e6, 200});
         timeline.play();
-        AWAIT(last > 0.0);
-        const double before = last;
-        AWAIT(last > before);
+        AWAIT(session.time() > 0.0);
+        const double before = session.time();
+        AWAIT(session.time() > before);
     }
 
     void startsAgainOrStopsAtTheEnd()
     {
         Bench bench({}, {0.5, 0.1, 20});
         bench.timeline.play();
-        for (const double shown : {0.56, 0.52, 0.58, 0.54}) {
+        for (const double time : {0.56, 0.52, 0.58, 0.54}) {
             bench.passTime(0.06);
-            QVERIFY(std::abs(bench.requested.back() - shown) < 1e-9);
+            QVERIFY(bench.shows(time));
         }
-        child<QToolButton>(bench.timeline, "loopButton")->click();
+        bench.click("loopButton");
         bench.passTime(0.09);
         QVERIFY(!bench.timeline.isPlaying());
-        QCOMPARE(bench.requested.back(), 0.6);
+        QCOMPARE(bench.session.time(), 0.6);
         bench.timeline.play(); // from the beginning
         bench.passTime(0.05);
-        QVERIFY(std::abs(bench.requested.back() - 0.55) < 1e-9);
+        QVERIFY(bench.shows(0.55));
     }
 
     void buttonsStepFromSampleToSample()
@@ -129,7 +120,7 @@ private slots:
                                Row{"forwardButton", 1.0, 1.0}, Row{"backButton", 0.01, 0.005}, Row{"backButton", 0.0123, 0.01},
                                Row{"backButton", 0.0, 0.0}, Row{"endButton", 0.3, 1.0}, Row{"startButton", 0.3, 0.0}}) {
             bench.session.setTime(row.from);
-            child<QToolButton>(bench.timeline, row.button)->click();
+            bench.click(row.button);
             QCOMPARE(bench.session.time(), row.to);
         }
     }
@@ -137,21 +128,20 @@ private slots:
     void showsTheTimeAndTakesAnother()
     {
         Bench bench;
-        auto *box = child<NumberBox>(bench.timeline, "timeBox");
+        QSignalSpy changes(&bench.session, &Session::timeChanged);
         bench.session.setTime(0.25);
-        QCOMPARE(box->value(), 0.25);
-        QVERIFY(std::abs(child<NumberBox>(bench.timeline, "angleBox")->value() - 90.0) < 1e-9);
-        QCOMPARE(child<QSlider>(bench.timeline, "timeSlider")->value(), 50);
-        QVERIFY(bench.requested.empty()); // no echo
-        child<QSlider>(bench.timeline, "timeSlider")->setValue(150);
+        QCOMPARE(bench.box("timeBox")->value(), 0.25);
+        QVERIFY(std::abs(bench.box("angleBox")->value() - 90.0) < 1e-9);
+        auto *slider = child<QSlider>(bench.timeline, "timeSlider");
+        QCOMPARE(slider->value(), 50);
+        QCOMPARE(changes.count(), 1); // no echo
+        slider->setValue(150);
         QCOMPARE(bench.session.time(), 0.75);
-        typeNumber(box, "0.3217");
-        QCOMPARE(bench.session.time(), 0.3217);
-        typeNumber(box, "7");
-        QCOMPARE(bench.session.time(), 1.0);
-        QCOMPARE(box->value(), 1.0);
-        typeNumber(box, "noon");
-        QCOMPARE(bench.session.time(), 1.0);
+        for (const auto &[typed, time] : {std::pair{"0.3217", 0.3217}, {"7", 1.0}, {"8", 1.0}, {"noon", 1.0}}) {
+            typeNumber(bench.box("timeBox"), typed);
+            QCOMPARE(bench.session.time(), time);
+            QCOMPARE(bench.box("timeBox")->value(), time);
+        }
     }
 
     void goesWhereTheCrankPassesAnAngle()
@@ -176,19 +166,17 @@ private slots:
               Row{-turn, 0, 0, 0.25, "-120", 0.25}}) {
             Bench bench({.omega2 = row.omega2, .theta20 = row.theta20}, {row.start, row.duration, 200});
             bench.session.setTime(row.start + 0.4 * row.duration);
-            typeNumber(child<NumberBox>(bench.timeline, "angleBox"), row.typed);
-            QVERIFY2(std::abs(bench.session.time() - row.time) < 1e-9, row.typed);
+            typeNumber(bench.box("angleBox"), row.typed);
+            QVERIFY2(bench.shows(row.time), row.typed);
         }
     }
 
     void aCrankThatStandsStillHasNoAngleToGoTo()
     {
-        Parameters parameters;
-        parameters.omega2 = 0.0;
-        Bench bench(parameters);
-        QVERIFY(!child<NumberBox>(bench.timeline, "angleBox")->isEnabled());
+        Bench bench({.omega2 = 0.0});
+        QVERIFY(!bench.box("angleBox")->isEnabled());
         bench.session.setParameters({});
-        QVERIFY(child<NumberBox>(bench.timeline, "angleBox")->isEnabled());
+        QVERIFY(bench.box("angleBox")->isEnabled());
     }
 
     void theRunOpensFromItsButton()
@@ -198,8 +186,8 @@ private slots:
         QVERIFY(QTest::qWaitForWindowExposed(&bench.timeline));
         auto *form = child<QWidget>(bench.timeline, "runForm");
         QVERIFY(!form->isVisible());
-        child<QToolButton>(bench.timeline, "runButton")->click();
-        QVERIFY(form->isVisible() && child<NumberBox>(bench.timeline, "startBox")->hasFocus());
+        bench.click("runButton");
+        QVERIFY(form->isVisible() && bench.box("startBox")->hasFocus());
         for (const char *next : {"durationBox", "oneTurnButton", "stepsBox", "speedBox", "turnBox"}) {
             QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
             QCOMPARE(QApplication::focusWidget()->objectName(), QString(next));
@@ -211,24 +199,21 @@ private slots:
     void changesOnlyTheSettingOfEachBox()
     {
         Bench bench({}, {0.5, 2.5, 400});
-        const Session &session = bench.session;
-        bench.session.endDrag(); // what follows is another step
-        QCOMPARE(child<NumberBox>(bench.timeline, "stepsBox")->value(), 400.0);
-        QCOMPARE(child<NumberBox>(bench.timeline, "durationBox")->value(), 2.5);
-        QCOMPARE(child<NumberBox>(bench.timeline, "startBox")->value(), 0.5);
-        typeNumber(child<NumberBox>(bench.timeline, "stepsBox"), "500");
-        QCOMPARE(session.sampling(), (Sampling{0.5, 2.5, 500}));
-        typeNumber(child<NumberBox>(bench.timeline, "durationBox"), "3.25");
-        QCOMPARE(session.sampling(), (Sampling{0.5, 3.25, 500}));
-        typeNumber(child<NumberBox>(bench.timeline, "startBox"), "-1");
-        QCOMPARE(session.sampling(), (Sampling{-1.0, 3.25, 500}));
-        for (const char *impossible : {"0", "-2"}) {
-            typeNumber(child<NumberBox>(bench.timeline, "durationBox"), impossible);
+        struct Row {
+            const char *box;
+            const char *typed;
+            Sampling sampling;
+        };
+        for (const Row &row : {Row{"stepsBox", "500", {0.5, 2.5, 500}}, Row{"durationBox", "3.25", {0.5, 3.25, 500}},
+                               Row{"startBox", "-1", {-1.0, 3.25, 500}}, Row{"durationBox", "0", {-1.0, 3.25, 500}},
+                               Row{"durationBox", "-2", {-1.0, 3.25, 500}}, Row{"startBox", "1e13", {-1.0, 3.25, 500}}}) {
+            typeNumber(bench.box(row.box), row.typed);
+            QCOMPARE(bench.session.sampling(), row.sampling);
         }
-        typeNumber(child<NumberBox>(bench.timeline, "startBox"), "1e13");
-        QCOMPARE(session.sampling(), (Sampling{-1.0, 3.25, 500}));
         bench.session.undoStack().undo();
-        QCOMPARE(child<NumberBox>(bench.timeline, "durationBox")->value(), 2.5); // the edits form one undo step
+        QCOMPARE(bench.box("durationBox")->value(), 2.5); // the edits form one undo step
+        QCOMPARE(bench.box("stepsBox")->value(), 400.0);
+        QCOMPARE(bench.box("startBox")->value(), 0.5);
     }
 
     void setsTheDurationToOneRevolution()
@@ -241,7 +226,7 @@ private slots:
         for (const Row &row :
              {Row{2.0 * pi, 1.0}, Row{-4.0 * pi, 0.5}, Row{100.0 * pi, 0.02}, Row{0.0, 7.0}, Row{1e-13, 7.0}}) {
             Bench bench({.omega2 = row.omega2}, {0.25, 7.0, 300});
-            child<QToolButton>(bench.timeline, "oneTurnButton")->click();
+            bench.click("oneTurnButton");
             const Sampling &run = bench.session.sampling();
             QCOMPARE(run.start, 0.25);
             QCOMPARE(run.steps, 300);
@@ -251,11 +236,9 @@ private slots:
 
     void setsTheSpeedAsAFactorOrATimePerRevolution()
     {
-        Parameters engine;
-        engine.omega2 = 100.0 * std::numbers::pi; // a turn in 20 ms
-        Bench bench(engine, {0.0, 2.5, 200});
-        auto *factor = child<NumberBox>(bench.timeline, "speedBox");
-        auto *turn = child<NumberBox>(bench.timeline, "turnBox");
+        Bench bench({.omega2 = 100.0 * std::numbers::pi}, {0.0, 2.5, 200}); // a turn in 20 ms
+        NumberBox *factor = bench.box("speedBox");
+        NumberBox *turn = bench.box("turnBox");
         typeNumber(turn, "4");
         QVERIFY(std::abs(bench.timeline.speed() - 0.005) < 1e-12);
         QVERIFY(std::abs(factor->value() - 0.005) < 1e-12);
@@ -276,7 +259,8 @@ private slots:
 
     void changesTheSpeedFromTheMenu()
     {
-        Timeline timeline;
+        Session session;
+        Timeline timeline(&session);
         QMenu menu;
         timeline.fillMenu(&menu);
         const auto trigger = [&](const QString &text) {

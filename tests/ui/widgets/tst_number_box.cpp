@@ -106,13 +106,11 @@ private slots:
         }
     }
 
-    void movesANumberIntoTheRangeIfRequested()
+    void acceptsOnlyWholeNumbersIfRequested()
     {
         Shown shown;
-        shown.box->setRange({.smallest = 0.0, .largest = 100.0, .takesNearest = true});
-        typeNumber(shown.box, "120");
-        QCOMPARE(shown.box->value(), 100.0);
         shown.box->setRange({.smallest = 1.0, .largest = 1e6, .isWhole = true});
+        shown.box->setValue(100.0);
         for (const char *typed : {"12.5", "0", "1000001", "1 000 001"}) {
             typeNumber(shown.box, typed);
             QCOMPARE(shown.box->value(), 100.0);

@@ -231,7 +231,7 @@ private slots:
         part<QAbstractButton>("segment1")->click();
         settle(*m_window);
         for (const char *name :
-             {"playButton", "loopButton", "startButton", "forwardButton", "segment2", "newtonTablesCopy"}) {
+             {"playButton", "loopButton", "startButton", "forwardButton", "segment2", "jacobianPanelCopy"}) {
             auto *button = part<QAbstractButton>(QLatin1String(name));
             QVERIFY2(button->isVisible(), name);
             QSignalSpy clicked(button, &QAbstractButton::clicked);

@@ -6,7 +6,7 @@
 #include "tests/ui/window/window_fixture.h"
 
 #include "ui/mechanism/mechanism_view.h"
-#include "ui/panels/newton_panel.h"
+#include "ui/panels/solver_form.h"
 #include "ui/panels/study_panel.h"
 #include "ui/panels/table_panel.h"
 #include "ui/panels/timeline.h"
@@ -347,7 +347,7 @@ private slots:
 
     void createsPanelsWhenTheyAreFirstShown()
     {
-        QVERIFY(!m_window->findChild<NewtonPanel *>());
+        QVERIFY(!m_window->findChild<SolverForm *>());
         auto *bar = part<QTabBar>("tabBar");
         for (int tab = 0; tab < bar->count(); ++tab) {
             QTest::mouseClick(bar, Qt::LeftButton, Qt::NoModifier, bar->tabRect(tab).center());

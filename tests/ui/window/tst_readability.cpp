@@ -289,7 +289,7 @@ private slots:
         showTab(3);
         part<QAbstractButton>("segment4")->click();
         settle(*m_window);
-        part<QAbstractButton>("newtonTablesCopy")->click();
+        part<QAbstractButton>("coordinatePanelCopy")->click();
         const QString copied = QApplication::clipboard()->text();
         QVERIFY2(copied.contains(QRegularExpression(QStringLiteral(",\\d+\\.\\d+,"))), qPrintable(copied));
         QVERIFY(!copied.contains(QRegularExpression(QStringLiteral("\"-?\\d+,"))));
