@@ -34,24 +34,14 @@ QJsonArray jsonSkippedRows(const ReferenceData &data)
     });
 }
 
-/// Compares the file with the model, computed by the chosen method at the time stamps of the file.
-ExactComparison compareByMethod(const Mechanism &mechanism, const SolverSettings &solver, const ReferenceData &data)
-{
-    if (solver.method == Method::ClosedForm) {
-        return compareExactly(mechanism, data);
-    }
-    const Trajectory model = sample(mechanism, data.time, channelsOf(data), solver);
-    return {compare(mechanism, model, data), model.status};
-}
-
 ReferenceAnswer compareOne(const ReferenceQuestion &question, const SolverSettings &solver, const Reference &reference,
                            const Streams &streams)
 {
     const ReferenceData &data = reference.data;
-    const ExactComparison comparison = compareByMethod(question.mechanism, solver, data);
-    const auto worst = std::ranges::max_element(comparison.channels, {}, &ChannelComparison::verdict);
-    const Verdict verdict = worst == comparison.channels.end() ? Verdict::Differs : worst->verdict;
-    const EnglishTexts english(question.format != Format::Text);
+    const Trajectory model = sample(question.mechanism, data.time, channelsOf(data), solver);
+    const std::vector<ChannelComparison> comparison = compare(question.mechanism, model, data);
+    const auto worst = std::ranges::max_element(comparison, {}, &ChannelComparison::verdict);
+    const Verdict verdict = worst == comparison.end() ? Verdict::Differs : worst->verdict;
 
     ReferenceAnswer answer;
     QStringList explanation;
@@ -66,10 +56,9 @@ ReferenceAnswer compareOne(const ReferenceQuestion &question, const SolverSettin
                         {"conventions", jsonConventions(diagnosis.conventions, data)}};
     }
     QJsonArray channels;
-    for (const ChannelComparison &channel : comparison.channels) {
+    for (const ChannelComparison &channel : comparison) {
         Record row = comparisonRecord(channel);
         channels += jsonObject(row);
-        row.insert(row.begin(), {"file", joinedName(reference.paths)});
         row.insert(row.end(), {{"fileVerdict", verdictName(verdict)}, {"sentence", explanation.join(' ')}});
         answer.rows.push_back(row);
     }
@@ -81,14 +70,14 @@ ReferenceAnswer compareOne(const ReferenceQuestion &question, const SolverSettin
                    {"skipped", jsonSkippedRows(data)},
                    {"ignoredColumns", QJsonArray::fromStringList(ignoredHeadings(data.layout))}};
     const QString text = headline(reference) + CommandLine::tr("Model: %1").arg(mechanismText(question.mechanism, 9)) +
-                         "\n\n" + comparisonTable(comparison.channels, data) + '\n' + summaryOf(comparison.channels);
+                         "\n\n" + comparisonTable(comparison, data) + '\n' + summaryOf(comparison);
     answer.text = (QStringList(text) + explanation).join('\n') + '\n';
     answer.category = verdict == Verdict::Agrees  ? CommandLine::tr("agree")
                       : verdict == Verdict::Close ? CommandLine::tr("close")
                                                   : CommandLine::tr("differ");
     TimeStepReport steps;
-    steps.add(data.time, comparison.status);
-    const QString prefix = question.files.size() > 1 ? displayName(joinedName(reference.paths)) + ": " : QString();
+    steps.add(data.time, model.status);
+    const QString prefix = question.files.size() > 1 ? displayName(reference.paths) + ": " : QString();
     answer.status = moreSevere(steps.finish(streams, question.mechanism, solver.newton, prefix),
                                verdict == Verdict::Differs ? ExitStatus::Differs : ExitStatus::Success);
     return answer;

@@ -23,23 +23,20 @@ namespace
 
 using Outcome = Identification::Outcome;
 
-/// Names in JSON, by Identification::Outcome.
-constexpr std::array kOutcomeNames{"identified", "ambiguous", "approximate", "insufficient", "nearest", "none"};
+/// Names in JSON, by Identification::Outcome. The first three are outcomes with a mechanism.
+constexpr std::array kOutcomeNames{QT_TRANSLATE_NOOP("slidercrank::CommandLine", "identified"),
+                                   QT_TRANSLATE_NOOP("slidercrank::CommandLine", "ambiguous"),
+                                   QT_TRANSLATE_NOOP("slidercrank::CommandLine", "approximate"),
+                                   "insufficient",
+                                   "nearest",
+                                   "none"};
 
 /// Names in JSON, by Identification::Alternative::Why.
 constexpr std::array kAlternativeNames{"mirror-image", "reversed", "other-assembly", "alias", "another-mechanism"};
 
-QString outcomeText(Outcome outcome)
+const char *nameOf(Outcome outcome)
 {
-    switch (outcome) {
-    case Outcome::Identified: return CommandLine::tr("identified");
-    case Outcome::Approximate: return CommandLine::tr("approximate");
-    case Outcome::Ambiguous: return CommandLine::tr("ambiguous");
-    case Outcome::Insufficient:
-    case Outcome::Nearest:
-    case Outcome::None: return CommandLine::tr("not identified");
-    }
-    return {};
+    return kOutcomeNames[static_cast<std::size_t>(outcome)];
 }
 
 QJsonObject jsonIdentification(const ReferenceData &data, const Diagnosis &diagnosis)
@@ -67,7 +64,7 @@ QJsonObject jsonIdentification(const ReferenceData &data, const Diagnosis &diagn
                            {"percentOfPeak", jsonNumber(column.percentOfPeak)}};
     };
     const auto jsonComparison = [](const ChannelComparison &channel) { return jsonObject(comparisonRecord(channel)); };
-    return {{"outcome", kOutcomeNames[static_cast<std::size_t>(found.outcome)]},
+    return {{"outcome", nameOf(found.outcome)},
             {"mechanism", mechanismIf(found.hasMechanism() || found.outcome == Outcome::Nearest, found.parameters)},
             {"standardError", standardErrors},
             {"identifiable", identifiable},
@@ -132,14 +129,14 @@ ReferenceAnswer identifyOne(const ReferenceQuestion &question, const Reference &
     const bool isFound = diagnosis.identification.hasMechanism();
     const bool isText = question.format == Format::Text;
     ReferenceAnswer answer;
-    answer.category = outcomeText(diagnosis.identification.outcome);
+    answer.category =
+        isFound ? CommandLine::tr(nameOf(diagnosis.identification.outcome)) : CommandLine::tr("not identified");
     answer.status = isFound ? ExitStatus::Success : ExitStatus::NotSolved;
     if (!isFound && (!isText || question.files.size() == 1)) {
-        streams.report(displayName(joinedName(reference.paths)) + ": " + summaryOf(diagnosis));
+        streams.report(displayName(reference.paths) + ": " + summaryOf(diagnosis));
     } else if (isText) {
         answer.text = identificationText(reference, diagnosis);
     }
-    const EnglishTexts english(!isText);
     answer.json = jsonIdentification(reference.data, diagnosis);
     return answer;
 }

@@ -9,9 +9,7 @@
 #include "app/records.h"
 #include "core/import/quantity.h"
 #include "core/limits/design.h"
-#include "core/limits/extremes.h"
 #include "core/limits/mobility.h"
-#include "core/sampling/crank_time.h"
 #include "ui/document/settings_fields.h"
 #include "ui/text/design_text.h"
 #include "ui/text/finding_text.h"
@@ -19,10 +17,13 @@
 #include "ui/text/quantity_text.h"
 
 #include <QJsonArray>
+#include <QRegularExpression>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <numbers>
 
 namespace slidercrank
@@ -36,108 +37,74 @@ struct Variation {
     Parameter parameter = Parameter::B;
     double from = 0.0;
     double to = 0.0;
-    int count = 100;
+    int count = 1;
 };
 
 /// Names in JSON, by Mobility.
 constexpr std::array kMobilityNames{"full-turn", "rocker", "locked", "impossible"};
 
-/// Returns the crank angle in degrees, within [0, 360).
-double degreesFromZero(double theta2)
-{
-    constexpr double kRounding = 1e-9; // 0 may have been computed as slightly less
-    const double angle = kDegreesPerRadian * theta2;
-    return angle < -kRounding ? angle + 360.0 : std::max(angle, 0.0);
-}
+/// The limits in JSON and CSV, in their order.
+struct LimitName {
+    const char *name;
+    const char *unit;
+};
+constexpr LimitName kLimits[] = {{"outer-dead-centre", "mm"},
+                                 {"inner-dead-centre", "mm"},
+                                 {"stroke", "mm"},
+                                 {"forward-angle", "°"},
+                                 {"return-angle", "°"},
+                                 {"forward-time", "s"},
+                                 {"return-time", "s"},
+                                 {"time-ratio", ""},
+                                 {"least-transmission-angle", "°"},
+                                 {"mean-forward-speed", "mm/s"},
+                                 {"mean-return-speed", "mm/s"},
+                                 {"peak-slider-speed", "mm/s"},
+                                 {"peak-slider-acceleration", "mm/s²"},
+                                 {"peak-coupler-speed", "°/s"},
+                                 {"peak-coupler-acceleration", "°/s²"}};
 
-std::optional<double> degrees(std::optional<double> radians)
-{
-    return radians ? std::optional(kDegreesPerRadian * *radians) : std::nullopt;
-}
-
-std::optional<double> quotient(std::optional<double> dividend, std::optional<double> divisor)
-{
-    return dividend && divisor && *divisor > 0.0 ? std::optional(*dividend / *divisor) : std::nullopt;
-}
-
-/// Returns all limits in the order of the contract. A limit that does not exist has no value.
-std::vector<Record> listLimits(const Mechanism &mechanism, const MotionLimits &limits)
-{
-    std::vector<Record> list;
-    const auto add = [&](const char *name, const char *unit, std::optional<double> value,
-                         std::optional<double> theta2 = {}) {
-        const std::optional<double> time = theta2 ? timeAtCrankAngle(mechanism, *theta2, 0.0) : std::nullopt;
-        list.push_back({{"name", name},
-                        {"value", jsonNumber(value)},
-                        {"unit", unit},
-                        {"theta2", theta2 ? jsonNumber(degreesFromZero(*theta2)) : QJsonValue()},
-                        {"time", jsonNumber(time)}});
-    };
-    const auto addDeadCentre = [&add](const char *name, const std::optional<DeadCentre> &deadCentre) {
-        add(name, "mm", deadCentre ? std::optional(deadCentre->R4x) : std::nullopt,
-            deadCentre ? std::optional(deadCentre->theta2) : std::nullopt);
-    };
-    // Adds a row for each crank angle at which the peak is reached. The value has the sign of the motion there.
-    const std::vector<Peak> peaks = motionPeaks(mechanism);
-    const auto addPeaks = [&](const char *name, const char *unit, Channel channel) {
-        const auto peak = std::ranges::find(peaks, channel, &Peak::channel);
-        if (peak == peaks.end() || peak->places.empty()) {
-            add(name, unit, peak == peaks.end() ? std::nullopt : std::optional(toFileUnit(channel, peak->magnitude)));
-            return;
-        }
-        std::vector<PeakPlace> places = peak->places;
-        std::ranges::sort(places, {}, [](const PeakPlace &place) { return degreesFromZero(place.theta2); });
-        for (const PeakPlace &place : places) {
-            add(name, unit, toFileUnit(channel, place.value), place.theta2);
-        }
-    };
-    const double speed = std::abs(mechanism.omega2());
-    const std::optional<double> forwardTime = quotient(limits.angleOutwards, speed);
-    const std::optional<double> returnTime = quotient(limits.angleInwards, speed);
-    addDeadCentre("outer-dead-centre", limits.outer);
-    addDeadCentre("inner-dead-centre", limits.inner);
-    add("stroke", "mm", limits.stroke);
-    add("forward-angle", "°", degrees(limits.angleOutwards));
-    add("return-angle", "°", degrees(limits.angleInwards));
-    add("forward-time", "s", forwardTime);
-    add("return-time", "s", returnTime);
-    add("time-ratio", "", limits.timeRatio);
-    if (limits.mobility == Mobility::Impossible) {
-        add("least-transmission-angle", "°", {});
-    } else {
-        add("least-transmission-angle", "°", 90.0 - kDegreesPerRadian * limits.largestPressureAngle,
-            limits.largestPressureAngleAt);
-    }
-    add("mean-forward-speed", "mm/s", quotient(limits.stroke, forwardTime));
-    add("mean-return-speed", "mm/s", quotient(limits.stroke, returnTime));
-    addPeaks("peak-slider-speed", "mm/s", {R4x, Order::Velocity});
-    addPeaks("peak-slider-acceleration", "mm/s²", {R4x, Order::Acceleration});
-    addPeaks("peak-coupler-speed", "°/s", {Theta3, Order::Velocity});
-    addPeaks("peak-coupler-acceleration", "°/s²", {Theta3, Order::Acceleration});
-    return list;
-}
-
-/// Returns the content of the tab "Motion limits" for one revolution.
-QString textLimits(const Mechanism &mechanism, const MotionLimits &limits)
+/// Returns the facts of the window's tab "Motion limits" over one revolution.
+std::vector<MotionFact> findFacts(const Mechanism &mechanism, const MotionLimits &limits)
 {
     Sampling revolution;
     if (mechanism.omega2() != 0.0) {
         revolution.duration = 2.0 * std::numbers::pi / std::abs(mechanism.omega2());
     }
     std::vector<MotionFact> facts = positionFacts(mechanism, limits, revolution);
-    std::ranges::move(peakFacts(mechanism, limits, motionPeaks(mechanism), revolution), std::back_inserter(facts));
-    std::vector<QStringList> rows;
-    for (const MotionFact &fact : facts) {
-        QString place;
-        if (fact.theta2) {
-            place = CommandLine::tr("at θ₂ = %1°").arg(QString::number(degreesFromZero(*fact.theta2), 'f', 2));
+    std::ranges::move(peakFacts(mechanism, limits, revolution), std::back_inserter(facts));
+    return facts;
+}
+
+/// Returns a record for each limit and place. A limit that does not exist has one record without a value.
+std::vector<Record> listLimits(const std::vector<MotionFact> &facts)
+{
+    std::vector<Record> records;
+    for (const auto &[name, unit] : kLimits) {
+        std::vector<MotionFact> found;
+        std::ranges::copy_if(facts, std::back_inserter(found), [&name](const auto &fact) { return fact.key == name; });
+        if (found.empty()) {
+            found.push_back({.number = std::numeric_limits<double>::quiet_NaN()});
         }
-        if (fact.time) {
-            place += CommandLine::tr(", t = %1 s").arg(secondsText(*fact.time, revolution.duration));
+        for (const MotionFact &fact : found) {
+            records.push_back({{"name", name},
+                               {"value", jsonNumber(fact.number)},
+                               {"unit", unit},
+                               {"theta2", fact.theta2 ? degreesFromZero(*fact.theta2) : QJsonValue()},
+                               {"time", jsonNumber(fact.time)}});
         }
-        rows.push_back({fact.name, fact.value, place + (fact.remark.isEmpty() ? "" : ' ' + fact.remark)});
     }
-    return mobilitySentence(mechanism, limits) + '\n' + alignedTable(rows, {false, true, false});
+    return records;
+}
+
+QString limitTable(const std::vector<MotionFact> &facts)
+{
+    std::vector<QStringList> rows{{CommandLine::tr("limit"), CommandLine::tr("value"), "θ₂ [°]", "t [s]"}};
+    for (const MotionFact &fact : facts) {
+        rows.push_back({fact.name, valueText(fact), fact.theta2 ? crankAngleText(*fact.theta2) : fact.remark,
+                        fact.time ? roundedText(fact.time, 6) : QString()});
+    }
+    return alignedTable(rows);
 }
 
 /// Returns a row for each value of the parameter: the value, then the limits by their names. Of several equal peaks the
@@ -152,7 +119,7 @@ std::vector<Record> varyLimits(const Mechanism &mechanism, const Variation &vari
         value = variation.from + part * (variation.to - variation.from);
         Record row{{wordOf(variation.parameter), value}};
         const Mechanism varied(parameters);
-        for (const Record &limit : listLimits(varied, motionLimits(varied))) {
+        for (const Record &limit : listLimits(findFacts(varied, motionLimits(varied)))) {
             const QString name = limit[0].second.toString();
             if (row.back().first != name) {
                 row.emplace_back(name, limit[1].second);
@@ -164,33 +131,25 @@ std::vector<Record> varyLimits(const Mechanism &mechanism, const Variation &vari
 }
 
 /// Reads --vary, such as "b=50..120".
-Variation readVariation(const OptionReader &options, const Mechanism &mechanism)
+Variation readVariation(const OptionReader &options, Parameters parameters)
 {
-    const QString text = options.text("vary");
-    const QString name = text.section('=', 0, 0);
-    const QStringList ends = text.section('=', 1).split("..");
-    Variation variation;
+    static const QRegularExpression syntax("^(\\w+)=(.+?)\\.\\.(.+)$");
+    const QRegularExpressionMatch match = syntax.match(options.text("vary"));
     const auto parameter =
-        std::ranges::find_if(kParameters, [&](Parameter each) { return name == QLatin1String(wordOf(each)); });
-    if (parameter == kParameters.end() || ends.size() != 2) {
-        throw UsageError{
-            CommandLine::tr("--vary must name a parameter and its range, such as b=50..120, not \"%1\".").arg(text)};
+        std::ranges::find(kParameters, match.captured(1), [](Parameter each) { return QString(wordOf(each)); });
+    bool isValid = parameter != kParameters.end();
+    std::array<double, 2> ends{};
+    for (int i = 0; isValid && i < 2; ++i) {
+        const Quantity end = readQuantity(match.captured(2 + i), defaultUnit(*parameter), QLocale::c());
+        valueOf(parameters, *parameter) = ends[static_cast<std::size_t>(i)] = end.value;
+        isValid = !end.fault && !findFault(parameters);
     }
-    variation.parameter = *parameter;
-    const Quantity from = readQuantity(ends[0], defaultUnit(*parameter), QLocale::c());
-    const Quantity to = readQuantity(ends[1], defaultUnit(*parameter), QLocale::c());
-    for (const Quantity &end : {from, to}) {
-        Parameters parameters = mechanism.parameters();
-        valueOf(parameters, *parameter) = end.value;
-        if (end.fault || findFault(parameters)) {
-            throw UsageError{CommandLine::tr("--vary: \"%1\" is not a range of valid values of %2.")
-                                 .arg(text.section('=', 1), name)};
-        }
+    if (!isValid) {
+        throw UsageError{CommandLine::tr("--vary must be a parameter and a range of its values, such as b=50..120, not "
+                                         "\"%1\".")
+                             .arg(options.text("vary"))};
     }
-    variation.from = from.value;
-    variation.to = to.value;
-    variation.count = options.integer("count", variation.count, 1, 1'000'000);
-    return variation;
+    return {*parameter, ends[0], ends[1], options.integer("count", 100, 1, 1'000'000)};
 }
 
 /// Reads --design, such as "stroke=80,time-ratio=1.2,transmission-angle=40".
@@ -250,14 +209,14 @@ ExitStatus limitsCommand(const OptionReader &options, const Streams &streams)
     }
     std::optional<Variation> variation;
     if (options.has("vary")) {
-        variation = readVariation(options, mechanism);
+        variation = readVariation(options, mechanism.parameters());
         if (format == Format::Text) {
             throw UsageError{CommandLine::tr("--vary writes a table: add --format csv or --format json.")};
         }
     } else if (options.has("count")) {
         throw UsageError{CommandLine::tr("--count belongs to --vary: remove it.")};
     }
-    const EnglishTexts english(format != Format::Text);
+    useLanguageOf(format);
     if (variation) {
         const std::vector<Record> rows = varyLimits(mechanism, *variation);
         return writeOutput(streams, output,
@@ -265,18 +224,18 @@ ExitStatus limitsCommand(const OptionReader &options, const Streams &streams)
                                                  : jsonDocument({{"rows", jsonList(rows, jsonObject)}}));
     }
     const MotionLimits limits = motionLimits(mechanism);
-    const std::vector<Record> list = listLimits(mechanism, limits);
+    const std::vector<MotionFact> facts = findFacts(mechanism, limits);
     QByteArray bytes;
-    if (format == Format::Csv) {
-        bytes = csvText(list);
-    } else if (format == Format::Json) {
+    if (format == Format::Text) {
+        const QString design = options.has("design") ? mechanismText(mechanism, 9) + '\n' : QString();
+        bytes = (design + mobilitySentence(mechanism, limits) + '\n' + limitTable(facts)).toUtf8();
+    } else if (format == Format::Csv) {
+        bytes = csvText(listLimits(facts));
+    } else {
         bytes = jsonDocument({{"mechanism", toJson(mechanism.parameters())},
                               {"mobility", kMobilityNames[static_cast<std::size_t>(limits.mobility)]},
                               {"reason", mobilitySentence(mechanism, limits)},
-                              {"limits", jsonList(list, jsonObject)}});
-    } else {
-        const QString design = options.has("design") ? mechanismText(mechanism, 9) + '\n' : QString();
-        bytes = (design + textLimits(mechanism, limits)).toUtf8();
+                              {"limits", jsonList(listLimits(facts), jsonObject)}});
     }
     const bool isImpossible = limits.mobility == Mobility::Impossible;
     return moreSevere(writeOutput(streams, output, bytes),

@@ -23,6 +23,7 @@ namespace
 {
 
 constexpr int kLargestStepCount = 100'000'000;
+constexpr double kShortestTime = 1e-12; // s
 
 /// Parses the meaning that --column gives a column: "R4_x [m]", "time" or "ignored".
 NamedChoice parseMeaning(const QString &text)
@@ -83,14 +84,12 @@ Mechanism readMechanism(const OptionReader &options)
     }
     Parameters parameters = options.scene().parameters;
     for (const Parameter parameter : kParameters) {
+        const bool isLink = parameter == Parameter::A || parameter == Parameter::B;
         double &value = valueOf(parameters, parameter);
-        value = options.number(wordOf(parameter), value, defaultUnit(parameter));
+        value = options.number(wordOf(parameter), value, defaultUnit(parameter),
+                               isLink ? kShortestLink : -kLargestParameter);
     }
     parameters.branch = options.choice("branch", parameters.branch);
-    if (const std::optional<ParameterFault> fault = findFault(parameters)) { // number() has refused what is too large
-        const char *const name = wordOf(fault->parameter);
-        throw UsageError{CommandLine::tr("--%1 must be at least 1e-9 mm, not %2.").arg(name, options.text(name))};
-    }
     return Mechanism(parameters);
 }
 
@@ -98,7 +97,7 @@ Sampling readSampling(const OptionReader &options)
 {
     Sampling sampling = options.scene().sampling;
     sampling.start = options.number("start", sampling.start, kSecond);
-    sampling.duration = options.positiveNumber("duration", sampling.duration, kSecond);
+    sampling.duration = options.number("duration", sampling.duration, kSecond, kShortestTime);
     sampling.steps = options.integer("steps", sampling.steps, 1, kLargestStepCount);
     // Doubles are farthest apart at the end of the time range that is farther from 0.
     const double farthest = std::max(std::abs(sampling.start), std::abs(sampling.start + sampling.duration));
@@ -115,10 +114,7 @@ SolverSettings readSolver(const OptionReader &options)
     SolverSettings solver = options.scene().solver;
     solver.method = options.choice("method", solver.method);
     solver.newton.maxIterations = options.integer("max-iterations", solver.newton.maxIterations, 1, 1'000'000);
-    solver.newton.tolerance = options.number("tolerance", solver.newton.tolerance);
-    if (!(solver.newton.tolerance >= 0.0)) {
-        throw UsageError{CommandLine::tr("--tolerance must be 0 or more, not %1.").arg(options.text("tolerance"))};
-    }
+    solver.newton.tolerance = options.number("tolerance", solver.newton.tolerance, {}, 0.0);
     solver.newton.toleranceKind = options.choice("tolerance-kind", solver.newton.toleranceKind);
     return solver;
 }
@@ -158,8 +154,7 @@ std::vector<NamedChoice> readColumns(const OptionReader &options)
 {
     std::vector<NamedChoice> choices;
     if (options.has("abscissa")) {
-        const bool isTime = options.text("abscissa") == u"time";
-        options.choice("abscissa", 0); // throws unless it is time or angle
+        const bool isTime = options.choice("abscissa", 0) == 0;
         choices.push_back({"#1", isTime ? ColumnRole::Time : ColumnRole::CrankAngle, {}, {}});
     }
     for (const QString &text : options.texts("column")) {

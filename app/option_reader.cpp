@@ -2,8 +2,8 @@
 #include "app/option_reader.h"
 
 #include "core/import/quantity.h"
-#include "core/mechanism/mechanism.h"
 #include "ui/text/quantity_text.h"
+#include "ui/text/written_number.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,26 +32,6 @@ qsizetype editDistance(const QString &from, const QString &to)
     return row.back();
 }
 
-/// Returns the names with the smallest distance from the word, or none if a third of the letters differ.
-QStringList similarNames(const QString &word, const QStringList &names)
-{
-    constexpr qsizetype kMaxNames = 4;
-    qsizetype smallest = (word.size() + 1) / 3;
-    QStringList similar;
-    for (const QString &name : names) {
-        const bool isBeginning = word.size() > 1 && name.startsWith(word, Qt::CaseInsensitive);
-        const qsizetype distance = isBeginning ? 1 : editDistance(word, name);
-        if (distance < smallest) {
-            similar.clear();
-            smallest = distance;
-        }
-        if (distance == smallest) {
-            similar += name;
-        }
-    }
-    return similar.mid(0, kMaxNames);
-}
-
 } // namespace
 
 QString joinedByOr(const QStringList &names)
@@ -62,9 +42,13 @@ QString joinedByOr(const QStringList &names)
 
 void throwUnknownName(const QString &message, const QString &name, const QStringList &names)
 {
-    const QStringList similar = similarNames(name, names);
-    throw UsageError{similar.isEmpty() ? CommandLine::tr("%1: choose one of %2.").arg(message, names.join(", "))
-                                       : CommandLine::tr("%1: did you mean %2?").arg(message, joinedByOr(similar))};
+    const auto distance = [&name](const QString &each) {
+        return each.startsWith(name, Qt::CaseInsensitive) ? 1 : editDistance(name, each);
+    };
+    const QString nearest = *std::ranges::min_element(names, {}, distance);
+    const bool isSimilar = 3 * distance(nearest) <= name.size() + 1;
+    throw UsageError{isSimilar ? CommandLine::tr("%1: did you mean %2?").arg(message, nearest)
+                               : CommandLine::tr("%1: choose one of %2.").arg(message, names.join(", "))};
 }
 
 OptionReader::OptionReader(const CommandDescription &command, const QStringList &arguments)
@@ -152,9 +136,8 @@ QStringList OptionReader::texts(const char *name) const
     return find(name) ? m_parser.values(QLatin1String(name)) : QStringList();
 }
 
-qsizetype OptionReader::choiceIndex(const char *name) const
+qsizetype OptionReader::indexAmong(const QStringList &words, const char *name) const
 {
-    const QStringList words = QString(find(name)->value).split('|');
     const qsizetype index = words.indexOf(text(name));
     if (index < 0) {
         throw UsageError{CommandLine::tr("--%1 must be %2, not \"%3\".").arg(name, joinedByOr(words), text(name))};
@@ -162,42 +145,33 @@ qsizetype OptionReader::choiceIndex(const char *name) const
     return index;
 }
 
-double OptionReader::number(const char *name, double defaultValue, const std::optional<Unit> &unit) const
+double OptionReader::number(const char *name, double defaultValue, const std::optional<Unit> &unit, double smallest,
+                            double largest) const
 {
     if (!has(name)) {
         return defaultValue;
     }
     const auto &[value, fault] = readQuantity(text(name), unit, QLocale::c());
-    if (fault == QuantityFault::TooLarge || (!fault && std::abs(value) > kLargestParameter)) {
-        throw UsageError{CommandLine::tr("--%1 must not exceed 1e12 in magnitude.").arg(name)};
+    if (!fault && value >= smallest && value <= largest) {
+        return value;
     }
-    if (fault && unit && (fault == QuantityFault::UnknownUnit || fault == QuantityFault::WrongUnit)) {
+    if (!fault || fault == QuantityFault::TooLarge) {
+        throw UsageError{CommandLine::tr("--%1 must be from %2 to %3, not \"%4\".")
+                             .arg(name, typedNumberText(smallest), typedNumberText(largest), text(name))};
+    }
+    if (unit && (fault == QuantityFault::UnknownUnit || fault == QuantityFault::WrongUnit)) {
         throw UsageError{CommandLine::tr("--%1 must be a number, alone or followed by %2, not \"%3\".")
                              .arg(name, joinedByOr(unitsFor(*unit)), text(name))};
     }
-    if (fault) {
-        throw UsageError{CommandLine::tr("--%1 must be a number with a decimal point, such as 60 or -0.5, not \"%2\".")
-                             .arg(name, text(name))};
-    }
-    return value;
-}
-
-double OptionReader::positiveNumber(const char *name, double defaultValue, const std::optional<Unit> &unit) const
-{
-    const double value = number(name, defaultValue, unit);
-    if (!(value > 0.0)) {
-        throw UsageError{CommandLine::tr("--%1 must be greater than 0, not %2.").arg(name, text(name))};
-    }
-    return value;
+    throw UsageError{CommandLine::tr("--%1 must be a number with a decimal point, such as 60 or -0.5, not \"%2\".")
+                         .arg(name, text(name))};
 }
 
 int OptionReader::integer(const char *name, int defaultValue, int smallest, int largest) const
 {
-    const double value =
-        has(name) ? readQuantity(text(name), {}, QLocale::c()).value : defaultValue; // NaN if it is no number
-    if (!(value >= smallest && value <= largest) || value != std::round(value)) {
-        throw UsageError{CommandLine::tr("--%1 must be a whole number from %2 to %3, not \"%4\".")
-                             .arg(name, QString::number(smallest), QString::number(largest), text(name))};
+    const double value = number(name, defaultValue, {}, smallest, largest);
+    if (value != std::round(value)) {
+        throw UsageError{CommandLine::tr("--%1 must be a whole number, not \"%2\".").arg(name, text(name))};
     }
     return static_cast<int>(value);
 }

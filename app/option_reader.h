@@ -6,6 +6,7 @@
 #include "app/command_line.h"
 #include "app/option_table.h"
 #include "core/import/unit_text.h"
+#include "core/mechanism/mechanism.h"
 #include "ui/document/scene.h"
 
 #include <QCommandLineParser>
@@ -21,7 +22,7 @@ namespace slidercrank
 /// "x", "x or y", "x, y or z".
 QString joinedByOr(const QStringList &names);
 
-/// Throws `message` with the names that are similar to `name`, or else with all names.
+/// Throws `message` with the most similar of the names, or with all names if none is similar.
 [[noreturn]] void throwUnknownName(const QString &message, const QString &name, const QStringList &names);
 
 class OptionReader
@@ -45,16 +46,19 @@ public:
 
     /// The value in `unit`. The text may contain another unit of the same dimension, or no unit. With nullopt, the text
     /// must be a number without a unit.
-    double number(const char *name, double defaultValue, const std::optional<Unit> &unit = {}) const;
-    double positiveNumber(const char *name, double defaultValue, const std::optional<Unit> &unit = {}) const;
+    double number(const char *name, double defaultValue, const std::optional<Unit> &unit = {},
+                  double smallest = -kLargestParameter, double largest = kLargestParameter) const;
     int integer(const char *name, int defaultValue, int smallest, int largest) const;
+
+    /// The position of the value in the list.
+    qsizetype indexAmong(const QStringList &words, const char *name) const;
 
     /// The value of an option that the option table describes as "open|crossed": the enumerator whose number is the
     /// position of the given word.
     template <typename Enum>
     Enum choice(const char *name, Enum defaultValue) const
     {
-        return has(name) ? static_cast<Enum>(choiceIndex(name)) : defaultValue;
+        return has(name) ? static_cast<Enum>(indexAmong(QString(find(name)->value).split('|'), name)) : defaultValue;
     }
 
     /// Throws if any of these options was given. %1 in the message becomes the name of the option.
@@ -63,7 +67,6 @@ public:
 private:
     void checkSyntax() const;
     const OptionDescription *find(const char *name) const; ///< null if the command does not take the option
-    qsizetype choiceIndex(const char *name) const;
 
     const CommandDescription &m_command;
     std::vector<OptionDescription> m_options;

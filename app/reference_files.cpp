@@ -23,24 +23,41 @@ QString columnMeaning(const FileColumn &column)
     return column.role == ColumnRole::Ignored ? QString() : meaningName(column.role, column.channel);
 }
 
-/// The unit of a convention's amount; nullopt if the convention has no amount.
-std::optional<QString> amountUnit(const Convention &convention)
+/// The unit of a convention's amount, by Convention::Kind; null if there is no amount. That of a ZeroPoint is the unit
+/// of its channel.
+constexpr std::array<const char *, 12> kAmountUnits{"", "",      "",      "",  "°",     "°",
+                                                    "", nullptr, nullptr, "s", nullptr, nullptr};
+
+/// Reports rows that were skipped, columns that were not used, and columns whose meaning was guessed.
+void reportDoubts(const Streams &streams, const Reference &reference)
 {
-    switch (convention.kind) {
-    case Convention::Kind::AngleUnit:
-    case Convention::Kind::LengthUnit:
-    case Convention::Kind::TimeUnit:
-    case Convention::Kind::Sign: return "";
-    case Convention::Kind::HalfTurn:
-    case Convention::Kind::WholeTurns: return "°";
-    case Convention::Kind::ZeroPoint: return unitOf(convention.channels.front());
-    case Convention::Kind::TimeShift: return "s";
-    case Convention::Kind::SwappedColumns:
-    case Convention::Kind::Branch:
-    case Convention::Kind::NotDerivative:
-    case Convention::Kind::Axis: break;
+    const QString name = displayName(reference.paths);
+    const ReferenceData &data = reference.data;
+    const FileLayout &layout = data.layout;
+    if (!data.skipped.empty()) {
+        const SkippedRow &first = data.skipped.front();
+        streams.report(CommandLine::tr("%1: rows that were skipped: %2, the first in line %3, column %4 (\"%5\"): %6.")
+                           .arg(name, QString::number(data.skippedRowCount()), lineText(layout, first),
+                                QString::number(first.column), QString::fromStdString(first.text), reasonOf(first)));
     }
-    return std::nullopt;
+    QStringList ignored, guesses;
+    for (const std::size_t i : ignoredColumns(layout)) {
+        ignored += headingText(layout, i) + " (" + reasonText(layout, i) + ')';
+    }
+    for (std::size_t i = 0; i < layout.columns.size(); ++i) {
+        const FileColumn &column = layout.columns[i];
+        if (column.role != ColumnRole::Ignored && isGuess(column.reason)) {
+            guesses += CommandLine::tr("\"%1\" as %2 (%3)")
+                           .arg(headingText(layout, i), columnMeaning(column), reasonText(layout, i));
+        }
+    }
+    if (!ignored.isEmpty()) {
+        streams.report(CommandLine::tr("%1: these columns were not used: %2.").arg(name, ignored.join(", ")));
+    }
+    if (!guesses.isEmpty()) {
+        streams.report(CommandLine::tr("%1: the meaning of these columns was guessed: %2. Correct it with --column.")
+                           .arg(name, guesses.join(", ")));
+    }
 }
 
 } // namespace
@@ -64,34 +81,35 @@ ReferenceQuestion::ReferenceQuestion(const OptionReader &options)
     }
 }
 
-ExitStatus ReferenceQuestion::answerEach(const Streams &streams,
-                                         const std::function<ReferenceAnswer(const Reference &)> &answer) const
+ExitStatus ReferenceQuestion::answerEach(const Streams &streams, const AnswerOne &answerOne) const
 {
+    useLanguageOf(format);
     ExitStatus status = ExitStatus::Success;
     std::map<QString, int> counts; // of the references in each category
     QStringList texts;
     std::vector<Record> rows;
     QJsonArray json;
     for (const QStringList &paths : files) {
-        const auto outcome = readTimedReference({paths, {}, {}}, columns, mechanism);
-        if (const QString *message = std::get_if<QString>(&outcome)) {
-            streams.report(*message);
+        const auto reference = readTimedReference(streams, {paths, {}, {}}, columns, mechanism);
+        if (!reference) {
             status = moreSevere(status, ExitStatus::FileError);
             ++counts[CommandLine::tr("could not be read")];
             continue;
         }
-        const Reference &reference = *std::get<std::shared_ptr<const Reference>>(outcome);
-        reportDoubts(streams, reference);
-        ReferenceAnswer answered = answer(reference);
-        status = moreSevere(status, answered.status);
-        ++counts[answered.category];
-        texts += answered.text;
-        rows.insert(rows.end(), answered.rows.begin(), answered.rows.end());
-        answered.json.insert("file", joinedName(paths));
-        if (paths.size() > 1) {
-            answered.json.insert("joined", QJsonArray::fromStringList(paths));
+        ReferenceAnswer answer = answerOne(*reference);
+        const QString file = paths.join(" + ");
+        status = moreSevere(status, answer.status);
+        ++counts[answer.category];
+        texts += answer.text;
+        for (Record &row : answer.rows) {
+            row.insert(row.begin(), {"file", file});
+            rows.push_back(row);
         }
-        json += answered.json;
+        answer.json.insert("file", file);
+        if (paths.size() > 1) {
+            answer.json.insert("joined", QJsonArray::fromStringList(paths));
+        }
+        json += answer.json;
     }
     if (json.isEmpty()) { // no file could be read: writes no output file
         return status;
@@ -110,57 +128,27 @@ ExitStatus ReferenceQuestion::answerEach(const Streams &streams,
     return bytes.isEmpty() ? status : moreSevere(status, writeOutput(streams, output, bytes));
 }
 
-ReferenceOutcome readTimedReference(const ReferenceSource &source, const std::vector<NamedChoice> &columns,
-                                    const Mechanism &mechanism)
+std::shared_ptr<const Reference> readTimedReference(const Streams &streams, const ReferenceSource &source,
+                                                    const std::vector<NamedChoice> &columns, const Mechanism &mechanism)
 {
-    const ReferenceOutcome outcome = readReference(source, {}, {{}, {}, columns});
-    const auto *reference = std::get_if<std::shared_ptr<const Reference>>(&outcome);
-    return reference ? timedBy(mechanism, *reference) : outcome;
-}
-
-void reportDoubts(const Streams &streams, const Reference &reference)
-{
-    const QString name = displayName(joinedName(reference.paths));
-    const ReferenceData &data = reference.data;
-    const FileLayout &layout = data.layout;
-    if (!data.skipped.empty()) {
-        const SkippedRow &first = data.skipped.front();
-        streams.report(
-            CommandLine::tr(
-                "%1: rows that could not be read and were skipped: %2, the first in line %3, column %4 (\"%5\"): %6.")
-                .arg(name, QString::number(data.skippedRowCount()), lineText(layout, first),
-                     QString::number(first.column), QString::fromStdString(first.text), reasonOf(first)));
+    ReferenceOutcome outcome = readReference(source, {}, {{}, {}, columns});
+    if (const auto *read = std::get_if<std::shared_ptr<const Reference>>(&outcome)) {
+        outcome = timedBy(mechanism, *read);
     }
-    QStringList ignored, guesses;
-    for (const std::size_t i : ignoredColumns(layout)) {
-        ignored += headingText(layout, i) + " (" + reasonText(layout, i) + ')';
+    if (const QString *message = std::get_if<QString>(&outcome)) {
+        streams.report(*message);
+        return nullptr;
     }
-    for (std::size_t i = 0; i < layout.columns.size(); ++i) {
-        const FileColumn &column = layout.columns[i];
-        if (column.role != ColumnRole::Ignored && isGuess(column.reason)) {
-            guesses += CommandLine::tr("\"%1\" as %2 (%3)")
-                           .arg(headingText(layout, i), columnMeaning(column), reasonText(layout, i));
-        }
-    }
-    if (!ignored.isEmpty()) {
-        streams.report(CommandLine::tr("%1: these columns were not used: %2.").arg(name, ignored.join(", ")));
-    }
-    if (!guesses.isEmpty()) {
-        streams.report(CommandLine::tr("%1: the meaning of these columns was guessed: %2. Correct it with --column.")
-                           .arg(name, guesses.join(", ")));
-    }
-}
-
-QString joinedName(const QStringList &files)
-{
-    return files.join(" + ");
+    const auto reference = std::get<std::shared_ptr<const Reference>>(outcome);
+    reportDoubts(streams, *reference);
+    return reference;
 }
 
 QString headline(const Reference &reference)
 {
     const ReferenceData &data = reference.data;
     return CommandLine::tr("%1: %2, %3 rows")
-               .arg(displayName(joinedName(reference.paths)), abscissaText(data), QString::number(data.time.size())) +
+               .arg(displayName(reference.paths), abscissaText(data), QString::number(data.time.size())) +
            '\n';
 }
 
@@ -186,7 +174,8 @@ QJsonArray jsonConventions(const std::vector<ConventionFinding> &findings, const
 {
     return jsonList(findings, [&data](const ConventionFinding &finding) {
         const Convention &convention = finding.convention;
-        const std::optional<QString> unit = amountUnit(convention);
+        const char *unit = kAmountUnits[static_cast<std::size_t>(convention.kind)];
+        const bool isZeroPoint = convention.kind == Convention::Kind::ZeroPoint;
         QStringList channels;
         for (const Channel channel : convention.channels) {
             channels += columnNameOf(channel);
@@ -194,7 +183,7 @@ QJsonArray jsonConventions(const std::vector<ConventionFinding> &findings, const
         return QJsonObject{{"name", toJson(convention)["kind"]},
                            {"channel", jsonText(channels.join(','))},
                            {"amount", unit ? QJsonValue(convention.amount) : QJsonValue()},
-                           {"unit", jsonText(unit.value_or(""))},
+                           {"unit", jsonText(isZeroPoint ? unitOf(convention.channels.front()) : QString(unit))},
                            {"explanation", explanationOf(convention, data)},
                            {"standardError", jsonNumber(finding.standardError)},
                            {"before", jsonNumber(finding.before)},

@@ -18,7 +18,7 @@ struct ReferenceAnswer {
     ExitStatus status = ExitStatus::Success;
     QString category;         ///< counted in the last line if there are several files: "identified", "differ"
     QString text;             ///< for Format::Text
-    std::vector<Record> rows; ///< for Format::Csv
+    std::vector<Record> rows; ///< for Format::Csv, without the name of the file
     QJsonObject json;         ///< for Format::Json, without the members that name the files
 };
 
@@ -33,19 +33,15 @@ struct ReferenceQuestion {
 
     /// Reads each reference, writes the answers about all of them, and returns the most severe status. A file that
     /// cannot be read is reported, and the others are still answered.
-    ExitStatus answerEach(const Streams &streams,
-                          const std::function<ReferenceAnswer(const Reference &)> &answer) const;
+    using AnswerOne = std::function<ReferenceAnswer(const Reference &)>;
+    ExitStatus answerEach(const Streams &streams, const AnswerOne &answerOne) const;
 };
 
-/// Reads a reference. A table by crank angle gets the time stamps of this mechanism. Returns a sentence if it fails.
-ReferenceOutcome readTimedReference(const ReferenceSource &source, const std::vector<NamedChoice> &columns,
-                                    const Mechanism &mechanism);
-
-/// Reports rows that were skipped, columns that were not used, and columns whose meaning was guessed.
-void reportDoubts(const Streams &streams, const Reference &reference);
-
-/// "file.csv", or "a.csv + b.csv" if several files were joined.
-QString joinedName(const QStringList &files);
+/// Reads a reference, and reports rows and columns that are not used or doubtful. A table by crank angle gets the time
+/// stamps of this mechanism. Reports the reason and returns null if the reference cannot be read.
+std::shared_ptr<const Reference> readTimedReference(const Streams &streams, const ReferenceSource &source,
+                                                    const std::vector<NamedChoice> &columns,
+                                                    const Mechanism &mechanism);
 
 /// "file.csv: t = 0 … 1 s, 201 rows"
 QString headline(const Reference &reference);

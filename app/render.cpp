@@ -3,20 +3,18 @@
 // `slidercrank render`: draws what the window shows into a file, by the views of the window.
 
 #include "app/commands.h"
-#include "app/option_groups.h"
 #include "app/reference_files.h"
 #include "app/time_step_report.h"
-#include "core/comparison/reference_pose.h"
 #include "core/identification/diagnosis.h"
 #include "ui/document/result.h"
 #include "ui/export/animation_export.h"
 #include "ui/export/figure_export.h"
 #include "ui/export/report.h"
-#include "ui/mechanism/mechanism_scene.h"
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/plots/plot_grid.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/theme.h"
+#include "ui/window/ghost.h"
 
 #include <QFileInfo>
 #include <QPalette>
@@ -25,7 +23,6 @@
 #include <algorithm>
 #include <csignal>
 #include <memory>
-#include <span>
 
 namespace slidercrank
 {
@@ -35,14 +32,10 @@ namespace
 
 enum class Subject { Figure, Mechanism, Report, Frames, Plot };
 
-constexpr int kLargestSide = 20'000; // pixels
-
 struct RenderRequest {
     Subject subject = Subject::Figure;
     QString plot;        ///< for Subject::Plot: the name of a channel, or error_position, error_velocity …
-    Scene scene;         ///< supplies the settings of the views
-    Choices model;       ///< what is drawn
-    double time = 0.0;   ///< s, at which the mechanism is drawn and the plots are marked
+    Scene scene;         ///< the settings and the time that is drawn
     Animation animation; ///< for Subject::Frames; its size is that of every picture
     Theme theme = Theme::Light;
     QString output;
@@ -51,18 +44,15 @@ struct RenderRequest {
 /// Reads --what.
 void readSubject(const OptionReader &options, RenderRequest &request)
 {
-    request.plot = options.has("what") ? options.text("what") : "figure";
-    QStringList plots{"error_position", "error_velocity", "error_acceleration"};
+    QStringList names{"figure", "mechanism", "report", "frames"};
+    const qsizetype plotCount = names.size();
     for (const Channel channel : kPlottedChannels) {
-        plots += columnNameOf(channel);
+        names += columnNameOf(channel);
     }
-    const qsizetype index = QStringList{"figure", "mechanism", "report", "frames"}.indexOf(request.plot);
-    if (index < 0 && !plots.contains(request.plot)) {
-        throw UsageError{
-            CommandLine::tr("--what must be figure, mechanism, frames, report or one of the plots %1, not \"%2\".")
-                .arg(joinedByOr(plots), request.plot)};
-    }
-    request.subject = index < 0 ? Subject::Plot : static_cast<Subject>(index);
+    names += {"error_position", "error_velocity", "error_acceleration"};
+    const qsizetype index = options.has("what") ? options.indexAmong(names, "what") : 0;
+    request.subject = static_cast<Subject>(std::min(index, plotCount));
+    request.plot = names[index];
     constexpr std::array kSizes{QSize(1400, 1800), QSize(900, 700), QSize(), QSize(900, 700),
                                 QSize(900, 600)}; // by Subject
     request.animation.size.size = kSizes[static_cast<std::size_t>(request.subject)];
@@ -71,6 +61,7 @@ void readSubject(const OptionReader &options, RenderRequest &request)
 /// Reads --size and --scale.
 void readSize(const OptionReader &options, FigureSize &size)
 {
+    constexpr int kLargestSide = 20'000; // pixels
     if (options.has("size")) {
         static const QRegularExpression syntax("^(\\d{3,5})x(\\d{3,5})$");
         const QRegularExpressionMatch match = syntax.match(options.text("size"));
@@ -81,10 +72,7 @@ void readSize(const OptionReader &options, FigureSize &size)
         }
         size.size = QSize(match.captured(1).toInt(), match.captured(2).toInt());
     }
-    size.scale = options.number("scale", 1.0);
-    if (!(size.scale >= 0.1 && size.scale <= 10.0)) {
-        throw UsageError{CommandLine::tr("--scale must be from 0.1 to 10, not %1.").arg(options.text("scale"))};
-    }
+    size.scale = options.number("scale", 1.0, {}, 0.1, 10.0);
     if (size.scale * std::max(size.size.width(), size.size.height()) > kLargestSide) {
         throw UsageError{
             CommandLine::tr("The picture would be larger than %1 pixels: choose a smaller --size or --scale.")
@@ -92,32 +80,27 @@ void readSize(const OptionReader &options, FigureSize &size)
     }
 }
 
-/// Throws unless the name of the output suits the subject.
-void checkOutput(const RenderRequest &request)
+/// Reads --output, and checks that it suits the subject.
+void readTarget(const OptionReader &options, RenderRequest &request)
 {
+    request.output = readOutput(options, options.texts("reference"));
     const std::optional<FigureFormat> format = figureFormatOf(request.output);
-    if (request.output.isEmpty()) {
-        throw UsageError{
-            CommandLine::tr("\"slidercrank render\" needs --output with a name that ends in .png, .svg or .pdf.")};
+    if (request.subject == Subject::Frames && (format || request.output.isEmpty())) {
+        throw UsageError{CommandLine::tr("Frames are written to a new folder or as a video: --output must be the name "
+                                         "of a folder, or end in .mp4, .webm or .gif, not \"%1\".")
+                             .arg(request.output)};
     }
-    if (request.subject == Subject::Report && format != FigureFormat::Pdf) {
-        throw UsageError{
-            CommandLine::tr("A report is a PDF: --output must end in .pdf, not \"%1\".").arg(request.output)};
-    }
-    if (request.subject == Subject::Frames && format) {
-        throw UsageError{
-            CommandLine::tr("Frames are written to a new folder or as a video: --output must not end in .%1.")
-                .arg(QFileInfo(request.output).suffix())};
-    }
-    if (request.subject != Subject::Frames && !format) {
-        throw UsageError{CommandLine::tr("--output must end in .png, .svg or .pdf, not \"%1\".").arg(request.output)};
+    const bool isReport = request.subject == Subject::Report;
+    if (request.subject != Subject::Frames && (isReport ? format != FigureFormat::Pdf : !format)) {
+        throw UsageError{CommandLine::tr("--output must end in %1, not \"%2\".")
+                             .arg(isReport ? ".pdf" : joinedByOr({".png", ".svg", ".pdf"}), request.output)};
     }
 }
 
 /// Reads --speed for frames, and --at and --at-angle for everything else.
 void readTime(const OptionReader &options, RenderRequest &request)
 {
-    const Sampling &sampling = request.model.sampling;
+    const Sampling &sampling = request.scene.sampling;
     const double end = sampling.start + sampling.duration;
     if (request.subject == Subject::Frames) {
         request.animation.start = sampling.start;
@@ -126,7 +109,7 @@ void readTime(const OptionReader &options, RenderRequest &request)
             {"at", "at-angle"},
             CommandLine::tr(
                 "Frames show the whole time range: remove %1, or choose the range with --start and --duration."));
-        request.animation.speed = options.positiveNumber("speed", 1.0);
+        request.animation.speed = options.number("speed", 1.0, {}, 1e-9);
         if (request.animation.frameCount() > Animation::kMostFrames) {
             throw UsageError{
                 CommandLine::tr("There would be more than %1 frames: choose a shorter --duration or a greater --speed.")
@@ -135,14 +118,38 @@ void readTime(const OptionReader &options, RenderRequest &request)
     } else {
         options.refuse({"speed"}, CommandLine::tr("Only --what frames has a speed: remove %1."));
     }
-    const double sceneTime =
-        options.has("scene") ? std::clamp(request.scene.time, sampling.start, end) : sampling.start;
-    request.time = readTimeStamp(options, Mechanism(request.model.parameters), sampling.start).value_or(sceneTime);
-    if (request.subject != Subject::Mechanism && (request.time < sampling.start || request.time > end)) {
+    double &time = request.scene.time;
+    time = options.has("scene") ? std::clamp(time, sampling.start, end) : sampling.start;
+    time = readTimeStamp(options, Mechanism(request.scene.parameters), sampling.start).value_or(time);
+    if (request.subject != Subject::Mechanism && (time < sampling.start || time > end)) {
         throw UsageError{CommandLine::tr("t = %1 s lies outside the time range from %2 s to %3 s: choose another time, "
                                          "or another --start or --duration.")
-                             .arg(roundedText(request.time, 6), roundedText(sampling.start, 6), roundedText(end, 6))};
+                             .arg(roundedText(time, 6), roundedText(sampling.start, 6), roundedText(end, 6))};
     }
+}
+
+RenderRequest readRequest(const OptionReader &options)
+{
+    RenderRequest request;
+    readSubject(options, request);
+    readTarget(options, request);
+    request.scene = options.scene();
+    request.scene.parameters = readMechanism(options).parameters();
+    request.scene.sampling = readSampling(options);
+    request.scene.solver = readSolver(options);
+    if (const QStringList files = options.texts("reference"); !files.isEmpty()) {
+        request.scene.reference = ReferenceSource{files, {}, {}};
+    }
+    request.theme = options.choice("theme", 0) == 0 ? Theme::Light : Theme::Dark;
+    if (request.subject == Subject::Report) {
+        options.refuse({"size", "scale", "theme"},
+                       CommandLine::tr("A report is printed on A4, black on white: remove %1."));
+    } else {
+        readSize(options, request.animation.size);
+    }
+    readTime(options, request);
+    options.refuseFiles();
+    return request;
 }
 
 volatile std::sig_atomic_t interruption = 0; // the signal that asked the program to end, or 0
@@ -177,6 +184,61 @@ std::optional<QString> exportFrames(const RenderRequest &request, const FrameDra
     return problem;
 }
 
+/// Draws the subject into the file, by the plots and the drawing of the window. Returns a sentence if that fails.
+std::optional<QString> draw(const RenderRequest &request, const std::shared_ptr<const Result> &result)
+{
+    const Scene &scene = request.scene;
+    const QPalette palette = paletteFor(request.theme);
+    const bool showsMechanism = request.subject != Subject::Figure && request.subject != Subject::Plot;
+    ReportContent content{.result = result, .diagnosis = {}};
+    if (result->reference && showsMechanism) {
+        content.diagnosis = diagnose(result->reference->data, result->mechanism);
+    }
+    PlotGrid plots;
+    plots.setSettings(scene.plots);
+    plots.setResult(result);
+    plots.setZoom(scene.zoom);
+    if (scene.time != scene.sampling.start) {
+        plots.markTime(scene.time);
+    }
+    MechanismView mechanism;
+    mechanism.setResult(result);
+    mechanism.setSettings(scene.mechanism);
+    mechanism.setZoom(scene.mechanismFrame);
+    const GhostMotion ghost = findGhost(*result, &content.diagnosis);
+    mechanism.setGhostBounds(ghost.bounds);
+    const FrameDrawing drawFrame = [&](QPainter &painter, const QSize &size, double time) {
+        mechanism.setPose(poseAt(scene.parameters, time));
+        mechanism.setGhost(ghost.pose ? ghost.pose(time) : ReferencePose());
+        mechanism.paintMechanism(painter, size, palette);
+    };
+    const FigureDrawing drawMechanism = [&](QPainter &painter, const QSize &size) {
+        drawFrame(painter, size, scene.time);
+    };
+    const FigureDrawing drawFigure = [&](QPainter &painter, const QSize &size) {
+        plots.paintFigure(painter, size, palette);
+    };
+    const auto write = [&](const FigureDrawing &drawing) {
+        return exportFigure(request.output, request.animation.size, CommandLine::tr("Motion of an offset slider-crank"),
+                            drawing);
+    };
+    switch (request.subject) {
+    case Subject::Figure: return write(drawFigure);
+    case Subject::Plot:
+        return write([&](QPainter &painter, const QSize &size) {
+            plots.paintPlot(painter, "plot_" + request.plot, size, palette);
+        });
+    case Subject::Mechanism: return write(withParameters(drawMechanism, result->mechanism, palette));
+    case Subject::Frames: return exportFrames(request, drawFrame);
+    case Subject::Report:
+        content.hasGhost = ghost.pose && ghost.pose(scene.time).exists;
+        content.checksums = result->reference ? fileChecksums(*result->reference) : QByteArrayList();
+        return exportReport(request.output, content, {drawMechanism, drawFigure});
+    }
+    return std::nullopt;
+}
+
+/// Reports the time steps at which what was drawn does not exist.
 ExitStatus reportTimeSteps(const Streams &streams, const RenderRequest &request, const Result &result)
 {
     TimeStepReport steps;
@@ -184,14 +246,8 @@ ExitStatus reportTimeSteps(const Streams &streams, const RenderRequest &request,
         steps.add(motion.time, motion.status);
         return true;
     };
-    if (request.subject == Subject::Frames) {
-        std::vector<double> times;
-        for (int frame = 0; frame < request.animation.frameCount(); ++frame) {
-            times.push_back(request.animation.timeOfFrame(frame));
-        }
-        add(sample(result.mechanism, times, {}, {}));
-    } else if (request.subject == Subject::Mechanism) {
-        add(sample(result.mechanism, {request.time}, {}, {}));
+    if (request.subject == Subject::Mechanism) {
+        add(sample(result.mechanism, {request.scene.time}, {}, {}));
     } else {
         sampleInPieces(result.mechanism, result.sampling, {}, result.solver, add);
         add(result.atReference);
@@ -199,142 +255,28 @@ ExitStatus reportTimeSteps(const Streams &streams, const RenderRequest &request,
     return steps.finish(streams, result.mechanism, result.solver.newton);
 }
 
-/// The plots and the drawing of the window, as the request asks for them.
-class Views
-{
-public:
-    Views(const RenderRequest &request, const std::shared_ptr<const Result> &result)
-        : m_request(request)
-        , m_palette(paletteFor(request.theme))
-    {
-        m_content.result = result;
-        m_plots.setSettings(request.scene.plots);
-        m_plots.setResult(result);
-        m_plots.setZoom(request.scene.zoom);
-        if (request.time != request.model.sampling.start) {
-            m_plots.markTime(request.time);
-        }
-        m_mechanism.setResult(result);
-        m_mechanism.setSettings(request.scene.mechanism);
-        m_mechanism.setZoom(request.scene.mechanismFrame);
-        chooseGhost();
-        showTime(request.time);
-        m_content.hasGhost = m_mechanism.hasGhost();
-    }
-
-    /// Draws the subject into the file. Returns a sentence if that fails.
-    std::optional<QString> draw()
-    {
-        const FigureDrawing figure = [this](QPainter &painter, const QSize &size) {
-            m_plots.paintFigure(painter, size, m_palette);
-        };
-        const FigureDrawing drawing = [this](QPainter &painter, const QSize &size) {
-            m_mechanism.paintMechanism(painter, size, m_palette);
-        };
-        const FigureDrawing plot = [this](QPainter &painter, const QSize &size) {
-            m_plots.paintPlot(painter, "plot_" + m_request.plot, size, m_palette);
-        };
-        switch (m_request.subject) {
-        case Subject::Figure: return drawInto(figure);
-        case Subject::Plot: return drawInto(plot);
-        case Subject::Mechanism: return drawInto(withParameters(drawing, m_content.result->mechanism, m_palette));
-        case Subject::Report:
-            m_content.checksums =
-                m_content.result->reference ? fileChecksums(*m_content.result->reference) : QByteArrayList();
-            return exportReport(m_request.output, m_content, {drawing, figure});
-        case Subject::Frames:
-            return exportFrames(m_request, [this](QPainter &painter, const QSize &size, double time) {
-                showTime(time);
-                m_mechanism.paintMechanism(painter, size, m_palette);
-            });
-        }
-        return std::nullopt;
-    }
-
-private:
-    std::optional<QString> drawInto(const FigureDrawing &draw) const
-    {
-        return exportFigure(m_request.output, m_request.animation.size,
-                            CommandLine::tr("Motion of an offset slider-crank"), draw);
-    }
-
-    /// Chooses the linkage that is drawn behind the mechanism: that of the file, or of the motion that was pinned last.
-    void chooseGhost()
-    {
-        const Result &result = *m_content.result;
-        const bool showsMechanism = m_request.subject != Subject::Figure && m_request.subject != Subject::Plot;
-        if (result.reference && showsMechanism) {
-            m_content.diagnosis = diagnose(result.reference->data, result.mechanism);
-            const Diagnosis &diagnosis = m_content.diagnosis;
-            if (diagnosis.conventions.empty() && !diagnosis.agreesWithGiven) {
-                const Identification &found = diagnosis.identification;
-                m_ghost = found.hasMechanism() ? Mechanism(found.parameters) : result.mechanism;
-            }
-        } else if (!result.reference && result.difference && Mechanism(result.pinned.back()) != result.mechanism) {
-            m_ghost = Mechanism(result.pinned.back());
-        }
-        if (m_ghost) {
-            m_mechanism.setGhostBounds(motionBounds(*m_ghost, motionLimits(*m_ghost)));
-        }
-    }
-
-    void showTime(double time)
-    {
-        const auto &reference = m_content.result->reference;
-        m_mechanism.setPose(poseAt(m_request.model.parameters, time));
-        m_mechanism.setGhost(!m_ghost    ? ReferencePose()
-                             : reference ? referencePoseAt(reference->data, *m_ghost, time)
-                                         : referencePoseAt(*m_ghost, time));
-    }
-
-    const RenderRequest &m_request;
-    QPalette m_palette;
-    PlotGrid m_plots;
-    MechanismView m_mechanism;
-    ReportContent m_content;
-    std::optional<Mechanism> m_ghost;
-};
-
 } // namespace
 
 ExitStatus renderCommand(const OptionReader &options, const Streams &streams)
 {
-    RenderRequest request;
-    request.scene = options.scene();
-    readSubject(options, request);
-    request.output = readOutput(options, options.texts("reference"));
-    checkOutput(request);
-    request.model = {
-        readMechanism(options).parameters(), readSampling(options), readSolver(options), {}, request.scene.pinned};
-    const QStringList files = options.texts("reference");
-    const auto source = files.isEmpty() ? request.scene.reference : std::optional(ReferenceSource{files, {}, {}});
+    RenderRequest request = readRequest(options);
+    Scene &scene = request.scene;
     const std::vector<NamedChoice> columns = readColumns(options);
-    if (!columns.empty() && !source) {
+    if (!columns.empty() && !scene.reference) {
         throw UsageError{CommandLine::tr("--column describes a reference file: name the file with --reference.")};
     }
-    request.theme = options.choice("theme", 0) == 0 ? Theme::Light : Theme::Dark;
-    if (request.subject == Subject::Report) {
-        options.refuse({"size", "scale", "theme"},
-                       CommandLine::tr("A report is printed on A4, black on white: remove %1."));
-    } else {
-        readSize(options, request.animation.size);
-    }
-    readTime(options, request);
-    options.refuseFiles();
     if (request.subject == Subject::Mechanism) {
-        request.model.sampling.start = request.time; // the mechanism can be drawn at any time
+        scene.sampling.start = scene.time; // the mechanism can be drawn at any time
     }
-    if (source) {
-        const ReferenceOutcome outcome = readTimedReference(*source, columns, Mechanism(request.model.parameters));
-        if (const QString *message = std::get_if<QString>(&outcome)) {
-            streams.report(*message);
+    Choices choices{scene.parameters, scene.sampling, scene.solver, nullptr, scene.pinned};
+    if (scene.reference) {
+        choices.reference = readTimedReference(streams, *scene.reference, columns, Mechanism(scene.parameters));
+        if (!choices.reference) {
             return ExitStatus::FileError;
         }
-        request.model.reference = std::get<std::shared_ptr<const Reference>>(outcome);
-        reportDoubts(streams, *request.model.reference);
     }
-    const std::shared_ptr<const Result> result = compute(request.model, {});
-    if (const std::optional<QString> problem = Views(request, result).draw()) {
+    const std::shared_ptr<const Result> result = compute(choices, {});
+    if (const std::optional<QString> problem = draw(request, result)) {
         streams.report(*problem);
         return ExitStatus::FileError;
     }

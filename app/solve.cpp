@@ -41,11 +41,8 @@ ChannelSet readChannels(const OptionReader &options)
 /// Reads --step-angle: one revolution of the crank from --start on, in equal steps of that angle.
 Sampling oneRevolution(const OptionReader &options, const Mechanism &mechanism)
 {
-    constexpr double kRevolution = 360.0;
-    constexpr double kSmallestStep = 1e-4;
-    const double degrees = options.positiveNumber("step-angle", 0.0, kDegree);
-    const double steps = kRevolution / degrees;
-    if (degrees < kSmallestStep || std::abs(steps - std::round(steps)) > 1e-9 * steps) {
+    const double steps = 360.0 / options.number("step-angle", 0.0, kDegree, 1e-4, 360.0);
+    if (std::abs(steps - std::round(steps)) > 1e-9 * steps) {
         throw UsageError{CommandLine::tr("--step-angle must divide 360° into equal steps, such as 15 or 0.5, not %1.")
                              .arg(options.text("step-angle"))};
     }

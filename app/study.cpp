@@ -32,10 +32,8 @@ QString caseReport(const CaseResult &result)
     const Page page = studyPage(result);
     for (const PageTable &table : page.tables) {
         std::vector<QStringList> rows(1);
-        std::vector<bool> isNumeric;
         for (const TableColumn &column : table.columns) {
             rows[0] += column.title;
-            isNumeric.push_back(column.isNumber);
         }
         for (const TableRow &row : table.rows) {
             rows.emplace_back();
@@ -43,7 +41,7 @@ QString caseReport(const CaseResult &result)
                 rows.back() += cell.text;
             }
         }
-        text += alignedTable(rows, isNumeric) + u'\n';
+        text += alignedTable(rows) + u'\n';
     }
     return page.sentence.isEmpty() ? text : text + page.sentence + u'\n';
 }
@@ -89,9 +87,10 @@ ExitStatus studyCommand(const OptionReader &options, const Streams &streams)
     const QString output = readOutput(options);
     options.refuseFiles();
     const StudyResult result = runStudy(request);
+    useLanguageOf(format);
     const QByteArray bytes = format == Format::Text  ? studyReport(result).toUtf8()
-                             : format == Format::Csv ? QByteArray::fromStdString(studyCsv(result))
-                                                     : QByteArray::fromStdString(studyJson(result));
+                             : format == Format::Csv ? studyCsv(result)
+                                                     : studyJson(result);
     return writeOutput(streams, output, bytes);
 }
 

@@ -451,10 +451,6 @@
         <translation>--%1 debe ser un número con punto decimal, como 60 o -0.5, y no «%2».</translation>
     </message>
     <message>
-        <source>--%1 must be a whole number from %2 to %3, not &quot;%4&quot;.</source>
-        <translation>--%1 debe ser un número entero de %2 a %3, y no «%4».</translation>
-    </message>
-    <message>
         <source>--%1 must be %2, not &quot;%3&quot;.</source>
         <translation>--%1 debe ser %2, y no «%3».</translation>
     </message>
@@ -463,32 +459,12 @@
         <translation>--%1 necesita el nombre de un archivo.</translation>
     </message>
     <message>
-        <source>--%1 must not exceed 1e12 in magnitude.</source>
-        <translation>--%1 no debe superar 1e12 en magnitud.</translation>
-    </message>
-    <message>
-        <source>--%1 must be greater than 0, not %2.</source>
-        <translation>--%1 debe ser mayor que 0, y no %2.</translation>
-    </message>
-    <message>
-        <source>--tolerance must be 0 or more, not %1.</source>
-        <translation>--tolerance debe ser 0 o más, y no %1.</translation>
-    </message>
-    <message>
         <source>&quot;slidercrank %1&quot; takes options only: remove &quot;%2&quot;.</source>
         <translation>«slidercrank %1» solo admite opciones: quite «%2».</translation>
     </message>
     <message>
-        <source>&quot;slidercrank render&quot; needs --output with a name that ends in .png, .svg or .pdf.</source>
-        <translation>«slidercrank render» necesita --output con un nombre que termine en .png, .svg o .pdf.</translation>
-    </message>
-    <message>
         <source>--size must be width x height in pixels, each from 100 to %1, such as 900x600, not &quot;%2&quot;.</source>
         <translation>--size debe ser ancho x alto en píxeles, cada uno de 100 a %1, como 900x600, y no «%2».</translation>
-    </message>
-    <message>
-        <source>--scale must be from 0.1 to 10, not %1.</source>
-        <translation>--scale debe estar entre 0.1 y 10, y no ser %1.</translation>
     </message>
     <message>
         <source>The picture would be larger than %1 pixels: choose a smaller --size or --scale.</source>
@@ -515,10 +491,6 @@
         <translation>píxeles (figure 1400x1800, mechanism y frames 900x700, una gráfica 900x600)</translation>
     </message>
     <message>
-        <source>--what must be figure, mechanism, frames, report or one of the plots %1, not &quot;%2&quot;.</source>
-        <translation>--what debe ser figure, mechanism, frames, report o una de las gráficas %1, y no «%2».</translation>
-    </message>
-    <message>
         <source>There would be more than %1 frames: choose a shorter --duration or a greater --speed.</source>
         <translation>Habría más de %1 fotogramas: elija una --duration menor o una --speed mayor.</translation>
     </message>
@@ -529,10 +501,6 @@
     <message>
         <source>There is no file %1.</source>
         <translation>No existe el archivo %1.</translation>
-    </message>
-    <message>
-        <source>, t = %1 s</source>
-        <translation>, t = %1 s</translation>
     </message>
     <message>
         <source>Model: %1</source>
@@ -561,10 +529,6 @@
     <message>
         <source>all, or names separated by commas: theta3,R4_x_diff (all)</source>
         <translation>all (todos), o nombres separados por comas: theta3,R4_x_diff (all)</translation>
-    </message>
-    <message>
-        <source>at θ₂ = %1°</source>
-        <translation>en θ₂ = %1°</translation>
     </message>
     <message>
         <source>at θ₂ [°]</source>
@@ -669,14 +633,6 @@
     <message>
         <source>Options for this mechanism: %1</source>
         <translation>Opciones para este mecanismo: %1</translation>
-    </message>
-    <message>
-        <source>--vary must name a parameter and its range, such as b=50..120, not &quot;%1&quot;.</source>
-        <translation>--vary debe indicar un parámetro y su intervalo, como b=50..120, y no «%1».</translation>
-    </message>
-    <message>
-        <source>--vary: &quot;%1&quot; is not a range of valid values of %2.</source>
-        <translation>--vary: «%1» no es un intervalo de valores válidos de %2.</translation>
     </message>
     <message>
         <source>--design must be such as stroke=80,time-ratio=1.2,transmission-angle=40, not &quot;%1&quot;.</source>
@@ -875,14 +831,6 @@
         <translation>%1: el significado de estas columnas es una suposición: %2. Corríjalo con --column.</translation>
     </message>
     <message>
-        <source>A report is a PDF: --output must end in .pdf, not &quot;%1&quot;.</source>
-        <translation>Un informe es un PDF: --output debe terminar en .pdf, y no «%1».</translation>
-    </message>
-    <message>
-        <source>--output must end in .png, .svg or .pdf, not &quot;%1&quot;.</source>
-        <translation>--output debe terminar en .png, .svg o .pdf, y no «%1».</translation>
-    </message>
-    <message>
         <source>Frames show the whole time range: remove %1, or choose the range with --start and --duration.</source>
         <translation>Los fotogramas muestran todo el intervalo de tiempo: quite %1, o elija el intervalo con --start y --duration.</translation>
     </message>
@@ -979,14 +927,6 @@
         <translation>La ventana abre una escena: quite «%1».</translation>
     </message>
     <message>
-        <source>Frames are written to a new folder or as a video: --output must not end in .%1.</source>
-        <translation>Los fotogramas se escriben en una carpeta nueva o como vídeo: --output no debe terminar en .%1.</translation>
-    </message>
-    <message>
-        <source>--%1 must be at least 1e-9 mm, not %2.</source>
-        <translation>--%1 debe ser al menos 1e-9 mm, no %2.</translation>
-    </message>
-    <message>
         <source>Errors are the largest of the six plotted channels, relative to the channel&apos;s peak, over the time steps that a method solves.
 They are measured against a computation with 50 to 100 digits.
 Machine: %1. Time: %2 s.
@@ -999,10 +939,6 @@ Equipo: %1. Tiempo: %2 s.
     <message>
         <source>The crank does not reach %1° within 1e12 s: choose another --omega2 or --theta20.</source>
         <translation>La manivela no alcanza %1° en 1e12 s: elija otro --omega2 u otro --theta20.</translation>
-    </message>
-    <message>
-        <source>%1: rows that could not be read and were skipped: %2, the first in line %3, column %4 (&quot;%5&quot;): %6.</source>
-        <translation>%1: filas que no se pudieron leer y se omitieron: %2, la primera en la línea %3, columna %4 («%5»): %6.</translation>
     </message>
     <message>
         <source>%1: %2, %3 rows</source>
@@ -1063,6 +999,38 @@ Equipo: %1. Tiempo: %2 s.
     <message>
         <source>for frames (30 per second): seconds of motion per second of playback (1)</source>
         <translation>para frames (30 por segundo): segundos de movimiento por segundo de reproducción (1)</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>límite</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>valor</translation>
+    </message>
+    <message>
+        <source>--vary must be a parameter and a range of its values, such as b=50..120, not &quot;%1&quot;.</source>
+        <translation>--vary debe ser un parámetro y un intervalo de sus valores, como b=50..120, y no «%1».</translation>
+    </message>
+    <message>
+        <source>--%1 must be from %2 to %3, not &quot;%4&quot;.</source>
+        <translation>--%1 debe estar entre %2 y %3, y no ser «%4».</translation>
+    </message>
+    <message>
+        <source>--%1 must be a whole number, not &quot;%2&quot;.</source>
+        <translation>--%1 debe ser un número entero, y no «%2».</translation>
+    </message>
+    <message>
+        <source>%1: rows that were skipped: %2, the first in line %3, column %4 (&quot;%5&quot;): %6.</source>
+        <translation>%1: filas omitidas: %2, la primera en la línea %3, columna %4 («%5»): %6.</translation>
+    </message>
+    <message>
+        <source>Frames are written to a new folder or as a video: --output must be the name of a folder, or end in .mp4, .webm or .gif, not &quot;%1&quot;.</source>
+        <translation>Los fotogramas se escriben en una carpeta nueva o como vídeo: --output debe ser el nombre de una carpeta o terminar en .mp4, .webm o .gif, y no «%1».</translation>
+    </message>
+    <message>
+        <source>--output must end in %1, not &quot;%2&quot;.</source>
+        <translation>--output debe terminar en %1, y no «%2».</translation>
     </message>
 </context>
 <context>
@@ -2689,10 +2657,6 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
         <translation>punto muerto interior</translation>
     </message>
     <message>
-        <source>in %1 s</source>
-        <translation>en %1 s</translation>
-    </message>
-    <message>
         <source>forward stroke</source>
         <translation>carrera de ida</translation>
     </message>
@@ -2719,10 +2683,6 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
     <message>
         <source>stroke</source>
         <translation>carrera</translation>
-    </message>
-    <message>
-        <source>accelerations</source>
-        <translation>aceleraciones</translation>
     </message>
     <message>
         <source>unbounded</source>
@@ -2785,10 +2745,6 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
         <translation>Ángulo entre la biela y la normal a la línea de la corredera, 90° − |θ³|, en su mínimo. Los mecanismos con menos de unos 40° tienden a trabarse.</translation>
     </message>
     <message>
-        <source>velocities, accelerations</source>
-        <translation>velocidades, aceleraciones</translation>
-    </message>
-    <message>
         <source>The velocities grow without bound as the crank approaches its limit position</source>
         <translation>Las velocidades crecen sin límite cuando la manivela se acerca a su posición límite</translation>
     </message>
@@ -2799,14 +2755,6 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
     <message>
         <source>mean return speed</source>
         <translation>velocidad media de vuelta</translation>
-    </message>
-    <message>
-        <source>The stroke divided by the time of the forward stroke</source>
-        <translation>La carrera dividida por el tiempo de la carrera de ida</translation>
-    </message>
-    <message>
-        <source>The stroke divided by the time of the return stroke</source>
-        <translation>La carrera dividida por el tiempo de la carrera de vuelta</translation>
     </message>
     <message>
         <source>Slider position Rₓ⁴ at which the slider reverses, crank and coupler extended in one line</source>
@@ -2851,6 +2799,18 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
     <message>
         <source>%1 in total, at most %2 at a time step</source>
         <translation>%1 en total, a lo sumo %2 en un instante</translation>
+    </message>
+    <message>
+        <source>forward time</source>
+        <translation>tiempo de ida</translation>
+    </message>
+    <message>
+        <source>return time</source>
+        <translation>tiempo de vuelta</translation>
+    </message>
+    <message>
+        <source>The stroke divided by its time</source>
+        <translation>La carrera dividida por su tiempo</translation>
     </message>
 </context>
 <context>
@@ -4759,10 +4719,6 @@ Tiempos medidos en %2</translation>
         <translation>otra</translation>
     </message>
     <message>
-        <source>%1 (%2 to %3)</source>
-        <translation>%1 (de %2 a %3)</translation>
-    </message>
-    <message>
         <source>Neither the closed form nor dense Newton-Raphson solves a time step here.</source>
         <translation>Aquí ni la forma cerrada ni el Newton-Raphson denso resuelven ningún instante.</translation>
     </message>
@@ -4785,6 +4741,10 @@ Tiempos medidos en %2</translation>
     <message>
         <source>Undetected failures of dense Newton-Raphson: %1.</source>
         <translation>Fallos no detectados del Newton-Raphson denso: %1.</translation>
+    </message>
+    <message>
+        <source>%1 (± %2 %)</source>
+        <translation>%1 (± %2 %)</translation>
     </message>
 </context>
 <context>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/report.h"
 
-#include "core/limits/extremes.h"
 #include "ui/document/whole_file.h"
 #include "ui/text/axis_scale.h"
 #include "ui/text/column_text.h"
@@ -124,11 +123,10 @@ QString limitTable(const Result &result)
 {
     std::vector<QStringList> rows{{Report::tr("motion limit"), Report::tr("value"), Report::tr("at θ₂ [°]")}};
     std::vector<MotionFact> facts = positionFacts(result.mechanism, result.limits, result.sampling);
-    const std::vector<MotionFact> peaks =
-        peakFacts(result.mechanism, result.limits, motionPeaks(result.mechanism), result.sampling);
+    const std::vector<MotionFact> peaks = peakFacts(result.mechanism, result.limits, result.sampling);
     facts.insert(facts.end(), peaks.begin(), peaks.end());
     for (const MotionFact &fact : facts) {
-        rows.push_back({fact.name, fact.value, fact.theta2 ? crankAngleText(*fact.theta2) : fact.remark});
+        rows.push_back({fact.name, valueText(fact), fact.theta2 ? crankAngleText(*fact.theta2) : fact.remark});
     }
     return table(rows);
 }

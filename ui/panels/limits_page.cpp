@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/limits_page.h"
 
-#include "core/limits/extremes.h"
 #include "ui/text/axis_scale.h"
 #include "ui/text/motion_facts.h"
 #include "ui/text/written_number.h"
@@ -28,14 +27,6 @@ std::vector<TableColumn> columnsWith(const QString &first, const QString &explan
             {LimitsPage::tr("t [s]"), LimitsPage::tr("First time at which the crank is there"), "time [s]"}};
 }
 
-/// Four significant digits with the unit; angles and unbounded values use the text of the fact.
-QString valueText(const MotionFact &fact)
-{
-    const bool isReadout = fact.unit != "°" && std::isfinite(fact.number);
-    return isReadout ? QStringLiteral("%1 %2").arg(shortNumber(fact.number, kReadoutDigits), fact.unit).trimmed()
-                     : fact.value;
-}
-
 std::vector<TableRow> rowsOf(const std::vector<MotionFact> &facts, double duration)
 {
     std::vector<TableRow> rows;
@@ -44,13 +35,12 @@ std::vector<TableRow> rowsOf(const std::vector<MotionFact> &facts, double durati
         TableCell angle{.text = fact.remark};
         if (fact.theta2) {
             explanation += u'\n' + (fact.time ? LimitsPage::tr("Click or press Enter to go there")
-                                                 : LimitsPage::tr("Outside the simulated time range"));
-            const double degrees = kDegreesPerRadian * *fact.theta2;
-            angle = {.text = crankAngleText(*fact.theta2), .number = degrees < 0.0 ? degrees + 360.0 : degrees};
+                                              : LimitsPage::tr("Outside the simulated time range"));
+            angle = {.text = crankAngleText(*fact.theta2), .number = degreesFromZero(*fact.theta2)};
         }
         rows.push_back({{{.text = fact.name,
                           .csv = fact.unit.isEmpty() ? fact.name : QStringLiteral("%1 [%2]").arg(fact.name, fact.unit)},
-                         {.text = valueText(fact), .number = fact.number},
+                         {.text = valueText(fact, kReadoutDigits), .number = fact.number},
                          angle,
                          {.text = fact.time ? secondsText(*fact.time, duration) : dash(),
                           .number = fact.time,
@@ -81,8 +71,7 @@ Page limitsPage(const Result &result)
                      LimitsPage::tr("Largest velocities and accelerations over a whole revolution of the crank, "
                                     "whatever part of it is simulated"),
                      LimitsPage::tr("With its sign: x to the right, angles counter-clockwise")),
-         rowsOf(peakFacts(mechanism, result.limits, motionPeaks(mechanism), result.sampling),
-                result.sampling.duration)}};
+         rowsOf(peakFacts(mechanism, result.limits, result.sampling), result.sampling.duration)}};
     return page;
 }
 

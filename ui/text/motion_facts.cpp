@@ -2,6 +2,7 @@
 #include "ui/text/motion_facts.h"
 
 #include "core/closed_form/closed_form.h"
+#include "core/limits/extremes.h"
 #include "core/sampling/crank_time.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/written_number.h"
@@ -10,8 +11,9 @@
 #include <QLocale>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
+#include <iterator>
 #include <numbers>
 
 namespace slidercrank
@@ -24,8 +26,6 @@ namespace
 struct MotionFacts {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::MotionFacts)
 };
-
-constexpr double kTurn = 2.0 * std::numbers::pi;
 
 /// Returns two lengths with at least six digits, and with enough digits to distinguish them.
 QStringList distinctTexts(double x, double y)
@@ -86,7 +86,7 @@ QString helpForAssembly(const Mechanism &mechanism)
 
 QString fullTurnSentence(const Mechanism &mechanism, const MotionLimits &limits, const QStringList &lengths)
 {
-    if (limits.largestPressureAngle < 0.25 * kTurn) {
+    if (limits.largestPressureAngle < 0.5 * std::numbers::pi) {
         return (mechanism.omega2() == 0.0
                     ? MotionFacts::tr("The crank is at rest, ω₂ = 0; it could make full turns: b = %1 ≥ a + |c| = %2.")
                     : MotionFacts::tr("The crank makes full turns: b = %1 ≥ a + |c| = %2."))
@@ -102,66 +102,23 @@ QString fullTurnSentence(const Mechanism &mechanism, const MotionLimits &limits,
                                                : QStringLiteral("90°"));
 }
 
-/// The facts of one mechanism and time range.
-class FactList
+/// Returns the first time within the time range at which the crank has an angle. Limit positions are known only up to a
+/// rounding error; there, the time is one at which the mechanism can be assembled.
+std::optional<double> firstTimeAt(double theta2, const Mechanism &mechanism, const Sampling &sampling)
 {
-public:
-    FactList(const Mechanism &mechanism, const Sampling &sampling)
-        : m_mechanism(mechanism)
-        , m_sampling(sampling)
-    {
-    }
-
-    void add(const QString &name, double number, const QString &unit, const QString &explanation,
-             const QString &remark = {})
-    {
-        m_facts.push_back({name, valueText(number, unit), number, unit, explanation, {}, remark, {}});
-    }
-
-    /// Adds a fact at a crank angle, with the first time at which the crank has that angle. Limit positions are known
-    /// only up to a rounding error; there, the time is one at which the mechanism can be assembled.
-    void addAt(double theta2, const QString &name, double number, const QString &unit, const QString &explanation)
-    {
-        constexpr double kNudge = 1e-9; // rad, more than the rounding error of a crank angle
-        constexpr double kSlack = 1e-9; // relative to the duration, to include the end of the time range
-        add(name, number, unit, explanation);
-        MotionFact &fact = m_facts.back();
-        fact.theta2 = theta2;
-        const double end = m_sampling.start + m_sampling.duration;
-        for (const double nudge : {0.0, kNudge, -kNudge}) {
-            const auto time = timeAtCrankAngle(m_mechanism, theta2 + nudge, m_sampling.start);
-            if (time && *time <= end + kSlack * m_sampling.duration &&
-                (!fact.time || !isAssemblable(*fact.time))) {
-                fact.time = std::min(*time, end);
-            }
+    constexpr double kNudge = 1e-9; // rad, more than the rounding error of a crank angle
+    constexpr double kSlack = 1e-9; // relative to the duration, to include the end of the time range
+    const double end = sampling.start + sampling.duration;
+    std::optional<double> first;
+    for (const double nudge : {0.0, kNudge, -kNudge}) {
+        const auto time = timeAtCrankAngle(mechanism, theta2 + nudge, sampling.start);
+        if (time && *time <= end + kSlack * sampling.duration &&
+            (!first || ClosedForm(mechanism).motionAt(*first).status == Status::NotAssemblable)) {
+            first = std::min(*time, end);
         }
     }
-
-    const std::vector<MotionFact> &facts() const { return m_facts; }
-
-private:
-    bool isAssemblable(double time) const
-    {
-        return ClosedForm(m_mechanism).motionAt(time).status != Status::NotAssemblable;
-    }
-
-    static QString valueText(double number, const QString &unit)
-    {
-        if (std::isinf(number)) {
-            return MotionFacts::tr("unbounded");
-        }
-        if (unit == u"°") {
-            return QLocale().toString(number, 'f', 2) + unit;
-        }
-        const double size = std::abs(number);
-        const bool isPlain = number == 0.0 || (size >= 1e-3 && size < 1e7);
-        return (isPlain ? numberText(number) : shortNumber(number, 6)) + (unit.isEmpty() ? unit : u' ' + unit);
-    }
-
-    const Mechanism &m_mechanism;
-    const Sampling &m_sampling;
-    std::vector<MotionFact> m_facts;
-};
+    return first;
+}
 
 /// Returns a length, or 0 if it is only a rounding error of a + b + |c|.
 double cleaned(double length, const Mechanism &mechanism)
@@ -170,71 +127,36 @@ double cleaned(double length, const Mechanism &mechanism)
     return std::abs(length) < kRounding * characteristicLength(mechanism.parameters()) ? 0.0 : length;
 }
 
-void addDeadCentres(FactList &list, const Mechanism &mechanism, const MotionLimits &limits)
+/// The facts of a mechanism that makes full turns about one stroke. `angle` is the rotation of the crank, rad.
+std::vector<MotionFact> strokeFacts(bool isForward, double angle, double stroke, double speed)
 {
-    if (limits.outer) {
-        list.addAt(limits.outer->theta2, MotionFacts::tr("outer dead centre"), cleaned(limits.outer->R4x, mechanism),
-                   QStringLiteral("mm"),
-                   MotionFacts::tr(
-                       "Slider position Rₓ⁴ at which the slider reverses, crank and coupler extended in one line"));
+    const QString explanation = isForward ? MotionFacts::tr("Crank rotation from the inner to the outer dead centre")
+                                          : MotionFacts::tr("Crank rotation from the outer to the inner dead centre");
+    std::vector<MotionFact> facts{{isForward ? "forward-angle" : "return-angle",
+                                   isForward ? MotionFacts::tr("forward stroke") : MotionFacts::tr("return stroke"),
+                                   kDegreesPerRadian * angle, QStringLiteral("°"), explanation}};
+    if (speed > 0.0) {
+        const double time = angle / speed;
+        facts.push_back({isForward ? "forward-time" : "return-time",
+                         isForward ? MotionFacts::tr("forward time") : MotionFacts::tr("return time"), time,
+                         QStringLiteral("s"), explanation});
+        facts.push_back({isForward ? "mean-forward-speed" : "mean-return-speed",
+                         isForward ? MotionFacts::tr("mean forward speed") : MotionFacts::tr("mean return speed"),
+                         stroke / time, unitOf({R4x, Order::Velocity}),
+                         MotionFacts::tr("The stroke divided by its time")});
     }
-    if (limits.inner) {
-        list.addAt(limits.inner->theta2, MotionFacts::tr("inner dead centre"), cleaned(limits.inner->R4x, mechanism),
-                   QStringLiteral("mm"),
-                   MotionFacts::tr(
-                       "Slider position Rₓ⁴ at which the slider reverses, crank and coupler overlapping in one line"));
-    }
+    return facts;
 }
 
-/// Adds the limit positions of the crank.
-void addLimitPositions(FactList &list, const Mechanism &mechanism, const MotionLimits &limits)
+/// Fills in the times.
+std::vector<MotionFact> withTimes(std::vector<MotionFact> facts, const Mechanism &mechanism, const Sampling &sampling)
 {
-    const bool isLocked = limits.mobility == Mobility::Locked;
-    const auto add = [&](double theta2) {
-        list.addAt(theta2, isLocked ? MotionFacts::tr("only position") : MotionFacts::tr("crank limit position"),
-                   cleaned(mechanism.a() * std::cos(theta2), mechanism), QStringLiteral("mm"),
-                   MotionFacts::tr("The crank can go no further: the coupler is perpendicular to the slider's line. "
-                                   "The value is the slider position Rₓ⁴."));
-    };
-    for (const CrankRange &range : limits.ranges) {
-        add(range.from);
-        if (!isLocked) {
-            add(range.to);
+    for (MotionFact &fact : facts) {
+        if (fact.theta2) {
+            fact.time = firstTimeAt(*fact.theta2, mechanism, sampling);
         }
     }
-}
-
-void addStrokeTimes(FactList &list, const Mechanism &mechanism, const MotionLimits &limits)
-{
-    const double speed = std::abs(mechanism.omega2());
-    const auto addAngle = [&](const QString &name, double angle, const QString &explanation) {
-        const QString time =
-            speed == 0.0 ? QString() : MotionFacts::tr("in %1 s").arg(secondsText(angle / speed, kTurn / speed));
-        list.add(name, kDegreesPerRadian * angle, QStringLiteral("°"), explanation, time);
-    };
-    addAngle(MotionFacts::tr("forward stroke"), *limits.angleOutwards,
-             MotionFacts::tr("Crank rotation from the inner to the outer dead centre"));
-    addAngle(MotionFacts::tr("return stroke"), *limits.angleInwards,
-             MotionFacts::tr("Crank rotation from the outer to the inner dead centre"));
-    if (speed > 0.0) {
-        const double product = *limits.stroke * speed;
-        const QString unit = unitOf({R4x, Order::Velocity});
-        list.add(MotionFacts::tr("mean forward speed"), product / *limits.angleOutwards, unit,
-                 MotionFacts::tr("The stroke divided by the time of the forward stroke"));
-        list.add(MotionFacts::tr("mean return speed"), product / *limits.angleInwards, unit,
-                 MotionFacts::tr("The stroke divided by the time of the return stroke"));
-    }
-    list.add(MotionFacts::tr("time ratio"), *limits.timeRatio, {},
-             MotionFacts::tr("Time of the slower stroke divided by the time of the faster one"));
-}
-
-/// Sorts places by crank angle, from 0 to 360°.
-std::vector<PeakPlace> sorted(std::vector<PeakPlace> places)
-{
-    constexpr double kZero = 1e-9; // rad: 0 may have been computed as slightly less
-    std::ranges::sort(
-        places, {}, [](const PeakPlace &place) { return place.theta2 < -kZero ? place.theta2 + kTurn : place.theta2; });
-    return places;
+    return facts;
 }
 
 } // namespace
@@ -269,77 +191,122 @@ QString mobilitySentence(const Mechanism &mechanism, const MotionLimits &limits)
     return {};
 }
 
-std::vector<MotionFact> positionFacts(const Mechanism &mechanism, const MotionLimits &limits, const Sampling &run)
+QString valueText(const MotionFact &fact, int digits)
 {
-    FactList list(mechanism, run);
+    if (std::isinf(fact.number)) {
+        return MotionFacts::tr("unbounded");
+    }
+    if (fact.unit == u"°") {
+        return QLocale().toString(fact.number, 'f', 2) + fact.unit;
+    }
+    const double size = std::abs(fact.number);
+    const bool isPlain = digits >= 6 && (fact.number == 0.0 || (size >= 1e-3 && size < 1e7));
+    return QStringLiteral("%1 %2")
+        .arg(isPlain ? numberText(fact.number, digits) : shortNumber(fact.number, digits), fact.unit)
+        .trimmed();
+}
+
+double degreesFromZero(double theta2)
+{
+    constexpr double kRounding = 1e-9; // 0 may have been computed as slightly less
+    const double angle = kDegreesPerRadian * theta2;
+    return angle < -kRounding ? angle + 360.0 : std::max(angle, 0.0);
+}
+
+std::vector<MotionFact> positionFacts(const Mechanism &mechanism, const MotionLimits &limits, const Sampling &sampling)
+{
+    const QString mm = QStringLiteral("mm");
     const bool isFullTurn = limits.mobility == Mobility::FullTurn;
-    if (isFullTurn || limits.mobility == Mobility::Rocker) {
-        addDeadCentres(list, mechanism, limits);
-    }
-    if (!isFullTurn) {
-        addLimitPositions(list, mechanism, limits);
-    }
-    if (isFullTurn || limits.mobility == Mobility::Rocker) {
-        list.add(MotionFacts::tr("stroke"), cleaned(*limits.stroke, mechanism), QStringLiteral("mm"),
-                 MotionFacts::tr("Travel of the slider: its largest position minus its smallest"));
-    }
-    if (!isFullTurn) {
-        return list.facts();
-    }
-    addStrokeTimes(list, mechanism, limits);
-    const double angle = 90.0 - kDegreesPerRadian * limits.largestPressureAngle;
-    const auto addTransmission = [&](double theta2) {
-        list.addAt(theta2, MotionFacts::tr("minimum transmission angle"), angle, QStringLiteral("°"),
-                   MotionFacts::tr("Angle between the coupler and the normal to the slider's line, 90° − |θ³|, at its "
-                                   "minimum. Mechanisms with less than about 40° tend to jam."));
+    std::vector<MotionFact> facts;
+    const auto addPosition = [&](const char *key, const QString &name, double R4x, double theta2,
+                                 const QString &explanation) {
+        facts.push_back({key, name, cleaned(R4x, mechanism), mm, explanation, theta2});
     };
-    addTransmission(mechanism.c() == 0.0 ? 0.25 * kTurn : limits.largestPressureAngleAt);
-    if (mechanism.c() == 0.0) {
-        addTransmission(-0.25 * kTurn); // a second minimum, by symmetry
+    if (limits.outer) {
+        addPosition("outer-dead-centre", MotionFacts::tr("outer dead centre"), limits.outer->R4x, limits.outer->theta2,
+                    MotionFacts::tr(
+                        "Slider position Rₓ⁴ at which the slider reverses, crank and coupler extended in one line"));
     }
-    return list.facts();
+    if (limits.inner) {
+        addPosition("inner-dead-centre", MotionFacts::tr("inner dead centre"), limits.inner->R4x, limits.inner->theta2,
+                    MotionFacts::tr(
+                        "Slider position Rₓ⁴ at which the slider reverses, crank and coupler overlapping in one line"));
+    }
+    for (const CrankRange &range : isFullTurn ? std::vector<CrankRange>() : limits.ranges) {
+        const bool isLocked = limits.mobility == Mobility::Locked;
+        for (const double theta2 : isLocked ? std::vector{range.from} : std::vector{range.from, range.to}) {
+            addPosition("", isLocked ? MotionFacts::tr("only position") : MotionFacts::tr("crank limit position"),
+                        mechanism.a() * std::cos(theta2), theta2,
+                        MotionFacts::tr("The crank can go no further: the coupler is perpendicular to the slider's "
+                                        "line. The value is the slider position Rₓ⁴."));
+        }
+    }
+    if (limits.stroke) {
+        facts.push_back({"stroke", MotionFacts::tr("stroke"), cleaned(*limits.stroke, mechanism), mm,
+                         MotionFacts::tr("Travel of the slider: its largest position minus its smallest")});
+    }
+    if (isFullTurn) {
+        const double speed = std::abs(mechanism.omega2());
+        std::ranges::move(strokeFacts(true, *limits.angleOutwards, *limits.stroke, speed), std::back_inserter(facts));
+        std::ranges::move(strokeFacts(false, *limits.angleInwards, *limits.stroke, speed), std::back_inserter(facts));
+        facts.push_back({"time-ratio",
+                         MotionFacts::tr("time ratio"),
+                         *limits.timeRatio,
+                         {},
+                         MotionFacts::tr("Time of the slower stroke divided by the time of the faster one")});
+    }
+    if (limits.mobility != Mobility::Impossible) {
+        const double theta2 = limits.largestPressureAngleAt;
+        const bool isSymmetric = isFullTurn && mechanism.c() == 0.0;
+        for (const double place : isSymmetric ? std::vector{theta2, -theta2} : std::vector{theta2}) {
+            facts.push_back(
+                {"least-transmission-angle", MotionFacts::tr("minimum transmission angle"),
+                 90.0 - kDegreesPerRadian * limits.largestPressureAngle, QStringLiteral("°"),
+                 MotionFacts::tr("Angle between the coupler and the normal to the slider's line, 90° − |θ³|, at its "
+                                 "minimum. Mechanisms with less than about 40° tend to jam."),
+                 place});
+        }
+    }
+    return withTimes(facts, mechanism, sampling);
 }
 
-std::vector<MotionFact> peakFacts(const Mechanism &mechanism, const MotionLimits &limits,
-                                  const std::vector<Peak> &peaks, const Sampling &run)
+std::vector<MotionFact> peakFacts(const Mechanism &mechanism, const MotionLimits &limits, const Sampling &sampling)
 {
-    FactList list(mechanism, run);
-    std::vector<PeakPlace> unbounded; // the same places for all unbounded channels
-    for (const Peak &peak : peaks) {
-        if (std::isinf(peak.magnitude)) {
-            unbounded = sorted(peak.places);
-            continue;
-        }
-        const QString name = quantityOf(peak.channel);
-        const QString unit = unitOf(peak.channel);
-        const QString explanation =
-            MotionFacts::tr("Largest value over one revolution of the crank, where its derivative is zero");
-        for (const PeakPlace &place : sorted(peak.places)) {
-            list.addAt(place.theta2, name, toFileUnit(peak.channel, place.value), unit, explanation);
-        }
-        if (peak.places.empty()) {
-            list.add(name, toFileUnit(peak.channel, peak.magnitude), unit, explanation,
-                     peak.magnitude > 0.0 ? MotionFacts::tr("throughout") : MotionFacts::tr("crank at rest"));
-        }
-    }
-    const bool isFullTurn = limits.mobility == Mobility::FullTurn;
-    for (const PeakPlace &place : unbounded) {
-        list.addAt(
-            place.theta2, isFullTurn ? MotionFacts::tr("accelerations") : MotionFacts::tr("velocities, accelerations"),
-            std::numeric_limits<double>::infinity(), {},
-            isFullTurn
+    constexpr std::array kKeys{"peak-slider-speed", "peak-slider-acceleration", "peak-coupler-speed",
+                               "peak-coupler-acceleration"}; // in the order of motionPeaks()
+    std::vector<MotionFact> facts;
+    const std::vector<Peak> peaks = motionPeaks(mechanism);
+    for (std::size_t i = 0; i < peaks.size(); ++i) {
+        const Peak &peak = peaks[i];
+        MotionFact fact{kKeys[i], quantityOf(peak.channel), toFileUnit(peak.channel, peak.magnitude),
+                        unitOf(peak.channel)};
+        fact.explanation =
+            !std::isinf(peak.magnitude)
+                ? MotionFacts::tr("Largest value over one revolution of the crank, where its derivative is zero")
+            : limits.mobility == Mobility::FullTurn
                 ? MotionFacts::tr("The coupler is perpendicular to the slider's line, and the velocities jump")
-                : MotionFacts::tr("The velocities grow without bound as the crank approaches its limit position"));
+                : MotionFacts::tr("The velocities grow without bound as the crank approaches its limit position");
+        if (peak.places.empty()) {
+            fact.remark = peak.magnitude > 0.0 ? MotionFacts::tr("throughout") : MotionFacts::tr("crank at rest");
+            facts.push_back(fact);
+        }
+        std::vector<PeakPlace> places = peak.places;
+        std::ranges::sort(places, {}, [](const PeakPlace &place) { return degreesFromZero(place.theta2); });
+        for (const PeakPlace &place : places) {
+            fact.number = toFileUnit(peak.channel, place.value);
+            fact.theta2 = place.theta2;
+            facts.push_back(fact);
+        }
     }
-    return list.facts();
+    return withTimes(facts, mechanism, sampling);
 }
 
-QString fewSamplesSentence(const Mechanism &mechanism, const Sampling &run)
+QString fewSamplesSentence(const Mechanism &mechanism, const Sampling &sampling)
 {
     constexpr double kRounding = 1e-9;
-    const double perTurn = timeStepsPerTurn(mechanism, run);
-    const double wanted = run.steps * kFewestPerTurn / perTurn * (1.0 - kRounding);
-    return wanted <= run.steps
+    const double perTurn = timeStepsPerTurn(mechanism, sampling);
+    const double wanted = sampling.steps * kFewestPerTurn / perTurn * (1.0 - kRounding);
+    return wanted <= sampling.steps
                ? QString()
                : MotionFacts::tr("%1 samples per revolution are too few for a curve: %2 steps are enough.")
                      .arg(numberText(perTurn, 2), countText(static_cast<std::size_t>(nextRoundNumber(wanted))));

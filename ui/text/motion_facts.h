@@ -4,13 +4,13 @@
 // Describes the limits of a motion: whether and why the crank makes full turns, where the slider reverses, and the peak
 // velocities and accelerations of slider and coupler.
 
-#include "core/limits/extremes.h"
 #include "core/limits/mobility.h"
 #include "core/sampling/trajectory.h"
 
 #include <QString>
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 namespace slidercrank
@@ -18,14 +18,14 @@ namespace slidercrank
 
 /// A row of the table of limits: a value, with the crank angle at which it occurs or with a remark.
 struct MotionFact {
-    QString name;
-    QString value;
-    double number = 0.0; ///< the value at full precision, in `unit`
-    QString unit;        ///< empty if the value is a ratio
-    QString explanation;
-    std::optional<double> theta2; ///< rad
-    QString remark;
-    std::optional<double> time;   ///< first time at which the crank has this angle, s
+    std::string_view key = {}; ///< name in JSON and CSV; empty for what only tables show
+    QString name = {};
+    double number = 0.0; ///< the value at full precision, in `unit`; infinite if it is unbounded
+    QString unit = {};   ///< empty if the value is a ratio
+    QString explanation = {};
+    std::optional<double> theta2 = {}; ///< rad
+    QString remark = {};               ///< instead of the crank angle
+    std::optional<double> time = {};   ///< first time at which the crank has this angle, s
 };
 
 /// States whether the crank makes full turns, with the inequality that decides it and the changes that would permit it.
@@ -36,14 +36,20 @@ QString mobilitySentence(const Mechanism &mechanism, const MotionLimits &limits)
 QString atLeastText(double limit);
 
 /// Returns the dead centres, the limit positions of the crank, the stroke, its times and the transmission angle.
-std::vector<MotionFact> positionFacts(const Mechanism &mechanism, const MotionLimits &limits, const Sampling &run);
+std::vector<MotionFact> positionFacts(const Mechanism &mechanism, const MotionLimits &limits, const Sampling &sampling);
 
-std::vector<MotionFact> peakFacts(const Mechanism &mechanism, const MotionLimits &limits,
-                                  const std::vector<Peak> &peaks, const Sampling &run);
+/// Returns the peaks of motionPeaks(), one fact for each place.
+std::vector<MotionFact> peakFacts(const Mechanism &mechanism, const MotionLimits &limits, const Sampling &sampling);
+
+/// Formats the value with its unit.
+QString valueText(const MotionFact &fact, int digits = 6);
+
+/// Returns the crank angle in degrees, within [0, 360).
+double degreesFromZero(double theta2);
 
 /// Returns a warning if the samples are too few to draw the motion, with a sufficient number of steps; otherwise an
 /// empty string.
-QString fewSamplesSentence(const Mechanism &mechanism, const Sampling &run);
+QString fewSamplesSentence(const Mechanism &mechanism, const Sampling &sampling);
 
 /// Returns "95 in total, at most 4 at a time step", over the time steps that Newton-Raphson solved, or a dash if it
 /// solved none.

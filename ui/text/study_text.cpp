@@ -2,12 +2,11 @@
 #include "ui/text/study_text.h"
 
 #include "ui/text/finding_text.h"
+#include "ui/text/record.h"
 #include "ui/text/written_number.h"
 
 #include <QCoreApplication>
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
+#include <QRegularExpression>
 #include <QStringList>
 
 #include <algorithm>
@@ -23,7 +22,7 @@ struct StudyText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::StudyText)
 
 public:
-    /// Patterns of the properties of a case. Formulas are not translated.
+    /// The properties of cases that are translated, with %1 instead of a number.
     static constexpr const char *kPatterns[] = {QT_TR_NOOP("Table 1 of the reference report"),
                                                 QT_TR_NOOP("this mechanism"),
                                                 QT_TR_NOOP("the reference report's file"),
@@ -44,19 +43,13 @@ public:
                                                 QT_TR_NOOP("%1 steps a turn")};
 };
 
-/// Translates a property such as "toggle gap 1e-4" with the pattern "toggle gap %1".
+/// Translates a property such as "toggle gap 1e-4". Formulas are not translated.
 QString propertyText(const QString &property)
 {
-    for (const char *pattern : StudyText::kPatterns) {
-        const QStringList around = QString::fromUtf8(pattern).split(QStringLiteral("%1"));
-        if (property == around.first() && around.size() == 1) {
-            return StudyText::tr(pattern);
-        }
-        if (around.size() == 2 && property.startsWith(around[0]) && property.endsWith(around[1])) {
-            return StudyText::tr(pattern).arg(property.sliced(around[0].size()).chopped(around[1].size()));
-        }
-    }
-    return property;
+    static const QRegularExpression number("^[0-9]+|-?[0-9]+e[-0-9]+( s)?");
+    const QString value = number.match(property).captured();
+    const QString text = StudyText::tr(QString(property).replace(number, "%1").toUtf8());
+    return value.isEmpty() ? text : text.arg(value);
 }
 
 const MethodResult *findRow(const CaseResult &result, MethodName::Kind kind, std::optional<double> tolerance)
@@ -67,111 +60,59 @@ const MethodResult *findRow(const CaseResult &result, MethodName::Kind kind, std
     return row == result.methods.end() ? nullptr : &*row;
 }
 
-/// Returns a ratio with two significant digits: "4", "4.6", "130".
-QString ratioText(double ratio)
-{
-    const double step = std::pow(10.0, std::floor(std::log10(ratio)) - 1.0);
-    return numberText(step * std::round(ratio / step));
-}
-
-/// Returns the ratio of two times with the range that follows from their spreads: "65 (60 to 70)".
+/// Returns the ratio of two times with the uncertainty that follows from their spreads: "65 (± 8 %)".
 QString timeRatioText(const MethodResult &slower, const MethodResult &faster)
 {
-    const auto edge = [](const MethodResult &row, double side) {
-        return std::max(row.nsPerState + side * 0.5 * row.spread, 0.5 * row.nsPerState);
-    };
-    const QString ratio = ratioText(slower.nsPerState / faster.nsPerState);
-    const QString from = ratioText(std::max(edge(slower, -1.0) / edge(faster, 1.0), 1.0));
-    const QString to = ratioText(edge(slower, 1.0) / edge(faster, -1.0));
-    return from == to ? ratio : StudyText::tr("%1 (%2 to %3)").arg(ratio, from, to);
+    const double uncertainty = 50.0 * (slower.spread / slower.nsPerState + faster.spread / faster.nsPerState);
+    return StudyText::tr("%1 (± %2 %)")
+        .arg(shortNumber(slower.nsPerState / faster.nsPerState, 2), numberText(std::ceil(uncertainty)));
 }
 
-struct Field {
-    QString key;
-    QJsonValue value;
-};
-
-const QString kCounts = QStringLiteral("counts"); // an object in JSON, one column per status in CSV
-
-QJsonValue toJson(std::optional<double> value)
+QJsonValue jsonCount(std::size_t count)
 {
-    return value && std::isfinite(*value) ? QJsonValue(*value) : QJsonValue();
+    return static_cast<qint64>(count);
 }
 
-QString statusName(std::size_t status)
+QString statusName(Status status)
 {
-    return QString::fromUtf8(wordOf(static_cast<Status>(status)));
+    return QString::fromUtf8(wordOf(status));
 }
 
-std::vector<Field> fieldsOf(const MethodResult &row)
+/// The counts by status are an object in JSON, and a column for each status in CSV.
+Record recordOf(const MethodResult &row, bool isJson)
 {
-    QJsonObject counts;
+    Record counts;
     for (std::size_t i = 0; i < kStatusCount; ++i) {
-        counts[statusName(i)] = static_cast<qint64>(row.counts[i]);
+        counts.emplace_back(statusName(static_cast<Status>(i)), jsonCount(row.counts[i]));
     }
-    return {{QStringLiteral("method"), QString::fromStdString(nameOf(row.method))},
-            {QStringLiteral("tolerance"), toJson(row.tolerance)},
-            {QStringLiteral("channels"), row.channels},
-            {QStringLiteral("nsPerState"), toJson(row.nsPerState)},
-            {QStringLiteral("spread"), toJson(row.spread)},
-            {QStringLiteral("iterationsPerState"), toJson(row.iterationsPerState)},
-            {QStringLiteral("maxError"), toJson(row.maxError)},
-            {QStringLiteral("errorBound"), toJson(row.errorBound)},
-            {QStringLiteral("status"), statusName(static_cast<std::size_t>(row.status))},
-            {kCounts, counts},
-            {QStringLiteral("silentFailures"),
-             row.silentFailures ? QJsonValue(static_cast<qint64>(*row.silentFailures)) : QJsonValue()},
-            {QStringLiteral("linearSolvesPerState"), toJson(row.linearSolvesPerState)}};
-}
-
-std::vector<Field> fieldsOf(const WorkPrecision &row)
-{
-    return {{QStringLiteral("method"), QString::fromStdString(nameOf(row.method))},
-            {QStringLiteral("tolerance"), toJson(row.tolerance)},
-            {QStringLiteral("steps"), row.steps},
-            {QStringLiteral("microseconds"), toJson(row.microseconds)},
-            {QStringLiteral("spread"), toJson(row.spread)},
-            {QStringLiteral("linearSolves"), toJson(row.linearSolves)},
-            {QStringLiteral("maxError"), toJson(row.maxError)}};
-}
-
-template <class Row>
-QJsonArray toArray(const std::vector<Row> &rows)
-{
-    QJsonArray array;
-    for (const Row &row : rows) {
-        QJsonObject object;
-        for (const auto &[key, value] : fieldsOf(row)) {
-            object[key] = value;
-        }
-        array += object;
+    Record record{{"method", QString::fromStdString(nameOf(row.method))},
+                  {"tolerance", jsonNumber(row.tolerance)},
+                  {"channels", row.channels},
+                  {"nsPerState", jsonNumber(row.nsPerState)},
+                  {"spread", jsonNumber(row.spread)},
+                  {"iterationsPerState", jsonNumber(row.iterationsPerState)},
+                  {"maxError", jsonNumber(row.maxError)},
+                  {"errorBound", jsonNumber(row.errorBound)},
+                  {"status", statusName(row.status)}};
+    if (isJson) {
+        record.emplace_back("counts", jsonObject(counts));
+    } else {
+        record.insert(record.end(), counts.begin(), counts.end());
     }
-    return array;
+    record.emplace_back("silentFailures", row.silentFailures ? jsonCount(*row.silentFailures) : QJsonValue());
+    record.emplace_back("linearSolvesPerState", jsonNumber(row.linearSolvesPerState));
+    return record;
 }
 
-/// Returns a line of CSV with the values of the row, or the header line with their keys.
-QString csvLine(const MethodResult &row, bool isHeader)
+QJsonObject jsonWork(const WorkPrecision &row)
 {
-    QStringList cells;
-    for (const auto &[key, value] : fieldsOf(row)) {
-        for (std::size_t i = 0; key == kCounts && i < kStatusCount; ++i) {
-            cells += isHeader ? statusName(i) : QString::number(row.counts[i]);
-        }
-        if (key != kCounts) {
-            cells += isHeader ? key : value.toVariant().toString();
-        }
-    }
-    return cells.join(u',') + u'\n';
-}
-
-QString describeMachine(const Machine &machine, const QString &other, const QString &threads,
-                        const QString &notOptimized)
-{
-    QStringList parts{machine.processor.empty() ? other : QString::fromStdString(machine.processor),
-                      threads.arg(machine.threads), QString::fromStdString(machine.compiler),
-                      machine.isOptimized ? QString() : notOptimized};
-    parts.removeAll(QString());
-    return parts.join(QStringLiteral(", "));
+    return {{"method", QString::fromStdString(nameOf(row.method))},
+            {"tolerance", jsonNumber(row.tolerance)},
+            {"steps", row.steps},
+            {"microseconds", jsonNumber(row.microseconds)},
+            {"spread", jsonNumber(row.spread)},
+            {"linearSolves", jsonNumber(row.linearSolves)},
+            {"maxError", jsonNumber(row.maxError)}};
 }
 
 } // namespace
@@ -216,39 +157,39 @@ QString caseText(const std::string &name)
     return texts.join(QStringLiteral(", "));
 }
 
-std::string studyJson(const StudyResult &result)
+QByteArray studyJson(const StudyResult &result)
 {
-    QJsonArray cases;
-    for (const CaseResult &each : result.cases) {
-        QJsonObject object{{QStringLiteral("name"), QString::fromStdString(each.name)},
-                           {QStringLiteral("methods"), toArray(each.methods)}};
+    const auto jsonCase = [](const CaseResult &each) {
+        QJsonObject object{
+            {"name", QString::fromStdString(each.name)},
+            {"methods", jsonList(each.methods, [](const auto &row) { return jsonObject(recordOf(row, true)); })}};
         if (!each.workPrecision.empty()) {
-            object[QStringLiteral("workPrecision")] = toArray(each.workPrecision);
+            object.insert("workPrecision", jsonList(each.workPrecision, jsonWork));
         }
-        cases += object;
-    }
-    const QString machine = describeMachine(result.machine, QStringLiteral("other"), QStringLiteral("%1 threads"),
-                                            QStringLiteral("not optimized"));
-    return QJsonDocument(QJsonObject{{QStringLiteral("machine"), machine}, {QStringLiteral("cases"), cases}})
-        .toJson()
-        .toStdString();
+        return object;
+    };
+    return jsonDocument({{"machine", machineText(result.machine)}, {"cases", jsonList(result.cases, jsonCase)}});
 }
 
-std::string studyCsv(const StudyResult &result)
+QByteArray studyCsv(const StudyResult &result)
 {
-    QString text = QStringLiteral("case,") + csvLine({}, true);
+    std::vector<Record> records;
     for (const CaseResult &each : result.cases) {
         for (const MethodResult &row : each.methods) {
-            text += u'"' + QString::fromStdString(each.name) + QStringLiteral("\",") + csvLine(row, false);
+            records.push_back(recordOf(row, false));
+            records.back().insert(records.back().begin(), {"case", QString::fromStdString(each.name)});
         }
     }
-    return text.toStdString();
+    return csvText(records);
 }
 
 QString machineText(const Machine &machine)
 {
-    return describeMachine(machine, StudyText::tr("other"), StudyText::tr("%1 threads"),
-                           StudyText::tr("not optimized"));
+    QStringList parts{machine.processor.empty() ? StudyText::tr("other") : QString::fromStdString(machine.processor),
+                      StudyText::tr("%1 threads").arg(machine.threads), QString::fromStdString(machine.compiler),
+                      machine.isOptimized ? QString() : StudyText::tr("not optimized")};
+    parts.removeAll(QString());
+    return parts.join(", ");
 }
 
 } // namespace slidercrank

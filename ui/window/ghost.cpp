@@ -9,6 +9,23 @@
 namespace slidercrank
 {
 
+GhostMotion findGhost(const Result &result, const Diagnosis *diagnosis)
+{
+    const auto boundsOf = [](const Mechanism &mechanism) { return motionBounds(mechanism, motionLimits(mechanism)); };
+    if (std::ranges::count(result.comparison, Verdict::Differs, &ChannelComparison::verdict) > 0) {
+        const bool isFound = diagnosis && diagnosis->identification.hasMechanism();
+        const Mechanism lengths = isFound ? Mechanism(diagnosis->identification.parameters) : result.mechanism;
+        return {boundsOf(lengths), [lengths, reference = result.reference](double time) {
+                    return referencePoseAt(reference->data, lengths, time);
+                }};
+    }
+    if (result.difference && result.pinned.back() != result.mechanism.parameters()) {
+        const Mechanism pinned(result.pinned.back());
+        return {boundsOf(pinned), [pinned](double time) { return referencePoseAt(pinned, time); }};
+    }
+    return {};
+}
+
 Ghost::Ghost(Session *session, MechanismView *view)
     : QObject(view)
     , m_session(session)
@@ -28,22 +45,11 @@ void Ghost::setWanted(bool wanted)
 
 void Ghost::update()
 {
-    const Result &result = *m_session->result();
     const auto &diagnosis = m_session->diagnosis();
-    std::optional<Mechanism> lengths; // of the mechanism that moves as in the file, or of the pinned one
-    if (m_isWanted && std::ranges::count(result.comparison, Verdict::Differs, &ChannelComparison::verdict) > 0) {
-        const bool isFound = diagnosis && diagnosis->found.identification.hasMechanism();
-        lengths.emplace(isFound ? diagnosis->found.identification.parameters : m_session->parameters());
-        m_motion = [lengths = *lengths, reference = result.reference](double time) {
-            return referencePoseAt(reference->data, lengths, time);
-        };
-    } else if (m_isWanted && result.difference && result.pinned.back() != result.mechanism.parameters()) {
-        lengths.emplace(result.pinned.back());
-        m_motion = [pinned = *lengths](double time) { return referencePoseAt(pinned, time); };
-    } else {
-        m_motion = nullptr;
-    }
-    m_view->setGhostBounds(lengths ? motionBounds(*lengths, motionLimits(*lengths)) : QRectF());
+    const GhostMotion ghost =
+        m_isWanted ? findGhost(*m_session->result(), diagnosis ? &diagnosis->found : nullptr) : GhostMotion();
+    m_motion = ghost.pose;
+    m_view->setGhostBounds(ghost.bounds);
     showPose();
 }
 

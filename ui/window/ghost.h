@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Draws the linkage of the reference file behind the mechanism if the two differ. Without a file it draws the motion that
-// was pinned last.
+// Draws the linkage of the reference file behind the mechanism if the two differ. Without a file it draws the motion
+// that was pinned last.
 
 #include "core/comparison/reference_pose.h"
 
 #include <QObject>
+#include <QRectF>
 
 #include <functional>
 
@@ -15,6 +16,19 @@ namespace slidercrank
 
 class MechanismView;
 class Session;
+struct Diagnosis;
+struct Result;
+
+/// The linkage that is drawn behind the mechanism.
+struct GhostMotion {
+    QRectF bounds;                                  ///< of the whole motion, mm
+    std::function<ReferencePose(double)> pose = {}; ///< at a time (s); empty if nothing is drawn
+};
+
+/// Returns the linkage of the reference file if the file differs from the model. Without a file, returns the motion
+/// that was pinned last. The lengths are those of the diagnosis, or of the model if there is no diagnosis (null) or if
+/// it found no mechanism. The window and the command line draw the same.
+GhostMotion findGhost(const Result &result, const Diagnosis *diagnosis);
 
 class Ghost : public QObject
 {

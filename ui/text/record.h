@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// A record is a list of keys and values. It can be written as a JSON object and as a line of CSV.
+
+#include <QByteArray>
+#include <QJsonArray>
+#include <QJsonObject>
+#include <QJsonValue>
+#include <QString>
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace slidercrank
+{
+
+/// Keys and values in the order of CSV. A value that does not exist is null.
+using Record = std::vector<std::pair<QString, QJsonValue>>;
+
+QJsonObject jsonObject(const Record &record);
+
+/// Returns a line of keys and a line for each record. Numbers have as few digits as read back the same number.
+QByteArray csvText(const std::vector<Record> &records);
+
+/// Null if there is no value, or if it is not finite.
+QJsonValue jsonNumber(std::optional<double> value);
+
+/// Converts each element of a range by `toJson`.
+template <typename Range, typename ToJson>
+QJsonArray jsonList(const Range &range, ToJson toJson)
+{
+    QJsonArray array;
+    for (const auto &element : range) {
+        array += toJson(element);
+    }
+    return array;
+}
+
+/// Returns a JSON document of one line.
+QByteArray jsonDocument(const QJsonObject &object);
+
+} // namespace slidercrank
