@@ -125,14 +125,6 @@
         <translation>Columnas de %1</translation>
     </message>
     <message>
-        <source>Say what the columns are; the choice is remembered for files with the same headings. Below is what would be read from the chosen column.</source>
-        <translation>Indique qué es cada columna; la elección se recuerda para los archivos con los mismos encabezados. Debajo se ve lo que se leería de la columna elegida.</translation>
-    </message>
-    <message>
-        <source>Preview of the chosen column</source>
-        <translation>Vista previa de la columna elegida</translation>
-    </message>
-    <message>
         <source>Use these columns</source>
         <translation>Usar estas columnas</translation>
     </message>
@@ -177,28 +169,20 @@
         <translation>elegido a mano</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>%1 is ignored</source>
-        <translation>%1 no se usa</translation>
-    </message>
-    <message>
-        <source>%1 is ignored: from %2 to %3</source>
-        <translation>%1 no se usa: de %2 a %3</translation>
-    </message>
-    <message>
-        <source>%1: %2 from %3 to %4 %5, %6</source>
-        <translation>%1: %2 de %3 a %4 %5, %6</translation>
-    </message>
-    <message>
         <source>crank angle, instead of a time</source>
         <translation>ángulo de la manivela, en lugar del tiempo</translation>
     </message>
     <message>
         <source>Detect again</source>
         <translation>Detectar de nuevo</translation>
+    </message>
+    <message>
+        <source>Say what the columns are; the choice is remembered for files with the same headings.</source>
+        <translation>Indique qué es cada columna; la elección se recuerda para los archivos con los mismos encabezados.</translation>
+    </message>
+    <message>
+        <source>range</source>
+        <translation>rango</translation>
     </message>
 </context>
 <context>
@@ -2176,15 +2160,15 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
     <name>slidercrank::MechanismSketch</name>
     <message>
         <source>gap = %1 mm</source>
-        <translation type="unfinished">hueco = %1 mm</translation>
+        <translation>hueco = %1 mm</translation>
     </message>
     <message>
         <source>file</source>
-        <translation type="unfinished">archivo</translation>
+        <translation>archivo</translation>
     </message>
     <message>
         <source>pinned</source>
-        <translation type="unfinished">fijado</translation>
+        <translation>fijado</translation>
     </message>
     <message>
         <source>no velocity: the coupler is perpendicular to the slider&apos;s line</source>
@@ -2192,39 +2176,39 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
     </message>
     <message>
         <source>Instant centre P at infinity: the coupler translates at %1 mm/s</source>
-        <translation type="unfinished">Centro instantáneo P en el infinito: la biela se traslada a %1 mm/s</translation>
+        <translation>Centro instantáneo P en el infinito: la biela se traslada a %1 mm/s</translation>
     </message>
     <message>
         <source>Instant centre P, ω₃ = %1 rad/s; PA = %2 mm, PB = %3 mm</source>
-        <translation type="unfinished">Centro instantáneo P, ω₃ = %1 rad/s; PA = %2 mm, PB = %3 mm</translation>
+        <translation>Centro instantáneo P, ω₃ = %1 rad/s; PA = %2 mm, PB = %3 mm</translation>
     </message>
     <message>
         <source>O₂</source>
-        <translation type="unfinished">O₂</translation>
+        <translation>O₂</translation>
     </message>
     <message>
         <source>A</source>
-        <translation type="unfinished">A</translation>
+        <translation>A</translation>
     </message>
     <message>
         <source>B</source>
-        <translation type="unfinished">B</translation>
+        <translation>B</translation>
     </message>
     <message>
         <source>G₃</source>
-        <translation type="unfinished">G₃</translation>
+        <translation>G₃</translation>
     </message>
     <message>
         <source>outer dead centre</source>
-        <translation type="unfinished">punto muerto exterior</translation>
+        <translation>punto muerto exterior</translation>
     </message>
     <message>
         <source>inner dead centre</source>
-        <translation type="unfinished">punto muerto interior</translation>
+        <translation>punto muerto interior</translation>
     </message>
     <message>
         <source>mm</source>
-        <translation type="unfinished">mm</translation>
+        <translation>mm</translation>
     </message>
 </context>
 <context>
@@ -2311,11 +2295,11 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
     </message>
     <message>
         <source>at rest</source>
-        <translation type="unfinished">en reposo</translation>
+        <translation>en reposo</translation>
     </message>
     <message>
         <source>Scale: %1 mm = %2 %3</source>
-        <translation type="unfinished">Escala: %1 mm = %2 %3</translation>
+        <translation>Escala: %1 mm = %2 %3</translation>
     </message>
 </context>
 <context>
@@ -2850,18 +2834,6 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
     <message>
         <source>drive</source>
         <translation>restricción motriz</translation>
-    </message>
-    <message>
-        <source>%1, x</source>
-        <translation>%1, x</translation>
-    </message>
-    <message>
-        <source>%1, y</source>
-        <translation>%1, y</translation>
-    </message>
-    <message>
-        <source>%1, θ</source>
-        <translation>%1, θ</translation>
     </message>
     <message>
         <source>⚠ The coupler is perpendicular to the slider&apos;s line: C_q is singular. The position exists, velocity and acceleration do not.</source>
@@ -3709,14 +3681,6 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
     <message>
         <source>Mechanism found in this file: %1</source>
         <translation>Mecanismo hallado en este archivo: %1</translation>
-    </message>
-    <message>
-        <source>Use this mechanism</source>
-        <translation>Usar este mecanismo</translation>
-    </message>
-    <message>
-        <source>Use the first</source>
-        <translation>Usar el primero</translation>
     </message>
     <message>
         <source>No file is open.</source>

@@ -3,7 +3,6 @@
 
 #include "ui/document/column_choices.h"
 #include "ui/document/reference_file.h"
-#include "ui/plots/chart.h"
 #include "ui/text/column_text.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/theme.h"
@@ -13,7 +12,6 @@
 
 #include <QComboBox>
 #include <QDialogButtonBox>
-#include <QEvent>
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QPushButton>
@@ -123,62 +121,76 @@ QString firstValues(const FileLayout &layout, std::size_t column)
     return values.join("  ");
 }
 
+/// Returns the range of the values that were read from a column: "60 … 85 mm".
+QString rangeText(const std::variant<ReferenceData, ReadError> &outcome, const FileColumn &column)
+{
+    const ReferenceData *read = std::get_if<ReferenceData>(&outcome);
+    if (!read || column.role == ColumnRole::Ignored) {
+        return {};
+    }
+    const ReferenceSeries *series = column.role == ColumnRole::Channel ? read->find(column.channel) : nullptr;
+    if (!series) {
+        return abscissaText(*read);
+    }
+    std::vector<double> values = series->values;
+    std::erase_if(values, [](double value) { return std::isnan(value); });
+    const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
+    return values.empty() ? QString()
+                          : QStringLiteral("%1 … %2 %3").arg(numberText(*lowest), numberText(*highest), unitOf(column.channel));
+}
+
 } // namespace
 
 ColumnMapping::ColumnMapping(const QStringList &paths, const QByteArrayList &beginnings, QWidget *parent)
     : QDialog(parent)
     , m_paths(paths)
     , m_beginnings(beginnings)
-    , m_preview(named("preview", new Chart, tr("Preview of the chosen column")))
-    , m_caption(named("previewCaption", plainText()))
+    , m_outcome(readBytes(paths, beginnings, {}))
     , m_problem(named("mappingProblem", plainText()))
 {
     setObjectName("columnMapping");
     setWindowTitle(tr("Columns of %1").arg(fileNames(paths).join(", ")));
-    m_outcome = readWith({});
     const ReferenceData *read = std::get_if<ReferenceData>(&m_outcome);
     m_layout = read ? read->layout : std::get<ReadError>(m_outcome).layout;
     m_rows.resize(m_layout.columns.size());
-    m_preview->setMinimumSize(200, 100);
     setInk(*m_problem, seriesColours(palette()).warning);
-
-    auto *buttons = new QDialogButtonBox;
-    m_use = named("useButton", buttons->addButton(tr("Use these columns"), QDialogButtonBox::AcceptRole));
-    m_use->setDefault(true);
-    QPushButton *detect = named("guessButton", buttons->addButton(tr("Detect again"), QDialogButtonBox::ResetRole));
-    detect->setToolTip(tr("Forgets what was chosen for files with these headings"));
-    detect->setAutoDefault(false);
-    buttons->addButton(QDialogButtonBox::Cancel);
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    connect(detect, &QPushButton::clicked, this, &ColumnMapping::detectAgain);
-
     auto *rows = new QVBoxLayout(this);
-    rows->addWidget(new Paragraph(tr("Say what the columns are; the choice is remembered for files with the same "
-                                     "headings. Below is what would be read from the chosen column.")));
-    rows->addWidget(createRows(), 3);
-    rows->addWidget(m_caption);
-    rows->addWidget(m_preview, 1);
+    rows->addWidget(
+        new Paragraph(tr("Say what the columns are; the choice is remembered for files with the same headings.")));
+    rows->addWidget(createRows(), 1);
     rows->addWidget(m_problem);
-    rows->addWidget(buttons);
+    addButtons(rows);
     constexpr int kWidth = 1200; // px, for reasons in one or two lines
     constexpr int kAround = 40;  // px of the screen
-    resize(std::min(kWidth, screen()->availableGeometry().width() - kAround), 640);
+    resize(std::min(kWidth, screen()->availableGeometry().width() - kAround), 560);
 
     for (const ColumnChoice &choice : savedChoices(m_layout, m_paths)) {
         showChoice(choice.column, choice);
         m_rows[choice.column].isChosen = true;
     }
+    readAgain();
     // Start at the first column whose meaning is unknown or was guessed.
     const auto open = std::ranges::find_if(m_layout.columns, [this](const FileColumn &column) {
         return m_layout.isOpen() ? leavesOpen(column.reason)
                                  : column.role == ColumnRole::Channel && isGuess(column.reason);
     });
-    m_current = open == m_layout.columns.end() ? 0 : static_cast<std::size_t>(open - m_layout.columns.begin());
-    readAgain();
-    if (m_current < m_rows.size()) {
-        m_rows[m_current].meaning->setFocus();
+    if (open != m_layout.columns.end()) {
+        m_rows[static_cast<std::size_t>(open - m_layout.columns.begin())].meaning->setFocus();
     }
+}
+
+void ColumnMapping::addButtons(QBoxLayout *rows)
+{
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+    m_use = named("useButton", buttons->addButton(tr("Use these columns"), QDialogButtonBox::AcceptRole));
+    m_use->setDefault(true);
+    QPushButton *detect = named("guessButton", buttons->addButton(tr("Detect again"), QDialogButtonBox::ResetRole));
+    detect->setToolTip(tr("Forgets what was chosen for files with these headings"));
+    detect->setAutoDefault(false);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(detect, &QPushButton::clicked, this, &ColumnMapping::detectAgain);
+    rows->addWidget(buttons);
 }
 
 QWidget *ColumnMapping::createRows()
@@ -187,7 +199,7 @@ QWidget *ColumnMapping::createRows()
     auto *grid = new QGridLayout(page);
     grid->setHorizontalSpacing(14);
     int column = 0;
-    for (const QString &heading : {tr("heading"), tr("first values"), tr("read as"), tr("unit"), tr("why")}) {
+    for (const QString &heading : {tr("heading"), tr("first values"), tr("read as"), tr("unit"), tr("range"), tr("why")}) {
         grid->addWidget(boldLabel(heading), 0, column++);
     }
     int line = 1;
@@ -199,7 +211,7 @@ QWidget *ColumnMapping::createRows()
         addRow(grid, line++, i);
     }
     grid->setColumnStretch(0, 1);
-    grid->setColumnStretch(4, 2);
+    grid->setColumnStretch(5, 2);
     grid->setRowStretch(line, 1);
     auto *scroll = new QScrollArea;
     scroll->setAccessibleName(tr("Columns of the file"));
@@ -216,24 +228,26 @@ void ColumnMapping::addRow(QGridLayout *grid, int line, std::size_t column)
     fillMeanings(*row.meaning);
     row.unit = named(QStringLiteral("unit%1").arg(column), new QComboBox, tr("Unit of %1").arg(heading));
     row.unit->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    row.range = named(QStringLiteral("range%1").arg(column), new QLabel);
     row.why = named(QStringLiteral("why%1").arg(column), plainText());
-    for (QComboBox *combo : {row.meaning, row.unit}) {
-        combo->setFocusPolicy(Qt::StrongFocus);
-        combo->installEventFilter(this);
+    for (const QComboBox *combo : {row.meaning, row.unit}) {
         connect(combo, &QComboBox::currentIndexChanged, this, [this, column] { choose(column); });
     }
     auto *values = new QLabel(firstValues(m_layout, column));
     values->setTextFormat(Qt::PlainText);
     int place = 0;
     for (QWidget *widget : std::initializer_list<QWidget *>{plainText(headingAlone(m_layout, column)), values,
-                                                            row.meaning, row.unit, row.why}) {
+                                                            row.meaning, row.unit, row.range, row.why}) {
         grid->addWidget(widget, line, place++);
     }
 }
 
-std::variant<ReferenceData, ReadError> ColumnMapping::readWith(const std::vector<ColumnChoice> &choices) const
+ColumnChoice ColumnMapping::choiceIn(std::size_t row) const
 {
-    return readBytes(m_paths, m_beginnings, {choices, {}});
+    ColumnChoice choice = choiceOf(m_rows[row].meaning->currentData().toInt());
+    choice.column = row;
+    choice.unit = m_rows[row].unit->currentData().toString().toStdString();
+    return choice;
 }
 
 std::vector<ColumnChoice> ColumnMapping::choices() const
@@ -241,9 +255,7 @@ std::vector<ColumnChoice> ColumnMapping::choices() const
     std::vector<ColumnChoice> choices;
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         if (m_rows[i].isChosen) {
-            ColumnChoice &choice = choices.emplace_back(choiceOf(m_rows[i].meaning->currentData().toInt()));
-            choice.column = i;
-            choice.unit = m_rows[i].unit->currentData().toString().toStdString();
+            choices.push_back(choiceIn(i));
         }
     }
     return choices;
@@ -262,10 +274,7 @@ void ColumnMapping::showChoice(std::size_t row, const ColumnChoice &choice)
 void ColumnMapping::choose(std::size_t row)
 {
     m_rows[row].isChosen = true;
-    m_current = row;
-    ColumnChoice choice = choiceOf(m_rows[row].meaning->currentData().toInt());
-    choice.unit = m_rows[row].unit->currentData().toString().toStdString();
-    showChoice(row, choice);
+    showChoice(row, choiceIn(row)); // another meaning has other units
     readAgain();
 }
 
@@ -279,7 +288,7 @@ void ColumnMapping::detectAgain()
 
 void ColumnMapping::readAgain()
 {
-    m_outcome = readWith(choices());
+    m_outcome = readBytes(m_paths, m_beginnings, {choices(), {}});
     if (const ReferenceData *read = std::get_if<ReferenceData>(&m_outcome)) {
         m_layout = read->layout; // otherwise keep the old layout: the reader may not have reached all columns
     }
@@ -290,7 +299,6 @@ void ColumnMapping::readAgain()
     m_problem->setVisible(error);
     m_problem->setText(error ? readErrorText(*error, fileNames(m_paths)) : QString());
     m_use->setEnabled(!error);
-    showPreview();
 }
 
 void ColumnMapping::showRow(std::size_t row)
@@ -299,70 +307,8 @@ void ColumnMapping::showRow(std::size_t row)
     if (!m_rows[row].isChosen) {
         showChoice(row, {row, column.role, column.channel, {}});
     }
+    m_rows[row].range->setText(rangeText(m_outcome, column));
     m_rows[row].why->setText(m_rows[row].isChosen ? tr("chosen by hand") : reasonText(m_layout, row));
-}
-
-/// Shows the curve and the range of the current column. An ignored column is read as lengths, because its curve helps to
-/// recognize it.
-void ColumnMapping::showPreview()
-{
-    if (m_current >= m_rows.size()) {
-        return;
-    }
-    const FileColumn &column = m_layout.columns[m_current];
-    const bool isIgnored = column.role == ColumnRole::Ignored;
-    Channel channel = column.channel;
-    std::variant<ReferenceData, ReadError> outcome = m_outcome;
-    if (isIgnored) {
-        channel = {R1x, Order::Position};
-        std::vector<ColumnChoice> all = choices();
-        std::erase_if(all, [this](const ColumnChoice &choice) { return choice.column == m_current; });
-        all.push_back({m_current, ColumnRole::Channel, channel, "mm"});
-        outcome = readWith(all);
-    }
-    const ReferenceData *read = std::get_if<ReferenceData>(&outcome);
-    const ReferenceSeries *series = read && (isIgnored || column.role == ColumnRole::Channel) ? read->find(channel) : nullptr;
-    const QString heading = headingText(m_layout, m_current);
-    QString caption = isIgnored ? tr("%1 is ignored").arg(heading) : read ? tr("%1: %2").arg(heading, abscissaText(*read)) : QString();
-    ChartContent content;
-    if (series) {
-        constexpr std::size_t kPoints = 600; // enough to recognize a quantity by its shape
-        ChartSeries curve{.name = {}, .colour = &SeriesColours::reference, .line = ChartSeries::Line::Solid};
-        Interval range{INFINITY, -INFINITY};
-        for (std::size_t i = 0; i < read->time.size(); ++i) {
-            if (const double value = series->values[i]; std::isfinite(value)) {
-                range = {std::min(range.lower, value), std::max(range.upper, value)};
-            }
-            if (i % (1 + read->time.size() / kPoints) == 0) {
-                curve.points.push_back({read->time[i], series->values[i]});
-            }
-        }
-        const auto longer = [](const Interval &axis) { // an axis needs a length, also if all values are equal
-            return axis.upper > axis.lower ? axis : Interval{axis.lower - 1.0, axis.lower + 1.0};
-        };
-        content = {{{}, longer({read->time.front(), read->time.back()})}, {{}, longer(range)}, {curve}};
-        caption = isIgnored ? tr("%1 is ignored: from %2 to %3").arg(heading, numberText(range.lower), numberText(range.upper))
-                            : tr("%1: %2 from %3 to %4 %5, %6")
-                                  .arg(heading, symbolOf(channel), numberText(range.lower), numberText(range.upper), unitOf(channel),
-                                       abscissaText(*read));
-    }
-    m_preview->setContent(content);
-    m_preview->setAccessibleDescription(caption);
-    m_caption->setText(caption);
-}
-
-bool ColumnMapping::eventFilter(QObject *watched, QEvent *event)
-{
-    auto *combo = qobject_cast<QComboBox *>(watched);
-    if (event->type() == QEvent::FocusIn) {
-        for (std::size_t i = 0; i < m_rows.size(); ++i) {
-            if ((combo == m_rows[i].meaning || combo == m_rows[i].unit) && i != m_current) {
-                m_current = i;
-                showPreview();
-            }
-        }
-    }
-    return QDialog::eventFilter(watched, event);
 }
 
 void ColumnMapping::accept()

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A dialog for choosing the meaning of the columns of a file. It starts with the meaning that the reader detected; a
-// preview, read from the beginning of the file, follows every change. The choice is stored for files with the same
-// headings.
+// A dialog for choosing the meaning of the columns of a file. It starts with the meaning that the reader detected, and
+// reads the beginning of the file again with every change. The choice is stored for files with the same headings.
 
 #include "core/import/reference_data.h"
 
@@ -14,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+class QBoxLayout;
 class QComboBox;
 class QGridLayout;
 class QLabel;
@@ -21,8 +21,6 @@ class QPushButton;
 
 namespace slidercrank
 {
-
-class Chart;
 
 class ColumnMapping : public QDialog
 {
@@ -38,36 +36,31 @@ signals:
     /// The choice was stored, and the files must be read again.
     void chosen(const QStringList &paths);
 
-protected:
-    bool eventFilter(QObject *watched, QEvent *event) override;
-
 private:
     struct Row {
         QComboBox *meaning = nullptr;
         QComboBox *unit = nullptr;
+        QLabel *range = nullptr; ///< of the values that were read
         QLabel *why = nullptr;
         bool isChosen = false; ///< by the user; otherwise the row shows the meaning that the reader detected
     };
 
     QWidget *createRows();
     void addRow(QGridLayout *grid, int line, std::size_t column);
-    std::variant<ReferenceData, ReadError> readWith(const std::vector<ColumnChoice> &choices) const;
+    void addButtons(QBoxLayout *rows);
+    ColumnChoice choiceIn(std::size_t row) const;
     std::vector<ColumnChoice> choices() const; ///< of the rows that the user chose
     void showChoice(std::size_t row, const ColumnChoice &choice); ///< in the two lists of the row
     void choose(std::size_t row);
     void detectAgain();
     void readAgain();
     void showRow(std::size_t row);
-    void showPreview();
 
     QStringList m_paths;
     QByteArrayList m_beginnings;
     FileLayout m_layout; ///< as read with the choices
     std::variant<ReferenceData, ReadError> m_outcome;
     std::vector<Row> m_rows;
-    std::size_t m_current = 0; ///< row of the column in the preview
-    Chart *m_preview;
-    QLabel *m_caption;
     QLabel *m_problem;
     QPushButton *m_use = nullptr;
 };

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace slidercrank
 {
@@ -32,12 +33,10 @@ struct VerdictLook {
 
 VerdictLook lookOf(Verdict verdict)
 {
-    switch (verdict) {
-    case Verdict::Agrees: return {"✓", ErrorPage::tr("agrees"), Tone::Good};
-    case Verdict::Close: return {"≈", ErrorPage::tr("close"), Tone::Fair};
-    case Verdict::Differs: return {"✗", ErrorPage::tr("differs"), Tone::Bad};
-    }
-    return {};
+    const VerdictLook looks[] = {{"✓", ErrorPage::tr("agrees"), Tone::Good}, // in the order of Verdict
+                                 {"≈", ErrorPage::tr("close"), Tone::Fair},
+                                 {"✗", ErrorPage::tr("differs"), Tone::Bad}};
+    return looks[static_cast<std::size_t>(verdict)];
 }
 
 Verdict worstVerdict(const std::vector<ChannelComparison> &comparison)
@@ -63,34 +62,36 @@ TableCell numberCell(std::optional<double> value, const QString &unit, const QSt
             .csv = dash()};
 }
 
-TableCell timeCell(std::optional<double> time)
+/// Returns the quantity, its largest error, that error in percent of the peak, and its time.
+TableRow rowOf(const ChannelComparison &channel, const QString &details, const QString &percentFormula)
 {
     constexpr int kDigits = 6; // as many as files write
-    return {.text = numberText(time, kDigits),
-            .number = time,
-            .explanation = ErrorPage::tr("Click to go there"),
-            .csv = dash()};
-}
-
-TableCell channelCell(Channel channel)
-{
-    return {.text = QStringLiteral("%1 %2").arg(symbolOf(channel), quantityOf(channel)),
-            .csv = QStringLiteral("%1 [%2]").arg(columnNameOf(channel), unitOf(channel))};
+    const QString unit = unitOf(channel.channel);
+    const std::optional<double> time = channel.maxAbs ? std::optional(channel.timeOfMaxAbs) : std::nullopt;
+    return {{{.text = QStringLiteral("%1 %2").arg(symbolOf(channel.channel), quantityOf(channel.channel)),
+              .csv = QStringLiteral("%1 [%2]").arg(columnNameOf(channel.channel), unit)},
+             numberCell(channel.maxAbs, unit, details),
+             numberCell(channel.percentOfPeak, {}, percentFormula),
+             {.text = numberText(time, kDigits),
+              .number = time,
+              .explanation = ErrorPage::tr("Click to go there"),
+              .csv = dash()}},
+            time};
 }
 
 TableRow fileRow(const ChannelComparison &channel)
 {
     const QString unit = unitOf(channel.channel);
     const VerdictLook look = lookOf(channel.verdict);
-    TableCell name = channelCell(channel.channel);
-    name.explanation = ErrorPage::tr("%1 in the file, %2 time steps compared")
-                           .arg(columnNameOf(channel.channel), countText(channel.count));
+    QString count = ErrorPage::tr("%1 in the file, %2 time steps compared")
+                        .arg(columnNameOf(channel.channel), countText(channel.count));
     if (channel.missingModel > 0) {
-        name.explanation += ErrorPage::tr("; at %1 more the model does not exist").arg(countText(channel.missingModel));
+        count += ErrorPage::tr("; at %1 more the model does not exist").arg(countText(channel.missingModel));
     }
-    QString rounding = channel.roundingStep ? ErrorPage::tr("The file writes this channel in steps of at most %1.")
-                                                  .arg(numberText(*channel.roundingStep, kReadoutDigits) + u' ' + unit)
-                                            : ErrorPage::tr("How the file was rounded is not known.");
+    const QString rounding = channel.roundingStep
+                                 ? ErrorPage::tr("The file writes this channel in steps of at most %1.")
+                                       .arg(numberText(*channel.roundingStep, kReadoutDigits) + u' ' + unit)
+                                 : ErrorPage::tr("How the file was rounded is not known.");
     QString details =
         ErrorPage::tr("Largest |model − reference|; root mean square %1.").arg(readout(channel.rms, unit));
     details += u'\n' + (channel.maxPercent ? ErrorPage::tr("Point by point, |model − reference| / |reference|: at most "
@@ -101,46 +102,38 @@ TableRow fileRow(const ChannelComparison &channel)
         details += u' ' + ErrorPage::tr("Undefined where the reference is zero: at %1 time steps.")
                               .arg(countText(channel.zeroReference));
     }
-    const std::optional<double> time = channel.maxAbs ? std::optional(channel.timeOfMaxAbs) : std::nullopt;
-    return {{name,
-             {.text = look.mark + u' ' + look.word,
-              .explanation = verdictText(channel) + u'\n' + verdictFormula(channel) + u'\n' + rounding,
-              .csv = verdictText(channel),
-              .tone = look.tone},
-             numberCell(channel.maxAbs, unit, details + u'\n' + rounding),
-             numberCell(channel.percentOfPeak, {}, ErrorPage::tr("max |model − reference| / max |reference| · 100")),
-             timeCell(time)},
-            time};
+    TableRow row = rowOf(channel, details + u'\n' + rounding,
+                         ErrorPage::tr("max |model − reference| / max |reference| · 100"));
+    row.cells[0].explanation = count;
+    row.cells.insert(row.cells.begin() + 1,
+                     {.text = look.mark + u' ' + look.word,
+                      .explanation = verdictText(channel) + u'\n' + verdictFormula(channel) + u'\n' + rounding,
+                      .csv = verdictText(channel),
+                      .tone = look.tone});
+    return row;
 }
 
 TableRow pinnedRow(const ChannelComparison &channel)
 {
     const bool isUnbounded = channel.maxAbs && std::isinf(*channel.maxAbs);
-    const QString unit = unitOf(channel.channel);
-    const std::optional<double> time = channel.maxAbs ? std::optional(channel.timeOfMaxAbs) : std::nullopt;
-    const QString details =
-        isUnbounded ? ErrorPage::tr("Unbounded: one of the two reaches a limit position")
-                    : ErrorPage::tr("Largest |this − pinned|; root mean square %1.").arg(readout(channel.rms, unit));
-    return {{channelCell(channel.channel), numberCell(channel.maxAbs, unit, details),
-             numberCell(channel.percentOfPeak, {}, ErrorPage::tr("max |this − pinned| / max |pinned| · 100")),
-             timeCell(time)},
-            time};
+    return rowOf(channel,
+                 isUnbounded ? ErrorPage::tr("Unbounded: one of the two reaches a limit position")
+                             : ErrorPage::tr("Largest |this − pinned|; root mean square %1.")
+                                   .arg(readout(channel.rms, unitOf(channel.channel))),
+                 ErrorPage::tr("max |this − pinned| / max |pinned| · 100"));
 }
 
-TableColumn channelColumn()
+/// Returns a table without rows, with the columns of rowOf(); `largest` is the column of the largest error.
+PageTable tableWith(const QString &name, const QString &title, const TableColumn &largest)
 {
-    return {ErrorPage::tr("quantity"), ErrorPage::tr("What is compared"), "channel", false};
-}
-
-TableColumn timeColumn()
-{
-    return {ErrorPage::tr("t [s]"), ErrorPage::tr("Time of the largest error"), "max_error_at [s]"};
-}
-
-TableColumn percentColumn()
-{
-    return {ErrorPage::tr("% of peak"), ErrorPage::tr("Largest error relative to the largest value of the reference"),
-            "percent_of_peak"};
+    return {name,
+            title,
+            {{ErrorPage::tr("quantity"), ErrorPage::tr("What is compared"), "channel", false},
+             largest,
+             {ErrorPage::tr("% of peak"), ErrorPage::tr("Largest error relative to the largest value of the reference"),
+              "percent_of_peak"},
+             {ErrorPage::tr("t [s]"), ErrorPage::tr("Time of the largest error"), "max_error_at [s]"}},
+            {}};
 }
 
 /// Returns how many rows and columns of the file were not used; the reference page lists them.
@@ -171,25 +164,22 @@ Page filePage(const Result &result, const ReferenceDiagnosis *diagnosis)
         page.findings = findingsOf(result, diagnosis);
         bool isOffered = false; // one remedy at a time
         for (Finding &finding : page.findings) {
-            if (finding.remedy != Finding::Remedy::None && std::exchange(isOffered, true)) {
-                finding.remedy = Finding::Remedy::None;
+            if (finding.remedy != Remedy::None && std::exchange(isOffered, true)) {
+                finding.remedy = Remedy::None;
             }
         }
     }
-    PageTable table{"errorTable", ErrorPage::tr("Errors, a row for each channel"), {}, {}};
-    table.columns = {
-        channelColumn(),
+    PageTable table =
+        tableWith("errorTable", ErrorPage::tr("Errors, a row for each channel"),
+                  {ErrorPage::tr("largest error"), ErrorPage::tr("max |model − reference|"), "max_error"});
+    table.columns.insert(
+        table.columns.begin() + 1,
         {ErrorPage::tr("verdict"),
          ErrorPage::tr("agrees: at least 95 % of the values within the file's rounding, none beyond ten times that\n"
                        "close: none beyond a hundred times\n"
                        "differs: anything else, and errors beyond the rounding by 1 % of half the motion's range"),
-         "verdict", false},
-        {ErrorPage::tr("largest error"), ErrorPage::tr("max |model − reference|"), "max_error"},
-        percentColumn(),
-        timeColumn()};
-    for (const ChannelComparison &channel : result.comparison) {
-        table.rows.push_back(fileRow(channel));
-    }
+         "verdict", false});
+    std::ranges::transform(result.comparison, std::back_inserter(table.rows), fileRow);
     page.tables = {table};
     page.note = leftOutText(result.reference->data);
     return page;
@@ -207,16 +197,10 @@ Page pinnedPage(const Result &result)
     if (result.difference->hasGaps) {
         page.sentence += u' ' + ErrorPage::tr("Where one of the two cannot be assembled there is nothing to compare.");
     }
-    PageTable table{"differenceTable",
-                    ErrorPage::tr("Differences from the pinned motion, a row for each channel"),
-                    {channelColumn(),
-                     {ErrorPage::tr("largest difference"), ErrorPage::tr("max |this − pinned|"), "max_difference"},
-                     percentColumn(),
-                     timeColumn()},
-                    {}};
-    for (const ChannelDifference &channel : result.difference->channels) {
-        table.rows.push_back(pinnedRow(channel));
-    }
+    PageTable table = tableWith(
+        "differenceTable", ErrorPage::tr("Differences from the pinned motion, a row for each channel"),
+        {ErrorPage::tr("largest difference"), ErrorPage::tr("max |this − pinned|"), "max_difference"});
+    std::ranges::transform(result.difference->channels, std::back_inserter(table.rows), pinnedRow);
     page.tables = {table};
     return page;
 }
@@ -247,46 +231,7 @@ bool isBetter(const std::vector<ChannelComparison> &found, const std::vector<Cha
            (after.differing < before.differing || after.percentOfPeak <= kMuchNearer * before.percentOfPeak);
 }
 
-/// Which mechanism the file belongs to, if it is another one than the model.
-Finding mechanismFinding(const Result &result, const ReferenceDiagnosis &diagnosis)
-{
-    const Identification &found = diagnosis.found.identification;
-    Finding finding;
-    if (!diagnosis.found.conventions.empty() && diagnosis.found.agreesWithGiven) {
-        return finding; // read with the conventions, the file belongs to the model
-    }
-    const QString summary = summaryOf(diagnosis.found);
-    if (!found.hasMechanism()) {
-        finding.sentence = summary;
-        return finding;
-    }
-    const bool isUnique = found.hasOneMechanism();
-    finding.sentence = isUnique ? changeText(diagnosis.found, Mechanism(diagnosis.parameters)) : summary;
-    const bool takesOver = isBetter(diagnosis.found.identified, result.comparison);
-    if (takesOver) {
-        finding.remedy = Finding::Remedy::UseFoundMechanism;
-        finding.remedyText = isUnique ? ErrorPage::tr("Use this mechanism") : ErrorPage::tr("Use the first of them");
-        finding.details = changesText(result.mechanism.parameters(), diagnosis.found);
-    }
-    if (finding.sentence.isEmpty() && (takesOver || !found.noise.empty())) {
-        finding.sentence = ErrorPage::tr("The file fits %1").arg(summary);
-    }
-    return finding;
-}
-
-/// Returns the explanation of the convention, and the largest error without and with it.
-QString conventionSentence(const ConventionFinding &found, const ReferenceData &data)
-{
-    const QString sentence = explanationOf(found.convention, data);
-    if (found.convention.kind == Convention::Kind::NotDerivative) {
-        return sentence; // the column is excluded and has no error
-    }
-    return ErrorPage::tr("%1 Largest error: %2 → %3 % of peak.")
-        .arg(sentence, readout(found.before), readout(found.after));
-}
-
-} // namespace
-
+/// Returns a table of the current parameters and those of the mechanism found, as rich text.
 QString changesText(const Parameters &before, const Diagnosis &diagnosis)
 {
     const Identification &found = diagnosis.identification;
@@ -311,6 +256,50 @@ QString changesText(const Parameters &before, const Diagnosis &diagnosis)
            QStringLiteral("<table style='white-space:pre'>%1</table>").arg(rows);
 }
 
+/// Which mechanism the file belongs to, if it is another one than the model.
+Finding mechanismFinding(const Result &result, const ReferenceDiagnosis &diagnosis)
+{
+    const Diagnosis &found = diagnosis.found;
+    if (!found.conventions.empty() && found.agreesWithGiven) {
+        return {}; // read with the conventions, the file belongs to the model
+    }
+    const Identification &identification = found.identification;
+    const QString summary = summaryOf(found);
+    Finding finding{identification.hasOneMechanism() ? changeText(found, Mechanism(diagnosis.parameters)) : summary};
+    if (!identification.hasMechanism()) {
+        return finding;
+    }
+    const bool takesOver = isBetter(found.identified, result.comparison);
+    if (takesOver) {
+        offerMechanism(finding, result, found);
+    }
+    if (finding.sentence.isEmpty() && (takesOver || !identification.noise.empty())) {
+        finding.sentence = ErrorPage::tr("The file fits %1").arg(summary);
+    }
+    return finding;
+}
+
+/// Returns the explanation of the convention, and the largest error without and with it.
+QString conventionSentence(const ConventionFinding &found, const ReferenceData &data)
+{
+    const QString sentence = explanationOf(found.convention, data);
+    if (found.convention.kind == Convention::Kind::NotDerivative) {
+        return sentence; // the column is excluded and has no error
+    }
+    return ErrorPage::tr("%1 Largest error: %2 → %3 % of peak.")
+        .arg(sentence, readout(found.before), readout(found.after));
+}
+
+} // namespace
+
+void offerMechanism(Finding &finding, const Result &result, const Diagnosis &found)
+{
+    finding.remedy = Remedy::UseFoundMechanism;
+    finding.remedyText = found.identification.hasOneMechanism() ? ErrorPage::tr("Use this mechanism")
+                                                                : ErrorPage::tr("Use the first of them");
+    finding.details = changesText(result.mechanism.parameters(), found);
+}
+
 bool isOfFile(const ReferenceDiagnosis *diagnosis, const Result &result)
 {
     return diagnosis && result.reference && diagnosis->reference == result.choices.reference;
@@ -327,16 +316,15 @@ std::vector<Finding> findingsOf(const Result &result, const ReferenceDiagnosis *
     const Verdict verdict = worstVerdict(result.comparison);
     if (isUpToDate(diagnosis, result) && !result.comparison.empty() && verdict != Verdict::Agrees) {
         for (const ConventionFinding &found : diagnosis->found.conventions) {
-            findings.push_back({Finding::Remedy::Apply, found.convention,
-                                conventionSentence(found, result.reference->data), ErrorPage::tr("Apply"),
-                                effectOf(found)});
+            findings.push_back({conventionSentence(found, result.reference->data), Remedy::Apply,
+                                ErrorPage::tr("Apply"), effectOf(found), found.convention});
         }
         for (const QString &sentence : differenceSentences(result.reference->data, diagnosis->found.conventions)) {
-            findings.push_back({Finding::Remedy::None, {}, sentence, {}, {}});
+            findings.push_back({sentence});
         }
         const Finding mechanism = mechanismFinding(result, *diagnosis);
         const bool isExplained = verdict != Verdict::Differs || !findings.empty();
-        if (!mechanism.sentence.isEmpty() && (mechanism.remedy != Finding::Remedy::None || !isExplained)) {
+        if (!mechanism.sentence.isEmpty() && (mechanism.remedy != Remedy::None || !isExplained)) {
             findings.push_back(mechanism);
         }
     }
@@ -345,12 +333,8 @@ std::vector<Finding> findingsOf(const Result &result, const ReferenceDiagnosis *
         for (const Convention &convention : result.reference->conventions) {
             names << nameOf(convention);
         }
-        findings.push_back(
-            {Finding::Remedy::ReadAsPrinted,
-             {},
-             ErrorPage::tr("The file is read differently from how it is written: %1.").arg(listed(names)),
-             ErrorPage::tr("Read as written"),
-             {}});
+        findings.push_back({ErrorPage::tr("The file is read differently from how it is written: %1.").arg(listed(names)),
+                            Remedy::ReadAsPrinted, ErrorPage::tr("Read as written")});
     }
     return findings;
 }
@@ -363,10 +347,7 @@ Page errorPage(const Result &result, const ReferenceDiagnosis *diagnosis)
     if (result.difference) {
         return pinnedPage(result);
     }
-    Page page;
-    page.sentence = ErrorPage::tr("There is nothing to compare with: no file is open and no motion is pinned.");
-    page.tone = Tone::Muted;
-    return page;
+    return {ErrorPage::tr("There is nothing to compare with: no file is open and no motion is pinned."), Tone::Muted};
 }
 
 QString errorTitle(const Result &result)

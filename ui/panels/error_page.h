@@ -24,7 +24,7 @@ QString errorTitle(const Result &result);
 bool isOfFile(const ReferenceDiagnosis *diagnosis, const Result &result);
 bool isUpToDate(const ReferenceDiagnosis *diagnosis, const Result &result);
 
-/// Returns a table of the current parameters and those of the mechanism found, as rich text.
-QString changesText(const Parameters &before, const Diagnosis &diagnosis);
+/// Adds the remedy to use the mechanism that was found.
+void offerMechanism(Finding &finding, const Result &result, const Diagnosis &found);
 
 } // namespace slidercrank

@@ -26,18 +26,24 @@ struct NewtonPages {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::NewtonPages)
 };
 
-constexpr std::array kEquations{"Rₓ¹ = 0",
-                                "R_y¹ = 0",
-                                "θ¹ = 0",
-                                "Rₓ² − a/2 cos θ₂ = 0",
-                                "R_y² − a/2 sin θ₂ = 0",
-                                "−Rₓ³ + Rₓ² + a/2 cos θ₂ + b/2 cos θ³ = 0",
-                                "−R_y³ + R_y² + a/2 sin θ₂ + b/2 sin θ³ = 0",
-                                "Rₓ⁴ − Rₓ³ − b/2 cos θ³ = 0",
-                                "R_y⁴ − R_y³ − b/2 sin θ³ = 0",
-                                "θ⁴ − θ¹ = 0",
-                                "R_y⁴ − c = 0",
-                                "θ₂ − ω₂ t − θ₂₀ = 0"};
+struct Equation {
+    const char *direction; ///< of the joint's equation; empty if the joint has only one
+    const char *text;
+};
+
+/// In the order of Constraint.
+constexpr Equation kEquations[kCoordinateCount] = {{"x", "Rₓ¹ = 0"},
+                                                   {"y", "R_y¹ = 0"},
+                                                   {"θ", "θ¹ = 0"},
+                                                   {"x", "Rₓ² − a/2 cos θ₂ = 0"},
+                                                   {"y", "R_y² − a/2 sin θ₂ = 0"},
+                                                   {"x", "−Rₓ³ + Rₓ² + a/2 cos θ₂ + b/2 cos θ³ = 0"},
+                                                   {"y", "−R_y³ + R_y² + a/2 sin θ₂ + b/2 sin θ³ = 0"},
+                                                   {"x", "Rₓ⁴ − Rₓ³ − b/2 cos θ³ = 0"},
+                                                   {"y", "R_y⁴ − R_y³ − b/2 sin θ³ = 0"},
+                                                   {"θ", "θ⁴ − θ¹ = 0"},
+                                                   {"y", "R_y⁴ − c = 0"},
+                                                   {"", "θ₂ − ω₂ t − θ₂₀ = 0"}};
 
 QString symbolOf(Coordinate coordinate)
 {
@@ -51,39 +57,24 @@ bool isAngle(Constraint row)
 
 QString partName(MechanismPart part)
 {
-    switch (part) {
-    case MechanismPart::Ground: return NewtonPages::tr("ground");
-    case MechanismPart::Crank: return NewtonPages::tr("crank");
-    case MechanismPart::Coupler: return NewtonPages::tr("coupler");
-    case MechanismPart::Slider: return NewtonPages::tr("slider");
-    case MechanismPart::Pivot: return NewtonPages::tr("pivot O₂");
-    case MechanismPart::PinA: return NewtonPages::tr("pin A");
-    case MechanismPart::PinB: return NewtonPages::tr("pin B");
-    case MechanismPart::Guide: return NewtonPages::tr("guide");
-    case MechanismPart::Drive: return NewtonPages::tr("drive");
-    case MechanismPart::None: break;
-    }
-    return {};
+    const QString names[] = {{}, // in the order of MechanismPart
+                             NewtonPages::tr("ground"),
+                             NewtonPages::tr("crank"),
+                             NewtonPages::tr("coupler"),
+                             NewtonPages::tr("slider"),
+                             NewtonPages::tr("pivot O₂"),
+                             NewtonPages::tr("pin A"),
+                             NewtonPages::tr("pin B"),
+                             NewtonPages::tr("guide"),
+                             NewtonPages::tr("drive")};
+    return names[static_cast<std::size_t>(part)];
 }
 
 QString constraintName(Constraint row)
 {
     const QString joint = partName(partOf(row));
-    switch (row) {
-    case GroundX:
-    case CrankPivotX:
-    case CrankPinX:
-    case SliderPinX: return NewtonPages::tr("%1, x").arg(joint);
-    case GroundY:
-    case CrankPivotY:
-    case CrankPinY:
-    case SliderPinY:
-    case SliderLine: return NewtonPages::tr("%1, y").arg(joint);
-    case GroundAngle:
-    case SliderAngle: return NewtonPages::tr("%1, θ").arg(joint);
-    case CrankDrive: return joint;
-    }
-    return {};
+    const QString direction = kEquations[row].direction;
+    return direction.isEmpty() ? joint : QStringLiteral("%1, %2").arg(joint, direction);
 }
 
 /// A number and its shortened text; a dash if it is not finite.
@@ -100,25 +91,16 @@ TableCell numberCell(double value)
 /// A page without tables; its sentence says why numbers are missing, if they are.
 Page emptyPage(Status status, const Result &result)
 {
-    Page page;
-    page.tone = Tone::Bad;
-    switch (status) {
-    case Status::Solved: break;
-    case Status::Singular:
-        page.sentence = NewtonPages::tr("⚠ The coupler is perpendicular to the slider's line: C_q is singular. The "
-                                        "position exists, velocity and acceleration do not.");
-        break;
-    case Status::IterationLimit:
-        page.sentence = NewtonPages::tr("⚠ Not converged within %1 iterations: the last one is shown. Allow more "
-                                        "iterations or a larger tolerance.")
-                            .arg(QLocale().toString(result.solver.newton.maxIterations));
-        break;
-    case Status::NotAssemblable:
-        page.sentence = NewtonPages::tr("⚠ It cannot be assembled here: the coupler is too short.");
-        break;
-    case Status::NotFinite: page.sentence = NewtonPages::tr("⚠ The result is too large to be a number here."); break;
-    }
-    return page;
+    const QString sentences[] = { // in the order of Status
+        {},
+        NewtonPages::tr("⚠ The coupler is perpendicular to the slider's line: C_q is singular. The position exists, "
+                        "velocity and acceleration do not."),
+        NewtonPages::tr("⚠ Not converged within %1 iterations: the last one is shown. Allow more iterations or a "
+                        "larger tolerance.")
+            .arg(QLocale().toString(result.solver.newton.maxIterations)),
+        NewtonPages::tr("⚠ It cannot be assembled here: the coupler is too short."),
+        NewtonPages::tr("⚠ The result is too large to be a number here.")};
+    return {sentences[static_cast<std::size_t>(status)], Tone::Bad};
 }
 
 double timeStep(const Sampling &sampling)
@@ -201,7 +183,7 @@ Page equationPage(const Result &result, double time)
     for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
         const auto row = static_cast<Constraint>(i);
         table.rows.push_back({{{.text = constraintName(row)},
-                               {.text = kEquations[static_cast<std::size_t>(i)]},
+                               {.text = kEquations[i].text},
                                numberCell(equations.C[i]),
                                numberCell(equations.Ct[i]),
                                numberCell(equations.Qd[i]),
@@ -234,7 +216,7 @@ Page jacobianPage(const Result &result, double time)
     }
     for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
         const auto row = static_cast<Constraint>(i);
-        const QString equation = kEquations[static_cast<std::size_t>(i)];
+        const QString equation = kEquations[i].text;
         TableRow shown{{{.text = constraintName(row), .explanation = equation}}, {}, partOf(row)};
         for (const double value : equations.Cq.row(i)) {
             TableCell &cell = shown.cells.emplace_back(numberCell(value));

@@ -14,22 +14,24 @@
 namespace slidercrank
 {
 
+/// Changes how the reference file is read, or the model.
+enum class Remedy {
+    None,
+    UseFoundMechanism, ///< use the mechanism that was found as the model
+    Apply,             ///< read the file with the convention
+    ReadAsPrinted,     ///< read the file without the conventions that were applied
+    ChooseColumns,     ///< open the dialog for the meaning of the columns
+    ReadByAngle,       ///< read the first column as the crank angle
+    ReadByTime         ///< read the first column as the time
+};
+
 /// A sentence about the reference file, with at most one remedy.
 struct Finding {
-    enum class Remedy {
-        None,
-        UseFoundMechanism, ///< use the mechanism that was found as the model
-        Apply,         ///< read the file with the convention
-        ReadAsPrinted, ///< read the file without the conventions that were applied
-        ChooseColumns, ///< open the dialog for the meaning of the columns
-        ReadByAngle,   ///< read the first column as the crank angle
-        ReadByTime     ///< read the first column as the time
-    };
+    QString sentence = {};
     Remedy remedy = Remedy::None;
-    Convention convention; ///< for Remedy::Apply
-    QString sentence;
-    QString remedyText;
-    QString details; ///< the changes that the remedy makes, as rich text; may be empty
+    QString remedyText = {};
+    QString details = {};       ///< the changes that the remedy makes, as rich text; may be empty
+    Convention convention = {}; ///< for Remedy::Apply
 
     friend bool operator==(const Finding &, const Finding &) = default;
 };

@@ -117,35 +117,25 @@ bool isAbscissaOpen(const ReferenceData &data)
 Finding abscissaFinding(const ReferenceData &data)
 {
     if (data.crank) {
-        return {Finding::Remedy::ReadByTime,
-                {},
-                ReferencePage::tr("The rows are by crank angle; ω₂ and θ₂₀ give the time."),
-                ReferencePage::tr("First column is the time"),
-                {}};
+        return {ReferencePage::tr("The rows are by crank angle; ω₂ and θ₂₀ give the time."), Remedy::ReadByTime,
+                ReferencePage::tr("First column is the time")};
     }
-    return {Finding::Remedy::ReadByAngle,
-            {},
-            ReferencePage::tr("The rows are by time."),
-            ReferencePage::tr("First column is the crank angle"),
-            {}};
+    return {ReferencePage::tr("The rows are by time."), Remedy::ReadByAngle,
+            ReferencePage::tr("First column is the crank angle")};
 }
 
 Finding mechanismFound(const Result &result, const ReferenceDiagnosis *diagnosis)
 {
     if (!isOfFile(diagnosis, result)) {
-        return {Finding::Remedy::None, {}, ReferencePage::tr("Searching for the mechanism of this file…"), {}, {}};
+        return {ReferencePage::tr("Searching for the mechanism of this file…")};
     }
     const Diagnosis &found = diagnosis->found;
-    Finding finding;
-    finding.sentence = ReferencePage::tr("Mechanism found in this file: %1").arg(summaryOf(found));
+    Finding finding{ReferencePage::tr("Mechanism found in this file: %1").arg(summaryOf(found))};
     if (const QString rounded = roundNumbersText(found); !rounded.isEmpty()) {
         finding.sentence += u'\n' + rounded;
     }
     if (found.identification.hasMechanism() && result.mechanism.parameters() != found.rounded) {
-        const bool isUnique = found.identification.hasOneMechanism();
-        finding.remedy = Finding::Remedy::UseFoundMechanism;
-        finding.remedyText = isUnique ? ReferencePage::tr("Use this mechanism") : ReferencePage::tr("Use the first");
-        finding.details = changesText(result.mechanism.parameters(), found);
+        offerMechanism(finding, result, found);
     }
     return finding;
 }
@@ -154,11 +144,8 @@ Finding mechanismFound(const Result &result, const ReferenceDiagnosis *diagnosis
 
 Page referencePage(const Result &result, const ReferenceDiagnosis *diagnosis)
 {
-    Page page;
     if (!result.reference) {
-        page.sentence = ReferencePage::tr("No file is open.");
-        page.tone = Tone::Muted;
-        return page;
+        return {ReferencePage::tr("No file is open."), Tone::Muted};
     }
     const ReferenceData &data = result.reference->data;
     QString rows = data.time.size() == 1 ? ReferencePage::tr("1 row")
@@ -166,19 +153,17 @@ Page referencePage(const Result &result, const ReferenceDiagnosis *diagnosis)
     if (!data.time.empty()) {
         rows += QStringLiteral(", ") + abscissaText(data);
     }
+    Page page;
     page.sentence = displayName(result.reference->paths);
     page.fileName = ReferencePage::tr("reference", "name of a file");
-    page.findings = {{Finding::Remedy::ChooseColumns,
-                      {},
-                      ReferencePage::tr("%1. %2.").arg(formText(data.layout), rows),
-                      ReferencePage::tr("Choose columns…"),
-                      {}},
-                     mechanismFound(result, diagnosis)};
+    page.findings = {{ReferencePage::tr("%1. %2.").arg(formText(data.layout), rows), Remedy::ChooseColumns,
+                      ReferencePage::tr("Choose columns…")}};
     if (isAbscissaOpen(data)) {
-        page.findings.insert(page.findings.begin() + 1, abscissaFinding(data));
+        page.findings.push_back(abscissaFinding(data));
     }
+    page.findings.push_back(mechanismFound(result, diagnosis));
     for (const Finding &finding : findingsOf(result, diagnosis)) {
-        if (finding.remedy == Finding::Remedy::Apply || finding.remedy == Finding::Remedy::ReadAsPrinted) {
+        if (finding.remedy == Remedy::Apply || finding.remedy == Remedy::ReadAsPrinted) {
             page.findings.push_back(finding);
         }
     }

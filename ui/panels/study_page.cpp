@@ -6,6 +6,7 @@
 #include "ui/text/written_number.h"
 
 #include <QCoreApplication>
+#include <QTransform>
 
 #include <algorithm>
 #include <cmath>
@@ -25,41 +26,38 @@ constexpr int kEveryChannel = 36;
 constexpr int kPlottedChannelsOnly = 6;
 constexpr double kSmallestDrawnError = 1e-17; // errors below this, including 0, are drawn here
 
+enum class Mark { Square, Circle, Diamond };
+
+/// Methods of the same colour have different marks.
 struct MethodText {
     QString name;
     QString explanation;
     Tone tone;
+    Mark mark;
 };
 
 MethodText textFor(MethodName::Kind kind)
 {
     const QString taylor = StudyPage::tr(
         "The same, started from position, velocity and acceleration of the time step before (Taylor series)");
-    switch (kind) {
-    case MethodName::Kind::NewtonDense:
-        return {StudyPage::tr("Newton-Raphson, dense"),
-                StudyPage::tr("As in the reference report: 12 equations solved together (dense LU), started from the "
-                              "time step before"),
-                Tone::Fair};
-    case MethodName::Kind::NewtonDenseTaylor: return {StudyPage::tr("dense, Taylor start"), taylor, Tone::Fair};
-    case MethodName::Kind::NewtonStructured:
-        return {StudyPage::tr("Newton-Raphson, structured"),
-                StudyPage::tr("The same 12 equations, solved joint by joint"), Tone::Model};
-    case MethodName::Kind::NewtonStructuredTaylor:
-        return {StudyPage::tr("structured, Taylor start"), taylor, Tone::Model};
-    case MethodName::Kind::ClosedForm:
-        return {StudyPage::tr("closed form"), StudyPage::tr("The exact formulas, one time step after the other"),
-                Tone::Good};
-    case MethodName::Kind::ClosedFormBatch:
-        return {StudyPage::tr("closed form, batch"),
-                StudyPage::tr("The exact formulas for several time steps at once (vector instructions)"), Tone::Good};
-    case MethodName::Kind::FiniteDifference:
-        return {StudyPage::tr("finite differences"),
-                StudyPage::tr("Velocity and acceleration as central differences of exact positions"), Tone::Bad};
-    case MethodName::Kind::Harmonics:
-        return {StudyPage::tr("Fourier series"), StudyPage::tr("The motion as a Fourier series"), Tone::Bad};
-    }
-    return {};
+    const MethodText texts[] = { // in the order of MethodName::Kind
+        {StudyPage::tr("Newton-Raphson, dense"),
+         StudyPage::tr("As in the reference report: 12 equations solved together (dense LU), started from the "
+                       "time step before"),
+         Tone::Fair, Mark::Square},
+        {StudyPage::tr("dense, Taylor start"), taylor, Tone::Fair, Mark::Diamond},
+        {StudyPage::tr("Newton-Raphson, structured"),
+         StudyPage::tr("The same 12 equations, solved joint by joint"), Tone::Model, Mark::Circle},
+        {StudyPage::tr("structured, Taylor start"), taylor, Tone::Model, Mark::Diamond},
+        {StudyPage::tr("closed form"), StudyPage::tr("The exact formulas, one time step after the other"), Tone::Good,
+         Mark::Square},
+        {StudyPage::tr("closed form, batch"),
+         StudyPage::tr("The exact formulas for several time steps at once (vector instructions)"), Tone::Good,
+         Mark::Diamond},
+        {StudyPage::tr("finite differences"),
+         StudyPage::tr("Velocity and acceleration as central differences of exact positions"), Tone::Bad, Mark::Square},
+        {StudyPage::tr("Fourier series"), StudyPage::tr("The motion as a Fourier series"), Tone::Bad, Mark::Circle}};
+    return texts[static_cast<std::size_t>(kind)];
 }
 
 QString nameOfRow(const MethodResult &row)
@@ -72,14 +70,9 @@ QString nameOfRow(const MethodResult &row)
 
 QString statusText(Status status)
 {
-    switch (status) {
-    case Status::Solved: return StudyPage::tr("solved");
-    case Status::Singular: return StudyPage::tr("singular");
-    case Status::IterationLimit: return StudyPage::tr("not converged");
-    case Status::NotAssemblable: return StudyPage::tr("cannot be assembled");
-    case Status::NotFinite: return StudyPage::tr("not finite");
-    }
-    return {};
+    const QString texts[] = {StudyPage::tr("solved"), StudyPage::tr("singular"), StudyPage::tr("not converged"),
+                             StudyPage::tr("cannot be assembled"), StudyPage::tr("not finite")}; // in the order of Status
+    return texts[static_cast<std::size_t>(status)];
 }
 
 /// "solved", or "190 solved, 11 singular".
@@ -157,23 +150,15 @@ PageTable tableFor(const CaseResult &result, int channels)
     return table;
 }
 
-/// Returns the mark of a method. Methods of the same colour have different marks.
-QPainterPath markOf(MethodName::Kind kind)
+QPainterPath pathOf(Mark mark)
 {
     QPainterPath path;
-    switch (kind) {
-    case MethodName::Kind::NewtonDense:
-    case MethodName::Kind::ClosedForm:
-    case MethodName::Kind::FiniteDifference: path.addRect(-4.0, -4.0, 8.0, 8.0); break;
-    case MethodName::Kind::NewtonStructured:
-    case MethodName::Kind::Harmonics: path.addEllipse(QPointF(), 4.0, 4.0); break;
-    case MethodName::Kind::NewtonDenseTaylor:
-    case MethodName::Kind::NewtonStructuredTaylor:
-    case MethodName::Kind::ClosedFormBatch:
-        path.addPolygon(QPolygonF{{0, -5}, {5, 0}, {0, 5}, {-5, 0}, {0, -5}});
-        break;
+    if (mark == Mark::Circle) {
+        path.addEllipse(QPointF(), 4.0, 4.0);
+    } else {
+        path.addRect(-4.0, -4.0, 8.0, 8.0);
     }
-    return path;
+    return mark == Mark::Diamond ? QTransform().rotate(45.0).map(path) : path;
 }
 
 QColor SeriesColours::*colourOf(Tone tone)
@@ -205,7 +190,7 @@ ChartContent chartOf(const CaseResult &result)
             const MethodText text = textFor(method.method.kind);
             chart.series.push_back({.name = text.name,
                                     .colour = colourOf(text.tone),
-                                    .mark = markOf(method.method.kind),
+                                    .mark = pathOf(text.mark),
                                     .isHollow = method.channels < kEveryChannel});
             kind = kinds.insert(kinds.end(), method.method.kind);
         }

@@ -153,7 +153,7 @@ void TablePanel::fillFindings(const Page &page)
     for (int row = 0; row < static_cast<int>(m_shownFindings.size()); ++row) {
         const Finding &finding = m_shownFindings[static_cast<std::size_t>(row)];
         grid->addWidget(named("findingLabel", plainText(finding.sentence)), row, 0);
-        if (finding.remedy != Finding::Remedy::None) {
+        if (finding.remedy != Remedy::None) {
             auto *button = named("remedyButton", new QPushButton(finding.remedyText),
                                  tr("%1: %2").arg(finding.remedyText, finding.sentence));
             button->setToolTip(finding.details);

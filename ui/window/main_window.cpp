@@ -368,13 +368,13 @@ void MainWindow::chooseColumns(const QStringList &paths)
 void MainWindow::applyRemedy(const Finding &finding)
 {
     switch (finding.remedy) {
-    case Finding::Remedy::None: break;
-    case Finding::Remedy::UseFoundMechanism: m_session->useFoundMechanism(); break;
-    case Finding::Remedy::Apply: m_session->apply(finding.convention); break;
-    case Finding::Remedy::ReadAsPrinted: m_session->readAsPrinted(); break;
-    case Finding::Remedy::ReadByAngle: m_session->readAbscissaAs(ColumnRole::CrankAngle); break;
-    case Finding::Remedy::ReadByTime: m_session->readAbscissaAs(ColumnRole::Time); break;
-    case Finding::Remedy::ChooseColumns: chooseColumns(m_session->reference()->paths); break;
+    case Remedy::None: break;
+    case Remedy::UseFoundMechanism: m_session->useFoundMechanism(); break;
+    case Remedy::Apply: m_session->apply(finding.convention); break;
+    case Remedy::ReadAsPrinted: m_session->readAsPrinted(); break;
+    case Remedy::ReadByAngle: m_session->readAbscissaAs(ColumnRole::CrankAngle); break;
+    case Remedy::ReadByTime: m_session->readAbscissaAs(ColumnRole::Time); break;
+    case Remedy::ChooseColumns: chooseColumns(m_session->reference()->paths); break;
     }
 }
 

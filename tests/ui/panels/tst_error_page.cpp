@@ -79,9 +79,9 @@ std::shared_ptr<Reference> referenceOf(const QByteArray &bytes)
     return reference;
 }
 
-std::vector<Finding::Remedy> remediesOf(const Page &page)
+std::vector<Remedy> remediesOf(const Page &page)
 {
-    std::vector<Finding::Remedy> remedies;
+    std::vector<Remedy> remedies;
     for (const Finding &finding : page.findings) {
         remedies.push_back(finding.remedy);
     }
@@ -171,16 +171,16 @@ private slots:
         QVERIFY(errorPage(result, nullptr).findings.empty()); // there is no diagnosis yet
         ReferenceDiagnosis diagnosis = diagnosisOf(result);
         Page page = errorPage(result, &diagnosis);
-        QCOMPARE(remediesOf(page), std::vector{Finding::Remedy::UseFoundMechanism});
+        QCOMPARE(remediesOf(page), std::vector{Remedy::UseFoundMechanism});
         QVERIFY(page.findings[0].sentence.contains("60") && page.findings[0].sentence.contains("65 mm"));
         QVERIFY(page.findings[0].details.contains("60.00001 ± 0.00003"));
 
         diagnosis.found.conventions = {{kDegrees, 98.0, 1e-3}, {kLate, 30.0, 1e-3}};
         diagnosis.found.identification.outcome = Identification::Outcome::Nearest;
         page = errorPage(result, &diagnosis);
-        QCOMPARE(remediesOf(page), (std::vector{Finding::Remedy::Apply, Finding::Remedy::None}));
+        QCOMPARE(remediesOf(page), (std::vector{Remedy::Apply, Remedy::None}));
         QVERIFY(page.findings[0].convention == kDegrees && page.findings[0].sentence.contains("98.00 → 0.001000 %"));
-        QCOMPARE(findingsOf(result, &diagnosis)[1].remedy, Finding::Remedy::Apply); // offered on the reference page
+        QCOMPARE(findingsOf(result, &diagnosis)[1].remedy, Remedy::Apply); // offered on the reference page
     }
 
     void offersOnlyAnIdentifiedMechanismThatIsBetter()
@@ -203,7 +203,7 @@ private slots:
             diagnosis.found.identified[0].verdict = row.verdictThen;
             diagnosis.found.identified[0].percentOfPeak = row.percentThen;
             const Page page = errorPage(result, &diagnosis);
-            const bool offers = !page.findings.empty() && page.findings[0].remedy == Finding::Remedy::UseFoundMechanism;
+            const bool offers = !page.findings.empty() && page.findings[0].remedy == Remedy::UseFoundMechanism;
             QCOMPARE(offers, row.offered);
         }
     }
@@ -230,7 +230,7 @@ private slots:
         reference->conventions = {kLate};
         const Result result = resultWith({compared(kTheta3, Verdict::Agrees, 0.001, 0.5)}, reference);
         for (const Page &page : {errorPage(result, nullptr), referencePage(result, nullptr)}) {
-            QCOMPARE(page.findings.back().remedy, Finding::Remedy::ReadAsPrinted);
+            QCOMPARE(page.findings.back().remedy, Remedy::ReadAsPrinted);
             QVERIFY(page.findings.back().sentence.contains("time shift"));
         }
     }
@@ -279,7 +279,7 @@ private slots:
                                            "0,5;oops;60,1;x\n1,0;0,429775;;x\n");
         const Page page = referencePage(resultWith({}, reference), nullptr);
         QVERIFY(page.sentence.contains("results.csv"));
-        QCOMPARE(page.findings[0].remedy, Finding::Remedy::ChooseColumns);
+        QCOMPARE(page.findings[0].remedy, Remedy::ChooseColumns);
         for (const char *part : {"UTF-8", "semicolons", "decimal comma", "headings in line 1", "2 rows", "0 … 1 s"}) {
             QVERIFY2(page.findings[0].sentence.contains(QString::fromUtf8(part)),
                      qPrintable(page.findings[0].sentence));
@@ -312,12 +312,12 @@ private slots:
         ReferenceDiagnosis diagnosis = diagnosisOf(result);
         diagnosis.found.conventions = {{kDegrees, 98.0, 1e-3}, {kLate, 30.0, 1e-3}};
         const Page page = referencePage(result, &diagnosis);
-        QCOMPARE(remediesOf(page), (std::vector{Finding::Remedy::ChooseColumns, Finding::Remedy::UseFoundMechanism,
-                                                Finding::Remedy::Apply, Finding::Remedy::Apply}));
+        QCOMPARE(remediesOf(page), (std::vector{Remedy::ChooseColumns, Remedy::UseFoundMechanism,
+                                                Remedy::Apply, Remedy::Apply}));
         QVERIFY(page.findings[1].sentence.contains("60.00001"));
 
         diagnosis.found.rounded = result.mechanism.parameters(); // the model is this mechanism
-        QCOMPARE(referencePage(result, &diagnosis).findings[1].remedy, Finding::Remedy::None);
+        QCOMPARE(referencePage(result, &diagnosis).findings[1].remedy, Remedy::None);
         diagnosis.reference = std::make_shared<Reference>(); // the diagnosis of another file
         QVERIFY(referencePage(result, &diagnosis).findings[1].sentence.startsWith("Searching"));
     }

@@ -189,8 +189,8 @@ private slots:
     void offersTheRemedyOfAFindingAndDisablesItDuringASearch()
     {
         Page page = pageWith({1.0});
-        page.findings = {{Finding::Remedy::None, {}, "Only a sentence.", {}, {}},
-                         {Finding::Remedy::UseFoundMechanism, {}, "It is another mechanism.", "Use it", "details"}};
+        page.findings = {{"Only a sentence."},
+                         {"It is another mechanism.", Remedy::UseFoundMechanism, "Use it", "details"}};
         Shown shown(page);
         auto *button = child<QPushButton>(shown.panel, "remedyButton");
         QCOMPARE(button->toolTip(), QString("details"));
@@ -198,7 +198,7 @@ private slots:
         // The slot replaces the findings while the button is still handling its click.
         connect(&shown.panel, &TablePanel::remedyRequested, &shown.panel, [&shown] { shown.show(pageWith({1.0})); });
         button->click();
-        QCOMPARE(remedies.value(0).value(0).value<Finding>().remedy, Finding::Remedy::UseFoundMechanism);
+        QCOMPARE(remedies.value(0).value(0).value<Finding>().remedy, Remedy::UseFoundMechanism);
         settle();
         QVERIFY(shown.panel.findChildren<QPushButton *>("remedyButton").isEmpty());
 
@@ -255,7 +255,7 @@ private slots:
     void hasNoScrollBarIfAllRowsFit()
     {
         Page page = pageWith({1.0, 2.0, 3.0});
-        page.findings = {{Finding::Remedy::UseFoundMechanism, {}, "It is another mechanism.", "Use it", {}}};
+        page.findings = {{"It is another mechanism.", Remedy::UseFoundMechanism, "Use it"}};
         Shown shown(page);
         settle(shown.panel);
         for (const auto *scroll : shown.panel.findChildren<QScrollBar *>()) {
