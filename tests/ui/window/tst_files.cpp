@@ -18,6 +18,9 @@
 #include <QComboBox>
 #include <QDir>
 #include <QFileDialog>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -44,22 +47,22 @@ private slots:
     {
         const QString rig = path("rig.slidercrank");
         openSample();
-        session().setParameter(Parameter::B, 61.25);
+        setB(61.25);
         session().pinMotion();
         session().setTime(0.3);
-        const PlotSettings settings{.error = ErrorMeasure::Absolute, .abscissa = Abscissa::CrankAngle};
         PlotZoom zoom;
         zoom.time = Interval{0.25, 0.5};
         zoom.values[4] = Interval{-10.0, 20.0};
-        plots()->setSettings(settings);
-        plots()->setZoom(zoom);
-        const MechanismSettings drawing{true, false, true, false, true, true, true};
-        const QRectF frame(-15.0, -10.0, 60.0, 40.0); // mm
-        mechanism()->setSettings(drawing);
-        mechanism()->setZoom(frame);
+        view<PlotGrid>()->setSettings({.error = ErrorMeasure::Absolute, .abscissa = Abscissa::CrankAngle});
+        view<PlotGrid>()->setZoom(zoom);
+        view<MechanismView>()->setSettings({true, false, true, false, true, true, true});
+        view<MechanismView>()->setZoom(QRectF(-15.0, -10.0, 60.0, 40.0)); // mm
         QVERIFY(m_window->isWindowModified());
         QVERIFY(m_window->scene().saveTo(rig));
         QVERIFY(!m_window->isWindowModified() && m_window->windowTitle().startsWith("rig.slidercrank[*]"));
+        const QJsonObject saved = QJsonDocument::fromJson(contentOf(rig)).object();
+        QCOMPARE(saved["kept"].toArray().size(), 1);
+        QCOMPARE(saved["view"]["time"].toDouble(), 0.3);
         const Trajectory before = session().result()->trajectory;
         settle(*m_window);
         const QImage shown = picture("plot_R4_x_diff");
@@ -67,12 +70,7 @@ private slots:
         openWindow();
         drop({rig});
         AWAIT(session().reference());
-        QCOMPARE(session().parameters().b, 61.25);
-        QCOMPARE(session().pinned().size(), std::size_t(1));
-        QCOMPARE(session().time(), 0.3);
-        QVERIFY(plots()->settings() == settings && plots()->zoom() == zoom);
-        QVERIFY(mechanism()->settings() == drawing && mechanism()->zoom() == frame);
-        QCOMPARE(session().reference()->name, QStringLiteral("inventor_sample.csv"));
+        QCOMPARE(sceneToJson(m_window->scene().scene(), rig), contentOf(rig));
         for (const Channel channel : kPlottedChannels) {
             QVERIFY(session().result()->trajectory[channel] == before[channel]);
         }
@@ -88,7 +86,7 @@ private slots:
         session().undoStack().setClean();
         session().setTime(0.5); // changing the time is not an edit
         QVERIFY(!m_window->isWindowModified());
-        session().setParameter(Parameter::B, 70.0);
+        setB(70.0);
         QVERIFY(m_window->isWindowModified());
         session().undoStack().undo();
         QVERIFY(!m_window->isWindowModified());
@@ -112,7 +110,7 @@ private slots:
                                Row{QMessageBox::Save, true, 70.0}}) {
             openWindow();
             QVERIFY(m_window->scene().saveTo(path("rig.json")));
-            session().setParameter(Parameter::B, 70.0);
+            setB(70.0);
             m_window->close();
             QVERIFY(m_window->isVisible() && question("unsavedQuestion")->text().contains("rig.json"));
             question("unsavedQuestion")->button(row.answer)->click();
@@ -157,30 +155,30 @@ private slots:
     void savesANumberThatIsStillBeingTyped()
     {
         QVERIFY(m_window->scene().saveTo(path("rig.json")));
-        auto *box = part<QAbstractSpinBox>("box_b");
-        for (const char *typed : {"70", "71"}) {
+        for (const bool isClosed : {false, true}) {
+            auto *box = part<QAbstractSpinBox>("box_b");
             box->setFocus();
             box->selectAll();
-            QTest::keyClicks(box, typed);
-            if (typed == QByteArray("70")) {
-                m_window->scene().save();
-            } else {
+            QTest::keyClicks(box, isClosed ? "71" : "70");
+            if (isClosed) {
                 m_window->close();
                 question("unsavedQuestion")->button(QMessageBox::Save)->click();
-                QVERIFY(!m_window->isVisible());
+            } else {
+                m_window->scene().save();
             }
-            QCOMPARE(savedIn("rig.json").b, QByteArray(typed).toDouble());
+            QCOMPARE(m_window->isVisible(), !isClosed);
+            QCOMPARE(savedIn("rig.json").b, isClosed ? 71.0 : 70.0);
         }
     }
 
     void reportsFilesThatCannotBeOpenedOrSaved()
     {
-        session().setParameter(Parameter::B, 70.0);
+        setB(70.0);
         drop({writeFile(*m_folder, "rig.json", "{\"version\": 99}")});
-        QVERIFY(messages()->text().contains("rig.json") && !question("unsavedQuestion"));
+        QVERIFY(said().contains("rig.json") && !question("unsavedQuestion"));
         QVERIFY(session().undoStack().canUndo());
         QVERIFY(!m_window->scene().saveTo("/no/such/folder/other.json"));
-        QVERIFY(messages()->text().contains("other.json") && m_window->isWindowModified());
+        QVERIFY(said().contains("other.json") && m_window->isWindowModified());
         QCOMPARE(m_window->scene().path(), QString());
     }
 
@@ -191,7 +189,7 @@ private slots:
         scene.reference = ReferenceSource{{path("gone.csv")}, {}, {}};
         QCOMPARE(writeScene(scene, path("rig.json")), std::nullopt);
         m_window->openFiles({path("rig.json")});
-        AWAIT(messages()->text().contains("gone.csv"));
+        AWAIT(said().contains("gone.csv"));
         QCOMPARE(session().parameters().b, 70.0);
         m_window->scene().save();
         const Scene again = std::get<Scene>(readScene(path("rig.json")));
@@ -204,29 +202,29 @@ private slots:
 
     void explainsWhatIsShownAfterACancel()
     {
-        const auto cancel = [this] { emit m_window->findChild<StatusBar *>()->cancelled(); };
+        const auto cancel = [this] { emit view<StatusBar>()->cancelled(); };
         Scene scene;
         scene.solver.method = Method::Newton;
         scene.sampling.steps = 1'000'000; // takes seconds
         QCOMPARE(writeScene(scene, path("long.json")), std::nullopt);
         m_window->scene().open(path("long.json"));
         cancel();
-        QVERIFY2(messages()->text().contains("Undo computes"), qPrintable(messages()->text()));
+        QVERIFY2(said().contains("Undo computes"), qPrintable(said()));
         session().setParameter(Parameter::A, 21.0);
-        QVERIFY(messages()->text().isEmpty());
+        QVERIFY(said().isEmpty());
         session().setSolver(scene.solver);
         session().setSampling(scene.sampling);
         cancel();
-        QVERIFY2(messages()->text().contains("previous result"), qPrintable(messages()->text()));
+        QVERIFY2(said().contains("previous result"), qPrintable(said()));
         session().setParameter(Parameter::A, 22.0);
-        QVERIFY(messages()->text().isEmpty());
+        QVERIFY(said().isEmpty());
     }
 
     void theWindowStaysOpenWhileAFileIsWritten()
     {
         m_window->exports().writeData(path("motion.csv"), allChannels());
         m_window->close();
-        QVERIFY(m_window->isVisible() && messages()->text().contains("still being written"));
+        QVERIFY(m_window->isVisible() && said().contains("still being written"));
         AWAIT(!m_window->exports().isWriting());
         QVERIFY(QFile::exists(path("motion.csv")));
         m_window->close();
@@ -235,15 +233,11 @@ private slots:
 
     void completesAName()
     {
-        struct Row {
-            const char *name;
-            const char *completed;
-        };
         const QStringList filters{"Images (*.png)", "Drawings (*.svg)"};
-        for (const Row &row : {Row{"fig", "fig.svg"}, Row{"fig.svg", "fig.svg"}, Row{"fig.png", "fig.png"},
-                               Row{"FIG.SVG", "FIG.SVG"}, Row{"fig.", "fig.svg"}, Row{"fig.final", "fig.final.svg"},
-                               Row{"b = 67.5", "b = 67.5.svg"}, Row{"fig.jpg", "fig.jpg.svg"}}) {
-            QCOMPARE(completedName(row.name, filters[1], filters), QString(row.completed));
+        for (const auto &[name, completed] :
+             {std::pair{"fig", "fig.svg"}, {"fig.svg", "fig.svg"}, {"fig.png", "fig.png"}, {"FIG.SVG", "FIG.SVG"},
+              {"fig.", "fig.svg"}, {"fig.final", "fig.final.svg"}, {"b = 67.5", "b = 67.5.svg"}}) {
+            QCOMPARE(completedName(name, filters[1], filters), QString(completed));
         }
         QCOMPARE(completedName("fig", "Folder (*)", filters), QString("fig"));
     }
@@ -263,7 +257,7 @@ private slots:
               Row{"Animation…", 0, "motion/frame_0001.png", "\x89PNG\r"},
               Row{"Save scene as…", 0, "new.slidercrank", "{\n   "}, Row{"Save scene as…", 1, "new.json", "{\n   "}}) {
             action(QString::fromUtf8(row.action))->trigger();
-            if (auto *form = m_window->findChild<AnimationForm *>()) {
+            if (auto *form = view<AnimationForm>()) {
                 form->accept();
                 settle();
             }
@@ -281,7 +275,7 @@ private slots:
     void theAnimationHasTheSettingsOfItsForm()
     {
         action(QStringLiteral("Animation…"))->trigger();
-        auto *form = m_window->findChild<AnimationForm *>();
+        auto *form = view<AnimationForm>();
         const auto *outcome = child<QLabel>(*form, "outcomeLabel");
         QVERIFY(outcome->text().startsWith("30 frames: 1 s"));
         child<QSpinBox>(*form, "rateBox")->setValue(8);
@@ -313,7 +307,7 @@ private slots:
 
     void asksForANameAndBeforeReplacingAFile()
     {
-        session().setParameter(Parameter::B, 70.0);
+        setB(70.0);
         const QString older = writeFile(*m_folder, "θ₂ ñ 曲柄.slidercrank", "older");
         press(Qt::Key_S, Qt::ControlModifier);
         answerWith(QMessageBox::No);
@@ -334,8 +328,6 @@ private slots:
 
 private:
     QString path(const QString &name) const { return m_folder->filePath(name); }
-    PlotGrid *plots() const { return m_window->findChild<PlotGrid *>(); }
-    MechanismView *mechanism() const { return m_window->findChild<MechanismView *>(); }
     Parameters savedIn(const QString &name) const { return std::get<Scene>(readScene(path(name))).parameters; }
 
     QString sceneWithReference() const

@@ -7,7 +7,6 @@
 
 #include "ui/document/session.h"
 #include "ui/window/main_window.h"
-#include "ui/window/scene_file.h"
 #include "ui/window/status_bar.h"
 
 #include "tests/support/long_tests.h"
@@ -62,8 +61,8 @@ constexpr int kKeys[] = {
     Qt::Key_PageDown, Qt::Key_A,       Qt::Key_B,      Qt::Key_0,      Qt::Key_7,      Qt::Key_Z,    Qt::Key_Y,
     Qt::Key_F9,       Qt::Key_Menu,    Qt::Key_Delete, Qt::Key_F11,    Qt::Key_K,      Qt::Key_R};
 
-constexpr Qt::KeyboardModifiers kModifiers[] = {Qt::NoModifier,    Qt::NoModifier,      Qt::NoModifier, Qt::NoModifier,
-                                                Qt::ShiftModifier, Qt::ControlModifier, Qt::AltModifier};
+constexpr Qt::KeyboardModifiers kModifiers[] = {Qt::NoModifier, Qt::NoModifier, Qt::NoModifier, Qt::ShiftModifier,
+                                                Qt::ControlModifier, Qt::AltModifier};
 
 class Monkey
 {
@@ -97,15 +96,13 @@ public:
         };
         static constexpr Action kActions[] = {{"a slider", 20, &Monkey::moveSlider},
                                               {"text", 12, &Monkey::type},
-                                              {"a drag", 20, &Monkey::drag},
-                                              {"a click", 14, &Monkey::click},
+                                              {"the mouse", 34, &Monkey::useMouse},
                                               {"the wheel", 8, &Monkey::turnWheel},
                                               {"a key", 16, &Monkey::press},
                                               {"a tab", 4, &Monkey::switchTab},
                                               {"a menu", 8, &Monkey::trigger},
                                               {"a context menu", 2, &Monkey::askContextMenu},
-                                              {"a drop", 2, &Monkey::drop},
-                                              {"a file", 3, &Monkey::open},
+                                              {"a file", 5, &Monkey::drop},
                                               {"cancel", 3, &Monkey::cancel},
                                               {"the size", 4, &Monkey::resize},
                                               {"a moment", 3, &Monkey::wait}};
@@ -131,37 +128,34 @@ private:
 
     void writeFiles()
     {
-        const auto write = [this](const QString &name, const QByteArray &bytes) {
-            QFile file(path(name));
-            if (file.open(QIODevice::WriteOnly)) {
-                file.write(bytes);
-                m_files << file.fileName();
-            }
-        };
         QByteArray noise;
         for (int i = 0; i < 4000; ++i) {
             noise += static_cast<char>(below(256));
         }
-        write(QStringLiteral("noise.csv"), noise);
-        write(QStringLiteral("empty.csv"), {});
-        write(QStringLiteral("short.csv"), "time,theta3,R4_x\n0,22.6,80\n0.5,10,40\n1,22.6,80\n");
-        write(QStringLiteral("unclear.csv"),
-              "Time (s),Linear Displacement1 (mm),velocidad\n0,1,2\n1,2,3\n2,1,0\n3,5,1\n");
-        write(QStringLiteral("none.json"), "{\"version\": 1, \"parameters\": {\"a\": -1}}");
-        write(QStringLiteral("broken.json"), "{\"ver");
         QByteArray large = "time,theta3,R4_x\n";
         for (int i = 0; i < 100'000; ++i) {
             large += QByteArray::number(i * 1e-5, 'f', 5) + ',' + QByteArray::number(below(40)) + ",80.5\n";
         }
-        write(QStringLiteral("large.csv"), large);
-        write(QStringLiteral("half written.csv"), large);
+        QFile sample(QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv"));
+        QVERIFY(sample.open(QIODevice::ReadOnly));
+        const std::pair<const char *, QByteArray> files[] = {
+            {"noise.csv", noise},
+            {"empty.csv", {}},
+            {"unclear.csv", "Time (s),Linear Displacement1 (mm),velocidad\n0,1,2\n1,2,3\n2,1,0\n3,5,1\n"},
+            {"none.json", "{\"version\": 1, \"parameters\": {\"a\": -1}}"},
+            {"broken.json", "{\"ver"},
+            {"large.csv", large},
+            {"half written.csv", large},
+            {"sample.csv", sample.readAll()}}; // a copy, because exported files are proposed in its folder
+        for (const auto &[name, bytes] : files) {
+            QFile file(path(QLatin1String(name)));
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write(bytes);
+            m_files << file.fileName();
+        }
         QFile::resize(path(QStringLiteral("half written.csv")),
                       qint64{1} << 32); // a sparse file, which takes no space on most disks
-        // A copy of the sample, because exported files are proposed in the folder of the reference.
-        QFile::copy(QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv"),
-                    path(QStringLiteral("sample.csv")));
-        m_files << path(QStringLiteral("sample.csv")) << path(QStringLiteral("not there.csv"))
-                << path(QStringLiteral("saved.json")) << m_folder;
+        m_files << path(QStringLiteral("not there.csv")) << path(QStringLiteral("saved.json")) << m_folder;
     }
 
     /// Returns a random visible and enabled widget of the window or of the modal dialog, or null if there is none.
@@ -175,13 +169,6 @@ private:
     }
 
     QPoint within(const QWidget &widget) { return {below(widget.width()), below(widget.height())}; }
-
-    void mouse(QEvent::Type type, QWidget &widget, QPoint at, Qt::MouseButton button, Qt::MouseButtons buttons,
-               Qt::KeyboardModifiers modifiers)
-    {
-        QMouseEvent event(type, at, widget.mapToGlobal(at), button, buttons, modifiers);
-        QCoreApplication::sendEvent(&widget, &event);
-    }
 
     void moveSlider()
     {
@@ -209,41 +196,30 @@ private:
         }
     }
 
-    void drag()
+    /// Clicks, double-clicks or drags.
+    void useMouse()
     {
         const QPointer<QWidget> widget = randomWidget<QWidget>();
         const Qt::KeyboardModifiers modifiers = randomElement(kModifiers);
         const Qt::MouseButton button = below(5) == 0 ? Qt::MiddleButton : Qt::LeftButton;
-        if (!widget) {
-            return;
-        }
-        mouse(QEvent::MouseButtonPress, *widget, within(*widget), button, button, modifiers);
-        for (int i = below(6); i >= 0 && widget; --i) {
-            mouse(QEvent::MouseMove, *widget, within(*widget) * 2 - QPoint(20, 20), Qt::NoButton, button, modifiers);
+        QPoint at = widget ? within(*widget) : QPoint();
+        const auto send = [&](QEvent::Type type, Qt::MouseButtons buttons) {
+            if (widget) {
+                QMouseEvent event(type, at, widget->mapToGlobal(at),
+                                  type == QEvent::MouseMove ? Qt::NoButton : button, buttons, modifiers);
+                QCoreApplication::sendEvent(widget, &event);
+            }
+        };
+        send(QEvent::MouseMove, Qt::NoButton);
+        send(below(9) == 0 ? QEvent::MouseButtonDblClick : QEvent::MouseButtonPress, button);
+        for (int i = below(2) * below(7); i > 0 && widget; --i) {
+            at = within(*widget) * 2 - QPoint(20, 20);
+            send(QEvent::MouseMove, button);
             if (below(3) == 0) {
                 QCoreApplication::processEvents();
             }
         }
-        if (widget) {
-            mouse(QEvent::MouseButtonRelease, *widget, within(*widget), button, Qt::NoButton, modifiers);
-        }
-    }
-
-    void click()
-    {
-        const QPointer<QWidget> widget = randomWidget<QWidget>();
-        const QPoint at = widget ? within(*widget) : QPoint();
-        const Qt::KeyboardModifiers modifiers = randomElement(kModifiers);
-        const bool isDouble = below(7) == 0;
-        for (const auto &[type, buttons] :
-             {std::pair{QEvent::MouseMove, Qt::NoButton},
-              {isDouble ? QEvent::MouseButtonDblClick : QEvent::MouseButtonPress, Qt::LeftButton},
-              {QEvent::MouseButtonRelease, Qt::NoButton}}) {
-            if (widget) {
-                const bool isMove = type == QEvent::MouseMove;
-                mouse(type, *widget, at, isMove ? Qt::NoButton : Qt::LeftButton, buttons, modifiers);
-            }
-        }
+        send(QEvent::MouseButtonRelease, Qt::NoButton);
     }
 
     void turnWheel()
@@ -276,26 +252,14 @@ private:
 
     void trigger()
     {
-        QList<QAction *> all;
-        for (const QAction *title : m_window->menuBar()->actions()) {
-            collect(title->menu(), all);
+        QList<QAction *> actions;
+        for (const QMenu *menu : m_window->menuBar()->findChildren<QMenu *>()) {
+            actions += menu->actions();
         }
-        if (!all.isEmpty()) {
-            QAction *action = all[below(static_cast<int>(all.size()))];
-            m_lastAction += QStringLiteral(" \"%1\"").arg(action->text());
-            action->trigger();
-        }
-    }
-
-    static void collect(const QMenu *menu, QList<QAction *> &all)
-    {
-        for (QAction *action : menu ? menu->actions() : QList<QAction *>()) {
-            if (action->menu()) {
-                collect(action->menu(), all);
-            } else if (action->isEnabled() && !action->isSeparator() && action->menuRole() != QAction::QuitRole) {
-                all << action;
-            }
-        }
+        erase_if(actions, [](const QAction *action) { return action->menu() || !action->isEnabled(); });
+        QAction *action = actions[below(static_cast<int>(actions.size()))];
+        m_lastAction += QStringLiteral(" \"%1\"").arg(action->text());
+        action->trigger();
     }
 
     void askContextMenu()
@@ -307,41 +271,16 @@ private:
         }
     }
 
-    QString oneFile()
-    {
-        const QString file = m_files[below(static_cast<int>(m_files.size()))];
-        m_lastAction += QLatin1Char(' ') + file;
-        return file;
-    }
-
-    void open()
-    {
-        if (below(3) == 0) {
-            m_window->scene().open(oneFile());
-        } else {
-            m_window->openReference(oneFile());
-        }
-    }
-
-    void cancel()
-    {
-        for (StatusBar *bar : m_window->findChildren<StatusBar *>()) {
-            emit bar->cancelled();
-        }
-    }
+    void cancel() { emit m_window->findChild<StatusBar *>()->cancelled(); }
 
     void drop()
     {
         QMimeData data;
-        const QString file = oneFile();
+        const QString file = m_files[below(static_cast<int>(m_files.size()))];
+        m_lastAction += QLatin1Char(' ') + file;
         data.setUrls({QUrl::fromLocalFile(file)});
-        const QPointF middle = m_window->rect().center();
-        QDragEnterEvent enter(middle.toPoint(), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-        QCoreApplication::sendEvent(m_window.get(), &enter);
-        if (enter.isAccepted()) {
-            QDropEvent event(middle, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-            QCoreApplication::sendEvent(m_window.get(), &event);
-        }
+        QDropEvent event(m_window->rect().center(), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(m_window.get(), &event);
     }
 
     /// Resizes the window, and sometimes moves it to another screen or partly beyond an edge.
@@ -376,18 +315,13 @@ private:
         }
         QWidget *modal = QApplication::activeModalWidget();
         if (auto *files = qobject_cast<QFileDialog *>(modal)) {
-            if (below(2) == 0) {
-                files->reject();
-            } else if (files->acceptMode() == QFileDialog::AcceptSave) {
-                static constexpr const char *kNames[] = {"saved.json",   "x.png",     "x.svg",
-                                                         "x.pdf",        "x.csv",     "x.gif",
-                                                         "frames/x.png", "x.unknown", "no/such/folder.png"};
-                files->selectFile(path(QLatin1String(randomElement(kNames))));
-                static_cast<QDialog *>(files)->accept();
-            } else {
-                files->selectFile(m_files[below(static_cast<int>(m_files.size()))]);
-                static_cast<QDialog *>(files)->accept();
-            }
+            static constexpr const char *kNames[] = {"saved.json", "x.png", "x.svg", "x.pdf", "x.csv", "x.gif",
+                                                     "frames/x.png", "x.unknown", "no/such/folder.png"};
+            const bool isSaved = files->acceptMode() == QFileDialog::AcceptSave;
+            files->selectFile(isSaved ? path(QLatin1String(randomElement(kNames)))
+                                      : m_files[below(static_cast<int>(m_files.size()))]);
+            QDialog &dialog = *files; // declares these functions as public
+            below(2) == 0 ? dialog.reject() : dialog.accept();
         } else if (auto *box = qobject_cast<QMessageBox *>(modal)) {
             const QList<QAbstractButton *> buttons = box->buttons();
             buttons[below(static_cast<int>(buttons.size()))]->click();

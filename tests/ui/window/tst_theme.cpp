@@ -89,29 +89,18 @@ private slots:
         constexpr double kInOneFigure = 20.0;
         for (const Theme theme : {Theme::Light, Theme::Dark}) {
             const SeriesColours colours = seriesColours(paletteFor(theme));
+            // Two curves that follow each other have the same axes.
             const std::array<QColor, 4> curves{colours.model, colours.reference, colours.error, colours.errorOther};
             for (const Matrix &vision : {kNormal, kProtanopia, kDeuteranopia}) {
-                QVERIFY(distance(colours.model, colours.reference, vision) > kInTheSameAxes);
-                QVERIFY(distance(colours.error, colours.errorOther, vision) > kInTheSameAxes);
                 for (std::size_t i = 0; i < curves.size(); ++i) {
                     for (std::size_t j = 0; j < i; ++j) {
                         const double apart = distance(curves[i], curves[j], vision);
-                        QVERIFY2(apart > kInOneFigure, qPrintable(QString("%1 %2: %3").arg(i).arg(j).arg(apart)));
+                        QVERIFY2(apart > (i / 2 == j / 2 ? kInTheSameAxes : kInOneFigure),
+                                 qPrintable(QString("%1 %2: %3").arg(i).arg(j).arg(apart)));
                     }
                 }
             }
         }
-    }
-
-    void redAndGreenAreSimilarWithDeuteranopia()
-    {
-        // Checks the simulation: it brings only those colours together that are known to be confused.
-        const QColor red(0xb0, 0x50, 0x00);
-        const QColor green(0x60, 0x80, 0x00);
-        QVERIFY(distance(red, green, kNormal) > 45.0);
-        QVERIFY(distance(red, green, kDeuteranopia) < 15.0);
-        QVERIFY(distance(Qt::blue, Qt::yellow, kDeuteranopia) > 100.0);
-        QVERIFY(std::abs(contrast(Qt::black, Qt::white) - 21.0) < 1e-3);
     }
 
     void curvesAndTextsHaveEnoughContrast()

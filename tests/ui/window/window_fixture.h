@@ -82,12 +82,28 @@ protected:
     }
 
     Session &session() const { return m_window->session(); }
-    MessageBar *messages() const { return m_window->findChild<MessageBar *>(); }
+    void setB(double b) const { session().setParameter(Parameter::B, b); }
+
+    /// Returns the only view of this class.
+    template <typename View>
+    View *view() const
+    {
+        return m_window->findChild<View *>();
+    }
+
+    MessageBar *messages() const { return view<MessageBar>(); }
+    QString said() const { return messages()->text(); }
 
     template <typename Widget = QWidget>
     Widget *part(const QString &name) const
     {
         return child<Widget>(*m_window, name);
+    }
+
+    void click(const QString &button) const
+    {
+        QTest::mouseClick(part<QAbstractButton>(button), Qt::LeftButton);
+        settle();
     }
 
     QAction *action(const QString &text) const
