@@ -109,6 +109,8 @@ struct ColumnChoice {
     ColumnRole role = ColumnRole::Ignored;
     Channel channel;  ///< if the role is Channel
     std::string unit; ///< as in a heading ("rad/s", "m", "ms"); empty: that of the file, or else the default unit
+
+    friend bool operator==(const ColumnChoice &, const ColumnChoice &) = default;
 };
 
 /// The same for a column that is identified by its heading.

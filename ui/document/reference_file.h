@@ -48,6 +48,8 @@ struct ReferenceSource {
     QStringList paths; ///< absolute, or in the program's resources; "-" is standard input
     std::vector<ColumnChoice> columns;
     std::vector<Convention> conventions;
+
+    friend bool operator==(const ReferenceSource &, const ReferenceSource &) = default;
 };
 
 ReferenceSource toSource(const Reference &reference);

@@ -52,6 +52,8 @@ struct Scene {
     PlotZoom zoom;
     MechanismSettings mechanism;
     std::optional<QRectF> mechanismFrame; ///< visible part of the drawing, mm; nullopt: the whole motion
+
+    friend bool operator==(const Scene &, const Scene &) = default;
 };
 
 /// Returns the scene as JSON text for a file at `path`, which the path of the reference is relative to.

@@ -2,13 +2,13 @@
 
 // Scenes are read back to the last bit. Other files are refused with the place of the fault.
 
+#include "tests/support/files.h"
 #include "tests/support/random_mechanisms.h"
 #include "tests/support/suite.h"
 #include "tests/support/waiting.h"
 #include "ui/document/scene.h"
 #include "ui/document/session.h"
 
-#include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -21,14 +21,7 @@ using namespace slidercrank;
 namespace
 {
 
-const QString kSample = QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv"); // b = 60 mm
 const QString kPath = QStringLiteral("/data/scene.json");
-
-QByteArray readFile(const QString &path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
 
 template <typename Value>
 Value pick(RandomMechanisms &random, std::initializer_list<Value> values)
@@ -134,21 +127,8 @@ private slots:
             const Scene scene = randomScene(random, folder.path());
             QCOMPARE(writeScene(scene, path), std::nullopt);
             const Scene back = std::get<Scene>(readScene(path));
-            QVERIFY2(back.parameters == scene.parameters, readFile(path).constData()); // to the last bit
-            QVERIFY(back.sampling == scene.sampling && back.solver == scene.solver && back.pinned == scene.pinned);
-            QVERIFY(back.time == scene.time && back.plots == scene.plots && back.zoom == scene.zoom);
-            QVERIFY(back.mechanism == scene.mechanism && back.mechanismFrame == scene.mechanismFrame);
-            QCOMPARE(back.reference.has_value(), scene.reference.has_value());
-            if (scene.reference) {
-                QCOMPARE(back.reference->paths, scene.reference->paths);
-                QVERIFY(back.reference->conventions == scene.reference->conventions);
-                QVERIFY(std::ranges::equal(back.reference->columns, scene.reference->columns,
-                                           [](const ColumnChoice &x, const ColumnChoice &y) {
-                                               return x.column == y.column && x.role == y.role &&
-                                                      x.channel == y.channel && x.unit == y.unit;
-                                           }));
-            }
-            QCOMPARE(sceneToJson(back, path), readFile(path));
+            QVERIFY2(back == scene, contentOf(path).constData()); // to the last bit
+            QCOMPARE(sceneToJson(back, path), contentOf(path));
         }
     }
 
@@ -181,12 +161,8 @@ private slots:
         const ReferenceData &is = after.reference()->data;
         QCOMPARE(is.time, was.time);
         QCOMPARE(is.time.front(), 0.125);
-        QCOMPARE(is.series.size(), was.series.size());
-        for (std::size_t i = 0; i < was.series.size(); ++i) {
-            QCOMPARE(is.series[i].values, was.series[i].values);
-        }
+        QVERIFY(std::ranges::equal(is.series, was.series, {}, &ReferenceSeries::values, &ReferenceSeries::values));
         QVERIFY(is.find(slider)->values.front() > 500.0); // the column is taken as cm
-        QVERIFY(after.result()->trajectory[slider] == before.result()->trajectory[slider]);
         after.readAsPrinted();
         QCOMPARE(after.reference()->data.time.front(), 0.0);
     }
@@ -194,11 +170,8 @@ private slots:
     void opensWithoutAMissingReference()
     {
         Session session;
-        session.loadReference(kSample);
         QSignalSpy refused(&session, &Session::referenceRefused);
-        Choices choices;
-        choices.parameters.b = 70.0;
-        session.open(choices, 0.5, ReferenceSource{{QStringLiteral("/nowhere/results.csv")}, {}, {}});
+        session.open({.parameters = {.b = 70.0}}, 0.5, ReferenceSource{{QStringLiteral("/nowhere/results.csv")}, {}, {}});
         QVERIFY(refused.wait(kPatience));
         QVERIFY(refused.first()[1].toString().contains(QLatin1String("results.csv")));
         QCOMPARE(session.parameters().b, 70.0);
@@ -219,7 +192,7 @@ private slots:
         const QStringList names = folder.entryList(QDir::Files);
         QVERIFY(names.size() >= 3);
         for (const QString &name : names) {
-            const auto outcome = parseScene(readFile(folder.filePath(name)), folder.filePath(name));
+            const auto outcome = parseScene(contentOf(folder.filePath(name)), folder.filePath(name));
             QVERIFY2(std::holds_alternative<Scene>(outcome), qPrintable(name));
             const Scene &scene = std::get<Scene>(outcome);
             QVERIFY(std::abs(scene.parameters.b - 60.0) < 1e-6); // the first version did not round b
@@ -250,21 +223,18 @@ private slots:
 
     void refusesOtherFiles()
     {
-        const auto refused = [](const QByteArray &json, const QStringList &parts) {
+        const auto refused = [](const QByteArray &json, const QString &part) {
             const auto outcome = parseScene(json, kPath);
             const QString *sentence = std::get_if<QString>(&outcome);
             QVERIFY2(sentence, json.constData());
-            QVERIFY2(sentence->contains(QLatin1String("scene.json")) && sentence->endsWith(u'.') &&
-                         !sentence->contains(u'\n'),
+            QVERIFY2(sentence->contains("scene.json") && sentence->endsWith(u'.') && !sentence->contains(u'\n'),
                      qPrintable(*sentence));
-            for (const QString &part : parts) {
-                QVERIFY2(sentence->contains(part), qPrintable(part + u'|' + *sentence));
-            }
+            QVERIFY2(sentence->contains(part), qPrintable(part + u'|' + *sentence));
         };
         struct Row {
             const char *place;
             QJsonValue value;
-            const char *part;
+            const char *inner = ""; ///< the place of the fault within the value
         };
         const QJsonObject mechanism = toObject(Scene()).value(u"mechanism").toObject();
         QJsonObject impossible = mechanism;
@@ -276,71 +246,69 @@ private slots:
             return QJsonArray{QJsonObject{{"kind", kind}, {"channels", channels}, {"amount", amount}}};
         };
         const Row rows[] = {
-            {"kept", QJsonArray{mechanism, impossible}, "\"kept[1].b\""},
-            {"kept", QJsonArray{65.0}, "\"kept[0]\""},
-            {"kept", mechanism, "\"kept\""},
-            {"kept", QJsonArray{mechanism, mechanism, mechanism, mechanism, mechanism}, "\"kept\""},
-            {"version", 2, "newer"},
-            {"version", 1e300, "newer"},
-            {"version", "1", "not a scene"},
-            {"version", 0, "\"version\""},
-            {"mechanism.a", 0, "\"mechanism.a\""},
-            {"mechanism.b", -1e-9, "\"mechanism.b\""},
-            {"mechanism.b", 2e12, "\"mechanism.b\""},
-            {"mechanism.b", "65", "\"mechanism.b\""},
-            {"mechanism.c", std::numeric_limits<double>::infinity(), "\"mechanism.c\""},
-            {"mechanism.omega2", -2e12, "\"mechanism.omega2\""},
-            {"mechanism.branch", "left", "\"mechanism.branch\""},
-            {"mechanism", "x", "\"mechanism\""},
-            {"sampling.duration", 0, "\"sampling.duration\""},
-            {"sampling.steps", 1.5, "\"sampling.steps\""},
-            {"sampling.steps", 0, "\"sampling.steps\""},
-            {"sampling.steps", 1e9, "\"sampling.steps\""},
-            {"solver.maxIterations", 0, "\"solver.maxIterations\""},
-            {"solver.tolerance", -1, "\"solver.tolerance\""},
-            {"reference", "x", "\"reference\""},
-            {"reference.file", QString(), "\"reference.file\""},
-            {"reference.columns", "x", "\"reference.columns\""},
-            {"reference.columns", QJsonArray{1}, "\"reference.columns[0]\""},
-            {"reference.columns", column(0, "time"), "\"reference.columns[0].column\""},
-            {"reference.columns", column(1, "theta7"), "\"reference.columns[0].use\""},
-            {"reference.conventions", convention("upside-down", {}, 1.0), "\"reference.conventions[0].kind\""},
-            {"reference.conventions", convention("swapped-columns", {"theta3"}, 1.0),
-             "\"reference.conventions[0].channels\""},
-            {"reference.conventions", convention("sign", {"x"}, -1.0), "\"reference.conventions[0].channels\""},
-            {"reference.conventions", convention("time-unit", {}, 0.0), "\"reference.conventions[0].amount\""},
-            {"view.error", "miles", "\"view.error\""},
-            {"view.roundingBand", 1, "\"view.roundingBand\""},
-            {"view.time", "now", "\"view.time\""},
-            {"view.zoom.time", QJsonArray{2, 1}, "\"view.zoom.time\""},
-            {"view.zoom.time", QJsonArray{"1", 2}, "\"view.zoom.time\""},
-            {"view.zoom.plot_theta3", QJsonArray{2}, "\"view.zoom.plot_theta3\""},
-            {"view.mechanism.frame", QJsonArray{0, 40, 60, -20}, "\"view.mechanism.frame\""},
+            {"kept", QJsonArray{mechanism, impossible}, "[1].b"},
+            {"kept", QJsonArray{65.0}, "[0]"},
+            {"kept", mechanism},
+            {"kept", QJsonArray{mechanism, mechanism, mechanism, mechanism, mechanism}},
+            {"version", 0},
+            {"mechanism.a", 0},
+            {"mechanism.b", -1e-9},
+            {"mechanism.b", 2e12},
+            {"mechanism.b", "65"},
+            {"mechanism.c", std::numeric_limits<double>::infinity()},
+            {"mechanism.omega2", -2e12},
+            {"mechanism.branch", "left"},
+            {"mechanism", "x"},
+            {"sampling.duration", 0},
+            {"sampling.steps", 1.5},
+            {"sampling.steps", 0},
+            {"sampling.steps", 1e9},
+            {"solver.maxIterations", 0},
+            {"solver.tolerance", -1},
+            {"reference", "x"},
+            {"reference.file", QString()},
+            {"reference.columns", "x"},
+            {"reference.columns", QJsonArray{1}, "[0]"},
+            {"reference.columns", column(0, "time"), "[0].column"},
+            {"reference.columns", column(1, "theta7"), "[0].use"},
+            {"reference.conventions", convention("upside-down", {}, 1.0), "[0].kind"},
+            {"reference.conventions", convention("swapped-columns", {"theta3"}, 1.0), "[0].channels"},
+            {"reference.conventions", convention("sign", {"x"}, -1.0), "[0].channels"},
+            {"reference.conventions", convention("time-unit", {}, 0.0), "[0].amount"},
+            {"view.error", "miles"},
+            {"view.roundingBand", 1},
+            {"view.time", "now"},
+            {"view.zoom.time", QJsonArray{2, 1}},
+            {"view.zoom.time", QJsonArray{"1", 2}},
+            {"view.zoom.plot_theta3", QJsonArray{2}},
+            {"view.mechanism.frame", QJsonArray{0, 40, 60, -20}},
         };
-        for (const auto &[place, value, part] : rows) {
-            refused(sceneWith(QLatin1String(place), value), {QLatin1String(part)});
+        for (const auto &[place, value, inner] : rows) {
+            refused(sceneWith(place, value), QStringLiteral("\"%1%2\"").arg(place, inner));
         }
         for (const char *place :
              {"mechanism", "mechanism.a", "mechanism.c", "mechanism.branch", "sampling", "sampling.steps", "solver",
               "solver.method", "solver.maxIterations", "solver.tolerance", "solver.elimination", "reference.file"}) {
-            refused(sceneWith(QLatin1String(place), QJsonValue::Undefined),
-                    {QStringLiteral("\"%1\" is missing,").arg(QLatin1String(place))});
+            refused(sceneWith(place, QJsonValue::Undefined), QStringLiteral("\"%1\" is missing,").arg(place));
         }
-        refused(QByteArray(), {QStringLiteral("line 1"), QStringLiteral("not JSON")});
-        refused("{\n\"version\": 1,\n}", {QStringLiteral("line 3"), QStringLiteral("not JSON")});
-        refused(QByteArray("\xff\xfe{\0}\0", 6), {QStringLiteral("not JSON")});
-        refused("[]", {QStringLiteral("not a scene")});
-        refused("{\"name\": 1}", {QStringLiteral("not a scene"), QStringLiteral("version")});
+        for (const auto &[json, part] : {std::pair<QByteArray, QString>{sceneWith("version", 2), "newer"},
+                                         {sceneWith("version", 1e300), "newer"},
+                                         {sceneWith("version", "1"), "not a scene"},
+                                         {{}, "line 1: this is not JSON"},
+                                         {"{\n\"version\": 1,\n}", "line 3: this is not JSON"},
+                                         {QByteArray("\xff\xfe{\0}\0", 6), "not JSON"},
+                                         {"[]", "not a scene"},
+                                         {"{\"name\": 1}", "it has no \"version\""}}) {
+            refused(json, part);
+        }
     }
 
     void reportsFilesThatCannotBeRead()
     {
         const QTemporaryDir folder;
-        QFile large(folder.filePath(QStringLiteral("large.json")));
-        QVERIFY(large.open(QIODevice::WriteOnly) && large.resize(2 << 20));
         for (const auto &[path, reason] :
-             {std::pair{QStringLiteral("/nowhere/x.json"), "cannot be opened"}, std::pair{folder.path(), "is a folder"},
-              std::pair{large.fileName(), "too large"}}) {
+             {std::pair{QStringLiteral("/nowhere/x.json"), "cannot be opened"}, {folder.path(), "is a folder"},
+              {writeFile(folder, "large.json", QByteArray(2 << 20, ' ')), "too large"}}) {
             QVERIFY(std::get<QString>(readScene(path)).contains(QLatin1String(reason)));
         }
     }

@@ -6,6 +6,7 @@
 #include "ui/widgets/message_bar.h"
 #include "ui/window/main_window.h"
 
+#include "tests/support/files.h"
 #include "tests/support/waiting.h"
 #include "tests/support/widget_parts.h"
 
@@ -13,7 +14,6 @@
 #include <QApplication>
 #include <QButtonGroup>
 #include <QDropEvent>
-#include <QFile>
 #include <QImage>
 #include <QMimeData>
 #include <QSettings>
@@ -30,24 +30,6 @@
 
 namespace slidercrank
 {
-
-inline const QString kSample = QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv"); // b = 60 mm
-
-/// Writes a file, and returns its path.
-inline QString writeFile(const QTemporaryDir &folder, const QString &name, const QByteArray &content)
-{
-    QFile file(folder.filePath(name));
-    if (!file.open(QIODevice::WriteOnly) || file.write(content) != content.size()) {
-        qFatal("cannot write %s", qPrintable(name));
-    }
-    return file.fileName();
-}
-
-inline QByteArray contentOf(const QString &path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
 
 class WindowFixture : public QObject
 {
