@@ -4,6 +4,7 @@
 // Helpers that run Newton-Raphson and compare the results with the exact motion.
 
 #include "core/closed_form/state_at.h"
+#include "core/newton/constraints.h"
 #include "core/newton/newton.h"
 #include "core/study/cases.h"
 #include "tests/support/deviation.h"
@@ -45,6 +46,11 @@ inline std::vector<NewtonTimeStep> run(const Parameters &parameters, const std::
         done.push_back(instant);
     }
     return done;
+}
+
+inline bool isAngleRow(Eigen::Index row)
+{
+    return row == GroundAngle || row == SliderAngle || row == CrankDrive;
 }
 
 /// Returns a time step that provides start coordinates but no derivatives.

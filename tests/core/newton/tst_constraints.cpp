@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/newton/constraints.h"
 #include "core/study/cases.h"
-#include "tests/support/deviation.h"
+#include "tests/core/newton/newton_runs.h"
 #include "tests/support/mechanism_list.h"
 #include "tests/support/suite.h"
 
@@ -16,15 +16,14 @@ using namespace slidercrank;
 namespace
 {
 
-bool isAngleRow(Eigen::Index row)
+/// Returns the units of the rows' tolerances: a + b + |c| for lengths, 1 rad for angles.
+Vector12 rowUnits(const Parameters &p)
 {
-    return row == GroundAngle || row == SliderAngle || row == CrankDrive;
-}
-
-/// Returns the unit of a row's tolerance: a + b + |c| for lengths, 1 rad for angles.
-double rowUnit(const Parameters &p, Eigen::Index row)
-{
-    return isAngleRow(row) ? 1.0 : p.a + p.b + std::abs(p.c);
+    Vector12 units;
+    for (Eigen::Index row = 0; row < kCoordinateCount; ++row) {
+        units[row] = isAngleRow(row) ? 1.0 : p.a + p.b + std::abs(p.c);
+    }
+    return units;
 }
 
 double coordinateUnit(const Parameters &p, Eigen::Index column)
@@ -42,18 +41,24 @@ Vector12 anywhere(const Parameters &p, RandomMechanisms &random)
     return q;
 }
 
-QString entry(const Parameters &p, const char *what, Eigen::Index row, Eigen::Index column, double got, double expected,
-              double tolerance)
+/// Returns the first entry that differs from the expected one by more than the tolerance; empty if there is none.
+QString difference(const Parameters &p, const Eigen::MatrixXd &got, const Eigen::MatrixXd &expected,
+                   const Eigen::MatrixXd &tolerance)
 {
-    return QString("%1(%2, %3): got %4, expected %5, difference %6, tolerance %7\n    %8")
-        .arg(what)
-        .arg(row)
-        .arg(column)
-        .arg(got, 0, 'g', 17)
-        .arg(expected, 0, 'g', 17)
-        .arg(got - expected)
-        .arg(tolerance)
-        .arg(QString::fromStdString(describe(p)));
+    for (Eigen::Index row = 0; row < got.rows(); ++row) {
+        for (Eigen::Index column = 0; column < got.cols(); ++column) {
+            if (!(std::abs(got(row, column) - expected(row, column)) <= tolerance(row, column))) {
+                return QString("row %1, column %2: got %3, expected %4, tolerance %5\n    %6")
+                    .arg(row)
+                    .arg(column)
+                    .arg(got(row, column), 0, 'g', 17)
+                    .arg(expected(row, column), 0, 'g', 17)
+                    .arg(tolerance(row, column))
+                    .arg(QString::fromStdString(describe(p)));
+            }
+        }
+    }
+    return {};
 }
 
 /// Step and tolerance of central differences: the truncation error h²/6 and the rounding error u/h are both below 1e-9.
@@ -140,24 +145,20 @@ void tst_constraints::vanishOnTheExactMotion()
         const Vector12 Qd = quadraticVelocityTerm(mechanism, q, qDot);
         const Vector12 acceleration = Cq * qDDot - Qd;
         // A relative error u of θ2 or θ3 changes each C by u θ ∂C/∂θ, and likewise the derivatives of C.
-        const Vector12 angleSizes = Vector12::Constant(1.0 + std::abs(q[Theta2]) + std::abs(q[Theta3]));
-        const Vector12 velocityTerms = Cq.cwiseAbs() * qDot.cwiseAbs();
-        const Vector12 accelerationTerms = Cq.cwiseAbs() * qDDot.cwiseAbs() + Qd.cwiseAbs();
+        const double angleSize = 1.0 + std::abs(q[Theta2]) + std::abs(q[Theta3]);
         const double lengths = p.a + p.b + std::abs(p.c);
         const double speeds = std::abs(p.omega2) + std::abs(qDot[Theta3]);
         const double accelerations = std::abs(qDDot[Theta3]) + speeds * speeds;
-        for (Eigen::Index row = 0; row < kCoordinateCount; ++row) {
-            const double unit = kRoundings * kUnitRoundoff * rowUnit(p, row);
-            const double position = unit * angleSizes[row];
-            const double speed = kRoundings * kUnitRoundoff * (velocityTerms[row] + lengths * speeds * angleSizes[row]);
-            const double rate =
-                kRoundings * kUnitRoundoff * (accelerationTerms[row] + lengths * accelerations * angleSizes[row]);
-            QVERIFY2(std::abs(C[row]) <= position, qPrintable(entry(p, "C", row, 0, C[row], 0.0, position)));
-            QVERIFY2(std::abs(velocity[row]) <= speed,
-                     qPrintable(entry(p, "Cq qDot + Ct", row, 0, velocity[row], 0.0, speed)));
-            QVERIFY2(std::abs(acceleration[row]) <= rate,
-                     qPrintable(entry(p, "Cq qDDot - Qd", row, 0, acceleration[row], 0.0, rate)));
-        }
+        const Vector12 positionSizes = rowUnits(p) * angleSize;
+        const Vector12 velocitySizes =
+            (Cq.cwiseAbs() * qDot.cwiseAbs()).array() + lengths * speeds * angleSize;
+        const Vector12 accelerationSizes =
+            (Cq.cwiseAbs() * qDDot.cwiseAbs() + Qd.cwiseAbs()).array() + lengths * accelerations * angleSize;
+        const double unit = kRoundings * kUnitRoundoff;
+        const Vector12 zero = Vector12::Zero();
+        QCOMPARE(difference(p, C, zero, unit * positionSizes), QString());
+        QCOMPARE(difference(p, velocity, zero, unit * velocitySizes), QString());
+        QCOMPARE(difference(p, acceleration, zero, unit * accelerationSizes), QString());
     }
 }
 
@@ -169,23 +170,20 @@ void tst_constraints::jacobianIsTheDerivative()
         for (int pose = 0; pose < 4; ++pose) {
             const Vector12 q = anywhere(parameters, random);
             const Matrix12 Cq = constraintJacobian(mechanism, q);
+            Matrix12 expected;
+            Matrix12 tolerance;
             for (Eigen::Index column = 0; column < kCoordinateCount; ++column) {
-                const double step = kStep * coordinateUnit(parameters, column);
+                const double unit = coordinateUnit(parameters, column);
                 Vector12 more = q;
                 Vector12 less = q;
-                more[column] += step;
-                less[column] -= step;
+                more[column] += kStep * unit;
+                less[column] -= kStep * unit;
                 // t = 0, because C_q does not depend on t and a large ω2 t would hide the difference.
-                const Vector12 difference = (constraints(mechanism, more, 0.0) - constraints(mechanism, less, 0.0)) /
-                                            (more[column] - less[column]);
-                for (Eigen::Index row = 0; row < kCoordinateCount; ++row) {
-                    const double tolerance =
-                        kDifferenceTolerance * rowUnit(parameters, row) / coordinateUnit(parameters, column);
-                    QVERIFY2(
-                        std::abs(Cq(row, column) - difference[row]) <= tolerance,
-                        qPrintable(entry(parameters, "Cq", row, column, Cq(row, column), difference[row], tolerance)));
-                }
+                expected.col(column) = (constraints(mechanism, more, 0.0) - constraints(mechanism, less, 0.0)) /
+                                       (more[column] - less[column]);
+                tolerance.col(column) = kDifferenceTolerance / unit * rowUnits(parameters);
             }
+            QCOMPARE(difference(parameters, Cq, expected, tolerance), QString());
         }
     }
 }
@@ -200,13 +198,10 @@ void tst_constraints::timeDerivativeIsTheDerivative()
         const double turnTime = parameters.omega2 == 0.0 ? 1.0 : 1.0 / std::abs(parameters.omega2);
         const double step = kStep * turnTime;
         const double t = 0.3 * turnTime;
-        const Vector12 difference =
+        const Vector12 expected =
             (constraints(mechanism, q, t + step) - constraints(mechanism, q, t - step)) / (2.0 * step);
-        for (Eigen::Index row = 0; row < kCoordinateCount; ++row) {
-            const double tolerance = kDifferenceTolerance * rowUnit(parameters, row) / turnTime;
-            QVERIFY2(std::abs(Ct[row] - difference[row]) <= tolerance,
-                     qPrintable(entry(parameters, "Ct", row, 0, Ct[row], difference[row], tolerance)));
-        }
+        const Vector12 tolerance = kDifferenceTolerance / turnTime * rowUnits(parameters);
+        QCOMPARE(difference(parameters, Ct, expected, tolerance), QString());
     }
 }
 
@@ -223,12 +218,9 @@ void tst_constraints::quadraticVelocityTermIsTheDerivative()
             const Vector12 later = constraintJacobian(mechanism, q + kStep * qDot) * qDot;
             const Vector12 earlier = constraintJacobian(mechanism, q - kStep * qDot) * qDot;
             const Vector12 expected = -(later - earlier) / (2.0 * kStep);
-            for (Eigen::Index row = 0; row < kCoordinateCount; ++row) {
-                // at speeds up to 5 rad/s the third derivative is up to 5⁴ times the length
-                const double tolerance = 100.0 * kDifferenceTolerance * rowUnit(parameters, row);
-                QVERIFY2(std::abs(Qd[row] - expected[row]) <= tolerance,
-                         qPrintable(entry(parameters, "Qd", row, 0, Qd[row], expected[row], tolerance)));
-            }
+            // At speeds up to 5 rad/s the third derivative is up to 5⁴ times the length.
+            const Vector12 tolerance = 100.0 * kDifferenceTolerance * rowUnits(parameters);
+            QCOMPARE(difference(parameters, Qd, expected, tolerance), QString());
         }
     }
 }
@@ -243,8 +235,7 @@ void tst_constraints::determinantIsMinusBCosTheta3()
             const double determinant = constraintJacobian(mechanism, q).determinant();
             const double expected = -parameters.b * std::cos(q[Theta3]);
             const double tolerance = 64.0 * kUnitRoundoff * (parameters.a + parameters.b);
-            QVERIFY2(std::abs(determinant - expected) <= tolerance,
-                     qPrintable(entry(parameters, "det Cq", 0, 0, determinant, expected, tolerance)));
+            QVERIFY2(std::abs(determinant - expected) <= tolerance, describe(parameters).c_str());
         }
     }
 }

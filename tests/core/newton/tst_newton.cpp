@@ -48,13 +48,12 @@ private slots:
     void errorIsWithinTwiceTheConditioning();
     void needsTheIterationsOfTheDocumentation();
     void iterationsDependNeitherOnScaleNorOnTime();
-    void bothEliminationsTakeTheSameIterations();
     void coldStartConvergesWithinItsLimit();
     void staysOnTheBranchWithFewStepsPerTurn();
     void replacesStartsThatCannotConverge();
     void reportsWhyThereIsNoSolution();
     void isSingularAtTheExactToggle();
-    void solvedStatesAreCorrect();
+    void reportsTheResidualOfTheSolution();
     void iteratesBelowATooLargeTolerance();
     void historyContainsEveryIterate();
     void eachIterationSquaresTheErrorOfTheCouplerAngle();
@@ -187,35 +186,6 @@ void TestNewton::iterationsDependNeitherOnScaleNorOnTime()
     }
 }
 
-/// Excludes the cases in which rounding decides: the singular time step of a change point, and lengths of 1e10 mm,
-/// which satisfy an absolute tolerance of 1e-8 mm only by chance.
-void TestNewton::bothEliminationsTakeTheSameIterations()
-{
-    for (const Case &which : allCases()) {
-        const std::vector<double> times = timeStampsOf(which);
-        const int mayDiffer = which.name.starts_with("change point") ? 1 : 0;
-        for (const double tolerance : {1e-4, 1e-8}) {
-            for (NewtonOptions options : everyWay(10, tolerance)) {
-                const bool isAbsolute = options.toleranceKind == ToleranceKind::Absolute;
-                if (options.elimination == Elimination::Structured || (isAbsolute && which.name == "lengths x 1e9")) {
-                    continue;
-                }
-                const std::vector<NewtonTimeStep> dense = run(which.parameters, times, options);
-                options.elimination = Elimination::Structured;
-                const std::vector<NewtonTimeStep> structured = run(which.parameters, times, options);
-                int different = 0;
-                for (std::size_t i = 0; i < times.size(); ++i) {
-                    const bool isSame = dense[i].iterations == structured[i].iterations &&
-                                        dense[i].positionStatus == structured[i].positionStatus;
-                    different += isSame ? 0 : 1;
-                    QVERIFY2(different <= mayDiffer, qPrintable(described(which.parameters, structured[i]) +
-                                                                described(which.parameters, dense[i])));
-                }
-            }
-        }
-    }
-}
-
 void TestNewton::coldStartConvergesWithinItsLimit()
 {
     for (const Case &which : allCases()) {
@@ -335,69 +305,29 @@ void TestNewton::isSingularAtTheExactToggle()
     }
 }
 
-/// With all options: the reported residual is that of the solution and within the tolerance. If the status is Solved,
-/// the position is correct to the accuracy that the residual permits, and the derivatives have an error below 1 % of
-/// the channel's peak. Let r be the tolerance, or the rounding error if larger. Four rows contribute to b sin θ3, so it
-/// is known to 2r. Therefore θ3 is known to 2r/(b |cos θ3|) and, since sin θ3 is flat at a toggle, to √(4r/b) at worst.
-/// The relative error of cos θ3 enters a derivative once for each division by cos θ3.
-void TestNewton::solvedStatesAreCorrect()
+/// With all options, the reported residual is that of the solution, and within the tolerance or the rounding error of
+/// the rows.
+void TestNewton::reportsTheResidualOfTheSolution()
 {
+    std::vector<NewtonOptions> ways = everyWay(10, 1e-8);
+    std::ranges::copy(everyWay(50, 0.0), std::back_inserter(ways));
     for (const Case &which : allCases()) {
         const Parameters &p = which.parameters;
-        const Mechanism mechanism(p);
         const double reach = p.a + p.b + std::abs(p.c);
-        const std::vector<double> times = timeStampsOf(which);
-        const std::vector<ExactState<Digits100>> exactStates = exactRun<Digits100>(p, times);
-        const std::array<double, kChannelCount> part = scaled(channelSizes<Digits100>(p, exactStates), 0.01);
-        std::vector<NewtonOptions> ways = everyWay(10, 1e-8);
-        std::ranges::copy(everyWay(50, 0.0), std::back_inserter(ways));
         for (const NewtonOptions &options : ways) {
             const bool isRelative = options.toleranceKind == ToleranceKind::Relative;
-            const std::vector<NewtonTimeStep> done = run(p, times, options);
-            for (std::size_t i = 0; i < done.size(); ++i) {
-                const NewtonTimeStep &instant = done[i];
-                const ExactState<Digits100> &exact = exactStates[i];
+            for (const NewtonTimeStep &instant : run(p, timeStampsOf(which), options)) {
                 if (instant.positionStatus != Status::Solved) {
                     continue;
                 }
-                const QString where = described(options) + described(p, instant);
-
-                Vector12 C = constraints(mechanism, instant.q, instant.t);
-                const Vector12 lengths = isRelative ? Vector12(C / reach) : C;
+                Vector12 C = constraints(Mechanism(p), instant.q, instant.t);
                 for (Eigen::Index row = 0; row < kCoordinateCount; ++row) {
-                    const bool isAngleRow = row == GroundAngle || row == SliderAngle || row == CrankDrive;
-                    C[row] = isAngleRow ? C[row] : lengths[row];
+                    C[row] /= isRelative && !isAngleRow(row) ? reach : 1.0;
                 }
-                const double rowRounding = 64.0 * kUnitRoundoff * (isRelative ? 2.0 : reach + 1.0);
-                QVERIFY2(std::abs(instant.residual - C.norm()) <= 1e-12 * C.norm() + 0.125 * rowRounding,
-                         qPrintable(where));
-                QVERIFY2(instant.residual <= std::max(options.tolerance, rowRounding), qPrintable(where));
-
-                // At the limit of a rocker, rounding decides whether it can be assembled; the exact limit is accepted.
-                const bool isAtLimit = std::abs(static_cast<double>(exact.clearance)) < 1e-14;
-                if (isAtLimit && exact.status != Status::Solved) {
-                    continue;
-                }
-                QVERIFY2(exact.status == Status::Solved, qPrintable(where));
-                const double cosine = std::abs(static_cast<double>(exact.cosTheta3));
-                const double theta2 = std::abs(static_cast<double>(exact.values[indexOf({Theta2, Order::Position})]));
-                const double rounding = 32.0 * kUnitRoundoff * (1.0 + theta2);
-                const double inLengths = isRelative ? options.tolerance * reach : options.tolerance;
-                const double residual = (2.0 * inLengths + rounding * reach) / p.b;
-                const double theta3Error = std::min(residual / cosine, 2.0 * std::sqrt(2.0 * residual)) + rounding;
-                std::array<double, kChannelCount> tolerances;
-                for (std::size_t index = 0; index < kChannelCount; ++index) {
-                    const Channel channel = channelAt(index);
-                    const double steepness = std::pow(cosine, -2.0 * static_cast<int>(channel.order));
-                    const double natural = naturalSize(p, channel);
-                    tolerances[index] = channel.order == Order::Position
-                                            ? natural * theta3Error
-                                            : std::min(part[index], 4.0 * natural * steepness * theta3Error);
-                }
-                tolerances[indexOf({Theta2, Order::Position})] = rounding;
-                const Order last = instant.state.status == Status::Solved ? Order::Acceleration : Order::Position;
-                const Deviation deviation = worstDeviation(instant.state, exact, instant.t, tolerances, last);
-                QVERIFY2(deviation.accepted(), qPrintable(where + QString::fromStdString(describe(deviation))));
+                const double rounding = 64.0 * kUnitRoundoff * (isRelative ? 2.0 : reach + 1.0);
+                const bool isRight = std::abs(instant.residual - C.norm()) <= 1e-12 * C.norm() + 0.125 * rounding;
+                QVERIFY2(isRight && instant.residual <= std::max(options.tolerance, rounding),
+                         qPrintable(described(options) + described(p, instant)));
             }
         }
     }
