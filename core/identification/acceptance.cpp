@@ -18,6 +18,10 @@ namespace
 
 constexpr double kFewestRowsForNoise = 20.0; // with fewer rows, noise and misfit cannot be distinguished
 constexpr double kLargestNoisePart = 0.15;   // of the spread
+
+/// The largest deviation of a mechanism that explains a file approximately, relative to a column's range.
+constexpr double kLargestSystematicPart = 0.01;
+
 constexpr Eigen::Index kHarmonics = 8;
 
 /// The autocorrelation at `lag`, in standard deviations of that of independent values. `rows` are the row numbers of
@@ -93,35 +97,39 @@ bool isWhiteInAngle(const std::vector<double> &values, const std::vector<double>
            explained <= kDegreesOfFreedom + 4.0 * std::sqrt(2.0 * kDegreesOfFreedom);
 }
 
-Residual judgeColumn(const Observations &data, const Fit &fit, const std::vector<double> &angles, std::size_t j)
+Residual judgeColumn(const Observations &data, const Fit &fit, std::size_t j)
 {
-    if (!fit.hypothesis.columns[j].isUsed) {
+    const Hypothesis &hypothesis = fit.hypothesis;
+    if (!hypothesis.columns[j].isUsed) {
         return Residual::NotUsed;
     }
     if (fit.noiseVariances[j] == 0.0) {
         return Residual::Rounding;
     }
     std::vector<double> values;
-    std::vector<double> valueAngles;
+    std::vector<double> angles;
     std::vector<std::size_t> rows;
     double largest = 0.0;
     for (std::size_t i = 0; i < data.abscissa.size(); ++i) {
-        const double residual = fit.residuals[j][i];
-        if (!std::isnan(residual)) {
+        if (const double residual = fit.residuals[j][i]; !std::isnan(residual)) {
             values.push_back(residual / std::sqrt(fit.variances[j][i]));
-            valueAngles.push_back(angles[i]);
+            angles.push_back(crankAngle(data, hypothesis, i));
             rows.push_back(data.rows[i]);
             largest = std::max(largest, std::abs(residual));
         }
     }
-    const double range = interpretedRange(data, fit.hypothesis, j);
-    const double spread = std::max(data.columns[j].spread * std::abs(fit.hypothesis.columns[j].factor()),
-                                   isConstantByNature(data.columns[j].channel) ? range : 0.0);
-    if (data.columns[j].count < kFewestRowsForNoise) {
+    const ObservedColumn &column = data.columns[j];
+    double range = column.range * std::abs(hypothesis.columns[j].factor());
+    double spread = interpretedSpread(data, hypothesis, j);
+    if (isConstantByNature(column.channel)) { // the size of the parameter that determines it
+        range = std::abs(hypothesis.unknowns[column.channel.coordinate == R4y ? 0 : 3]);
+        spread = std::max(spread, range);
+    }
+    if (column.count < kFewestRowsForNoise) {
         return Residual::Unexplained;
     }
     const bool isSmall = std::sqrt(fit.noiseVariances[j]) <= kLargestNoisePart * spread;
-    if (isSmall && isWhiteInTime(values, rows) && isWhiteInAngle(values, valueAngles)) {
+    if (isSmall && isWhiteInTime(values, rows) && isWhiteInAngle(values, angles)) {
         return Residual::White;
     }
     return largest <= kLargestSystematicPart * range ? Residual::Systematic : Residual::Unexplained;
@@ -129,69 +137,64 @@ Residual judgeColumn(const Observations &data, const Fit &fit, const std::vector
 
 } // namespace
 
-double Candidate::score() const
+double Candidate::pricedScore() const
 {
     constexpr double kPricePerSpeed = 1e-5; // prefers the slowest of several aliases
-    return fit.score + price + kPricePerSpeed * std::abs(fit.hypothesis.unknowns[3]);
+    return score + price + kPricePerSpeed * std::abs(hypothesis.unknowns[3]);
 }
 
-std::vector<double> crankAngles(const Observations &data, const Hypothesis &hypothesis)
+bool isLikeDifferences(const Observations &data, const Hypothesis &hypothesis, std::size_t column)
 {
-    const double rate = phaseRate(data, hypothesis, hypothesis.unknowns);
-    std::vector<double> angles;
-    angles.reserve(data.abscissa.size());
-    for (const double at : data.abscissa) {
-        angles.push_back(rate * at + hypothesis.unknowns[4]);
-    }
-    return angles;
-}
-
-double interpretedRange(const Observations &data, const Hypothesis &hypothesis, std::size_t column)
-{
-    const Channel channel = data.columns[column].channel;
-    const double natural = channel.coordinate == R4y ? hypothesis.unknowns[0] : hypothesis.unknowns[3];
-    return isConstantByNature(channel) ? std::abs(natural)
-                                       : data.columns[column].range * std::abs(hypothesis.columns[column].factor());
-}
-
-bool looksLikeNoise(const std::vector<double> &residuals, const std::vector<double> &angles)
-{
+    constexpr double kLargestPart = 0.03;        // of the spread
     constexpr double kLargestHarmonicPart = 0.6; // smoothed differences have systematic errors, too
     constexpr double kSmooth = 0.92;             // correlation of neighbouring rows of a smooth signal
-    const auto n = static_cast<double>(residuals.size());
-    const double largest = std::min(kLargestHarmonicPart + (2.0 * kHarmonics + 1.0) / n, 0.95);
-    return explainedPart(harmonicBasis(angles, kHarmonics), residuals, 0.0) <= largest &&
-           correlation(residuals, 1) <= kSmooth * std::sqrt(n);
+    Hypothesis alone = hypothesis;
+    for (std::size_t j = 0; j < alone.columns.size(); ++j) {
+        alone.columns[j].isUsed = j == column;
+    }
+    std::vector<double> residuals;
+    std::vector<double> angles;
+    double squares = 0.0;
+    forEachResidual<double>(data, alone, [&](std::size_t row, std::size_t, double, double residual) {
+        residuals.push_back(residual);
+        angles.push_back(crankAngle(data, hypothesis, row));
+        squares += residual * residual;
+    });
+    const double count = std::max(data.columns[column].count, 1.0);
+    if (std::sqrt(squares / count) <= kLargestPart * interpretedSpread(data, hypothesis, column)) {
+        return true;
+    }
+    const double largest = std::min(kLargestHarmonicPart + (2.0 * kHarmonics + 1.0) / count, 0.95);
+    return data.columns[column].channel.order != Order::Position &&
+           explainedPart(harmonicBasis(angles, kHarmonics), residuals, 0.0) <= largest &&
+           correlation(residuals, 1) <= kSmooth * std::sqrt(count);
 }
 
 Candidate judgedCandidate(const Observations &data, Fit fit)
 {
-    Candidate candidate;
-    candidate.price = priceOf(data, fit.hypothesis);
-    candidate.fit = std::move(fit);
-    const Fit &found = candidate.fit;
-    const std::vector<double> angles = crankAngles(data, found.hypothesis);
+    Candidate candidate{std::move(fit)};
+    const Hypothesis &hypothesis = candidate.hypothesis;
+    candidate.price = priceOf(data, hypothesis);
     candidate.isExact = true;
     candidate.acceptance = Acceptance::Identified;
     double off = 0.0;
     double all = 0.0;
-    bool hasOffset = data.isByCrankAngle && found.hypothesis.isFree[indexOf(Parameter::Theta20)];
+    bool hasOffset = data.isByCrankAngle && hypothesis.isFree[indexOf(Parameter::Theta20)];
     for (std::size_t j = 0; j < data.columns.size(); ++j) {
         const ObservedColumn &column = data.columns[j];
-        const ColumnUse &use = found.hypothesis.columns[j];
-        candidate.residuals.push_back(judgeColumn(data, found, angles, j));
+        const ColumnUse &use = hypothesis.columns[j];
+        const Residual judgement = candidate.judgements.emplace_back(judgeColumn(data, candidate, j));
         hasOffset = hasOffset || (use.isUsed && use.hasOffset);
         if (tellsShape(column)) {
-            const double spread = column.spread * use.factor();
-            off += column.count * (use.isUsed ? std::min(found.noiseVariances[j] / (spread * spread), 1.0) : 1.0);
+            const double spread = interpretedSpread(data, hypothesis, j);
+            off += column.count * (use.isUsed ? std::min(candidate.noiseVariances[j] / (spread * spread), 1.0) : 1.0);
             all += column.count;
         }
-        const Residual residual = candidate.residuals.back();
-        candidate.isExact = candidate.isExact && (residual == Residual::Rounding || residual == Residual::NotUsed);
+        candidate.isExact = candidate.isExact && (judgement == Residual::Rounding || judgement == Residual::NotUsed);
         candidate.acceptance =
-            std::max(candidate.acceptance, residual == Residual::Unexplained  ? Acceptance::Rejected
-                                           : residual == Residual::Systematic ? Acceptance::Approximate
-                                                                              : Acceptance::Identified);
+            std::max(candidate.acceptance, judgement == Residual::Unexplained  ? Acceptance::Rejected
+                                           : judgement == Residual::Systematic ? Acceptance::Approximate
+                                                                               : Acceptance::Identified);
     }
     if (candidate.acceptance == Acceptance::Approximate && hasOffset) { // a free origin would absorb systematic errors
         candidate.acceptance = Acceptance::Rejected;
@@ -202,7 +205,7 @@ Candidate judgedCandidate(const Observations &data, Fit fit)
 
 bool isBetter(const Candidate &x, const Candidate &y)
 {
-    return x.acceptance != y.acceptance ? x.acceptance < y.acceptance : x.score() < y.score();
+    return x.acceptance != y.acceptance ? x.acceptance < y.acceptance : x.pricedScore() < y.pricedScore();
 }
 
 } // namespace slidercrank

@@ -12,6 +12,7 @@
 namespace slidercrank
 {
 
+/// What the residuals of a column are.
 enum class Residual {
     Rounding,
     White,      ///< white noise of at most 15 % of the column's spread
@@ -20,23 +21,18 @@ enum class Residual {
     NotUsed
 };
 
-/// The largest deviation of a mechanism that explains a file approximately, relative to a column's range.
-inline constexpr double kLargestSystematicPart = 0.01;
-
-/// The largest rms error of derivatives that are differences of the positions, relative to a column's spread.
-inline constexpr double kLargestDifferencePart = 0.03;
-
 enum class Acceptance { Identified, Approximate, Rejected }; ///< from best to worst
 
-struct Candidate {
-    Fit fit;
+/// A fit and its judgement.
+struct Candidate : Fit {
     double price = 0.0;
-    std::vector<Residual> residuals; ///< by column
+    std::vector<Residual> judgements{}; ///< by column
     Acceptance acceptance = Acceptance::Rejected;
     bool isExact = false;  ///< rounding explains all residuals
     double distance = 1.0; ///< mean of noise²/spread², each at most 1, over the columns with information on the shape
 
-    double score() const;
+    /// The score with the price of the hypothesis.
+    double pricedScore() const;
 };
 
 /// Judges a fit and sets the price of its hypothesis.
@@ -45,14 +41,8 @@ Candidate judgedCandidate(const Observations &data, Fit fit);
 /// Orders accepted candidates before rejected ones, then by score.
 bool isBetter(const Candidate &x, const Candidate &y);
 
-/// Whether the residuals of a derivative are noise, white or not, and neither a function of the crank angle nor another
-/// smooth signal.
-bool looksLikeNoise(const std::vector<double> &residuals, const std::vector<double> &crankAngles);
-
-/// The crank angle in every row, rad.
-std::vector<double> crankAngles(const Observations &data, const Hypothesis &hypothesis);
-
-/// The range of a column in its interpretation; of a constant channel, the size of the parameter that determines it.
-double interpretedRange(const Observations &data, const Hypothesis &hypothesis, std::size_t column);
+/// Whether a derivative deviates from the motion as differences of the positions do: by at most 3 % of its spread, or
+/// by noise, white or not, that is neither a function of the crank angle nor another smooth signal.
+bool isLikeDifferences(const Observations &data, const Hypothesis &hypothesis, std::size_t column);
 
 } // namespace slidercrank

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <span>
 #include <utility>
 
@@ -20,121 +21,42 @@ bool isPlottedDerivative(Channel channel)
     return channel.order != Order::Position && (channel.coordinate == R4x || channel.coordinate == Theta3);
 }
 
-/// A copy of a hypothesis whose offsets and scales have to be fitted anew.
-Hypothesis restarted(const Hypothesis &hypothesis)
-{
-    Hypothesis result = hypothesis;
-    result.unknowns.conservativeResize(static_cast<Eigen::Index>(kParameterCount));
-    return result;
-}
-
 bool isSame(const Hypothesis &x, const Hypothesis &y)
 {
     return x.timeUnit == y.timeUnit && x.columns == y.columns && x.abscissaFactor == y.abscissaFactor &&
            x.isFree == y.isFree && x.isBalanced == y.isBalanced && areNear(middleParameters(x), middleParameters(y));
 }
 
-/// Whether two hypotheses differ only by an image of the mechanism with the signs and half turns that belong to it.
-bool isImage(const Hypothesis &x, const Hypothesis &y)
-{
-    const auto isAlike = [](const ColumnUse &one, const ColumnUse &other) {
-        return one.channel == other.channel && one.unit == other.unit && one.isUsed == other.isUsed &&
-               one.hasOffset == other.hasOffset;
-    };
-    return x.timeUnit == y.timeUnit && std::abs(x.abscissaFactor) == std::abs(y.abscissaFactor) &&
-           x.isFree == y.isFree && std::ranges::equal(x.columns, y.columns, isAlike) &&
-           std::ranges::any_of(mirrorImages(middleParameters(x)),
-                               [&](const Parameters &image) { return areNear(image, middleParameters(y)); });
-}
-
 bool isKnown(const Hypothesis &hypothesis, const std::vector<Candidate> &all)
 {
-    return std::ranges::any_of(
-        all, [&](const Candidate &candidate) { return isSame(candidate.fit.hypothesis, hypothesis); });
+    return std::ranges::any_of(all,
+                               [&](const Candidate &candidate) { return isSame(candidate.hypothesis, hypothesis); });
 }
 
 void addWithVariants(const Observations &data, Hypothesis hypothesis, std::vector<Candidate> &all);
 
-/// Adds variants of the candidate without those free origins that were fitted to nearly zero.
-void addWithoutIdleOffsets(const Observations &data, const Candidate &candidate, std::vector<Candidate> &all)
-{
-    constexpr double kIdlePart = 2e-2; // of the spread, of the crank's length for R4y, of a radian for θ2
-    const Hypothesis &fitted = candidate.fit.hypothesis;
-    const UnknownLayout layout(fitted.columns);
-    for (std::size_t j = 0; j < data.columns.size(); ++j) {
-        const ObservedColumn &column = data.columns[j];
-        const double size = column.channel.coordinate == R4y ? std::abs(fitted.unknowns[0]) : column.spread;
-        if (layout.offset[j] >= 0 &&
-            std::abs(fitted.unknowns[layout.offset[j]]) < std::max(kIdlePart * size, column.step)) {
-            Hypothesis without = restarted(fitted);
-            without.columns[j].hasOffset = false;
-            addWithVariants(data, std::move(without), all);
-        }
-    }
-    const double plainAngle = fitted.abscissaFactor * data.origin;
-    const double zero = std::remainder(fitted.unknowns[4] - plainAngle, 2.0 * std::numbers::pi);
-    if (data.isByCrankAngle && fitted.isFree[indexOf(Parameter::Theta20)] && std::abs(zero) < kIdlePart) {
-        Hypothesis without = restarted(fitted);
-        without.isFree[indexOf(Parameter::Theta20)] = false;
-        without.unknowns[4] = plainAngle;
-        addWithVariants(data, std::move(without), all);
-    }
-}
-
-/// The used columns whose residuals are as bad as `least` or worse.
-std::vector<std::size_t> failingColumns(const Candidate &candidate, Residual least)
-{
-    std::vector<std::size_t> failing;
-    for (std::size_t j = 0; j < candidate.residuals.size(); ++j) {
-        if (candidate.residuals[j] >= least && candidate.residuals[j] != Residual::NotUsed) {
-            failing.push_back(j);
-        }
-    }
-    return failing;
-}
-
-/// Whether a column deviates as differences of the positions do: by little, or by noise that is no function of the
-/// crank angle.
-bool mayBeDifference(const Observations &data, const Candidate &candidate, const std::vector<double> &angles,
-                     std::size_t j)
-{
-    const double spread = data.columns[j].spread * std::abs(candidate.fit.hypothesis.columns[j].factor());
-    if (std::sqrt(candidate.fit.noiseVariances[j]) <= kLargestDifferencePart * spread) {
-        return true;
-    }
-    std::vector<double> residuals;
-    std::vector<double> residualAngles;
-    for (std::size_t i = 0; i < angles.size(); ++i) {
-        if (const double residual = candidate.fit.residuals[j][i]; !std::isnan(residual)) {
-            residuals.push_back(residual);
-            residualAngles.push_back(angles[i]);
-        }
-    }
-    return data.columns[j].channel.order != Order::Position && looksLikeNoise(residuals, residualAngles);
-}
-
-/// Adds a variant of the candidate without its failing columns if these are derivatives. If positions fail as well, and
-/// all columns deviate as differences do, adds the variant with the lowest order of each coordinate only, because
-/// differences may have biased the fit.
+/// Adds a variant of the candidate without the columns whose residuals are as bad as `least` or worse, if these are
+/// derivatives. If positions fail as well, and all columns deviate as differences do, adds the variant with the lowest
+/// order of each coordinate only, because differences may have biased the fit.
 void addWithFewerColumns(const Observations &data, const Candidate &candidate, Residual least,
                          std::vector<Candidate> &all)
 {
-    const std::vector<std::size_t> failing = failingColumns(candidate, least);
-    Hypothesis hypothesis = restarted(candidate.fit.hypothesis);
-    bool onlyDerivatives = !failing.empty();
+    Hypothesis hypothesis = candidate.hypothesis;
+    bool onlyDerivatives = true;
     bool areDifferences = true;
-    const std::vector<double> angles = crankAngles(data, candidate.fit.hypothesis);
-    for (const std::size_t j : failing) {
-        onlyDerivatives = onlyDerivatives && isPlottedDerivative(data.columns[j].channel);
-        areDifferences = areDifferences && mayBeDifference(data, candidate, angles, j);
-        hypothesis.columns[j] = {data.columns[j].channel};
-        hypothesis.columns[j].isUsed = false;
+    for (std::size_t j = 0; j < data.columns.size(); ++j) {
+        if (candidate.judgements[j] >= least && candidate.judgements[j] != Residual::NotUsed) {
+            onlyDerivatives = onlyDerivatives && isPlottedDerivative(data.columns[j].channel);
+            areDifferences = areDifferences && isLikeDifferences(data, candidate.hypothesis, j);
+            hypothesis.columns[j] = {data.columns[j].channel};
+            hypothesis.columns[j].isUsed = false;
+        }
     }
     const auto leftOut = static_cast<std::size_t>(std::ranges::count(hypothesis.columns, false, &ColumnUse::isUsed));
     if (onlyDerivatives && (areDifferences || 2 * leftOut <= data.columns.size()) && leftOut < data.columns.size()) {
         addWithVariants(data, std::move(hypothesis), all);
-    } else if (areDifferences && isAsWritten(data, candidate)) {
-        hypothesis = restarted(candidate.fit.hypothesis);
+    } else if (areDifferences && isAsWritten(data, candidate.hypothesis)) {
+        hypothesis = candidate.hypothesis;
         for (ColumnUse &use : hypothesis.columns) {
             use.isUsed =
                 !isPlottedDerivative(use.channel) || std::ranges::none_of(hypothesis.columns, [&](const ColumnUse &o) {
@@ -142,10 +64,24 @@ void addWithFewerColumns(const Observations &data, const Candidate &candidate, R
                 });
         }
         Candidate lowest = fitCandidate(data, std::move(hypothesis));
-        if (lowest.fit.exists() && lowest.acceptance != Acceptance::Rejected) {
+        if (lowest.acceptance != Acceptance::Rejected) {
             all.push_back(std::move(lowest));
         }
     }
+}
+
+/// Adds a variant of the candidate without the free origins that were fitted to nearly zero.
+void addWithoutIdleOffsets(const Observations &data, const Candidate &candidate, std::vector<Candidate> &all)
+{
+    constexpr double kIdlePart = 2e-2; // of the spread, of the crank's length for R4y
+    Hypothesis without = candidate.hypothesis;
+    for (std::size_t j = 0; j < data.columns.size(); ++j) {
+        const ObservedColumn &column = data.columns[j];
+        const double size = column.channel.coordinate == R4y ? without.unknowns[0] : column.spread;
+        ColumnUse &use = without.columns[j];
+        use.hasOffset = use.hasOffset && std::abs(without.offset(j)) >= std::max(kIdlePart * size, column.step);
+    }
+    addWithVariants(data, std::move(without), all); // unless there is none: then it is known
 }
 
 /// Fits a hypothesis and adds it with its variants, unless it is known.
@@ -156,7 +92,7 @@ void addWithVariants(const Observations &data, Hypothesis hypothesis, std::vecto
         return;
     }
     const Candidate candidate = fitCandidate(data, std::move(hypothesis));
-    if (!candidate.fit.exists() || isKnown(candidate.fit.hypothesis, all)) {
+    if (!candidate.exists() || isKnown(candidate.hypothesis, all)) {
         return;
     }
     all.push_back(candidate);
@@ -164,12 +100,11 @@ void addWithVariants(const Observations &data, Hypothesis hypothesis, std::vecto
     if (candidate.acceptance == Acceptance::Rejected) {
         addWithFewerColumns(data, candidate, Residual::Unexplained, all);
     }
-    if (std::ranges::count(candidate.residuals, Residual::Systematic) > 0) {
+    if (std::ranges::count(candidate.judgements, Residual::Systematic) > 0) {
         addWithFewerColumns(data, candidate, Residual::Systematic, all);
     }
-    if (candidate.acceptance == Acceptance::Rejected && !candidate.fit.hypothesis.isBalanced &&
-        candidate.distance < kNear) {
-        Hypothesis balanced = restarted(candidate.fit.hypothesis);
+    if (candidate.acceptance == Acceptance::Rejected && candidate.distance < kNear) {
+        Hypothesis balanced = candidate.hypothesis;
         balanced.isBalanced = true;
         addWithVariants(data, std::move(balanced), all);
     }
@@ -182,32 +117,28 @@ std::vector<Fit> exchangedShapes(const Observations &data, SpeedCandidates speed
     constexpr std::size_t kMostFitted = 6;
     constexpr std::size_t kMost = 4;
     constexpr double kLeastGain = 24.0; // the price of an exchange
-    constexpr std::size_t kRows = 40;
     std::vector<ColumnUse> columns = plainColumns(data);
-    if (speeds.periodic.size() > 1) {
-        speeds.periodic.erase(speeds.periodic.begin() + 1, speeds.periodic.end());
-    }
+    speeds.periodic.resize(std::min(speeds.periodic.size(), std::size_t{1}));
     speeds.shortArc.clear();
     const auto mayBeExchanged = [&](std::size_t j) {
         return tellsShape(data.columns[j]) &&
                (columns[j].channel.coordinate == R4x || columns[j].channel.coordinate == Theta3);
     };
-    std::vector<std::pair<double, std::vector<ColumnUse>>>
-        exchanges; // with the misfit of the nearest shape of the grid
+    std::multimap<double, std::vector<ColumnUse>> exchanges; // by the misfit of the nearest shape of the grid
     for (std::size_t i = 0; i < columns.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
             if (mayBeExchanged(i) && mayBeExchanged(j)) {
                 std::swap(columns[i].channel, columns[j].channel);
-                exchanges.emplace_back(leastDissimilarity(data, columns, speeds, kRows), columns);
+                exchanges.emplace(leastDissimilarity(data, columns, speeds), columns);
                 std::swap(columns[i].channel, columns[j].channel);
             }
         }
     }
-    std::ranges::sort(exchanges, {}, &std::pair<double, std::vector<ColumnUse>>::first);
-    exchanges.resize(std::min(exchanges.size(), kMostFitted));
     std::vector<Fit> shapes;
+    std::size_t fitted = 0;
     for (const auto &[dissimilarity, exchanged] : exchanges) {
-        std::vector<Fit> fits = searchShapes(data, exchanged, speeds, {kRows, 2 * kRows, stop});
+        std::vector<Fit> fits =
+            fitted++ < kMostFitted ? searchShapes(data, exchanged, speeds, stop) : std::vector<Fit>();
         if (!fits.empty() && fits.front().score < scoreBefore - kLeastGain) {
             shapes.push_back(std::move(fits.front()));
         }
@@ -217,62 +148,20 @@ std::vector<Fit> exchangedShapes(const Observations &data, SpeedCandidates speed
     return shapes;
 }
 
-/// Whether the residual of a column exceeds a hundredth of its spread.
-bool isFarOff(const Observations &data, const Fit &shape)
-{
-    constexpr double kPart = 0.01;
-    for (std::size_t j = 0; j < data.columns.size(); ++j) {
-        const double largest = kPart * data.columns[j].spread;
-        if (shape.noiseVariances[j] > largest * largest) {
-            return true;
-        }
-    }
-    return false;
-}
-
 /// The bonus of a hypothesis whose mechanism is near the given one. If the same fault can be described in two ways,
 /// this prefers the description that belongs to the given mechanism.
 double bonusOf(const Observations &data, const Hypothesis &hypothesis, const Parameters &given)
 {
     constexpr double kBonus = 24.0;
     constexpr double kPart = 0.25;
-    const Parameters found = parametersOf(data, hypothesis);
-    const bool isAbout = !data.isByCrankAngle && found.branch == given.branch &&
-                         std::abs(found.a - given.a) <= kPart * given.a &&
-                         std::abs(found.b - given.b) <= kPart * given.b &&
-                         std::abs(found.c - given.c) <= kPart * std::max(std::abs(given.c), given.a) &&
-                         std::abs(found.omega2 - given.omega2) <= kPart * std::abs(given.omega2) &&
-                         std::abs(std::remainder(found.theta20 - given.theta20, 2.0 * std::numbers::pi)) <= kPart;
-    return isAbout ? kBonus : 0.0;
-}
-
-/// Adds the images of the best candidate, each with the signs and half turns that make it the same motion.
-void addImages(const Observations &data, InterpretationOptions options, std::vector<Candidate> &all)
-{
-    if (all.empty() || data.isByCrankAngle) {
-        return;
-    }
-    const Candidate best = all.front();
-    options.allowed = Interpretations::All;
-    std::vector<Interpretation> images;
-    addInterpretations(data, best.fit, options, images);
-    for (Interpretation &image : images) {
-        if (isImage(image.hypothesis, best.fit.hypothesis) && !isKnown(image.hypothesis, all)) {
-            image.hypothesis.abscissaStep = best.fit.hypothesis.abscissaStep;
-            image.hypothesis.isBalanced = best.fit.hypothesis.isBalanced;
-            if (Fit fit = evaluateHypothesis(data, std::move(image.hypothesis)); fit.exists()) {
-                fit.iterations = best.fit.iterations;
-                all.push_back(judgedCandidate(data, std::move(fit)));
-            }
-        }
-    }
+    return !data.isByCrankAngle && areNear(given, parametersOf(data, hypothesis), kPart) ? kBonus : 0.0;
 }
 
 /// Fits the interpretations with the least misfit.
 void tryInterpretations(const Observations &data, const std::vector<Fit> &shapes, const InterpretationOptions &options,
                         std::vector<Candidate> &all)
 {
-    const std::size_t most = options.allowed == Interpretations::All ? 5 : 3;
+    const std::size_t most = options.isPlain ? 3 : 5;
     std::vector<Interpretation> interpretations;
     for (const Fit &shape : shapes) {
         addInterpretations(data, shape, options, interpretations);
@@ -284,24 +173,19 @@ void tryInterpretations(const Observations &data, const std::vector<Fit> &shapes
     std::size_t tried = 0;
     for (std::size_t i = 0; i < interpretations.size() && tried < most && !options.stop.stop_requested(); ++i) {
         const Hypothesis &hypothesis = interpretations[i].hypothesis;
-        const bool isPlain = std::ranges::all_of(hypothesis.columns, &ColumnUse::isPlain) &&
-                             !(data.isByCrankAngle && hypothesis.isFree[indexOf(Parameter::Theta20)]);
         const auto before = std::span(interpretations).first(i);
-        if ((options.allowed == Interpretations::Offsets && isPlain) ||
-            std::ranges::any_of(before,
-                                [&](const Interpretation &other) { return isSame(other.hypothesis, hypothesis); })) {
-            continue;
+        if (std::ranges::none_of(before,
+                                 [&](const Interpretation &other) { return isSame(other.hypothesis, hypothesis); })) {
+            ++tried;
+            addWithVariants(data, hypothesis, all);
         }
-        ++tried;
-        addWithVariants(data, hypothesis, all);
     }
 }
 
 } // namespace
 
-bool isAsWritten(const Observations &data, const Candidate &candidate)
+bool isAsWritten(const Observations &data, const Hypothesis &hypothesis)
 {
-    const Hypothesis &hypothesis = candidate.fit.hypothesis;
     for (std::size_t j = 0; j < data.columns.size(); ++j) {
         if (!hypothesis.columns[j].isPlain() || hypothesis.columns[j].channel != data.columns[j].channel) {
             return false;
@@ -318,44 +202,51 @@ Candidate fitCandidate(const Observations &data, Hypothesis hypothesis)
     if (!fit.exists()) {
         return {};
     }
-    const bool isRounded = fit.hypothesis.abscissaStep > 0.0;
     Hypothesis exact = fit.hypothesis;
     Candidate candidate = judgedCandidate(data, std::move(fit));
-    if (isRounded) {
+    if (exact.abscissaStep > 0.0) {
         exact.abscissaStep = 0.0;
         fit = fitHypothesis(data, std::move(exact), kRounds);
         if (Candidate other = fit.exists() ? judgedCandidate(data, std::move(fit)) : Candidate();
-            other.fit.exists() && isBetter(other, candidate)) {
+            other.exists() && isBetter(other, candidate)) {
             return other;
         }
     }
     return candidate;
 }
 
+Candidate candidateOfImage(const Observations &data, Hypothesis image, const Fit &best)
+{
+    centerOffsets(data, image);
+    Fit fit = evaluateHypothesis(data, std::move(image));
+    fit.iterations = best.iterations;
+    return fit.exists() ? judgedCandidate(data, std::move(fit)) : Candidate();
+}
+
 std::vector<Candidate> searchCandidates(const Observations &data, const Parameters &given, const std::stop_token &stop)
 {
     constexpr std::size_t kMostShapes = 6;
+    constexpr double kFarOff = 1e-4; // of a column's variance
     std::vector<Candidate> all;
     const SpeedCandidates speeds = speedCandidates(data);
-    std::vector<Fit> shapes = searchShapes(data, plainColumns(data), speeds, {40, 80, stop});
+    std::vector<Fit> shapes = searchShapes(data, plainColumns(data), speeds, stop);
     shapes.resize(std::min(shapes.size(), kMostShapes));
-    InterpretationOptions options{Interpretations::Plain, given, !speeds.shortArc.empty(), stop};
-    for (const Interpretations allowed : {Interpretations::Plain, Interpretations::Offsets, Interpretations::All}) {
-        options.allowed = allowed;
-        if (allowed == Interpretations::All && !shapes.empty() && isFarOff(data, shapes.front())) {
+    InterpretationOptions options{true, given, !speeds.shortArc.empty(), stop};
+    for (const bool isPlain : {true, false}) {
+        options.isPlain = isPlain;
+        if (!isPlain && !shapes.empty() && largestNoisePart(data, shapes.front()) > kFarOff) {
             std::vector<Fit> exchanged = exchangedShapes(data, speeds, shapes.front().score, stop);
             shapes.insert(shapes.begin(), exchanged.begin(), exchanged.end());
         }
         tryInterpretations(data, shapes, options, all);
         std::ranges::stable_sort(all, isBetter);
-        if (stop.stop_requested() ||
-            (!all.empty() && all.front().acceptance == Acceptance::Identified && isAsWritten(data, all.front()))) {
+        if (stop.stop_requested() || (!all.empty() && all.front().acceptance == Acceptance::Identified &&
+                                      isAsWritten(data, all.front().hypothesis))) {
             break;
         }
     }
-    addImages(data, options, all);
     for (Candidate &candidate : all) {
-        candidate.price -= bonusOf(data, candidate.fit.hypothesis, given);
+        candidate.price -= bonusOf(data, candidate.hypothesis, given);
     }
     std::ranges::stable_sort(all, isBetter);
     return all;

@@ -12,12 +12,15 @@
 namespace slidercrank
 {
 
-/// Whether the candidate uses every column as its heading says.
-bool isAsWritten(const Observations &data, const Candidate &candidate);
+/// Whether a hypothesis uses every column as its heading says.
+bool isAsWritten(const Observations &data, const Hypothesis &hypothesis);
 
 /// Fits and judges a hypothesis. If the abscissa is uneven, tries rounded and exact abscissae and returns the better
 /// fit.
 Candidate fitCandidate(const Observations &data, Hypothesis hypothesis);
+
+/// Judges an image of the best hypothesis, without fitting it. Returns no fit if it cannot be assembled in some row.
+Candidate candidateOfImage(const Observations &data, Hypothesis image, const Fit &best);
 
 /// Returns the candidates, the best one first. `given` supplies parameters that the file does not determine: a length,
 /// or ω2 of a file by crank angle.

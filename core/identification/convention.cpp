@@ -99,6 +99,12 @@ void applyToTime(const Convention &convention, ReferenceData &data)
 
 } // namespace
 
+double nearestFactor(std::span<const double> factors, double wanted)
+{
+    return *std::ranges::min_element(factors, {},
+                                     [&](double factor) { return std::abs(std::log(std::abs(wanted) / factor)); });
+}
+
 bool concerns(const Convention &convention, Channel channel)
 {
     return std::ranges::find(convention.channels, channel) != convention.channels.end();
@@ -135,7 +141,6 @@ ReferenceData applied(const Convention &convention, ReferenceData data)
 {
     if (data.crank && concerns(convention, {Theta2, Order::Position})) {
         applyToAngles(convention, data);
-        return data;
     }
     for (ReferenceSeries &series : data.series) {
         if (!concerns(convention, series.channel)) {

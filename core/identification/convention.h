@@ -39,11 +39,21 @@
 #include "core/import/reference_data.h"
 #include "core/mechanism/channel.h"
 
+#include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace slidercrank
 {
+
+// The factors between units that occur in files.
+inline constexpr std::array kAngleFactors{1.0, kDegreesPerRadian, 1.0 / kDegreesPerRadian};
+inline constexpr std::array kLengthFactors{1.0, 10.0, 25.4, 1000.0, 0.1, 1.0 / 25.4, 1e-3};
+inline constexpr std::array kTimeFactors{1.0, 1e-3, 1e3};
+
+/// The factor whose ratio to |wanted| is nearest to 1.
+double nearestFactor(std::span<const double> factors, double wanted);
 
 /// A convention and the columns that it changes. In a file by crank angle, AngleUnit, Sign and ZeroPoint of θ2 change
 /// the abscissa.

@@ -20,21 +20,19 @@ std::optional<Identification::Lack> findLack(const Observations &data);
 
 /// The precision of a fit.
 struct Uncertainty {
-    std::array<double, kParameterCount> standardError{}; ///< θ20: in the middle of the file; NaN if held
-    double angleAtZero = 0.0;                            ///< standard error of θ20 at t = 0
-    std::vector<double> offsetErrors;                    ///< by column; NaN if it has no free offset
+    Eigen::VectorXd errors;                                ///< standard errors of the unknowns; NaN if held
+    std::array<double, kParameterCount> parameterErrors{}; ///< the first of them; θ20: in the middle of the file
+    double angleAtZero = 0.0;                              ///< standard error of θ20 at t = 0
     double conditionNumber = 0.0;
     double evidence = 0.0;   ///< the information that the mechanism gives about the values, in nats
     bool isParabolic = true; ///< chi-square is a parabola within three standard errors, up to a factor of 2
 };
 
-Uncertainty computeUncertainty(const Observations &data, const Candidate &candidate);
-
 /// The answer, and the hypothesis to which it belongs.
 struct Decision {
     Identification identification;
-    std::optional<Candidate> candidate; ///< the image most like the given mechanism; nullopt if no mechanism is near
-    Uncertainty uncertainty;            ///< only if a mechanism is accepted
+    Candidate candidate;     ///< the image most like the given mechanism; not a fit if no mechanism is near
+    Uncertainty uncertainty; ///< only if a mechanism is accepted
 };
 
 /// Chooses the nearest of the candidates that interpret the file as its headings say. The outcome is Nearest or None.

@@ -80,20 +80,18 @@ std::vector<bool> outliers(const Observations &data, const Candidate &candidate)
     constexpr double kFar = 8.0;
     constexpr double kOfNormal = 1.4826; // standard deviation per median absolute deviation
     std::vector<bool> flags(data.abscissa.size(), false);
-    const Fit fit = evaluateHypothesis(data, candidate.fit.hypothesis);
+    const Fit fit = evaluateHypothesis(data, candidate.hypothesis);
     if (!fit.exists()) {
         return flags;
     }
     // Near a toggle position the accelerations are unbounded, so that a large residual need not be a bad reading.
     constexpr double kNearToggle = 1e-4; // of the square of the coupler's length
-    std::vector<bool> isNearToggle;
-    const Parameters p = middleParameters(fit.hypothesis);
-    for (const double angle : crankAngles(data, fit.hypothesis)) {
-        const double height = (fit.hypothesis.unknowns[2] - fit.hypothesis.unknowns[0] * std::sin(angle)) / p.b;
-        isNearToggle.push_back(1.0 - height * height < kNearToggle);
-    }
+    const auto isNearToggle = [&](std::size_t row) {
+        const Eigen::VectorXd &q = fit.hypothesis.unknowns;
+        const double height = (q[2] - q[0] * std::sin(crankAngle(data, fit.hypothesis, row))) / q[1];
+        return 1.0 - height * height < kNearToggle;
+    };
     for (std::size_t j = 0; j < data.columns.size(); ++j) {
-        const double factor = fit.hypothesis.columns[j].factor();
         std::vector<double> magnitudes;
         magnitudes.reserve(flags.size());
         for (const double residual : fit.residuals[j]) {
@@ -102,12 +100,13 @@ std::vector<bool> outliers(const Observations &data, const Candidate &candidate)
             }
         }
         const double scale = kOfNormal * medianOf(std::move(magnitudes));
+        const double factor = fit.hypothesis.columns[j].factor();
         for (std::size_t i = 0; i < flags.size(); ++i) {
             // Without the estimated noise, which contains the outliers.
             const double rounding = factor * factor * data.columns[j].variances[i];
             const double variance = std::max(fit.variances[j][i] - fit.noiseVariances[j], rounding);
-            flags[i] = flags[i] || (!isNearToggle[i] &&
-                                    std::abs(fit.residuals[j][i]) > kFar * std::max(scale, std::sqrt(variance)));
+            const double far = kFar * std::max(scale, std::sqrt(variance));
+            flags[i] = flags[i] || (std::abs(fit.residuals[j][i]) > far && !isNearToggle(i));
         }
     }
     return flags;
@@ -159,7 +158,7 @@ Candidate extended(const Observations &all, const Observations &window, const Ob
     constexpr std::size_t kGrowth = 4;
     constexpr std::size_t kRows = 200;
     constexpr int kRounds = 3;
-    Hypothesis hypothesis = found.fit.hypothesis;
+    Hypothesis hypothesis = found.hypothesis;
     std::size_t end =
         static_cast<std::size_t>(std::ranges::upper_bound(all.abscissa, window.abscissa.back()) - all.abscissa.begin());
     while (end < all.abscissa.size()) {
@@ -184,7 +183,7 @@ std::vector<Candidate> inWholeFile(const Observations &all, const Observations &
     }
     std::vector<Candidate> whole;
     for (const Candidate &candidate : candidates.first(std::min(kMost, candidates.size()))) {
-        if (Candidate one = extended(all, window, last, candidate); one.fit.exists() && !stop.stop_requested()) {
+        if (Candidate one = extended(all, window, last, candidate); one.exists() && !stop.stop_requested()) {
             one.price = candidate.price; // includes the preference for the given mechanism
             whole.push_back(std::move(one));
         }
@@ -201,23 +200,6 @@ std::vector<Candidate> searchRest(const Observations &rest, const Observations &
     return inWholeFile(rest, window, last, searchCandidates(window, given, stop), stop);
 }
 
-/// The best candidate if it is identified, else the nearest one with the lowest price.
-const Candidate &nearestCandidate(const std::vector<Candidate> &candidates)
-{
-    constexpr double kAbout = 1.05;
-    if (candidates.front().acceptance == Acceptance::Identified) {
-        return candidates.front();
-    }
-    const double least = std::ranges::min_element(candidates, {}, &Candidate::distance)->distance;
-    const Candidate *plainest = nullptr;
-    for (const Candidate &candidate : candidates) {
-        if (candidate.distance <= kAbout * least && (!plainest || candidate.price < plainest->price)) {
-            plainest = &candidate;
-        }
-    }
-    return *plainest;
-}
-
 bool isIdentified(const FileSearch &search)
 {
     return !search.candidates.empty() && search.candidates.front().acceptance == Acceptance::Identified;
@@ -229,7 +211,7 @@ bool isIdentified(const FileSearch &search)
 bool areFarAway(const Observations &data, const Candidate &candidate, const std::vector<bool> &flags)
 {
     constexpr double kTimes = 4.0;
-    const Fit fit = evaluateHypothesis(data, candidate.fit.hypothesis);
+    const Fit fit = evaluateHypothesis(data, candidate.hypothesis);
     std::vector<bool> isFar(flags.size(), false);
     for (const std::vector<double> &residuals : fit.residuals) {
         double largest = 0.0;
@@ -251,7 +233,7 @@ bool excludeOutliers(const Observations &all, const Parameters &given, const std
     if (search.candidates.empty()) {
         return false;
     }
-    Candidate nearest = nearestCandidate(search.candidates);
+    Candidate nearest = search.candidates.front();
     std::vector<bool> flags;
     for (int round = 0; round < kRounds && !stop.stop_requested(); ++round) {
         std::vector<bool> found = outliers(all, nearest);
@@ -259,8 +241,8 @@ bool excludeOutliers(const Observations &all, const Parameters &given, const std
             break;
         }
         flags = std::move(found);
-        Candidate refitted = fitCandidate(finalRows(without(all, flags)), nearest.fit.hypothesis);
-        if (!refitted.fit.exists()) {
+        Candidate refitted = fitCandidate(finalRows(without(all, flags)), nearest.hypothesis);
+        if (!refitted.exists()) {
             return false;
         }
         nearest = std::move(refitted);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/findings.h"
 
-#include "core/comparison/comparison.h"
+#include "core/identification/interpretation.h"
 #include "core/identification/round_numbers.h"
 #include "core/import/crank_angles.h"
 #include "core/mechanism/turn.h"
@@ -10,7 +10,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace slidercrank
 {
@@ -20,104 +19,44 @@ namespace
 
 using Kind = Convention::Kind;
 
-constexpr Channel kCrank{Theta2, Order::Position};
-constexpr double kErrors = 5.0; // standard errors of a significant difference
 constexpr std::size_t kFewRows = 1000;
 
-/// Adds a channel to the convention of that kind and amount, or adds a new convention. Signs of angles and of lengths
-/// are separate conventions.
-void addConvention(Kind kind, double amount, Channel channel, std::vector<ConventionFinding> &findings)
+/// Rounds an origin offset to the roundest number within its standard error. Returns false if it is less than five
+/// standard errors, a rounding step, or a thousandth of the column's spread (of the crank's length for R4y, of a radian
+/// for θ2).
+bool settleOrigin(const Observations &data, const Candidate &candidate, const Uncertainty &uncertainty,
+                  ConventionFinding &finding)
 {
-    for (ConventionFinding &finding : findings) {
-        Convention &convention = finding.convention;
-        if (convention.kind == kind && convention.amount == amount &&
-            (kind != Kind::Sign || isLength(convention.channels.front()) == isLength(channel))) {
-            convention.channels.push_back(channel);
-            return;
-        }
+    constexpr double kErrors = 5.0;
+    constexpr double kLeastPart = 1e-3;
+    const Channel channel = finding.convention.channels.front();
+    const auto &columns = candidate.hypothesis.columns;
+    double error = uncertainty.parameterErrors[indexOf(Parameter::Theta20)];
+    double size = 1.0;
+    double step = 0.0;
+    if (channel != kCrankAngle) {
+        const auto j =
+            static_cast<std::size_t>(std::ranges::find(columns, channel, &ColumnUse::channel) - columns.begin());
+        error = uncertainty.errors[Hypothesis::offsetIndex(j)];
+        size = channel.coordinate == R4y ? candidate.hypothesis.unknowns[0] : data.columns[j].spread;
+        step = data.columns[j].step;
     }
-    findings.push_back({{kind, {channel}, amount}});
-}
-
-/// An origin offset in the unit of files, as the roundest number within its standard error; nullopt if it is not
-/// significant.
-std::optional<ConventionFinding> originFinding(Channel channel, double offset, double error, double size, double step)
-{
-    constexpr double kLeastPart = 1e-3; // of the size
-    constexpr std::array kUnits{1.0};
-    if (std::abs(offset) < std::max({kLeastPart * size, kErrors * error, step})) {
-        return std::nullopt;
+    double &amount = finding.convention.amount;
+    if (std::abs(amount) < toFileUnit(channel, std::max({kLeastPart * size, kErrors * error, step}))) {
+        return false;
     }
-    const double amount = toFileUnit(channel, offset);
-    const double standardError = toFileUnit(channel, error);
-    ConventionFinding finding{{Kind::ZeroPoint, {channel}, amount}};
-    if (standardError > 0.0) {
-        finding.convention.amount = roundest(amount, standardError, kUnits);
-        finding.standardError = standardError;
+    if (error > 0.0) {
+        finding.standardError = toFileUnit(channel, error);
+        amount = roundest(amount, *finding.standardError);
     }
-    return finding;
-}
-
-/// Adds the conventions of the crank angle of a file by crank angle.
-void addCrankConventions(const Observations &data, const Candidate &candidate, const Uncertainty &uncertainty,
-                         std::vector<ConventionFinding> &findings)
-{
-    const Hypothesis &hypothesis = candidate.fit.hypothesis;
-    const double factor = hypothesis.abscissaFactor;
-    if (std::abs(factor) != 1.0) {
-        findings.push_back({{Kind::AngleUnit, {kCrank}, std::abs(factor)}});
-    }
-    if (factor < 0.0) {
-        findings.push_back({{Kind::Sign, {kCrank}, -1.0}});
-    }
-    if (hypothesis.isFree[indexOf(Parameter::Theta20)]) {
-        const double offset = std::remainder(hypothesis.unknowns[4] - factor * data.origin, kTurn);
-        const double error = uncertainty.standardError[indexOf(Parameter::Theta20)];
-        if (const auto finding = originFinding(kCrank, offset, error, 1.0, 0.0)) {
-            findings.push_back(*finding);
-        }
-    }
-}
-
-/// The columns that were left out because they are not the derivatives of their positions: they deviate by more than
-/// differences do, and not by noise. Empty if the positions are noisy, because a filter that differentiates them may
-/// cause any deviation.
-std::vector<Channel> strangeDerivatives(const Observations &data, const Candidate &candidate)
-{
-    std::vector<Channel> channels;
-    const std::vector<double> angles = crankAngles(data, candidate.fit.hypothesis);
-    for (std::size_t j = 0; j < data.columns.size() && candidate.isExact; ++j) {
-        if (candidate.fit.hypothesis.columns[j].isUsed) {
-            continue;
-        }
-        Hypothesis alone = candidate.fit.hypothesis;
-        alone.unknowns.conservativeResize(static_cast<Eigen::Index>(kParameterCount));
-        for (std::size_t k = 0; k < alone.columns.size(); ++k) {
-            alone.columns[k].isUsed = k == j;
-            alone.columns[k].hasOffset = false;
-        }
-        std::vector<double> residuals;
-        std::vector<double> residualAngles;
-        double squares = 0.0;
-        forEachResidual<double>(data, alone, alone.unknowns,
-                                [&](std::size_t row, std::size_t, double, double residual) {
-                                    residuals.push_back(residual);
-                                    residualAngles.push_back(angles[row]);
-                                    squares += residual * residual;
-                                });
-        const double rms = std::sqrt(squares / std::max(data.columns[j].count, 1.0));
-        if (rms > kLargestDifferencePart * data.columns[j].spread && !looksLikeNoise(residuals, residualAngles)) {
-            channels.push_back(data.columns[j].channel);
-        }
-    }
-    return channels;
+    return true;
 }
 
 /// The largest error of some channels (all if `channels` is empty) in percent of their peaks; 0 if there are no values.
 double largestPercent(const Parameters &parameters, const ReferenceData &data, const std::vector<Channel> &channels)
 {
     double largest = 0.0;
-    for (const ChannelComparison &channel : compareExactly(Mechanism(parameters), data).channels) {
+    for (const ChannelComparison &channel : compareTimed(parameters, data)) {
         if (channels.empty() || std::ranges::count(channels, channel.channel) > 0) {
             largest = std::max(largest, channel.percentOfPeak.value_or(0.0));
         }
@@ -137,128 +76,30 @@ std::vector<Channel> channelsAfter(const Convention &convention)
     return channels;
 }
 
-/// A set of conventions of the whole file.
-struct WholeFileFault {
-    double lengthFactor = 1.0;
-    double timeFactor = 1.0;
-    bool isReversed = false; ///< the angles have the opposite sense of rotation
-    bool isOtherAssembly = false;
-    bool isLate = false;
-
-    int count() const
-    {
-        return static_cast<int>(lengthFactor != 1.0) + static_cast<int>(timeFactor != 1.0) +
-               static_cast<int>(isReversed) + static_cast<int>(isOtherAssembly) + static_cast<int>(isLate);
-    }
-
-    /// The mechanism of the data after all conventions except the late start are applied.
-    Parameters undone(Parameters p) const
-    {
-        p.a *= lengthFactor;
-        p.b *= lengthFactor;
-        p.c *= lengthFactor * (isReversed ? -1.0 : 1.0);
-        p.omega2 *= (isReversed ? -1.0 : 1.0) / timeFactor;
-        p.theta20 *= isReversed ? -1.0 : 1.0;
-        return p;
-    }
-};
-
-bool isGivenMechanism(const Parameters &p, const Parameters &given, const std::array<double, kParameterCount> &errors)
-{
-    constexpr double kPart = 2e-3;
-    const auto near = [&](Parameter parameter, double size) {
-        const double error = errors[indexOf(parameter)];
-        const double tolerance = std::max(std::isfinite(error) ? kErrors * error : 0.0, kPart * size);
-        return std::abs(valueOf(p, parameter) - valueOf(given, parameter)) <= tolerance;
-    };
-    return near(Parameter::A, given.a) && near(Parameter::B, given.b) &&
-           near(Parameter::C, std::max(std::abs(given.c), given.a)) && near(Parameter::Omega2, std::abs(given.omega2));
-}
-
-std::optional<WholeFileFault> findWholeFileFault(const ReferenceData &data, const Parameters &given,
-                                                 const Identification &found)
-{
-    constexpr int kMostFaults = 2;
-    constexpr double kPart = 2e-3; // rad
-    const double angleError = found.standardError[indexOf(Parameter::Theta20)];
-    const double sameAngle = std::max(std::isfinite(angleError) ? kErrors * angleError : 0.0, kPart);
-    std::optional<WholeFileFault> best;
-    for (const double length : {1.0, 10.0, 25.4, 1000.0, 0.1, 1.0 / 25.4, 1e-3}) {
-        for (const double time : {1.0, 1e-3, 1e3}) {
-            for (const bool isReversed : {false, true}) {
-                WholeFileFault fault{length, time, isReversed};
-                const Parameters undone = fault.undone(found.parameters);
-                std::array<double, kParameterCount> errors = found.standardError;
-                for (const Parameter parameter : {Parameter::A, Parameter::B, Parameter::C}) {
-                    errors[indexOf(parameter)] *= length;
-                }
-                errors[indexOf(Parameter::Omega2)] /= time;
-                fault.isOtherAssembly = undone.branch != given.branch;
-                fault.isLate =
-                    !data.crank && std::abs(std::remainder(undone.theta20 - given.theta20, kTurn)) > sameAngle;
-                if (isGivenMechanism(undone, given, errors) && fault.count() > 0 && fault.count() <= kMostFaults &&
-                    (!best || fault.count() < best->count())) {
-                    best = fault;
-                }
-            }
-        }
-    }
-    return best;
-}
-
 } // namespace
 
 std::vector<ConventionFinding> findConventions(const Observations &data, const Candidate &candidate,
                                                const Uncertainty &uncertainty)
 {
     std::vector<ConventionFinding> findings;
-    const Hypothesis &hypothesis = candidate.fit.hypothesis;
-    if (data.isByCrankAngle) {
-        addCrankConventions(data, candidate, uncertainty, findings);
-    }
-    if (hypothesis.timeUnit != 1.0) {
-        findings.push_back({{Kind::TimeUnit, {}, hypothesis.timeUnit}});
-    }
-    const auto forEachUsed = [&](auto &&add) {
-        for (std::size_t j = 0; j < data.columns.size(); ++j) {
-            if (hypothesis.columns[j].isUsed) {
-                add(hypothesis.columns[j], data.columns[j], j);
+    for (Convention &convention : conventionsOf(data, candidate.hypothesis)) {
+        ConventionFinding finding{std::move(convention)};
+        std::vector<Channel> &channels = finding.convention.channels;
+        if (finding.convention.kind == Kind::NotDerivative) {
+            // Differences of the positions deviate, too, and a filter that differentiates noisy positions may cause any
+            // deviation.
+            std::erase_if(channels, [&](Channel channel) {
+                const auto column = std::ranges::find(data.columns, channel, &ObservedColumn::channel);
+                const auto j = static_cast<std::size_t>(column - data.columns.begin());
+                return !candidate.isExact || isLikeDifferences(data, candidate.hypothesis, j);
+            });
+            if (channels.empty()) {
+                continue;
             }
         }
-    };
-    forEachUsed([&](const ColumnUse &use, const ObservedColumn &column, std::size_t) {
-        if (indexOf(column.channel) < indexOf(use.channel)) {
-            findings.push_back({{Kind::SwappedColumns, {column.channel, use.channel}, 1.0}});
+        if (finding.convention.kind != Kind::ZeroPoint || settleOrigin(data, candidate, uncertainty, finding)) {
+            findings.push_back(std::move(finding));
         }
-    });
-    forEachUsed([&](const ColumnUse &use, const ObservedColumn &, std::size_t) {
-        if (use.unit != 1.0) {
-            addConvention(isLength(use.channel) ? Kind::LengthUnit : Kind::AngleUnit, use.unit, use.channel, findings);
-        }
-    });
-    forEachUsed([&](const ColumnUse &use, const ObservedColumn &, std::size_t) {
-        if (use.sign < 0.0) {
-            addConvention(Kind::Sign, -1.0, use.channel, findings);
-        }
-    });
-    forEachUsed([&](const ColumnUse &use, const ObservedColumn &column, std::size_t) {
-        if (use.channel == Channel{Theta3, Order::Position} && (use.turn != 0.0 || column.hadJumps)) {
-            addConvention(use.isHalfTurned() ? Kind::HalfTurn : Kind::WholeTurns, -use.turn * kDegreesPerRadian,
-                          use.channel, findings);
-        }
-    });
-    const UnknownLayout layout(hypothesis.columns);
-    forEachUsed([&](const ColumnUse &use, const ObservedColumn &column, std::size_t j) {
-        if (use.hasOffset) {
-            const double size = use.channel.coordinate == R4y ? std::abs(hypothesis.unknowns[0]) : column.spread;
-            if (const auto finding = originFinding(use.channel, -hypothesis.unknowns[layout.offset[j]],
-                                                   uncertainty.offsetErrors[j], size, column.step)) {
-                findings.push_back(*finding);
-            }
-        }
-    });
-    if (const std::vector<Channel> strange = strangeDerivatives(data, candidate); !strange.empty()) {
-        findings.push_back({{Kind::NotDerivative, strange, 1.0}});
     }
     return findings;
 }
@@ -266,10 +107,34 @@ std::vector<ConventionFinding> findConventions(const Observations &data, const C
 std::vector<ConventionFinding> findFaultsOfWholeFile(const ReferenceData &data, const Parameters &given,
                                                      Identification &found)
 {
-    constexpr std::array kUnits{1.0};
+    constexpr int kMostFaults = 2;
+    constexpr double kSamePart = 2e-3;
+    // Each fault changes the mechanism by one symmetry (convention.h), which the ratios of the parameters tell.
+    Parameters p = found.parameters;
+    std::array<double, kParameterCount> errors = found.standardError;
+    const double lengthFactor = nearestFactor(kLengthFactors, given.a / p.a);
+    const double timeFactor = nearestFactor(kTimeFactors, p.omega2 / given.omega2);
+    const bool isReversed = p.omega2 * given.omega2 < 0.0;
+    const double sense = isReversed ? -1.0 : 1.0;
+    for (const Parameter parameter : {Parameter::A, Parameter::B, Parameter::C}) {
+        valueOf(p, parameter) *= lengthFactor;
+        errors[indexOf(parameter)] *= lengthFactor;
+    }
+    p.c *= sense;
+    p.omega2 *= sense / timeFactor;
+    p.theta20 *= sense;
+    errors[indexOf(Parameter::Omega2)] /= timeFactor;
+    Parameters started = given;
+    started.theta20 = p.theta20;
+    const bool isLate = !data.crank && !areNear(given, started, kSamePart, errors);
+    const bool isOtherAssembly = p.branch != given.branch;
+    Parameters likeGiven = p;
+    likeGiven.theta20 = given.theta20;
+    likeGiven.branch = given.branch;
+    const int count = (lengthFactor != 1.0 ? 1 : 0) + (timeFactor != 1.0 ? 1 : 0) + (isReversed ? 1 : 0) +
+                      (isLate ? 1 : 0) + (isOtherAssembly ? 1 : 0);
     std::vector<ConventionFinding> findings;
-    const std::optional<WholeFileFault> fault = findWholeFileFault(data, given, found);
-    if (!fault) {
+    if (count == 0 || count > kMostFaults || !areNear(given, likeGiven, kSamePart, errors)) {
         return findings;
     }
     const auto add = [&](Kind kind, double amount, auto &&concerns) {
@@ -280,33 +145,38 @@ std::vector<ConventionFinding> findFaultsOfWholeFile(const ReferenceData &data, 
             }
         }
     };
-    if (fault->lengthFactor != 1.0) {
-        add(Kind::LengthUnit, fault->lengthFactor, isLength);
+    if (lengthFactor != 1.0) {
+        add(Kind::LengthUnit, lengthFactor, isLength);
     }
-    if (fault->timeFactor != 1.0) {
-        add(Kind::TimeUnit, fault->timeFactor, [](Channel channel) { return channel.order != Order::Position; });
+    if (timeFactor != 1.0) {
+        add(Kind::TimeUnit, timeFactor, [](Channel channel) { return channel.order != Order::Position; });
     }
-    if (fault->isReversed) {
+    if (isReversed) {
         add(Kind::Sign, -1.0, [](Channel channel) { return isAngle(channel.coordinate); });
     }
-    found.parameters = fault->undone(found.parameters);
-    for (const Parameter parameter : {Parameter::A, Parameter::B, Parameter::C}) {
-        found.standardError[indexOf(parameter)] *= fault->lengthFactor;
-    }
-    found.standardError[indexOf(Parameter::Omega2)] /= fault->timeFactor;
-    if (fault->isOtherAssembly) {
+    if (isOtherAssembly) {
         findings.push_back({{Kind::Branch, {}, 1.0}});
     }
-    if (fault->isLate) {
-        const double late = std::remainder(found.parameters.theta20 - given.theta20, kTurn) / given.omega2;
-        const double error = found.standardError[indexOf(Parameter::Theta20)] / std::abs(given.omega2);
-        const double amount = error > 0.0 ? roundest(late, error, kUnits) : late;
+    if (isLate) {
+        const double late = std::remainder(p.theta20 - given.theta20, kTurn) / given.omega2;
+        const double error = errors[indexOf(Parameter::Theta20)] / std::abs(given.omega2);
+        const double amount = error > 0.0 ? roundest(late, error) : late;
         findings.push_back({{Kind::TimeShift, {}, amount}});
-        found.parameters.theta20 -= amount * found.parameters.omega2;
+        p.theta20 -= amount * p.omega2;
     }
-    found.parameters.theta20 = std::remainder(found.parameters.theta20, kTurn);
+    p.theta20 = std::remainder(p.theta20, kTurn);
+    found.parameters = p;
+    found.standardError = errors;
     found.alternatives.clear();
     return findings;
+}
+
+std::vector<ChannelComparison> compareTimed(const Parameters &parameters, const ReferenceData &data,
+                                            const std::stop_token &stop)
+{
+    const Mechanism mechanism(parameters);
+    const std::optional<ReferenceData> timed = data.crank ? timedBy(mechanism, data) : std::nullopt;
+    return compareExactly(mechanism, timed ? *timed : data, stop).channels;
 }
 
 ReferenceData allApplied(const std::vector<ConventionFinding> &findings, ReferenceData data)
@@ -327,8 +197,7 @@ bool measureFindings(const ReferenceData &data, const Parameters &found, std::ve
         others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
         Parameters without = found;
         without.branch = convention.kind == Kind::Branch ? oppositeBranch(found.branch) : found.branch;
-        const bool concernsAll =
-            convention.kind == Kind::TimeUnit || (data.crank && convention.channels.front() == kCrank);
+        const bool concernsAll = convention.kind == Kind::TimeUnit || (data.crank && concerns(convention, kCrankAngle));
         const std::vector<Channel> before = concernsAll ? std::vector<Channel>() : convention.channels;
         const std::vector<Channel> after = concernsAll ? std::vector<Channel>() : channelsAfter(convention);
         findings[i].before = largestPercent(without, allApplied(others, some), before);
@@ -351,14 +220,9 @@ std::optional<ParameterChange> findParameterChange(const ReferenceData &data, co
     const ReferenceData some = thinnedData(data, kFewRows);
     const auto squaresOf = [&](const Parameters &p) {
         double sum = 0.0;
-        const std::optional<ReferenceData> timed = timedBy(Mechanism(p), some);
-        for (const ChannelComparison &channel :
-             timed ? compareExactly(Mechanism(p), *timed).channels : std::vector<ChannelComparison>()) {
-            if (channel.rms && channel.maxAbs.value_or(0.0) > 0.0) {
-                const double part = *channel.rms * channel.percentOfPeak.value_or(0.0) / *channel.maxAbs;
-                sum += part * part;
-            }
-            sum += channel.missingModel > 0 ? std::numeric_limits<double>::infinity() : 0.0;
+        for (const ChannelComparison &channel : compareTimed(p, some)) {
+            const double part = channel.peak > 0.0 ? channel.rms.value_or(0.0) / channel.peak : 0.0;
+            sum += channel.missingModel > 0 ? std::numeric_limits<double>::infinity() : part * part;
         }
         return sum;
     };

@@ -9,6 +9,7 @@
 #include "core/identification/diagnosis.h"
 
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 namespace slidercrank
@@ -26,8 +27,12 @@ std::vector<ConventionFinding> findFaultsOfWholeFile(const ReferenceData &data, 
                                                      Identification &found);
 
 /// Sets the largest error without and with each finding, and removes findings that do not reduce it. Returns false if
-/// one of these would change values. A file by crank angle must have the time stamps of the mechanism.
+/// one of these would change values.
 bool measureFindings(const ReferenceData &data, const Parameters &found, std::vector<ConventionFinding> &findings);
+
+/// Compares the data with a mechanism. A file by crank angle gets the time stamps of that mechanism.
+std::vector<ChannelComparison> compareTimed(const Parameters &parameters, const ReferenceData &data,
+                                            const std::stop_token &stop = {});
 
 /// Applies all conventions, one after the other.
 ReferenceData allApplied(const std::vector<ConventionFinding> &findings, ReferenceData data);

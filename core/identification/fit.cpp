@@ -4,8 +4,10 @@
 #include "core/identification/least_squares.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace slidercrank
 {
@@ -51,86 +53,40 @@ bool weigh(const Observations &data, Fit &fit)
 {
     constexpr double kDoublePrecision = 1e-15; // relative to the largest angle, with some margin
     const std::size_t columnCount = data.columns.size();
+    const Hypothesis &hypothesis = fit.hypothesis;
     fit.residuals.assign(columnCount, std::vector<double>(data.abscissa.size(), kNone));
     fit.variances = fit.residuals;
-    const UnknownLayout layout(fit.hypothesis.columns);
-    const Eigen::VectorXd &q = fit.hypothesis.unknowns;
-    const double rate = phaseRate(data, fit.hypothesis, q);
-    const double angleError = std::abs(rate) * (0.5 * data.span() + std::abs(data.origin)) * kDoublePrecision;
-    const double roundingOfAngle = rate * fit.hypothesis.abscissaStep;
+    fit.noiseVariances.assign(columnCount, 0.0);
+    const double rate = hypothesis.phaseRate(data);
+    const double angleError = rate * (0.5 * data.span() + std::abs(data.origin)) * kDoublePrecision;
+    const double roundingOfAngle = rate * hypothesis.abscissaStep;
     const double angleVariance = roundingOfAngle * roundingOfAngle / 12.0 + angleError * angleError;
     const auto record = [&](std::size_t row, std::size_t j, const Dual &model, double residual) {
-        const double factor = fit.hypothesis.columns[j].factor();
-        const double slope = layout.scaleOf(j, q) * model.derivatives()[4];
+        const double factor = hypothesis.columns[j].factor();
+        const double slope = hypothesis.scale(j) * model.derivatives()[4];
         fit.residuals[j][row] = residual;
         fit.variances[j][row] = factor * factor * data.columns[j].variances[row] + slope * slope * angleVariance;
     };
-    if (!forEachResidual<Dual>(data, fit.hypothesis, q, record)) {
+    if (!forEachResidual<Dual>(data, hypothesis, record)) {
         return false;
     }
-    fit.noiseVariances.assign(columnCount, 0.0);
-    double common = 0.0; // sum of the noise in units of the columns' spreads
+    double noiseParts = 0.0; // sum of the noise in units of the columns' spreads
     double varying = 0.0;
     for (std::size_t j = 0; j < columnCount; ++j) {
-        const ObservedColumn &column = data.columns[j];
-        const double spread = column.spread * fit.hypothesis.columns[j].factor();
-        if (fit.hypothesis.columns[j].isUsed && column.count > 0.0) {
-            fit.noiseVariances[j] = noiseVarianceOf(fit.residuals[j], fit.variances[j], column.count);
-            common += column.varies ? fit.noiseVariances[j] / (spread * spread) : 0.0;
-            varying += column.varies ? 1.0 : 0.0;
+        if (hypothesis.columns[j].isUsed && data.columns[j].count > 0.0) {
+            const double spread = interpretedSpread(data, hypothesis, j);
+            fit.noiseVariances[j] = noiseVarianceOf(fit.residuals[j], fit.variances[j], data.columns[j].count);
+            noiseParts += data.columns[j].varies ? fit.noiseVariances[j] / (spread * spread) : 0.0;
+            varying += data.columns[j].varies ? 1.0 : 0.0;
         }
     }
     for (std::size_t j = 0; j < columnCount; ++j) {
-        const double spread = data.columns[j].spread * fit.hypothesis.columns[j].factor();
-        const bool isBalanced = fit.hypothesis.isBalanced && data.columns[j].varies;
-        for (double &variance : fit.variances[j]) {
-            variance += isBalanced ? common / varying * spread * spread : fit.noiseVariances[j];
-        }
+        const double spread = interpretedSpread(data, hypothesis, j);
+        const bool isBalanced = hypothesis.isBalanced && data.columns[j].varies;
+        const double noise = isBalanced ? noiseParts / varying * spread * spread : fit.noiseVariances[j];
+        std::ranges::for_each(fit.variances[j], [=](double &variance) { variance += noise; });
     }
     return true;
-}
-
-/// S = Σ [r²/V + ln(V/z²)] + k ln N with the spread z of the column. A column that is not used counts as a column whose
-/// noise is its spread.
-void computeScore(const Observations &data, Fit &fit)
-{
-    double values = 0.0;
-    fit.chiSquare = fit.score = 0.0;
-    for (std::size_t j = 0; j < data.columns.size(); ++j) {
-        const double spread = data.columns[j].spread * std::abs(fit.hypothesis.columns[j].factor());
-        if (!fit.hypothesis.columns[j].isUsed) {
-            fit.score += data.columns[j].count;
-            continue;
-        }
-        for (std::size_t i = 0; i < data.abscissa.size(); ++i) {
-            if (!std::isnan(fit.residuals[j][i])) {
-                fit.chiSquare += fit.residuals[j][i] * fit.residuals[j][i] / fit.variances[j][i];
-                fit.score += std::log(fit.variances[j][i] / (spread * spread));
-                values += 1.0;
-            }
-        }
-    }
-    fit.score += fit.chiSquare + static_cast<double>(fit.hypothesis.freeParameterCount()) * std::log(values);
-}
-
-/// Starts new offsets where the mean residual of their column is zero.
-void startOffsets(const Observations &data, Hypothesis &hypothesis)
-{
-    const UnknownLayout layout(hypothesis.columns);
-    const Eigen::Index given = hypothesis.unknowns.size();
-    if (given >= layout.size) {
-        return;
-    }
-    hypothesis.unknowns.conservativeResize(layout.size);
-    hypothesis.unknowns.tail(layout.size - given).setZero();
-    Eigen::VectorXd mean = Eigen::VectorXd::Zero(layout.size);
-    forEachResidual<double>(data, hypothesis, hypothesis.unknowns,
-                            [&](std::size_t, std::size_t j, double, double residual) {
-                                if (layout.offset[j] >= 0) {
-                                    mean[layout.offset[j]] -= residual / data.columns[j].count;
-                                }
-                            });
-    hypothesis.unknowns += mean;
 }
 
 /// One round of Levenberg-Marquardt with fixed variances; returns chi-square before and after.
@@ -142,28 +98,29 @@ std::pair<double, double> minimize(const Observations &data, Fit &fit)
     constexpr double kNoGain = 1e-4;
     constexpr double kUndamped = 1e-12;
     const bool hasScales = std::ranges::any_of(fit.hypothesis.columns, &ColumnUse::hasScale);
-    const double first = chiSquareAt(data, fit, fit.hypothesis.unknowns);
+    const double first = chiSquareOf(data, fit, fit.hypothesis);
     double chiSquare = first;
     double lambda = 1e-3;
     for (int step = 0; step < kMostSteps; ++step) {
         ++fit.iterations;
-        const NormalEquations equations = normalEquations(data, fit, fit.hypothesis.unknowns);
+        const NormalEquations equations = normalEquations(data, fit);
         double gain = 0.0;
         for (int trial = 0; trial < kMostTrials; ++trial, lambda *= 10.0) {
-            Eigen::VectorXd unknowns =
-                fit.hypothesis.unknowns - solveSymmetric(equations.matrix, equations.gradient, lambda).col(0);
+            Hypothesis tried = fit.hypothesis;
+            tried.unknowns -= solveSymmetric(equations.matrix, equations.gradient, lambda).col(0);
             if (hasScales) {
-                regressScales(data, fit.hypothesis, unknowns);
+                regressScales(data, tried);
             }
-            const double tried = chiSquareAt(data, fit, unknowns);
-            if (tried < chiSquare) {
-                gain = chiSquare - tried;
-                chiSquare = tried;
-                fit.hypothesis.unknowns = unknowns;
+            const double triedSquare = chiSquareOf(data, fit, tried);
+            if (triedSquare < chiSquare) {
+                gain = chiSquare - triedSquare;
+                chiSquare = triedSquare;
+                fit.hypothesis = std::move(tried);
                 lambda = std::max(lambda * 0.05, kUndamped);
                 break;
             }
-            if (tried <= chiSquare * (1.0 + kSmallGain) + kNoGain) { // only rounding errors of the computation remain
+            if (triedSquare <=
+                chiSquare * (1.0 + kSmallGain) + kNoGain) { // only rounding errors of the computation remain
                 break;
             }
         }
@@ -179,68 +136,80 @@ std::pair<double, double> minimize(const Observations &data, Fit &fit)
 
 } // namespace
 
-void regressScales(const Observations &data, const Hypothesis &hypothesis, Eigen::VectorXd &unknowns)
+void centerOffsets(const Observations &data, Hypothesis &hypothesis)
 {
-    const UnknownLayout layout(hypothesis.columns);
-    unknowns.conservativeResize(layout.size);
-    Hypothesis at = hypothesis;
-    at.unknowns = unknowns;
-    const std::vector<ColumnRegression> regressions = columnRegressions(data, at);
+    Eigen::VectorXd mean = Eigen::VectorXd::Zero(hypothesis.unknowns.size());
+    forEachResidual<double>(data, hypothesis, [&](std::size_t, std::size_t j, double, double residual) {
+        mean[Hypothesis::offsetIndex(j)] += residual / data.columns[j].count;
+    });
+    hypothesis.unknowns -= mean;
+}
+
+void regressScales(const Observations &data, Hypothesis &hypothesis)
+{
+    const std::vector<ColumnRegression> regressions = columnRegressions(data, hypothesis);
     for (std::size_t j = 0; j < regressions.size(); ++j) {
-        if (layout.scale[j] >= 0) {
-            unknowns[layout.scale[j]] = regressions[j].slope();
-            unknowns[layout.offset[j]] = regressions[j].offset(1.0, regressions[j].slope());
+        if (hypothesis.columns[j].isUsed && hypothesis.columns[j].hasScale) {
+            const double scale = regressions[j].slope();
+            const Eigen::Index k = Hypothesis::offsetIndex(j);
+            hypothesis.unknowns[k] = regressions[j].offset(1.0, scale);
+            hypothesis.unknowns[k + 1] = scale;
         }
     }
 }
 
-double chiSquareAt(const Observations &data, const Fit &fit, const Eigen::VectorXd &unknowns)
+double largestNoisePart(const Observations &data, const Fit &fit)
+{
+    double largest = 0.0;
+    for (std::size_t j = 0; j < data.columns.size(); ++j) {
+        const double spread = interpretedSpread(data, fit.hypothesis, j);
+        largest = data.columns[j].varies ? std::max(largest, fit.noiseVariances[j] / (spread * spread)) : largest;
+    }
+    return largest;
+}
+
+double chiSquareOf(const Observations &data, const Fit &fit, const Hypothesis &hypothesis)
 {
     double sum = 0.0;
-    const bool moves = forEachResidual<double>(data, fit.hypothesis, unknowns,
-                                               [&](std::size_t row, std::size_t j, double, double residual) {
-                                                   sum += residual * residual / fit.variances[j][row];
-                                               });
+    const bool moves =
+        forEachResidual<double>(data, hypothesis, [&](std::size_t row, std::size_t j, double, double residual) {
+            sum += residual * residual / fit.variances[j][row];
+        });
     return moves && std::isfinite(sum) ? sum : kInfinity;
 }
 
-NormalEquations normalEquations(const Observations &data, const Fit &fit, const Eigen::VectorXd &unknowns)
+NormalEquations normalEquations(const Observations &data, const Fit &fit)
 {
-    const UnknownLayout layout(fit.hypothesis.columns);
-    NormalEquations equations{Eigen::MatrixXd::Zero(layout.size, layout.size), Eigen::VectorXd::Zero(layout.size)};
+    constexpr std::size_t kCount = kParameterCount + 2;
+    const Hypothesis &hypothesis = fit.hypothesis;
+    const Eigen::Index size = hypothesis.unknowns.size();
+    NormalEquations equations{Eigen::MatrixXd::Zero(size, size), Eigen::VectorXd::Zero(size)};
     Eigen::MatrixXd &matrix = equations.matrix;
-    const auto add = [&](std::size_t row, std::size_t j, const Dual &model, double residual) {
-        std::array<Eigen::Index, kParameterCount + 2> index;
-        std::array<double, kParameterCount + 2> slope;
-        std::size_t count = 0;
-        const double scale = layout.scaleOf(j, unknowns);
+    std::array<Eigen::Index, kCount> index{0, 1, 2, 3, 4};
+    std::array<double, kCount> slope;
+    forEachResidual<Dual>(data, hypothesis, [&](std::size_t row, std::size_t j, const Dual &model, double residual) {
         for (std::size_t k = 0; k < kParameterCount; ++k) {
-            if (fit.hypothesis.isFree[k]) {
-                index[count] = static_cast<Eigen::Index>(k);
-                slope[count++] = scale * model.derivatives()[static_cast<Eigen::Index>(k)];
-            }
+            slope[k] = hypothesis.scale(j) * model.derivatives()[static_cast<Eigen::Index>(k)];
         }
-        if (layout.offset[j] >= 0) {
-            index[count] = layout.offset[j];
-            slope[count++] = 1.0;
-        }
-        if (layout.scale[j] >= 0) {
-            index[count] = layout.scale[j];
-            slope[count++] = model.value();
-        }
+        slope[kCount - 2] = 1.0;
+        slope[kCount - 1] = model.value();
+        index[kCount - 2] = Hypothesis::offsetIndex(j);
+        index[kCount - 1] = index[kCount - 2] + 1;
         const double weight = 1.0 / fit.variances[j][row];
-        for (std::size_t k = 0; k < count; ++k) {
+        for (std::size_t k = 0; k < kCount; ++k) {
             equations.gradient[index[k]] += weight * slope[k] * residual;
             for (std::size_t l = 0; l <= k; ++l) {
                 matrix(index[k], index[l]) += weight * slope[k] * slope[l];
             }
         }
-    };
-    forEachResidual<Dual>(data, fit.hypothesis, unknowns, add);
-    for (Eigen::Index k = 0; k < layout.size; ++k) {
-        matrix(k, k) = matrix(k, k) > 0.0 ? matrix(k, k) : 1.0;
-        for (Eigen::Index l = 0; l < k; ++l) {
-            matrix(l, k) = matrix(k, l);
+    });
+    matrix.triangularView<Eigen::StrictlyUpper>() = matrix.transpose();
+    for (Eigen::Index k = 0; k < size; ++k) {
+        if (!hypothesis.isFreeUnknown(k) || !(matrix(k, k) > 0.0)) {
+            matrix.row(k).setZero();
+            matrix.col(k).setZero();
+            matrix(k, k) = 1.0;
+            equations.gradient[k] = 0.0;
         }
     }
     return equations;
@@ -249,19 +218,34 @@ NormalEquations normalEquations(const Observations &data, const Fit &fit, const 
 Fit evaluateHypothesis(const Observations &data, Hypothesis hypothesis)
 {
     Fit fit{std::move(hypothesis), {}, {}, {}};
-    startOffsets(data, fit.hypothesis);
     if (!fit.hypothesis.unknowns.allFinite() || !weigh(data, fit)) {
         return {};
     }
-    computeScore(data, fit);
+    // S = Σ [r²/V + ln(V/z²)] + k ln N. A column that is not used counts as a column whose noise is its spread.
+    fit.score = 0.0;
+    for (std::size_t j = 0; j < data.columns.size(); ++j) {
+        const double spread = interpretedSpread(data, fit.hypothesis, j);
+        fit.score += fit.hypothesis.columns[j].isUsed ? 0.0 : data.columns[j].count;
+        for (std::size_t i = 0; i < data.abscissa.size(); ++i) {
+            if (const double residual = fit.residuals[j][i]; !std::isnan(residual)) {
+                fit.chiSquare += residual * residual / fit.variances[j][i];
+                fit.logVariance += std::log(fit.variances[j][i] / (spread * spread));
+                fit.valueCount += 1.0;
+            }
+        }
+    }
+    for (Eigen::Index k = 0; k < fit.hypothesis.unknowns.size(); ++k) {
+        fit.freeCount += fit.hypothesis.isFreeUnknown(k) ? 1.0 : 0.0;
+    }
+    fit.score += fit.chiSquare + fit.logVariance + fit.freeCount * std::log(fit.valueCount);
     return fit;
 }
 
 Fit fitHypothesis(const Observations &data, Hypothesis hypothesis, int rounds)
 {
     constexpr double kSettled = 1e-3; // relative change of chi-square and of the noise from round to round
+    centerOffsets(data, hypothesis);
     Fit fit{std::move(hypothesis), {}, {}, {}};
-    startOffsets(data, fit.hypothesis);
     double noiseBefore = kInfinity;
     for (int round = 0; round < rounds; ++round) {
         if (!weigh(data, fit)) {

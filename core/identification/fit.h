@@ -22,7 +22,10 @@ struct Fit {
     std::vector<double> noiseVariances;         ///< by column
     std::vector<std::vector<double>> residuals; ///< by column and row; NaN where there is no value
     std::vector<std::vector<double>> variances; ///< of the residuals
-    double chiSquare = std::numeric_limits<double>::infinity();
+    double valueCount = 0.0;                    ///< number of residuals
+    double freeCount = 0.0;                     ///< number of free unknowns
+    double chiSquare = 0.0;
+    double logVariance = 0.0;                               ///< Σ ln(V/z²) with the spread z of the column
     double score = std::numeric_limits<double>::infinity(); ///< lower is better; infinite if there is no fit
     int iterations = 0;
 
@@ -30,24 +33,31 @@ struct Fit {
 };
 
 /// Fits the hypothesis in at most `rounds` rounds, each of which estimates the noise anew. The fitted a is positive.
+/// The offsets need no start.
 Fit fitHypothesis(const Observations &data, Hypothesis hypothesis, int rounds);
 
 /// Computes residuals, variances and noise of a hypothesis without changing its parameters. Returns no fit if the
 /// mechanism cannot be assembled in some row.
 Fit evaluateHypothesis(const Observations &data, Hypothesis hypothesis);
 
+/// Sets the free offsets so that the mean residual of their columns is zero.
+void centerOffsets(const Observations &data, Hypothesis &hypothesis);
+
 /// Sets the free scales, and the offsets of the same columns, by linear regression.
-void regressScales(const Observations &data, const Hypothesis &hypothesis, Eigen::VectorXd &unknowns);
+void regressScales(const Observations &data, Hypothesis &hypothesis);
+
+/// The largest noise of a varying column, as a part of its variance.
+double largestNoisePart(const Observations &data, const Fit &fit);
 
 /// Jᵀ V⁻¹ J and Jᵀ V⁻¹ r with respect to the unknowns; held unknowns have 1 on the diagonal.
 struct NormalEquations {
     Eigen::MatrixXd matrix;
     Eigen::VectorXd gradient;
 };
-NormalEquations normalEquations(const Observations &data, const Fit &fit, const Eigen::VectorXd &unknowns);
+NormalEquations normalEquations(const Observations &data, const Fit &fit);
 
-/// The weighted sum of squares at other unknowns, with the variances of the fit; infinite if the mechanism cannot be
+/// The weighted sum of squares of a hypothesis, with the variances of the fit; infinite if the mechanism cannot be
 /// assembled in some row.
-double chiSquareAt(const Observations &data, const Fit &fit, const Eigen::VectorXd &unknowns);
+double chiSquareOf(const Observations &data, const Fit &fit, const Hypothesis &hypothesis);
 
 } // namespace slidercrank

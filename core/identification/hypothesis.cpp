@@ -15,19 +15,14 @@ bool ColumnUse::isHalfTurned() const
     return std::remainder(turn / std::numbers::pi, 2.0) != 0.0;
 }
 
-std::size_t Hypothesis::freeParameterCount() const
+bool Hypothesis::isFreeUnknown(Eigen::Index index) const
 {
-    const UnknownLayout layout(columns);
-    return static_cast<std::size_t>(std::ranges::count(isFree, true)) + static_cast<std::size_t>(layout.size) -
-           kParameterCount;
-}
-
-UnknownLayout::UnknownLayout(const std::vector<ColumnUse> &columns)
-{
-    for (const ColumnUse &column : columns) {
-        offset.push_back(column.isUsed && column.hasOffset ? size++ : -1);
-        scale.push_back(column.isUsed && column.hasScale ? size++ : -1);
+    const auto k = static_cast<std::size_t>(index);
+    if (k < kParameterCount) {
+        return isFree[k];
     }
+    const ColumnUse &column = columns[(k - kParameterCount) / 2];
+    return column.isUsed && (index == offsetIndex((k - kParameterCount) / 2) ? column.hasOffset : column.hasScale);
 }
 
 Parameters middleParameters(const Hypothesis &hypothesis)
@@ -43,8 +38,8 @@ Parameters middleParameters(const Hypothesis &hypothesis)
 
 void setMiddleParameters(const Parameters &middle, Hypothesis &hypothesis)
 {
-    hypothesis.unknowns.resize(static_cast<Eigen::Index>(kParameterCount));
-    hypothesis.unknowns << middle.a, middle.b, middle.c, middle.omega2, middle.theta20;
+    hypothesis.unknowns.setZero(Hypothesis::offsetIndex(hypothesis.columns.size()));
+    hypothesis.unknowns.head(5) << middle.a, middle.b, middle.c, middle.omega2, middle.theta20;
     hypothesis.side = middle.branch == Branch::Open ? 1.0 : -1.0;
 }
 
@@ -52,16 +47,29 @@ Parameters parametersOf(const Observations &data, const Hypothesis &hypothesis)
 {
     Parameters p = middleParameters(hypothesis);
     p.theta20 = std::remainder(p.theta20 - p.omega2 * data.origin, kTurn);
+    p.omega2 /= hypothesis.timeUnit;
     return p;
 }
 
-bool areNear(const Parameters &x, const Parameters &y)
+std::array<double, kParameterCount> comparisonSizes(const Parameters &p)
 {
-    constexpr double kPart = 1e-3;
-    const auto near = [](double one, double other, double size) { return std::abs(one - other) <= kPart * size; };
-    return x.branch == y.branch && near(x.a, y.a, x.a) && near(x.b, y.b, x.b) &&
-           near(x.c, y.c, std::max(std::abs(x.c), x.a)) && near(x.omega2, y.omega2, std::abs(x.omega2)) &&
-           near(std::remainder(x.theta20 - y.theta20, kTurn), 0.0, 1.0);
+    return {p.a, p.b, std::max(std::abs(p.c), p.a), std::abs(p.omega2), 1.0};
+}
+
+bool areNear(const Parameters &x, const Parameters &y, double part,
+             const std::array<double, kParameterCount> &standardErrors)
+{
+    constexpr double kErrors = 5.0;
+    const std::array<double, kParameterCount> sizes = comparisonSizes(x);
+    for (std::size_t i = 0; i < kParameterCount; ++i) {
+        const auto parameter = static_cast<Parameter>(i);
+        double difference = valueOf(x, parameter) - valueOf(y, parameter);
+        difference = parameter == Parameter::Theta20 ? std::remainder(difference, kTurn) : difference;
+        if (!(std::abs(difference) <= std::fmax(part * sizes[i], kErrors * standardErrors[i]))) { // fmax ignores NaN
+            return false;
+        }
+    }
+    return x.branch == y.branch;
 }
 
 std::vector<ColumnUse> plainColumns(const Observations &data)
@@ -71,6 +79,11 @@ std::vector<ColumnUse> plainColumns(const Observations &data)
         columns.push_back({column.channel});
     }
     return columns;
+}
+
+double interpretedSpread(const Observations &data, const Hypothesis &hypothesis, std::size_t column)
+{
+    return data.columns[column].spread * std::abs(hypothesis.columns[column].factor());
 }
 
 void ColumnRegression::add(double model, double value)
@@ -128,10 +141,10 @@ std::vector<ColumnRegression> columnRegressions(const Observations &data, const 
     for (const ObservedColumn &column : data.columns) {
         regressions.push_back({column.mean});
     }
-    const bool moves = forEachResidual<double>(data, hypothesis, hypothesis.unknowns,
-                                               [&](std::size_t row, std::size_t column, double model, double) {
-                                                   regressions[column].add(model, data.columns[column].values[row]);
-                                               });
+    const bool moves =
+        forEachResidual<double>(data, hypothesis, [&](std::size_t row, std::size_t column, double model, double) {
+            regressions[column].add(model, data.columns[column].values[row]);
+        });
     return moves ? regressions : std::vector<ColumnRegression>();
 }
 

@@ -4,11 +4,12 @@
 // A hypothesis about a file: how each column is interpreted, which parameters of the mechanism are free, and where the
 // fit starts. forEachResidual() is the only loop that evaluates the model.
 
-#include "core/identification/motion_template.h"
+#include "core/closed_form/textbook_motion.h"
 #include "core/identification/observations.h"
 #include "core/mechanism/mechanism.h"
 
 #include <Eigen/Core>
+#include <unsupported/Eigen/AutoDiff>
 
 #include <array>
 #include <vector>
@@ -42,38 +43,34 @@ struct Hypothesis {
     std::vector<ColumnUse> columns;
     double timeUnit = 1.0;
     double abscissaFactor = 1.0; ///< of a file by crank angle: its sign and unit
-    Eigen::VectorXd unknowns;    ///< a, b, c, ω2, θ2 in the middle of the file; then the offsets and scales
+    Eigen::VectorXd unknowns;    ///< a, b, c, ω2, θ2 in the middle of the file; then offset and scale of each column
     double side = 1.0;           ///< 1 open, -1 crossed
     std::array<bool, kParameterCount> isFree{true, true, true, true, true};
     double abscissaStep = 0.0; ///< the rounding step of the abscissa that the fit takes into account
     bool isBalanced = false;   ///< weighs all columns by their spreads, for systematic deviations
 
-    std::size_t freeParameterCount() const; ///< including offsets and scales
+    /// Index of a column's offset among the unknowns. Its scale is the next unknown.
+    static Eigen::Index offsetIndex(std::size_t column)
+    {
+        return static_cast<Eigen::Index>(kParameterCount + 2 * column);
+    }
+    double offset(std::size_t column) const { return columns[column].hasOffset ? unknowns[offsetIndex(column)] : 0.0; }
+    double scale(std::size_t column) const
+    {
+        return columns[column].hasScale ? unknowns[offsetIndex(column) + 1] : 1.0;
+    }
+
+    bool isFreeUnknown(Eigen::Index index) const;
+
+    /// The derivative of the crank angle with respect to the abscissa: ω2, or the factor of a crank angle in the file.
+    double phaseRate(const Observations &data) const { return data.isByCrankAngle ? abscissaFactor : unknowns[3]; }
 };
 
-/// The indices of the offsets and scales among the unknowns; -1 for a column that has none.
-struct UnknownLayout {
-    std::vector<Eigen::Index> offset;
-    std::vector<Eigen::Index> scale;
-    Eigen::Index size = static_cast<Eigen::Index>(kParameterCount);
-
-    explicit UnknownLayout(const std::vector<ColumnUse> &columns);
-
-    double offsetOf(std::size_t column, const Eigen::VectorXd &unknowns) const
-    {
-        return at(offset[column], unknowns, 0.0);
-    }
-    double scaleOf(std::size_t column, const Eigen::VectorXd &unknowns) const
-    {
-        return at(scale[column], unknowns, 1.0);
-    }
-
-private:
-    static double at(Eigen::Index index, const Eigen::VectorXd &unknowns, double otherwise)
-    {
-        return index >= 0 && index < unknowns.size() ? unknowns[index] : otherwise;
-    }
-};
+/// The crank angle in a row, rad.
+inline double crankAngle(const Observations &data, const Hypothesis &hypothesis, std::size_t row)
+{
+    return hypothesis.phaseRate(data) * data.abscissa[row] + hypothesis.unknowns[4];
+}
 
 /// The fitted mechanism, with the crank angle in the middle of the file as θ20.
 Parameters middleParameters(const Hypothesis &hypothesis);
@@ -81,42 +78,56 @@ Parameters middleParameters(const Hypothesis &hypothesis);
 /// Sets the five parameters and the assembly to those of `middle`, without offsets and scales.
 void setMiddleParameters(const Parameters &middle, Hypothesis &hypothesis);
 
-/// The fitted mechanism, with the crank angle at t = 0 as θ20, in (-π, π]. Not for files by crank angle.
+/// The fitted mechanism, with ω2 in rad/s, and with the crank angle at t = 0 as θ20, in (-π, π]. θ20 is meaningless for
+/// files by crank angle.
 Parameters parametersOf(const Observations &data, const Hypothesis &hypothesis);
 
-/// Parameters that differ by less than a thousandth of their size; the crank angle by less than 1e-3 rad.
-bool areNear(const Parameters &x, const Parameters &y);
+/// The sizes with which differences of the parameters are compared; of θ20, 1 rad.
+std::array<double, kParameterCount> comparisonSizes(const Parameters &parameters);
+
+/// Whether two mechanisms have the same assembly, and their parameters differ by at most `part` of the size of each, or
+/// by five standard errors. NaN: no standard error.
+bool areNear(const Parameters &x, const Parameters &y, double part = 1e-3,
+             const std::array<double, kParameterCount> &standardErrors = {});
 
 /// Interprets every column as its heading says, without free offsets.
 std::vector<ColumnUse> plainColumns(const Observations &data);
 
-/// The derivative of the crank angle with respect to the abscissa: ω2, or the factor of a crank angle in the file.
-inline double phaseRate(const Observations &data, const Hypothesis &hypothesis, const Eigen::VectorXd &unknowns)
+/// The spread of a column in its interpretation.
+double interpretedSpread(const Observations &data, const Hypothesis &hypothesis, std::size_t column);
+
+/// A number with its derivatives with respect to a, b, c, ω2 and θ2.
+using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, 5, 1>>;
+
+inline double plainValue(double x)
 {
-    return data.isByCrankAngle ? hypothesis.abscissaFactor : unknowns[3];
+    return x;
+}
+
+inline double plainValue(const Dual &x)
+{
+    return x.value();
 }
 
 /// Calls use(row, column, model value, residual) for every value of the used columns. T is double, or Dual for the
 /// derivatives of the model with respect to the five parameters. Returns false if the mechanism cannot be assembled in
 /// some row.
 template <class T, class F>
-bool forEachResidual(const Observations &data, const Hypothesis &hypothesis, const Eigen::VectorXd &unknowns, F use)
+bool forEachResidual(const Observations &data, const Hypothesis &hypothesis, F use)
 {
     std::array<T, kParameterCount> parameters;
-    for (int i = 0; i < static_cast<int>(kParameterCount); ++i) {
+    for (std::size_t i = 0; i < kParameterCount; ++i) {
+        parameters[i] = T(hypothesis.unknowns[static_cast<Eigen::Index>(i)]);
         if constexpr (std::is_same_v<T, Dual>) {
-            parameters[static_cast<std::size_t>(i)] = Dual(unknowns[i], static_cast<int>(kParameterCount), i);
-        } else {
-            parameters[static_cast<std::size_t>(i)] = unknowns[i];
+            parameters[i].derivatives()[static_cast<Eigen::Index>(i)] = 1.0;
         }
     }
-    const UnknownLayout layout(hypothesis.columns);
-    MotionTemplate<T> motion;
+    TextbookMotion<T> motion;
     for (std::size_t row = 0; row < data.abscissa.size(); ++row) {
         const double at = data.abscissa[row];
-        const T crankAngle = data.isByCrankAngle ? T(parameters[4] + hypothesis.abscissaFactor * at)
-                                                 : T(parameters[3] * at + parameters[4]);
-        if (!motion.compute(parameters, crankAngle, hypothesis.side)) {
+        const T angle = data.isByCrankAngle ? T(parameters[4] + hypothesis.abscissaFactor * at)
+                                            : T(parameters[3] * at + parameters[4]);
+        if (!motion.compute(parameters, angle, hypothesis.side)) {
             return false;
         }
         for (std::size_t j = 0; j < data.columns.size(); ++j) {
@@ -125,7 +136,7 @@ bool forEachResidual(const Observations &data, const Hypothesis &hypothesis, con
             if (column.isUsed && !std::isnan(value)) {
                 const T model = motion.valueAt(column.channel);
                 use(row, j, model,
-                    layout.scaleOf(j, unknowns) * plainValue(model) + column.turn + layout.offsetOf(j, unknowns) -
+                    hypothesis.scale(j) * plainValue(model) + column.turn + hypothesis.offset(j) -
                         column.factor() * value);
             }
         }

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/interpretation.h"
 
-#include "core/identification/convention.h"
+#include "core/import/crank_angles.h"
 #include "core/mechanism/turn.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numbers>
 #include <optional>
-#include <tuple>
+#include <span>
 
 namespace slidercrank
 {
@@ -20,10 +19,6 @@ namespace
 {
 
 using Kind = Convention::Kind;
-
-constexpr std::array kAngleFactors{1.0, kDegreesPerRadian, 1.0 / kDegreesPerRadian};
-constexpr std::array kLengthFactors{1.0, 10.0, 25.4, 1000.0, 0.1, 1.0 / 25.4, 1e-3};
-constexpr std::array kTimeFactors{1.0, 1e-3, 1e3};
 
 // Prices in units of the score: twice the negative logarithm of the prior odds against the plain interpretation.
 constexpr double kPriceOfCause = 20.0;
@@ -41,23 +36,18 @@ bool mayHaveOffset(Channel channel)
            (channel.coordinate == R4x || channel.coordinate == R4y || channel.coordinate == Theta3);
 }
 
-template <std::size_t kCount>
-double nearestFactor(const std::array<double, kCount> &factors, double wanted)
+/// Whether a column that tells the shape is a derivative.
+bool hasDerivatives(const Observations &data)
 {
-    return *std::ranges::min_element(factors, {},
-                                     [&](double factor) { return std::abs(std::log(std::abs(wanted) / factor)); });
+    return std::ranges::any_of(data.columns, [](const ObservedColumn &column) {
+        return tellsShape(column) && column.channel.order != Order::Position;
+    });
 }
 
-/// The price of the assumptions on the crank angle of a file by crank angle.
-double priceOfAbscissa(const Observations &data, const Hypothesis &hypothesis)
+/// The crank angle where that of the file is zero, rad.
+double crankOrigin(const Observations &data, const Hypothesis &hypothesis)
 {
-    if (!data.isByCrankAngle) {
-        return 0.0;
-    }
-    const double factor = hypothesis.abscissaFactor;
-    return (factor < 0.0 ? kPriceOfCause + kPriceOfColumn : 0.0) +
-           (std::abs(factor) != 1.0 ? kPriceOfCause + kPriceOfColumn : 0.0) +
-           (hypothesis.isFree[indexOf(Parameter::Theta20)] ? kPriceOfCause : 0.0);
+    return std::remainder(hypothesis.unknowns[4] - hypothesis.abscissaFactor * data.origin, kTurn);
 }
 
 /// Chooses the unit and sign with which the column fits the model best.
@@ -66,7 +56,8 @@ void chooseUnit(const ObservedColumn &column, const ColumnRegression &regression
     if (tellsShape(column)) {
         const double slope = regression.slope();
         const double wanted = slope != 0.0 ? size / slope / use.perTime / use.base : 1.0;
-        use.unit = isLength(use.channel) ? nearestFactor(kLengthFactors, wanted) : nearestFactor(kAngleFactors, wanted);
+        use.unit =
+            nearestFactor(isLength(use.channel) ? std::span<const double>(kLengthFactors) : kAngleFactors, wanted);
         use.sign = wanted < 0.0 ? -1.0 : 1.0;
     } else if (use.channel == Channel{R4y, Order::Position}) {
         constexpr double kAbout = 0.1;
@@ -85,18 +76,18 @@ double squaredSize(const ObservedColumn &column, const ColumnUse &use, double si
 
 /// Interprets one column in the best allowed way and returns its misfit.
 double interpretColumn(const ObservedColumn &column, const ColumnRegression &regression, double size,
-                       const Hypothesis &hypothesis, Interpretations allowed, ColumnUse &use)
+                       const Hypothesis &hypothesis, bool isPlain, ColumnUse &use)
 {
     constexpr double kResolution = 1e-10; // of the variance: the accuracy of a fitted shape
     constexpr double kExplained = 0.01;   // of the variance: a column with a larger misfit is not explained
-    if (allowed == Interpretations::All) {
+    if (!isPlain) {
         chooseUnit(column, regression, size, use);
     }
     const double factor = use.factor();
     const double aboutMean = regression.meanSquare(factor, size) + factor * factor * column.meanVariance;
     double offset = regression.offset(factor, size);
     if (isAngle(use.channel.coordinate) && use.channel.order == Order::Position) {
-        const bool wholeTurns = allowed == Interpretations::Plain || use.channel.coordinate == Theta2;
+        const bool wholeTurns = isPlain || use.channel.coordinate == Theta2;
         const double part = wholeTurns ? kTurn : std::numbers::pi;
         use.turn = part * std::round(offset / part);
         offset -= use.turn;
@@ -106,7 +97,7 @@ double interpretColumn(const ObservedColumn &column, const ColumnRegression &reg
         return square > kExplained * size2 ? 0.0 : regression.n * std::log(square / size2 + kResolution);
     };
     double best = misfit(aboutMean + offset * offset);
-    if (allowed != Interpretations::Plain && mayHaveOffset(column.channel)) {
+    if (!isPlain && mayHaveOffset(column.channel)) {
         const double price = kPriceOfOffset + kPriceOfParameter - (use.isHalfTurned() ? kPriceOfHalfTurn : 0.0);
         if (misfit(aboutMean) + price < best) {
             use.hasOffset = true;
@@ -114,8 +105,7 @@ double interpretColumn(const ObservedColumn &column, const ColumnRegression &reg
             best = misfit(aboutMean);
         }
     }
-    if (allowed == Interpretations::All && best >= 0.0 && column.channel.order != Order::Position &&
-        tellsShape(column)) {
+    if (!isPlain && best >= 0.0 && column.channel.order != Order::Position && tellsShape(column)) {
         use = {column.channel};
         use.isUsed = false;
     }
@@ -126,8 +116,7 @@ double interpretColumn(const ObservedColumn &column, const ColumnRegression &reg
 /// Returns nullopt if more than half of the columns were left out, or if units of columns cancel the other unit of
 /// time.
 std::optional<Interpretation> interpret(const Observations &data, Hypothesis hypothesis,
-                                        const std::vector<ColumnRegression> &regressions, double size,
-                                        Interpretations allowed)
+                                        const std::vector<ColumnRegression> &regressions, double size, bool isPlain)
 {
     Interpretation result{std::move(hypothesis), 0.0};
     std::size_t leftOut = 0;
@@ -138,7 +127,7 @@ std::optional<Interpretation> interpret(const Observations &data, Hypothesis hyp
         const double columnSize = isLength(use.channel) ? size : 1.0;
         if (regressions[j].n > 0.0) {
             result.misfit +=
-                interpretColumn(data.columns[j], regressions[j], columnSize, result.hypothesis, allowed, use);
+                interpretColumn(data.columns[j], regressions[j], columnSize, result.hypothesis, isPlain, use);
         }
         leftOut += use.isUsed ? 0 : 1;
         isOtherTime =
@@ -210,7 +199,7 @@ std::vector<double> sizesToldBy(const Observations &data, const std::vector<Colu
         const ColumnUse &use = hypothesis.columns[j];
         if (tellsShape(data.columns[j]) && isLength(use.channel)) {
             hasLength = true;
-            if (options.allowed == Interpretations::All || regressions[j].slope() > 0.0) {
+            if (!options.isPlain || regressions[j].slope() > 0.0) {
                 addDistinct(std::abs(regressions[j].slope()) * use.base, sizes);
             }
         }
@@ -260,17 +249,14 @@ std::vector<Hypothesis> crankHypotheses(const Observations &data, const Hypothes
     constexpr double kAbout = 0.2; // rad
     constexpr std::size_t kOrigin = indexOf(Parameter::Theta20);
     constexpr std::size_t kSpeed = indexOf(Parameter::Omega2);
-    const double plainAngle = hypothesis.abscissaFactor * data.origin;
-    const double zero = std::remainder(hypothesis.unknowns[4] - plainAngle, kTurn);
-    const bool isPlain = options.allowed == Interpretations::Plain;
     std::vector<Hypothesis> origins;
-    if (std::abs(zero) < kAbout && (!isPlain || hypothesis.abscissaFactor == 1.0)) {
+    if (std::abs(crankOrigin(data, hypothesis)) < kAbout && (!options.isPlain || hypothesis.abscissaFactor == 1.0)) {
         Hypothesis fixed = hypothesis;
-        fixed.unknowns[4] = plainAngle;
+        fixed.unknowns[4] = hypothesis.abscissaFactor * data.origin;
         fixed.isFree[kOrigin] = false;
         origins.push_back(std::move(fixed));
     }
-    if (!isPlain) {
+    if (!options.isPlain) {
         origins.push_back(hypothesis);
         origins.back().isFree[kOrigin] = true;
     }
@@ -296,22 +282,19 @@ void addOfImage(const Observations &data, Hypothesis hypothesis, const Interpret
     if (regressions.empty()) {
         return;
     }
-    const bool hasDerivatives = std::ranges::any_of(data.columns, [](const ObservedColumn &column) {
-        return tellsShape(column) && column.channel.order != Order::Position;
-    });
-    const bool mayBeOtherTime = options.allowed == Interpretations::All && hasDerivatives && !data.isByCrankAngle;
+    const bool mayBeOtherTime = !options.isPlain && hasDerivatives(data) && !data.isByCrankAngle;
     for (const double size : sizesToldBy(data, regressions, options, hypothesis)) {
         for (const double timeUnit : kTimeFactors) {
             if (timeUnit != 1.0 && !mayBeOtherTime) {
                 continue;
             }
             hypothesis.timeUnit = timeUnit;
-            std::optional<Interpretation> result = interpret(data, hypothesis, regressions, size, options.allowed);
+            std::optional<Interpretation> result = interpret(data, hypothesis, regressions, size, options.isPlain);
             const bool isPoor = result && result->misfit > kHardlyExplained;
-            if (options.allowed == Interpretations::Plain && options.isShortArc && isPoor) {
+            if (options.isPlain && options.isShortArc && isPoor) {
                 if (const auto better = continued(thinned(data, kValleyRows), hypothesis, regressions, size)) {
                     if (const auto again = columnRegressions(data, *better); !again.empty()) {
-                        result = interpret(data, *better, again, 1.0, options.allowed);
+                        result = interpret(data, *better, again, 1.0, options.isPlain);
                     }
                 }
             }
@@ -324,55 +307,113 @@ void addOfImage(const Observations &data, Hypothesis hypothesis, const Interpret
 
 } // namespace
 
-double priceOf(const Observations &data, const Hypothesis &hypothesis)
+std::vector<Convention> conventionsOf(const Observations &data, const Hypothesis &hypothesis)
 {
-    std::map<std::tuple<Kind, double, bool>, int> causes; // kind, amount, of angles → number of columns
-    std::array<int, 2> columnCounts{};
-    double price = (hypothesis.side < 0.0 ? kPriceOfCrossed : 0.0) + priceOfAbscissa(data, hypothesis);
-    int perFileTime = 0;
-    bool isDepth = false; // R4x is counted from another origin in the other direction
-    for (std::size_t j = 0; j < hypothesis.columns.size(); ++j) {
+    std::vector<Convention> conventions;
+    const auto add = [&](Kind kind, double amount, Channel channel) {
+        const auto isSame = [&](const Convention &other) {
+            return other.kind == kind && other.amount == amount &&
+                   (kind != Kind::Sign || isLength(other.channels.front()) == isLength(channel));
+        };
+        const auto known = std::ranges::find_if(conventions, isSame);
+        if (known == conventions.end()) {
+            conventions.push_back({kind, {channel}, amount});
+        } else {
+            known->channels.push_back(channel);
+        }
+    };
+    for (std::size_t j = 0; j < data.columns.size(); ++j) { // first, because the others name the columns as exchanged
+        const Channel heading = data.columns[j].channel;
+        if (indexOf(heading) < indexOf(hypothesis.columns[j].channel)) {
+            conventions.push_back({Kind::SwappedColumns, {heading, hypothesis.columns[j].channel}, 1.0});
+        }
+    }
+    if (hypothesis.timeUnit != 1.0) {
+        conventions.push_back({Kind::TimeUnit, {}, hypothesis.timeUnit});
+    }
+    if (const double factor = hypothesis.abscissaFactor; data.isByCrankAngle) {
+        if (std::abs(factor) != 1.0) {
+            add(Kind::AngleUnit, std::abs(factor), kCrankAngle);
+        }
+        if (factor < 0.0) {
+            add(Kind::Sign, -1.0, kCrankAngle);
+        }
+        if (hypothesis.isFree[indexOf(Parameter::Theta20)]) {
+            add(Kind::ZeroPoint, crankOrigin(data, hypothesis) * kDegreesPerRadian, kCrankAngle);
+        }
+    }
+    for (std::size_t j = 0; j < data.columns.size(); ++j) {
         const ColumnUse &use = hypothesis.columns[j];
-        const bool angle = !isLength(use.channel);
-        columnCounts[angle ? 1 : 0] += tellsShape(data.columns[j]) ? 1 : 0;
         if (!use.isUsed) {
-            ++causes[{Kind::NotDerivative, 0.0, false}];
+            add(Kind::NotDerivative, 1.0, use.channel);
             continue;
         }
         if (use.unit != 1.0) {
-            ++causes[{angle ? Kind::AngleUnit : Kind::LengthUnit, use.unit, angle}];
+            add(isLength(use.channel) ? Kind::LengthUnit : Kind::AngleUnit, use.unit, use.channel);
         }
         if (use.sign < 0.0) {
-            ++causes[{Kind::Sign, -1.0, angle}];
-            isDepth = isDepth || (use.channel == Channel{R4x, Order::Position} && use.hasOffset);
+            add(Kind::Sign, -1.0, use.channel);
         }
-        if (use.channel != data.columns[j].channel) {
-            ++causes[{Kind::SwappedColumns, 0.0, false}];
+        if (use.channel == Channel{Theta3, Order::Position} && (use.turn != 0.0 || data.columns[j].hadJumps)) {
+            add(use.isHalfTurned() ? Kind::HalfTurn : Kind::WholeTurns, -use.turn * kDegreesPerRadian, use.channel);
         }
-        perFileTime += hypothesis.timeUnit != 1.0 && use.perTime == 1.0 && use.channel.order != Order::Position ? 1 : 0;
-        price += (use.isHalfTurned() ? kPriceOfHalfTurn : 0.0) + (use.hasOffset ? kPriceOfOffset : 0.0);
+        if (use.hasOffset) {
+            conventions.push_back({Kind::ZeroPoint, {use.channel}, -toFileUnit(use.channel, hypothesis.offset(j))});
+        }
     }
-    for (const auto &[cause, count] : causes) {
-        const auto &[kind, amount, angle] = cause;
-        const bool mayConcernAll = kind != Kind::NotDerivative && kind != Kind::SwappedColumns;
-        const bool concernsAll = mayConcernAll && count > 1 && count >= columnCounts[angle ? 1 : 0];
-        const bool isOfDepth = isDepth && kind == Kind::Sign && !angle;
-        price += (isOfDepth ? kPriceOfDepth : kPriceOfCause) + kPriceOfColumn * (concernsAll ? 1 : count);
+    return conventions;
+}
+
+double priceOf(const Observations &data, const Hypothesis &hypothesis)
+{
+    const std::vector<Convention> conventions = conventionsOf(data, hypothesis);
+    const bool hasOtherOrigin = std::ranges::any_of(conventions, [](const Convention &convention) {
+        return convention.kind == Kind::ZeroPoint && concerns(convention, {R4x, Order::Position});
+    });
+    double price = hypothesis.side < 0.0 ? kPriceOfCrossed : 0.0;
+    for (const Convention &convention : conventions) {
+        auto columns = std::ranges::ssize(convention.channels);
+        double cause = kPriceOfCause;
+        switch (convention.kind) {
+        case Kind::HalfTurn: price += kPriceOfHalfTurn; continue;
+        case Kind::WholeTurns: continue;
+        case Kind::ZeroPoint: price += concerns(convention, kCrankAngle) ? kPriceOfCause : kPriceOfOffset; continue;
+        case Kind::TimeUnit: // and each derivative that is nevertheless in the unit of the heading
+            columns = 1 + std::ranges::count_if(hypothesis.columns, [](const ColumnUse &use) {
+                          return use.isUsed && use.perTime == 1.0 && use.channel.order != Order::Position;
+                      });
+            break;
+        case Kind::AngleUnit:
+        case Kind::LengthUnit:
+        case Kind::Sign: {
+            const bool areLengths = isLength(convention.channels.front());
+            const auto all = std::ranges::count_if(data.columns, [&](const ObservedColumn &column) {
+                return tellsShape(column) && isLength(column.channel) == areLengths;
+            });
+            columns = columns >= all ? 1 : columns;
+            const bool isDepth = hasOtherOrigin && concerns(convention, {R4x, Order::Position});
+            cause = convention.kind == Kind::Sign && isDepth ? kPriceOfDepth : kPriceOfCause;
+            break;
+        }
+        case Kind::SwappedColumns:
+        case Kind::Branch:
+        case Kind::TimeShift:
+        case Kind::NotDerivative:
+        case Kind::Axis: break;
+        }
+        price += cause + kPriceOfColumn * static_cast<double>(columns);
     }
-    return price + (hypothesis.timeUnit != 1.0 ? kPriceOfCause + kPriceOfColumn * (1 + perFileTime) : 0.0);
+    return price;
 }
 
 void addInterpretations(const Observations &data, const Fit &shape, const InterpretationOptions &options,
                         std::vector<Interpretation> &interpretations)
 {
-    constexpr double kValleyRowsPerTurn = 6.0;
+    constexpr double kFewRowsPerTurn = 6.0;
     std::vector<double> speedShifts{0.0}; // aliases
     const double rowSpeed = kTurn / data.interval();
-    const bool hasDerivatives = std::ranges::any_of(data.columns, [](const ObservedColumn &column) {
-        return tellsShape(column) && column.channel.order != Order::Position;
-    });
-    if (!data.isByCrankAngle && hasDerivatives &&
-        std::abs(shape.hypothesis.unknowns[3]) * kValleyRowsPerTurn > rowSpeed) {
+    if (!data.isByCrankAngle && hasDerivatives(data) &&
+        std::abs(shape.hypothesis.unknowns[3]) * kFewRowsPerTurn > rowSpeed) {
         for (const double turns : {-3.0, -2.0, -1.0, 1.0, 2.0, 3.0}) {
             speedShifts.push_back(turns * rowSpeed);
         }

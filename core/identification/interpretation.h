@@ -4,6 +4,7 @@
 // Turns a shape into hypotheses: for each of its mirror images, and each size and unit of time that follows from a
 // column, chooses the best interpretation of every column. Scales and origins come from linear regressions.
 
+#include "core/identification/convention.h"
 #include "core/identification/fit.h"
 
 #include <stop_token>
@@ -12,11 +13,9 @@
 namespace slidercrank
 {
 
-enum class Interpretations {
-    Plain,   ///< as the headings say, up to whole turns
-    Offsets, ///< with free origin offsets and half turns
-    All      ///< also with other units and signs, and without derivatives that cannot be explained
-};
+/// The conventions that a hypothesis assumes, in the order of application. All columns that are not used count as no
+/// derivatives, and every free origin as another one.
+std::vector<Convention> conventionsOf(const Observations &data, const Hypothesis &hypothesis);
 
 /// The price of the assumptions of a hypothesis, to be added to its score. One cause has one price, however many
 /// columns it changes.
@@ -28,7 +27,9 @@ struct Interpretation {
 };
 
 struct InterpretationOptions {
-    Interpretations allowed = Interpretations::Plain;
+    /// Interprets columns as their headings say, up to whole turns. Otherwise also with other units, signs, origins and
+    /// half turns, and without derivatives that cannot be explained.
+    bool isPlain = true;
     Parameters given;        ///< supplies a if the file contains no length, and ω2 if it contains no time
     bool isShortArc = false; ///< the fitted shape may be far from the mechanism: tries continuation
     std::stop_token stop;

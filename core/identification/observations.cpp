@@ -79,10 +79,9 @@ double repetitionOf(const ObservedColumn &column)
     return column.count / (runs > 1.0 ? std::min({runs, 2.0 * stretches, column.count}) : 1.0);
 }
 
-/// Replaces the values of a saturated sensor by gaps and returns whether there were any. Such a value is an extreme
-/// that repeats much more often than rounding explains at a turning point, and that neighbouring rows approach
-/// gradually.
-bool removeSaturation(std::vector<double> &values, double step)
+/// Replaces the values of a saturated sensor by gaps. Such a value is an extreme that repeats much more often than
+/// rounding explains at a turning point, and that neighbouring rows approach gradually.
+void removeSaturation(std::vector<double> &values, double step)
 {
     constexpr std::ptrdiff_t kFewestRepeats = 5;
     constexpr double kMostPart = 0.5; // of the rows; with more it is a square wave
@@ -116,7 +115,6 @@ bool removeSaturation(std::vector<double> &values, double step)
     for (std::size_t i = 0; i < values.size(); ++i) {
         values[i] = isSaturated[i] ? kNone : values[i];
     }
-    return std::ranges::count(isSaturated, true) > 0;
 }
 
 /// Computes mean, spread, steps and variances of a column from its values. `unit`: mm or rad per unit of `rounding`.
@@ -160,8 +158,7 @@ void learnStatistics(ObservedColumn &column, const Rounding &rounding, double un
     }
 }
 
-std::optional<ObservedColumn> observedColumn(const ReferenceSeries &series, std::span<const std::size_t> rows,
-                                             bool &hasSaturation)
+std::optional<ObservedColumn> observedColumn(const ReferenceSeries &series, std::span<const std::size_t> rows)
 {
     ObservedColumn column;
     column.channel = series.channel;
@@ -171,7 +168,7 @@ std::optional<ObservedColumn> observedColumn(const ReferenceSeries &series, std:
         const double value = series.values[row];
         column.values.push_back(std::isfinite(value) ? value * unit : kNone);
     }
-    hasSaturation |= removeSaturation(column.values, series.rounding.stepAt(rangeOf(series.values).size()) * unit);
+    removeSaturation(column.values, series.rounding.stepAt(rangeOf(series.values).size()) * unit);
     if (isAnglePosition(column.channel)) {
         column.hadJumps = removeJumps(column.values);
     }
@@ -233,7 +230,7 @@ Observations observe(const ReferenceData &data)
     all.printedStep = clock.printedStep * unit;
     for (const ReferenceSeries &series : data.series) {
         if (!isAlwaysZero(series.channel) && !(data.crank && series.channel == Channel{Theta2, Order::Position})) {
-            if (std::optional<ObservedColumn> column = observedColumn(series, all.rows, all.hasSaturation)) {
+            if (std::optional<ObservedColumn> column = observedColumn(series, all.rows)) {
                 all.columns.push_back(*std::move(column));
             }
         }

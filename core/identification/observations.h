@@ -48,7 +48,6 @@ struct Observations {
     std::vector<double> abscissa; ///< time in s, or the crank angle in rad, minus `origin`
     double origin = 0.0;
     bool isByCrankAngle = false;
-    bool hasSaturation = false;    ///< values of a saturated sensor were removed
     double step = 0.0;             ///< rounding step of the abscissa; 0 if the abscissa is even
     double printedStep = 0.0;      ///< rounding step of the abscissa as printed
     std::vector<std::size_t> rows; ///< indices in the file

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/round_numbers.h"
 
-#include "core/import/crank_angles.h"
+#include "core/identification/findings.h"
 
 #include <algorithm>
 #include <array>
@@ -63,13 +63,12 @@ std::optional<RoundNumber> roundNumber(double value, double standardError)
 }
 
 /// Whether the rounded mechanism agrees with the data as well as the fitted one.
-bool agreesAsWell(const Mechanism &rounded, const ReferenceData &data, std::span<const ChannelComparison> identified)
+bool agreesAsWell(const Parameters &rounded, const ReferenceData &data, std::span<const ChannelComparison> identified)
 {
-    const std::optional<ReferenceData> timed = data.crank ? timedBy(rounded, data) : std::nullopt;
-    const std::vector<ChannelComparison> channels = compareExactly(rounded, timed ? *timed : data).channels;
+    const std::vector<ChannelComparison> channels = compareTimed(rounded, data);
     double growth = 0.0;
     for (std::size_t i = 0; i < channels.size(); ++i) {
-        const double natural = toFileUnit(channels[i].channel, naturalSize(rounded.parameters(), channels[i].channel));
+        const double natural = toFileUnit(channels[i].channel, naturalSize(rounded, channels[i].channel));
         const double before = std::max(identified[i].rms.value_or(0.0), kArithmeticStep * natural);
         const double ratio = channels[i].rms.value_or(0.0) / before;
         growth += static_cast<double>(channels[i].count) * (ratio * ratio - 1.0);
@@ -83,9 +82,8 @@ bool agreesAsWell(const Mechanism &rounded, const ReferenceData &data, std::span
 /// The largest rms deviation of the used columns, relative to the column's range.
 double largestDeviation(const Parameters &parameters, const Identification &found, const ReferenceData &data)
 {
-    const std::optional<ReferenceData> timed = data.crank ? timedBy(Mechanism(parameters), data) : std::nullopt;
     double largest = 0.0;
-    for (const ChannelComparison &channel : compareExactly(Mechanism(parameters), timed ? *timed : data).channels) {
+    for (const ChannelComparison &channel : compareTimed(parameters, data)) {
         const double range = rangeOf(data.find(channel.channel)->values).width();
         const bool isLeftOut =
             std::ranges::count(found.leftOut, channel.channel, &Identification::LeftOut::channel) > 0;
@@ -113,7 +111,6 @@ std::optional<double> roundNumberIn(std::span<const double> units, double value,
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kTurnAMinute = std::numbers::pi / 30.0;
-constexpr std::array kPlainUnit{1.0};
 constexpr std::array kSpeedUnits{1.0, kDegree, kTurnAMinute};
 constexpr std::array kAngleUnits{kDegree, 1.0};
 
@@ -183,7 +180,7 @@ Parameters inRoundNumbers(const Identification &found, const ReferenceData &data
             valueOf(rounded, parameter) = roundest(valueOf(rounded, parameter), error, unitsOf(parameter));
         }
     }
-    const bool isGood = !findFault(rounded) && agreesAsWell(Mechanism(rounded), data, identified);
+    const bool isGood = !findFault(rounded) && agreesAsWell(rounded, data, identified);
     return isGood ? rounded : found.parameters;
 }
 

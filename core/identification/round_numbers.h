@@ -7,6 +7,7 @@
 #include "core/comparison/comparison.h"
 #include "core/identification/identification.h"
 
+#include <array>
 #include <span>
 
 namespace slidercrank
@@ -19,7 +20,9 @@ namespace slidercrank
 Parameters inRoundNumbers(const Identification &found, const ReferenceData &data,
                           std::span<const ChannelComparison> identified);
 
+inline constexpr std::array kPlainUnit{1.0};
+
 /// Rounds one value in the same way. `units`: the units in which it may be a round number.
-double roundest(double value, double standardError, std::span<const double> units);
+double roundest(double value, double standardError, std::span<const double> units = kPlainUnit);
 
 } // namespace slidercrank

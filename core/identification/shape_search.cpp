@@ -16,9 +16,11 @@ namespace
 
 struct Start {
     double misfit = std::numeric_limits<double>::infinity();
-    Eigen::VectorXd unknowns;
-    double abscissaFactor = 1.0;
+    Hypothesis hypothesis{};
 };
+
+constexpr std::size_t kCoarseRows = 40; // on which the grid is evaluated
+constexpr std::size_t kFitRows = 80;
 
 /// Added to 1 − ρ² on the grid of periodic files, so that a shape that fits all columns roughly beats one that fits
 /// half of them exactly.
@@ -57,14 +59,14 @@ void addGridStarts(const Observations &coarse, Hypothesis hypothesis, double spe
             Start best;
             const double b = coupler * (1.0 + std::abs(offset));
             for (int k = 0; k < angles; ++k) {
-                hypothesis.unknowns << 1.0 / b, 1.0, offset / b, speed, k * kTurn / angles;
+                setMiddleParameters({1.0 / b, 1.0, offset / b, speed, k * kTurn / angles}, hypothesis);
                 const double misfit = dissimilarity(coarse, hypothesis, isPeriodic ? kLeastUnexplained : 0.0);
                 if (misfit < best.misfit) {
-                    best = {misfit, hypothesis.unknowns, hypothesis.abscissaFactor};
+                    best = {misfit, hypothesis};
                 }
             }
-            if (best.unknowns.size() > 0) {
-                found.push_back(best);
+            if (std::isfinite(best.misfit)) {
+                found.push_back(std::move(best));
             }
         }
     }
@@ -73,40 +75,28 @@ void addGridStarts(const Observations &coarse, Hypothesis hypothesis, double spe
     starts.insert(starts.end(), found.begin(), found.end());
 }
 
-/// Whether rounding explains all columns, or nearly explains them if there are more than two.
-bool isExactShape(const Observations &data, const Fit &fit)
-{
-    constexpr double kNearly = 1e-6; // of a column's variance
-    double largest = 0.0;
-    for (std::size_t j = 0; j < data.columns.size(); ++j) {
-        largest = std::max(largest, fit.noiseVariances[j] / (data.columns[j].spread * data.columns[j].spread));
-    }
-    return largest <= (std::ranges::count_if(data.columns, tellsShape) > 2 ? kNearly : 0.0);
-}
-
-/// Fits the best starts and adds the distinct fits. Returns whether one of them is exact.
-bool fitStarts(const Observations &data, const Hypothesis &hypothesis, std::vector<Start> starts, std::size_t most,
-               std::vector<Fit> &fits)
+/// Fits the best starts and adds the distinct fits. Returns whether rounding explains one of them, or nearly explains
+/// it if more than two columns tell the shape.
+bool fitStarts(const Observations &data, std::vector<Start> starts, std::size_t most, std::vector<Fit> &fits)
 {
     constexpr int kRounds = 6;
+    constexpr double kNearly = 1e-6; // of a column's variance
+    const double largestOfExact = std::ranges::count_if(data.columns, tellsShape) > 2 ? kNearly : 0.0;
     std::ranges::sort(starts, {}, &Start::misfit);
     starts.resize(std::min(starts.size(), most));
     bool isExact = false;
-    for (const Start &start : starts) {
-        Hypothesis free = hypothesis;
-        for (ColumnUse &column : free.columns) {
+    for (Start &start : starts) {
+        for (ColumnUse &column : start.hypothesis.columns) {
             column.hasOffset = column.hasScale = column.isUsed;
         }
-        free.unknowns = start.unknowns;
-        free.abscissaFactor = start.abscissaFactor;
-        regressScales(data, free, free.unknowns);
-        Fit fit = fitHypothesis(data, std::move(free), kRounds);
+        regressScales(data, start.hypothesis);
+        Fit fit = fitHypothesis(data, std::move(start.hypothesis), kRounds);
         const auto isSame = [&](const Fit &other) {
             return other.hypothesis.abscissaFactor == fit.hypothesis.abscissaFactor &&
                    areNear(middleParameters(other.hypothesis), middleParameters(fit.hypothesis));
         };
         if (fit.exists() && std::ranges::none_of(fits, isSame)) {
-            isExact = isExact || isExactShape(data, fit);
+            isExact = isExact || largestNoisePart(data, fit) <= largestOfExact;
             fits.push_back(std::move(fit));
         }
     }
@@ -118,7 +108,6 @@ Hypothesis shapeHypothesis(const Observations &data, const std::vector<ColumnUse
                            const SpeedCandidates &speeds)
 {
     Hypothesis hypothesis;
-    hypothesis.unknowns.resize(static_cast<Eigen::Index>(kParameterCount));
     for (std::size_t j = 0; j < columns.size(); ++j) {
         ColumnUse column{columns[j].channel};
         column.isUsed = tellsShape(data.columns[j]);
@@ -131,39 +120,39 @@ Hypothesis shapeHypothesis(const Observations &data, const std::vector<ColumnUse
 } // namespace
 
 double leastDissimilarity(const Observations &data, const std::vector<ColumnUse> &columns,
-                          const SpeedCandidates &speeds, std::size_t rows)
+                          const SpeedCandidates &speeds)
 {
     std::vector<Start> starts;
     for (const double speed : speeds.periodic) {
-        addGridStarts(thinned(data, rows), shapeHypothesis(data, columns, speeds), speed, 1, true, starts);
+        addGridStarts(thinned(data, kCoarseRows), shapeHypothesis(data, columns, speeds), speed, 1, true, starts);
     }
     return starts.empty() ? 0.0 : std::ranges::min_element(starts, {}, &Start::misfit)->misfit;
 }
 
 std::vector<Fit> searchShapes(const Observations &data, const std::vector<ColumnUse> &columns,
-                              const SpeedCandidates &speeds, const ShapeSearchOptions &options)
+                              const SpeedCandidates &speeds, const std::stop_token &stop)
 {
     constexpr std::size_t kPerSpeed = 3;
     constexpr std::size_t kPerArc = 2;
     constexpr std::size_t kArcs = 8;
-    const Observations coarse = thinned(data, options.coarseRows);
-    const Observations fine = thinned(data, options.fitRows);
+    const Observations coarse = thinned(data, kCoarseRows);
+    const Observations fine = thinned(data, kFitRows);
     const Hypothesis hypothesis = shapeHypothesis(data, columns, speeds);
     std::vector<Fit> fits;
     for (const double speed : speeds.periodic) {
         std::vector<Start> starts;
         addGridStarts(coarse, hypothesis, speed, kPerSpeed, true, starts);
-        if (fitStarts(fine, hypothesis, std::move(starts), kPerSpeed, fits) || options.stop.stop_requested()) {
+        if (fitStarts(fine, std::move(starts), kPerSpeed, fits) || stop.stop_requested()) {
             return fits;
         }
     }
     std::vector<Start> starts;
     for (const double speed : speeds.shortArc) {
-        if (!options.stop.stop_requested()) {
+        if (!stop.stop_requested()) {
             addGridStarts(coarse, hypothesis, speed, kPerArc, false, starts);
         }
     }
-    fitStarts(fine, hypothesis, std::move(starts), kArcs, fits);
+    fitStarts(fine, std::move(starts), kArcs, fits);
     return fits;
 }
 

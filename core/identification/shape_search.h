@@ -7,25 +7,18 @@
 #include "core/identification/crank_speed.h"
 #include "core/identification/fit.h"
 
-#include <cstddef>
 #include <stop_token>
 #include <vector>
 
 namespace slidercrank
 {
 
-struct ShapeSearchOptions {
-    std::size_t coarseRows = 40; ///< rows on which the grid is evaluated
-    std::size_t fitRows = 80;    ///< rows that are fitted
-    std::stop_token stop;
-};
-
 /// The misfit Σ n ln(1 − ρ²) of the best shape of a coarse grid.
 double leastDissimilarity(const Observations &data, const std::vector<ColumnUse> &columns,
-                          const SpeedCandidates &speeds, std::size_t rows);
+                          const SpeedCandidates &speeds);
 
 /// Returns distinct fits with free scales and origins, from best to worst. `columns`: the channel of each column.
 std::vector<Fit> searchShapes(const Observations &data, const std::vector<ColumnUse> &columns,
-                              const SpeedCandidates &speeds, const ShapeSearchOptions &options);
+                              const SpeedCandidates &speeds, const std::stop_token &stop);
 
 } // namespace slidercrank
