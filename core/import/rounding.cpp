@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -16,10 +17,18 @@ namespace slidercrank
 namespace
 {
 
-/// Returns 10^exponent; 0 or infinity outside the range of a double. std::pow() is exact for whole numbers that are.
+/// Returns 10^exponent; 0 or infinity outside the range of a double.
 double powerOfTen(int exponent)
 {
-    const double power = std::pow(10.0, std::abs(exponent));
+    constexpr int kLargest = 330;
+    static const std::vector<double> powers = [] {
+        std::vector<double> all(kLargest + 1);
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            all[i] = std::pow(10.0, i); // exact as far as a double is
+        }
+        return all;
+    }();
+    const double power = powers[static_cast<std::size_t>(std::min(std::abs(exponent), kLargest))];
     return exponent < 0 ? 1.0 / power : power;
 }
 
@@ -28,7 +37,9 @@ double powerOfTen(int exponent)
 int decadeOf(double magnitude)
 {
     constexpr double kConversionSlack = 1e-12;
-    return static_cast<int>(std::floor(std::log10(magnitude) + kConversionSlack));
+    const double nudged = magnitude * (1.0 + kConversionSlack);
+    const int decade = static_cast<int>(std::floor(std::ilogb(nudged) * std::numbers::ln2 / std::numbers::ln10));
+    return nudged >= powerOfTen(decade + 1) ? decade + 1 : decade;
 }
 
 /// A number of at most so many digits may have been chosen by a person (25, 360, 12.75). Then it does not show how the
