@@ -130,7 +130,7 @@ void setAbscissa(RawTable &table, RawColumn &column, ColumnRole role, ColumnReas
     if (!areSameTimes(first->values, column.values)) {
         throw file == column.use.file
             ? faultIn(table, column, {Fault::TimeTwice})
-            : ReadError{0, 0, {}, {Fault::OtherTimeStamps, {}, table.layout.files[file]}, {}, column.use.file, file};
+            : ReadError{0, 0, {}, {Fault::OtherTimeStamps, {}, table.files[file].name}, {}, column.use.file};
     }
     column.setReason(ColumnReason::SameTimeStamps, first->index);
 }
@@ -139,8 +139,8 @@ void assignAbscissas(RawTable &table)
 {
     const RawColumn *const chosen = table.abscissa();
     for (std::size_t file = 0; file < table.files.size(); ++file) {
-        if (table.files[file].lines.size() != table.files[0].lines.size()) {
-            throw ReadError{0, 0, {}, {Fault::OtherTimeStamps, {}, table.layout.files[0]}, {}, file, 0};
+        if (table.files[file].rows.size() != table.files[0].rows.size()) {
+            throw ReadError{0, 0, {}, {Fault::OtherTimeStamps, {}, table.files[0].name}, {}, file};
         }
         std::vector<RawColumn *> times;
         for (RawColumn &column : table.columns) {

@@ -83,7 +83,7 @@ ReadError conflict(const RawTable &table, const RawColumn &column, const RawColu
     const std::size_t later = second.use.file;
     return file == later
                ? faultIn(table, second, {fault, channel})
-               : ReadError{0, 0, {}, {Fault::ChannelInBoth, channel, table.layout.files[file]}, {}, later, file};
+               : ReadError{0, 0, {}, {Fault::ChannelInBoth, channel, table.files[file].name}, {}, later};
 }
 
 void applyChoices(RawTable &table, std::span<const ColumnChoice> choices)
@@ -232,10 +232,12 @@ void assignChannels(RawTable &table)
 ReadError findMissing(const RawTable &table, std::size_t file)
 {
     const TableFile &own = table.files[file];
-    if (own.headerLine == 0) {
-        return {own.firstDataLine, 1, table.layout.rows[0][own.firstColumn], {Fault::NamesMissing}, {}, file};
+    const FileLayout &layout = own.form.layout;
+    if (layout.headerLine == 0) {
+        const Cells cells = splitCells(own.rows.front().text, layout.delimiter);
+        return {own.form.firstDataLine, 1, excerpt(cells.front()), {Fault::NamesMissing}, {}, file};
     }
-    ReadError error{own.headerLine, 0, own.headerText, {Fault::NoTime}, {}, file};
+    ReadError error{layout.headerLine, 0, own.form.headerText, {Fault::NoTime}, {}, file};
     if (!hasAbscissa(table, file)) {
         return error;
     }

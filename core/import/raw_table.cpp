@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/import/raw_table.h"
 
-#include "core/import/cells.h"
-#include "core/import/table_form.h"
-
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace slidercrank
@@ -15,121 +13,58 @@ namespace
 
 constexpr double kUnreadable = std::numeric_limits<double>::infinity();
 constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t kFewestCells = 2; // a row with fewer is skipped; other missing cells at the end are gaps
 
-/// Appends the rows of a file to the table.
-class RowReader
+CellNumber parseCell(const TableForm &form, std::size_t column, std::string_view cell)
 {
-public:
-    RowReader(const TableForm &form, RawTable &table)
-        : m_form(form)
-        , m_table(table)
-        , m_file(table.files.back())
-        , m_badCounts(form.headings.size() + 1)
-    {
+    const std::string_view unit = form.cellUnits[column];
+    if (!unit.empty() && cell.ends_with(unit)) {
+        cell = trimmed(cell.substr(0, cell.size() - unit.size()));
     }
-
-    void read(std::string_view line, std::size_t number);
-
-private:
-    void readCell(std::string_view cell, std::size_t column);
-    void report(const BadCell &bad);
-
-    RawColumn &column(std::size_t i) const { return m_table.columns[m_file.firstColumn + i]; }
-
-    const TableForm &m_form;
-    RawTable &m_table;
-    TableFile &m_file;
-    std::vector<std::size_t> m_badCounts; ///< by column; the last one counts spoiled rows
-};
-
-void RowReader::report(const BadCell &bad)
-{
-    std::size_t &count = bad.spoilsRow ? m_badCounts.back() : m_badCounts[bad.column];
-    if (count++ <= kListedRows) {
-        m_file.badCells.push_back(bad);
-    }
+    return parseNumber(cell, form.layout.decimalSign);
 }
 
-void RowReader::readCell(std::string_view cell, std::size_t i)
+/// Calls `visit(column, cell)` for each cell of a row, and returns the cell that makes all of the row unreadable:
+/// an additional one, or the last one of a row with fewer than two. Other missing cells at the end are gaps.
+template <typename Visit>
+std::optional<SkippedRow> visitCells(const TableForm &form, const Line &row, const Visit &visit)
 {
-    const std::string_view unit = m_form.cellUnits[i];
-    const bool hasUnit = !unit.empty() && cell.ends_with(unit);
-    const CellNumber number =
-        parseNumber(hasUnit ? trimmed(cell.substr(0, cell.size() - unit.size())) : cell, m_form.layout.decimalSign);
-    column(i).values.push_back(number.fault ? kUnreadable : number.value);
-    if (number.fault) {
-        report({m_file.lines.size() - 1, i, excerpt(cell), *number.fault});
-    } else if (number.value == number.value) {
-        column(i).rounding.observe(number.places, number.value);
-    }
-}
-
-void RowReader::read(std::string_view line, std::size_t number)
-{
-    const std::size_t width = m_form.headings.size();
-    BadCell spoiled;
-    const auto spoil = [&](std::size_t at, std::string_view text, RowFault fault) {
-        spoiled = spoiled.spoilsRow ? spoiled : BadCell{m_file.lines.size() - 1, at, excerpt(text), fault, true};
-    };
-    m_file.lines.push_back(number);
+    const std::size_t width = form.headings.size();
+    std::optional<SkippedRow> fault;
     std::size_t cells = 0;
-    for (std::string_view rest = line; rest.data() != nullptr; ++cells) {
-        const std::string_view cell = takeCell(rest, m_form.layout.delimiter);
+    for (std::string_view rest = row.text; rest.data() != nullptr; ++cells) {
+        const std::string_view cell = takeCell(rest, form.layout.delimiter);
         if (cells < width) {
-            readCell(cell, cells);
-        } else if (!cell.empty()) {
-            spoil(cells, cell, RowFault::TooManyCells);
+            visit(cells, cell);
+        } else if (!cell.empty() && !fault) {
+            fault = {row.number, cells + 1, excerpt(cell), RowFault::TooManyCells};
         }
     }
-    if (cells < std::min(width, kFewestCells)) {
-        spoil(cells - 1, {}, RowFault::TooFewCells);
-    }
-    for (std::size_t i = 0; i < width; ++i) {
-        std::vector<double> &values = column(i).values;
-        values.resize(m_file.lines.size(), kGap);
-        values.back() = spoiled.spoilsRow ? kUnreadable : values.back();
-    }
-    if (spoiled.spoilsRow) {
-        report(spoiled);
-    }
+    return cells < std::min<std::size_t>(width, 2) ? SkippedRow{row.number, cells, {}, RowFault::TooFewCells} : fault;
 }
 
-/// Returns a number of rows that is rarely exceeded: reserving too much memory is cheap, moving rows is not.
-std::size_t estimateRows(std::string_view data)
+void readRow(const TableForm &form, const Line &row, std::span<RawColumn> columns)
 {
-    const std::string_view beginning = data.substr(0, std::size_t{1} << 16U);
-    const auto ends = std::max(std::ranges::count(beginning, '\n'), std::ranges::count(beginning, '\r'));
-    const auto share = static_cast<double>(data.size()) / static_cast<double>(beginning.size() + 1);
-    return static_cast<std::size_t>(1.05 * static_cast<double>(ends) * share) + 2;
-}
-
-/// Appends the columns of a file to the table, without rows.
-void appendColumns(TableForm &form, const std::string &name, RawTable &table)
-{
-    const std::size_t before = table.columns.size();
-    const std::size_t rows = estimateRows(form.data);
-    table.files.push_back({before, form.layout.headerLine, form.firstDataLine, form.headerText});
-    table.files.back().lines.reserve(rows);
-    std::vector<std::vector<std::string>> preview = std::move(form.layout.rows);
-    if (before == 0) {
-        table.layout = form.layout;
-        table.layout.rows.clear();
-    }
-    table.layout.files.push_back(name);
-    table.layout.rows.resize(std::max(table.layout.rows.size(), preview.size()));
-    for (std::size_t row = 0; row < preview.size(); ++row) {
-        table.layout.rows[row].resize(before);
-        std::ranges::move(preview[row], std::back_inserter(table.layout.rows[row]));
-    }
-    for (const Heading &heading : form.headings) {
-        RawColumn &column = table.columns.emplace_back(RawColumn{.heading = heading, .index = table.columns.size()});
-        column.use = {.heading = heading.printed, .unit = heading.unit, .file = table.files.size() - 1};
-        column.values.reserve(rows);
+    const std::size_t before = columns[0].values.size();
+    const auto read = [&](std::size_t i, std::string_view cell) {
+        const CellNumber number = parseCell(form, i, cell);
+        columns[i].values.push_back(number.fault ? kUnreadable : number.value);
+        if (!std::isnan(number.value)) {
+            columns[i].rounding.observe(number.places, number.value);
+        }
+    };
+    const bool isUnreadable = visitCells(form, row, read).has_value();
+    for (RawColumn &column : columns) {
+        column.values.resize(before + 1, kGap);
+        column.values.back() = isUnreadable ? kUnreadable : column.values.back();
     }
 }
 
 } // namespace
+
+bool RawColumn::isUnreadable(std::size_t row) const
+{
+    return isUsed() && (std::isinf(values[row]) || (isAbscissa() && std::isnan(values[row])));
+}
 
 void RawColumn::setReason(ColumnReason reason, std::optional<std::size_t> otherColumn)
 {
@@ -146,32 +81,97 @@ RawColumn *RawTable::abscissa()
 ReadError faultIn(const RawTable &table, const RawColumn &column, ReadFault fault)
 {
     const TableFile &file = table.fileOf(column);
-    return {file.headerLine, column.index - file.firstColumn + 1, excerpt(column.heading.printed), std::move(fault), {},
+    return {file.form.layout.headerLine,
+            column.index - file.firstColumn + 1,
+            excerpt(column.heading.printed),
+            std::move(fault),
+            {},
             column.use.file};
 }
 
-void readTable(std::string_view text, const FileBytes &file, const std::stop_token &stop,
+void readTable(const FileBytes &bytes, const std::stop_token &stop,
                const std::function<void(std::size_t done)> &progress, RawTable &table)
 {
-    TableForm form = findTable(text);
-    appendColumns(form, file.name, table);
-    RowReader reader(form, table);
-    constexpr std::size_t kReportEvery = std::size_t{1} << 18U; // bytes
-    std::size_t reported = text.size();
-    std::size_t number = form.firstDataLine;
-    for (std::string_view rest = form.data; !rest.empty(); ++number) {
-        if (reported - rest.size() >= kReportEvery) {
-            reported = rest.size();
+    constexpr std::size_t kReportEvery = 4096; // rows
+    TableFile &file = table.files.emplace_back();
+    file.name = bytes.name;
+    file.firstColumn = table.columns.size();
+    file.text = decodeText(bytes.bytes);
+    const std::string_view text = file.text.in(bytes.bytes);
+    file.form = findTable(text);
+    file.form.layout.encoding = file.text.encoding;
+    file.form.layout.byteOrderMark = file.text.byteOrderMark;
+    for (const Heading &heading : file.form.headings) {
+        RawColumn &column = table.columns.emplace_back(RawColumn{.heading = heading, .index = table.columns.size()});
+        column.use = {.heading = heading.printed, .unit = heading.unit, .file = table.files.size() - 1};
+    }
+    std::size_t number = file.form.firstDataLine;
+    for (std::string_view rest = file.form.data; !rest.empty(); ++number) {
+        if (number % kReportEvery == 0) {
             progress(text.size() - rest.size());
             if (stop.stop_requested()) {
                 throw ReadError{.fault = {ReadFault::Kind::Stopped}};
             }
         }
         if (const std::string_view line = takeLine(rest); !isBlankLine(line)) {
-            reader.read(line, number);
+            file.rows.push_back({number, line, rest});
+            readRow(file.form, file.rows.back(), std::span(table.columns).subspan(file.firstColumn));
         }
     }
     progress(text.size());
+}
+
+SkippedRow findRowFault(RawTable &table, std::size_t row)
+{
+    for (std::size_t file = 0; file < table.files.size(); ++file) {
+        const TableFile &own = table.files[file];
+        const Line &line = own.rows[row];
+        std::optional<SkippedRow> first;
+        const auto check = [&](std::size_t i, std::string_view cell) {
+            const std::optional<RowFault> fault = parseCell(own.form, i, cell).fault;
+            if (fault && !first && table.columns[own.firstColumn + i].isUsed()) {
+                first = {line.number, i + 1, excerpt(cell), *fault};
+            }
+        };
+        const std::optional<SkippedRow> last = visitCells(own.form, line, check);
+        if (first || last) {
+            SkippedRow fault = first.value_or(last.value_or(SkippedRow()));
+            fault.file = file;
+            return fault;
+        }
+    }
+    const auto unreadable =
+        std::ranges::find_if(table.columns, [row](const RawColumn &column) { return column.isUnreadable(row); });
+    const bool isRepeated = unreadable == table.columns.end();
+    const RawColumn &column = isRepeated ? *table.abscissa() : *unreadable;
+    const TableFile &own = table.fileOf(column);
+    const Line &line = own.rows[row];
+    const std::size_t i = column.index - own.firstColumn;
+    const Cells cells = splitCells(line.text, own.form.layout.delimiter);
+    const RowFault fault = isRepeated                       ? RowFault::RepeatedTime
+                           : std::isnan(column.values[row]) ? RowFault::NoTime
+                                                            : RowFault::TooLarge; // once converted
+    return {line.number, i + 1, i < cells.size() ? excerpt(cells[i]) : "", fault, 1, column.use.file};
+}
+
+FileLayout takeLayout(RawTable &table)
+{
+    constexpr std::size_t kPreviewRows = 6;
+    FileLayout layout = table.files.empty() ? FileLayout() : table.files.front().form.layout;
+    for (const TableFile &file : table.files) {
+        const std::size_t rows = std::min(file.rows.size(), kPreviewRows);
+        layout.rows.resize(std::max(layout.rows.size(), rows));
+        for (std::size_t row = 0; row < rows; ++row) {
+            layout.rows[row].resize(file.firstColumn);
+            std::ranges::transform(splitCells(file.rows[row].text, file.form.layout.delimiter),
+                                   std::back_inserter(layout.rows[row]), excerpt);
+        }
+        if (table.files.size() > 1) {
+            layout.files.push_back(file.name);
+        }
+    }
+    std::ranges::transform(table.columns, std::back_inserter(layout.columns), &RawColumn::use);
+    return layout;
 }
 
 } // namespace slidercrank

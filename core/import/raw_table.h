@@ -3,10 +3,12 @@
 
 // Second stage of reading: from text to a table of numbers, whose columns have no meaning yet.
 
+#include "core/import/file_text.h"
 #include "core/import/heading.h"
-#include "core/import/reference_data.h"
+#include "core/import/table_form.h"
 
 #include <cstddef>
+#include <deque>
 #include <functional>
 #include <optional>
 #include <stop_token>
@@ -17,23 +19,13 @@
 namespace slidercrank
 {
 
-/// A cell that cannot be read.
-struct BadCell {
-    std::size_t row = 0;
-    std::size_t column = 0; ///< from 0, in its file
-    std::string text{};
-    RowFault fault = RowFault::NotANumber;
-    bool spoilsRow = false; ///< whether the row has to be skipped even if the column is ignored
-};
-
 /// One of the files whose columns are side by side in the table.
 struct TableFile {
+    std::string name{};
+    FileText text{};
+    TableForm form{};
     std::size_t firstColumn = 0;
-    std::size_t headerLine = 0; ///< 0: none
-    std::size_t firstDataLine = 0;
-    std::string headerText{};         ///< for messages
-    std::vector<std::size_t> lines{}; ///< line number of each row, from 1
-    std::vector<BadCell> badCells{};  ///< by row; at most kListedRows + 1 in each column
+    std::vector<Line> rows{}; ///< refer to the bytes or to `text`
 };
 
 struct RawColumn {
@@ -45,14 +37,18 @@ struct RawColumn {
     RoundingObserver rounding{};
     double factor = 1.0; ///< to the default unit
 
-    bool isUndecided() const { return use.role == ColumnRole::Ignored && use.reason == ColumnReason::UnknownName; }
+    bool isUsed() const { return use.role != ColumnRole::Ignored; }
+    bool isUndecided() const { return !isUsed() && use.reason == ColumnReason::UnknownName; }
     bool isAbscissa() const { return use.role == ColumnRole::Time || use.role == ColumnRole::CrankAngle; }
+
+    /// Returns whether the row has to be skipped because of this column.
+    bool isUnreadable(std::size_t row) const;
+
     void setReason(ColumnReason reason, std::optional<std::size_t> otherColumn = {});
 };
 
 struct RawTable {
-    FileLayout layout{}; ///< without the columns
-    std::vector<TableFile> files{};
+    std::deque<TableFile> files{}; ///< never moved, as the rows refer to them
     std::vector<RawColumn> columns{};
 
     const TableFile &fileOf(const RawColumn &column) const { return files[column.use.file]; }
@@ -64,12 +60,15 @@ struct RawTable {
 /// Returns an error at the heading of a column.
 ReadError faultIn(const RawTable &table, const RawColumn &column, ReadFault fault);
 
-/// Number of skipped rows that are listed one by one.
-inline constexpr std::size_t kListedRows = 1000;
-
 /// Appends the columns of a file to the table. `progress` is called regularly with the number of bytes that have been
 /// read. Throws ReadError.
-void readTable(std::string_view text, const FileBytes &file, const std::stop_token &stop,
+void readTable(const FileBytes &file, const std::stop_token &stop,
                const std::function<void(std::size_t done)> &progress, RawTable &table);
+
+/// Returns why a row is skipped: the first unreadable cell in a used column, or else the repeated time.
+SkippedRow findRowFault(RawTable &table, std::size_t row);
+
+/// Returns how the files are written, and what has become of their columns.
+FileLayout takeLayout(RawTable &table);
 
 } // namespace slidercrank

@@ -51,7 +51,7 @@ struct ReadFault {
         NoRow,            ///< can be read; `row` is the reason for the first one
         NoValues,         ///< besides the time
         TimeNotRising,
-        AngleTurnsBack, ///< the crank angle, after `heading`
+        AngleTurnsBack, ///< the crank angle
 
         // About a file that has to be joined with others; `heading` is one of them.
         OtherTimeStamps,

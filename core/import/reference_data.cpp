@@ -23,34 +23,6 @@ namespace
 
 using Fault = ReadFault::Kind;
 
-enum class RowUse : char { Used, Unreadable, Repeated };
-
-template <typename Value>
-void removeUnused(std::vector<Value> &values, const std::vector<RowUse> &uses)
-{
-    std::size_t row = 0;
-    std::erase_if(values, [&](const Value &) { return uses[row++] != RowUse::Used; });
-}
-
-/// Lists a skipped row, or counts it if the list is full.
-void listSkipped(SkippedRow row, std::vector<SkippedRow> &skipped)
-{
-    if (skipped.size() > kListedRows) {
-        ++skipped.back().rows;
-    } else if (skipped.size() == kListedRows) {
-        skipped.push_back({row.line, 0, {}, RowFault::NotListed, 1, row.file});
-    } else {
-        skipped.push_back(std::move(row));
-    }
-}
-
-/// Returns the shortest text of the number.
-std::string printedNumber(double value)
-{
-    std::array<char, 32> text{};
-    return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
-}
-
 /// Returns the columns that have that heading, or else that heading apart from the unit, or else that number.
 std::vector<std::size_t> columnsNamed(const std::string &name, const RawTable &table)
 {
@@ -73,7 +45,7 @@ std::vector<ColumnChoice> resolveChoices(const ReadOptions &options, const RawTa
     for (const NamedChoice &named : options.named) {
         const std::vector<std::size_t> columns = columnsNamed(named.heading, table);
         if (columns.size() != 1) {
-            const std::size_t line = table.files.size() == 1 ? table.files[0].headerLine : 0;
+            const std::size_t line = table.files.size() == 1 ? table.files[0].form.layout.headerLine : 0;
             throw ReadError{
                 line, 0, {}, {columns.empty() ? Fault::NoSuchColumn : Fault::SeveralColumns, {}, named.heading}};
         }
@@ -83,131 +55,92 @@ std::vector<ColumnChoice> resolveChoices(const ReadOptions &options, const RawTa
     return choices;
 }
 
-bool isUsed(const RawColumn &column)
+ReadError errorAt(const SkippedRow &row, Fault fault)
 {
-    return column.use.role != ColumnRole::Ignored;
+    return {row.line, row.column, row.text, {.kind = fault, .row = row.fault}};
 }
 
-/// Returns why a row is skipped: the first bad cell in a used column.
-SkippedRow findFault(const RawTable &table, std::size_t row)
+/// Returns the rows that can be read. Of rows with the same time, the last one is used, as it contains the state after
+/// an event. Throws if the time decreases, or if most rows repeat it.
+std::vector<std::size_t> findUsedRows(RawTable &table)
 {
-    for (std::size_t file = 0; file < table.files.size(); ++file) {
-        const TableFile &own = table.files[file];
-        for (auto bad = std::ranges::lower_bound(own.badCells, row, {}, &BadCell::row);
-             bad != own.badCells.end() && bad->row == row; ++bad) {
-            if (bad->spoilsRow || isUsed(table.columns[own.firstColumn + bad->column])) {
-                return {own.lines[row], bad->column + 1, bad->text, bad->fault, 1, file};
-            }
-        }
-    }
-    const auto column = std::ranges::find_if(table.columns, [row](const RawColumn &each) {
-        return isUsed(each) && (std::isinf(each.values[row]) || (each.isAbscissa() && std::isnan(each.values[row])));
-    });
-    const TableFile &own = table.fileOf(*column);
-    const RowFault fault = std::isnan(column->values[row]) ? RowFault::NoTime : RowFault::TooLarge; // once converted
-    return {own.lines[row], column->index - own.firstColumn + 1, {}, fault, 1, column->use.file};
-}
-
-/// Describes a row whose time is not above that of the row before.
-SkippedRow timeFault(const RawTable &table, const RawColumn &time, std::size_t row)
-{
-    const TableFile &own = table.fileOf(time);
-    return {own.lines[row],
-            time.index - own.firstColumn + 1,
-            printedNumber(time.values[row] / time.factor),
-            RowFault::RepeatedTime,
-            1,
-            time.use.file};
-}
-
-/// Marks all but the last one of rows with the same time, as the last one contains the state after an event. Throws if
-/// the time decreases, or if most rows repeat it.
-void markRepeatedTimes(const RawTable &table, const RawColumn &time, std::vector<RowUse> &uses)
-{
-    std::optional<std::size_t> previous;
-    std::optional<std::size_t> wrong;
-    std::size_t repeated = 0;
-    std::size_t count = 0;
-    for (std::size_t row = 0; row < uses.size(); ++row) {
-        if (uses[row] != RowUse::Used) {
+    const RawColumn &abscissa = *table.abscissa();
+    const std::vector<double> &time = abscissa.values;
+    std::vector<std::size_t> rows;
+    std::vector<std::size_t> repeated;
+    for (std::size_t row = 0; row < time.size(); ++row) {
+        if (std::ranges::any_of(table.columns, [row](const RawColumn &column) { return column.isUnreadable(row); })) {
             continue;
         }
-        ++count;
-        if (previous && time.values[row] <= time.values[*previous]) {
-            wrong = wrong.value_or(row);
-            if (time.values[row] < time.values[*previous]) {
-                wrong = row;
-                repeated = uses.size();
-                break;
-            }
-            uses[*previous] = RowUse::Repeated;
-            ++repeated;
+        if (abscissa.use.role == ColumnRole::CrankAngle || rows.empty() || time[row] > time[rows.back()]) {
+            rows.push_back(row);
+        } else if (time[row] < time[rows.back()]) {
+            throw errorAt(findRowFault(table, row), Fault::TimeNotRising);
+        } else {
+            rows.back() = row;
+            repeated.push_back(row);
         }
-        previous = row;
     }
-    if (wrong && 2 * repeated > count) {
-        const SkippedRow row = timeFault(table, time, *wrong);
-        throw ReadError{row.line, row.column, row.text, {Fault::TimeNotRising}};
+    if (repeated.size() > rows.size()) {
+        throw errorAt(findRowFault(table, repeated.front()), Fault::TimeNotRising);
     }
+    return rows;
 }
 
-std::vector<RowUse> findUsedRows(RawTable &table)
+/// Lists the other rows and counts those for which the list is too long.
+std::vector<SkippedRow> findSkippedRows(RawTable &table, const std::vector<std::size_t> &used)
 {
-    std::vector<RowUse> uses(table.files.front().lines.size(), RowUse::Used);
-    for (const RawColumn &column : table.columns) {
-        for (std::size_t row = 0; row < uses.size() && isUsed(column); ++row) {
-            const double value = column.values[row];
-            const bool isUnreadable = std::isinf(value) || (column.isAbscissa() && std::isnan(value));
-            uses[row] = isUnreadable ? RowUse::Unreadable : uses[row];
+    std::vector<SkippedRow> skipped;
+    const std::vector<Line> &lines = table.files.front().rows;
+    auto next = used.begin();
+    for (std::size_t row = 0; row < lines.size(); ++row) {
+        if (next != used.end() && *next == row) {
+            ++next;
+        } else if (skipped.size() < kListedRows) {
+            skipped.push_back(findRowFault(table, row));
+        } else if (skipped.size() == kListedRows) {
+            skipped.push_back({lines[row].number, 0, {}, RowFault::NotListed});
+        } else {
+            ++skipped.back().rows;
         }
     }
-    if (const RawColumn &abscissa = *table.abscissa(); abscissa.use.role == ColumnRole::Time) {
-        markRepeatedTimes(table, abscissa, uses);
-    }
-    return uses;
+    return skipped;
 }
 
 /// Returns the used columns without the rows that are skipped. Tables by crank angle have the angles as time stamps.
 ReferenceData collect(RawTable &table)
 {
     ReferenceData data;
-    const std::vector<RowUse> uses = findUsedRows(table);
-    for (std::size_t row = 0; row < uses.size(); ++row) {
-        if (uses[row] == RowUse::Unreadable) {
-            listSkipped(findFault(table, row), data.skipped);
-        } else if (uses[row] == RowUse::Repeated) {
-            listSkipped(timeFault(table, *table.abscissa(), row), data.skipped);
-        }
+    const std::vector<std::size_t> rows = findUsedRows(table);
+    data.skipped = findSkippedRows(table, rows);
+    const std::size_t firstLine = table.files.front().form.firstDataLine;
+    if (rows.empty()) {
+        throw data.skipped.empty() ? ReadError{firstLine - 1, 0, {}, {Fault::NoNumbers}}
+                                   : errorAt(data.skipped.front(), Fault::NoRow);
+    }
+    for (const std::size_t row : rows) {
+        data.lines.push_back(table.files.front().rows[row].number);
     }
     for (RawColumn &column : table.columns) {
-        if (isUsed(column) && !data.skipped.empty()) {
-            removeUnused(column.values, uses);
+        std::vector<double> values;
+        for (std::size_t i = 0; i < rows.size() && column.isUsed(); ++i) {
+            values.push_back(column.values[rows[i]]);
         }
-        if (column.use.role == ColumnRole::Channel) {
-            data.series.push_back({column.use.channel, std::move(column.values), column.rounding.infer(column.factor)});
-        } else if (isUsed(column)) {
-            data.time = std::move(column.values);
+        column.values.clear();
+        if (column.isAbscissa()) {
+            data.time = std::move(values);
             data.timeRounding = column.rounding.inferForTimeStamps(column.factor);
+        } else if (rangeOf(values).count > 0) {
+            data.series.push_back({column.use.channel, std::move(values), column.rounding.infer(column.factor)});
+        } else if (column.isUsed()) {
+            column.use.role = ColumnRole::Ignored;
+            column.setReason(ColumnReason::NoNumber);
         }
     }
-    data.lines = std::move(table.files.front().lines);
-    if (!data.skipped.empty()) {
-        removeUnused(data.lines, uses);
+    if (data.series.empty()) {
+        throw ReadError{firstLine, 0, {}, {Fault::NoValues}};
     }
     return data;
-}
-
-/// Throws if there are no data.
-void requireRows(const ReferenceData &data, std::size_t firstDataLine)
-{
-    if (!data.time.empty()) {
-        return;
-    }
-    if (data.skipped.empty()) {
-        throw ReadError{firstDataLine - 1, 0, {}, {Fault::NoNumbers}};
-    }
-    const SkippedRow &first = data.skipped.front();
-    throw ReadError{first.line, first.column, first.text, {.kind = Fault::NoRow, .row = first.fault}};
 }
 
 /// Replaces the crank angles in ReferenceData::time by time stamps.
@@ -217,7 +150,7 @@ void countByAngle(ReferenceData &data, RawTable &table)
     data.crank->degrees = unwrapped(data.time);
     data.crank->rounding = data.timeRounding;
     if (const std::optional<std::size_t> row = findReversal(data.crank->degrees)) {
-        throw faultIn(table, *table.abscissa(), {Fault::AngleTurnsBack, {}, printedNumber(data.time[*row - 1]) + "°"});
+        throw ReadError{data.lineOfRow(*row), 0, {}, {Fault::AngleTurnsBack}};
     }
     std::optional<ReferenceData> timed = timedBy(Mechanism(), data);
     if (!timed) {
@@ -245,32 +178,13 @@ void findStep(ReferenceSeries &series, std::span<const double> time)
     }
 }
 
-/// Ignores the columns that contain no number. Throws if no other is left.
-void removeEmptySeries(ReferenceData &data, RawTable &table)
-{
-    for (RawColumn &column : table.columns) {
-        const auto isEmpty = [&](const ReferenceSeries &series) {
-            return series.channel == column.use.channel && rangeOf(series.values).count == 0;
-        };
-        if (column.use.role == ColumnRole::Channel && std::erase_if(data.series, isEmpty) > 0) {
-            column.use.role = ColumnRole::Ignored;
-            column.setReason(ColumnReason::NoNumber);
-        }
-    }
-    if (data.series.empty()) {
-        throw ReadError{table.files.front().firstDataLine, 0, {}, {Fault::NoValues}};
-    }
-}
-
 /// Returns the data of a table whose columns have their roles.
 ReferenceData toData(RawTable &table)
 {
     ReferenceData data = collect(table);
-    requireRows(data, table.files.front().firstDataLine);
     if (table.abscissa()->use.role == ColumnRole::CrankAngle) {
         countByAngle(data, table);
     }
-    removeEmptySeries(data, table);
     for (ReferenceSeries &series : data.series) {
         findStep(series, data.time);
     }
@@ -298,33 +212,18 @@ void readTables(std::span<const FileBytes> files, const std::stop_token &stop, c
             }
         };
         try {
-            const FileText text = decodeText(file.bytes);
-            readTable(text.in(file.bytes), file, stop, progress, table);
-            if (before == 0) {
-                table.layout.encoding = text.encoding;
-                table.layout.byteOrderMark = text.byteOrderMark;
-            }
+            readTable(file, stop, progress, table);
         } catch (ReadError &error) {
             error.file = static_cast<std::size_t>(&file - files.data());
             throw;
         }
         before += size;
-        shortest = std::min(shortest, table.files.back().lines.size());
+        shortest = std::min(shortest, table.files.back().rows.size());
     }
     if (std::ranges::any_of(files, &FileBytes::isBeginning)) {
-        std::ranges::for_each(table.files, [&](TableFile &file) { file.lines.resize(shortest); });
+        std::ranges::for_each(table.files, [&](TableFile &file) { file.rows.resize(shortest); });
         std::ranges::for_each(table.columns, [&](RawColumn &column) { column.values.resize(shortest); });
     }
-}
-
-/// Returns the layout with what has become of the columns.
-FileLayout toLayout(RawTable &table)
-{
-    std::ranges::transform(table.columns, std::back_inserter(table.layout.columns), &RawColumn::use);
-    if (table.files.size() == 1) {
-        table.layout.files.clear();
-    }
-    return std::move(table.layout);
 }
 
 /// Reads the files like readFiles(), but throws if there is not enough memory.
@@ -336,11 +235,11 @@ std::variant<ReferenceData, ReadError> readOrThrow(std::span<const FileBytes> fi
         readTables(files, stop, options, table);
         assignColumns(table, resolveChoices(options, table));
         ReferenceData data = toData(table);
-        data.layout = toLayout(table);
+        data.layout = takeLayout(table);
         return data;
     } catch (ReadError &error) {
         error.file = files.size() == 1 ? std::nullopt : error.file;
-        error.layout = toLayout(table);
+        error.layout = takeLayout(table);
         return std::move(error);
     }
 }

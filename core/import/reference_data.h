@@ -100,9 +100,7 @@ struct ReadError {
     ReadFault fault{};
     FileLayout layout{}; ///< as far as it was found; if it has columns, a person can choose their meaning
 
-    // If several files have to be joined.
-    std::optional<std::size_t> file{};      ///< index of the file with the error; nullopt if it concerns all of them
-    std::optional<std::size_t> otherFile{}; ///< index of the file whose name is ReadFault::heading
+    std::optional<std::size_t> file{}; ///< index of the joined file with the error; nullopt if it concerns all of them
 };
 
 /// The range of the finite ones among some values.
@@ -135,6 +133,9 @@ struct FileBytes {
 
 /// Number of bytes that are checked before a large file is read.
 inline constexpr std::size_t kFileBeginning = std::size_t{1} << 16U;
+
+/// Number of skipped rows that are listed one by one.
+inline constexpr std::size_t kListedRows = 1000;
 
 /// Largest size of a file, in bytes.
 inline constexpr std::size_t kLargestReferenceFile = std::size_t{1} << 31U;

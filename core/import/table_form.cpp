@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/import/table_form.h"
 
-#include "core/import/cells.h"
 #include "core/import/unit_text.h"
 
 #include <algorithm>
@@ -19,15 +18,7 @@ using Kind = NameMeaning::Kind;
 
 constexpr std::size_t kExaminedLines = 200; // that are not blank
 constexpr std::size_t kLongestLine = std::size_t{1} << 20U;
-constexpr std::size_t kPreviewRows = 6;
 constexpr std::string_view kDelimiters = "\t;,|";
-
-/// A line that is not blank.
-struct Line {
-    std::size_t number = 0; ///< from 1
-    std::string_view text;
-    std::string_view below; ///< the rest of the text
-};
 
 std::vector<Line> firstLines(std::string_view text, std::size_t number = 1)
 {
@@ -309,11 +300,6 @@ TableForm findTable(std::string_view text)
     }
     interpretHeadings(form.headings, unitOfLengths, unitOfAngles);
     form.layout.decimalSign = findDecimalSign(form);
-    lines = firstLines(form.data);
-    for (const Line &shown : std::span(lines).first(std::min(lines.size(), kPreviewRows))) {
-        std::vector<std::string> &cells = form.layout.rows.emplace_back();
-        std::ranges::transform(splitCells(shown.text, form.layout.delimiter), std::back_inserter(cells), excerpt);
-    }
     return form;
 }
 

@@ -4,6 +4,7 @@
 // Finds the table in a text: the delimiter, the decimal sign, the lines above the headings, the headings, the units and
 // the rows of numbers.
 
+#include "core/import/cells.h"
 #include "core/import/heading.h"
 #include "core/import/reference_data.h"
 
@@ -15,8 +16,15 @@
 namespace slidercrank
 {
 
+/// A line that is not blank.
+struct Line {
+    std::size_t number = 0; ///< from 1
+    std::string_view text;
+    std::string_view below; ///< the rest of the text
+};
+
 struct TableForm {
-    FileLayout layout{};             ///< the columns have no role yet
+    FileLayout layout{};             ///< without columns and rows
     std::vector<Heading> headings{}; ///< by column; the unit may also be from a line of units or from the cells
     std::vector<std::string_view> cellUnits{}; ///< by column: the unit after the number in each cell
     std::string headerText{};                  ///< for messages

@@ -3534,8 +3534,8 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
         <translation>el tiempo no crece: ordene las filas por tiempo y deje una fila por instante.</translation>
     </message>
     <message>
-        <source>the crank angle goes back after %1: sort the rows by it, and keep one row for each angle.</source>
-        <translation>el ángulo de la manivela retrocede después de %1: ordene las filas por él y deje una fila por ángulo.</translation>
+        <source>the crank angle goes back: sort the rows by it, and keep one row for each angle.</source>
+        <translation>el ángulo de la manivela retrocede: ordene las filas por él y deje una fila por ángulo.</translation>
     </message>
     <message>
         <source>its time stamps are not those of %1: export the plots with the same start, end and step, or open one file at a time.</source>

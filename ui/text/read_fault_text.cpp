@@ -51,7 +51,7 @@ public:
         QT_TR_NOOP("no row can be read, this one because of: %3. Write numbers as 0.005, or as 0,005 with columns separated by semicolons or tabs."), // NoRow
         QT_TR_NOOP("no column beside the time contains a number."), // NoValues
         QT_TR_NOOP("the time does not increase: sort the rows by time, and keep one row for each time."), // TimeNotRising
-        QT_TR_NOOP("the crank angle goes back after %1: sort the rows by it, and keep one row for each angle."), // AngleTurnsBack
+        QT_TR_NOOP("the crank angle goes back: sort the rows by it, and keep one row for each angle."), // AngleTurnsBack
         QT_TR_NOOP("its time stamps are not those of %1: export the plots with the same start, end and step, or open one file at a time."), // OtherTimeStamps
         QT_TR_NOOP("both this file and %1 contain %2: leave one of them out, or choose the meaning of their columns."), // ChannelInBoth
         QT_TR_NOOP("The file is larger than 2 GB: export fewer rows or columns."), // TooLarge

@@ -120,11 +120,11 @@ const std::vector<ReadRow> kRead{
      "number); "
      "skipped 5:2 --1 (not a number); skipped 6:2 . (not a number); skipped 7:2 1e999 (too large); skipped 8:2 1.2.3 "
      "(not a number)"},
-    {"too large once converted", "time,R4_x [m]\n0,1e307\n1,1\n", "time 1; R4_x 1000; skipped 2:2  (too large)"},
+    {"too large once converted", "time,R4_x [m]\n0,1e307\n1,1\n", "time 1; R4_x 1000; skipped 2:2 1e307 (too large)"},
     {"a crank angle too large once converted", "theta2 (rad),R4_x\n0,3\n1e308,4\n",
-     "time 0; R4_x 3; skipped 3:1  (too large)"},
+     "time 0; R4_x 3; skipped 3:1 1e308 (too large)"},
     {"rows with too many or too few cells, or without time", "time,R4_x,theta3\n1,2,3,4\n,2,3\nnan,2,3\n2,3,4\n3\n",
-     "time 2; R4_x 3; theta3 4; skipped 2:4 4 (too many cells); skipped 3:1  (no time); skipped 4:1  (no time); "
+     "time 2; R4_x 3; theta3 4; skipped 2:4 4 (too many cells); skipped 3:1  (no time); skipped 4:1 nan (no time); "
      "skipped "
      "6:1  (too few cells)"},
     {"a long cell is shortened between characters", "time,R4_x\n0,x" + QByteArray("±").repeated(30) + "\n1,2\n",
@@ -174,6 +174,8 @@ struct Refusal {
     ReadFault fault;
 };
 
+const ReadFault kTimeRepeats{.kind = Kind::TimeNotRising, .row = RowFault::RepeatedTime};
+
 const std::vector<Refusal> kRefused{
     {"nothing", "", "0:0 ", {Kind::Empty}},
     {"blank lines after a byte order mark", "\xEF\xBB\xBF\r\n \r\n,,\r\n", "0:0 ", {Kind::Empty}},
@@ -202,12 +204,12 @@ const std::vector<Refusal> kRefused{
      "2:3 74",
      {.kind = Kind::NoRow, .row = RowFault::TooManyCells}},
     {"no value", "time,R4_x\n0,\n1,nan\n", "2:0 ", {Kind::NoValues}},
-    {"a time that mostly repeats", "R4_x,time\n1,0\n2,0\n3,0\n4,1\n5,1\n", "3:2 0", {Kind::TimeNotRising}},
-    {"a time that decreases", "time [ms],R4_x\n0,1\n1,x\n-250,2\n", "4:1 -250", {Kind::TimeNotRising}},
+    {"a time that mostly repeats", "R4_x,time\n1,0\n2,0\n3,0\n4,1\n5,1\n", "3:2 0", kTimeRepeats},
+    {"a time that decreases", "time [ms],R4_x\n0,1\n1,x\n-250,2\n", "4:1 -250", kTimeRepeats},
     {"a crank angle that changes its direction",
      "Crank angle,R4_x\n0,3\n15,4\n10,5\n",
-     "1:1 Crank angle",
-     {.kind = Kind::AngleTurnsBack, .heading = "15°"}},
+     "4:0 ",
+     {.kind = Kind::AngleTurnsBack}},
     {"two lengths of unnamed bodies",
      "time,disp 1 (mm),disp 2 (mm)" + kRows,
      "1:0 time,disp 1 (mm),disp 2 (mm)",

@@ -63,7 +63,6 @@ private slots:
             {{.kind = Kind::NoCertainChannel, .heading = "x", .column = ColumnReason::UnknownBody}, "the body)"},
             {{.kind = Kind::NoCertainChannel, .heading = "x", .column = ColumnReason::UnknownUnit}, "its unit"},
             {{.kind = Kind::NoRow, .row = RowFault::TooManyCells}, "too many cells"},
-            {{.kind = Kind::AngleTurnsBack, .heading = "20°"}, "20°"},
             {{.kind = Kind::OtherTimeStamps, .heading = "a.csv"}, "a.csv"},
             {{.kind = Kind::ChannelInBoth, .channel = {R4x, Order::Velocity}, .heading = "a.csv"},
              "a.csv contain R4_x_diff"},
