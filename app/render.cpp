@@ -84,7 +84,7 @@ void readSize(const OptionReader &options, FigureSize &size)
 void readTarget(const OptionReader &options, RenderRequest &request)
 {
     request.output = readOutput(options, options.texts("reference"));
-    const std::optional<FigureFormat> format = figureFormatOf(request.output);
+    const std::optional<FigureFormat> format = figureFormat(request.output);
     if (request.subject == Subject::Frames && (format || request.output.isEmpty())) {
         throw UsageError{CommandLine::tr("Frames are written to a new folder or as a video: --output must be the name "
                                          "of a folder, or end in .mp4, .webm or .gif, not \"%1\".")

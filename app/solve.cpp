@@ -123,7 +123,7 @@ ExitStatus solveCommand(const OptionReader &options, const Streams &streams)
             return true;
         }
         return writeCsvRows(motion, channels, angleUnit,
-                            [&](const QByteArray &text, std::size_t) { return output.write(text); });
+                            [&](const QByteArray &text) { return output.write(text); });
     };
     if (!isJson) {
         output.write(csvHeader(channels, angleUnit));

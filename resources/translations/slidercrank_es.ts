@@ -4,14 +4,6 @@
 <context>
     <name>slidercrank::AnimationExport</name>
     <message>
-        <source>%1 cannot be written: %2.</source>
-        <translation>No se puede escribir %1: %2.</translation>
-    </message>
-    <message>
-        <source>There is not enough memory for a frame of that size.</source>
-        <translation>No hay memoria suficiente para un fotograma de ese tamaño.</translation>
-    </message>
-    <message>
         <source>ffmpeg could not make the video: %1</source>
         <translation>ffmpeg no pudo hacer el vídeo: %1</translation>
     </message>
@@ -24,12 +16,12 @@
         <translation>%1: un vídeo necesita el programa ffmpeg, que no está instalado. Instálelo (Debian, Ubuntu: sudo apt install ffmpeg; Windows: winget install ffmpeg; macOS: brew install ffmpeg) o exporte los fotogramas a una carpeta.</translation>
     </message>
     <message>
-        <source>it exists already; choose a new or empty folder</source>
-        <translation>ya existe; elija una carpeta nueva o vacía</translation>
-    </message>
-    <message>
         <source>the folder cannot be created</source>
         <translation>no se puede crear la carpeta</translation>
+    </message>
+    <message>
+        <source>it exists already</source>
+        <translation>ya existe</translation>
     </message>
 </context>
 <context>
@@ -1815,16 +1807,8 @@ difiere: lo demás, y los errores que superan el redondeo en un 1 % de la mitad 
 <context>
     <name>slidercrank::FigureExportText</name>
     <message>
-        <source>The scale of a figure must be greater than 0.</source>
-        <translation>La escala de una figura debe ser mayor que 0.</translation>
-    </message>
-    <message>
         <source>%1: a figure&apos;s name must end in .png, .svg or .pdf.</source>
         <translation>%1: el nombre de una figura debe terminar en .png, .svg o .pdf.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written: %2.</source>
-        <translation>No se puede escribir %1: %2.</translation>
     </message>
     <message>
         <source>There is not enough memory for a figure of that size.</source>
@@ -2617,13 +2601,6 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
     <message>
         <source>The time range is now that of %1: %2 s to %3 s.</source>
         <translation>El intervalo de tiempo es ahora el de %1: de %2 s a %3 s.</translation>
-    </message>
-</context>
-<context>
-    <name>slidercrank::MotionCsvText</name>
-    <message>
-        <source>%1 cannot be written: %2. Choose another name or folder.</source>
-        <translation>No se puede escribir %1: %2. Elija otro nombre u otra carpeta.</translation>
     </message>
 </context>
 <context>
@@ -3861,18 +3838,6 @@ SHA-256: %2</translation>
         <translation>Columnas sin usar: %1.</translation>
     </message>
     <message>
-        <source>The mechanism found in the file agrees with it in %1 of %2 channels.</source>
-        <translation>El mecanismo hallado en el archivo coincide con él en %1 de %2 canales.</translation>
-    </message>
-    <message>
-        <source>The first of several mechanisms found agrees with the file in %1 of %2 channels.</source>
-        <translation>El primero de los varios mecanismos hallados coincide con el archivo en %1 de %2 canales.</translation>
-    </message>
-    <message>
-        <source>Found by weighted least squares (Levenberg-Marquardt, %1 iterations, condition number %2); ± is one standard error.</source>
-        <translation>Hallado por mínimos cuadrados ponderados (Levenberg-Marquardt, %1 iteraciones, número de condición %2); ± es un error estándar.</translation>
-    </message>
-    <message>
         <source>Largest %: max |model − reference| / |reference| · 100 where the reference is not zero. Rounding step: the distance of neighbouring numbers in the file, where it is largest.</source>
         <translation>% máximo: máx |modelo − referencia| / |referencia| · 100 donde la referencia no es cero. Paso de redondeo: la distancia entre números contiguos del archivo, donde es mayor.</translation>
     </message>
@@ -3909,8 +3874,8 @@ SHA-256: %2</translation>
         <translation>Límites del movimiento</translation>
     </message>
     <message>
-        <source>%1 cannot be written: %2.</source>
-        <translation>No se puede escribir %1: %2.</translation>
+        <source>Found by weighted least squares (Levenberg-Marquardt, %1 iterations, condition number %2); ± is one standard error. %3 of %4 channels of the file agree with the result.</source>
+        <translation>Hallado por mínimos cuadrados ponderados (Levenberg-Marquardt, %1 iteraciones, número de condición %2); ± es un error estándar. %3 de %4 canales del archivo coinciden con el resultado.</translation>
     </message>
 </context>
 <context>
@@ -4148,10 +4113,6 @@ SHA-256: %2</translation>
     <message>
         <source>%1, line %2: this is not JSON (%3). Correct it there, or open another scene.</source>
         <translation>%1, línea %2: esto no es JSON (%3). Corríjalo allí, o abra otra escena.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written: %2. Choose another name or folder.</source>
-        <translation>No se puede escribir %1: %2. Elija otro nombre u otra carpeta.</translation>
     </message>
     <message>
         <source>%1: &quot;%2&quot; is missing, or its value is not valid. Correct it there, or open another scene.</source>
@@ -4734,10 +4695,6 @@ Tiempos medidos en %2</translation>
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>%1 cannot be written: %2.</source>
-        <translation>No se puede escribir %1: %2.</translation>
-    </message>
-    <message>
         <source>Tables (*.csv)</source>
         <translation>Tablas (*.csv)</translation>
     </message>
@@ -4883,6 +4840,10 @@ Tiempos medidos en %2</translation>
     <message>
         <source>%1 cannot be read: %2.</source>
         <translation>No se puede leer %1: %2.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2. Choose another name or folder.</source>
+        <translation>No se puede escribir %1: %2. Elija otro nombre u otra carpeta.</translation>
     </message>
 </context>
 </TS>

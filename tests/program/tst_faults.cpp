@@ -272,8 +272,8 @@ private slots:
         const QString link = folder.filePath(QStringLiteral("link"));
         QCOMPARE(mkfifo(qPrintable(pipe), 0600), 0);
         QVERIFY(QFile::link(pipe, link));
-        QCOMPARE(writeWhole(pipe, kOlder), QStringLiteral("it is a pipe or a device"));
-        QCOMPARE(writeWhole(link, kOlder), QStringLiteral("it is a pipe or a device"));
+        QVERIFY(writeWhole(pipe, kOlder)->contains("it is a pipe or a device"));
+        QVERIFY(writeWhole(link, kOlder)->contains("it is a pipe or a device"));
         QVERIFY(QFileInfo(link).isSymLink() && QFileInfo(pipe).exists() && !QFileInfo(pipe).isFile());
     }
 
@@ -333,7 +333,7 @@ private slots:
         const std::optional<QString> reason = writeWhole(path, kOlder);
         QVERIFY(hasFailed());
         failCall("", 0);
-        QCOMPARE(reason, qt_error_string(EIO));
+        QVERIFY(reason && reason->contains(qt_error_string(EIO)));
         QCOMPARE(namesIn(folder.path()), QStringList());
     }
 

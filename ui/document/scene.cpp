@@ -158,10 +158,7 @@ bool isNamedAsScene(const QString &path)
 
 std::optional<QString> writeScene(const Scene &scene, const QString &path)
 {
-    const std::optional<QString> reason = writeWhole(path, sceneToJson(scene, path));
-    return reason ? std::optional(SceneText::tr("%1 cannot be written: %2. Choose another name or folder.")
-                                      .arg(QDir::toNativeSeparators(path), *reason))
-                  : std::nullopt;
+    return writeWhole(path, sceneToJson(scene, path));
 }
 
 } // namespace slidercrank

@@ -75,10 +75,17 @@ bool WholeFile::commit(const std::stop_token &stop)
     return (synchronize(m_file) || fail(qt_error_string())) && (m_file.commit() || fail(m_file.errorString()));
 }
 
+QString cannotWrite(const QString &path, const QString &reason)
+{
+    return WholeFileText::tr("%1 cannot be written: %2. Choose another name or folder.")
+        .arg(QDir::toNativeSeparators(path), reason);
+}
+
 std::optional<QString> writeWhole(const QString &path, const QByteArray &bytes)
 {
     WholeFile file(path);
-    return file.open() && file.write(bytes) && file.commit() ? std::nullopt : std::optional(file.reason());
+    return file.open() && file.write(bytes) && file.commit() ? std::nullopt
+                                                             : std::optional(cannotWrite(path, file.reason()));
 }
 
 QString withoutFullStop(QString reason)

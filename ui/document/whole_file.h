@@ -37,7 +37,10 @@ private:
     QString m_reason;
 };
 
-/// Writes a file completely or not at all. Returns the reason if that fails.
+/// Returns a sentence that says why a file or a folder cannot be written, and what to do.
+QString cannotWrite(const QString &path, const QString &reason);
+
+/// Writes a file completely or not at all. Returns a sentence if that fails.
 std::optional<QString> writeWhole(const QString &path, const QByteArray &bytes);
 
 /// Removes the full stop that Windows adds to the error texts of the system.

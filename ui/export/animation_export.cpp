@@ -7,8 +7,6 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QImage>
-#include <QPainter>
 #include <QProcess>
 #include <QStandardPaths>
 #include <QTemporaryDir>
@@ -28,12 +26,6 @@ struct AnimationExport {
 
 using Problem = std::optional<QString>;
 
-Problem cannotWrite(const QString &path, const QString &reason)
-{
-    return AnimationExport::tr("%1 cannot be written: %2.")
-        .arg(QDir::toNativeSeparators(path), withoutFullStop(reason));
-}
-
 /// Finds the faults that can be found before anything is drawn.
 Problem findFault(const QString &path, const Animation &animation)
 {
@@ -43,7 +35,7 @@ Problem findFault(const QString &path, const Animation &animation)
             .arg(Animation::kMostFrames);
     }
     if (isVideo(path)) {
-        return QStandardPaths::findExecutable(QStringLiteral("ffmpeg")).isEmpty()
+        return QStandardPaths::findExecutable("ffmpeg").isEmpty()
                    ? Problem(AnimationExport::tr(
                                  "%1: a video needs the program ffmpeg, which is not installed. Install it (Debian, "
                                  "Ubuntu: sudo apt install ffmpeg; Windows: winget install ffmpeg; macOS: brew install "
@@ -52,7 +44,7 @@ Problem findFault(const QString &path, const Animation &animation)
                    : std::nullopt;
     }
     if (target.isDir() ? !QDir(path).isEmpty() : target.exists()) {
-        return cannotWrite(path, AnimationExport::tr("it exists already; choose a new or empty folder"));
+        return cannotWrite(path, AnimationExport::tr("it exists already"));
     }
     return std::nullopt;
 }
@@ -61,19 +53,13 @@ Problem findFault(const QString &path, const Animation &animation)
 Problem drawFrames(const QTemporaryDir &folder, const Animation &animation, const FrameDrawing &draw,
                    const AnimationProgress &progress)
 {
-    const FigureSize &size = animation.size;
     for (int frame = 0; frame < animation.frameCount(); ++frame) {
-        QImage image(size.size * size.scale, QImage::Format_RGB32);
-        if (image.isNull()) {
-            return AnimationExport::tr("There is not enough memory for a frame of that size.");
-        }
-        image.setDevicePixelRatio(size.scale);
-        QPainter painter(&image);
-        draw(painter, size.size, animation.timeOfFrame(frame));
-        painter.end();
         const QString name = QStringLiteral("frame_%1.png").arg(frame + 1, 4, 10, QLatin1Char('0'));
-        if (const Problem reason = writeWhole(folder.filePath(name), pngOf(image))) {
-            return cannotWrite(folder.filePath(name), *reason);
+        const auto drawFrame = [&](QPainter &painter, const QSize &size) {
+            draw(painter, size, animation.timeOfFrame(frame));
+        };
+        if (const Problem problem = exportFigure(folder.filePath(name), animation.size, {}, drawFrame)) {
+            return problem;
         }
         if (!progress(frame + 1)) {
             return QString();
@@ -86,9 +72,9 @@ Problem makeVideo(const QTemporaryDir &folder, const QString &path, const Animat
                   const AnimationProgress &progress)
 {
     constexpr int kLookEvery = 50; // ms
-    const QString video = folder.filePath(QStringLiteral("video.") + QFileInfo(path).suffix().toLower());
+    const QString video = folder.filePath("video." + QFileInfo(path).suffix().toLower());
     QStringList arguments{"-loglevel", "error", "-framerate", QString::number(animation.framesPerSecond), "-i",
-                          folder.filePath(QStringLiteral("frame_%04d.png")),
+                          folder.filePath("frame_%04d.png"),
                           // Most players support only colours at half the resolution, which requires even sides.
                           "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white"};
     if (!video.endsWith(QLatin1String("gif"))) {
@@ -99,7 +85,7 @@ Problem makeVideo(const QTemporaryDir &folder, const QString &path, const Animat
     }
     QProcess ffmpeg;
     ffmpeg.setProcessChannelMode(QProcess::MergedChannels);
-    ffmpeg.start(QStringLiteral("ffmpeg"), arguments << video);
+    ffmpeg.start("ffmpeg", arguments << video);
     while (!ffmpeg.waitForFinished(kLookEvery) && ffmpeg.state() != QProcess::NotRunning) {
         if (!progress(animation.frameCount())) {
             ffmpeg.kill();
@@ -113,8 +99,7 @@ Problem makeVideo(const QTemporaryDir &folder, const QString &path, const Animat
         return AnimationExport::tr("ffmpeg could not make the video: %1")
             .arg(QString::fromLocal8Bit(ffmpeg.readAll()).simplified());
     }
-    const Problem reason = writeWhole(path, file.readAll());
-    return reason ? cannotWrite(path, *reason) : std::nullopt;
+    return writeWhole(path, file.readAll());
 }
 
 } // namespace
@@ -142,9 +127,9 @@ std::optional<QString> exportAnimation(const QString &path, const Animation &ani
         return fault;
     }
     const QFileInfo target(QDir::cleanPath(path));
-    QTemporaryDir folder(target.absoluteDir().filePath(QStringLiteral("frames-XXXXXX"))); // on the same disk
+    QTemporaryDir folder(target.absoluteDir().filePath("frames-XXXXXX")); // on the same disk
     if (!folder.isValid()) {
-        return cannotWrite(path, folder.errorString());
+        return cannotWrite(path, withoutFullStop(folder.errorString()));
     }
     Problem problem = drawFrames(folder, animation, draw, progress);
     if (!problem && isVideo(path)) {

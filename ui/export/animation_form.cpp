@@ -19,9 +19,9 @@ namespace slidercrank
 AnimationForm::AnimationForm(const Animation &animation, QWidget *parent)
     : QDialog(parent)
     , m_animation(animation)
-    , m_rate(makeBox(QStringLiteral("rateBox"), 1, 240, animation.framesPerSecond))
-    , m_width(makeBox(QStringLiteral("widthBox"), 64, 7680, animation.size.size.width()))
-    , m_height(makeBox(QStringLiteral("heightBox"), 64, 7680, animation.size.size.height()))
+    , m_rate(makeBox("rateBox", 1, 240, animation.framesPerSecond))
+    , m_width(makeBox("widthBox", 64, 7680, animation.size.size.width()))
+    , m_height(makeBox("heightBox", 64, 7680, animation.size.size.height()))
     , m_length(named("lengthBox", new QDoubleSpinBox))
     , m_outcome(named("outcomeLabel", new QLabel))
 {

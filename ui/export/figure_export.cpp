@@ -10,7 +10,6 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QGuiApplication>
-#include <QHash>
 #include <QImage>
 #include <QPageSize>
 #include <QPainter>
@@ -36,32 +35,25 @@ struct FigureExportText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::FigureExportText)
 };
 
-QSize devicePixels(const FigureSize &size)
-{
-    return {static_cast<int>(std::lround(size.size.width() * size.scale)),
-            static_cast<int>(std::lround(size.size.height() * size.scale))};
-}
-
 std::optional<QString> findFault(const FigureSize &size)
 {
-    if (!std::isfinite(size.scale) || size.scale <= 0.0) {
-        return FigureExportText::tr("The scale of a figure must be greater than 0.");
-    }
     const QSizeF pixels = QSizeF(size.size) * size.scale;
-    const auto isPossible = [](double side) { return side >= 1.0 && side <= kLargestSide; };
-    const bool fits = isPossible(pixels.width()) && isPossible(pixels.height()) && isPossible(size.size.width()) &&
-                      isPossible(size.size.height()) && pixels.width() * pixels.height() <= kLargestPixelCount;
-    return fits ? std::nullopt
-                : std::optional(FigureExportText::tr("A figure of %1 × %2 pixels is too small or too large: choose "
-                                                     "another size or scale.")
-                                    .arg(pixels.width(), 0, 'f', 0)
-                                    .arg(pixels.height(), 0, 'f', 0));
+    const auto isPossible = [](const QSizeF &sides) { // not with a scale that is not a number
+        return sides.width() >= 1.0 && sides.height() >= 1.0 && sides.width() <= kLargestSide &&
+               sides.height() <= kLargestSide && sides.width() * sides.height() <= kLargestPixelCount;
+    };
+    return isPossible(pixels) && isPossible(size.size)
+               ? std::nullopt
+               : std::optional(FigureExportText::tr("A figure of %1 × %2 pixels is too small or too large: choose "
+                                                    "another size or scale.")
+                                   .arg(pixels.width(), 0, 'f', 0)
+                                   .arg(pixels.height(), 0, 'f', 0));
 }
 
 /// Returns a null image if there is not enough memory.
-QImage imageOf(const FigureSize &size, const FigureDrawing &draw)
+QImage drawImage(const FigureSize &size, const FigureDrawing &draw)
 {
-    QImage image(devicePixels(size), QImage::Format_RGB32);
+    QImage image(size.size * size.scale, QImage::Format_RGB32);
     if (image.isNull()) {
         return image;
     }
@@ -78,7 +70,7 @@ QByteArray polished(const QByteArray &svg, const QSize &size, const QString &tit
 {
     static const QRegularExpression kMillimetres(QStringLiteral(R"re(<svg width="[^"]*" height="[^"]*")re"));
     static const QRegularExpression kFamily(QStringLiteral(R"re(font-family="([^",]*)")re"));
-    static const QString kTitle = QStringLiteral("<title>title</title>");
+    static const QString kTitle = "<title>title</title>";
     QString text = QString::fromUtf8(svg);
     text.replace(kMillimetres,
                  QStringLiteral(R"re(<svg width="%1" height="%2")re").arg(size.width()).arg(size.height()));
@@ -89,7 +81,7 @@ QByteArray polished(const QByteArray &svg, const QSize &size, const QString &tit
 
 // All formats are drawn in memory, since neither the generator nor the writer reports a full disk.
 
-QByteArray svgOf(const QSize &size, const QString &title, const FigureDrawing &draw)
+QByteArray makeSvg(const QSize &size, const QString &title, const FigureDrawing &draw)
 {
     QBuffer buffer;
     QSvgGenerator generator;
@@ -97,37 +89,32 @@ QByteArray svgOf(const QSize &size, const QString &title, const FigureDrawing &d
     generator.setResolution(kDotsPerInch);
     generator.setSize(size);
     generator.setViewBox(QRect(QPoint(), size));
-    generator.setTitle(title.isEmpty() ? title : QStringLiteral("title"));
+    generator.setTitle(title.isEmpty() ? title : "title");
     QPainter painter(&generator);
     draw(painter, size);
     painter.end();
     return polished(buffer.data(), size, title);
 }
 
-QByteArray pdfOf(const QSize &size, const QString &title, const FigureDrawing &draw)
+} // namespace
+
+QByteArray makePdf(const QPageSize &page, const QString &title, const std::function<void(QPdfWriter &)> &fill)
 {
     QBuffer buffer;
     buffer.open(QIODevice::WriteOnly);
     QPdfWriter writer(&buffer);
     writer.setResolution(kDotsPerInch);
-    writer.setPageSize(QPageSize(QSizeF(size) * kPointsPerPixel, QPageSize::Point, {}, QPageSize::ExactMatch));
-    writer.setPageMargins(QMarginsF());
+    writer.setPageSize(page);
     writer.setTitle(title);
     writer.setCreator(QCoreApplication::applicationName());
-    QPainter painter(&writer);
-    draw(painter, size);
-    painter.end();
+    fill(writer);
     return buffer.data();
 }
 
-} // namespace
-
-std::optional<FigureFormat> figureFormatOf(const QString &path)
+std::optional<FigureFormat> figureFormat(const QString &path)
 {
-    static const QHash<QString, FigureFormat> kFormats{
-        {"png", FigureFormat::Png}, {"svg", FigureFormat::Svg}, {"pdf", FigureFormat::Pdf}};
-    const auto format = kFormats.constFind(QFileInfo(path).suffix().toLower());
-    return format == kFormats.constEnd() ? std::nullopt : std::optional(*format);
+    const qsizetype format = QStringList{"png", "svg", "pdf"}.indexOf(QFileInfo(path).suffix().toLower());
+    return format < 0 ? std::nullopt : std::optional(static_cast<FigureFormat>(format));
 }
 
 FigureDrawing withParameters(const FigureDrawing &draw, const Mechanism &mechanism, const QPalette &palette)
@@ -147,40 +134,40 @@ FigureDrawing withParameters(const FigureDrawing &draw, const Mechanism &mechani
     };
 }
 
-QByteArray pngOf(const QImage &image)
-{
-    QBuffer buffer;
-    return image.save(&buffer, "PNG") ? buffer.data() : QByteArray();
-}
-
 std::optional<QString> exportFigure(const QString &path, const FigureSize &size, const QString &title,
                                     const FigureDrawing &draw)
 {
-    const QString shown = QDir::toNativeSeparators(path);
-    const std::optional<FigureFormat> format = figureFormatOf(path);
+    const std::optional<FigureFormat> format = figureFormat(path);
     if (!format) {
-        return FigureExportText::tr("%1: a figure's name must end in .png, .svg or .pdf.").arg(shown);
+        return FigureExportText::tr("%1: a figure's name must end in .png, .svg or .pdf.")
+            .arg(QDir::toNativeSeparators(path));
     }
-    const FigureSize wanted = *format == FigureFormat::Png ? size : FigureSize{size.size, 1.0};
+    const FigureSize wanted{size.size, *format == FigureFormat::Png ? size.scale : 1.0};
     if (std::optional<QString> fault = findFault(wanted)) {
         return fault;
     }
     QByteArray bytes;
     switch (*format) {
     case FigureFormat::Png: {
-        QImage image = imageOf(wanted, draw);
-        image.setText(QStringLiteral("Title"), title);
-        bytes = pngOf(image);
+        QImage image = drawImage(wanted, draw);
+        image.setText("Title", title);
+        QBuffer buffer(&bytes);
+        image.save(&buffer, "PNG");
         break;
     }
-    case FigureFormat::Svg: bytes = svgOf(wanted.size, title, draw); break;
-    case FigureFormat::Pdf: bytes = pdfOf(wanted.size, title, draw); break;
+    case FigureFormat::Svg: bytes = makeSvg(size.size, title, draw); break;
+    case FigureFormat::Pdf: {
+        const QPageSize page(QSizeF(size.size) * kPointsPerPixel, QPageSize::Point, {}, QPageSize::ExactMatch);
+        bytes = makePdf(page, title, [&](QPdfWriter &writer) {
+            writer.setPageMargins(QMarginsF());
+            QPainter painter(&writer);
+            draw(painter, size.size);
+        });
+        break;
     }
-    if (bytes.isEmpty()) {
-        return FigureExportText::tr("There is not enough memory for a figure of that size.");
     }
-    const std::optional<QString> reason = writeWhole(path, bytes);
-    return reason ? std::optional(FigureExportText::tr("%1 cannot be written: %2.").arg(shown, *reason)) : std::nullopt;
+    return bytes.isEmpty() ? FigureExportText::tr("There is not enough memory for a figure of that size.")
+                           : writeWhole(path, bytes);
 }
 
 std::optional<QString> copyFigureToClipboard(const FigureSize &size, const FigureDrawing &draw)
@@ -188,7 +175,7 @@ std::optional<QString> copyFigureToClipboard(const FigureSize &size, const Figur
     if (std::optional<QString> fault = findFault(size)) {
         return fault;
     }
-    const QImage image = imageOf(size, draw);
+    const QImage image = drawImage(size, draw);
     if (image.isNull()) {
         return FigureExportText::tr("There is not enough memory for a figure of that size.");
     }

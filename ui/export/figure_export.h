@@ -13,9 +13,10 @@
 #include <functional>
 #include <optional>
 
-class QImage;
 class QPainter;
+class QPageSize;
 class QPalette;
+class QPdfWriter;
 
 namespace slidercrank
 {
@@ -23,7 +24,7 @@ namespace slidercrank
 enum class FigureFormat { Png, Svg, Pdf };
 
 /// Returns the format by the suffix of the file name, ignoring case, or nullopt.
-std::optional<FigureFormat> figureFormatOf(const QString &path);
+std::optional<FigureFormat> figureFormat(const QString &path);
 
 inline constexpr int kDotsPerInch = 96; ///< logical pixels, as in SVG and CSS
 
@@ -43,8 +44,8 @@ FigureDrawing withParameters(const FigureDrawing &draw, const Mechanism &mechani
 std::optional<QString> exportFigure(const QString &path, const FigureSize &size, const QString &title,
                                     const FigureDrawing &draw);
 
-/// Returns the image in PNG format; empty if there is not enough memory.
-QByteArray pngOf(const QImage &image);
+/// Returns a PDF of such pages in the resolution kDotsPerInch. `fill` draws on the first page.
+QByteArray makePdf(const QPageSize &page, const QString &title, const std::function<void(QPdfWriter &)> &fill);
 
 /// Copies the figure to the clipboard as an image. Returns as exportFigure().
 std::optional<QString> copyFigureToClipboard(const FigureSize &size, const FigureDrawing &draw);

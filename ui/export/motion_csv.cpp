@@ -4,9 +4,6 @@
 #include "core/mechanism/turn.h"
 #include "ui/document/whole_file.h"
 
-#include <QCoreApplication>
-#include <QDir>
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -21,23 +18,13 @@ namespace
 /// The text is handed on in pieces of this size, so that a long motion is never in memory as a whole.
 constexpr qsizetype kFullBuffer = 1 << 20; // bytes
 
-struct MotionCsvText {
-    Q_DECLARE_TR_FUNCTIONS(slidercrank::MotionCsvText)
-};
-
 QByteArray nameWithUnit(Channel channel, AngleUnit unit)
 {
+    constexpr const char *kUnits[] = {" [rad]", " [rad/s]", " [rad/s^2]"}; // in the order of Order
     const std::string_view bare = nameOf(channel);
     const QByteArray name(bare.data(), static_cast<qsizetype>(bare.size()));
-    if (unit == AngleUnit::Degree || !isAngle(channel.coordinate)) {
-        return name;
-    }
-    switch (channel.order) {
-    case Order::Position: return name + " [rad]";
-    case Order::Velocity: return name + " [rad/s]";
-    case Order::Acceleration: return name + " [rad/s^2]";
-    }
-    return name;
+    return unit == AngleUnit::Radian && isAngle(channel.coordinate) ? name + kUnits[static_cast<int>(channel.order)]
+                                                                    : name;
 }
 
 } // namespace
@@ -84,31 +71,23 @@ QByteArray csvHeader(const std::vector<Channel> &channels, AngleUnit unit)
 bool writeCsvRows(const Trajectory &trajectory, const std::vector<Channel> &channels, AngleUnit unit,
                   const TextSink &sink)
 {
-    struct Column {
-        const double *values;
-        double factor;
-    };
-    std::vector<Column> columns;
-    for (const Channel channel : channels) {
-        columns.push_back({trajectory[channel].data(), factorTo(unit, channel)});
-    }
     QByteArray text;
     text.reserve(kFullBuffer + kFullBuffer / 8);
     for (std::size_t row = 0; row < trajectory.time.size(); ++row) {
         appendNumber(text, trajectory.time[row]);
-        for (const Column &column : columns) {
+        for (const Channel channel : channels) {
             text += ',';
-            appendNumber(text, column.values[row] * column.factor);
+            appendNumber(text, trajectory[channel][row] * factorTo(unit, channel));
         }
         text += '\n';
         if (text.size() >= kFullBuffer) {
-            if (!sink(text, row + 1)) {
+            if (!sink(text)) {
                 return false;
             }
             text.resize(0); // unlike clear(), this does not free the memory
         }
     }
-    return sink(text, trajectory.time.size());
+    return sink(text);
 }
 
 std::optional<QString> exportMotion(const QString &path, const Result &result, const ChannelSet &channels,
@@ -124,26 +103,21 @@ std::optional<QString> exportMotion(const QString &path, const Result &result, c
     const std::vector<Channel> list = listed(columns);
     WholeFile file(path);
     bool goesOn = file.open() && file.write(csvHeader(list, AngleUnit::Degree));
-    std::size_t before = 0; // time steps in the pieces that are done
-    const TextSink sink = [&](const QByteArray &text, std::size_t steps) {
-        if (progress) {
-            progress(static_cast<double>(before + steps) / (sampling.steps + 1.0));
-        }
-        return file.write(text) && !stop.stop_requested();
-    };
+    double steps = 0.0; // that are written
+    const TextSink sink = [&](const QByteArray &text) { return file.write(text) && !stop.stop_requested(); };
     const auto take = [&](const Trajectory &piece) {
         goesOn = writeCsvRows(piece, list, AngleUnit::Degree, sink);
-        before += piece.time.size();
+        steps += static_cast<double>(piece.time.size());
+        if (progress) {
+            progress(steps / (sampling.steps + 1.0));
+        }
         return goesOn;
     };
     if (goesOn) {
         sampleInPieces(result.mechanism, sampling, columns, result.solver, take, stop);
     }
-    if (stop.stop_requested() || (goesOn && file.commit(stop))) {
-        return std::nullopt;
-    }
-    return MotionCsvText::tr("%1 cannot be written: %2. Choose another name or folder.")
-        .arg(QDir::toNativeSeparators(path), file.reason());
+    return stop.stop_requested() || (goesOn && file.commit(stop)) ? std::nullopt
+                                                                  : std::optional(cannotWrite(path, file.reason()));
 }
 
 } // namespace slidercrank

@@ -29,8 +29,8 @@ void appendNumber(QByteArray &text, double value);
 /// Returns the channels in the order of indexOf().
 std::vector<Channel> listed(const ChannelSet &channels);
 
-/// Receives the text piece by piece, with the number of time steps written so far. Returns false to stop.
-using TextSink = std::function<bool(const QByteArray &text, std::size_t timeSteps)>;
+/// Receives the text piece by piece. Returns false to stop.
+using TextSink = std::function<bool(const QByteArray &text)>;
 
 /// Returns the line of names. A name without unit means mm, ° and s; any other unit follows the name.
 QByteArray csvHeader(const std::vector<Channel> &channels, AngleUnit unit);

@@ -11,7 +11,6 @@
 #include "ui/text/written_number.h"
 
 #include <QAbstractTextDocumentLayout>
-#include <QBuffer>
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
@@ -59,25 +58,25 @@ QString note(const QString &text)
     return text.isEmpty() ? QString() : QStringLiteral("<div class=note>%1</div>").arg(element("p", text));
 }
 
-QString headingOfPage(const QString &text)
+QString newPage(const QString &title)
 {
-    return QStringLiteral("<div style='page-break-before:always'>%1</div>").arg(heading(text));
+    return QStringLiteral("<div style='page-break-before:always'>%1</div>").arg(heading(title));
 }
 
-/// Returns an HTML table. The first row is the header; all columns but the first are right-aligned.
+/// Returns an HTML table. The first row is the header. All columns but the first are right-aligned.
 QString table(const std::vector<QStringList> &rows)
 {
-    QString html = QStringLiteral("<table cellspacing=0 cellpadding=2>");
+    QString html = "<table cellspacing=0 cellpadding=2>";
     for (const QStringList &row : rows) {
-        html += QStringLiteral("<tr>");
+        html += "<tr>";
         for (qsizetype i = 0; i < row.size(); ++i) {
             const char *tag = &row == &rows.front() ? "th" : "td";
             html += QStringLiteral("<%1 align=%2>%3&nbsp;&nbsp;</%1>")
                         .arg(QLatin1String(tag), QLatin1String(i == 0 ? "left" : "right"), row[i].toHtmlEscaped());
         }
-        html += QStringLiteral("</tr>");
+        html += "</tr>";
     }
-    return html + QStringLiteral("</table>");
+    return html + "</table>";
 }
 
 QString parameterName(Parameter parameter)
@@ -140,35 +139,24 @@ QString pinnedText(const Result &result)
     return motions.isEmpty() ? QString() : Report::tr("Thin curves: pinned motions, %1.").arg(motions.join(u", "));
 }
 
-QString channelName(Channel channel)
+/// Returns a table of the errors against the reference file, or without the columns about the file's rounding of the
+/// differences from a pinned motion.
+QString errorTable(const std::vector<ChannelComparison> &channels, bool isFile)
 {
-    return QStringLiteral("%1 [%2]").arg(symbolOf(channel), unitOf(channel));
-}
-
-QString differenceTable(const Result &result)
-{
-    std::vector<QStringList> rows{{Report::tr("channel"), Report::tr("largest difference"), Report::tr("at [s]"),
-                                   Report::tr("rms"), Report::tr("% of peak")}};
-    for (const ChannelDifference &channel : result.difference->channels) {
-        rows.push_back({channelName(channel.channel), shortNumber(channel.maxAbs, kDigits),
-                        channel.maxAbs ? numberText(channel.timeOfMaxAbs) : dash(), shortNumber(channel.rms, kDigits),
-                        shortNumber(channel.percentOfPeak, kDigits)});
+    std::vector<QStringList> rows{{Report::tr("channel"),
+                                   isFile ? Report::tr("largest error") : Report::tr("largest difference"),
+                                   Report::tr("at [s]"), Report::tr("rms"), Report::tr("% of peak")}};
+    if (isFile) {
+        rows.front() << Report::tr("largest %") << Report::tr("rounding step") << Report::tr("verdict");
     }
-    return heading(Report::tr("This mechanism − pinned %1")
-                       .arg(pinnedText(result.pinned.back(), result.mechanism.parameters()))) +
-           table(rows);
-}
-
-QString errorTable(const std::vector<ChannelComparison> &channels)
-{
-    std::vector<QStringList> rows{{Report::tr("channel"), Report::tr("largest error"), Report::tr("at [s]"),
-                                   Report::tr("rms"), Report::tr("largest %"), Report::tr("% of peak"),
-                                   Report::tr("rounding step"), Report::tr("verdict")}};
     for (const ChannelComparison &channel : channels) {
-        rows.push_back({channelName(channel.channel), shortNumber(channel.maxAbs, kDigits),
-                        channel.maxAbs ? numberText(channel.timeOfMaxAbs) : dash(), shortNumber(channel.rms, kDigits),
-                        shortNumber(channel.maxPercent, kDigits), shortNumber(channel.percentOfPeak, kDigits),
-                        numberText(channel.roundingStep, kDigits), verdictText(channel)});
+        rows.push_back({QStringLiteral("%1 [%2]").arg(symbolOf(channel.channel), unitOf(channel.channel)),
+                        shortNumber(channel.maxAbs, kDigits), channel.maxAbs ? numberText(channel.timeOfMaxAbs) : dash(),
+                        shortNumber(channel.rms, kDigits), shortNumber(channel.percentOfPeak, kDigits)});
+        if (isFile) {
+            rows.back() << shortNumber(channel.maxPercent, kDigits) << numberText(channel.roundingStep, kDigits)
+                        << verdictText(channel);
+        }
     }
     return table(rows);
 }
@@ -224,31 +212,31 @@ QString comparisonText(const ReportContent &content)
 {
     const Result &result = *content.result;
     const Diagnosis &diagnosis = content.diagnosis;
-    QString html = headingOfPage(Report::tr("Errors: model against reference")) + fileText(content) +
+    QString html = newPage(Report::tr("Errors: model against reference")) + fileText(content) +
                    QStringLiteral("<b>%1</b>").arg(paragraph(summaryOf(result.comparison)));
-    for (const QString &line : differenceLines(diagnosis, result.reference->data, result.mechanism)) {
+    for (const QString &line : explanationLines(diagnosis, result.reference->data, result.mechanism)) {
         html += paragraph(line);
     }
     if (isFound(content)) {
         const auto agreeing = std::ranges::count(diagnosis.identified, Verdict::Agrees, &ChannelComparison::verdict);
-        const bool isOne = diagnosis.identification.outcome == Identification::Outcome::Identified;
-        html += paragraph((isOne ? Report::tr("The mechanism found in the file agrees with it in %1 of %2 channels.")
-                                 : Report::tr("The first of several mechanisms found agrees with the file in %1 of %2 "
-                                              "channels."))
-                              .arg(agreeing)
-                              .arg(diagnosis.identified.size())) +
-                paragraph(isOne ? caveatsOf(diagnosis) : summaryOf(diagnosis)) +
-                paragraph(roundNumbersText(diagnosis)) +
+        html += paragraph(roundNumbersText(diagnosis)) +
                 note(Report::tr("Found by weighted least squares (Levenberg-Marquardt, %1 iterations, condition number "
-                                "%2); ± is one standard error.")
-                         .arg(diagnosis.identification.iterations)
-                         .arg(shortNumber(diagnosis.identification.conditionNumber, kDigits)));
-    } else if (!diagnosis.agreesWithGiven) {
-        html += paragraph(summaryOf(diagnosis));
+                                "%2); ± is one standard error. %3 of %4 channels of the file agree with the result.")
+                         .arg(QString::number(diagnosis.identification.iterations),
+                              shortNumber(diagnosis.identification.conditionNumber, kDigits),
+                              QString::number(agreeing), QString::number(diagnosis.identified.size())));
     }
-    return html + errorTable(result.comparison) +
+    return html + errorTable(result.comparison, true) +
            note(Report::tr("Largest %: max |model − reference| / |reference| · 100 where the reference is not zero. "
                            "Rounding step: the distance of neighbouring numbers in the file, where it is largest."));
+}
+
+/// Returns the section about the motion that was pinned last.
+QString pinnedSection(const Result &result)
+{
+    return heading(Report::tr("This mechanism − pinned %1")
+                       .arg(pinnedText(result.pinned.back(), result.mechanism.parameters()))) +
+           errorTable(result.difference->channels, false);
 }
 
 QString methodText(const Result &result)
@@ -330,9 +318,9 @@ QString reportHtml(const ReportContent &content)
            QStringLiteral("<table width=100%><tr><td>%1</td><td align=right>[mechanism]%2</td></tr></table>")
                .arg(parameterTable(content), note(caption)) +
            heading(Report::tr("Motion limits")) + paragraph(mobilitySentence(result.mechanism, result.limits)) +
-           limitTable(result) + headingOfPage(Report::tr("Motion")) + paragraph(pinnedText(result)) +
-           QStringLiteral("<p>[figure]</p>") + (result.reference ? comparisonText(content) : QString()) +
-           (result.difference ? differenceTable(result) : QString()) + heading(Report::tr("Method")) +
+           limitTable(result) + newPage(Report::tr("Motion")) + paragraph(pinnedText(result)) +
+           "<p>[figure]</p>" + (result.reference ? comparisonText(content) : QString()) +
+           (result.difference ? pinnedSection(result) : QString()) + heading(Report::tr("Method")) +
            paragraph(methodText(result));
 }
 
@@ -348,20 +336,11 @@ std::optional<QString> exportReport(const QString &path, const ReportContent &co
     document.setDefaultStyleSheet(QStringLiteral(
         "h1 {font-size: 17pt} h2 {font-size: 11pt} td, th {white-space: nowrap} .note {color: #505050}"));
     document.setHtml(reportHtml(content));
-    insertDrawing(document, QStringLiteral("[mechanism]"), QTextFormat::UserObject, mechanism);
-    insertDrawing(document, QStringLiteral("[figure]"), QTextFormat::UserObject + 1, figure);
+    insertDrawing(document, "[mechanism]", QTextFormat::UserObject, mechanism);
+    insertDrawing(document, "[figure]", QTextFormat::UserObject + 1, figure);
 
-    QBuffer pdf; // the writer does not report a full disk
-    pdf.open(QIODevice::WriteOnly);
-    QPdfWriter writer(&pdf);
-    writer.setResolution(kDotsPerInch);
-    writer.setPageSize(QPageSize(QPageSize::A4));
-    writer.setTitle(Report::tr("Motion of an offset slider-crank"));
-    writer.setCreator(QCoreApplication::applicationName());
-    document.print(&writer);
-    const std::optional<QString> reason = writeWhole(path, pdf.data());
-    return reason ? std::optional(Report::tr("%1 cannot be written: %2.").arg(QDir::toNativeSeparators(path), *reason))
-                  : std::nullopt;
+    const auto print = [&document](QPdfWriter &writer) { document.print(&writer); };
+    return writeWhole(path, makePdf(QPageSize(QPageSize::A4), Report::tr("Motion of an offset slider-crank"), print));
 }
 
 } // namespace slidercrank

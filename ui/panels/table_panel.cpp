@@ -10,7 +10,6 @@
 
 #include <QApplication>
 #include <QClipboard>
-#include <QDir>
 #include <QEvent>
 #include <QGridLayout>
 #include <QHeaderView>
@@ -279,9 +278,7 @@ void TablePanel::changeEvent(QEvent *event)
 
 std::optional<QString> writeText(const QString &path, const QByteArray &text)
 {
-    const std::optional<QString> reason = writeWhole(path, text);
-    return reason ? std::optional(TablePanel::tr("%1 cannot be written: %2.").arg(QDir::toNativeSeparators(path), *reason))
-                  : std::nullopt;
+    return writeWhole(path, text);
 }
 
 void chooseExport(QWidget *parent, const QStringList &filters, const QString &name,

@@ -90,12 +90,12 @@ int digitsToTellApart(double x, double y, int fewest)
 QStringList foundTexts(const Identification &found)
 {
     const QString equation =
-        found.outcome == Outcome::Approximate ? QStringLiteral("%1 ≈ %2") : QStringLiteral("%1 = %2");
+        found.outcome == Outcome::Approximate ? "%1 ≈ %2" : "%1 = %2";
     QStringList texts;
     for (const Parameter parameter : kParameters) {
         if (found.onlyRatios && isLength(parameter)) {
             if (parameter != Parameter::A) {
-                texts << equation.arg(symbolOf(parameter) + QStringLiteral("/a"),
+                texts << equation.arg(symbolOf(parameter) + "/a",
                                       scaledText(parameter, found, 1.0 / found.parameters.a));
             }
         } else if (found.identifiable[indexOf(parameter)]) {
@@ -144,7 +144,7 @@ QString leftOutText(const Identification &found)
         columns << DiagnosisText::tr("%1 (%2 % of its peak)")
                        .arg(symbolOf(column.channel), errorText(column.percentOfPeak));
     }
-    return columns.join(QStringLiteral(", "));
+    return columns.join(", ");
 }
 
 QString excludedRowsText(const Identification &found)
@@ -152,14 +152,14 @@ QString excludedRowsText(const Identification &found)
     constexpr std::size_t kMostListed = 10;
     QStringList lines;
     for (const std::size_t line : found.excludedRows) {
-        lines << (lines.size() < static_cast<qsizetype>(kMostListed) ? QString::number(line) : QStringLiteral("…"));
+        lines << (lines.size() < static_cast<qsizetype>(kMostListed) ? QString::number(line) : "…");
     }
-    return lines.first(std::min<qsizetype>(lines.size(), kMostListed + 1)).join(QStringLiteral(", "));
+    return lines.first(std::min<qsizetype>(lines.size(), kMostListed + 1)).join(", ");
 }
 
 QString ambiguousText(const Identification &found)
 {
-    QStringList mechanisms{foundTexts(found).join(QStringLiteral(", "))};
+    QStringList mechanisms{foundTexts(found).join(", ")};
     bool hasAlias = false;
     for (const Identification::Alternative &alternative : found.alternatives) {
         const QString why = DiagnosisText::why(alternative.why);
@@ -169,7 +169,7 @@ QString ambiguousText(const Identification &found)
     }
     const QString text = DiagnosisText::tr("%1 mechanisms fit this file equally well: %2.")
                              .arg(mechanisms.size())
-                             .arg(mechanisms.join(QStringLiteral("; ")));
+                             .arg(mechanisms.join("; "));
     return hasAlias ? text + u' ' +
                           DiagnosisText::tr("More time steps per revolution, derivatives or θ₂ would tell them apart.")
                     : text;
@@ -178,7 +178,7 @@ QString ambiguousText(const Identification &found)
 QString identifiedText(const Diagnosis &diagnosis)
 {
     const Identification &found = diagnosis.identification;
-    const QString mechanism = foundTexts(found).join(QStringLiteral(", "));
+    const QString mechanism = foundTexts(found).join(", ");
     if (found.outcome != Outcome::Approximate) {
         return found.outcome == Outcome::Identified ? mechanism + u'.' : ambiguousText(found);
     }
@@ -198,7 +198,7 @@ QString notIdentifiedText(const Diagnosis &diagnosis)
                 open << symbolOf(parameter);
             }
         }
-        return DiagnosisText::lack(found.lack).replace(QStringLiteral("%1"), listed(open));
+        return DiagnosisText::lack(found.lack).replace("%1", listed(open));
     }
     if (found.outcome != Outcome::Nearest) {
         return diagnosis.unevenCrank
@@ -227,7 +227,7 @@ QString crankSpeedText(const CrankSpeedChange &speed)
 QString noiseText(const Identification::Noise &noise)
 {
     const QString unit = unitOf(noise.channel);
-    const QString space = unit.startsWith(u'°') ? QString() : QStringLiteral(" ");
+    const QString space = unit.startsWith(u'°') ? QString() : " ";
     return symbolOf(noise.channel) + u' ' + errorText(noise.rms) + space + unit;
 }
 
@@ -302,7 +302,7 @@ QString summaryOf(const Diagnosis &diagnosis)
     return diagnosis.unevenCrank ? crankSpeedText(*diagnosis.unevenCrank) + u' ' + text : text;
 }
 
-QStringList differenceLines(const Diagnosis &diagnosis, const ReferenceData &data, const Mechanism &mechanism)
+QStringList explanationLines(const Diagnosis &diagnosis, const ReferenceData &data, const Mechanism &mechanism)
 {
     QStringList lines;
     for (const ConventionFinding &finding : diagnosis.conventions) {
@@ -313,12 +313,7 @@ QStringList differenceLines(const Diagnosis &diagnosis, const ReferenceData &dat
     } else if (const QString change = changeText(diagnosis, mechanism); !change.isEmpty()) {
         lines << change;
     }
-    return lines << differenceSentences(data, diagnosis.conventions);
-}
-
-QStringList explanationLines(const Diagnosis &diagnosis, const ReferenceData &data, const Mechanism &mechanism)
-{
-    QStringList lines = differenceLines(diagnosis, data, mechanism);
+    lines << differenceSentences(data, diagnosis.conventions);
     if (!diagnosis.agreesWithGiven) {
         const QString summary = summaryOf(diagnosis);
         lines << (diagnosis.identification.hasOneMechanism()

@@ -32,11 +32,9 @@ QString roundNumbersText(const Diagnosis &diagnosis);
 /// parameter explains nearly all of the difference. `mechanism` is the given mechanism.
 QString changeText(const Diagnosis &diagnosis, const Mechanism &mechanism);
 
-/// Returns the explanations of the difference between the file and the given mechanism, one per line; the list may be
-/// empty. `data` is the file before conventions are applied.
-QStringList differenceLines(const Diagnosis &diagnosis, const ReferenceData &data, const Mechanism &mechanism);
-
-/// Returns the lines of differenceLines(), followed by the mechanism of the file if it is not the given one.
+/// Returns the explanations of the difference between the file and the given mechanism, one per line, followed by the
+/// mechanism of the file if it is not the given one. The list may be empty. `data` is the file before conventions are
+/// applied.
 QStringList explanationLines(const Diagnosis &diagnosis, const ReferenceData &data, const Mechanism &mechanism);
 
 } // namespace slidercrank
