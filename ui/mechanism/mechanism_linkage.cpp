@@ -58,8 +58,8 @@ void MechanismSketch::addLinkage()
             addLengths();
         }
         if (settings.angles) {
-            addAngle(QStringLiteral("θ₂"), {m_O2, m_A}, wrapToTwoPi(m_scene->pose.theta2), 30.0);
-            addAngle(QStringLiteral("θ³"), {m_A, m_B}, wrapToPi(m_scene->pose.theta3), 36.0);
+            addAngle("θ₂", {m_O2, m_A}, wrapToTwoPi(m_scene->pose.theta2), 30.0);
+            addAngle("θ³", {m_A, m_B}, wrapToPi(m_scene->pose.theta3), 36.0);
         }
     }
     if (settings.names) {

@@ -95,7 +95,7 @@ void MechanismSketch::addInstantCentre()
         addCircle(P, 5.0, pen);
         addLine(P - QPointF(8.0, 0.0), P + QPointF(8.0, 0.0), pen);
         addLine(P - QPointF(0.0, 8.0), P + QPointF(0.0, 8.0), pen);
-        addLabelBeside(P, {1.0, -0.3}, 11.0, QStringLiteral("P"), m_ink);
+        addLabelBeside(P, {1.0, -0.3}, 11.0, "P", m_ink);
     }
 }
 
@@ -139,7 +139,7 @@ void MechanismSketch::addNames()
 void MechanismSketch::addLengths()
 {
     for (const auto &[letter, link] :
-         {std::pair(QStringLiteral("a"), QLineF(m_O2, m_A)), {QStringLiteral("b"), QLineF(m_A, m_B)}}) {
+         {std::pair("a", QLineF(m_O2, m_A)), {"b", QLineF(m_A, m_B)}}) {
         const QPointF across(-link.dy(), link.dx());
         addLabelBeside(link.pointAt(0.6), across.y() > 0.0 ? across : -across, 7.0, letter, m_ink);
     }

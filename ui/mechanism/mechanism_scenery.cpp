@@ -167,12 +167,12 @@ void MechanismSketch::addDimensionsAndScales()
         const QLineF offset = offsetDimension();
         addLine(offset.p1(), m_O2, QPen(m_muted, 1.0));
         addDimension(offset.p1(), offset.p2(), m_muted);
-        addLabelBeside(offset.center(), {m_O2.x() < offset.x1() ? 1.0 : -1.0, 0.0}, 3.0, QStringLiteral("c"), m_ink);
+        addLabelBeside(offset.center(), {m_O2.x() < offset.x1() ? 1.0 : -1.0, 0.0}, 3.0, "c", m_ink);
         QStringList lengths;
         for (const Parameter length : {Parameter::A, Parameter::B, Parameter::C}) {
             lengths << lengthText(mechanism(), length);
         }
-        addCornerLabel(line++, 0.0, lengths.join(QStringLiteral("   ")));
+        addCornerLabel(line++, 0.0, lengths.join("   "));
     }
     const auto addScale = [&](bool isShown, const ArrowScale &arrows) {
         constexpr double kSample = 26.0;

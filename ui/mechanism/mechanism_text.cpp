@@ -132,7 +132,7 @@ QString arrowScaleText(const ArrowScale &scale)
     return scale.amount == 0.0 ? MechanismText::tr("at rest")
                                : MechanismText::tr("Scale: %1 mm = %2 %3")
                                      .arg(numberText(scale.length), numberText(scale.amount),
-                                          scale.isOfVelocity() ? QStringLiteral("mm/s") : QStringLiteral("mm/s²"));
+                                          scale.isOfVelocity() ? "mm/s" : "mm/s²");
 }
 
 QString assemblyProblem(const MechanismScene &scene)

@@ -40,7 +40,7 @@ QTimer *makeTimer(QObject *parent, int milliseconds)
 QLabel *makeNote(QWidget *parent)
 {
     auto *note = new QLabel(parent);
-    note->setObjectName(QStringLiteral("mechanismNote"));
+    note->setObjectName("mechanismNote");
     note->setAttribute(Qt::WA_TransparentForMouseEvents);
     note->setTextFormat(Qt::PlainText);
     note->setWordWrap(true);
@@ -64,17 +64,17 @@ MechanismView::MechanismView(QWidget *parent)
     , m_noteDelay(makeTimer(this, kNoteDelay))
     , m_refitDelay(makeTimer(this, kRefitDelay))
 {
-    setObjectName(QStringLiteral("mechanismView"));
+    setObjectName("mechanismView");
     setAccessibleName(tr("Mechanism"));
     setAttribute(Qt::WA_OpaquePaintEvent);
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setContextMenuPolicy(Qt::ActionsContextMenu);
-    m_refitDelay->setObjectName(QStringLiteral("refitDelay"));
+    m_refitDelay->setObjectName("refitDelay");
     connect(m_noteDelay, &QTimer::timeout, this, &MechanismView::showNote);
     connect(m_refitDelay, &QTimer::timeout, this, &MechanismView::fitFrame);
-    m_flip->setObjectName(QStringLiteral("flipButton"));
+    m_flip->setObjectName("flipButton");
     m_flip->setFocusPolicy(Qt::TabFocus);
     m_flip->hide();
     connect(m_flip, &QToolButton::clicked, this, [this] {
@@ -102,13 +102,13 @@ void MechanismView::makeChoices()
         connect(action, &QAction::triggered, this, change);
         m_choices << action;
     };
-    addSwitch(tr("&Velocity arrows"), QStringLiteral("showVelocity"), &MechanismSettings::velocity);
-    addSwitch(tr("&Acceleration arrows"), QStringLiteral("showAcceleration"), &MechanismSettings::acceleration);
-    addSwitch(tr("&Path of the coupler's centre"), QStringLiteral("showPath"), &MechanismSettings::path);
-    addSwitch(tr("&Names of the points"), QStringLiteral("showNames"), &MechanismSettings::names);
-    addSwitch(tr("&Dimensions"), QStringLiteral("showDimensions"), &MechanismSettings::dimensions);
-    addSwitch(tr("An&gles θ₂ and θ³"), QStringLiteral("showAngles"), &MechanismSettings::angles);
-    addSwitch(tr("Instant &centre of the coupler"), QStringLiteral("showInstantCentre"),
+    addSwitch(tr("&Velocity arrows"), "showVelocity", &MechanismSettings::velocity);
+    addSwitch(tr("&Acceleration arrows"), "showAcceleration", &MechanismSettings::acceleration);
+    addSwitch(tr("&Path of the coupler's centre"), "showPath", &MechanismSettings::path);
+    addSwitch(tr("&Names of the points"), "showNames", &MechanismSettings::names);
+    addSwitch(tr("&Dimensions"), "showDimensions", &MechanismSettings::dimensions);
+    addSwitch(tr("An&gles θ₂ and θ³"), "showAngles", &MechanismSettings::angles);
+    addSwitch(tr("Instant &centre of the coupler"), "showInstantCentre",
               &MechanismSettings::instantCentre);
     m_choices << new QAction(this);
     m_choices.back()->setSeparator(true);

@@ -117,8 +117,8 @@ QString unitText(const FileColumn &column)
     if (!column.unit.empty()) {
         return QString::fromUtf8(column.unit);
     }
-    const QString unit = column.role == ColumnRole::Time         ? QStringLiteral("s")
-                         : column.role == ColumnRole::CrankAngle ? QStringLiteral("°")
+    const QString unit = column.role == ColumnRole::Time         ? "s"
+                         : column.role == ColumnRole::CrankAngle ? "°"
                                                                  : unitOf(column.channel);
     return column.role == ColumnRole::Ignored ? dash() : ColumnText::tr("%1 (none given)").arg(unit);
 }
@@ -164,9 +164,9 @@ QString formText(const FileLayout &layout)
     if (!layout.files.empty()) {
         return ColumnText::tr("joined files of one motion: %1").arg(layout.files.size());
     }
-    const QString encoding = layout.encoding == TextEncoding::Utf8          ? QStringLiteral("UTF-8")
-                             : layout.encoding == TextEncoding::Windows1252 ? QStringLiteral("Windows-1252 (Latin-1)")
-                                                                            : QStringLiteral("UTF-16");
+    const QString encoding = layout.encoding == TextEncoding::Utf8          ? "UTF-8"
+                             : layout.encoding == TextEncoding::Windows1252 ? "Windows-1252 (Latin-1)"
+                                                                            : "UTF-16";
     QStringList parts{encoding, ColumnText::delimiter(layout.delimiter),
                       layout.decimalSign == DecimalSign::Point ? ColumnText::tr("decimal point")
                                                                : ColumnText::tr("decimal comma"),
@@ -178,13 +178,13 @@ QString formText(const FileLayout &layout)
     if (!layout.preambleLines.empty()) {
         parts << ColumnText::tr("lines skipped above them: %1").arg(layout.preambleLines.size());
     }
-    return parts.join(QStringLiteral(", "));
+    return parts.join(", ");
 }
 
 QString abscissaText(const ReferenceData &data)
 {
     const std::vector<double> &values = data.crank ? data.crank->degrees : data.time;
-    return (data.crank ? QStringLiteral("θ₂ = %1 … %2°") : QStringLiteral("t = %1 … %2 s"))
+    return QString(data.crank ? "θ₂ = %1 … %2°" : "t = %1 … %2 s")
         .arg(numberText(values.front()), numberText(values.back()));
 }
 

@@ -106,18 +106,18 @@ QString filled(QString text, const Convention &convention)
         names << columnNameOf(channel);
     }
     const bool isTime = convention.kind == Kind::TimeShift;
-    const QString unit = isTime                                            ? QStringLiteral(" s")
+    const QString unit = isTime                                            ? " s"
                          : convention.channels.empty()                     ? QString()
-                         : isAngle(convention.channels.front().coordinate) ? QStringLiteral("°")
-                                                                           : QStringLiteral(" mm");
+                         : isAngle(convention.channels.front().coordinate) ? "°"
+                                                                           : " mm";
     const QString magnitude = numberText(std::abs(convention.amount));
-    const QString sign = convention.amount < 0.0 ? QStringLiteral("−") : QStringLiteral("+");
-    text.replace(QStringLiteral("%5"), numberText(convention.amount) + unit);
-    text.replace(QStringLiteral("%2"), sign + u' ' + magnitude + unit).replace(QStringLiteral("%3"), magnitude);
+    const QString sign = convention.amount < 0.0 ? "−" : "+";
+    text.replace("%5", numberText(convention.amount) + unit);
+    text.replace("%2", sign + u' ' + magnitude + unit).replace("%3", magnitude);
     if (!convention.channels.empty()) {
-        text.replace(QStringLiteral("%4"), symbolOf(convention.channels.front()));
+        text.replace("%4", symbolOf(convention.channels.front()));
     }
-    return text.replace(QStringLiteral("%1"), listed(names));
+    return text.replace("%1", listed(names));
 }
 
 bool onlyMakesContinuous(const Convention &convention)
@@ -128,7 +128,7 @@ bool onlyMakesContinuous(const Convention &convention)
 /// Returns "%1: forward differences, not the time derivative."
 QString notDerivativeText(Difference difference)
 {
-    return ConventionText::tr("%1: %2, not the time derivative.").arg(QStringLiteral("%1"), differenceText(difference));
+    return ConventionText::tr("%1: %2, not the time derivative.").arg("%1", differenceText(difference));
 }
 
 /// Returns the kind of differences that all columns contain, or nullopt if they do not agree.
@@ -156,7 +156,7 @@ QString explanationOf(const Convention &convention, const ReferenceData &data)
 {
     if (const QString unit = unitText(convention); !unit.isEmpty()) {
         return convention.kind == Kind::TimeUnit ? ConventionText::tr("The time is %1.").arg(unit)
-                                                 : filled(QStringLiteral("%1: ") + unit + u'.', convention);
+                                                 : filled("%1: " + unit + u'.', convention);
     }
     const std::optional<Difference> difference =
         convention.kind == Kind::NotDerivative ? commonDifference(convention, data) : std::nullopt;

@@ -50,7 +50,7 @@ QString listed(const QStringList &words)
     if (words.size() < 2) {
         return words.join(QString());
     }
-    return FindingText::tr("%1 and %2").arg(words.first(words.size() - 1).join(QStringLiteral(", ")), words.last());
+    return FindingText::tr("%1 and %2").arg(words.first(words.size() - 1).join(", "), words.last());
 }
 
 QString errorText(double value)
@@ -63,11 +63,11 @@ QString symbolOf(Channel channel)
     const bool isAngular = isAngle(channel.coordinate);
     const bool isStroke = channel.coordinate == R4x && channel.order != Order::Position;
     const QString body =
-        channel.coordinate == Theta2 ? QStringLiteral("₂") : QStringLiteral("¹²³⁴").mid(channel.coordinate / 3, 1);
+        channel.coordinate == Theta2 ? "₂" : QStringLiteral("¹²³⁴").mid(channel.coordinate / 3, 1);
     const QString direction = isAngular || isStroke         ? QString()
-                              : channel.coordinate % 3 == 0 ? QStringLiteral("ₓ")
-                                                            : QStringLiteral("_y");
-    const QString letters = isAngular ? QStringLiteral("θωα") : QStringLiteral("Rva");
+                              : channel.coordinate % 3 == 0 ? "ₓ"
+                                                            : "_y";
+    const QString letters = isAngular ? "θωα" : "Rva";
     return letters[static_cast<qsizetype>(channel.order)] + direction + body;
 }
 
@@ -88,8 +88,8 @@ QString unitOf(Channel channel)
 
 QString symbolOf(Parameter parameter)
 {
-    const QStringList symbols{QStringLiteral("a"), QStringLiteral("b"), QStringLiteral("c"), QStringLiteral("ω₂"),
-                              QStringLiteral("θ₂₀")};
+    const QStringList symbols{"a", "b", "c", "ω₂",
+                              "θ₂₀"};
     return symbols[static_cast<qsizetype>(indexOf(parameter))];
 }
 
@@ -115,9 +115,9 @@ double shownFactor(Parameter parameter)
 
 QString unitBehind(Parameter parameter)
 {
-    return parameter == Parameter::Theta20  ? QStringLiteral("°")
-           : parameter == Parameter::Omega2 ? QStringLiteral(" rad/s")
-                                            : QStringLiteral(" mm");
+    return parameter == Parameter::Theta20  ? "°"
+           : parameter == Parameter::Omega2 ? " rad/s"
+                                            : " mm";
 }
 
 QString parameterText(Parameter parameter, double value, int digits)
@@ -136,7 +136,7 @@ QString mechanismText(const Mechanism &mechanism, int digits)
     for (const Parameter parameter : kParameters) {
         parts << equationText(parameter, valueOf(mechanism.parameters(), parameter), digits);
     }
-    return (parts << withNoun(mechanism.branch())).join(QStringLiteral(", "));
+    return (parts << withNoun(mechanism.branch())).join(", ");
 }
 
 QString pinnedText(const Parameters &pinned, const Parameters &present)
@@ -150,7 +150,7 @@ QString pinnedText(const Parameters &pinned, const Parameters &present)
     if (pinned.branch != present.branch) {
         parts << withNoun(pinned.branch);
     }
-    return parts.isEmpty() ? FindingText::tr("pinned") : parts.join(QStringLiteral(", "));
+    return parts.isEmpty() ? FindingText::tr("pinned") : parts.join(", ");
 }
 
 QString measuredText(double value, double standardError, double scale)
@@ -165,7 +165,7 @@ QString measuredText(double value, double standardError, double scale)
     const double unit = std::pow(10.0, place);
     const double rounded = std::round(value / unit) * unit + 0.0; // never -0
     const double roundedError = std::round(standardError / unit) * unit;
-    const QString text = QStringLiteral("%1 ± %2");
+    const QString text = "%1 ± %2";
     if (place >= -9 && std::abs(rounded) < 1e6) {
         const int decimals = std::max(0, -place);
         return text.arg(QLocale().toString(rounded, 'f', decimals), QLocale().toString(roundedError, 'f', decimals));

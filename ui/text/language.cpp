@@ -14,12 +14,12 @@ namespace slidercrank
 namespace
 {
 
-const QString kKey = QStringLiteral("language");
-const QString kTranslator = QStringLiteral("translator"); // object name of the installed translators
+const QString kKey = "language";
+const QString kTranslator = "translator"; // object name of the installed translators
 
 QString codeOf(QLocale::Language language)
 {
-    return language == QLocale::Spanish ? QStringLiteral("es") : QStringLiteral("en");
+    return language == QLocale::Spanish ? "es" : "en";
 }
 
 QLocale::Language systemLanguage()
@@ -54,8 +54,8 @@ void setLanguage(Language language)
 
     const QString code = codeOf(spoken);
     qDeleteAll(QCoreApplication::instance()->findChildren<QTranslator *>(kTranslator));
-    install(QStringLiteral("qtbase_") + code, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
-    install(QStringLiteral("slidercrank_") + code, QStringLiteral(":/translations"));
+    install("qtbase_" + code, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
+    install("slidercrank_" + code, ":/translations");
 }
 
 Language chosenLanguage()

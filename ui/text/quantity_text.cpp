@@ -18,9 +18,9 @@ struct QuantityText {
 QString withoutLocale(const QString &text, const QLocale &locale)
 {
     QString plain = text;
-    plain.replace(locale.negativeSign(), QStringLiteral("-"));
-    plain.replace(locale.exponential(), QStringLiteral("e"), Qt::CaseInsensitive);
-    plain.replace(locale.decimalPoint(), QStringLiteral("."));
+    plain.replace(locale.negativeSign(), "-");
+    plain.replace(locale.exponential(), "e", Qt::CaseInsensitive);
+    plain.replace(locale.decimalPoint(), ".");
     for (QChar &sign : plain) {
         if (const int digit = sign.digitValue(); sign.isDigit() && digit >= 0) {
             sign = QChar(u'0' + digit);
@@ -34,7 +34,7 @@ QString quoted(const QString &text)
 {
     constexpr int kMost = 24; // characters
     const QString line = text.simplified();
-    return line.size() > kMost ? line.first(kMost) + QStringLiteral("…") : line;
+    return line.size() > kMost ? line.first(kMost) + "…" : line;
 }
 
 } // namespace
@@ -56,11 +56,11 @@ QStringList unitsFor(const Unit &wanted)
 {
     switch (wanted.dimension) {
     case Dimension::Length:
-        return {QStringLiteral("mm"), QStringLiteral("cm"), QStringLiteral("m"), QStringLiteral("in")};
+        return {"mm", "cm", "m", "in"};
     case Dimension::Angle:
-        return wanted.order == 0 ? QStringList{QStringLiteral("deg"), QStringLiteral("rad")}
-                                 : QStringList{QStringLiteral("rad/s"), QStringLiteral("deg/s"), QStringLiteral("rpm")};
-    case Dimension::Time: return {QStringLiteral("s"), QStringLiteral("ms")};
+        return wanted.order == 0 ? QStringList{"deg", "rad"}
+                                 : QStringList{"rad/s", "deg/s", "rpm"};
+    case Dimension::Time: return {"s", "ms"};
     }
     return {};
 }

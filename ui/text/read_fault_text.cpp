@@ -83,17 +83,17 @@ static_assert(std::size(ReadFaultText::kRowFaults) == static_cast<std::size_t>(R
 
 QString reasonOf(const SkippedRow &row)
 {
-    return ReadFaultText::row(row.fault).replace(QStringLiteral("%1"), QString::number(row.rows - 1));
+    return ReadFaultText::row(row.fault).replace("%1", QString::number(row.rows - 1));
 }
 
 QString sentenceOf(const ReadFault &fault)
 {
     const bool namesUnit = fault.kind == ReadFault::Kind::UnknownUnit;
     return ReadFaultText::tr(ReadFaultText::kFaults[static_cast<int>(fault.kind)])
-        .replace(QStringLiteral("%4"), ReadFaultText::clause(fault.column))
-        .replace(QStringLiteral("%3"), ReadFaultText::row(fault.row))
-        .replace(QStringLiteral("%2"), QString::fromUtf8(namesUnit ? fileUnit(fault.channel) : nameOf(fault.channel)))
-        .replace(QStringLiteral("%1"), QString::fromUtf8(fault.heading));
+        .replace("%4", ReadFaultText::clause(fault.column))
+        .replace("%3", ReadFaultText::row(fault.row))
+        .replace("%2", QString::fromUtf8(namesUnit ? fileUnit(fault.channel) : nameOf(fault.channel)))
+        .replace("%1", QString::fromUtf8(fault.heading));
 }
 
 } // namespace slidercrank

@@ -55,7 +55,7 @@ QString shortNumber(std::optional<double> value, int digits)
         return dash();
     }
     if (std::isinf(*value)) {
-        return *value > 0.0 ? QStringLiteral("∞") : QStringLiteral("−∞");
+        return *value > 0.0 ? "∞" : "−∞";
     }
     if (*value == 0.0) {
         return QLocale().toString(0);
@@ -72,7 +72,7 @@ QString powerOfTen(int exponent)
     for (QChar &sign : text) {
         sign = sign == u'-' ? QChar(u'⁻') : QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹")[sign.digitValue()];
     }
-    return QStringLiteral("10") + text;
+    return "10" + text;
 }
 
 QString countText(std::size_t count)
@@ -89,7 +89,7 @@ QString countText(std::size_t count)
 
 QString dash()
 {
-    return QStringLiteral("–");
+    return "–";
 }
 
 double nextRoundNumber(double value)

@@ -14,7 +14,7 @@ FoldingTabs::FoldingTabs(QWidget *parent)
     setDocumentMode(true);
     setFocusPolicy(Qt::NoFocus); // otherwise the Tab key would stop at this widget and at its bar
     tabBar()->setFocusPolicy(Qt::TabFocus);
-    tabBar()->setObjectName(QStringLiteral("tabBar"));
+    tabBar()->setObjectName("tabBar");
     tabBar()->setDrawBase(false);
     tabBar()->setAccessibleName(tr("Panels"));
     tabBar()->setToolTip(tr("F9 hides and shows the panels"));

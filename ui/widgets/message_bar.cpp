@@ -27,7 +27,7 @@ constexpr std::chrono::seconds kHintDuration{8};
 /// The accessible name includes the message, because there may be several such buttons.
 QPushButton *makeButton(const char *name, const QString &text, const QString &message)
 {
-    auto *button = named(name, new QPushButton(text), text + QStringLiteral(": ") + message);
+    auto *button = named(name, new QPushButton(text), text + ": " + message);
     button->setFocusPolicy(Qt::TabFocus); // the button disappears when clicked and must not have the focus then
     return button;
 }
@@ -38,7 +38,7 @@ MessageBar::MessageBar(QWidget *parent)
     : QWidget(parent)
     , m_rows(new QVBoxLayout(this))
 {
-    setObjectName(QStringLiteral("messageBar"));
+    setObjectName("messageBar");
     m_rows->setContentsMargins(0, 0, 0, 0);
     m_rows->setSpacing(2);
     parent->installEventFilter(this);
@@ -126,7 +126,7 @@ QString MessageBar::text() const
 {
     QStringList texts;
     for (int i = 0; i < m_rows->count(); ++i) {
-        texts << row(i)->findChild<QLabel *>(QStringLiteral("messageText"))->text();
+        texts << row(i)->findChild<QLabel *>("messageText")->text();
     }
     return texts.join(u'\n');
 }

@@ -89,7 +89,7 @@ private:
     double m_accepted = 0.0; ///< last accepted number
     std::optional<Unit> m_unit;
     int m_fixedDecimals = -1; ///< negative: not fixed
-    QString m_widestText = QStringLiteral("-000.000");
+    QString m_widestText = "-000.000";
     bool m_isEditing = false;  ///< the box has the focus and shows every digit
     mutable QString m_refusal; ///< why the typed text is refused; empty if it is accepted
     QPointer<QLabel> m_note;

@@ -14,7 +14,7 @@ namespace slidercrank
 namespace
 {
 
-const QString kLastFolder = QStringLiteral("lastFolder");
+const QString kLastFolder = "lastFolder";
 
 struct SaveDialogText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::SaveDialogText)
@@ -72,7 +72,7 @@ QString completedName(const QString &path, const QString &filter, const QStringL
     if (suffix.isEmpty() || std::ranges::any_of(filters, fits)) {
         return path;
     }
-    return path + (path.endsWith(u'.') ? QString() : QStringLiteral(".")) + suffix;
+    return path + (path.endsWith(u'.') ? QString() : ".") + suffix;
 }
 
 QStringList figureFilters()

@@ -137,7 +137,7 @@ private slots:
     void initTestCase()
     {
         QLocale::setDefault(QLocale::c());
-        QApplication::setStyle(QStringLiteral("Fusion"));
+        QApplication::setStyle("Fusion");
         QApplication::setPalette(paletteFor(Theme::Light));
     }
 
@@ -171,7 +171,7 @@ private slots:
     void followsALengthInCoarseStepsAndFitsItAtTheEnd()
     {
         Bench bench;
-        auto *delay = bench.view.findChild<QTimer *>(QStringLiteral("refitDelay"));
+        auto *delay = bench.view.findChild<QTimer *>("refitDelay");
         const QRectF fitted = bench.view.frame().fitted();
         int changes = 0;
         for (int i = 0; i <= 200; ++i) {
@@ -217,7 +217,7 @@ private slots:
         QCOMPARE(drawn.partAt({0.0, -20.0}), DrawnPart::A); // the crank is at its angle
         QCOMPARE(drawn.partAt({0.0, -10.0}), DrawnPart::Crank);
         QVERIFY(!drawn.sketch->has(DrawnPart::Coupler));
-        QVERIFY(!drawn.label(QStringLiteral("gap = 5 mm")).isNull());
+        QVERIFY(!drawn.label("gap = 5 mm").isNull());
         const auto isCircleOfCoupler = [&drawn](const DrawnShape &shape) {
             const QRectF circle = shape.path.boundingRect();
             const QPointF away = circle.center() - drawn.sketch->toPixels({0.0, -20.0});
@@ -267,7 +267,7 @@ private slots:
     void describesEachPartByTheKeyboard()
     {
         Bench bench;
-        const auto *note = bench.view.findChild<QLabel *>(QStringLiteral("mechanismNote"));
+        const auto *note = bench.view.findChild<QLabel *>("mechanismNote");
         QStringList notes;
         for (int i = 0; i < 11; ++i) {
             QTest::keyClick(&bench.view, Qt::Key_PageDown);
@@ -275,7 +275,7 @@ private slots:
         }
         notes.removeDuplicates();
         QCOMPARE(notes.size(), qsizetype(9)); // O2 and the ground share a note, and so do B and the slider
-        QVERIFY(notes.join(u' ').contains(QStringLiteral("ω₂ = 6.283 rad/s")));
+        QVERIFY(notes.join(u' ').contains("ω₂ = 6.283 rad/s"));
     }
 
     void highlightsThePartOfAnEquation()
@@ -382,7 +382,7 @@ private slots:
     {
         Bench bench;
         QSignalSpy requested(&bench.view, &MechanismView::branchRequested);
-        auto *button = bench.view.findChild<QToolButton *>(QStringLiteral("flipButton"));
+        auto *button = bench.view.findChild<QToolButton *>("flipButton");
         button->click();
         QCOMPARE(requested.takeFirst()[0].value<Branch>(), Branch::Crossed);
         bench.session.setParameters(withLengths(20.0, 65.0, 25.0, Branch::Crossed));
@@ -448,11 +448,11 @@ private slots:
         settings.instantCentre = true;
         // At θ2 = 0, P is at (R4x, 0): PA = √(b² − c²) = 60 mm, PB = c = 25 mm, ω3 = −a ω2 / PA = −2π/3 rad/s.
         const Drawn drawn({}, 0.0, settings);
-        const QString text = QStringLiteral("Instant centre P, ω₃ = -2.094 rad/s; PA = 60.00 mm, PB = 25.00 mm");
+        const QString text = "Instant centre P, ω₃ = -2.094 rad/s; PA = 60.00 mm, PB = 25.00 mm";
         QVERIFY(!drawn.label(text).isNull());
-        QVERIFY(!drawn.label(QStringLiteral("P")).isNull());
-        QVERIFY(!Drawn({}, 0.25, settings).label(QStringLiteral("Instant centre P at infinity")).isNull());
-        QVERIFY(Drawn(kOscillating, kNotAssembled, settings).label(QStringLiteral("Instant")).isNull());
+        QVERIFY(!drawn.label("P").isNull());
+        QVERIFY(!Drawn({}, 0.25, settings).label("Instant centre P at infinity").isNull());
+        QVERIFY(Drawn(kOscillating, kNotAssembled, settings).label("Instant").isNull());
     }
 
     void labelsKeepClearOfTheLinks()
@@ -484,7 +484,7 @@ private slots:
         const QImage without = bench.picture();
         bench.view.setGhost({true, 10.0, -12.0, 70.0, 20.0});
         QVERIFY(countPixels(bench.picture(), colours.reference) > 20);
-        QVERIFY(bench.text().contains(QStringLiteral("file")));
+        QVERIFY(bench.text().contains("file"));
         bench.view.setGhost({});
         QCOMPARE(bench.picture(), without);
 

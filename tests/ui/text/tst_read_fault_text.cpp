@@ -70,7 +70,7 @@ private slots:
         for (const auto &[fault, part] : rows) {
             QVERIFY2(sentenceOf(fault).contains(QString::fromUtf8(part)), part);
         }
-        QVERIFY(reasonOf({3, 1, {}, RowFault::NotListed, 1500}).contains(QStringLiteral("1499")));
+        QVERIFY(reasonOf({3, 1, {}, RowFault::NotListed, 1500}).contains("1499"));
     }
 };
 

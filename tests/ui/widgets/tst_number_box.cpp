@@ -31,7 +31,7 @@ struct Shown {
         auto *rows = new QVBoxLayout(&window);
         rows->addWidget(box);
         rows->addWidget(other);
-        box->setSuffix(QStringLiteral(" mm"));
+        box->setSuffix(" mm");
         box->setUnit(kMillimetre);
         box->setRange({.smallest = 0.0, .largest = kLargestParameter, .isOpen = true});
         box->setValue(value);
@@ -46,7 +46,7 @@ struct Shown {
     QLineEdit *line() const { return box->findChild<QLineEdit *>(); }
     bool noteIsShown() const
     {
-        const auto *note = box->findChild<QLabel *>(QStringLiteral("refusalLabel"));
+        const auto *note = box->findChild<QLabel *>("refusalLabel");
         return note && note->isVisible();
     }
 };
@@ -69,7 +69,7 @@ private slots:
         for (const Row &row :
              {Row{"70", 70.0}, Row{"60.123456789012345", 60.123456789012345}, Row{"70.5 mm", 70.5}, Row{"70.5mm", 70.5},
               Row{"123456.5", 123456.5}, Row{"1e-3", 1e-3}, Row{"2.5cm", 25.0}, Row{"1 in", 25.4}, Row{"1 000", 1000.0},
-              Row{QStringLiteral("1.5·10⁻⁷"), 1.5e-7}, Row{"3e-40", 3e-40}, Row{"1e12", 1e12}}) {
+              Row{"1.5·10⁻⁷", 1.5e-7}, Row{"3e-40", 3e-40}, Row{"1e12", 1e12}}) {
             Shown shown;
             typeNumber(shown.box, row.typed);
             QVERIFY2(shown.box->value() == row.value, qPrintable(row.typed));
@@ -208,8 +208,8 @@ private slots:
         for (const double value : {-3.81966e-7, 1.23456e11, -12.3456, 6.283185307, 0.0}) {
             box.setValue(value);
             QString plain = line->text();
-            plain.replace(QStringLiteral("·10"), QStringLiteral("e")).replace(u'⁻', u'-');
-            for (const QChar digit : QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹")) {
+            plain.replace("·10", "e").replace(u'⁻', u'-');
+            for (const QChar digit : "⁰¹²³⁴⁵⁶⁷⁸⁹") {
                 plain.replace(digit, QString::number(digit.digitValue()));
             }
             QVERIFY2(std::abs(plain.toDouble() - value) <= 0.05 * std::abs(value), qPrintable(line->text()));
@@ -222,7 +222,7 @@ private slots:
         Shown shown(6.25);
         QTest::mouseDClick(shown.line(), Qt::LeftButton, {},
                            QPoint(shown.line()->width() - 6, shown.line()->height() / 2));
-        AWAIT_COMPARE(shown.line()->selectedText(), QStringLiteral("6.25 mm"));
+        AWAIT_COMPARE(shown.line()->selectedText(), "6.25 mm");
     }
 
     void readsNumbersInTheLocale()
