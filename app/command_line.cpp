@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line.h"
 
-#include "app/commands.h"
 #include "app/help.h"
 #include "app/option_reader.h"
 #include "app/output.h"
 
-#include <QRegularExpression>
-
 #include <algorithm>
 #include <array>
-#include <memory>
 
 namespace slidercrank
 {
@@ -18,62 +14,37 @@ namespace slidercrank
 namespace
 {
 
-Command printText(const QString &text)
-{
-    return {[text](const Streams &streams) { return writeOutput(streams, {}, text.toUtf8()); }};
-}
-
-/// `help [COMMAND]` or `help --man-page`.
-Command prepareHelp(const QStringList &topics)
+/// Returns the text of `help [COMMAND]` or `help --man-page`.
+QString findHelp(const QStringList &topics)
 {
     if (topics == QStringList("--man-page")) {
-        return printText(manualPage());
+        return manualPage();
     }
     const CommandDescription *command = topics.isEmpty() ? &allCommands().front() : findCommand(topics.front());
     if (!command || topics.size() > 1) {
         throw UsageError{CommandLine::tr("There is no help for \"%1\": choose one of %2.")
                              .arg(topics.join(' '), commandNames().join(", "))};
     }
-    return printText(helpText(*command));
+    return helpText(*command);
 }
 
-/// Returns the arguments without the options that Qt itself reads, such as "-platform offscreen".
-QStringList withoutQtOptions(const QStringList &arguments)
-{
-    static const QRegularExpression option(
-        "^--?(display|geometry|platform|platformtheme|qwindowgeometry|qwindowtitle|session|style|stylesheet|title)$");
-    QStringList rest;
-    for (qsizetype i = 0; i < arguments.size(); ++i) {
-        if (option.match(arguments[i]).hasMatch()) {
-            ++i; // its value
-        } else {
-            rest += arguments[i];
-        }
-    }
-    return rest;
-}
-
-Command parse(const QStringList &arguments)
+ExitStatus runCommand(const QStringList &arguments, const Streams &streams)
 {
     const QString name = arguments.value(1);
     if (name == u"help") {
-        return prepareHelp(arguments.mid(2));
+        return writeOutput(streams, {}, findHelp(arguments.mid(2)).toUtf8());
     }
     const CommandDescription *named = findCommand(name);
     const CommandDescription &command = named ? *named : allCommands().front();
-    const auto options =
-        std::make_shared<OptionReader>(command, named ? arguments.mid(2) : withoutQtOptions(arguments.mid(1)));
-    if (options->has("help")) {
-        return printText(helpText(command));
+    OptionReader options(command, arguments.mid(named ? 2 : 1));
+    if (options.has("help")) {
+        return writeOutput(streams, {}, helpText(command).toUtf8());
     }
-    if (options->has("version")) {
-        return printText("slidercrank " SLIDERCRANK_VERSION "\n" SLIDERCRANK_BUILT_OF "\n");
+    if (options.has("version")) {
+        return writeOutput(streams, {}, "slidercrank " SLIDERCRANK_VERSION "\n" SLIDERCRANK_BUILT_OF "\n");
     }
-    options->readScene();
-    if (!named) {
-        return prepareWindow(*options);
-    }
-    return {[options, run = command.run](const Streams &streams) { return run(*options, streams); }, command.platform};
+    options.readScene();
+    return command.run(options, streams);
 }
 
 } // namespace
@@ -90,23 +61,21 @@ void Streams::report(const QString &message) const
     error.write(message.toUtf8() + '\n');
 }
 
-Command parseCommandLine(const QStringList &arguments)
+Platform platformFor(const QString &firstArgument)
 {
-    Command command;
+    const CommandDescription *command = findCommand(firstArgument);
+    const bool isHelp = QStringList{"help", "--help", "-h", "--version"}.contains(firstArgument);
+    return command ? command->platform : isHelp ? Platform::None : Platform::Window;
+}
+
+ExitStatus runCommandLine(const QStringList &arguments, const Streams &streams)
+{
     try {
-        command = parse(arguments);
+        return runCommand(arguments, streams);
     } catch (const UsageError &error) {
-        command.run = [error](const Streams &) -> ExitStatus { throw error; };
+        streams.report(error.message);
+        return error.status;
     }
-    command.run = [run = command.run](const Streams &streams) {
-        try {
-            return run(streams);
-        } catch (const UsageError &error) {
-            streams.report(error.message);
-            return error.status;
-        }
-    };
-    return command;
 }
 
 } // namespace slidercrank

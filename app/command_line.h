@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The command line as a library: parses the arguments into a command, and runs it. Everything is written to two
+// The command line as a library: finds the command that the arguments name, and runs it. Everything is written to two
 // devices, so that a test can call it in its own process.
 
 #include <QCoreApplication>
 #include <QIODevice>
 #include <QString>
 #include <QStringList>
-
-#include <functional>
 
 namespace slidercrank
 {
@@ -51,20 +49,13 @@ struct Streams {
 enum class Platform {
     None,      ///< a QCoreApplication
     Offscreen, ///< a QApplication, but no display
-    Window     ///< a QApplication and a display; the caller opens the window
+    Window     ///< a QApplication and a display
 };
 
-/// A command with its arguments.
-struct Command {
-    std::function<ExitStatus(const Streams &)> run; ///< also reports wrong arguments
-    Platform platform = Platform::None;
+/// Returns what a command line with this first argument needs.
+Platform platformFor(const QString &firstArgument);
 
-    QString scene = {};              ///< the scene to open in the window; may be empty
-    QStringList referenceFiles = {}; ///< reference files of one motion to open in the window; may be empty
-};
-
-/// Parses the arguments, the first of which is the name of the program. Never fails: the command that it returns
-/// reports wrong arguments when it runs.
-Command parseCommandLine(const QStringList &arguments);
+/// Runs the command. The first of the arguments is the name of the program. Reports wrong arguments.
+ExitStatus runCommandLine(const QStringList &arguments, const Streams &streams);
 
 } // namespace slidercrank

@@ -11,14 +11,12 @@ namespace slidercrank
 
 class OptionReader;
 
+ExitStatus windowCommand(const OptionReader &options, const Streams &streams); ///< opens the window
 ExitStatus solveCommand(const OptionReader &options, const Streams &streams);  ///< the motion as CSV or JSON
 ExitStatus limitsCommand(const OptionReader &options, const Streams &streams); ///< dead centres, stroke, peak values …
 ExitStatus compareCommand(const OptionReader &options, const Streams &streams);  ///< reference files against the model
 ExitStatus identifyCommand(const OptionReader &options, const Streams &streams); ///< the mechanism of reference files
 ExitStatus studyCommand(const OptionReader &options, const Streams &streams);    ///< speed and error of every method
 ExitStatus renderCommand(const OptionReader &options, const Streams &streams);   ///< pictures, frames and reports
-
-/// Reads the options of the window. The returned command does not open it: that is left to the caller.
-Command prepareWindow(const OptionReader &options);
 
 } // namespace slidercrank

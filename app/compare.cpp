@@ -23,8 +23,8 @@ namespace
 QJsonArray jsonSkippedRows(const ReferenceData &data)
 {
     return jsonList(data.skipped, [&data](const SkippedRow &row) {
-        QJsonObject object{{"line", static_cast<double>(row.line)},
-                           {"column", static_cast<double>(row.column)},
+        QJsonObject object{{"line", jsonNumber(row.line)},
+                           {"column", jsonNumber(row.column)},
                            {"text", QString::fromStdString(row.text)},
                            {"reason", reasonOf(row)}};
         if (row.file < data.layout.files.size()) {

@@ -3,14 +3,16 @@
 
 #include "app/command_line.h"
 
+#include <QRegularExpression>
+
 namespace slidercrank
 {
 
 namespace
 {
 
-constexpr qsizetype kLineWidth = 100;  // characters
-constexpr qsizetype kOptionWidth = 34; // characters before the description of an option
+constexpr qsizetype kLineWidth = 100; // characters
+constexpr qsizetype kIndent = 34;     // characters before the description of an option
 
 bool isWindow(const CommandDescription &command)
 {
@@ -37,23 +39,19 @@ QString unitsText()
         "Numbers without a unit are in the unit shown; 2.5cm, 1in, 60rpm, 360deg/s, 30deg, 5ms are accepted, too.");
 }
 
-/// Breaks the text into lines. The first line starts at `firstColumn`, all others are indented.
-QString wrapped(const QString &text, qsizetype indent, qsizetype firstColumn)
+/// Breaks the text into lines, all but the first of which are indented.
+QString wrapped(QString text, qsizetype indent = 0)
 {
-    QString result;
-    qsizetype column = firstColumn;
-    for (const QString &word : text.split(' ', Qt::SkipEmptyParts)) {
-        if (column > indent && column + 1 + word.size() > kLineWidth) {
-            result += '\n' + QString(indent, ' ');
-            column = indent;
-        } else if (column > indent) {
-            result += ' ';
-            ++column;
-        }
-        result += word;
-        column += word.size();
-    }
-    return result + '\n';
+    const QRegularExpression line(QString("(.{1,%1})(?: |$)").arg(kLineWidth - indent));
+    return text.replace(line, "\\1\n" + QString(indent, ' ')).chopped(indent);
+}
+
+/// Returns an entry of a list: a name, and its description beside or below it.
+QString entry(const QString &name, const QString &description)
+{
+    const QString start = "  " + name;
+    return (start.size() < kIndent ? start.leftJustified(kIndent) : start + '\n' + QString(kIndent, ' ')) +
+           wrapped(description, kIndent);
 }
 
 /// "--output, -o FILE"
@@ -73,12 +71,11 @@ QString roff(QString text)
 
 QString helpText(const CommandDescription &command)
 {
-    QString text =
-        CommandLine::tr("Usage:") + ' ' + usage(command) + "\n\n" + wrapped(CommandLine::tr(command.text), 0, 0);
+    QString text = CommandLine::tr("Usage:") + ' ' + usage(command) + "\n\n" + wrapped(CommandLine::tr(command.text));
     if (isWindow(command)) {
         text += '\n';
         for (const CommandDescription &each : allCommands()) {
-            text += "  " + usage(each).leftJustified(44) + ' ' + CommandLine::tr(each.summary) + '\n';
+            text += entry(usage(each), CommandLine::tr(each.summary));
         }
     }
     const char *group = nullptr;
@@ -87,13 +84,9 @@ QString helpText(const CommandDescription &command)
             group = option.group;
             text += '\n' + CommandLine::tr(group) + '\n';
         }
-        const QString syntax = "  " + optionSyntax(option);
-        text += syntax.size() < kOptionWidth ? syntax.leftJustified(kOptionWidth)
-                                             : syntax + '\n' + QString(kOptionWidth, ' ');
-        text += wrapped(CommandLine::tr(option.text), kOptionWidth, kOptionWidth);
+        text += entry(optionSyntax(option), CommandLine::tr(option.text));
     }
-    return text + '\n' + (isWindow(command) ? QString() : wrapped(unitsText(), 0, 0) + '\n') +
-           wrapped(exitStatusText(), 0, 0);
+    return text + '\n' + wrapped(unitsText()) + '\n' + wrapped(exitStatusText());
 }
 
 QString manualPage()

@@ -77,7 +77,7 @@ QJsonObject jsonIdentification(const ReferenceData &data, const Diagnosis &diagn
             {"columns", jsonColumns(data.layout)},
             {"conventions", jsonConventions(diagnosis.conventions, data)},
             {"leftOut", jsonList(found.leftOut, jsonLeftOut)},
-            {"excludedRows", jsonList(found.excludedRows, [](std::size_t line) { return static_cast<double>(line); })},
+            {"excludedRows", jsonList(found.excludedRows, jsonNumber)},
             {"summary", summaryOf(diagnosis)}};
 }
 

@@ -32,14 +32,6 @@ namespace slidercrank
 namespace
 {
 
-/// The values of one parameter, from `from` to `to`.
-struct Variation {
-    Parameter parameter = Parameter::B;
-    double from = 0.0;
-    double to = 0.0;
-    int count = 1;
-};
-
 /// Names in JSON, by Mobility.
 constexpr std::array kMobilityNames{"full-turn", "rocker", "locked", "impossible"};
 
@@ -107,31 +99,9 @@ QString limitTable(const std::vector<MotionFact> &facts)
     return alignedTable(rows);
 }
 
-/// Returns a row for each value of the parameter: the value, then the limits by their names. Of several equal peaks the
-/// row has the first.
-std::vector<Record> varyLimits(const Mechanism &mechanism, const Variation &variation)
-{
-    std::vector<Record> rows;
-    for (int i = 0; i < variation.count; ++i) {
-        const double part = variation.count > 1 ? static_cast<double>(i) / (variation.count - 1) : 0.0;
-        Parameters parameters = mechanism.parameters();
-        double &value = valueOf(parameters, variation.parameter);
-        value = variation.from + part * (variation.to - variation.from);
-        Record row{{wordOf(variation.parameter), value}};
-        const Mechanism varied(parameters);
-        for (const Record &limit : listLimits(findFacts(varied, motionLimits(varied)))) {
-            const QString name = limit[0].second.toString();
-            if (row.back().first != name) {
-                row.emplace_back(name, limit[1].second);
-            }
-        }
-        rows.push_back(row);
-    }
-    return rows;
-}
-
-/// Reads --vary, such as "b=50..120".
-Variation readVariation(const OptionReader &options, Parameters parameters)
+/// Reads --vary, such as "b=50..120". Returns a row for each value of the parameter: the value, then the limits by
+/// their names. Of several equal peaks the row has the first.
+std::vector<Record> varyLimits(const OptionReader &options, Parameters parameters)
 {
     static const QRegularExpression syntax("^(\\w+)=(.+?)\\.\\.(.+)$");
     const QRegularExpressionMatch match = syntax.match(options.text("vary"));
@@ -149,7 +119,22 @@ Variation readVariation(const OptionReader &options, Parameters parameters)
                                          "\"%1\".")
                              .arg(options.text("vary"))};
     }
-    return {*parameter, ends[0], ends[1], options.integer("count", 100, 1, 1'000'000)};
+    const int count = options.integer("count", 100, 1, 1'000'000);
+    std::vector<Record> rows;
+    for (int i = 0; i < count; ++i) {
+        const double value = ends[0] + (count > 1 ? static_cast<double>(i) / (count - 1) : 0.0) * (ends[1] - ends[0]);
+        valueOf(parameters, *parameter) = value;
+        const Mechanism varied(parameters);
+        Record row{{match.captured(1), value}};
+        for (const Record &limit : listLimits(findFacts(varied, motionLimits(varied)))) {
+            const QString name = limit[0].second.toString();
+            if (row.back().first != name) {
+                row.emplace_back(name, limit[1].second);
+            }
+        }
+        rows.push_back(row);
+    }
+    return rows;
 }
 
 /// Reads --design, such as "stroke=80,time-ratio=1.2,transmission-angle=40".
@@ -207,22 +192,17 @@ ExitStatus limitsCommand(const OptionReader &options, const Streams &streams)
         options.refuse({"a", "b", "c", "vary"}, CommandLine::tr("--design computes a, b and c: remove %1."));
         mechanism = designMechanism(readDesign(options), mechanism.parameters());
     }
-    std::optional<Variation> variation;
+    useLanguageOf(format);
     if (options.has("vary")) {
-        variation = readVariation(options, mechanism.parameters());
         if (format == Format::Text) {
             throw UsageError{CommandLine::tr("--vary writes a table: add --format csv or --format json.")};
         }
-    } else if (options.has("count")) {
-        throw UsageError{CommandLine::tr("--count belongs to --vary: remove it.")};
-    }
-    useLanguageOf(format);
-    if (variation) {
-        const std::vector<Record> rows = varyLimits(mechanism, *variation);
+        const std::vector<Record> rows = varyLimits(options, mechanism.parameters());
         return writeOutput(streams, output,
                            format == Format::Csv ? csvText(rows)
                                                  : jsonDocument({{"rows", jsonList(rows, jsonObject)}}));
     }
+    options.refuse({"count"}, CommandLine::tr("%1 belongs to --vary: remove it."));
     const MotionLimits limits = motionLimits(mechanism);
     const std::vector<MotionFact> facts = findFacts(mechanism, limits);
     QByteArray bytes;

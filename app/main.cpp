@@ -5,17 +5,14 @@
 #include "app/command_line.h"
 #include "app/console.h"
 #include "ui/text/language.h"
-#include "ui/window/main_window.h"
-#include "ui/window/messages.h"
-#include "ui/window/scene_file.h"
 
 #include <QApplication>
-#include <QCoreApplication>
 #include <QFile>
 #include <QLocale>
-#include <QRegularExpression>
 
+#include <algorithm>
 #include <cstdio>
+#include <memory>
 #include <new>
 
 using namespace slidercrank;
@@ -23,39 +20,18 @@ using namespace slidercrank;
 namespace
 {
 
-void setApplicationNames()
-{
-    QCoreApplication::setOrganizationName("slidercrank"); // names the folder of the settings
-    QCoreApplication::setApplicationName("slidercrank");
-    QCoreApplication::setApplicationVersion(SLIDERCRANK_VERSION);
-}
-
-int run(const Command &command)
-{
-    QFile output;
-    QFile error;
-    if (!error.open(stderr, QIODevice::WriteOnly | QIODevice::Unbuffered) ||
-        !output.open(stdout, QIODevice::WriteOnly)) {
-        return static_cast<int>(ExitStatus::FileError);
-    }
-    const Streams streams{output, error};
-    try {
-        return static_cast<int>(command.run(streams));
-    } catch (const std::bad_alloc &) {
-        streams.report(CommandLine::tr("There is not enough memory: choose fewer steps or a smaller file."));
-        return static_cast<int>(ExitStatus::FileError);
-    }
-}
-
 /// Whether a window can open. On X11 and Wayland, Qt would abort without one of these options and variables.
-bool hasDisplay(const QStringList &arguments)
+bool hasDisplay(int argc, char *argv[])
 {
 #if defined(Q_OS_UNIX) && !defined(Q_OS_DARWIN)
     const auto isSet = [](const char *variable) { return !qEnvironmentVariableIsEmpty(variable); };
     return isSet("DISPLAY") || isSet("WAYLAND_DISPLAY") || isSet("QT_QPA_PLATFORM") ||
-           arguments.contains(QRegularExpression("^--?(platform|display)$"));
+           std::any_of(argv, argv + argc, [](const QByteArray &argument) {
+               return argument.endsWith("-platform") || argument.endsWith("-display");
+           });
 #else
-    Q_UNUSED(arguments)
+    Q_UNUSED(argc)
+    Q_UNUSED(argv)
     return true;
 #endif
 }
@@ -70,18 +46,21 @@ void hideMessagesOfQt()
     });
 }
 
-int openWindow(const Command &command)
+ExitStatus run()
 {
-    MainWindow window;
-    window.showWithinScreen();
-    if (!command.scene.isEmpty()) {
-        window.scene().open(command.scene, command.referenceFiles);
-    } else if (!command.referenceFiles.isEmpty()) {
-        window.openReference(command.referenceFiles);
-    } else {
-        window.messages().greetOnce();
+    QFile output;
+    QFile error;
+    if (!error.open(stderr, QIODevice::WriteOnly | QIODevice::Unbuffered) ||
+        !output.open(stdout, QIODevice::WriteOnly)) {
+        return ExitStatus::FileError;
     }
-    return QApplication::exec();
+    const Streams streams{output, error};
+    try {
+        return runCommandLine(QCoreApplication::arguments(), streams);
+    } catch (const std::bad_alloc &) {
+        streams.report(CommandLine::tr("There is not enough memory: choose fewer steps or a smaller file."));
+        return ExitStatus::FileError;
+    }
 }
 
 } // namespace
@@ -89,41 +68,31 @@ int openWindow(const Command &command)
 int main(int argc, char *argv[])
 {
     prepareStreams();
-    Command command;
-    command.platform = Platform::Window;
-    QStringList arguments;
     if (argc > 1) {
         useConsole();
+    }
+    Platform platform = platformFor(argc > 1 ? QString::fromLocal8Bit(argv[1]) : QString());
+    if (platform == Platform::Window && !hasDisplay(argc, argv)) {
+        platform = Platform::None; // reports wrong arguments, or that there is no display
+    }
+    if (platform != Platform::Window) {
         hideMessagesOfQt();
-        const QCoreApplication application(argc, argv);
-        setApplicationNames();
-        setLanguage(Language::System);
-        arguments = QCoreApplication::arguments();
-        command = parseCommandLine(arguments);
-        if (command.platform == Platform::None) {
-            QLocale::setDefault(QLocale::c()); // numbers in the output are the same everywhere
-            return run(command);
-        }
     }
-    const bool isOffscreen = command.platform == Platform::Offscreen;
-    if (isOffscreen) {
 #ifndef Q_OS_WIN // on Windows drawing needs no display, and only the native platform finds fonts
-        if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
-            qputenv("QT_QPA_PLATFORM", "offscreen");
-        }
-#endif
-    } else if (!hasDisplay(arguments)) {
-        std::fprintf(stderr, "%s\n",
-                     qPrintable(CommandLine::tr("There is no display for the window: set DISPLAY, or use a "
-                                                "command, such as solve, which needs none.")));
-        return static_cast<int>(ExitStatus::UsageError);
-    } else {
-        qInstallMessageHandler(nullptr);
-        leaveConsole();
+    if (platform == Platform::Offscreen && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
+        qputenv("QT_QPA_PLATFORM", "offscreen");
     }
-    const QApplication application(argc, argv);
-    QApplication::setStyle("Fusion"); // its colours can be chosen on every platform
-    setApplicationNames();
-    setLanguage(isOffscreen ? Language::System : chosenLanguage());
-    return isOffscreen ? run(command) : openWindow(command);
+#endif
+    const std::unique_ptr<QCoreApplication> application(platform == Platform::None ? new QCoreApplication(argc, argv)
+                                                                                   : new QApplication(argc, argv));
+    QCoreApplication::setOrganizationName("slidercrank"); // names the folder of the settings
+    QCoreApplication::setApplicationName("slidercrank");
+    QCoreApplication::setApplicationVersion(SLIDERCRANK_VERSION);
+    setLanguage(platform == Platform::Window ? chosenLanguage() : Language::System);
+    if (platform == Platform::None) {
+        QLocale::setDefault(QLocale::c()); // numbers in the output are the same everywhere
+    } else {
+        QApplication::setStyle("Fusion"); // its colours can be chosen on every platform
+    }
+    return static_cast<int>(run());
 }

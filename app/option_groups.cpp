@@ -30,25 +30,10 @@ NamedChoice parseMeaning(const QString &text)
 {
     const Heading heading = parseHeading(text.toStdString());
     const QString name = QString::fromStdString(heading.name);
+    indexAmong(QStringList{"time", "crank-angle", "ignored"} + channelNames(), name, "column");
     NamedChoice choice;
     choice.unit = heading.unit;
-    if (!readMeaning(name, choice.role, choice.channel)) {
-        throwUnknownName(CommandLine::tr("--column: there is no channel \"%1\"").arg(name), name,
-                         QStringList{"time", "crank-angle", "ignored"} + channelNames());
-    }
-    std::optional<Unit> expected;
-    switch (choice.role) {
-    case ColumnRole::Ignored: break;
-    case ColumnRole::Time: expected = kSecond; break;
-    case ColumnRole::CrankAngle: expected = kDegree; break;
-    case ColumnRole::Channel: expected = parseUnit(fileUnit(choice.channel)); break;
-    }
-    const std::optional<Unit> unit = parseUnit(choice.unit);
-    const bool fits = unit && expected && unit->dimension == expected->dimension && unit->order == expected->order;
-    if (!choice.unit.empty() && !fits) {
-        throw UsageError{
-            CommandLine::tr("--column: \"%1\" is not a unit of %2.").arg(QString::fromStdString(choice.unit), name)};
-    }
+    readMeaning(name, choice.role, choice.channel);
     return choice;
 }
 
@@ -56,14 +41,7 @@ NamedChoice parseMeaning(const QString &text)
 
 Unit defaultUnit(Parameter parameter)
 {
-    switch (parameter) {
-    case Parameter::A:
-    case Parameter::B:
-    case Parameter::C: return kMillimetre;
-    case Parameter::Omega2: return kRadianPerSecond;
-    case Parameter::Theta20: return kRadian;
-    }
-    return {};
+    return parameter == Parameter::Omega2 ? kRadianPerSecond : parameter == Parameter::Theta20 ? kRadian : kMillimetre;
 }
 
 QStringList channelNames()
@@ -130,22 +108,19 @@ Format readFormat(const OptionReader &options, Format defaultFormat)
 
 std::optional<double> readTimeStamp(const OptionReader &options, const Mechanism &mechanism, double start)
 {
-    if (options.has("at") && options.has("at-angle")) {
-        throw UsageError{CommandLine::tr("--at and --at-angle both choose a time: remove one of them.")};
-    }
     if (options.has("at")) {
+        options.refuse({"at-angle"}, CommandLine::tr("--at chooses the time already: remove %1."));
         return options.number("at", 0.0, kSecond);
     }
     if (!options.has("at-angle")) {
         return std::nullopt;
     }
     const double degrees = options.number("at-angle", 0.0, kDegree);
-    const QString angle = QString::number(degrees, 'g', 6);
     const std::optional<double> time = timeAtCrankAngle(mechanism, degrees / kDegreesPerRadian, start);
     if (!time || std::abs(*time) > kLargestParameter) {
         throw UsageError{
             CommandLine::tr("The crank does not reach %1° within 1e12 s: choose another --omega2 or --theta20.")
-                .arg(angle)};
+                .arg(degrees)};
     }
     return time;
 }
@@ -166,10 +141,6 @@ std::vector<NamedChoice> readColumns(const OptionReader &options)
         }
         NamedChoice choice = parseMeaning(text.sliced(equals + 1).trimmed());
         choice.heading = text.first(equals).trimmed().toStdString();
-        if (std::ranges::find(choices, choice.heading, &NamedChoice::heading) != choices.end()) {
-            throw UsageError{CommandLine::tr("--column gives \"%1\" two meanings: keep one of them.")
-                                 .arg(QString::fromStdString(choice.heading))};
-        }
         choices.push_back(std::move(choice));
     }
     return choices;

@@ -7,32 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <utility>
 
 namespace slidercrank
 {
-
-namespace
-{
-
-/// Returns the Levenshtein distance of two words, ignoring case.
-qsizetype editDistance(const QString &from, const QString &to)
-{
-    std::vector<qsizetype> row(static_cast<std::size_t>(to.size()) + 1);
-    std::iota(row.begin(), row.end(), 0);
-    for (qsizetype i = 0; i < from.size(); ++i) {
-        qsizetype diagonal = std::exchange(row[0], i + 1);
-        for (std::size_t j = 1; j < row.size(); ++j) {
-            const bool same = from[i].toLower() == to[static_cast<qsizetype>(j) - 1].toLower();
-            const qsizetype replaced = diagonal + (same ? 0 : 1);
-            diagonal = std::exchange(row[j], std::min({row[j] + 1, row[j - 1] + 1, replaced}));
-        }
-    }
-    return row.back();
-}
-
-} // namespace
 
 QString joinedByOr(const QStringList &names)
 {
@@ -40,15 +17,13 @@ QString joinedByOr(const QStringList &names)
                             : CommandLine::tr("%1 or %2").arg(names.first(names.size() - 1).join(", "), names.last());
 }
 
-void throwUnknownName(const QString &message, const QString &name, const QStringList &names)
+qsizetype indexAmong(const QStringList &words, const QString &word, const char *option)
 {
-    const auto distance = [&name](const QString &each) {
-        return each.startsWith(name, Qt::CaseInsensitive) ? 1 : editDistance(name, each);
-    };
-    const QString nearest = *std::ranges::min_element(names, {}, distance);
-    const bool isSimilar = 3 * distance(nearest) <= name.size() + 1;
-    throw UsageError{isSimilar ? CommandLine::tr("%1: did you mean %2?").arg(message, nearest)
-                               : CommandLine::tr("%1: choose one of %2.").arg(message, names.join(", "))};
+    const qsizetype index = words.indexOf(word);
+    if (index < 0) {
+        throw UsageError{CommandLine::tr("--%1 must be %2, not \"%3\".").arg(option, joinedByOr(words), word)};
+    }
+    return index;
 }
 
 OptionReader::OptionReader(const CommandDescription &command, const QStringList &arguments)
@@ -64,38 +39,10 @@ OptionReader::OptionReader(const CommandDescription &command, const QStringList 
         m_parser.addOption(QCommandLineOption(names, {}, option.value));
     }
     m_parser.parse(QStringList("slidercrank") + arguments);
-    if (!has("help")) {
-        checkSyntax();
+    if (!m_parser.errorText().isEmpty() && !has("help")) {
+        throw UsageError{CommandLine::tr("%1 --help describes the options.").arg(m_parser.errorText())};
     }
     m_scene.solver.newton.elimination = Elimination::Structured; // the same iterates as Dense, ten times faster
-}
-
-void OptionReader::checkSyntax() const
-{
-    if (const QStringList unknown = m_parser.unknownOptionNames(); !unknown.isEmpty()) {
-        QStringList names;
-        for (const OptionDescription &option : m_options) {
-            names += QString("--") + option.name;
-        }
-        const QString name = "--" + unknown.first();
-        throwUnknownName(CommandLine::tr("There is no option %1 here").arg(name), name, names);
-    }
-    if (const QString error = m_parser.errorText(); !error.isEmpty()) {
-        throw UsageError{error};
-    }
-    for (const OptionDescription &option : m_options) {
-        if (texts(option.name).size() > 1 && !option.mayRepeat) {
-            throw UsageError{CommandLine::tr("--%1 is given more than once: keep one of them.").arg(option.name)};
-        }
-    }
-    if ((files() + texts("scene") + texts("reference")).count("-") > 1) {
-        throw UsageError{CommandLine::tr("Standard input can be read only once: give one \"-\".")};
-    }
-    for (const char *name : {"scene", "reference", "output"}) {
-        if (texts(name).contains("")) {
-            throw UsageError{CommandLine::tr("--%1 needs the name of a file.").arg(name)};
-        }
-    }
 }
 
 void OptionReader::readScene()
@@ -134,15 +81,6 @@ bool OptionReader::has(const char *name) const
 QStringList OptionReader::texts(const char *name) const
 {
     return find(name) ? m_parser.values(QLatin1String(name)) : QStringList();
-}
-
-qsizetype OptionReader::indexAmong(const QStringList &words, const char *name) const
-{
-    const qsizetype index = words.indexOf(text(name));
-    if (index < 0) {
-        throw UsageError{CommandLine::tr("--%1 must be %2, not \"%3\".").arg(name, joinedByOr(words), text(name))};
-    }
-    return index;
 }
 
 double OptionReader::number(const char *name, double defaultValue, const std::optional<Unit> &unit, double smallest,

@@ -22,8 +22,8 @@ namespace slidercrank
 /// "x", "x or y", "x, y or z".
 QString joinedByOr(const QStringList &names);
 
-/// Throws `message` with the most similar of the names, or with all names if none is similar.
-[[noreturn]] void throwUnknownName(const QString &message, const QString &name, const QStringList &names);
+/// Returns the position of the value of an option in the list of its possible values. Throws if it is not among them.
+qsizetype indexAmong(const QStringList &words, const QString &word, const char *option);
 
 class OptionReader
 {
@@ -50,22 +50,19 @@ public:
                   double smallest = -kLargestParameter, double largest = kLargestParameter) const;
     int integer(const char *name, int defaultValue, int smallest, int largest) const;
 
-    /// The position of the value in the list.
-    qsizetype indexAmong(const QStringList &words, const char *name) const;
-
     /// The value of an option that the option table describes as "open|crossed": the enumerator whose number is the
     /// position of the given word.
     template <typename Enum>
     Enum choice(const char *name, Enum defaultValue) const
     {
-        return has(name) ? static_cast<Enum>(indexAmong(QString(find(name)->value).split('|'), name)) : defaultValue;
+        return has(name) ? static_cast<Enum>(indexAmong(QString(find(name)->value).split('|'), text(name), name))
+                         : defaultValue;
     }
 
     /// Throws if any of these options was given. %1 in the message becomes the name of the option.
     void refuse(const std::vector<const char *> &names, const QString &message) const;
 
 private:
-    void checkSyntax() const;
     const OptionDescription *find(const char *name) const; ///< null if the command does not take the option
 
     const CommandDescription &m_command;

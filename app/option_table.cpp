@@ -22,7 +22,8 @@ public:
     static constexpr CommandDescription kCommands[] = {
         {"window", "[SCENE | FILE.csv…] [options]", QT_TR_NOOP("opens the window"),
          QT_TR_NOOP("Motion of an offset slider-crank. Several CSV files are read as one motion. \"slidercrank help "
-                    "COMMAND\" describes a command.")},
+                    "COMMAND\" describes a command."),
+         windowCommand, Platform::Window},
         {"solve", "[options]", QT_TR_NOOP("the motion as CSV or JSON"),
          QT_TR_NOOP(
              "Computes the motion and writes a row for each time step: time, then the channels: positions (R1_x, R1_y, "
@@ -114,11 +115,10 @@ public:
         {"compare identify", kFiles, "join", nullptr,
          QT_TR_NOOP("read the files as parts of one motion; columns are numbered on from file to file")},
         {"window render", kFiles, "reference", "FILE",
-         QT_TR_NOOP("CSV file of a simulation; may be repeated for several files of one motion"), nullptr, true},
+         QT_TR_NOOP("CSV file of a simulation; may be repeated for several files of one motion")},
         {"compare identify render", kFiles, "column", "HEADING=MEANING",
          QT_TR_NOOP("overrides the meaning of a column, may be repeated: \"slider.s=R4_x [m]\", \"T=time [ms]\", "
-                    "\"id=ignored\"; #3 is the third column"),
-         nullptr, true},
+                    "\"id=ignored\"; #3 is the third column")},
         {"compare identify render", kFiles, "abscissa", "time|angle",
          QT_TR_NOOP("whether the first column holds time stamps or crank angles, which --omega2 and --theta20 convert "
                     "to time")},

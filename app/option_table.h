@@ -19,7 +19,7 @@ struct CommandDescription {
     const char *arguments; ///< as in the line "Usage:"
     const char *summary;   ///< a few words, untranslated
     const char *text;      ///< a paragraph, untranslated
-    ExitStatus (*run)(const OptionReader &, const Streams &) = nullptr; ///< null for the window
+    ExitStatus (*run)(const OptionReader &, const Streams &);
     Platform platform = Platform::None;
 };
 
@@ -39,7 +39,6 @@ struct OptionDescription {
     const char *value;    ///< placeholder of the value in the help, "open|crossed" for a choice; null for a switch
     const char *text;     ///< what the option does, untranslated
     const char *shortName = nullptr;
-    bool mayRepeat = false;
 };
 
 /// The options that the command takes, in the order of the help.

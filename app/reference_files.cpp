@@ -68,7 +68,7 @@ ReferenceQuestion::ReferenceQuestion(const OptionReader &options)
     , format(readFormat(options, Format::Text))
     , output(readOutput(options, options.files()))
 {
-    if (options.files().isEmpty() || options.files().contains(QString())) {
+    if (options.files().isEmpty()) {
         throw UsageError{
             CommandLine::tr("\"slidercrank %1\" needs a file: slidercrank %1 FILE…").arg(options.command().name)};
     }
@@ -204,13 +204,13 @@ Record comparisonRecord(const ChannelComparison &channel)
     };
     return {{"name", columnNameOf(channel.channel)},
             {"unit", unitOf(channel.channel)},
-            {"count", static_cast<double>(channel.count)},
+            {"count", jsonNumber(channel.count)},
             {"maxAbs", jsonNumber(channel.maxAbs)},
             {"timeOfMaxAbs", timeOf(channel.maxAbs, channel.timeOfMaxAbs)},
             {"rms", jsonNumber(channel.rms)},
             {"maxPercent", jsonNumber(channel.maxPercent)},
             {"timeOfMaxPercent", timeOf(channel.maxPercent, channel.timeOfMaxPercent)},
-            {"zeroReference", static_cast<double>(channel.zeroReference)},
+            {"zeroReference", jsonNumber(channel.zeroReference)},
             {"percentOfPeak", jsonNumber(channel.percentOfPeak)},
             {"roundingStep", jsonNumber(channel.roundingStep)},
             {"verdict", verdictName(channel.verdict)}};

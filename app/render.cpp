@@ -18,10 +18,8 @@
 
 #include <QFileInfo>
 #include <QPalette>
-#include <QRegularExpression>
 
 #include <algorithm>
-#include <csignal>
 #include <memory>
 
 namespace slidercrank
@@ -45,13 +43,13 @@ struct RenderRequest {
 void readSubject(const OptionReader &options, RenderRequest &request)
 {
     QStringList names{"figure", "mechanism", "report", "frames"};
-    const qsizetype plotCount = names.size();
+    const qsizetype firstPlot = names.size();
     for (const Channel channel : kPlottedChannels) {
         names += columnNameOf(channel);
     }
     names += {"error_position", "error_velocity", "error_acceleration"};
-    const qsizetype index = options.has("what") ? options.indexAmong(names, "what") : 0;
-    request.subject = static_cast<Subject>(std::min(index, plotCount));
+    const qsizetype index = options.has("what") ? indexAmong(names, options.text("what"), "what") : 0;
+    request.subject = static_cast<Subject>(std::min(index, firstPlot));
     request.plot = names[index];
     constexpr std::array kSizes{QSize(1400, 1800), QSize(900, 700), QSize(), QSize(900, 700),
                                 QSize(900, 600)}; // by Subject
@@ -63,20 +61,15 @@ void readSize(const OptionReader &options, FigureSize &size)
 {
     constexpr int kLargestSide = 20'000; // pixels
     if (options.has("size")) {
-        static const QRegularExpression syntax("^(\\d{3,5})x(\\d{3,5})$");
-        const QRegularExpressionMatch match = syntax.match(options.text("size"));
-        if (!match.hasMatch()) {
-            throw UsageError{CommandLine::tr("--size must be width x height in pixels, each from 100 to %1, such as "
-                                             "900x600, not \"%2\".")
-                                 .arg(QString::number(kLargestSide), options.text("size"))};
-        }
-        size.size = QSize(match.captured(1).toInt(), match.captured(2).toInt());
+        const QStringList sides = options.text("size").split('x');
+        size.size = sides.size() == 2 ? QSize(sides[0].toInt(), sides[1].toInt()) : QSize();
     }
     size.scale = options.number("scale", 1.0, {}, 0.1, 10.0);
-    if (size.scale * std::max(size.size.width(), size.size.height()) > kLargestSide) {
-        throw UsageError{
-            CommandLine::tr("The picture would be larger than %1 pixels: choose a smaller --size or --scale.")
-                .arg(kLargestSide)};
+    const auto [shorter, longer] = std::minmax({size.size.width(), size.size.height()});
+    if (shorter < 100 || size.scale * longer > kLargestSide) {
+        throw UsageError{CommandLine::tr("--size must be width x height in pixels, such as 900x600, each at least 100, "
+                                         "and at most %1 when multiplied by --scale, not \"%2\".")
+                             .arg(QString::number(kLargestSide), options.text("size"))};
     }
 }
 
@@ -152,38 +145,6 @@ RenderRequest readRequest(const OptionReader &options)
     return request;
 }
 
-volatile std::sig_atomic_t interruption = 0; // the signal that asked the program to end, or 0
-
-/// Sets the handler of the signals that ask the program to end, except those that are ignored, as under nohup.
-void handleTermination(void (*handler)(int))
-{
-    for (const int signal : {
-             SIGINT,
-             SIGTERM,
-#ifdef SIGHUP
-             SIGHUP,
-#endif
-         }) {
-        if (std::signal(signal, SIG_IGN) != SIG_IGN) {
-            std::signal(signal, handler);
-        }
-    }
-}
-
-/// Writes frames or a video. Returns a sentence if that fails. If a signal asks the program to end, this function
-/// removes what it has written and ends the program.
-std::optional<QString> exportFrames(const RenderRequest &request, const FrameDrawing &draw)
-{
-    handleTermination([](int signal) { interruption = signal; });
-    const std::optional<QString> problem =
-        exportAnimation(request.output, request.animation, draw, [](int) { return interruption == 0; });
-    handleTermination(SIG_DFL);
-    if (const int signal = interruption; signal != 0) {
-        std::raise(signal); // reports the signal to the parent process
-    }
-    return problem;
-}
-
 /// Draws the subject into the file, by the plots and the drawing of the window. Returns a sentence if that fails.
 std::optional<QString> draw(const RenderRequest &request, const std::shared_ptr<const Result> &result)
 {
@@ -229,7 +190,8 @@ std::optional<QString> draw(const RenderRequest &request, const std::shared_ptr<
             plots.paintPlot(painter, "plot_" + request.plot, size, palette);
         });
     case Subject::Mechanism: return write(withParameters(drawMechanism, result->mechanism, palette));
-    case Subject::Frames: return exportFrames(request, drawFrame);
+    case Subject::Frames:
+        return exportAnimation(request.output, request.animation, drawFrame, [](int) { return true; });
     case Subject::Report:
         content.hasGhost = ghost.pose && ghost.pose(scene.time).exists;
         content.checksums = result->reference ? fileChecksums(*result->reference) : QByteArrayList();

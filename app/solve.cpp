@@ -28,12 +28,7 @@ ChannelSet readChannels(const OptionReader &options)
     }
     ChannelSet channels;
     for (const QString &part : options.text("channels").split(',')) {
-        const QString name = part.trimmed();
-        const std::optional<Channel> channel = channelNamed(name.toStdString());
-        if (!channel) {
-            throwUnknownName(CommandLine::tr("--channels: there is no channel \"%1\"").arg(name), name, channelNames());
-        }
-        channels.set(indexOf(*channel));
+        channels.set(static_cast<std::size_t>(indexAmong(channelNames(), part.trimmed(), "channels")));
     }
     return channels;
 }
@@ -56,35 +51,22 @@ Sampling oneRevolution(const OptionReader &options, const Mechanism &mechanism)
     return sampling;
 }
 
-QByteArray jsonArray(const std::vector<double> &values, double factor)
+QByteArray motionJson(const Mechanism &mechanism, Method method, AngleUnit angleUnit,
+                      const std::vector<Channel> &channels, const Trajectory &motion)
 {
-    QByteArray text("[");
-    for (const double value : values) {
-        text += text.size() > 1 ? "," : "";
-        if (std::isfinite(value)) {
-            appendNumber(text, value * factor); // 17 digits, as in CSV
-        } else {
-            text += "null";
-        }
-    }
-    return text + ']';
-}
-
-/// Writes the channels one after the other: a JSON document in memory would take ten times the size of the motion.
-void writeJson(const Mechanism &mechanism, Method method, AngleUnit angleUnit, const std::vector<Channel> &channels,
-               const Trajectory &motion, Output &output)
-{
-    output.write("{\"mechanism\":" + jsonDocument(toJson(mechanism.parameters())).trimmed() +
-                 ",\"method\":" + (method == Method::Newton ? "\"newton\"" : "\"closed-form\"") +
-                 ",\"units\":{\"length\":\"mm\",\"angle\":" + (angleUnit == AngleUnit::Radian ? "\"rad\"" : "\"deg\"") +
-                 ",\"time\":\"s\"},\"time\":" + jsonArray(motion.time, 1.0) + ",\"channels\":{");
-    const char *separator = "\"";
+    QJsonObject values;
     for (const Channel channel : channels) {
-        output.write(separator + columnNameOf(channel).toUtf8() +
-                     "\":" + jsonArray(motion[channel], factorTo(angleUnit, channel)));
-        separator = ",\"";
+        const double factor = factorTo(angleUnit, channel);
+        values.insert(columnNameOf(channel),
+                      jsonList(motion[channel], [factor](double value) { return jsonNumber(factor * value); }));
     }
-    output.write("}}\n");
+    return jsonDocument(
+        {{"mechanism", toJson(mechanism.parameters())},
+         {"method", method == Method::Newton ? "newton" : "closed-form"},
+         {"units",
+          QJsonObject{{"length", "mm"}, {"angle", angleUnit == AngleUnit::Radian ? "rad" : "deg"}, {"time", "s"}}},
+         {"time", jsonList(motion.time, jsonNumber)},
+         {"channels", values}});
 }
 
 } // namespace
@@ -119,8 +101,7 @@ ExitStatus solveCommand(const OptionReader &options, const Streams &streams)
     const auto write = [&](const Trajectory &motion) {
         steps.add(motion.time, motion.status);
         if (isJson) {
-            writeJson(mechanism, solver.method, angleUnit, channels, motion, output);
-            return true;
+            return output.write(motionJson(mechanism, solver.method, angleUnit, channels, motion));
         }
         return writeCsvRows(motion, channels, angleUnit,
                             [&](const QByteArray &text) { return output.write(text); });
@@ -128,10 +109,9 @@ ExitStatus solveCommand(const OptionReader &options, const Streams &streams)
     if (!isJson) {
         output.write(csvHeader(channels, angleUnit));
     }
-    if (timeStamp) {
-        write(sample(mechanism, {*timeStamp}, channelSet, solver));
-    } else if (isJson) { // holds all values of a channel together
-        write(sample(mechanism, sampling.timeStamps(), channelSet, solver));
+    if (timeStamp || isJson) { // JSON holds all values of a channel together
+        const std::vector<double> times = timeStamp ? std::vector{*timeStamp} : sampling.timeStamps();
+        write(sample(mechanism, times, channelSet, solver));
     } else {
         sampleInPieces(mechanism, sampling, channelSet, solver, write);
     }

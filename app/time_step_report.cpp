@@ -57,7 +57,7 @@ QString TimeStepReport::message(Status status, const Mechanism &mechanism, const
                                "the crank to make full turns (--b).")
             .arg(where, QString::number(shortestCouplerForFullTurn(mechanism), 'g', QLocale::FloatingPointShortest));
     case Status::IterationLimit: {
-        const double size = mechanism.a() + mechanism.b() + std::abs(mechanism.c());
+        const double size = characteristicLength(mechanism.parameters());
         constexpr double kHugeLength = 1e6; // mm; rounding errors of such lengths exceed the default tolerance
         const QString advice =
             newton.toleranceKind == ToleranceKind::Absolute && size > kHugeLength

@@ -3,15 +3,19 @@
 // `slidercrank` without a command: opens the window.
 
 #include "app/commands.h"
+#include "app/console.h"
 #include "app/option_reader.h"
 #include "app/output.h"
 #include "ui/document/scene.h"
-#include "ui/document/whole_file.h"
+#include "ui/window/main_window.h"
+#include "ui/window/scene_file.h"
 
+#include <QApplication>
 #include <QDir>
 #include <QFileInfo>
-#include <QRegularExpression>
 #include <QSettings>
+
+#include <algorithm>
 
 namespace slidercrank
 {
@@ -36,64 +40,57 @@ ExitStatus resetSettings(const Streams &streams)
 /// Throws unless the file exists. An argument that cannot be the name of a file may be a misspelt command.
 void requireFile(const QString &argument)
 {
-    if (QFileInfo::exists(argument)) {
-        return;
-    }
-    static const QRegularExpression partOfFileName("[./\\\\]");
-    if (argument.contains(partOfFileName)) {
-        throw UsageError{CommandLine::tr("There is no file %1.").arg(QDir::toNativeSeparators(argument)),
-                         ExitStatus::FileError};
-    }
+    const QString name = QDir::toNativeSeparators(argument);
     if (findCommand(argument)) {
         throw UsageError{CommandLine::tr("The command must come first: slidercrank %1 …").arg(argument)};
     }
-    throwUnknownName(CommandLine::tr("There is no command and no file \"%1\"").arg(argument), argument, commandNames());
-}
-
-/// Throws if the scene cannot be read, so that the error is reported before the window opens. Pipes are not read here:
-/// the window refuses them.
-void checkScene(const QString &file)
-{
-    if (!isPipeOrDevice(QFileInfo(file))) {
-        const std::variant<Scene, QString> scene = readScene(file);
-        if (const QString *message = std::get_if<QString>(&scene)) {
-            throw UsageError{*message, ExitStatus::FileError};
-        }
+    if (!QFileInfo::exists(argument) && !argument.contains('.')) {
+        throw UsageError{CommandLine::tr("There is no command and no file \"%1\": choose one of %2.")
+                             .arg(name, commandNames().join(", "))};
+    }
+    if (!QFileInfo::exists(argument)) {
+        throw UsageError{CommandLine::tr("There is no file %1.").arg(name), ExitStatus::FileError};
     }
 }
 
 } // namespace
 
-Command prepareWindow(const OptionReader &options)
+ExitStatus windowCommand(const OptionReader &options, const Streams &streams)
 {
-    QStringList files = options.files();
+    QStringList files = options.texts("reference") + options.files();
     if (options.has("reset-settings")) {
-        if (!files.isEmpty() || options.has("reference")) {
+        if (!files.isEmpty()) {
             throw UsageError{CommandLine::tr("--reset-settings opens no window: remove the other arguments.")};
         }
-        return {resetSettings};
+        return resetSettings(streams);
     }
-    Command command{[](const Streams &) { return ExitStatus::Success; }, Platform::Window};
-    command.referenceFiles = options.texts("reference");
-    if ((command.referenceFiles + files).contains("-")) {
+    if (files.contains("-")) {
         throw UsageError{CommandLine::tr("The window cannot read standard input: save it as a file first.")};
     }
-    if (!files.isEmpty() && isNamedAsScene(files.first())) {
-        command.scene = files.takeFirst();
-        if (!files.isEmpty()) {
-            throw UsageError{CommandLine::tr("The window opens one scene: remove \"%1\".").arg(files.first())};
-        }
-        checkScene(command.scene);
-    }
-    for (const QString &file : files) {
+    QStringList scenes;
+    for (const QString &file : options.files()) {
         if (isNamedAsScene(file)) {
-            throw UsageError{CommandLine::tr("%1 is a scene: open it alone, and the files of one motion together.")
-                                 .arg(QDir::toNativeSeparators(file))};
+            scenes += file;
+            files.removeAll(file);
         }
-        requireFile(file);
     }
-    command.referenceFiles += files;
-    return command;
+    if (scenes.size() > 1) {
+        throw UsageError{CommandLine::tr("The window opens one scene: remove \"%1\".").arg(scenes.last())};
+    }
+    std::ranges::for_each(options.files(), requireFile);
+    if (!qobject_cast<QApplication *>(QCoreApplication::instance())) {
+        throw UsageError{CommandLine::tr("There is no display for the window: set DISPLAY, or use a command, such as "
+                                         "solve, which needs none.")};
+    }
+    leaveConsole();
+    MainWindow window;
+    window.showWithinScreen();
+    if (!scenes.isEmpty()) {
+        window.scene().open(scenes.first(), files);
+    } else if (!files.isEmpty()) {
+        window.openReference(files);
+    }
+    return static_cast<ExitStatus>(QApplication::exec());
 }
 
 } // namespace slidercrank

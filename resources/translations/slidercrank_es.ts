@@ -431,32 +431,12 @@
         <translation>--%1 debe ser %2, y no «%3».</translation>
     </message>
     <message>
-        <source>--%1 needs the name of a file.</source>
-        <translation>--%1 necesita el nombre de un archivo.</translation>
-    </message>
-    <message>
         <source>&quot;slidercrank %1&quot; takes options only: remove &quot;%2&quot;.</source>
         <translation>«slidercrank %1» solo admite opciones: quite «%2».</translation>
     </message>
     <message>
-        <source>--size must be width x height in pixels, each from 100 to %1, such as 900x600, not &quot;%2&quot;.</source>
-        <translation>--size debe ser ancho x alto en píxeles, cada uno de 100 a %1, como 900x600, y no «%2».</translation>
-    </message>
-    <message>
-        <source>The picture would be larger than %1 pixels: choose a smaller --size or --scale.</source>
-        <translation>La imagen tendría más de %1 píxeles: elija un --size o una --scale menor.</translation>
-    </message>
-    <message>
         <source>The command must come first: slidercrank %1 …</source>
         <translation>La orden debe ir primero: slidercrank %1 …</translation>
-    </message>
-    <message>
-        <source>There is no option %1 here</source>
-        <translation>Aquí no existe la opción %1</translation>
-    </message>
-    <message>
-        <source>--%1 is given more than once: keep one of them.</source>
-        <translation>--%1 se da más de una vez: deje una sola.</translation>
     </message>
     <message>
         <source>Motion of an offset slider-crank</source>
@@ -485,10 +465,6 @@
     <message>
         <source>&quot;slidercrank %1&quot; needs a file: slidercrank %1 FILE…</source>
         <translation>«slidercrank %1» necesita un archivo: slidercrank %1 ARCHIVO…</translation>
-    </message>
-    <message>
-        <source>Standard input can be read only once: give one &quot;-&quot;.</source>
-        <translation>La entrada estándar solo se puede leer una vez: ponga un solo «-».</translation>
     </message>
     <message>
         <source>Files</source>
@@ -623,10 +599,6 @@
         <translation>--vary escribe una tabla: añada --format csv o --format json.</translation>
     </message>
     <message>
-        <source>--count belongs to --vary: remove it.</source>
-        <translation>--count pertenece a --vary: quítelo.</translation>
-    </message>
-    <message>
         <source>There is not enough memory: choose fewer steps or a smaller file.</source>
         <translation>No hay memoria suficiente: elija menos pasos o un archivo menor.</translation>
     </message>
@@ -639,40 +611,16 @@
         <translation>--%1 %2: añada una unidad, %2deg o %2rad.</translation>
     </message>
     <message>
-        <source>--column: there is no channel &quot;%1&quot;</source>
-        <translation>--column: no existe el canal «%1»</translation>
-    </message>
-    <message>
-        <source>--column: &quot;%1&quot; is not a unit of %2.</source>
-        <translation>--column: «%1» no es una unidad de %2.</translation>
-    </message>
-    <message>
         <source>The time steps are too short to be distinguished: choose fewer --steps, a longer --duration or a --start nearer to 0.</source>
         <translation>Los pasos de tiempo son demasiado cortos para distinguirse: elija menos --steps, una --duration mayor o un --start más cercano a 0.</translation>
-    </message>
-    <message>
-        <source>--at and --at-angle both choose a time: remove one of them.</source>
-        <translation>--at y --at-angle eligen ambos un instante: quite uno de los dos.</translation>
     </message>
     <message>
         <source>--column must be a heading, = and a meaning, such as &quot;slider.s=R4_x [m]&quot;, &quot;#1=time&quot; or &quot;id=ignored&quot;, not &quot;%1&quot;.</source>
         <translation>--column debe ser un encabezado, = y un significado, como «slider.s=R4_x [m]», «#1=time» o «id=ignored», y no «%1».</translation>
     </message>
     <message>
-        <source>--column gives &quot;%1&quot; two meanings: keep one of them.</source>
-        <translation>--column da dos significados a «%1»: deje uno.</translation>
-    </message>
-    <message>
         <source>--output would overwrite the input file %1: choose another name.</source>
         <translation>--output sobrescribiría el archivo de entrada %1: elija otro nombre.</translation>
-    </message>
-    <message>
-        <source>%1: choose one of %2.</source>
-        <translation>%1: elija uno de %2.</translation>
-    </message>
-    <message>
-        <source>%1: did you mean %2?</source>
-        <translation>%1: ¿quiso decir %2?</translation>
     </message>
     <message>
         <source>--%1 must be a number, alone or followed by %2, not &quot;%3&quot;.</source>
@@ -827,10 +775,6 @@
         <translation>Un informe se imprime en A4, negro sobre blanco: quite %1.</translation>
     </message>
     <message>
-        <source>--channels: there is no channel &quot;%1&quot;</source>
-        <translation>--channels: no existe el canal «%1»</translation>
-    </message>
-    <message>
         <source>--step-angle must divide 360° into equal steps, such as 15 or 0.5, not %1.</source>
         <translation>--step-angle debe dividir 360° en pasos iguales, como 15 o 0.5, y no %1.</translation>
     </message>
@@ -881,14 +825,6 @@
     <message>
         <source>Removed: layout, recent files, language, theme, meanings of columns.</source>
         <translation>Borrado: disposición, archivos recientes, idioma, tema, significados de columnas.</translation>
-    </message>
-    <message>
-        <source>There is no command and no file &quot;%1&quot;</source>
-        <translation>No existe ninguna orden ni archivo «%1»</translation>
-    </message>
-    <message>
-        <source>%1 is a scene: open it alone, and the files of one motion together.</source>
-        <translation>%1 es una escena: ábrala sola, y juntos los archivos de un mismo movimiento.</translation>
     </message>
     <message>
         <source>--reset-settings opens no window: remove the other arguments.</source>
@@ -1007,6 +943,26 @@ Equipo: %1. Tiempo: %2 s.
     <message>
         <source>--output must end in %1, not &quot;%2&quot;.</source>
         <translation>--output debe terminar en %1, y no «%2».</translation>
+    </message>
+    <message>
+        <source>%1 belongs to --vary: remove it.</source>
+        <translation>%1 pertenece a --vary: quítelo.</translation>
+    </message>
+    <message>
+        <source>--at chooses the time already: remove %1.</source>
+        <translation>--at ya elige el instante: quite %1.</translation>
+    </message>
+    <message>
+        <source>%1 --help describes the options.</source>
+        <translation>%1 --help describe las opciones.</translation>
+    </message>
+    <message>
+        <source>--size must be width x height in pixels, such as 900x600, each at least 100, and at most %1 when multiplied by --scale, not &quot;%2&quot;.</source>
+        <translation>--size debe ser ancho x alto en píxeles, como 900x600, cada uno de al menos 100 y, multiplicado por --scale, de %1 como máximo, y no «%2».</translation>
+    </message>
+    <message>
+        <source>There is no command and no file &quot;%1&quot;: choose one of %2.</source>
+        <translation>No existe ninguna orden ni archivo «%1»: elija una de %2.</translation>
     </message>
 </context>
 <context>

@@ -41,8 +41,7 @@ inline RunResult run(const QStringList &arguments)
     QBuffer error;
     output.open(QIODevice::WriteOnly);
     error.open(QIODevice::WriteOnly);
-    const Command command = parseCommandLine(QStringList("slidercrank") + arguments);
-    const ExitStatus status = command.run({output, error});
+    const ExitStatus status = runCommandLine(QStringList("slidercrank") + arguments, {output, error});
     return {static_cast<int>(status), output.data(), error.data()};
 }
 
