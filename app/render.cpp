@@ -177,7 +177,7 @@ std::optional<QString> draw(const RenderRequest &request, const std::shared_ptr<
         drawFrame(painter, size, scene.time);
     };
     const FigureDrawing drawFigure = [&](QPainter &painter, const QSize &size) {
-        plots.paintFigure(painter, size, palette);
+        plots.paintFigure(painter, {}, size, palette);
     };
     const auto write = [&](const FigureDrawing &drawing) {
         return exportFigure(request.output, request.animation.size, CommandLine::tr("Motion of an offset slider-crank"),
@@ -187,7 +187,7 @@ std::optional<QString> draw(const RenderRequest &request, const std::shared_ptr<
     case Subject::Figure: return write(drawFigure);
     case Subject::Plot:
         return write([&](QPainter &painter, const QSize &size) {
-            plots.paintPlot(painter, "plot_" + request.plot, size, palette);
+            plots.paintFigure(painter, "plot_" + request.plot, size, palette);
         });
     case Subject::Mechanism: return write(withParameters(drawMechanism, result->mechanism, palette));
     case Subject::Frames:

@@ -3170,14 +3170,6 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
         <translation>aceleración</translation>
     </message>
     <message>
-        <source>error [%1]</source>
-        <translation>error [%1]</translation>
-    </message>
-    <message>
-        <source>difference [%1]</source>
-        <translation>diferencia [%1]</translation>
-    </message>
-    <message>
         <source>the mechanism cannot be assembled</source>
         <translation>el mecanismo no se puede montar</translation>
     </message>
@@ -3204,6 +3196,14 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
     <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>error</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>diferencia</translation>
     </message>
 </context>
 <context>

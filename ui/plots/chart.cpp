@@ -43,11 +43,11 @@ void setAxis(QCPAxis &axis, const ChartAxis &content, double pixelsPerLabel)
 
 void addSeries(PlotDrawing &drawing, const ChartSeries &series, const SeriesColours &colours)
 {
-    QVector<QCPGraphData> data;
+    std::vector<CurvePoint> points;
     for (const QPointF &point : series.points) {
-        data << QCPGraphData(point.x(), point.y());
+        points.push_back({point.x(), point.y()});
     }
-    QCPGraph *graph = drawing.addCurve(drawing.axisRect(), data);
+    QCPGraph *graph = drawing.addCurve(drawing.axisRect(), points);
     graph->setName(series.name);
     if (!series.name.isEmpty()) {
         graph->addToLegend();
@@ -63,10 +63,11 @@ void addSeries(PlotDrawing &drawing, const ChartSeries &series, const SeriesColo
         graph->setScatterStyle(
             QCPScatterStyle(series.mark, QPen(colour, 1.2), series.isHollow ? colours.background : colour, kUnscaled));
     }
-    for (qsizetype i = 0; i < std::min(series.labels.size(), data.size()); ++i) {
+    for (qsizetype i = 0; i < series.labels.size(); ++i) {
         constexpr int kAway = 6;
-        const bool isRight = drawing.xAxis->coordToPixel(data[i].key) > drawing.axisRect()->center().x();
-        QCPItemText *label = drawing.addText(drawing.axisRect(), series.labels[i], {data[i].key, data[i].value},
+        const QPointF &place = series.points[static_cast<std::size_t>(i)];
+        const bool isRight = drawing.xAxis->coordToPixel(place.x()) > drawing.axisRect()->center().x();
+        QCPItemText *label = drawing.addText(drawing.axisRect(), series.labels[i], place,
                                              (isRight ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignBottom);
         label->setColor(colour);
         label->setPadding(QMargins(kAway, 0, kAway, 0));

@@ -21,8 +21,8 @@ namespace
 constexpr double kSmallestPart = 1e-10; // of the largest number on an axis; limits the zoom
 constexpr std::size_t kErrorsPerRow = 2;
 
-/// Lengths of dashes and gaps, px. Each pinned motion has its own pattern.
-const QVector<double> kReferenceDashes{7.0, 6.0};
+/// Lengths of dashes and gaps, in line widths. Each pinned motion has its own pattern.
+const QVector<double> kReferenceDashes{3.5, 3.0};
 const std::array<QVector<double>, kMaxPinned> kPinnedDashes{{{}, {13.0, 4.0}, {5.0, 4.0}, {2.0, 3.0}}};
 
 Interval unite(const Interval &a, const Interval &b)
@@ -30,9 +30,9 @@ Interval unite(const Interval &a, const Interval &b)
     return {std::min(a.lower, b.lower), std::max(a.upper, b.upper)};
 }
 
-void include(std::optional<Interval> &range, const std::optional<Interval> &other)
+void include(std::optional<Interval> &range, const std::optional<Interval> &added)
 {
-    range = range && other ? unite(*range, *other) : range ? range : other;
+    range = range && added ? unite(*range, *added) : range ? range : added;
 }
 
 std::optional<Interval> extremesWithin(const Interval &time, const std::vector<CurvePoint> &points)
@@ -57,13 +57,15 @@ Interval errorRange(const std::vector<CurvePoint> &points, const Interval &exten
 
 void PlotFigure::setResult(const std::shared_ptr<const Result> &result)
 {
-    const Interval before = sampledRange();
-    const bool isFirst = !m_result;
+    const Interval before = m_result ? sampledRange() : Interval();
     m_result = result;
     m_model.reset();
     m_pinned.clear();
     m_errors.reset();
-    if (isFirst || sampledRange() != before) {
+    for (Plot &plot : m_plots) {
+        plot.curves.clear();
+    }
+    if (sampledRange() != before) {
         zoom.time.reset();
     }
 }
@@ -79,12 +81,12 @@ void PlotFigure::setSettings(const PlotSettings &settings)
 
 bool PlotFigure::hasErrors() const
 {
-    return m_result && !m_isPresentation && (m_result->reference || m_result->difference);
+    return m_result && !m_isPresentation && m_result->isCompared();
 }
 
 Interval PlotFigure::sampledRange() const
 {
-    const Sampling sampling = m_result ? m_result->sampling : Sampling();
+    const Sampling &sampling = m_result->sampling;
     const auto [first, last] = std::minmax({sampling.start, sampling.start + sampling.duration});
     return last > first ? Interval{first, last} : Interval{first - 0.5, last + 0.5};
 }
@@ -92,7 +94,7 @@ Interval PlotFigure::sampledRange() const
 void PlotFigure::zoomTime(const Interval &range)
 {
     Interval outer = sampledRange();
-    if (m_result && m_result->reference && !m_result->reference->data.time.empty()) {
+    if (m_result->reference) {
         const std::vector<double> &time = m_result->reference->data.time;
         outer = unite(outer, Interval{time.front(), time.back()});
     }
@@ -116,7 +118,22 @@ void PlotFigure::zoomValues(std::size_t plot, const Interval &range)
 
 bool PlotFigure::isOverAngle() const
 {
-    return m_settings.abscissa == Abscissa::CrankAngle && m_result && m_result->mechanism.omega2() != 0.0;
+    return m_settings.abscissa == Abscissa::CrankAngle && m_result->mechanism.omega2() != 0.0;
+}
+
+double PlotFigure::perSecond() const
+{
+    return isOverAngle() ? m_result->mechanism.omega2() * kDegreesPerRadian : 1.0;
+}
+
+double PlotFigure::zeroTime() const
+{
+    return isOverAngle() ? -m_result->mechanism.theta20() / m_result->mechanism.omega2() : 0.0;
+}
+
+bool PlotFigure::isLogarithmic(std::size_t plot) const
+{
+    return isErrorPlot(plot) && m_settings.logarithmicError;
 }
 
 MotionCurves &PlotFigure::model()
@@ -143,44 +160,49 @@ const MotionErrors &PlotFigure::errors()
 void PlotFigure::computeMotions(Plot &plot, std::size_t channel)
 {
     const Interval time = timeRange();
-    std::optional<Interval> extent;
-    const auto add = [&](const QString &name, Ink ink, const MotionCurves::Curve &curve) -> PlotCurve & {
-        include(extent, curve.extremes);
-        return plot.curves.emplace_back(PlotCurve{name, ink, curve.points});
+    const Channel quantity = kPlottedChannels[channel];
+    const auto add = [&](const QString &name, Ink ink, const MotionCurves::Curve &curve, auto read) -> PlotCurve & {
+        include(plot.values, curve.extremes);
+        return plot.curves.emplace_back(PlotCurve{name, ink, curve.points, read});
     };
     const auto isDense = [this](const PlotCurve &curve) { return 2 * curve.points.size() >= 3 * m_columns; };
     const MotionCurves::Curve &motion = model().curves(time, m_columns)[channel];
     for (std::size_t i = 0; i < m_pinned.size(); ++i) {
+        MotionCurves &pinned = m_pinned[i];
         PlotCurve &curve = add(pinnedText(m_result->pinned[i], m_result->mechanism.parameters()),
-                               &SeriesColours::pinned, m_pinned[i].curves(time, m_columns)[channel]);
+                               &SeriesColours::pinned, pinned.curves(time, m_columns)[channel],
+                               [&pinned, channel](const ReadTime &at) { return pinned.value(channel, at.t); });
         curve.dashes = isDense(curve) ? QVector<double>() : kPinnedDashes[i];
         curve.width = m_isPresentation ? curve.width : 1.0;
     }
-    PlotCurve &curve = add(modelName(), &SeriesColours::model, motion);
+    const Parameters &parameters = m_result->mechanism.parameters();
+    const QString tooFew = model().isExact() ? QString() : fewSamplesSentence(m_result->mechanism, m_result->sampling);
+    const bool isNamed = m_isPresentation && !m_result->pinned.empty() && m_result->pinned.back() != parameters;
+    const QString name = isNamed ? pinnedText(parameters, m_result->pinned.back()) : tr("model");
+    PlotCurve &curve = add(tooFew.isEmpty() ? name : tooFew, &SeriesColours::model, motion,
+                           [this, channel](const ReadTime &at) { return modelValue(channel, at); });
     if (!model().isExact()) {
         constexpr std::size_t kPixelsPerDot = 12;
-        const bool isTooFew = !fewSamplesSentence(m_result->mechanism, m_result->sampling).isEmpty();
-        if (isTooFew || curve.points.size() * kPixelsPerDot < m_columns) {
+        if (!tooFew.isEmpty() || curve.points.size() * kPixelsPerDot < m_columns) {
             curve.dots = curve.points;
         }
-        if (isTooFew && !isDense(curve)) { // dense samples look like a band
+        if (!tooFew.isEmpty() && !isDense(curve)) { // dense samples look like a band
             curve.points.clear();
         }
     }
-    if (!motion.extremes) {
-        plot.note = tr("the mechanism cannot be assembled");
+    const Reference *reference = m_result->reference.get();
+    const ReferenceSeries *series = reference ? reference->data.find(quantity) : nullptr;
+    plot.note = !motion.extremes       ? tr("the mechanism cannot be assembled")
+                : reference && !series ? tr("not in the file")
+                                       : QString();
+    if (series) {
+        const std::vector<CurvePoint> points = decimate(reference->data.time, series->values, time, m_columns);
+        add(reference->name, &SeriesColours::reference, {points, extremesWithin(time, points)},
+            [series](const ReadTime &at) { return at.row ? series->values[*at.row] : kNoValue; })
+            .dashes = kReferenceDashes;
     }
-    if (const Reference *reference = m_result->reference.get()) {
-        if (const ReferenceSeries *series = reference->data.find(kPlottedChannels[channel])) {
-            const std::vector<CurvePoint> points = decimate(reference->data.time, series->values, time, m_columns);
-            add(reference->name, &SeriesColours::reference, {points, extremesWithin(time, points)}).dashes =
-                kReferenceDashes;
-        } else if (plot.note.isEmpty()) {
-            plot.note = tr("not in the file");
-        }
-    }
-    if (extent) {
-        plot.values = roundedOutwards(*extent);
+    if (plot.values) {
+        plot.values = roundedOutwards(*plot.values);
     }
 }
 
@@ -189,18 +211,25 @@ PlotCurve PlotFigure::errorCurve(std::size_t channel)
     const bool isCoupler = isAngle(kPlottedChannels[channel].coordinate);
     const QString ofFile = isCoupler ? tr("error of the coupler") : tr("error of the slider");
     const QString ofPinned = isCoupler ? tr("difference of the coupler") : tr("difference of the slider");
-    PlotCurve curve{m_result->reference ? ofFile : ofPinned,
-                    isCoupler ? &SeriesColours::error : &SeriesColours::errorOther};
+    const bool hasFile = m_result->reference != nullptr;
+    PlotCurve curve{hasFile ? ofFile : ofPinned, isCoupler ? &SeriesColours::error : &SeriesColours::errorOther};
     curve.width = 1.6; // thin, since the errors of a matching file are noise
-    const MotionErrors::Errors &errors = this->errors()[channel];
+    curve.read = [this, channel](const ReadTime &at) {
+        const std::vector<double> &values = errors()[channel].values;
+        if (m_result->reference) {
+            return at.row && !values.empty() ? values[*at.row] : kNoValue;
+        }
+        const double value = modelValue(channel, at);
+        return errors().error(channel, value, m_pinned.back().value(channel, at.t));
+    };
+    const MotionErrors &errors = this->errors();
+    const std::vector<double> &values = errors[channel].values;
     const auto isSeen = [this](double error) {
         return m_settings.logarithmicError ? std::isfinite(error) : error > 0.0;
     };
-    if (!m_result->reference && std::ranges::none_of(errors.values, isSeen)) {
-        return curve; // no difference
+    if (hasFile || std::ranges::any_of(values, isSeen)) { // otherwise there is no difference
+        curve.points = decimate(errors.time().first(values.size()), values, timeRange(), m_columns);
     }
-    const std::span<const double> time = this->errors().time().first(errors.values.size());
-    curve.points = decimate(time, errors.values, timeRange(), m_columns);
     return curve;
 }
 
@@ -221,7 +250,11 @@ PlotCurve PlotFigure::roundingCurve(std::size_t channel)
 
 void PlotFigure::computeErrors(Plot &plot, std::size_t row)
 {
-    for (std::size_t channel = kErrorsPerRow * row; hasErrors() && channel < kErrorsPerRow * (row + 1); ++channel) {
+    if (!hasErrors()) {
+        return;
+    }
+    const double pixel = timeRange().length() / static_cast<double>(m_columns);
+    for (std::size_t channel = kErrorsPerRow * row; channel < kErrorsPerRow * (row + 1); ++channel) {
         const MotionErrors::Errors &errors = this->errors()[channel];
         const PlotCurve curve = plot.curves.emplace_back(errorCurve(channel));
         if (const std::optional<Interval> extent = extremesWithin(timeRange(), curve.points)) {
@@ -230,14 +263,17 @@ void PlotFigure::computeErrors(Plot &plot, std::size_t row)
         if (errors.series && m_settings.roundingBand && errors.series->rounding.stepAt(errors.peak) > 0.0) {
             plot.curves.push_back(roundingCurve(channel));
         }
-        if (!errors.undefined.empty()) {
-            PlotCurve &marks = plot.curves.emplace_back(PlotCurve{tr("undefined: the reference is 0"), curve.ink});
-            for (const double t : errors.undefined) {
+        PlotCurve marks{tr("undefined: the reference is 0"), curve.ink};
+        for (const double t : errors.undefined) {
+            if (marks.dots.empty() || t - marks.dots.back().t >= pixel) {
                 marks.dots.push_back({t, PlotCurve::kUpperEdge});
             }
         }
+        if (!marks.dots.empty()) {
+            plot.curves.push_back(marks);
+        }
     }
-    if (hasErrors() && !plot.values) {
+    if (!plot.values) {
         plot.note = missingErrors(row);
     }
 }
@@ -259,96 +295,46 @@ QString PlotFigure::missingErrors(std::size_t row)
                                                                                          : tr("nothing to compare");
 }
 
-/// Returns "model", or in presentation mode the parameters that differ from the motion pinned last.
-QString PlotFigure::modelName() const
-{
-    const Parameters &model = m_result->mechanism.parameters();
-    const QString tooFew = model.omega2 != 0.0 && m_result->solver.method == Method::Newton
-                               ? fewSamplesSentence(m_result->mechanism, m_result->sampling)
-                               : QString();
-    const bool isNamed = m_isPresentation && !m_result->pinned.empty() && m_result->pinned.back() != model;
-    return !tooFew.isEmpty() ? tooFew : isNamed ? pinnedText(model, m_result->pinned.back()) : tr("model");
-}
-
-QString PlotFigure::errorUnit(std::size_t channel) const
-{
-    switch (m_settings.error) {
-    case ErrorMeasure::Percent: return QStringLiteral("%");
-    case ErrorMeasure::Absolute:
-        return QStringLiteral("%1; %2").arg(unitOf(kPlottedChannels[channel]), unitOf(kPlottedChannels[channel + 1]));
-    case ErrorMeasure::OfPeak: return tr("% of peak");
-    }
-    return {};
-}
-
 ReadTime PlotFigure::readTime(double t)
 {
-    if (m_result && m_result->reference) {
+    if (m_result->reference) {
         const std::vector<double> &time = m_result->reference->data.time;
-        if (!time.empty() && t >= time.front() && t <= time.back()) {
+        if (t >= time.front() && t <= time.back()) {
             const std::size_t row = nearestIndex(time, t);
             return {time[row], row};
         }
     }
-    return {m_result ? model().nearestTime(t) : t, std::nullopt};
+    return {model().nearestTime(t), std::nullopt};
 }
 
-std::vector<PlotReading> PlotFigure::readings(std::size_t plot, const ReadTime &time)
+double PlotFigure::modelValue(std::size_t channel, const ReadTime &time)
+{
+    // At the file's time stamps only the channels of the file are sampled.
+    const std::vector<double> &sampled = m_result->atReference[kPlottedChannels[channel]];
+    return time.row && *time.row < sampled.size() ? sampled[*time.row] : model().value(channel, time.t);
+}
+
+std::vector<PlotReading> PlotFigure::readings(std::size_t plot, const ReadTime &time) const
 {
     std::vector<PlotReading> readings;
-    if (!m_result) {
-        return readings;
-    }
-    const auto add = [&](double value, Ink ink, bool isLogarithm = false) {
+    for (const PlotCurve &curve : m_plots[plot].curves) {
+        const double value = curve.read ? curve.read(time) : kNoValue;
         if (std::isfinite(value)) {
-            readings.push_back({value, isLogarithm ? std::pow(10.0, value) : value, ink});
+            readings.push_back({value, isLogarithmic(plot) ? std::pow(10.0, value) : value, curve.ink});
         }
-    };
-    const MotionCurves &motion = model();
-    // At the file's time stamps only the channels of the file are sampled.
-    const auto modelAt = [&](std::size_t channel) {
-        const std::vector<double> &sampled = m_result->atReference[kPlottedChannels[channel]];
-        return time.row && *time.row < sampled.size() ? sampled[*time.row] : motion.value(channel, time.t);
-    };
-    if (!isErrorPlot(plot)) {
-        const std::size_t channel = channelOf(plot);
-        add(modelAt(channel), &SeriesColours::model);
-        for (const MotionCurves &pinned : m_pinned) {
-            add(pinned.value(channel, time.t), &SeriesColours::pinned);
-        }
-        if (time.row) {
-            const ReferenceSeries *series = m_result->reference->data.find(kPlottedChannels[channel]);
-            add(series ? series->values[*time.row] : kNoValue, &SeriesColours::reference);
-        }
-        return readings;
-    }
-    const std::size_t first = plot / kPlotColumns * kErrorsPerRow;
-    for (std::size_t channel = first; hasErrors() && channel < first + kErrorsPerRow; ++channel) {
-        const std::vector<double> &values = errors()[channel].values;
-        double error = kNoValue;
-        if (time.row && !values.empty()) {
-            error = values[*time.row];
-        } else if (!m_result->reference) {
-            error = errors().error(channel, modelAt(channel), m_pinned.back().value(channel, time.t));
-        }
-        add(error, channel == first ? &SeriesColours::error : &SeriesColours::errorOther, m_settings.logarithmicError);
     }
     return readings;
 }
 
 QString PlotFigure::timeText(double t) const
 {
-    if (!isOverAngle()) {
-        return QStringLiteral("t = %1").arg(durationText(t));
-    }
-    return QStringLiteral("θ₂ = %1").arg(
-        durationText(t + m_result->mechanism.theta20() / m_result->mechanism.omega2()));
+    return (isOverAngle() ? QStringLiteral("θ₂ = %1") : QStringLiteral("t = %1")).arg(durationText(t - zeroTime()));
 }
 
 QString PlotFigure::durationText(double seconds) const
 {
-    return isOverAngle() ? numberText(seconds * m_result->mechanism.omega2() * kDegreesPerRadian) + u'°'
-                         : tr("%1 s").arg(numberText(seconds));
+    const QString number = numberText(seconds * perSecond());
+    return isOverAngle() ? number + u'°' : tr("%1 s").arg(number);
 }
 
 } // namespace slidercrank

@@ -82,12 +82,17 @@ void PlotDrawing::setStyle(const PlotFonts &fonts, const SeriesColours &colours)
     legend->setBorderPen(Qt::NoPen);
 }
 
-QCPGraph *PlotDrawing::addCurve(QCPAxisRect *axes, const QVector<QCPGraphData> &points)
+QCPGraph *PlotDrawing::addCurve(QCPAxisRect *axes, std::span<const CurvePoint> points)
 {
+    QVector<QCPGraphData> graphData;
+    graphData.reserve(static_cast<qsizetype>(points.size()));
+    for (const CurvePoint &point : points) {
+        graphData << QCPGraphData(point.t, point.value);
+    }
     QCPGraph *curve = addGraph(axes->axis(QCPAxis::atBottom), axes->axis(QCPAxis::atLeft));
     curve->setAdaptiveSampling(false); // it draws falling curves thicker than rising ones
     curve->setSelectable(QCP::stNone);
-    curve->data()->set(points, true);
+    curve->data()->set(graphData, true);
     return curve;
 }
 

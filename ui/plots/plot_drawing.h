@@ -4,6 +4,7 @@
 // The QCustomPlot that draws the figure and the charts. It is never shown as a widget. It lays itself out for a size in
 // pixels and draws with any painter, so that screen, image, SVG and PDF look alike.
 
+#include "ui/plots/curve_sampling.h"
 #include "ui/text/theme.h"
 
 #include <QFont>
@@ -39,7 +40,7 @@ public:
     /// Sets the colours and fonts of the axes, the grid and the legend.
     void setStyle(const PlotFonts &fonts, const SeriesColours &colours);
 
-    QCPGraph *addCurve(QCPAxisRect *axes, const QVector<QCPGraphData> &points);
+    QCPGraph *addCurve(QCPAxisRect *axes, std::span<const CurvePoint> points);
 
     /// Adds text at a position in coordinates of the axes, or in coordinates of another type.
     QCPItemText *addText(QCPAxisRect *axes, const QString &text, const QPointF &place, Qt::Alignment alignment,

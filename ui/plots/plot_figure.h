@@ -12,6 +12,7 @@
 #include "ui/plots/plot_drawing.h"
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -22,13 +23,21 @@ namespace slidercrank
 /// A colour in the current palette.
 using Ink = QColor SeriesColours::*;
 
+/// A time at which values are read. Within the time of a reference file, it is one of the time stamps of the file.
+struct ReadTime {
+    double t = 0.0;
+    std::optional<std::size_t> row; ///< of the file
+};
+
 /// A curve of a plot, clipped to the axes.
 struct PlotCurve {
     QString name; ///< in the legend
     Ink ink = &SeriesColours::model;
     std::vector<CurvePoint> points = {};
+    std::function<double(const ReadTime &)> read = {}; ///< returns the value on the axis; empty if none is read
+
     double width = 2.0;                ///< px
-    QVector<double> dashes = {};       ///< px, lengths of dashes and gaps; empty for a solid line
+    QVector<double> dashes = {};       ///< lengths of dashes and gaps in line widths; empty for a solid line
     std::vector<CurvePoint> dots = {}; ///< samples that are drawn as single dots
 
     /// A dot with this value is drawn at the upper edge of the axes.
@@ -46,12 +55,6 @@ struct Plot {
     QStringList titles;             ///< variants of the title, the longest first
 };
 
-/// A time at which values are read. Within the time of a reference file, it is one of the time stamps of the file.
-struct ReadTime {
-    double t = 0.0;
-    std::optional<std::size_t> row; ///< of the file
-};
-
 /// A value read off a curve.
 struct PlotReading {
     double value = 0.0;  ///< position on the axis; a logarithm if the axis is logarithmic
@@ -66,7 +69,7 @@ class PlotFigure : public PlotDrawing
 public:
     PlotFigure();
 
-    void setResult(const std::shared_ptr<const Result> &result); ///< null shows empty plots
+    void setResult(const std::shared_ptr<const Result> &result); ///< required before show()
     const std::shared_ptr<const Result> &result() const { return m_result; }
 
     void setSettings(const PlotSettings &settings);
@@ -90,20 +93,21 @@ public:
     void setPlots(const std::vector<std::size_t> &plots, const PlotFonts &fonts, const SeriesColours &colours);
     const std::vector<std::size_t> &plots() const { return m_shown; }
 
-    /// Sets the text below the plots; may be empty.
-    void setFooter(const QString &text);
-
-    /// Lays out all plots for that size (px) and fills them. A marked time (s) is drawn as a line in each plot.
-    void show(const QSize &size, const std::optional<double> &markedTime = {});
+    /// Lays out all plots for that size (px) and fills them. A marked time (s) is drawn as a line in each plot; the
+    /// footer is text below the plots.
+    void show(const QSize &size, const std::optional<double> &markedTime = {}, const QString &footer = {});
 
     const Plot &plot(std::size_t index) const { return m_plots[index]; }
     QCPAxis &axis(std::size_t plot, QCPAxis::AxisType type) const { return *m_plots[plot].axes->axis(type); }
-    QString description(std::size_t plot) const; ///< its title and its note, for screen readers
-    QRect legendPlace() const;
 
     /// Returns the time nearest to t at which values can be read.
     ReadTime readTime(double t);
-    std::vector<PlotReading> readings(std::size_t plot, const ReadTime &time);
+
+    /// Returns the value of the model, or NaN if there is none.
+    double modelValue(std::size_t channel, const ReadTime &time);
+
+    /// Returns the values of a plot that is shown, in the order of the legend.
+    std::vector<PlotReading> readings(std::size_t plot, const ReadTime &time) const;
 
     /// Returns "t = 0.25 s", or over the crank angle "θ₂ = 90°".
     QString timeText(double t) const;
@@ -114,22 +118,23 @@ public:
 private:
     Interval sampledRange() const;
     bool isOverAngle() const;
-    MotionCurves &model(); ///< computes the pinned curves, too
+    bool isLogarithmic(std::size_t plot) const;
+    double perSecond() const; ///< numbers on the time axis per second: 1, or degrees over the crank angle
+    double zeroTime() const;  ///< the time at which the number on the time axis is 0, s
+    MotionCurves &model();    ///< computes the pinned curves, too
     const MotionErrors &errors();
     void computeMotions(Plot &plot, std::size_t channel);
     void computeErrors(Plot &plot, std::size_t row);
     PlotCurve errorCurve(std::size_t channel);
     PlotCurve roundingCurve(std::size_t channel);
     QString missingErrors(std::size_t row);
-    QString modelName() const;
-    QString errorUnit(std::size_t channel) const;
 
     void fill(const std::optional<double> &markedTime);
     void setTimeScale();
     void setValueScale(std::size_t index);
-    void addCurve(const Plot &plot, const PlotCurve &curve);
+    QStringList titles(std::size_t index) const;
+    QCPGraph *addCurve(const Plot &plot, const PlotCurve &curve);
     void addTexts(const Plot &plot);
-    void addToLegend(QCPGraph *graph, const QString &name);
 
     std::shared_ptr<const Result> m_result;
     PlotSettings m_settings;
@@ -139,7 +144,7 @@ private:
     std::optional<MotionCurves> m_model;
     std::vector<MotionCurves> m_pinned;
     std::optional<MotionErrors> m_errors;
-    std::size_t m_columns = 1; ///< pixel columns of the widest plot
+    std::size_t m_columns = 1; ///< pixel columns of a plot
 
     std::array<Plot, kPlotCount> m_plots;
     std::vector<std::size_t> m_shown;
@@ -148,7 +153,7 @@ private:
     QCPLayoutGrid *m_top;  ///< the legend and the free space beside it
     QCPLayoutGrid *m_grid; ///< the plots
     QCPTextElement *m_footer;
-    std::array<QCPMarginGroup *, kPlotColumns> m_columnMargins{};
+    QCPMarginGroup *m_margins;
     QSharedPointer<ScaleTicker> m_timeTicker;
 };
 

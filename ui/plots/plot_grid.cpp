@@ -9,6 +9,7 @@
 #include <QActionGroup>
 #include <QLabel>
 #include <QPainter>
+#include <QRubberBand>
 
 #include <algorithm>
 #include <cmath>
@@ -16,9 +17,21 @@
 namespace slidercrank
 {
 
+namespace
+{
+
+std::optional<std::size_t> plotNamed(const QString &name)
+{
+    const qsizetype index = PlotGrid::plotNames().indexOf(name);
+    return index < 0 ? std::nullopt : std::optional(static_cast<std::size_t>(index));
+}
+
+} // namespace
+
 PlotGrid::PlotGrid(QWidget *parent)
     : QWidget(parent)
     , m_caption(new QLabel(this))
+    , m_rubberBand(new QRubberBand(QRubberBand::Rectangle, this))
 {
     setAttribute(Qt::WA_OpaquePaintEvent);
     setMouseTracking(true);
@@ -28,17 +41,12 @@ PlotGrid::PlotGrid(QWidget *parent)
     for (std::size_t plot = 0; plot < kPlotCount; ++plot) {
         m_panes[plot] = new PlotPane(m_picture, this);
         m_panes[plot]->setObjectName(plotName(plot));
-        QString name = errors[plot / kPlotColumns];
-        if (!isErrorPlot(plot)) {
-            const Channel channel = kPlottedChannels[channelOf(plot)];
-            name = QStringLiteral("%1 %2").arg(quantityOf(channel), symbolOf(channel));
-            name[0] = name[0].toUpper();
-        }
-        m_panes[plot]->setAccessibleName(name);
+        m_panes[plot]->setAccessibleName(isErrorPlot(plot) ? errors[plot / kPlotColumns]
+                                                           : quantityOf(kPlottedChannels[channelOf(plot)]));
     }
     m_caption->setObjectName(QStringLiteral("no_reference_hint"));
     m_caption->setAutoFillBackground(true);
-    m_caption->setBackgroundRole(QPalette::Base); // the background of the figure
+    m_caption->setBackgroundRole(QPalette::Base);                   // the background of the figure
     m_caption->setTextInteractionFlags(Qt::LinksAccessibleByMouse); // the keyboard uses the menu instead
     connect(m_caption, &QLabel::linkActivated, this, &PlotGrid::openReferenceRequested);
     makeChoices();
@@ -85,7 +93,7 @@ QStringList PlotGrid::plotNames()
 void PlotGrid::setResult(const std::shared_ptr<const Result> &result)
 {
     m_figure.setResult(result);
-    if (plotsToShow() != m_figure.plots()) {
+    if (plotsToShow(m_maximized) != m_figure.plots()) {
         rebuild();
     }
     requestRefresh();
@@ -135,46 +143,29 @@ void PlotGrid::setPresentation(bool isPresentation)
 
 void PlotGrid::maximize(const QString &name)
 {
-    const qsizetype index = plotNames().indexOf(name);
-    m_maximized = index < 0 ? std::nullopt : std::optional(static_cast<std::size_t>(index));
+    m_maximized = plotNamed(name);
     m_hovered.reset();
     rebuild();
 }
 
 void PlotGrid::setMeasuring(bool isMeasuring)
 {
-    if (isMeasuring && !m_measured) {
+    m_measured.reset();
+    if (isMeasuring) {
         const Interval range = m_figure.timeRange();
         const double third = range.length() / 3.0;
         m_measured = {m_figure.readTime(range.lower + third).t, m_figure.readTime(range.upper - third).t};
     }
-    setMeasured(isMeasuring ? m_measured : std::nullopt);
-}
-
-void PlotGrid::setMeasured(const std::optional<std::array<double, 2>> &times)
-{
-    m_measured = times;
-    m_measuring->setChecked(times.has_value());
+    m_measuring->setChecked(isMeasuring);
     moveCursors();
     updateCaption();
 }
 
-QString PlotGrid::measuredText() const
-{
-    if (!m_measured) {
-        return {};
-    }
-    const auto [first, second] = *m_measured;
-    return QStringLiteral("1: %1 · 2: %2 · Δ = %3")
-        .arg(m_figure.timeText(first), m_figure.timeText(second), m_figure.durationText(second - first));
-}
-
-/// Returns the maximized plot, all nine plots, or without errors the six of the motion.
-std::vector<std::size_t> PlotGrid::plotsToShow() const
+std::vector<std::size_t> PlotGrid::plotsToShow(const std::optional<std::size_t> &maximized) const
 {
     std::vector<std::size_t> plots;
     for (std::size_t plot = 0; plot < kPlotCount; ++plot) {
-        if (m_maximized ? plot == *m_maximized : !isErrorPlot(plot) || m_figure.hasErrors()) {
+        if (maximized ? plot == *maximized : !isErrorPlot(plot) || m_figure.hasErrors()) {
             plots.push_back(plot);
         }
     }
@@ -184,33 +175,40 @@ std::vector<std::size_t> PlotGrid::plotsToShow() const
 void PlotGrid::rebuild()
 {
     const PlotFonts fonts(font());
-    const SeriesColours colours = seriesColours(palette());
-    m_figure.setPlots(plotsToShow(), fonts, colours);
+    m_figure.setPlots(plotsToShow(m_maximized), fonts, seriesColours(palette()));
     for (PlotPane *pane : m_panes) {
-        pane->setStyle(fonts.tick, colours);
+        pane->setFont(fonts.tick);
     }
     requestRefresh();
 }
 
-/// Combines the requests of one pass of the event loop into one refresh. A hidden widget refreshes when it is shown.
+/// Qt combines the requests of one pass of the event loop into one. A hidden widget refreshes when it is painted.
 void PlotGrid::requestRefresh()
 {
     m_isStale = true;
-    if (isVisible() && !m_isRefreshQueued) {
-        m_isRefreshQueued = true;
-        const auto refreshNow = [this] {
-            m_isRefreshQueued = false;
-            if (isVisible()) {
-                refreshIfStale();
-            }
-        };
-        QMetaObject::invokeMethod(this, refreshNow, Qt::QueuedConnection);
+    QCoreApplication::postEvent(this, new QEvent(QEvent::LayoutRequest));
+}
+
+bool PlotGrid::event(QEvent *event)
+{
+    switch (event->type()) {
+    case QEvent::FontChange:
+    case QEvent::PaletteChange: rebuild(); break;
+    case QEvent::Resize: requestRefresh(); break;
+    case QEvent::LayoutRequest:
+        if (isVisible()) {
+            refreshIfStale();
+        }
+        break;
+    default: break;
     }
+    return QWidget::event(event);
 }
 
 void PlotGrid::refreshIfStale()
 {
-    if (m_isStale || m_picture.devicePixelRatio() != devicePixelRatioF()) { // the window was moved to another screen
+    const bool isOtherScreen = m_picture.devicePixelRatio() != devicePixelRatioF();
+    if (m_figure.result() && (m_isStale || isOtherScreen)) {
         refresh();
     }
 }
@@ -219,94 +217,86 @@ void PlotGrid::refresh()
 {
     m_isStale = false;
     m_figure.show(size());
-    const double ratio = devicePixelRatioF();
-    if (m_picture.size() != size() * ratio || m_picture.devicePixelRatio() != ratio) {
-        m_picture = QPixmap(size() * ratio);
-        m_picture.setDevicePixelRatio(ratio);
-    }
+    m_picture = QPixmap(size() * devicePixelRatioF());
+    m_picture.setDevicePixelRatio(devicePixelRatioF());
     m_figure.drawInto(m_picture);
-    placePanes();
-    moveCursors();
-    update();
-}
-
-void PlotGrid::placePanes()
-{
-    for (std::size_t plot = 0; plot < kPlotCount; ++plot) {
-        const QCPAxisRect *axes = m_figure.plot(plot).axes;
-        m_panes[plot]->setVisible(axes != nullptr);
-        if (axes) {
-            m_panes[plot]->setGeometry(axes->outerRect());
-            m_panes[plot]->setAccessibleDescription(m_figure.description(plot));
-            m_panes[plot]->update();
+    for (std::size_t index = 0; index < kPlotCount; ++index) {
+        const Plot &plot = m_figure.plot(index);
+        m_panes[index]->setVisible(plot.axes != nullptr);
+        if (plot.axes) {
+            m_panes[index]->setGeometry(plot.axes->outerRect());
+            m_panes[index]->setAccessibleDescription(plot.titles.first() + QStringLiteral(". ") + plot.note);
+            m_panes[index]->update();
         }
     }
     updateCaption();
+    moveCursors();
+    update();
 }
 
 /// Shows the measured times or, without a file, how to compare with one.
 void PlotGrid::updateCaption()
 {
-    const std::shared_ptr<const Result> &result = m_figure.result();
-    const bool isAlone = result && !result->reference && result->pinned.empty() && !m_figure.isPresentation();
-    const QString hint = tr("To compare with a simulation, <a href=\"open\">open its CSV…</a> or drop it here.");
-    const QString text = m_measured ? measuredText() : isAlone && !m_maximized ? hint : QString();
+    const bool isAlone =
+        m_figure.result() && !m_figure.result()->isCompared() && !m_maximized && !m_figure.isPresentation();
+    QString text =
+        isAlone ? tr("To compare with a simulation, <a href=\"open\">open its CSV…</a> or drop it here.") : QString();
+    if (m_measured) {
+        const auto [first, second] = *m_measured;
+        text = QStringLiteral("1: %1 · 2: %2 · Δ = %3")
+                   .arg(m_figure.timeText(first), m_figure.timeText(second), m_figure.durationText(second - first));
+    }
     if (text != m_caption->text()) {
         m_caption->setText(text);
     }
     constexpr int kGap = 12;
-    const QRect legend = m_figure.legendPlace();
+    const QRect legend = m_figure.legend->outerRect();
     const int textWidth = m_caption->sizeHint().width();
     m_caption->setGeometry(width() - textWidth - kGap, 0, textWidth, legend.height());
     m_caption->setVisible(!text.isEmpty() && (m_measured || legend.right() < m_caption->x()));
 }
 
-/// Returns the cursor of a plot at that time, with the values there.
-PlotPane::Cursor PlotGrid::cursorAt(std::size_t plot, double time)
+/// Returns the cursors of a plot: at the current time, at the measured times and at the pointer.
+std::vector<PlotPane::Cursor> PlotGrid::cursors(std::size_t plot)
 {
     constexpr int kDigits = 4;
     const QCPAxis &timeAxis = m_figure.axis(plot, QCPAxis::atBottom);
+    const QCPAxis &valueAxis = m_figure.axis(plot, QCPAxis::atLeft);
     const QPoint corner = m_panes[plot]->pos();
     const SeriesColours colours = seriesColours(palette());
-    const ReadTime read = m_figure.readTime(time);
-    PlotPane::Cursor cursor;
-    cursor.x = std::round(timeAxis.coordToPixel(time)) - corner.x();
-    for (const PlotReading &reading : m_figure.readings(plot, read)) {
-        const QPointF place(timeAxis.coordToPixel(read.t),
-                            m_figure.axis(plot, QCPAxis::atLeft).coordToPixel(reading.value));
-        if (QRectF(axes(plot)).adjusted(-1.0, -1.0, 1.0, 1.0).contains(place)) {
-            cursor.dots.push_back({place - corner, colours.*reading.ink, shortNumber(reading.number, kDigits)});
-        }
-    }
-    return cursor;
-}
-
-std::vector<PlotPane::Cursor> PlotGrid::cursors(std::size_t plot)
-{
     std::vector<PlotPane::Cursor> cursors;
-    const auto add = [&](double time) -> PlotPane::Cursor * {
-        const bool isSeen = m_figure.plot(plot).values && m_figure.timeRange().contains(time);
-        return isSeen ? &cursors.emplace_back(cursorAt(plot, time)) : nullptr;
+    const auto add = [&](double time, const QStringList &heading, bool isLight = false) {
+        if (!m_figure.plot(plot).values || !m_figure.timeRange().contains(time)) {
+            return;
+        }
+        const ReadTime read = m_figure.readTime(time);
+        PlotPane::Cursor cursor{std::round(timeAxis.coordToPixel(time)) - corner.x(), isLight, heading, {}};
+        for (const PlotReading &reading : m_figure.readings(plot, read)) {
+            const QPointF place(timeAxis.coordToPixel(read.t), valueAxis.coordToPixel(reading.value));
+            if (QRectF(axes(plot)).adjusted(-1.0, -1.0, 1.0, 1.0).contains(place)) {
+                cursor.dots.push_back({place - corner, colours.*reading.ink, shortNumber(reading.number, kDigits)});
+            }
+        }
+        cursors.push_back(cursor);
     };
     if (m_time) {
-        add(*m_time);
+        add(*m_time, {});
     }
-    for (std::size_t i = 0; m_measured && i < m_measured->size(); ++i) {
-        if (PlotPane::Cursor *cursor = add((*m_measured)[i])) {
-            cursor->heading << QString::number(i + 1);
-        }
+    if (m_measured) {
+        add((*m_measured)[0], {QStringLiteral("1")});
+        add((*m_measured)[1], {QStringLiteral("2")});
     }
-    const ReadTime hovered = m_figure.readTime(m_hoverTime);
-    if (PlotPane::Cursor *cursor = m_hovered && !m_drag ? add(hovered.t) : nullptr) {
-        cursor->isLight = true;
+    if (m_hovered && !m_drag) {
+        const ReadTime hovered = m_figure.readTime(m_hoverTime);
+        QStringList heading;
         if (plot == *m_hovered) {
-            cursor->heading << m_figure.timeText(hovered.t);
+            heading << m_figure.timeText(hovered.t);
         }
-        if (plot == *m_hovered && plot == 0 && !cursor->dots.empty()) {
-            constexpr int kDigits = 4;
-            const double theta3 = m_figure.readings(plot, hovered).front().number;
-            cursor->heading << tr("textbook's θ₃ = %1°").arg(shortNumber(theta3 + 180.0, kDigits));
+        const double theta3 = plot == 0 && plot == *m_hovered ? m_figure.modelValue(0, hovered) : kNoValue;
+        if (std::isfinite(theta3)) {
+            heading << tr("textbook's θ₃ = %1°").arg(shortNumber(theta3 + 180.0, kDigits));
         }
+        add(hovered.t, heading, true);
     }
     return cursors;
 }
@@ -324,55 +314,17 @@ void PlotGrid::moveCursors()
     }
 }
 
-void PlotGrid::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::FontChange || event->type() == QEvent::PaletteChange) {
-        rebuild();
-    }
-}
-
-void PlotGrid::paintEvent(QPaintEvent *event)
+void PlotGrid::paintEvent(QPaintEvent *)
 {
     refreshIfStale(); // grab() paints hidden widgets, too
-    QPainter painter(this);
-    painter.setClipRegion(event->region());
-    painter.drawPixmap(0, 0, m_picture);
+    QPainter(this).drawPixmap(0, 0, m_picture);
 }
 
-void PlotGrid::resizeEvent(QResizeEvent *)
+void PlotGrid::paintFigure(QPainter &painter, const QString &name, const QSize &size, const QPalette &palette)
 {
-    requestRefresh();
-}
-
-void PlotGrid::showEvent(QShowEvent *)
-{
-    requestRefresh();
-}
-
-void PlotGrid::paintFigure(QPainter &painter, const QSize &size, const QPalette &palette)
-{
-    const std::optional<std::size_t> maximized = std::exchange(m_maximized, std::nullopt);
-    const std::vector<std::size_t> plots = plotsToShow();
-    m_maximized = maximized;
-    paint(painter, plots, size, palette);
-}
-
-void PlotGrid::paintPlot(QPainter &painter, const QString &name, const QSize &size, const QPalette &palette)
-{
-    const qsizetype index = plotNames().indexOf(name);
-    Q_ASSERT(index >= 0);
-    paint(painter, {static_cast<std::size_t>(index)}, size, palette);
-}
-
-void PlotGrid::paint(QPainter &painter, const std::vector<std::size_t> &plots, const QSize &size,
-                     const QPalette &palette)
-{
-    m_figure.setPlots(plots, PlotFonts(font()), seriesColours(palette));
-    m_figure.setFooter(m_figure.result() ? mechanismText(m_figure.result()->mechanism) : QString());
-    m_figure.show(size, m_markedTime);
+    m_figure.setPlots(plotsToShow(plotNamed(name)), PlotFonts(font()), seriesColours(palette));
+    m_figure.show(size, m_markedTime, mechanismText(m_figure.result()->mechanism));
     m_figure.paint(painter, size);
-    m_figure.setFooter({});
     rebuild(); // restores the figure for the screen
 }
 

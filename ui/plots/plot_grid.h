@@ -20,6 +20,7 @@
 
 class QAction;
 class QLabel;
+class QRubberBand;
 
 namespace slidercrank
 {
@@ -35,10 +36,9 @@ public:
     /// have these object names.
     static QStringList plotNames();
 
-    /// Paint the whole figure or one of its plots with the legend, at that logical size, zoomed as on the screen, and
-    /// with the mechanism's parameters below. The widget need not be visible.
-    void paintFigure(QPainter &painter, const QSize &size, const QPalette &palette);
-    void paintPlot(QPainter &painter, const QString &plotName, const QSize &size, const QPalette &palette);
+    /// Paints the plot of that name, or the whole figure if the name is empty, with the legend, at that logical size,
+    /// zoomed as on the screen, and with the mechanism's parameters below. The widget need not be visible.
+    void paintFigure(QPainter &painter, const QString &plotName, const QSize &size, const QPalette &palette);
 
     const PlotSettings &settings() const { return m_figure.settings(); }
 
@@ -50,8 +50,6 @@ public:
 
     /// Returns the times (s) of the measuring cursors, or nullopt if they are not shown.
     const std::optional<std::array<double, 2>> &measured() const { return m_measured; }
-    void setMeasured(const std::optional<std::array<double, 2>> &times);
-    QString measuredText() const;
 
     /// Draws a line at that time (s) in the figures that are painted from now on.
     void markTime(double seconds) { m_markedTime = seconds; }
@@ -87,10 +85,8 @@ signals:
     void settingsChanged(const slidercrank::PlotSettings &settings);
 
 protected:
-    void changeEvent(QEvent *event) override;
+    bool event(QEvent *event) override;
     void paintEvent(QPaintEvent *event) override;
-    void resizeEvent(QResizeEvent *event) override;
-    void showEvent(QShowEvent *event) override;
     void hideEvent(QHideEvent *event) override;
     void leaveEvent(QEvent *event) override;
     void mousePressEvent(QMouseEvent *event) override;
@@ -103,29 +99,27 @@ protected:
 
 private:
     void makeChoices();
-    std::vector<std::size_t> plotsToShow() const;
+
+    /// Returns the maximized plot, all nine plots, or without errors the six of the motion.
+    std::vector<std::size_t> plotsToShow(const std::optional<std::size_t> &maximized) const;
+
     void rebuild();        ///< after a change of the plots, fonts or colours
     void requestRefresh(); ///< after a change of the data, ranges or sizes
-    void refresh();
     void refreshIfStale();
-    void placePanes();
+    void refresh();
     void moveCursors();
     void updateCaption();
     std::vector<PlotPane::Cursor> cursors(std::size_t plot);
-    PlotPane::Cursor cursorAt(std::size_t plot, double time);
-    void paint(QPainter &painter, const std::vector<std::size_t> &plots, const QSize &size, const QPalette &palette);
 
     QRect axes(std::size_t plot) const { return m_figure.plot(plot).axes->rect(); } ///< px
     std::optional<std::size_t> plotAt(const QPointF &place) const;
     QPointF coordinates(std::size_t plot, const QPointF &place) const; ///< px → time (s) and value
     std::optional<std::size_t> measuringCursorAt(const QPoint &place) const;
-    void endDrag();
-    void pan(const QPoint &to);
     QRect draggedBox() const;
-    void zoomInto(std::size_t plot, const QRect &box);
+    void drag(const QPoint &to);
+    void endDrag();
     void zoomTime(double about, double factor);
     void toggleMaximized(std::size_t plot);
-    void copyValues(std::size_t plot, const ReadTime &time);
 
     PlotFigure m_figure;
     QPixmap m_picture;
@@ -139,15 +133,14 @@ private:
     std::optional<double> m_time;         ///< s, the current time
     std::optional<double> m_markedTime;
     std::optional<std::array<double, 2>> m_measured;
-    bool m_isStale = true; ///< m_picture is out of date
-    bool m_isRefreshQueued = false;
+    bool m_isStale = true;     ///< m_picture is out of date
+    QRubberBand *m_rubberBand; ///< the box that a drag zooms into
 
     /// A mouse button that is held down over a plot.
     struct Drag {
-        enum class Kind { Box, Pan, MeasuringCursor };
-        Kind kind = Kind::Box;
         std::size_t plot = 0;
-        std::size_t measuringCursor = 0;
+        bool isPan = false;
+        std::optional<std::size_t> measuringCursor; ///< moved by the drag; a drag that is neither zooms into a box
         QPoint start;
         QPoint last;
         PlotZoom before; ///< restored by Escape

@@ -10,6 +10,7 @@
 #include <QContextMenuEvent>
 #include <QMenu>
 #include <QMouseEvent>
+#include <QRubberBand>
 
 #include <algorithm>
 #include <cmath>
@@ -68,17 +69,15 @@ void PlotGrid::wheelEvent(QWheelEvent *event)
 /// Returns the index (0 or 1) of the measuring cursor under the pointer, or nullopt.
 std::optional<std::size_t> PlotGrid::measuringCursorAt(const QPoint &place) const
 {
+    constexpr double kReach = 5.0; // px
     const std::optional<std::size_t> plot = plotAt(place);
-    std::optional<std::size_t> found;
-    double nearest = 5.0; // px, at most
     for (std::size_t i = 0; m_measured && plot && axes(*plot).contains(place) && i < m_measured->size(); ++i) {
         const double x = m_figure.axis(*plot, QCPAxis::atBottom).coordToPixel((*m_measured)[i]);
-        if (std::abs(x - place.x()) <= nearest) {
-            nearest = std::abs(x - place.x());
-            found = i;
+        if (std::abs(x - place.x()) <= kReach) {
+            return i;
         }
     }
-    return found;
+    return std::nullopt;
 }
 
 void PlotGrid::mousePressEvent(QMouseEvent *event)
@@ -89,47 +88,70 @@ void PlotGrid::mousePressEvent(QMouseEvent *event)
     if (!plot || !(isLeft || event->button() == Qt::MiddleButton)) {
         return;
     }
-    if (m_drag) { // begun with another button, or its release was not received
-        endDrag();
-    }
-    const std::optional<std::size_t> cursor = measuringCursorAt(event->pos());
+    endDrag(); // begun with another button, or its release was not received
     const bool isPan = !isLeft || event->modifiers().testFlag(Qt::ShiftModifier);
-    const Drag::Kind kind = isPan ? Drag::Kind::Pan : cursor ? Drag::Kind::MeasuringCursor : Drag::Kind::Box;
-    m_drag = Drag{kind, *plot, cursor.value_or(0), event->pos(), event->pos(), zoom()};
+    m_drag =
+        Drag{*plot, isPan, isPan ? std::nullopt : measuringCursorAt(event->pos()), event->pos(), event->pos(), zoom()};
 }
 
 void PlotGrid::mouseMoveEvent(QMouseEvent *event)
 {
     refreshIfStale();
     const QPoint place = event->pos();
-    if (!m_drag) {
+    if (m_drag) {
+        drag(place);
+    } else {
         const std::optional<std::size_t> plot = plotAt(place);
         const bool isOverCursor = measuringCursorAt(place).has_value();
         setCursor(isOverCursor ? Qt::SplitHCursor : Qt::ArrowCursor);
         m_hovered = plot && !isOverCursor && axes(*plot).contains(place) ? plot : std::nullopt;
-        if (m_hovered) {
-            m_hoverTime = coordinates(*plot, place).x();
-        }
-        moveCursors();
-        return;
-    }
-    if (!m_drag->hasMoved && (place - m_drag->start).manhattanLength() >= QApplication::startDragDistance()) {
-        m_drag->hasMoved = true;
-        grabKeyboard(); // so that Escape reaches this widget
-        setCursor(m_drag->kind == Drag::Kind::Pan ? QCursor(Qt::ClosedHandCursor) : cursor());
-    }
-    if (m_drag->kind == Drag::Kind::MeasuringCursor && m_measured) {
-        (*m_measured)[m_drag->measuringCursor] = m_figure.readTime(coordinates(m_drag->plot, place).x()).t;
-    }
-    if (m_drag->hasMoved) {
-        if (m_drag->kind == Drag::Kind::Pan) {
-            pan(place);
-        }
-        m_drag->last = place;
-        PlotPane &pane = *m_panes[m_drag->plot];
-        pane.setFrame(m_drag->kind == Drag::Kind::Box ? draggedBox().translated(-pane.pos()) : QRect());
+        m_hoverTime = m_hovered ? coordinates(*plot, place).x() : 0.0;
     }
     moveCursors();
+}
+
+void PlotGrid::drag(const QPoint &to)
+{
+    const std::size_t plot = m_drag->plot;
+    if (m_drag->measuringCursor && m_measured) {
+        (*m_measured)[*m_drag->measuringCursor] = m_figure.readTime(coordinates(plot, to).x()).t;
+    }
+    m_drag->hasMoved |= (to - m_drag->start).manhattanLength() >= QApplication::startDragDistance();
+    if (!m_drag->hasMoved) {
+        return;
+    }
+    grabKeyboard(); // so that Escape reaches this widget
+    const QPointF way = coordinates(plot, m_drag->last) - coordinates(plot, to);
+    m_drag->last = to;
+    if (m_drag->isPan) {
+        setCursor(Qt::ClosedHandCursor);
+        const Interval time = m_figure.timeRange();
+        m_figure.zoomTime({time.lower + way.x(), time.upper + way.x()});
+        if (std::optional<Interval> &values = m_figure.zoom.values[plot]) {
+            values = Interval{values->lower + way.y(), values->upper + way.y()};
+        }
+        refresh(); // the next mouse move is relative to the new axes
+    } else if (!m_drag->measuringCursor) {
+        m_rubberBand->setGeometry(draggedBox());
+        m_rubberBand->show();
+        m_rubberBand->raise();
+    }
+}
+
+/// Returns the box that the drag zooms into. A flat box gets the whole height of the axes, a narrow one their whole
+/// width.
+QRect PlotGrid::draggedBox() const
+{
+    constexpr int kLeast = 8; // px
+    const QRect axes = this->axes(m_drag->plot);
+    QRect box = QRect(m_drag->start, m_drag->last).normalized();
+    if (box.width() <= kLeast) {
+        box = QRect(axes.left(), box.top(), axes.width(), box.height());
+    }
+    if (box.height() <= kLeast) {
+        box = QRect(box.left(), axes.top(), box.width(), axes.height());
+    }
+    return box & axes;
 }
 
 void PlotGrid::mouseReleaseEvent(QMouseEvent *event)
@@ -138,13 +160,41 @@ void PlotGrid::mouseReleaseEvent(QMouseEvent *event)
         return;
     }
     const Drag drag = *m_drag;
-    const QRect box = drag.hasMoved && drag.kind == Drag::Kind::Box ? draggedBox() : QRect();
+    const QRect box = draggedBox();
+    const QRect axes = this->axes(drag.plot);
     endDrag();
-    if (!box.isNull()) {
-        zoomInto(drag.plot, box);
-    } else if (drag.kind == Drag::Kind::Box && !drag.hasMoved && axes(drag.plot).contains(event->pos())) {
-        emit timeRequested(m_figure.readTime(coordinates(drag.plot, event->pos()).x()).t);
+    if (drag.isPan || drag.measuringCursor) {
+        return;
     }
+    if (!drag.hasMoved && axes.contains(event->pos())) {
+        emit timeRequested(m_figure.readTime(coordinates(drag.plot, event->pos()).x()).t);
+    } else if (drag.hasMoved && box.isValid()) {
+        const QPointF first = coordinates(drag.plot, box.bottomLeft());
+        const QPointF last = coordinates(drag.plot, box.topRight());
+        if (box.width() < axes.width()) {
+            m_figure.zoomTime({first.x(), last.x()});
+        }
+        if (box.height() < axes.height() && m_figure.plot(drag.plot).values) {
+            m_figure.zoomValues(drag.plot, {first.y(), last.y()});
+        }
+        requestRefresh();
+    }
+}
+
+void PlotGrid::endDrag()
+{
+    if (m_drag) {
+        m_drag.reset();
+        m_rubberBand->hide();
+        releaseKeyboard();
+        setCursor(Qt::ArrowCursor);
+        moveCursors();
+    }
+}
+
+void PlotGrid::hideEvent(QHideEvent *)
+{
+    endDrag();
 }
 
 void PlotGrid::mouseDoubleClickEvent(QMouseEvent *event)
@@ -157,72 +207,10 @@ void PlotGrid::mouseDoubleClickEvent(QMouseEvent *event)
     }
 }
 
-void PlotGrid::hideEvent(QHideEvent *)
-{
-    if (m_drag) {
-        endDrag();
-    }
-}
-
 void PlotGrid::leaveEvent(QEvent *)
 {
     m_hovered.reset();
     moveCursors();
-}
-
-void PlotGrid::endDrag()
-{
-    m_panes[m_drag->plot]->setFrame({});
-    m_drag.reset();
-    releaseKeyboard();
-    setCursor(Qt::ArrowCursor);
-    moveCursors();
-}
-
-void PlotGrid::pan(const QPoint &to)
-{
-    const QPointF way = coordinates(m_drag->plot, m_drag->last) - coordinates(m_drag->plot, to);
-    const Interval time = m_figure.timeRange();
-    m_figure.zoomTime({time.lower + way.x(), time.upper + way.x()});
-    if (std::optional<Interval> &values = m_figure.zoom.values[m_drag->plot]) {
-        values = Interval{values->lower + way.y(), values->upper + way.y()};
-    }
-    refresh(); // the next mouse move is relative to the new axes
-}
-
-/// Returns the box that the drag zooms into. A flat box gets the whole height of the axes, a narrow one their whole
-/// width. A box that is both is null.
-QRect PlotGrid::draggedBox() const
-{
-    constexpr int kLeast = 8; // px
-    const QRect axes = this->axes(m_drag->plot);
-    const auto within = [&axes](const QPoint &place) {
-        return QPoint(std::clamp(place.x(), axes.left(), axes.right()),
-                      std::clamp(place.y(), axes.top(), axes.bottom()));
-    };
-    QRect box = QRect(within(m_drag->start), QSize(1, 1)).united(QRect(within(m_drag->last), QSize(1, 1)));
-    const bool isNarrow = box.width() <= kLeast;
-    const bool isFlat = box.height() <= kLeast;
-    if (isNarrow) {
-        box = QRect(axes.left(), box.top(), axes.width(), box.height());
-    }
-    if (isFlat) {
-        box = QRect(box.left(), axes.top(), box.width(), axes.height());
-    }
-    return isNarrow && isFlat ? QRect() : box;
-}
-
-void PlotGrid::zoomInto(std::size_t plot, const QRect &box)
-{
-    const QPointF first = coordinates(plot, box.bottomLeft());
-    const QPointF last = coordinates(plot, box.topRight());
-    if (box.width() < axes(plot).width()) {
-        m_figure.zoomTime({first.x(), last.x()});
-    }
-    if (box.height() < axes(plot).height() && m_figure.plot(plot).values) {
-        m_figure.zoomValues(plot, {first.y(), last.y()});
-    }
-    requestRefresh();
 }
 
 /// Handles the keys of the plot that has the focus or is being dragged. + and − zoom about the current time; 1 and 2
@@ -271,16 +259,6 @@ void PlotGrid::toggleMaximized(std::size_t plot)
     m_panes[plot]->setFocus(Qt::OtherFocusReason); // so that Escape can show all plots again
 }
 
-/// Copies the time and the values with all their digits.
-void PlotGrid::copyValues(std::size_t plot, const ReadTime &time)
-{
-    QStringList cells{typedNumberText(time.t)};
-    for (const PlotReading &reading : m_figure.readings(plot, time)) {
-        cells << typedNumberText(reading.number);
-    }
-    QGuiApplication::clipboard()->setText(cells.join(u'\t'));
-}
-
 void PlotGrid::contextMenuEvent(QContextMenuEvent *event)
 {
     const std::optional<std::size_t> found = plotAt(event->pos());
@@ -295,7 +273,13 @@ void PlotGrid::contextMenuEvent(QContextMenuEvent *event)
                     [this, plot] { toggleMaximized(plot); });
     menu->addAction(tr("Reset plot &zoom"), this, &PlotGrid::showAll);
     menu->addSeparator();
-    menu->addAction(tr("Copy the &values here"), this, [this, plot, time] { copyValues(plot, time); });
+    menu->addAction(tr("Copy the &values here"), this, [this, plot, time] {
+        QStringList cells{typedNumberText(time.t)}; // with all digits
+        for (const PlotReading &reading : m_figure.readings(plot, time)) {
+            cells << typedNumberText(reading.number);
+        }
+        QGuiApplication::clipboard()->setText(cells.join(u'\t'));
+    });
     menu->addAction(tr("&Copy this plot"), this, [this, plot] { emit copyPlotRequested(plotName(plot)); });
     menu->addAction(tr("&Export this plot…"), this, [this, plot] { emit exportPlotRequested(plotName(plot)); });
     menu->addAction(tr("&Pin this motion"), this, &PlotGrid::pinRequested);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plots/plot_pane.h"
 
+#include "ui/text/theme.h"
+
 #include <QFontMetricsF>
-#include <QPaintEvent>
 #include <QPainter>
 
 #include <algorithm>
@@ -26,41 +27,27 @@ PlotPane::PlotPane(const QPixmap &picture, QWidget *figure)
     setFocusPolicy(Qt::TabFocus);
 }
 
-void PlotPane::setStyle(const QFont &font, const SeriesColours &colours)
-{
-    setFont(font);
-    m_colours = colours;
-    update();
-}
-
 void PlotPane::setCursors(const std::vector<Cursor> &cursors, const QRect &axes)
 {
     const QRect before = m_painted;
     m_axes = axes;
     m_cursors = cursors;
     m_labels.clear();
-    m_painted = QRect();
-    const auto add = [this](const QRectF &part) { m_painted |= part.toAlignedRect().adjusted(-1, -1, 1, 1); };
+    QRectF painted;
     for (const Cursor &cursor : m_cursors) {
         addLabels(cursor);
-        add(QRectF(cursor.x, m_axes.top(), 1.0, m_axes.height()));
+        painted |= QRectF(cursor.x, m_axes.top(), 1.0, m_axes.height());
         for (const Dot &dot : cursor.dots) {
-            add(QRectF(dot.place, QSizeF()).adjusted(-kRadius, -kRadius, kRadius, kRadius));
+            painted |= QRectF(dot.place, QSizeF(1.0, 1.0));
         }
     }
     for (const Label &label : m_labels) {
-        add(label.place);
+        painted |= label.place;
     }
+    constexpr int kAround = 5; // px, more than the radius of a dot
+    m_painted = painted.toAlignedRect().adjusted(-kAround, -kAround, kAround, kAround);
     // One rectangle: where the region to paint has several, Qt starts threads to fill it, which costs far more.
     update(before | m_painted);
-}
-
-void PlotPane::setFrame(const QRect &frame)
-{
-    if (frame != m_frame) {
-        m_frame = frame;
-        update();
-    }
 }
 
 /// Places the labels to the right of the line, or to its left where they do not fit. Values are at the height of their
@@ -78,13 +65,14 @@ void PlotPane::addLabels(const Cursor &cursor)
         top = m_labels.back().place.bottom();
     };
     for (const QString &line : cursor.heading) {
-        add(line, m_colours.text, top);
+        add(line, seriesColours(palette()).text, top);
     }
     std::vector<Dot> dots = cursor.dots;
     std::ranges::stable_sort(dots, {}, [](const Dot &dot) { return dot.place.y(); });
-    for (std::size_t i = 0; i < dots.size(); ++i) {
-        const double lowest = m_axes.bottom() - static_cast<double>(dots.size() - i) * metrics.height();
-        add(dots[i].text, dots[i].colour, std::min(lowest, std::max(top, dots[i].place.y() - 0.5 * metrics.height())));
+    double lowest = m_axes.bottom() - static_cast<double>(dots.size()) * metrics.height();
+    for (const Dot &dot : dots) {
+        add(dot.text, dot.colour, std::min(lowest, std::max(top, dot.place.y() - 0.5 * metrics.height())));
+        lowest += metrics.height();
     }
 }
 
@@ -97,42 +85,34 @@ QString PlotPane::text() const
     return lines.join(u'\n');
 }
 
-void PlotPane::paintEvent(QPaintEvent *event)
+void PlotPane::paintEvent(QPaintEvent *)
 {
+    const SeriesColours colours = seriesColours(palette());
     QPainter painter(this);
-    const double ratio = m_picture.devicePixelRatio();
-    const QRectF part = event->rect();
-    painter.drawPixmap(part, m_picture, QRectF(part.translated(pos()).topLeft() * ratio, part.size() * ratio));
+    painter.drawPixmap(-pos(), m_picture);
     for (const Cursor &cursor : m_cursors) {
-        QColor line = m_colours.cursor;
-        line.setAlphaF(cursor.isLight ? 0.45F : 1.0F);
-        painter.fillRect(QRect(static_cast<int>(cursor.x), m_axes.top(), 1, m_axes.height()), line);
+        painter.setOpacity(cursor.isLight ? 0.45 : 1.0);
+        painter.fillRect(QRect(static_cast<int>(cursor.x), m_axes.top(), 1, m_axes.height()), colours.cursor);
+        painter.setOpacity(1.0);
         painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(colours.background); // separates a dot from its curve
         for (const Dot &dot : cursor.dots) {
-            painter.setPen(QPen(m_colours.background, 1.0)); // separates the dot from its curve
             painter.setBrush(dot.colour);
             painter.drawEllipse(dot.place, kRadius, kRadius);
         }
         painter.setRenderHint(QPainter::Antialiasing, false);
     }
-    QColor behind = m_colours.background;
+    QColor behind = colours.background;
     behind.setAlphaF(0.8F);
     for (const Label &label : m_labels) {
         painter.fillRect(label.place, behind);
         painter.setPen(label.colour);
         painter.drawText(label.place, Qt::AlignCenter | Qt::TextDontClip, label.text);
     }
-    QColor highlight = palette().color(QPalette::Highlight);
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(highlight, 2));
     if (hasFocus()) {
+        painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
+        painter.setBrush(Qt::NoBrush);
         painter.drawRect(rect().adjusted(1, 1, -1, -1));
-    }
-    if (!m_frame.isNull()) {
-        painter.setPen(highlight);
-        highlight.setAlphaF(0.15F);
-        painter.setBrush(highlight);
-        painter.drawRect(m_frame.adjusted(0, 0, -1, -1));
     }
 }
 

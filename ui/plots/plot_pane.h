@@ -2,11 +2,10 @@
 #pragma once
 
 // A widget that shows one plot. It paints its part of the figure's picture and, over it, what moves: the lines at the
-// current time and at the pointer, the dots on the curves with their values, and the frame that a drag draws. Moving
-// these replots nothing: the widget repaints the one rectangle that contains them.
+// current time and at the pointer, and the dots on the curves with their values. Moving these replots nothing: the
+// widget repaints the one rectangle that contains them.
 
-#include "ui/text/theme.h"
-
+#include <QColor>
 #include <QPixmap>
 #include <QWidget>
 
@@ -44,13 +43,10 @@ public:
     /// `picture` shows the whole figure and must outlive the pane.
     PlotPane(const QPixmap &picture, QWidget *figure);
 
-    void setStyle(const QFont &font, const SeriesColours &colours);
     void setCursors(const std::vector<Cursor> &cursors, const QRect &axes);
-    void setFrame(const QRect &frame); ///< a null rectangle removes the frame
 
     const std::vector<Cursor> &cursors() const { return m_cursors; }
     const std::vector<Label> &labels() const { return m_labels; }
-    const QRect &frame() const { return m_frame; }
     const QRect &axes() const { return m_axes; } ///< px, in the pane
     QString text() const;                        ///< the texts of all labels, one per line
 
@@ -65,8 +61,6 @@ private:
     std::vector<Label> m_labels;
     QRect m_painted; ///< contains all cursors and labels; px, in the pane
     QRect m_axes;
-    QRect m_frame;
-    SeriesColours m_colours;
 };
 
 } // namespace slidercrank

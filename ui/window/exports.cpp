@@ -49,7 +49,7 @@ bool Exports::cancel()
 FigureDrawing Exports::drawFigure() const
 {
     return [this](QPainter &painter, const QSize &size) {
-        m_views.plots->paintFigure(painter, size, paletteFor(Theme::Light));
+        m_views.plots->paintFigure(painter, {}, size, paletteFor(Theme::Light));
     };
 }
 
@@ -68,7 +68,7 @@ Exports::Picture Exports::figure() const
 Exports::Picture Exports::plot(const QString &name) const
 {
     const auto draw = [this, name](QPainter &painter, const QSize &size) {
-        m_views.plots->paintPlot(painter, name, size, paletteFor(Theme::Light));
+        m_views.plots->paintFigure(painter, name, size, paletteFor(Theme::Light));
     };
     return {name + QStringLiteral(".png"), kPlotSize, draw};
 }

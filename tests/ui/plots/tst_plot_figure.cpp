@@ -32,6 +32,12 @@ const Plot &plotOf(PlotFigure &figure, std::size_t plot)
     return figure.plot(plot);
 }
 
+std::vector<PlotReading> readingsOf(PlotFigure &figure, std::size_t plot, double t)
+{
+    plotOf(figure, plot);
+    return figure.readings(plot, figure.readTime(t));
+}
+
 std::ptrdiff_t gapsIn(const std::vector<CurvePoint> &points)
 {
     return std::ranges::count_if(points, [](const CurvePoint &point) { return std::isnan(point.value); });
@@ -86,7 +92,7 @@ private slots:
                 PlotFigure &figure = figureOf(shown);
                 figure.setSettings(row.settings);
                 const Plot &plot = plotOf(figure, kPositionErrors);
-                const std::vector<PlotReading> readings = figure.readings(kPositionErrors, figure.readTime(0.0));
+                const std::vector<PlotReading> readings = readingsOf(figure, kPositionErrors, 0.0);
                 QCOMPARE(readings.size(), std::size_t(2));
                 for (std::size_t i = 0; i < 2; ++i) {
                     constexpr double kPeakIsSampled = 2e-3; // none of the 41 samples is exactly at the peak
@@ -187,9 +193,8 @@ private slots:
         for (const Method method : {Method::ClosedForm, Method::Newton}) {
             PlotFigure &figure = figureOf({.sampling = {1.0, -1.0, 400}, .method = method});
             for (const double t : {0.1, 0.35, 0.8}) {
-                const ReadTime time = figure.readTime(t);
                 for (std::size_t plot : {0, 1}) {
-                    QVERIFY(isNear(figure.readings(plot, time)[0].value, positionsAt(t, 60.0)[plot], 1e-6));
+                    QVERIFY(isNear(readingsOf(figure, plot, t)[0].value, positionsAt(t, 60.0)[plot], 1e-6));
                 }
             }
             QVERIFY(std::ranges::is_sorted(plotOf(figure, 0).curves[0].points, {}, &CurvePoint::t));
@@ -241,13 +246,12 @@ private slots:
         for (const Method method : {Method::ClosedForm, Method::Newton}) {
             PlotFigure &figure = figureOf({.reference = reference, .method = method});
             figure.setSettings(settingsWith(ErrorMeasure::Absolute));
-            const ReadTime time = figure.readTime(0.3333);
-            QCOMPARE(time.t, reference->data.time[13]);
+            QCOMPARE(figure.readTime(0.3333).t, reference->data.time[13]);
             for (std::size_t plot = 0; plot < kPlotCount; ++plot) {
                 if (!isErrorPlot(plot)) {
-                    const std::vector<PlotReading> values = figure.readings(plot, time);
+                    const std::vector<PlotReading> values = readingsOf(figure, plot, 0.3333);
                     const std::vector<PlotReading> errors =
-                        figure.readings(plot / kPlotColumns * kPlotColumns + kErrorColumn, time);
+                        readingsOf(figure, plot / kPlotColumns * kPlotColumns + kErrorColumn, 0.3333);
                     QCOMPARE(values.size(), std::size_t(2));
                     QCOMPARE(errors[plot % kPlotColumns].number, std::abs(values[0].number - values[1].number));
                 }
