@@ -10,6 +10,7 @@
 #include "ui/export/animation_export.h"
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/panels/study_panel.h"
+#include "ui/panels/table_panel.h"
 #include "ui/plots/plot_grid.h"
 #include "ui/text/language.h"
 #include "ui/text/theme.h"
@@ -290,7 +291,7 @@ private slots:
             size = QSize(900, 600);
             StudyPanel panel(&session);
             panel.setResult(studyOfATurn());
-            QCOMPARE(panel.exportPicture(path), std::nullopt);
+            QCOMPARE(panel.findChild<TablePanel *>()->exportTo(path), std::nullopt);
             break;
         }
         }

@@ -395,11 +395,9 @@ private:
         const auto plot = [&exports](const QString &path) {
             exports.write(exports.plot(QStringLiteral("plot_theta3")), path);
         };
-        const auto study = [this, bar](std::optional<QString> (StudyPanel::*write)(const QString &) const) {
-            return [this, bar, write](const QString &path) {
-                const std::optional<QString> problem = (m_study->*write)(path);
-                bar->showMessage({"study", Message::Kind::Hint, problem.value_or(QStringLiteral("Exported to "))});
-            };
+        const auto study = [this, bar](const QString &path) {
+            const std::optional<QString> problem = m_study->exportNumbers(path);
+            bar->showMessage({"study", Message::Kind::Hint, problem.value_or(QStringLiteral("Exported to "))});
         };
         return {
             {"scene", "x.json", 0, {}, [this](const QString &path) { m_window->scene().saveTo(path); }},
@@ -410,9 +408,8 @@ private:
             {"plot", "x.png", 0, {}, plot},
             {"report", "x.pdf", 0, {}, [&exports](const QString &path) { exports.writeReport(path); }},
             {"data", "x.csv", 0, {}, [&exports](const QString &path) { exports.writeData(path, plottedChannels()); }},
-            {"study as CSV", "x.csv", 0, {}, study(&StudyPanel::exportNumbers)},
-            {"study as JSON", "x.json", 0, {}, study(&StudyPanel::exportNumbers)},
-            {"study as PNG", "x.png", 0, {}, study(&StudyPanel::exportPicture)}};
+            {"study as CSV", "x.csv", 0, {}, study},
+            {"study as JSON", "x.json", 0, {}, study}};
     }
 
     Outcome saveInWindow(const Save &save, const QString &path)

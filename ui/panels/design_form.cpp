@@ -54,20 +54,15 @@ void DesignForm::createControls()
     auto *form = new QFormLayout;
     form->setVerticalSpacing(4);
     form->setFieldGrowthPolicy(QFormLayout::FieldsStayAtSizeHint);
-    const auto addRow = [form](const char *objectName, const QString &name, auto *field, const QString &explanation) {
-        named(objectName, field, name)->setToolTip(explanation);
-        form->addRow(name, field);
-        return field;
-    };
-    m_stroke = addRow("designStroke", tr("Stroke"), new NumberBox,
+    m_stroke = addField(form, "designStroke", tr("Stroke"), new NumberBox,
                       tr("Type a stroke: the mechanism is scaled, so that its time ratio and angles stay"));
     m_stroke->setSuffix(tr(" mm"));
     m_stroke->setUnit(kMillimetre);
     m_timeRatio =
-        addRow("designTimeRatio", tr("Time ratio"), new NumberBox,
+        addField(form, "designTimeRatio", tr("Time ratio"), new NumberBox,
                tr("Type a time ratio: the mechanism with the largest minimum transmission angle is chosen, the stroke "
                   "stays. A ratio below 1 exchanges the forward and the return stroke."));
-    m_transmissionAngle = addRow("designTransmissionAngle", tr("Minimum transmission angle"), new NumberBox,
+    m_transmissionAngle = addField(form, "designTransmissionAngle", tr("Minimum transmission angle"), new NumberBox,
                                  tr("Type the smallest transmission angle that you accept: the mechanism with the "
                                     "largest minimum transmission angle is chosen, stroke and time ratio stay"));
     m_transmissionAngle->setSuffix(QStringLiteral("°"));
@@ -75,7 +70,7 @@ void DesignForm::createControls()
     for (NumberBox *box : {m_stroke, m_timeRatio, m_transmissionAngle}) {
         box->setRange({.smallest = 0.0, .isOpen = true});
     }
-    m_ratio = addRow("designRatio", tr("Ratio b/a"), new NumberSlider,
+    m_ratio = addField(form, "designRatio", tr("Ratio b/a"), new NumberSlider,
                      tr("The freedom that stroke and time ratio leave: the ratio b/a of coupler and crank"));
     m_ratio->setMinimumWidth(120);
     m_best->setText(tr("Best transmission angle"));

@@ -44,7 +44,7 @@ class ParameterSlider : public NumberSlider
 public:
     ParameterSlider()
     {
-        setMinimumWidth(56);
+        setMinimumWidth(80);
         setPageStep(10);
     }
 

@@ -86,15 +86,15 @@ QString fullTurnText(Parameter parameter, const ResponseRange &range)
                                   : QString();
 }
 
-Response computeResponse(const Parameters &parameters, Parameter parameter, const ResponseRange &range, int count,
-                         const std::stop_token &stop)
+Response computeResponse(const Parameters &parameters, Parameter parameter, int count, const std::stop_token &stop)
 {
-    Response response{parameters, parameter, range};
+    Response response{parameters, parameter, responseRange(parameters, parameter)};
+    const auto &[assembled, fullTurn] = response.range;
     for (int i = 0; i < count; ++i) {
-        response.values.push_back(std::lerp(range.assembled.lower, range.assembled.upper, i / (count - 1.0)));
+        response.values.push_back(std::lerp(assembled.lower, assembled.upper, i / (count - 1.0)));
     }
-    for (const double end : {range.fullTurn.lower, range.fullTurn.upper}) {
-        if (range.fullTurn.length() >= 0.0 && range.assembled.contains(end)) {
+    for (const double end : {fullTurn.lower, fullTurn.upper}) {
+        if (fullTurn.length() >= 0.0 && assembled.contains(end)) {
             response.values.push_back(end);
         }
     }

@@ -48,7 +48,7 @@ struct Response {
 
 /// Computes the limits at `count` (at least 2) equally spaced values and at the ends of the range of full turns. If
 /// `stop` is requested, the remaining limits are NaN.
-Response computeResponse(const Parameters &parameters, Parameter parameter, const ResponseRange &range, int count,
+Response computeResponse(const Parameters &parameters, Parameter parameter, int count,
                          const std::stop_token &stop = {});
 
 } // namespace slidercrank

@@ -110,13 +110,12 @@ void ResponseChart::paintShade(QPainter &painter, const QPalette &palette)
     const QRectF area = axisArea();
     QColor colour = seriesColours(palette).warning;
     colour.setAlphaF(kOpacity);
-    const bool isNever = m_range.fullTurn.length() < 0.0;
-    const double from = isNever ? area.right() : positionOf(Dot{m_range.fullTurn.lower}).x();
-    const double to = isNever ? area.right() : positionOf(Dot{m_range.fullTurn.upper}).x();
-    painter.fillRect(QRectF(area.topLeft(), QPointF(std::clamp(from, area.left(), area.right()), area.bottom())),
-                     colour);
-    painter.fillRect(QRectF(QPointF(std::clamp(to, area.left(), area.right()), area.top()), area.bottomRight()),
-                     colour);
+    const auto &[lower, upper] = m_range.fullTurn;
+    const auto pixel = [&](double value) {
+        return lower > upper ? area.right() : std::clamp(positionOf(Dot{value}).x(), area.left(), area.right());
+    };
+    painter.fillRect(QRectF(area.topLeft(), QPointF(pixel(lower), area.bottom())), colour);
+    painter.fillRect(QRectF(QPointF(pixel(upper), area.top()), area.bottomRight()), colour);
 }
 
 void ResponseChart::paintDots(QPainter &painter, const QPalette &palette)
@@ -196,7 +195,6 @@ void ResponseChart::requestAt(double pixel)
 void ResponseChart::mousePressEvent(QMouseEvent *event)
 {
     if (event->button() == Qt::LeftButton) {
-        m_isDragging = true;
         emit dragBegan();
         requestAt(event->position().x());
     }
@@ -204,7 +202,7 @@ void ResponseChart::mousePressEvent(QMouseEvent *event)
 
 void ResponseChart::mouseMoveEvent(QMouseEvent *event)
 {
-    if (m_isDragging) {
+    if (event->buttons() & Qt::LeftButton) {
         requestAt(event->position().x());
     } else {
         Chart::mouseMoveEvent(event);
@@ -213,8 +211,7 @@ void ResponseChart::mouseMoveEvent(QMouseEvent *event)
 
 void ResponseChart::mouseReleaseEvent(QMouseEvent *event)
 {
-    if (event->button() == Qt::LeftButton && m_isDragging) {
-        m_isDragging = false;
+    if (event->button() == Qt::LeftButton) {
         emit dragEnded();
     }
 }

@@ -61,7 +61,6 @@ private:
     Interval m_curveRange; ///< range of the limit on the curve, without the dots
     Dots m_dots;
     QPixmap m_picture; ///< the chart without dots, so that a moving dot does not redraw it; null: must be redrawn
-    bool m_isDragging = false;
 };
 
 } // namespace slidercrank

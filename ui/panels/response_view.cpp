@@ -43,26 +43,16 @@ ResponseView::ResponseView(Session *session, QWidget *parent)
     auto *head = new QHBoxLayout;
     head->addWidget(m_parameter, 0, Qt::AlignTop);
     head->addWidget(m_sentence, 1);
-    const auto addAction = [&](const QString &name, const QString &text, const QString &explanation, auto slot) {
-        auto *action = new QAction(text, this);
-        action->setToolTip(explanation);
-        connect(action, &QAction::triggered, this, slot);
-        this->addAction(action);
-        auto *button = named(name, new QToolButton);
-        button->setDefaultAction(action);
-        button->setFocusPolicy(Qt::TabFocus);
-        head->addWidget(button, 0, Qt::AlignTop);
-    };
-    addAction("responseCopy", tr("Copy"), tr("Copies the charts as an image"), &ResponseView::copy);
-    addAction("responseExport", tr("Export…"),
-              tr("Writes the charts to an image file, or the numbers of the curves to a CSV file"),
-              [this] {
-                  chooseExport(this, figureFilters() + QStringList(tr("Tables (*.csv)")), tr("response.png"),
-                               [this](const QString &path) { return exportTo(path); },
-                               [this](const QString &problem) { emit problemFound(problem); });
-              });
-    setContextMenuPolicy(Qt::ActionsContextMenu);
-
+    const QToolButton *copyButton = addButton(head, "responseCopy", tr("Copy"), tr("Copies the charts as an image"));
+    connect(copyButton, &QToolButton::clicked, this, &ResponseView::copy);
+    const QToolButton *exportButton =
+        addButton(head, "responseExport", tr("Export…"),
+                  tr("Writes the charts to an image file, or the numbers of the curves to a CSV file"));
+    connect(exportButton, &QToolButton::clicked, this, [this] {
+        chooseExport(this, figureFilters() + QStringList(tr("Tables (*.csv)")), tr("response.png"),
+                     [this](const QString &path) { return exportTo(path); },
+                     [this](const QString &problem) { emit problemFound(problem); });
+    });
     auto *grid = new QGridLayout;
     grid->setSpacing(2);
     grid->setRowStretch(1, 1);
@@ -104,25 +94,18 @@ void ResponseView::refresh()
     if (m_response.parameter == parameter) {
         valueOf(m_response.parameters, parameter) = value; // the curves do not depend on this value
     }
-    m_isOutdated = m_work.isRunning();
     if (m_response.parameter == parameter && m_response.parameters == parameters &&
         m_response.range.assembled.contains(value) && static_cast<int>(m_response.values.size()) >= pixels) {
         showResponse(false);
         return;
     }
-    if (m_isOutdated) {
-        return;
-    }
-    m_work.start(
+    m_task.start(
         [parameters, parameter, pixels](const std::stop_token &stop, const BackgroundTask::Progress &) {
-            return computeResponse(parameters, parameter, responseRange(parameters, parameter), pixels, stop);
+            return computeResponse(parameters, parameter, pixels, stop);
         },
         [this](const Response &response) {
             m_response = response;
             showResponse(true);
-            if (m_isOutdated) {
-                QMetaObject::invokeMethod(this, &ResponseView::refresh, Qt::QueuedConnection);
-            }
         },
         [this](const QString &sentence) { emit problemFound(sentence); });
 }

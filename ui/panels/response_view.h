@@ -54,8 +54,7 @@ private:
 
     Session *m_session;
     Response m_response;
-    BackgroundTask m_work;
-    bool m_isOutdated = false; ///< the result changed while the curves were being computed
+    BackgroundTask m_task;
     QComboBox *m_parameter;
     QLabel *m_sentence;
     std::array<ResponseChart *, kLimitCount> m_charts;

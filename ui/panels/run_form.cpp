@@ -30,26 +30,27 @@ RunForm::RunForm(Session *session, QWidget *parent)
     setFrameShape(QFrame::StyledPanel);
     auto *form = new QFormLayout(this);
     form->setVerticalSpacing(4);
-    m_start = addBox(form, "startBox", tr("Start"), tr(" s"), tr("The first time step"));
-    m_start->setUnit(kSecond);
-    m_duration = addBox(form, "durationBox", tr("Duration"), tr(" s"), tr("From the first time step to the last"));
-    m_duration->setUnit(kSecond);
+    m_start = addField(form, "startBox", tr("Start"), new NumberBox, tr("The first time step"));
+    m_duration = addField(form, "durationBox", tr("Duration"), new NumberBox, tr("From the first time step to the last"));
     m_duration->setRange({.smallest = 0.0, .isOpen = true});
     m_oneTurn = named("oneTurnButton", new QToolButton);
     m_oneTurn->setText(tr("One revolution"));
     m_oneTurn->setToolTip(tr("Sets the duration to one revolution of the crank"));
     form->addRow(QString(), m_oneTurn);
-    m_steps = addBox(form, "stepsBox", tr("Steps"), {}, tr("Intervals; there is one time step more"));
+    m_steps = addField(form, "stepsBox", tr("Steps"), new NumberBox, tr("Intervals; there is one time step more"));
     m_steps->setRange({.smallest = 1.0, .largest = kMaximumSteps, .isWhole = true});
     m_steps->setFixedDecimals(0);
     m_steps->setStep(1.0);
-    m_speedBox =
-        addBox(form, "speedBox", tr("Playback speed"), tr("×"), tr("Seconds of the motion in a second of real time"));
+    m_speedBox = addField(form, "speedBox", tr("Playback speed"), new NumberBox,
+                          tr("Seconds of the motion in a second of real time"));
+    m_speedBox->setSuffix(tr("×"));
     m_speedBox->setRange({.smallest = kSlowestPlayback, .largest = kFastestPlayback});
-    m_revolution = addBox(form, "turnBox", tr("Playback time per revolution"), tr(" s"),
-                          tr("Real time in which one revolution of the crank is played"));
-    m_revolution->setUnit(kSecond);
-
+    m_revolution = addField(form, "turnBox", tr("Playback time per revolution"), new NumberBox,
+                            tr("Real time in which one revolution of the crank is played"));
+    for (NumberBox *box : {m_start, m_duration, m_revolution}) {
+        box->setSuffix(tr(" s"));
+        box->setUnit(kSecond);
+    }
     for (NumberBox *box : {m_start, m_duration, m_steps}) {
         connect(box, &NumberBox::edited, this, &RunForm::edit);
     }
@@ -63,16 +64,6 @@ RunForm::RunForm(Session *session, QWidget *parent)
     connect(session, &Session::settingsChanged, this, &RunForm::showSettings);
     connect(session, &Session::parametersChanged, this, &RunForm::showSettings);
     showSettings();
-}
-
-NumberBox *RunForm::addBox(QFormLayout *form, const QString &objectName, const QString &name, const QString &suffix,
-                           const QString &explanation)
-{
-    auto *box = named(objectName, new NumberBox, name);
-    box->setSuffix(suffix);
-    box->setToolTip(explanation);
-    form->addRow(name, box);
-    return box;
 }
 
 void RunForm::setSpeed(double speed)

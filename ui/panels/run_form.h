@@ -5,7 +5,6 @@
 
 #include <QFrame>
 
-class QFormLayout;
 class QToolButton;
 
 namespace slidercrank
@@ -35,8 +34,6 @@ signals:
     void speedEdited(double speed);
 
 private:
-    NumberBox *addBox(QFormLayout *form, const QString &objectName, const QString &name, const QString &suffix,
-                      const QString &explanation);
     double revolution() const; ///< time of one revolution, s; infinite if the crank is at rest
     void showSettings();
     void edit();

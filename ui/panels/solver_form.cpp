@@ -79,25 +79,22 @@ SolverForm::SolverForm(Session *session, QWidget *parent)
     auto *form = new QFormLayout;
     form->setVerticalSpacing(4);
     form->setRowWrapPolicy(QFormLayout::WrapLongRows); // on small screens
-    const auto addRow = [form](const char *objectName, const QString &name, auto *field, const QString &explanation) {
-        named(objectName, field, name)->setToolTip(explanation);
-        field->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
-        form->addRow(name, field);
-        return field;
-    };
-    auto *method = addRow("methodBox", tr("Method"), new QComboBox, tr("How the curves are computed"));
+    auto *method = addField(form, "methodBox", tr("Method"), new QComboBox, tr("How the curves are computed"));
     method->addItems({tr("Newton-Raphson"), tr("closed form, exact")}); // in the order of Method
-    auto *tolerance = addRow("toleranceBox", tr("Tolerance"), new NumberBox,
+    auto *tolerance = addField(form, "toleranceBox", tr("Tolerance"), new NumberBox,
                              tr("Iterates until ‖C‖ is at most this; 0: until it no longer decreases"));
     tolerance->setRange({.smallest = 0.0});
-    auto *kind = addRow("toleranceKindBox", tr("Tolerance type"), new QComboBox,
+    auto *kind = addField(form, "toleranceKindBox", tr("Tolerance type"), new QComboBox,
                         tr("Absolute: mm and rad mixed, as in the reference report. Relative: lengths divided by "
                            "a + b + |c|, the same at every scale"));
     kind->addItems({tr("absolute"), tr("relative")}); // in the order of ToleranceKind
-    auto *iterations = addRow("iterationsBox", tr("Maximum iterations"), new NumberBox, tr("At one time step"));
+    auto *iterations = addField(form, "iterationsBox", tr("Maximum iterations"), new NumberBox, tr("At one time step"));
     iterations->setRange({.smallest = 1.0, .largest = kMaximumIterations, .isWhole = true});
     iterations->setFixedDecimals(0);
     iterations->setStep(1.0);
+    for (QWidget *field : std::initializer_list<QWidget *>{method, tolerance, kind, iterations}) {
+        field->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    }
 
     auto *outcome = named("outcomeLabel", plainText());
     auto *warnings = named("warningLabel", plainText());

@@ -49,7 +49,6 @@ StudyPanel::StudyPanel(Session *session, QWidget *parent)
     , m_progress(named("studyProgress", new QProgressBar, tr("Progress of the study")))
     , m_summary(named("studySummary", new QLabel))
     , m_cases(named("caseBox", new QComboBox, tr("Case shown")))
-    , m_export(named("exportStudyButton", new QToolButton))
     , m_page(new TablePanel("studyPage", tr("Error and time of the methods"), [this] {
         const CaseResult *shown = shownCase();
         return shown ? studyPage(*shown) : emptyStudyPage();
@@ -60,8 +59,8 @@ StudyPanel::StudyPanel(Session *session, QWidget *parent)
     m_runHard->setToolTip(
         tr("Mechanisms that only just make full turns or only just oscillate, very long and very short "
            "links, very late times: takes some ten seconds"));
-    connect(m_runThis, &QPushButton::clicked, this, [this] { m_study.isRunning() ? cancel() : runThisMechanism(); });
-    connect(m_runHard, &QPushButton::clicked, this, [this] { m_study.isRunning() ? cancel() : runHardCases(); });
+    connect(m_runThis, &QPushButton::clicked, this, &StudyPanel::runThisMechanism);
+    connect(m_runHard, &QPushButton::clicked, this, &StudyPanel::runHardCases);
     m_progress->setRange(0, kProgressSteps);
     m_progress->setMaximumWidth(140);
     m_summary->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
@@ -73,9 +72,6 @@ StudyPanel::StudyPanel(Session *session, QWidget *parent)
         m_page->refreshNow();
         showSummary();
     });
-    m_export->setText(tr("Export all cases…"));
-    m_export->setToolTip(tr("The numbers of every case as CSV or JSON"));
-    connect(m_export, &QToolButton::clicked, this, &StudyPanel::chooseFile);
 
     auto *controls = new QHBoxLayout;
     controls->setContentsMargins(6, 4, 6, 0);
@@ -84,7 +80,13 @@ StudyPanel::StudyPanel(Session *session, QWidget *parent)
     }
     controls->addWidget(m_summary, 1);
     controls->addWidget(m_cases);
-    controls->addWidget(m_export);
+    m_export = addButton(controls, "exportStudyButton", tr("Export all cases…"),
+                         tr("The numbers of every case as CSV or JSON"));
+    connect(m_export, &QToolButton::clicked, this, [this] {
+        chooseExport(this, {tr("Tables (*.csv)"), "JSON (*.json)"}, tr("speed.csv"),
+                     [this](const QString &path) { return exportNumbers(path); },
+                     [this](const QString &problem) { emit problemFound(problem); });
+    });
     auto *rows = new QVBoxLayout(this);
     rows->setContentsMargins(0, 0, 0, 0);
     rows->setSpacing(2);
@@ -112,14 +114,10 @@ void StudyPanel::runHardCases()
     run(m_runHard, {.cases = {hardCases().begin(), hardCases().end()}});
 }
 
-void StudyPanel::cancel()
-{
-    m_study.cancel();
-}
-
 void StudyPanel::run(QPushButton *button, StudyRequest request)
 {
     if (m_study.isRunning()) {
+        m_study.cancel();
         return;
     }
     m_pressed = button;
@@ -194,11 +192,6 @@ void StudyPanel::updateButtons()
     m_export->setEnabled(m_result != nullptr);
 }
 
-std::optional<QString> StudyPanel::exportPicture(const QString &path) const
-{
-    return shownCase() ? m_page->exportTo(path) : tr("There is nothing to export yet: run the study first.");
-}
-
 std::optional<QString> StudyPanel::exportNumbers(const QString &path) const
 {
     if (!m_result) {
@@ -206,13 +199,6 @@ std::optional<QString> StudyPanel::exportNumbers(const QString &path) const
     }
     const bool json = path.endsWith(".json", Qt::CaseInsensitive);
     return writeText(path, json ? studyJson(*m_result) : studyCsv(*m_result));
-}
-
-void StudyPanel::chooseFile()
-{
-    chooseExport(this, {tr("Tables (*.csv)"), "JSON (*.json)"}, tr("speed.csv"),
-                 [this](const QString &path) { return exportNumbers(path); },
-                 [this](const QString &problem) { emit problemFound(problem); });
 }
 
 } // namespace slidercrank

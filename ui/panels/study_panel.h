@@ -31,18 +31,14 @@ class StudyPanel : public QWidget
 public:
     explicit StudyPanel(Session *session, QWidget *parent = nullptr);
 
-    /// Writes the chart of the displayed case in the format of the suffix. Returns an error message if it cannot be
-    /// written.
-    std::optional<QString> exportPicture(const QString &path) const;
-
-    /// Writes the numbers of every case: as JSON if the name ends in .json, otherwise as CSV.
+    /// Writes the numbers of every case: as JSON if the name ends in .json, otherwise as CSV. Returns an error message
+    /// if they cannot be written.
     std::optional<QString> exportNumbers(const QString &path) const;
 
 public slots:
     void setResult(const std::shared_ptr<const slidercrank::StudyResult> &result);
-    void runThisMechanism();
-    void runHardCases();
-    void cancel();
+    void runThisMechanism(); ///< or cancels the study that runs
+    void runHardCases();     ///< or cancels the study that runs
 
 signals:
     void finished(); ///< the study is complete or was cancelled
@@ -53,7 +49,6 @@ private:
     const CaseResult *shownCase() const;
     void showSummary();
     void updateButtons();
-    void chooseFile();
 
     Session *m_session;
     std::shared_ptr<const StudyResult> m_result;

@@ -27,18 +27,8 @@ namespace
 {
 
 constexpr std::chrono::milliseconds kPause{100}; // numbers that change faster cannot be read
-constexpr int kChartWidth = 360;                 // px, beside tables
+constexpr int kChartWidth = 240;                 // px, beside tables
 constexpr QSize kChartSize(900, 600);            // px, of an exported chart
-
-QToolButton *addButton(QBoxLayout *row, const QString &name, const QString &text, const QString &explanation)
-{
-    auto *button = named(name, new QToolButton);
-    button->setText(text);
-    button->setToolTip(explanation);
-    button->setFocusPolicy(Qt::TabFocus);
-    row->addWidget(button, 0, Qt::AlignTop);
-    return button;
-}
 
 } // namespace
 
@@ -165,7 +155,7 @@ void TablePanel::fillFindings(const Page &page)
 
 NumberTable *TablePanel::tableFor(const PageTable &content)
 {
-    NumberTable *&table = m_tables[content.name];
+    auto *table = findChild<NumberTable *>(content.name);
     if (!table) {
         table = new NumberTable(content.name, content.title, content.columns);
         table->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored); // arrange() sets its minimum height
@@ -174,9 +164,9 @@ NumberTable *TablePanel::tableFor(const PageTable &content)
         connect(table, &NumberTable::partHovered, this, &TablePanel::partHovered);
         connect(table, &NumberTable::copied, this, &TablePanel::rowsCopied);
         connect(table->selectionModel(), &QItemSelectionModel::currentChanged, this,
-                [this, shown = table](const QModelIndex &index) {
-                    const QRect row = shown->visualRect(index);
-                    const QPoint centre = shown->viewport()->mapTo(m_scroll->widget(), row.center());
+                [this, table](const QModelIndex &index) {
+                    const QRect row = table->visualRect(index);
+                    const QPoint centre = table->viewport()->mapTo(m_scroll->widget(), row.center());
                     m_scroll->ensureVisible(centre.x(), centre.y(), 0, row.height());
                 });
     }
@@ -193,7 +183,7 @@ void TablePanel::fillTables(const Page &page)
             m_shownTables.push_back(table);
         }
     }
-    for (const auto &[name, table] : m_tables) {
+    for (NumberTable *table : findChildren<NumberTable *>()) { // also those of earlier pages
         table->setVisible(std::ranges::count(m_shownTables, table) > 0);
     }
     m_copy->setVisible(!m_shownTables.empty());
@@ -274,6 +264,16 @@ void TablePanel::changeEvent(QEvent *event)
         event->type() == QEvent::FontChange) {
         refresh();
     }
+}
+
+QToolButton *addButton(QBoxLayout *row, const QString &name, const QString &text, const QString &explanation)
+{
+    auto *button = named(name, new QToolButton);
+    button->setText(text);
+    button->setToolTip(explanation);
+    button->setFocusPolicy(Qt::TabFocus);
+    row->addWidget(button, 0, Qt::AlignTop);
+    return button;
 }
 
 std::optional<QString> writeText(const QString &path, const QByteArray &text)

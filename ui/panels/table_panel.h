@@ -10,7 +10,6 @@
 #include <QWidget>
 
 #include <functional>
-#include <map>
 
 class QBoxLayout;
 class QLabel;
@@ -72,10 +71,12 @@ private:
     QScrollArea *m_scroll;
     QBoxLayout *m_beside; ///< the tables, side by side or one above the other
     Chart *m_chart;
-    std::map<QString, NumberTable *> m_tables; ///< by name; includes the tables of earlier pages
     std::vector<NumberTable *> m_shownTables;
     QLabel *m_note;
 };
+
+/// Adds a button with that text to a row.
+QToolButton *addButton(QBoxLayout *row, const QString &name, const QString &text, const QString &explanation);
 
 /// Writes a file. Returns an error message if it cannot be written.
 std::optional<QString> writeText(const QString &path, const QByteArray &text);

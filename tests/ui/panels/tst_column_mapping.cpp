@@ -160,7 +160,7 @@ private slots:
     {
         const FileLayout layout = layoutOf(readReferenceData("0,20,75\n1,21,74\n2,22,73\n"));
         saveChoices(layout, {"/a/one.csv"}, {{1, ColumnRole::Channel, kTheta3, "rad"}});
-        QCOMPARE(savedChoices(layout, {"/a/one.csv"}).size(), std::size_t(1));
+        QCOMPARE(savedChoices(layout, {"/a/one.csv"}).size(), 1u);
         QVERIFY(savedChoices(layout, {"/a/two.csv"}).empty());
     }
 

@@ -107,14 +107,14 @@ private slots:
         const Page page = errorPage(resultWith({compared(kTheta3, Verdict::Agrees, 0.00123456, 0.25),
                                                 compared({R4x, Order::Velocity}, Verdict::Close, 14.2345, 0.5)}),
                                     nullptr);
-        QCOMPARE(page.tables.size(), std::size_t(1));
-        QCOMPARE(page.tables[0].rows.size(), std::size_t(2));
-        QCOMPARE(cell(page, 0, LargestError).text, QString("0.001235 °"));
-        QCOMPARE(cell(page, 1, LargestError).text, QString("14.23 mm/s"));
+        QCOMPARE(page.tables.size(), 1u);
+        QCOMPARE(page.tables[0].rows.size(), 2u);
+        QCOMPARE(cell(page, 0, LargestError).text, "0.001235 °");
+        QCOMPARE(cell(page, 1, LargestError).text, "14.23 mm/s");
         QCOMPARE(cell(page, 1, LargestError).number, std::optional(14.2345)); // every digit, to be copied
-        QCOMPARE(cell(page, 1, PercentOfPeak).text, QString("71.17"));
-        QCOMPARE(cell(page, 0, Time).text, QString("0.25"));
-        QCOMPARE(cell(page, 0, Quantity).csv, QString("theta3 [°]"));
+        QCOMPARE(cell(page, 1, PercentOfPeak).text, "71.17");
+        QCOMPARE(cell(page, 0, Time).text, "0.25");
+        QCOMPARE(cell(page, 0, Quantity).csv, "theta3 [°]");
         QCOMPARE(page.tables[0].rows[1].time, std::optional(0.5));
         QVERIFY(cell(page, 0, LargestError).explanation.contains("0.35 s"));  // time of the largest percentage
         QVERIFY(cell(page, 0, LargestError).explanation.contains("0.001 °")); // the rounding step
@@ -143,7 +143,7 @@ private slots:
             QCOMPARE(page.tone, row.tone);
             QCOMPARE(errorTitle(result).back(), row.mark);
         }
-        QCOMPARE(errorTitle(Result()), QString("Errors"));
+        QCOMPARE(errorTitle(Result()), "Errors");
         QVERIFY(errorPage(Result(), nullptr).tables.empty());
     }
 
@@ -157,7 +157,7 @@ private slots:
         zeros.zeroReference = 7;
         const Page page = errorPage(resultWith({nothing, zeros}), nullptr);
         for (const int column : {LargestError, PercentOfPeak, Time}) {
-            QCOMPARE(cell(page, 0, column).text, QString("–"));
+            QCOMPARE(cell(page, 0, column).text, "–");
             QCOMPARE(cell(page, 0, column).number, std::nullopt);
         }
         QCOMPARE(page.tables[0].rows[0].time, std::nullopt);
@@ -242,11 +242,11 @@ private slots:
         reference->data.skipped = {{12, 3, "a<b", RowFault::NotANumber, 1, 1}, {15, 1, "", RowFault::NoTime, 1, 0}};
         reference->data.layout.columns.emplace_back().heading = "force";
         const Result result = resultWith({compared(kTheta3, Verdict::Agrees, 1.0, 0.5)}, reference);
-        QCOMPARE(errorPage(result, nullptr).note, QString("2 rows of the file were skipped; 1 column was ignored (see Reference)."));
+        QCOMPARE(errorPage(result, nullptr).note, "2 rows of the file were skipped; 1 column was ignored (see Reference).");
         QVERIFY(errorPage(differingResult(), nullptr).note.isEmpty());
         const Page page = referencePage(result, nullptr);
-        QCOMPARE(cell(page, 0, 0, 1).text, QString("12 (b.csv)"));
-        QCOMPARE(cell(page, 1, 0, 1).text, QString("15 (a.csv)"));
+        QCOMPARE(cell(page, 0, 0, 1).text, "12 (b.csv)");
+        QCOMPARE(cell(page, 1, 0, 1).text, "15 (a.csv)");
     }
 
     void comparesWithThePinnedMotion()
@@ -263,9 +263,9 @@ private slots:
         Page page = pin();
         QVERIFY(page.sentence.contains("b = 80 mm"));
         QCOMPARE(page.tone, Tone::Normal);
-        QCOMPARE(page.tables[0].rows.size(), std::size_t(6));
+        QCOMPARE(page.tables[0].rows.size(), 6u);
         // At θ₂ = 270°, where the offset counts most: asin(45/65) − asin(45/80).
-        QCOMPARE(cell(page, 0, 1).text, QString("9.584 °"));
+        QCOMPARE(cell(page, 0, 1).text, "9.584 °");
         QVERIFY(std::abs(page.tables[0].rows[0].time.value() - 0.75) < 1e-6);
         pinned.b = 40.0;
         page = pin();
@@ -284,16 +284,16 @@ private slots:
             QVERIFY2(page.findings[0].sentence.contains(QString::fromUtf8(part)),
                      qPrintable(page.findings[0].sentence));
         }
-        QCOMPARE(page.tables[0].rows.size(), std::size_t(4));
-        QCOMPARE(cell(page, 1, Heading).text, QString("theta3 [rad]"));
-        QCOMPARE(cell(page, 1, FileUnit).text, QString("rad"));
-        QCOMPARE(cell(page, 2, FileUnit).text, QString("mm (none given)"));
-        QCOMPARE(cell(page, 2, Values).text, QString("1, 1 gap"));
-        QCOMPARE(cell(page, 3, ReadAs).text, QString("–"));
+        QCOMPARE(page.tables[0].rows.size(), 4u);
+        QCOMPARE(cell(page, 1, Heading).text, "theta3 [rad]");
+        QCOMPARE(cell(page, 1, FileUnit).text, "rad");
+        QCOMPARE(cell(page, 2, FileUnit).text, "mm (none given)");
+        QCOMPARE(cell(page, 2, Values).text, "1, 1 gap");
+        QCOMPARE(cell(page, 3, ReadAs).text, "–");
         QCOMPARE(cell(page, 3, Heading).tone, Tone::Muted);
-        QCOMPARE(page.tables[1].rows.size(), std::size_t(1));
-        QCOMPARE(cell(page, 0, 0, 1).text, QString("3"));
-        QCOMPARE(cell(page, 0, 2, 1).text, QString("oops"));
+        QCOMPARE(page.tables[1].rows.size(), 1u);
+        QCOMPARE(cell(page, 0, 0, 1).text, "3");
+        QCOMPARE(cell(page, 0, 2, 1).text, "oops");
         QVERIFY(referencePage(Result(), nullptr).tables.empty());
 
         QByteArray rounded = "time,R4_x\n";

@@ -202,7 +202,7 @@ private slots:
         const Page of60 = pageOf(lengths(20, 60, 25));
         const TableRow *row = find(of60, Positions, "stroke");
         QVERIFY(row && !row->time && std::abs(row->cells[Value].number.value() / stroke - 1.0) < 1e-12);
-        QCOMPARE(row->cells[Name].csv, QString("stroke [mm]"));
+        QCOMPARE(row->cells[Name].csv, "stroke [mm]");
         const ClosedForm motion{Mechanism()};
         const Page page = pageOf({});
         QVERIFY(std::abs(motion.motionAt(find(page, Positions, "outer dead centre")->time.value()).R4xDot) < 1e-11);
@@ -214,10 +214,10 @@ private slots:
         Sampling half;
         half.duration = 0.5;
         const Page page = pageOf({}, half);
-        QCOMPARE(find(page, Positions, "outer dead centre")->cells[Time].text, QString("0.04751"));
+        QCOMPARE(find(page, Positions, "outer dead centre")->cells[Time].text, "0.04751");
         const TableRow *inner = find(page, Positions, "inner dead centre");
         QVERIFY(!inner->time);
-        QCOMPARE(inner->cells[Angle].text, QString("213.75"));
+        QCOMPARE(inner->cells[Angle].text, "213.75");
         QVERIFY(inner->cells[Time].explanation.contains("Outside"));
 
         Sampling justEnough; // includes the last time step

@@ -22,6 +22,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QMenuBar>
+#include <QMouseEvent>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
@@ -124,7 +125,7 @@ private slots:
             const Parameters parameters{length(random), length(random), length(random) - 50.0, length(random) - 50.0};
             const Parameter parameter = kVariedParameters[static_cast<std::size_t>(i) % kVariedParameters.size()];
             const ResponseRange range = responseRange(parameters, parameter);
-            const Response response = computeResponse(parameters, parameter, range, 20);
+            const Response response = computeResponse(parameters, parameter, 20);
             QCOMPARE(response.values.front(), range.assembled.lower);
             QCOMPARE(response.values.back(), range.assembled.upper);
             for (std::size_t k = 0; k < response.values.size(); ++k) {
@@ -161,7 +162,7 @@ private slots:
             const ResponseRange range = responseRange(row.parameters, row.parameter);
             QCOMPARE(range.assembled, row.range.assembled);
             QCOMPARE(range.fullTurn, row.range.fullTurn);
-            const Response response = computeResponse(row.parameters, row.parameter, range, 10);
+            const Response response = computeResponse(row.parameters, row.parameter, 10);
             for (const double end : {range.assembled.lower, range.fullTurn.lower, range.fullTurn.upper, range.assembled.upper}) {
                 QVERIFY(end == kLargestParameter || std::ranges::binary_search(response.values, end));
             }
@@ -200,7 +201,11 @@ private slots:
         ResponseChart *chart = shown.chart(kSpeed);
         QVERIFY(static_cast<int>(before.values.size()) >= chart->width());
         const QPoint from = chart->positionOf(chart->dots()[0]).toPoint();
-        const auto dragTo = [&](int x) { QTest::mouseMove(chart, from + QPoint(x, 0)); };
+        const auto dragTo = [&](int x) {
+            const QPointF to = from + QPoint(x, 0);
+            QMouseEvent move(QEvent::MouseMove, to, chart->mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
+            QApplication::sendEvent(chart, &move);
+        };
         QTest::mousePress(chart, Qt::LeftButton, {}, from);
         for (int x = 1; x <= 20; ++x) {
             dragTo(x);

@@ -39,7 +39,6 @@ MethodResult methodRow(MethodName::Kind kind, int channels, double time, double 
     row.maxError = error;
     row.errorBound = 1e-15;
     row.counts[0] = 10;
-    row.silentFailures = 0;
     return row;
 }
 
@@ -60,16 +59,16 @@ private slots:
                           methodRow(MethodName::Kind::ClosedForm, 36, 50.0, 5e-16)};
         result.methods[0].silentFailures = 2;
         const Page page = studyPage(result);
-        QCOMPARE(page.tables.size(), std::size_t(2));
-        QCOMPARE(page.tables[0].rows.size(), std::size_t(2));
-        QCOMPARE(page.tables[1].rows.size(), std::size_t(1));
+        QCOMPARE(page.tables.size(), 2u);
+        QCOMPARE(page.tables[0].rows.size(), 2u);
+        QCOMPARE(page.tables[1].rows.size(), 1u);
         const std::vector<TableCell> &dense = page.tables[0].rows[0].cells;
         QCOMPARE(dense[2].number, std::optional(3000.0));
         QCOMPARE(dense[3].number, std::optional(3e-15));
-        QCOMPARE(dense[5].text, QString("solved, 2 wrong but called solved"));
+        QCOMPARE(dense[5].text, "solved, 2 wrong but called solved");
         QCOMPARE(dense[5].tone, Tone::Bad);
         const ChartContent &chart = page.chart->content;
-        QCOMPARE(chart.series.size(), std::size_t(4)); // including the effect of rounded input
+        QCOMPARE(chart.series.size(), 4u); // including the effect of rounded input
         QCOMPARE(chart.series[0].points[0], QPointF(3000.0, 3e-15));
         QVERIFY(chart.series[1].isHollow && !chart.series[2].isHollow);
         QVERIFY(chart.series[1].points[0].y() >= chart.y.range.lower); // an error of 0 is drawn, too
@@ -96,21 +95,17 @@ private slots:
     {
         Session session;
         StudyPanel panel(&session);
-        panel.resize(960, 230);
         panel.show();
-        QVERIFY(!panel.findChild<QTableView *>());
         auto *run = child<QPushButton>(panel, "runThisButton");
         auto *hard = child<QPushButton>(panel, "runHardButton");
-        panel.activateWindow();
-        QVERIFY(QTest::qWaitForWindowActive(&panel));
-        run->setFocus();
+        const auto *progress = child<QProgressBar>(panel, "studyProgress");
         QSignalSpy finished(&panel, &StudyPanel::finished);
-        QTest::keyClick(run, Qt::Key_Space);
+        run->click();
         QCOMPARE(finished.count(), 0); // the call returned at once
-        QVERIFY(child<QProgressBar>(panel, "studyProgress")->isVisible());
+        QVERIFY(progress->isVisible());
         QVERIFY(!hard->isEnabled() && run->isEnabled()); // now the button cancels the study
         QVERIFY(finished.wait(kPatience));
-        QVERIFY(run->hasFocus() && hard->isEnabled());
+        QVERIFY(hard->isEnabled());
         for (const char *table : {"studyTable36", "studyTable6"}) {
             QVERIFY(child<QTableView>(panel, table)->model()->rowCount() > 0);
         }
@@ -122,7 +117,6 @@ private slots:
         hard->click();
         hard->click();
         QVERIFY(finished.wait(kPatience));
-        const auto *progress = child<QProgressBar>(panel, "studyProgress");
         QVERIFY(progress->value() < progress->maximum() && run->isEnabled());
     }
 
@@ -136,18 +130,13 @@ private slots:
         finishAside();
     }
 
-    void exportsTheChartAndTheNumbersOfEveryCase()
+    void exportsTheNumbersOfEveryCase()
     {
         Session session;
         StudyPanel panel(&session);
-        QVERIFY(panel.exportPicture("x.png").has_value()); // there is no result yet
-        QVERIFY(panel.exportNumbers("x.csv").has_value());
+        QVERIFY(panel.exportNumbers("x.csv").has_value()); // there is no result yet
         panel.setResult(studyOfATurn());
         const QTemporaryDir folder;
-        for (const char *name : {"x.png", "x.svg", "x.pdf"}) {
-            QCOMPARE(panel.exportPicture(folder.filePath(name)), std::nullopt);
-            QVERIFY(!contentOf(folder.filePath(name)).isEmpty());
-        }
         QCOMPARE(panel.exportNumbers(folder.filePath("x.json")), std::nullopt);
         QVERIFY(QJsonDocument::fromJson(contentOf(folder.filePath("x.json"))).isObject());
         QCOMPARE(panel.exportNumbers(folder.filePath("x.csv")), std::nullopt);

@@ -245,7 +245,7 @@ private slots:
         typeNumber(factor, "0.5×"); // with the displayed suffix
         QCOMPARE(bench.timeline.speed(), 0.5);
         QVERIFY(std::abs(turn->value() - 0.04) < 1e-12);
-        QCOMPARE(child<QToolButton>(bench.timeline, "runButton")->text(), QString("2.5 s · 0.5× ▾"));
+        QCOMPARE(child<QToolButton>(bench.timeline, "runButton")->text(), "2.5 s · 0.5× ▾");
         typeNumber(turn, "3500");
         QVERIFY(turn->text().startsWith("3500 ")); // to the last digit
         bench.session.setParameter(Parameter::Omega2, 0.0);
@@ -272,13 +272,13 @@ private slots:
             return timeline.speed();
         };
         const auto *speeds = timeline.findChild<QActionGroup *>();
-        QCOMPARE(speeds->checkedAction()->text(), QString("1×"));
+        QCOMPARE(speeds->checkedAction()->text(), "1×");
         timeline.setSpeed(0.3);
         QVERIFY(!speeds->checkedAction());
         QCOMPARE(trigger("Faster"), 0.5);
         QCOMPARE(trigger("Slower"), 0.25);
         QCOMPARE(trigger("10×"), 10.0);
-        QCOMPARE(speeds->checkedAction()->text(), QString("10×"));
+        QCOMPARE(speeds->checkedAction()->text(), "10×");
         QCOMPARE(trigger("Faster"), 10.0);
         timeline.setSpeed(0.001);
         QCOMPARE(trigger("Slower"), 0.001);
