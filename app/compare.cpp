@@ -23,14 +23,11 @@ namespace
 QJsonArray jsonSkippedRows(const ReferenceData &data)
 {
     return jsonList(data.skipped, [&data](const SkippedRow &row) {
-        QJsonObject object{{"line", jsonNumber(row.line)},
+        return QJsonObject{{"line", jsonNumber(row.line)},
                            {"column", jsonNumber(row.column)},
                            {"text", QString::fromStdString(row.text)},
-                           {"reason", reasonOf(row)}};
-        if (row.file < data.layout.files.size()) {
-            object.insert("file", QString::fromUtf8(data.layout.files[row.file]));
-        }
-        return object;
+                           {"reason", reasonOf(row)},
+                           {"file", jsonFile(data.layout, row.file)}};
     });
 }
 
@@ -50,10 +47,9 @@ ReferenceAnswer compareOne(const ReferenceQuestion &question, const SolverSettin
         const Diagnosis diagnosis = diagnose(data, question.mechanism);
         const Identification &found = diagnosis.identification;
         explanation = explanationLines(diagnosis, data, question.mechanism);
-        jsonExplanation =
-            QJsonObject{{"sentence", explanation.join(' ')},
-                        {"mechanism", found.hasMechanism() ? QJsonValue(toJson(found.parameters)) : QJsonValue()},
-                        {"conventions", jsonConventions(diagnosis.conventions, data)}};
+        jsonExplanation = QJsonObject{{"sentence", explanation.join(' ')},
+                                      {"mechanism", jsonMechanism(found.hasMechanism(), found.parameters)},
+                                      {"conventions", jsonConventions(diagnosis.conventions, data)}};
     }
     QJsonArray channels;
     for (const ChannelComparison &channel : comparison) {
@@ -65,7 +61,6 @@ ReferenceAnswer compareOne(const ReferenceQuestion &question, const SolverSettin
     answer.json = {{"mechanism", toJson(question.mechanism.parameters())},
                    {"verdict", verdictName(verdict)},
                    {"channels", channels},
-                   {"columns", jsonColumns(data.layout)},
                    {"explanation", jsonExplanation},
                    {"skipped", jsonSkippedRows(data)},
                    {"ignoredColumns", QJsonArray::fromStringList(ignoredHeadings(data.layout))}};
@@ -76,10 +71,10 @@ ReferenceAnswer compareOne(const ReferenceQuestion &question, const SolverSettin
                       : verdict == Verdict::Close ? CommandLine::tr("close")
                                                   : CommandLine::tr("differ");
     TimeStepReport steps;
-    steps.add(data.time, model.status);
-    const QString prefix = question.files.size() > 1 ? displayName(reference.paths) + ": " : QString();
-    answer.status = moreSevere(steps.finish(streams, question.mechanism, solver.newton, prefix),
-                               verdict == Verdict::Differs ? ExitStatus::Differs : ExitStatus::Success);
+    steps.add(model);
+    answer.status =
+        moreSevere(steps.finish(streams, question.mechanism, solver.newton, displayName(reference.paths) + ": "),
+                   verdict == Verdict::Differs ? ExitStatus::Differs : ExitStatus::Success);
     return answer;
 }
 

@@ -42,9 +42,6 @@ const char *nameOf(Outcome outcome)
 QJsonObject jsonIdentification(const ReferenceData &data, const Diagnosis &diagnosis)
 {
     const Identification &found = diagnosis.identification;
-    const auto mechanismIf = [](bool exists, const Parameters &parameters) {
-        return exists ? QJsonValue(toJson(parameters)) : QJsonValue();
-    };
     QJsonObject standardErrors, identifiable, noise;
     for (const Parameter parameter : kParameters) {
         const std::size_t i = indexOf(parameter);
@@ -65,16 +62,15 @@ QJsonObject jsonIdentification(const ReferenceData &data, const Diagnosis &diagn
     };
     const auto jsonComparison = [](const ChannelComparison &channel) { return jsonObject(comparisonRecord(channel)); };
     return {{"outcome", nameOf(found.outcome)},
-            {"mechanism", mechanismIf(found.hasMechanism() || found.outcome == Outcome::Nearest, found.parameters)},
+            {"mechanism", jsonMechanism(found.hasMechanism() || found.outcome == Outcome::Nearest, found.parameters)},
             {"standardError", standardErrors},
             {"identifiable", identifiable},
             {"alternatives", jsonList(found.alternatives, jsonAlternative)},
-            {"rounded", mechanismIf(found.outcome == Outcome::Identified, diagnosis.rounded)},
+            {"rounded", jsonMechanism(found.outcome == Outcome::Identified, diagnosis.rounded)},
             {"noise", noise},
             {"iterations", found.iterations},
             {"conditionNumber", found.hasMechanism() ? jsonNumber(found.conditionNumber) : QJsonValue()},
             {"channels", jsonList(diagnosis.identified, jsonComparison)},
-            {"columns", jsonColumns(data.layout)},
             {"conventions", jsonConventions(diagnosis.conventions, data)},
             {"leftOut", jsonList(found.leftOut, jsonLeftOut)},
             {"excludedRows", jsonList(found.excludedRows, jsonNumber)},
@@ -94,13 +90,11 @@ QString optionsFor(const Parameters &parameters)
     return text + (parameters.branch == Branch::Open ? "--branch open" : "--branch crossed");
 }
 
+/// Describes an identification that found a mechanism.
 QString identificationText(const Reference &reference, const Diagnosis &diagnosis)
 {
     const Identification &found = diagnosis.identification;
     const ReferenceData &data = reference.data;
-    if (!found.hasMechanism()) {
-        return headline(reference) + summaryOf(diagnosis) + '\n';
-    }
     QStringList lines{headline(reference).trimmed()};
     for (const ConventionFinding &finding : diagnosis.conventions) {
         lines += explanationOf(finding.convention, data) + ' ' + effectOf(finding);
@@ -127,17 +121,16 @@ ReferenceAnswer identifyOne(const ReferenceQuestion &question, const Reference &
 {
     const Diagnosis diagnosis = diagnose(reference.data, question.mechanism);
     const bool isFound = diagnosis.identification.hasMechanism();
-    const bool isText = question.format == Format::Text;
     ReferenceAnswer answer;
-    answer.category =
-        isFound ? CommandLine::tr(nameOf(diagnosis.identification.outcome)) : CommandLine::tr("not identified");
-    answer.status = isFound ? ExitStatus::Success : ExitStatus::NotSolved;
-    if (!isFound && (!isText || question.files.size() == 1)) {
-        streams.report(displayName(reference.paths) + ": " + summaryOf(diagnosis));
-    } else if (isText) {
-        answer.text = identificationText(reference, diagnosis);
-    }
     answer.json = jsonIdentification(reference.data, diagnosis);
+    if (isFound) {
+        answer.category = CommandLine::tr(nameOf(diagnosis.identification.outcome));
+        answer.text = identificationText(reference, diagnosis);
+    } else {
+        answer.category = CommandLine::tr("not identified");
+        answer.status = ExitStatus::NotSolved;
+        streams.report(displayName(reference.paths) + ": " + summaryOf(diagnosis));
+    }
     return answer;
 }
 

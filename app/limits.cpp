@@ -3,10 +3,8 @@
 // `slidercrank limits`: prints dead centres, stroke, time ratio, transmission angle and peak values. --vary prints how
 // they depend on one parameter; --design finds the mechanism with a given stroke and time ratio.
 
+#include "app/answer.h"
 #include "app/commands.h"
-#include "app/option_groups.h"
-#include "app/output.h"
-#include "app/records.h"
 #include "core/import/quantity.h"
 #include "core/limits/design.h"
 #include "core/limits/mobility.h"
@@ -184,41 +182,34 @@ Mechanism designMechanism(const DesignRequest &request, Parameters parameters)
 
 ExitStatus limitsCommand(const OptionReader &options, const Streams &streams)
 {
-    Mechanism mechanism = readMechanism(options);
-    const Format format = readFormat(options, Format::Text);
-    const QString output = readOutput(options);
+    const Question question(options);
     options.refuseFiles();
+    Mechanism mechanism = question.mechanism;
+    QString design;
     if (options.has("design")) {
         options.refuse({"a", "b", "c", "vary"}, CommandLine::tr("--design computes a, b and c: remove %1."));
         mechanism = designMechanism(readDesign(options), mechanism.parameters());
+        design = mechanismText(mechanism, 9) + '\n';
     }
-    useLanguageOf(format);
     if (options.has("vary")) {
-        if (format == Format::Text) {
+        if (question.format == Format::Text) {
             throw UsageError{CommandLine::tr("--vary writes a table: add --format csv or --format json.")};
         }
         const std::vector<Record> rows = varyLimits(options, mechanism.parameters());
-        return writeOutput(streams, output,
-                           format == Format::Csv ? csvText(rows)
-                                                 : jsonDocument({{"rows", jsonList(rows, jsonObject)}}));
+        return question.write(streams, {{}, rows, {{"rows", jsonList(rows, jsonObject)}}});
     }
     options.refuse({"count"}, CommandLine::tr("%1 belongs to --vary: remove it."));
     const MotionLimits limits = motionLimits(mechanism);
     const std::vector<MotionFact> facts = findFacts(mechanism, limits);
-    QByteArray bytes;
-    if (format == Format::Text) {
-        const QString design = options.has("design") ? mechanismText(mechanism, 9) + '\n' : QString();
-        bytes = (design + mobilitySentence(mechanism, limits) + '\n' + limitTable(facts)).toUtf8();
-    } else if (format == Format::Csv) {
-        bytes = csvText(listLimits(facts));
-    } else {
-        bytes = jsonDocument({{"mechanism", toJson(mechanism.parameters())},
-                              {"mobility", kMobilityNames[static_cast<std::size_t>(limits.mobility)]},
-                              {"reason", mobilitySentence(mechanism, limits)},
-                              {"limits", jsonList(listLimits(facts), jsonObject)}});
-    }
+    const QString sentence = mobilitySentence(mechanism, limits);
+    const std::vector<Record> rows = listLimits(facts);
     const bool isImpossible = limits.mobility == Mobility::Impossible;
-    return moreSevere(writeOutput(streams, output, bytes),
+    return moreSevere(question.write(streams, {design + sentence + '\n' + limitTable(facts),
+                                               rows,
+                                               {{"mechanism", toJson(mechanism.parameters())},
+                                                {"mobility", kMobilityNames[static_cast<std::size_t>(limits.mobility)]},
+                                                {"reason", sentence},
+                                                {"limits", jsonList(rows, jsonObject)}}}),
                       isImpossible ? ExitStatus::NotAssemblable : ExitStatus::Success);
 }
 

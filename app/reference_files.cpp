@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/reference_files.h"
 
-#include "app/output.h"
 #include "ui/document/settings_fields.h"
 #include "ui/text/column_text.h"
 #include "ui/text/convention_text.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/read_fault_text.h"
+#include "ui/text/written_number.h"
 
 #include <array>
 #include <map>
@@ -27,6 +27,21 @@ QString columnMeaning(const FileColumn &column)
 /// of its channel.
 constexpr std::array<const char *, 12> kAmountUnits{"", "",      "",      "",  "°",     "°",
                                                     "", nullptr, nullptr, "s", nullptr, nullptr};
+
+QJsonArray jsonColumns(const FileLayout &layout)
+{
+    QJsonArray columns;
+    for (std::size_t i = 0; i < layout.columns.size(); ++i) {
+        const FileColumn &column = layout.columns[i];
+        columns += QJsonObject{{"heading", jsonText(QString::fromUtf8(column.heading))},
+                               {"unit", jsonText(QString::fromUtf8(column.unit))},
+                               {"channel", jsonText(columnMeaning(column))},
+                               {"guessed", isGuess(column.reason)},
+                               {"why", reasonText(layout, i)},
+                               {"file", jsonFile(layout, column.file)}};
+    }
+    return columns;
+}
 
 /// Reports rows that were skipped, columns that were not used, and columns whose meaning was guessed.
 void reportDoubts(const Streams &streams, const Reference &reference)
@@ -63,10 +78,8 @@ void reportDoubts(const Streams &streams, const Reference &reference)
 } // namespace
 
 ReferenceQuestion::ReferenceQuestion(const OptionReader &options)
-    : mechanism(readMechanism(options))
+    : Question(options)
     , columns(readColumns(options))
-    , format(readFormat(options, Format::Text))
-    , output(readOutput(options, options.files()))
 {
     if (options.files().isEmpty()) {
         throw UsageError{
@@ -83,11 +96,10 @@ ReferenceQuestion::ReferenceQuestion(const OptionReader &options)
 
 ExitStatus ReferenceQuestion::answerEach(const Streams &streams, const AnswerOne &answerOne) const
 {
-    useLanguageOf(format);
     ExitStatus status = ExitStatus::Success;
     std::map<QString, int> counts; // of the references in each category
     QStringList texts;
-    std::vector<Record> rows;
+    Answer all;
     QJsonArray json;
     for (const QStringList &paths : files) {
         const auto reference = readTimedReference(streams, {paths, {}, {}}, columns, mechanism);
@@ -103,9 +115,10 @@ ExitStatus ReferenceQuestion::answerEach(const Streams &streams, const AnswerOne
         texts += answer.text;
         for (Record &row : answer.rows) {
             row.insert(row.begin(), {"file", file});
-            rows.push_back(row);
+            all.rows.push_back(row);
         }
         answer.json.insert("file", file);
+        answer.json.insert("columns", jsonColumns(reference->data.layout));
         if (paths.size() > 1) {
             answer.json.insert("joined", QJsonArray::fromStringList(paths));
         }
@@ -122,10 +135,9 @@ ExitStatus ReferenceQuestion::answerEach(const Streams &streams, const AnswerOne
         texts += CommandLine::tr("%1 files: %2.").arg(QString::number(files.size()), parts.join(", ")) + '\n';
     }
     texts.removeAll(QString());
-    const QByteArray bytes = format == Format::Json  ? jsonDocument({{"files", json}})
-                             : format == Format::Csv ? csvText(rows)
-                                                     : texts.join('\n').toUtf8();
-    return bytes.isEmpty() ? status : moreSevere(status, writeOutput(streams, output, bytes));
+    all.text = texts.join('\n');
+    all.json.insert("files", json);
+    return moreSevere(status, write(streams, all));
 }
 
 std::shared_ptr<const Reference> readTimedReference(const Streams &streams, const ReferenceSource &source,
@@ -152,22 +164,15 @@ QString headline(const Reference &reference)
            '\n';
 }
 
-QJsonArray jsonColumns(const FileLayout &layout)
+QJsonValue jsonFile(const FileLayout &layout, std::size_t file)
 {
-    QJsonArray columns;
-    for (std::size_t i = 0; i < layout.columns.size(); ++i) {
-        const FileColumn &column = layout.columns[i];
-        QJsonObject object{{"heading", jsonText(QString::fromUtf8(column.heading))},
-                           {"unit", jsonText(QString::fromUtf8(column.unit))},
-                           {"channel", jsonText(columnMeaning(column))},
-                           {"guessed", isGuess(column.reason)},
-                           {"why", reasonText(layout, i)}};
-        if (column.file < layout.files.size()) {
-            object.insert("file", QString::fromUtf8(layout.files[column.file]));
-        }
-        columns += object;
-    }
-    return columns;
+    return file < layout.files.size() ? QJsonValue(QString::fromUtf8(layout.files[file]))
+                                      : QJsonValue(QJsonValue::Undefined);
+}
+
+QJsonValue jsonMechanism(bool exists, const Parameters &parameters)
+{
+    return exists ? QJsonValue(toJson(parameters)) : QJsonValue();
 }
 
 QJsonArray jsonConventions(const std::vector<ConventionFinding> &findings, const ReferenceData &data)
@@ -218,30 +223,23 @@ Record comparisonRecord(const ChannelComparison &channel)
 
 QString comparisonTable(const std::vector<ChannelComparison> &channels, const ReferenceData &data)
 {
-    std::vector<Record> rows;
-    for (const ChannelComparison &channel : channels) {
-        ChannelComparison shown = channel;
-        if (data.crank) { // shows crank angles instead of times
-            for (double *place : {&shown.timeOfMaxAbs, &shown.timeOfMaxPercent}) {
-                *place = (data.crank->omega2 * *place + data.crank->theta20) * kDegreesPerRadian;
-            }
-        }
-        rows.push_back(comparisonRecord(shown));
-        rows.back().back().second = verdictText(channel);
-    }
+    const auto place = [&crank = data.crank](std::optional<double> value, double time) {
+        const double angle = crank ? (crank->omega2 * time + crank->theta20) * kDegreesPerRadian : time;
+        return value ? roundedText(angle, 6) : dash();
+    };
     const QString where = data.crank ? CommandLine::tr("at θ₂ [°]") : CommandLine::tr("at t [s]");
-    return recordTable({{"name", CommandLine::tr("channel")},
-                        {"unit", CommandLine::tr("unit")},
-                        {"maxAbs", CommandLine::tr("largest error")},
-                        {"timeOfMaxAbs", where, 6},
-                        {"rms", CommandLine::tr("rms")},
-                        {"maxPercent", CommandLine::tr("largest %")},
-                        {"timeOfMaxPercent", where, 6},
-                        {"zeroReference", CommandLine::tr("zeros")},
-                        {"percentOfPeak", CommandLine::tr("% of peak")},
-                        {"roundingStep", CommandLine::tr("rounding step")},
-                        {"verdict", CommandLine::tr("verdict")}},
-                       rows);
+    std::vector<QStringList> rows{
+        {CommandLine::tr("channel"), CommandLine::tr("unit"), CommandLine::tr("largest error"), where,
+         CommandLine::tr("rms"), CommandLine::tr("largest %"), where, CommandLine::tr("zeros"),
+         CommandLine::tr("% of peak"), CommandLine::tr("rounding step"), CommandLine::tr("verdict")}};
+    for (const ChannelComparison &channel : channels) {
+        rows.push_back({columnNameOf(channel.channel), unitOf(channel.channel), roundedText(channel.maxAbs),
+                        place(channel.maxAbs, channel.timeOfMaxAbs), roundedText(channel.rms),
+                        roundedText(channel.maxPercent), place(channel.maxPercent, channel.timeOfMaxPercent),
+                        QString::number(channel.zeroReference), roundedText(channel.percentOfPeak),
+                        roundedText(channel.roundingStep), verdictText(channel)});
+    }
+    return alignedTable(rows);
 }
 
 } // namespace slidercrank

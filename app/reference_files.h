@@ -3,8 +3,7 @@
 
 // What `compare` and `identify` have in common: both answer a question about each of several reference files.
 
-#include "app/option_groups.h"
-#include "app/records.h"
+#include "app/answer.h"
 #include "core/comparison/comparison.h"
 #include "core/identification/convention.h"
 
@@ -13,21 +12,15 @@
 namespace slidercrank
 {
 
-/// The answer about one reference.
-struct ReferenceAnswer {
+/// The answer about one reference. Its rows and its JSON do not describe the file.
+struct ReferenceAnswer : Answer {
     ExitStatus status = ExitStatus::Success;
-    QString category;         ///< counted in the last line if there are several files: "identified", "differ"
-    QString text;             ///< for Format::Text
-    std::vector<Record> rows; ///< for Format::Csv, without the name of the file
-    QJsonObject json;         ///< for Format::Json, without the members that name the files
+    QString category; ///< counted in the last line if there are several files: "identified", "differ"
 };
 
-struct ReferenceQuestion {
-    Mechanism mechanism;
+struct ReferenceQuestion : Question {
     QList<QStringList> files; ///< each element is one reference: a file, or several files that are joined
     std::vector<NamedChoice> columns;
-    Format format = Format::Text;
-    QString output; ///< empty: standard output
 
     explicit ReferenceQuestion(const OptionReader &options);
 
@@ -46,7 +39,12 @@ std::shared_ptr<const Reference> readTimedReference(const Streams &streams, cons
 /// "file.csv: t = 0 … 1 s, 201 rows"
 QString headline(const Reference &reference);
 
-QJsonArray jsonColumns(const FileLayout &layout);
+/// The name of a joined file; undefined if files are not joined.
+QJsonValue jsonFile(const FileLayout &layout, std::size_t file);
+
+/// Null unless the mechanism exists.
+QJsonValue jsonMechanism(bool exists, const Parameters &parameters);
+
 QJsonArray jsonConventions(const std::vector<ConventionFinding> &findings, const ReferenceData &data);
 
 Record comparisonRecord(const ChannelComparison &channel);

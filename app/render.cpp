@@ -205,7 +205,7 @@ ExitStatus reportTimeSteps(const Streams &streams, const RenderRequest &request,
 {
     TimeStepReport steps;
     const auto add = [&steps](const Trajectory &motion) {
-        steps.add(motion.time, motion.status);
+        steps.add(motion);
         return true;
     };
     if (request.subject == Subject::Mechanism) {

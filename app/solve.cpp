@@ -2,10 +2,9 @@
 
 // `slidercrank solve`: writes the motion as CSV or JSON.
 
+#include "app/answer.h"
 #include "app/commands.h"
-#include "app/option_groups.h"
 #include "app/output.h"
-#include "app/records.h"
 #include "app/time_step_report.h"
 #include "core/import/quantity.h"
 #include "ui/document/settings_fields.h"
@@ -99,12 +98,11 @@ ExitStatus solveCommand(const OptionReader &options, const Streams &streams)
     }
     TimeStepReport steps;
     const auto write = [&](const Trajectory &motion) {
-        steps.add(motion.time, motion.status);
+        steps.add(motion);
         if (isJson) {
             return output.write(motionJson(mechanism, solver.method, angleUnit, channels, motion));
         }
-        return writeCsvRows(motion, channels, angleUnit,
-                            [&](const QByteArray &text) { return output.write(text); });
+        return writeCsvRows(motion, channels, angleUnit, [&](const QByteArray &text) { return output.write(text); });
     };
     if (!isJson) {
         output.write(csvHeader(channels, angleUnit));

@@ -3,10 +3,8 @@
 // `slidercrank study`: measures the speed and the error of every method.
 
 #include "core/study/study.h"
+#include "app/answer.h"
 #include "app/commands.h"
-#include "app/option_groups.h"
-#include "app/output.h"
-#include "app/records.h"
 #include "ui/panels/study_page.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/study_text.h"
@@ -81,17 +79,12 @@ std::vector<Case> readCases(const OptionReader &options, const Mechanism &mechan
 
 ExitStatus studyCommand(const OptionReader &options, const Streams &streams)
 {
+    const Question question(options);
     StudyRequest request;
-    request.cases = readCases(options, readMechanism(options));
-    const Format format = readFormat(options, Format::Text);
-    const QString output = readOutput(options);
+    request.cases = readCases(options, question.mechanism);
     options.refuseFiles();
     const StudyResult result = runStudy(request);
-    useLanguageOf(format);
-    const QByteArray bytes = format == Format::Text  ? studyReport(result).toUtf8()
-                             : format == Format::Csv ? studyCsv(result)
-                                                     : studyJson(result);
-    return writeOutput(streams, output, bytes);
+    return question.write(streams, {studyReport(result), studyRecords(result), studyJson(result)});
 }
 
 } // namespace slidercrank

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/time_step_report.h"
 
-#include "app/records.h"
+#include "app/answer.h"
 #include "core/limits/mobility.h"
 #include "core/mechanism/channel.h"
 #include "core/mechanism/two_part_angle.h"
@@ -11,12 +11,12 @@
 namespace slidercrank
 {
 
-void TimeStepReport::add(std::span<const double> time, std::span<const Status> status)
+void TimeStepReport::add(const Trajectory &motion)
 {
-    for (std::size_t i = 0; i < status.size(); ++i) {
-        Steps &steps = m_steps[static_cast<std::size_t>(status[i])];
+    for (std::size_t i = 0; i < motion.status.size(); ++i) {
+        Steps &steps = m_steps[static_cast<std::size_t>(motion.status[i])];
         if (steps.count++ == 0) {
-            steps.first = time[i];
+            steps.first = motion.time[i];
         }
     }
 }

@@ -5,11 +5,10 @@
 
 #include "app/command_line.h"
 #include "core/mechanism/mechanism.h"
-#include "core/newton/newton_options.h"
+#include "core/sampling/trajectory.h"
 
 #include <array>
 #include <cstddef>
-#include <span>
 
 namespace slidercrank
 {
@@ -17,7 +16,7 @@ namespace slidercrank
 class TimeStepReport
 {
 public:
-    void add(std::span<const double> time, std::span<const Status> status);
+    void add(const Trajectory &motion);
 
     /// Returns Success if all time steps are solved. Otherwise reports how many are affected, where the first of them
     /// is, and what to do, and returns NotAssemblable or NotSolved. The message begins with `prefix`.

@@ -198,7 +198,7 @@ std::optional<QString> StudyPanel::exportNumbers(const QString &path) const
         return tr("There is nothing to export yet: run the study first.");
     }
     const bool json = path.endsWith(".json", Qt::CaseInsensitive);
-    return writeText(path, json ? studyJson(*m_result) : studyCsv(*m_result));
+    return writeText(path, json ? jsonDocument(studyJson(*m_result)) : csvText(studyRecords(*m_result)));
 }
 
 } // namespace slidercrank

@@ -2,7 +2,6 @@
 #include "ui/text/study_text.h"
 
 #include "ui/text/finding_text.h"
-#include "ui/text/record.h"
 #include "ui/text/written_number.h"
 
 #include <QCoreApplication>
@@ -157,7 +156,7 @@ QString caseText(const std::string &name)
     return texts.join(QStringLiteral(", "));
 }
 
-QByteArray studyJson(const StudyResult &result)
+QJsonObject studyJson(const StudyResult &result)
 {
     const auto jsonCase = [](const CaseResult &each) {
         QJsonObject object{
@@ -168,10 +167,10 @@ QByteArray studyJson(const StudyResult &result)
         }
         return object;
     };
-    return jsonDocument({{"machine", machineText(result.machine)}, {"cases", jsonList(result.cases, jsonCase)}});
+    return {{"machine", machineText(result.machine)}, {"cases", jsonList(result.cases, jsonCase)}};
 }
 
-QByteArray studyCsv(const StudyResult &result)
+std::vector<Record> studyRecords(const StudyResult &result)
 {
     std::vector<Record> records;
     for (const CaseResult &each : result.cases) {
@@ -180,7 +179,7 @@ QByteArray studyCsv(const StudyResult &result)
             records.back().insert(records.back().begin(), {"case", QString::fromStdString(each.name)});
         }
     }
-    return csvText(records);
+    return records;
 }
 
 QString machineText(const Machine &machine)

@@ -4,8 +4,8 @@
 // Describes the cases, the machine and the result of the study in the current language.
 
 #include "core/study/study.h"
+#include "ui/text/record.h"
 
-#include <QByteArray>
 #include <QString>
 
 #include <string>
@@ -24,8 +24,8 @@ QString closedFormSentence(const CaseResult &result);
 /// Describes the machine and the compiler: "x86-64, 8 threads, GCC 12".
 QString machineText(const Machine &machine);
 
-/// Return the results as a file in UTF-8. A missing value is null in JSON and empty in CSV.
-QByteArray studyJson(const StudyResult &result);
-QByteArray studyCsv(const StudyResult &result);
+/// Return the results for files in JSON, and for files in CSV with a record for each case and method.
+QJsonObject studyJson(const StudyResult &result);
+std::vector<Record> studyRecords(const StudyResult &result);
 
 } // namespace slidercrank

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/records.h"
+#include "app/answer.h"
 
+#include "app/output.h"
 #include "ui/text/language.h"
 #include "ui/text/written_number.h"
 
@@ -11,17 +12,23 @@
 namespace slidercrank
 {
 
-QString recordTable(const std::vector<Column> &columns, const std::vector<Record> &records)
+Question::Question(const OptionReader &options)
+    : mechanism(readMechanism(options))
+    , format(readFormat(options, Format::Text))
+    , output(readOutput(options, options.files()))
 {
-    std::vector<QStringList> rows(records.size() + 1);
-    for (const Column &column : columns) {
-        rows[0] += column.heading;
-        for (std::size_t i = 0; i < records.size(); ++i) {
-            const QJsonValue value = jsonObject(records[i])[QLatin1String(column.key)];
-            rows[i + 1] += value.isDouble() ? roundedText(value.toDouble(), column.digits) : value.toString(dash());
-        }
+    if (format != Format::Text) {
+        setLanguage(Language::English);
+        QLocale::setDefault(QLocale::c());
     }
-    return alignedTable(rows);
+}
+
+ExitStatus Question::write(const Streams &streams, const Answer &answer) const
+{
+    const QByteArray bytes = format == Format::Json  ? jsonDocument(answer.json)
+                             : format == Format::Csv ? csvText(answer.rows)
+                                                     : answer.text.toUtf8();
+    return bytes.isEmpty() ? ExitStatus::Success : writeOutput(streams, output, bytes);
 }
 
 QString alignedTable(const std::vector<QStringList> &rows)
@@ -55,14 +62,6 @@ QString roundedText(std::optional<double> value, int digits)
 QJsonValue jsonText(const QString &text)
 {
     return text.isEmpty() ? QJsonValue() : QJsonValue(text);
-}
-
-void useLanguageOf(Format format)
-{
-    if (format != Format::Text) {
-        setLanguage(Language::English);
-        QLocale::setDefault(QLocale::c());
-    }
 }
 
 } // namespace slidercrank

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What the commands have in common that answer a question about a mechanism as text, CSV or JSON.
+
+#include "app/option_groups.h"
+#include "ui/text/record.h"
+
+namespace slidercrank
+{
+
+/// The same answer in every format.
+struct Answer {
+    QString text;
+    std::vector<Record> rows;
+    QJsonObject json;
+};
+
+struct Question {
+    Mechanism mechanism;
+    Format format = Format::Text;
+    QString output; ///< empty: standard output
+
+    /// Switches to English for JSON and CSV, which are the same in every language. Messages that follow are in English,
+    /// too.
+    explicit Question(const OptionReader &options);
+
+    /// Writes the answer in the format that was asked for, unless that is empty.
+    ExitStatus write(const Streams &streams, const Answer &answer) const;
+};
+
+/// Returns the cells in columns that are as wide as their widest cell. The first row contains the headings. Columns are
+/// right-aligned unless one of their cells begins with a letter.
+QString alignedTable(const std::vector<QStringList> &rows);
+
+/// Formats a number as one would type it, such as 5.03e-6; a dash if there is none.
+QString roundedText(std::optional<double> value, int digits = 3);
+
+/// Null if the text is empty.
+QJsonValue jsonText(const QString &text);
+
+} // namespace slidercrank
