@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/import/column_assignment.h"
 
-#include "core/import/abscissa.h"
-#include "core/import/cells.h"
 #include "core/import/crank_angles.h"
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+#include <functional>
 
 namespace slidercrank
 {
@@ -17,26 +15,7 @@ namespace
 
 using Fault = ReadFault::Kind;
 using Kind = NameMeaning::Kind;
-
-enum class Evidence { QuantityAlone, Words, ChannelName };
-
-/// A column that could be a channel.
-struct Claim {
-    RawColumn *column = nullptr;
-    Channel channel{};
-    Evidence evidence = Evidence::QuantityAlone;
-    ColumnReason reason = ColumnReason::KnownName;
-    double factor = 1.0; ///< to the default unit
-};
-
-/// Returns the factor to the default unit: 1 without a unit, nullopt if the unit does not suit the channel.
-std::optional<double> factorTo(Channel channel, const std::string &unitText)
-{
-    const Unit own{isAngle(channel.coordinate) ? Dimension::Angle : Dimension::Length, static_cast<int>(channel.order)};
-    const std::optional<Unit> unit = unitText.empty() ? own : parseUnit(unitText);
-    const bool suits = unit && unit->dimension == own.dimension && unit->order == own.order;
-    return suits ? std::optional(unit->factor) : std::nullopt;
-}
+using Values = std::vector<double>;
 
 /// Sets why columns without a meaning are ignored, if there is more to say than that the name is unknown.
 void setReasons(RawTable &table)
@@ -57,6 +36,151 @@ void setReasons(RawTable &table)
     }
 }
 
+/// Returns the values in the default unit.
+Values converted(Values values, const Unit &unit)
+{
+    std::ranges::for_each(values, [&](double &value) {
+        value = unit.dimension == Dimension::Time ? value / unit.factor : value * unit.factor;
+    });
+    return values;
+}
+
+void convert(RawColumn &column, const Unit &unit)
+{
+    column.values = converted(std::move(column.values), unit);
+    column.factor = unit.dimension == Dimension::Time ? 1.0 / unit.factor : unit.factor;
+}
+
+// ---- Time and crank angle ----
+
+/// Returns whether two columns contain the same time stamps, apart from the rounding errors of a unit conversion.
+bool areSameTimes(const Values &x, const Values &y)
+{
+    constexpr double kUlps = 4.0;
+    return std::ranges::equal(x, y, [](double a, double b) {
+        const double allowed = kUlps * std::numeric_limits<double>::epsilon() * std::max(std::abs(a), std::abs(b));
+        return !std::isfinite(a - b) || std::abs(a - b) <= allowed;
+    });
+}
+
+/// Returns whether the file has a column of time stamps or crank angles.
+bool hasAbscissa(const RawTable &table, std::size_t file)
+{
+    return std::ranges::any_of(table.columns, [file](const RawColumn &column) {
+        return column.use.file == file && (column.isAbscissa() || column.use.reason == ColumnReason::SameTimeStamps);
+    });
+}
+
+/// Makes a column the time or the crank angle. If there is such a column already, in another file or for another
+/// signal, both must contain the same.
+void setAbscissa(RawTable &table, RawColumn &column, ColumnRole role, ColumnReason reason, const std::string &unitText)
+{
+    const std::optional<Unit> unit = parseColumnUnit(unitText, role, {});
+    if (!unit) {
+        const bool isTime = role == ColumnRole::Time;
+        throw faultIn(table, column,
+                      isTime ? ReadFault{Fault::UnknownTimeUnit} : ReadFault{Fault::UnknownUnit, kCrankAngle});
+    }
+    convert(column, *unit);
+    const RawColumn *const first = table.abscissa();
+    if (!first) {
+        column.use.role = role;
+        column.setReason(reason);
+    } else if (areSameTimes(first->values, column.values)) {
+        column.setReason(ColumnReason::SameTimeStamps, first->index);
+    } else if (first->use.file == column.use.file) {
+        throw faultIn(table, column, {Fault::TimeTwice});
+    } else {
+        throw ReadError{0, 0, {}, {Fault::OtherTimeStamps, {}, table.fileOf(*first).name}, {}, column.use.file};
+    }
+}
+
+/// Returns whether the column has an unknown name and values that only rise, apart from unreadable cells.
+bool mayBeTime(const RawColumn &column)
+{
+    Values values = column.values;
+    std::erase_if(values, [](double value) { return std::isinf(value); });
+    return column.isUndecided() && column.heading.meaning.kind == Kind::Nothing &&
+           parseColumnUnit(column.heading.unit, ColumnRole::Time, {}) && values.size() >= 2 &&
+           std::ranges::adjacent_find(values, [](double x, double y) { return !(x < y); }) == values.end();
+}
+
+/// Returns whether the column is an angle of an unnamed body that does not change its direction.
+bool isTurningAngle(const RawColumn &column)
+{
+    const NameMeaning &meaning = column.heading.meaning;
+    const std::optional<Unit> unit = parseColumnUnit(column.heading.unit, ColumnRole::CrankAngle, {});
+    return meaning.kind == Kind::Quantity && meaning.channel == Channel{Theta3, Order::Position} && unit &&
+           !findReversal(unwrapped(converted(column.values, *unit)));
+}
+
+/// Finds the abscissa of a file in which no column is named as the time. If another file has one, it is the column with
+/// the same heading. Otherwise it is the first column, if it has an unknown name and only rises; else the crank angle;
+/// else the first column, if it is an angle that does not change its direction, as in "theta, x, v".
+void guessAbscissa(RawTable &table, std::size_t file)
+{
+    const auto find = [&](const auto &suits) {
+        const auto found = std::ranges::find_if(table.columns, [&](const RawColumn &column) {
+            return column.use.file == file && column.use.reason != ColumnReason::Chosen && suits(column);
+        });
+        return found == table.columns.end() ? nullptr : &*found;
+    };
+    if (const RawColumn *const other = table.abscissa()) {
+        if (RawColumn *const same =
+                find([&](const RawColumn &column) { return column.heading.printed == other->heading.printed; })) {
+            setAbscissa(table, *same, other->use.role, ColumnReason::KnownName, same->heading.unit);
+        }
+        return;
+    }
+    RawColumn *const leading = find([](const RawColumn &column) {
+        return column.use.reason != ColumnReason::NoName && column.use.reason != ColumnReason::RowNumber;
+    });
+    if (leading && mayBeTime(*leading)) {
+        return setAbscissa(table, *leading, ColumnRole::Time, ColumnReason::RisingValues, leading->heading.unit);
+    }
+    RawColumn *const named = find([](const RawColumn &column) {
+        return column.heading.meaning.kind > Kind::Quantity && column.heading.meaning.channel == kCrankAngle &&
+               parseColumnUnit(column.heading.unit, ColumnRole::CrankAngle, {});
+    });
+    RawColumn *const angle = named || !leading || !isTurningAngle(*leading) ? named : leading;
+    if (angle) {
+        setAbscissa(table, *angle, ColumnRole::CrankAngle, ColumnReason::AngleForTime, angle->heading.unit);
+    }
+}
+
+/// Finds the abscissa of each file that has none yet, by the names of the columns or else by their values.
+void assignAbscissas(RawTable &table)
+{
+    const RawColumn *const chosen = table.abscissa();
+    for (std::size_t file = 0; file < table.files.size(); ++file) {
+        if (table.files[file].rows.size() != table.files[0].rows.size()) {
+            throw ReadError{0, 0, {}, {Fault::OtherTimeStamps, {}, table.files[0].name}, {}, file};
+        }
+        std::vector<RawColumn *> times;
+        for (RawColumn &column : table.columns) {
+            if (column.use.file == file && column.heading.meaning.kind == Kind::Time && column.isUndecided()) {
+                times.push_back(&column);
+            }
+        }
+        const auto hasNumber = [](const RawColumn *column) { return rangeOf(column->values).count > 0; };
+        const bool isAnyNumeric = times.size() > 1 && std::ranges::any_of(times, hasNumber);
+        for (RawColumn *const column : times) {
+            if (isAnyNumeric && !hasNumber(column)) {
+                column->setReason(ColumnReason::NoNumber); // "2024-03-01 12:00", next to the seconds
+            } else if (chosen && chosen->use.file == file) {
+                column->setReason(ColumnReason::LikeOther, chosen->index);
+            } else if (!table.abscissa() || table.abscissa()->use.role == ColumnRole::Time) {
+                setAbscissa(table, *column, ColumnRole::Time, ColumnReason::KnownName, column->heading.unit);
+            }
+        }
+        if (!hasAbscissa(table, file)) {
+            guessAbscissa(table, file);
+        }
+    }
+}
+
+// ---- Channels ----
+
 const RawColumn *findChannel(const RawTable &table, Channel channel)
 {
     const auto found = std::ranges::find_if(table.columns, [&](const RawColumn &column) {
@@ -65,25 +189,15 @@ const RawColumn *findChannel(const RawTable &table, Channel channel)
     return found == table.columns.end() ? nullptr : &*found;
 }
 
-void setChannel(const Claim &claim)
-{
-    RawColumn &column = *claim.column;
-    column.use.role = ColumnRole::Channel;
-    column.use.channel = claim.channel;
-    column.setReason(claim.reason);
-    column.factor = claim.factor;
-    std::ranges::for_each(column.values, [&](double &value) { value *= claim.factor; });
-}
-
 /// Returns the error that two columns are the same channel: `fault` if they are in one file.
-ReadError conflict(const RawTable &table, const RawColumn &column, const RawColumn &other, Channel channel, Fault fault)
+ReadError conflict(const RawTable &table, const RawColumn &column, const RawColumn &other, Fault fault)
 {
-    const auto &[first, second] = column.index < other.index ? std::tie(column, other) : std::tie(other, column);
-    const std::size_t file = first.use.file;
-    const std::size_t later = second.use.file;
-    return file == later
+    const auto &[first, second] =
+        std::minmax(column, other, [](const RawColumn &x, const RawColumn &y) { return x.index < y.index; });
+    const Channel channel = column.use.channel;
+    return first.use.file == second.use.file
                ? faultIn(table, second, {fault, channel})
-               : ReadError{0, 0, {}, {Fault::ChannelInBoth, channel, table.files[file].name}, {}, later};
+               : ReadError{0, 0, {}, {Fault::ChannelInBoth, channel, table.fileOf(first).name}, {}, second.use.file};
 }
 
 void applyChoices(RawTable &table, std::span<const ColumnChoice> choices)
@@ -93,137 +207,119 @@ void applyChoices(RawTable &table, std::span<const ColumnChoice> choices)
             continue; // remembered from a file with more columns
         }
         RawColumn &column = table.columns[choice.column];
-        const std::string &unit = choice.unit.empty() ? column.heading.unit : choice.unit;
+        const std::string &unitText = choice.unit.empty() ? column.heading.unit : choice.unit;
+        const RawColumn *const other = findChannel(table, choice.channel);
+        column.use.channel = choice.channel;
         if (choice.role == ColumnRole::Ignored) {
             column.setReason(ColumnReason::Chosen);
         } else if (choice.role != ColumnRole::Channel) {
             if (hasAbscissa(table, column.use.file)) {
                 throw faultIn(table, column, {Fault::TimeChosenTwice});
             }
-            setAbscissa(table, column, choice.role, ColumnReason::Chosen, unit);
-        } else if (const RawColumn *const other = findChannel(table, choice.channel)) {
-            throw conflict(table, column, *other, choice.channel, Fault::ChannelChosenTwice);
-        } else if (const std::optional<double> factor = factorTo(choice.channel, unit)) {
-            setChannel({&column, choice.channel, Evidence::ChannelName, ColumnReason::Chosen, *factor});
+            setAbscissa(table, column, choice.role, ColumnReason::Chosen, unitText);
+        } else if (other) {
+            throw conflict(table, column, *other, Fault::ChannelChosenTwice);
+        } else if (const std::optional<Unit> unit = parseColumnUnit(unitText, choice.role, choice.channel)) {
+            convert(column, *unit);
+            column.use.role = choice.role;
+            column.setReason(ColumnReason::Chosen);
         } else {
             throw faultIn(table, column, {Fault::UnknownUnit, choice.channel});
         }
     }
 }
 
-/// Returns what the column could be according to its name and unit. Otherwise sets the reason why it is ignored.
-std::optional<Claim> claimOf(const RawTable &table, RawColumn &column)
+/// Returns the columns that could be channels according to their names and units, best evidence first, in the default
+/// unit and with the channel that they would be. Sets the reason of columns with unsuitable units.
+std::vector<RawColumn *> findCandidates(RawTable &table)
 {
-    const Heading &heading = column.heading;
-    const NameMeaning &meaning = heading.meaning;
-    const bool isQuantity = meaning.kind == Kind::Quantity;
-    if (!column.isUndecided() || (meaning.kind != Kind::Channel && !isQuantity)) {
-        return std::nullopt;
-    }
-    const std::optional<double> factor = factorTo(meaning.channel, heading.unit);
-    if (!factor && meaning.isExact) {
-        throw faultIn(table, column, {Fault::UnknownUnit, meaning.channel});
-    }
-    if (!factor) {
-        column.setReason(ColumnReason::UnknownUnit);
-        return std::nullopt;
-    }
-    const ColumnReason reason = heading.hasUnitOfModelica ? ColumnReason::ModelicaName
-                                : !isQuantity             ? ColumnReason::KnownName
-                                                          : ColumnReason::QuantityInName;
-    const Evidence evidence = isQuantity        ? Evidence::QuantityAlone
-                              : meaning.isExact ? Evidence::ChannelName
-                                                : Evidence::Words;
-    return Claim{&column, meaning.channel, evidence, reason, *factor};
-}
-
-/// Returns the range of a column of angles, in degrees, without the jumps of angles that are limited to one turn.
-double sweepOf(const Claim &claim)
-{
-    std::vector<double> degrees;
-    for (const double value : claim.column->values) {
-        if (std::isfinite(value)) {
-            degrees.push_back(value * claim.factor);
+    std::vector<RawColumn *> candidates;
+    for (RawColumn &column : table.columns) {
+        const Heading &heading = column.heading;
+        const NameMeaning &meaning = heading.meaning;
+        if (!column.isUndecided() || meaning.kind < Kind::Quantity) {
+            continue;
         }
+        const std::optional<Unit> unit = parseColumnUnit(heading.unit, ColumnRole::Channel, meaning.channel);
+        if (!unit && meaning.kind == Kind::ChannelName) {
+            throw faultIn(table, column, {Fault::UnknownUnit, meaning.channel});
+        }
+        if (!unit) {
+            column.setReason(ColumnReason::UnknownUnit);
+            continue;
+        }
+        convert(column, *unit);
+        column.use.channel = meaning.channel;
+        candidates.push_back(&column);
     }
-    return rangeOf(unwrapped(std::move(degrees))).width();
+    std::ranges::stable_sort(candidates, std::ranges::greater(),
+                             [](const RawColumn *column) { return column->heading.meaning.kind; });
+    return candidates;
 }
 
 /// Reassigns angles of an unnamed body that have to be the crank angle, and the derivatives that belong to them. If
-/// another angle of the same owner does not, it is open whose derivatives they are.
-void findCrank(std::vector<Claim> &claims)
+/// another angle of the same owner does not, it is open whose derivatives they are, and they are no candidates.
+void findCrank(std::vector<RawColumn *> &candidates)
 {
     constexpr double kHalfTurn = 180.0; // the coupler swings less in every mechanism that makes full turns
-    const auto isOfUnnamedBody = [](const Claim &claim) {
-        return claim.evidence == Evidence::QuantityAlone && isAngle(claim.channel.coordinate);
-    };
-    const auto isPosition = [&](const Claim &claim) {
-        return isOfUnnamedBody(claim) && claim.channel.order == Order::Position;
-    };
-    for (Claim &claim : claims) {
-        if (isPosition(claim) && sweepOf(claim) > kHalfTurn) {
-            claim.channel = kCrankAngle;
-            claim.reason = ColumnReason::WideAngle;
+    std::vector<RawColumn *> angles;
+    std::vector<RawColumn *> derivatives;
+    for (RawColumn *const column : candidates) {
+        if (column->heading.meaning.kind == Kind::Quantity && isAngle(column->use.channel.coordinate)) {
+            (column->use.channel.order == Order::Position ? angles : derivatives).push_back(column);
         }
     }
-    std::vector<Claim> settled;
-    for (Claim claim : claims) {
+    for (RawColumn *const column : angles) {
+        Values degrees = column->values;
+        std::erase_if(degrees, [](double value) { return !std::isfinite(value); });
+        if (rangeOf(unwrapped(std::move(degrees))).width() > kHalfTurn) { // without the jumps after one turn
+            column->use.channel = kCrankAngle;
+        }
+    }
+    for (RawColumn *const column : derivatives) {
         const RawColumn *crank = nullptr; // whose derivative the column may be
         bool isAmbiguous = false;
-        const std::string &owner = claim.column->heading.meaning.owner;
-        for (const Claim &angle : claims) {
-            if (isOfUnnamedBody(claim) && !isPosition(claim) && isPosition(angle) &&
-                angle.column->heading.meaning.owner == owner) {
-                crank = angle.channel == kCrankAngle ? angle.column : crank;
-                isAmbiguous = isAmbiguous || angle.channel != kCrankAngle;
+        for (const RawColumn *const angle : angles) {
+            if (angle->heading.meaning.owner == column->heading.meaning.owner) {
+                const bool isCrank = angle->use.channel == kCrankAngle;
+                crank = isCrank ? angle : crank;
+                isAmbiguous = isAmbiguous || !isCrank;
             }
         }
         if (crank && isAmbiguous) {
-            claim.column->setReason(ColumnReason::LikeOther, crank->index);
-            continue;
+            column->setReason(ColumnReason::LikeOther, crank->index);
+            std::erase(candidates, column);
+        } else if (crank) {
+            column->use.channel.coordinate = Theta2;
         }
-        claim.channel.coordinate = crank ? Theta2 : claim.channel.coordinate;
-        claim.reason = crank ? ColumnReason::WideAngle : claim.reason;
-        settled.push_back(claim);
-    }
-    claims = std::move(settled);
-}
-
-/// Gives a channel to the claim with the best evidence, if there is only one.
-void decide(const RawTable &table, std::vector<Claim> claims)
-{
-    std::ranges::stable_sort(claims, std::ranges::greater(), &Claim::evidence);
-    const Claim &best = claims.front();
-    const RawColumn *const chosen = findChannel(table, best.channel);
-    const bool hasRival = claims.size() > 1 && claims[1].evidence == best.evidence;
-    if (hasRival && best.evidence == Evidence::ChannelName && !chosen) {
-        throw conflict(table, *best.column, *claims[1].column, best.channel, Fault::ChannelTwice);
-    }
-    for (const Claim &claim : claims) {
-        const RawColumn *const rival = claim.column == best.column ? claims[hasRival ? 1 : 0].column : best.column;
-        claim.column->setReason(ColumnReason::LikeOther, (chosen ? chosen : rival)->index);
-        claim.column->use.channel = best.channel;
-    }
-    if (!chosen && !hasRival) {
-        setChannel(best);
     }
 }
 
+/// Gives each channel to the candidate with the best evidence, if there is only one.
 void assignChannels(RawTable &table)
 {
-    std::vector<Claim> claims;
-    for (RawColumn &column : table.columns) {
-        if (const std::optional<Claim> claim = claimOf(table, column)) {
-            claims.push_back(*claim);
-        }
-    }
-    findCrank(claims);
-    for (std::size_t index = 0; index < kChannelCount; ++index) {
-        std::vector<Claim> rivals;
-        const auto isOfChannel = [&](const Claim &claim) { return indexOf(claim.channel) == index; };
-        std::ranges::copy_if(claims, std::back_inserter(rivals), isOfChannel);
-        if (!rivals.empty()) {
-            decide(table, std::move(rivals));
+    std::vector<RawColumn *> candidates = findCandidates(table);
+    findCrank(candidates);
+    for (RawColumn *const column : candidates) {
+        const Kind evidence = column->heading.meaning.kind;
+        const RawColumn *const chosen = findChannel(table, column->use.channel);
+        const auto rival = std::ranges::find_if(candidates, [&](const RawColumn *other) {
+            return other != column && other->use.channel == column->use.channel &&
+                   other->heading.meaning.kind >= evidence;
+        });
+        if (chosen) {
+            column->setReason(ColumnReason::LikeOther, chosen->index);
+        } else if (rival == candidates.end()) {
+            const Heading &heading = column->heading;
+            column->use.role = ColumnRole::Channel;
+            column->setReason(heading.meaning.channel != column->use.channel ? ColumnReason::WideAngle
+                              : heading.hasUnitOfModelica                    ? ColumnReason::ModelicaName
+                              : evidence == Kind::Quantity                   ? ColumnReason::QuantityInName
+                                                                             : ColumnReason::KnownName);
+        } else if (evidence == Kind::ChannelName) {
+            throw conflict(table, *column, **rival, Fault::ChannelTwice);
+        } else {
+            column->setReason(ColumnReason::LikeOther, (*rival)->index);
         }
     }
 }
@@ -237,26 +333,20 @@ ReadError findMissing(const RawTable &table, std::size_t file)
         const Cells cells = splitCells(own.rows.front().text, layout.delimiter);
         return {own.form.firstDataLine, 1, excerpt(cells.front()), {Fault::NamesMissing}, {}, file};
     }
-    ReadError error{layout.headerLine, 0, own.form.headerText, {Fault::NoTime}, {}, file};
-    if (!hasAbscissa(table, file)) {
-        return error;
-    }
-    error.fault.kind = Fault::NoChannel;
+    ReadFault fault{hasAbscissa(table, file) ? Fault::NoChannel : Fault::NoTime};
     for (const RawColumn &column : table.columns) {
         const ColumnReason reason = column.use.reason;
-        if (column.use.file != file) {
+        if (column.use.file != file || fault.kind != Fault::NoChannel) {
             continue;
         }
         if (reason == ColumnReason::LikeOther && table.columns[*column.use.otherColumn].use.file != file) {
-            return conflict(table, column, table.columns[*column.use.otherColumn], column.use.channel,
-                            Fault::NoChannel);
+            return conflict(table, column, table.columns[*column.use.otherColumn], Fault::NoChannel);
         }
         if (leavesOpen(reason) || reason == ColumnReason::UnknownUnit) {
-            error.fault = {Fault::NoCertainChannel, {}, excerpt(column.heading.printed), reason};
-            return error;
+            fault = {Fault::NoCertainChannel, {}, excerpt(column.heading.printed), reason};
         }
     }
-    return error;
+    return {layout.headerLine, 0, own.form.headerText, fault, {}, file};
 }
 
 } // namespace

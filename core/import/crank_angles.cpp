@@ -2,7 +2,6 @@
 #include "core/import/crank_angles.h"
 
 #include "core/import/clock.h"
-#include "core/import/quantity.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,13 +10,6 @@
 
 namespace slidercrank
 {
-
-std::optional<double> unitsPerDegree(const std::string &unit)
-{
-    const std::optional<Unit> known = unit.empty() ? kDegree : parseUnit(unit);
-    return known && known->dimension == Dimension::Angle && known->order == 0 ? std::optional(1.0 / known->factor)
-                                                                              : std::nullopt;
-}
 
 std::vector<double> unwrapped(std::vector<double> degrees)
 {

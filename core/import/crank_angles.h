@@ -20,9 +20,6 @@ namespace slidercrank
 
 inline constexpr Channel kCrankAngle{Theta2, Order::Position};
 
-/// Returns how many of the unit make a degree; 1 for an empty unit, nullopt if it is not a unit of angle.
-std::optional<double> unitsPerDegree(const std::string &unit);
-
 /// Removes the jumps of angles that are limited to one turn: 359, 0, 1 becomes 359, 360, 361. Angles that already go in
 /// one direction throughout are returned unchanged.
 std::vector<double> unwrapped(std::vector<double> degrees);

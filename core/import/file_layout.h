@@ -4,6 +4,7 @@
 // Describes how a reference file is written, and what each of its columns is used for and why. Lines count from 1,
 // columns from 0.
 
+#include "core/import/unit_text.h"
 #include "core/mechanism/channel.h"
 
 #include <cstddef>
@@ -102,6 +103,10 @@ struct FileLayout {
     /// Returns whether no column is used as a channel where several could be, so that a person has to choose.
     bool isOpen() const;
 };
+
+/// Returns the unit of a column with that role and channel: the default unit for an empty text, nullopt if it is no
+/// unit of them.
+std::optional<Unit> parseColumnUnit(const std::string &text, ColumnRole role, Channel channel);
 
 /// The meaning that a person gives a column, which overrides its heading.
 struct ColumnChoice {

@@ -113,22 +113,18 @@ std::optional<Body> findBody(std::string_view name)
 /// Returns the channel whose name has the same letters and digits, regardless of punctuation. "dot" is a derivative.
 std::optional<Channel> channelSpelled(const Words &words)
 {
-    const auto joined = [](const Words &parts) {
-        std::string text;
-        for (const std::string &part : parts) {
-            text += part == "dot" ? "diff" : part == "ddot" ? "diff2" : part;
+    std::string text;
+    for (const std::string &word : words) {
+        text += word == "dot" ? "diff" : word == "ddot" ? "diff2" : word;
+    }
+    for (std::size_t index = 0; index < kChannelCount; ++index) {
+        std::string name = lowered(nameOf(channelAt(index)));
+        std::erase(name, '_');
+        if (name == text) {
+            return channelAt(index);
         }
-        return text;
-    };
-    static const std::vector<std::string> names = [&] {
-        std::vector<std::string> plain;
-        for (std::size_t index = 0; index < kChannelCount; ++index) {
-            plain.push_back(joined(wordsOf(nameOf(channelAt(index)))));
-        }
-        return plain;
-    }();
-    const auto index = static_cast<std::size_t>(std::ranges::find(names, joined(words)) - names.begin());
-    return index < kChannelCount ? std::optional(channelAt(index)) : std::nullopt;
+    }
+    return std::nullopt;
 }
 
 bool isTime(const Words &words)
@@ -226,7 +222,7 @@ NameMeaning meaningOfWords(const CompoundName &name, std::optional<Body> body, c
         return {};
     }
     NameMeaning meaning = name.meaning;
-    meaning.kind = all->body ? Kind::Channel : meaning.isInventor && isOpen ? Kind::AngleOrLength : Kind::Quantity;
+    meaning.kind = all->body ? Kind::Words : meaning.isInventor && isOpen ? Kind::AngleOrLength : Kind::Quantity;
     const Coordinate coordinate = all->body == Body::Crank ? Theta2 : isAngle ? Theta3 : all->axis == 'y' ? R4y : R4x;
     meaning.channel = {coordinate, *order};
     return meaning;
@@ -296,7 +292,7 @@ NameMeaning meaningOf(const Heading &heading)
         return {isAmong(heading.unit, kCountedUnits) ? Kind::RowNumber : Kind::Time};
     }
     if (const std::optional<Channel> channel = channelSpelled(words)) {
-        return {Kind::Channel, *channel, true};
+        return {Kind::ChannelName, *channel};
     }
     if (words.size() == 1 && isAmong(words[0], kRowNumbers)) {
         return {Kind::RowNumber};
@@ -321,12 +317,11 @@ void interpretHeadings(std::vector<Heading> &row, const std::string &unitOfLengt
         if (!isComponent) {
             magnitude = meaning.kind == Kind::Quantity ? std::optional(i) : std::nullopt;
         }
-        const bool isQuantity = meaning.kind == Kind::Channel || meaning.kind == Kind::Quantity;
         const bool isOfAngle = isAngle(meaning.channel.coordinate);
         const std::string base = meaning.isModelica ? (isOfAngle ? "rad" : "m")
                                  : isOfAngle        ? unitOfAngles
                                                     : unitOfLengths;
-        if (isQuantity && heading.unit.empty() && !base.empty()) {
+        if (meaning.kind >= Kind::Quantity && heading.unit.empty() && !base.empty()) {
             constexpr std::array kPerTime{"", "/s", "/s2"};
             heading.unit = base + kPerTime[static_cast<std::size_t>(meaning.channel.order)];
             heading.hasUnitOfModelica = meaning.isModelica;

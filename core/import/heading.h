@@ -17,18 +17,19 @@ namespace slidercrank
 
 /// The quantity that a name denotes.
 struct NameMeaning {
+    /// The later kinds are better evidence of a channel.
     enum class Kind {
         Nothing,
         RowNumber, ///< "n", "index", "Time (steps)"
         Time,
         AngleOrLength, ///< Inventor's "P[3.1]" without a unit
-        Channel,       ///< exactly one of the 36
-        Quantity       ///< of an unnamed body: `channel` is the one that is usually exported
+        Quantity,      ///< of an unnamed body: `channel` is the one that is usually exported
+        Words,         ///< for a quantity of a body, which is a channel
+        ChannelName    ///< nameOf() a channel
     };
     Kind kind = Kind::Nothing;
     Channel channel{};
-    bool isExact = false; ///< whether the name is that of nameOf(), not words
-    std::string owner{};  ///< "3.1" in "P[3.1]", "slider" in "slider.s"; empty: none
+    std::string owner{}; ///< "3.1" in "P[3.1]", "slider" in "slider.s"; empty: none
     bool isModelica = false;
     bool isInventor = false;
 };
@@ -43,11 +44,6 @@ struct Heading {
     NameMeaning meaning{};
     std::optional<std::size_t> component{}; ///< first component of the vector whose magnitude the column contains
     bool hasUnitOfModelica = false;         ///< the unit is not given, but implied by the kind of name
-
-    bool isCrankAngle() const
-    {
-        return meaning.kind == NameMeaning::Kind::Channel && meaning.channel == Channel{Theta2, Order::Position};
-    }
 };
 
 /// Splits a cell, given without surrounding quotation marks, into name and unit. The unit is at the end, in brackets or

@@ -89,8 +89,8 @@ ReadError faultIn(const RawTable &table, const RawColumn &column, ReadFault faul
             column.use.file};
 }
 
-void readTable(const FileBytes &bytes, const std::stop_token &stop,
-               const std::function<void(std::size_t done)> &progress, RawTable &table)
+void readTable(const FileBytes &bytes, const std::stop_token &stop, const std::function<void(double part)> &progress,
+               RawTable &table)
 {
     constexpr std::size_t kReportEvery = 4096; // rows
     TableFile &file = table.files.emplace_back();
@@ -108,7 +108,7 @@ void readTable(const FileBytes &bytes, const std::stop_token &stop,
     std::size_t number = file.form.firstDataLine;
     for (std::string_view rest = file.form.data; !rest.empty(); ++number) {
         if (number % kReportEvery == 0) {
-            progress(text.size() - rest.size());
+            progress(1.0 - static_cast<double>(rest.size()) / static_cast<double>(text.size()));
             if (stop.stop_requested()) {
                 throw ReadError{.fault = {ReadFault::Kind::Stopped}};
             }
@@ -118,7 +118,7 @@ void readTable(const FileBytes &bytes, const std::stop_token &stop,
             readRow(file.form, file.rows.back(), std::span(table.columns).subspan(file.firstColumn));
         }
     }
-    progress(text.size());
+    progress(1.0);
 }
 
 SkippedRow findRowFault(RawTable &table, std::size_t row)

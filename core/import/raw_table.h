@@ -60,10 +60,10 @@ struct RawTable {
 /// Returns an error at the heading of a column.
 ReadError faultIn(const RawTable &table, const RawColumn &column, ReadFault fault);
 
-/// Appends the columns of a file to the table. `progress` is called regularly with the number of bytes that have been
-/// read. Throws ReadError.
-void readTable(const FileBytes &file, const std::stop_token &stop,
-               const std::function<void(std::size_t done)> &progress, RawTable &table);
+/// Appends the columns of a file to the table. `progress` is called regularly with the part that has been read, from 0
+/// to 1. Throws ReadError.
+void readTable(const FileBytes &file, const std::stop_token &stop, const std::function<void(double part)> &progress,
+               RawTable &table);
 
 /// Returns why a row is skipped: the first unreadable cell in a used column, or else the repeated time.
 SkippedRow findRowFault(RawTable &table, std::size_t row);

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/import/reference_data.h"
 
-#include "core/import/cells.h"
 #include "core/import/column_assignment.h"
 #include "core/import/crank_angles.h"
 #include "core/import/difference.h"
-#include "core/import/file_text.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <new>
 #include <numeric>
@@ -23,19 +19,26 @@ namespace
 
 using Fault = ReadFault::Kind;
 
-/// Returns the columns that have that heading, or else that heading apart from the unit, or else that number.
-std::vector<std::size_t> columnsNamed(const std::string &name, const RawTable &table)
+/// Returns the only column that has that heading, or else that heading apart from the unit, or else that number.
+std::size_t findColumn(const RawTable &table, const std::string &name)
 {
-    std::array<std::vector<std::size_t>, 3> columns;
-    for (const RawColumn &column : table.columns) {
-        const std::array<std::string, 3> names{column.heading.printed, column.heading.name,
-                                               '#' + std::to_string(column.index + 1)};
-        const auto match = static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
-        if (match < names.size()) {
-            columns[match].push_back(column.index);
+    ReadFault fault{Fault::NoSuchColumn, {}, name};
+    for (int kind = 0; kind < 3; ++kind) {
+        const auto isNamed = [&](const RawColumn &column) {
+            return name == (kind == 0   ? column.heading.printed
+                            : kind == 1 ? column.heading.name
+                                        : '#' + std::to_string(column.index + 1));
+        };
+        const auto count = std::ranges::count_if(table.columns, isNamed);
+        if (count == 1) {
+            return std::ranges::find_if(table.columns, isNamed)->index;
+        }
+        if (count > 1) {
+            fault.kind = Fault::SeveralColumns;
+            break;
         }
     }
-    return !columns[0].empty() ? columns[0] : !columns[1].empty() ? columns[1] : columns[2];
+    throw ReadError{table.files.size() == 1 ? table.files[0].form.layout.headerLine : 0, 0, {}, fault};
 }
 
 /// Returns all choices by column number. Choices by heading override them.
@@ -43,14 +46,9 @@ std::vector<ColumnChoice> resolveChoices(const ReadOptions &options, const RawTa
 {
     std::vector<ColumnChoice> choices = options.columns;
     for (const NamedChoice &named : options.named) {
-        const std::vector<std::size_t> columns = columnsNamed(named.heading, table);
-        if (columns.size() != 1) {
-            const std::size_t line = table.files.size() == 1 ? table.files[0].form.layout.headerLine : 0;
-            throw ReadError{
-                line, 0, {}, {columns.empty() ? Fault::NoSuchColumn : Fault::SeveralColumns, {}, named.heading}};
-        }
-        std::erase_if(choices, [&](const ColumnChoice &choice) { return choice.column == columns.front(); });
-        choices.push_back({columns.front(), named.role, named.channel, named.unit});
+        const std::size_t column = findColumn(table, named.heading);
+        std::erase_if(choices, [&](const ColumnChoice &choice) { return choice.column == column; });
+        choices.push_back({column, named.role, named.channel, named.unit});
     }
     return choices;
 }
@@ -200,24 +198,19 @@ ReferenceData toData(RawTable &table)
 void readTables(std::span<const FileBytes> files, const std::stop_token &stop, const ReadOptions &options,
                 RawTable &table)
 {
-    const auto addSize = [](std::size_t sum, const FileBytes &file) { return sum + file.bytes.size(); };
-    const std::size_t all = std::accumulate(files.begin(), files.end(), std::size_t{0}, addSize);
-    std::size_t before = 0;
     std::size_t shortest = std::numeric_limits<std::size_t>::max();
-    for (const FileBytes &file : files) {
-        const std::size_t size = file.bytes.size();
-        const auto progress = [&](std::size_t done) {
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        const auto progress = [&](double part) {
             if (options.progress) {
-                options.progress(before + std::min(done, size), all);
+                options.progress((static_cast<double>(i) + part) / static_cast<double>(files.size()));
             }
         };
         try {
-            readTable(file, stop, progress, table);
+            readTable(files[i], stop, progress, table);
         } catch (ReadError &error) {
-            error.file = static_cast<std::size_t>(&file - files.data());
+            error.file = i;
             throw;
         }
-        before += size;
         shortest = std::min(shortest, table.files.back().rows.size());
     }
     if (std::ranges::any_of(files, &FileBytes::isBeginning)) {

@@ -118,8 +118,8 @@ ValueRange rangeOf(std::span<const double> values);
 struct ReadOptions {
     std::vector<ColumnChoice> columns; ///< for the other columns, the file decides
 
-    /// Called regularly from the reading thread with the number of bytes that have been read, and of all. May be empty.
-    std::function<void(std::size_t done, std::size_t all)> progress;
+    /// Called regularly from the reading thread with the part that has been read, from 0 to 1. May be empty.
+    std::function<void(double part)> progress;
 
     std::vector<NamedChoice> named{}; ///< override `columns`
 };

@@ -95,7 +95,7 @@ Names makeNames(Cells cells, char delimiter)
     for (const std::string_view cell : names.cells) {
         const Kind kind = looksNumeric(cell) ? Kind::Nothing : meaningOf(parseHeading(cell)).kind;
         names.times += kind == Kind::Time ? 1 : 0;
-        names.quantities += kind == Kind::Channel || kind == Kind::Quantity ? 1 : 0;
+        names.quantities += kind >= Kind::Quantity ? 1 : 0;
     }
     return names;
 }

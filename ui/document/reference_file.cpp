@@ -2,7 +2,6 @@
 #include "ui/document/reference_file.h"
 
 #include "core/import/crank_angles.h"
-#include "core/import/unit_text.h"
 #include "ui/text/column_text.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/read_fault_text.h"
@@ -203,10 +202,7 @@ std::vector<ColumnChoice> withAbscissaAs(ColumnRole role, const Reference &refer
     });
     const auto abscissa = static_cast<std::size_t>(found - columns.begin());
     const std::string &printed = columns[abscissa].unit;
-    const std::optional<Unit> unit = parseUnit(printed);
-    const bool isSuitable =
-        printed.empty() || (role == ColumnRole::CrankAngle ? unitsPerDegree(printed).has_value()
-                                                           : unit && unit->dimension == Dimension::Time);
+    const bool isSuitable = parseColumnUnit(printed, role, {}).has_value();
     std::vector<ColumnChoice> choices = reference.columns;
     std::erase_if(choices, [abscissa](const ColumnChoice &choice) { return choice.column == abscissa; });
     choices.push_back({abscissa, role, {}, isSuitable ? "" : role == ColumnRole::CrankAngle ? "deg" : "s"});

@@ -286,9 +286,7 @@ void Session::read(const QStringList &paths, const std::function<ReferenceSource
 {
     const auto work = [source](const std::stop_token &stop, const BackgroundTask::Progress &progress) {
         ReadOptions options;
-        options.progress = [&progress](std::size_t bytes, std::size_t total) {
-            progress(static_cast<double>(bytes) / static_cast<double>(std::max(total, bytes)));
-        };
+        options.progress = progress;
         return readReference(source(), stop, options);
     };
     const auto finish = [this, paths, done](const ReferenceOutcome &outcome) {

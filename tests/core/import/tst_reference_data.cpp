@@ -323,15 +323,15 @@ private slots:
         for (int i = 0; i < 200'000; ++i) {
             bytes += QByteArray::number(i) + ",1\n";
         }
-        std::vector<std::size_t> done;
+        std::vector<double> done;
         std::stop_source stop;
         ReadOptions options;
-        options.progress = [&](std::size_t bytesDone, std::size_t) { done.push_back(bytesDone); };
+        options.progress = [&](double part) { done.push_back(part); };
         const FileBytes file{{bytes.constData(), static_cast<std::size_t>(bytes.size())}};
         QVERIFY(std::holds_alternative<ReferenceData>(readFiles({&file, 1}, {}, options)));
         QVERIFY(done.size() >= 4 && std::is_sorted(done.begin(), done.end()));
-        QCOMPARE(done.back(), file.bytes.size());
-        options.progress = [&](std::size_t, std::size_t) { stop.request_stop(); };
+        QCOMPARE(done.back(), 1.0);
+        options.progress = [&](double) { stop.request_stop(); };
         const Outcome outcome = readFiles({&file, 1}, stop.get_token(), options);
         QCOMPARE(std::get<ReadError>(outcome).fault.kind, Kind::Stopped);
     }
