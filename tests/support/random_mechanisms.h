@@ -6,6 +6,7 @@
 #include "core/mechanism/mechanism.h"
 
 #include <cmath>
+#include <numbers>
 #include <cstdint>
 #include <random>
 
@@ -36,6 +37,19 @@ public:
         p.omega2 = std::exp(uniform(std::log(0.1), std::log(100.0))) * (uniform(-1.0, 1.0) < 0.0 ? -1.0 : 1.0);
         p.theta20 = uniform(-10.0, 10.0);
         p.branch = m_count++ % 2 == 0 ? Branch::Open : Branch::Crossed;
+        return p;
+    }
+
+    /// Returns a mechanism with typical proportions. Its coupler is 1.03 to 3 times as long as a full turn requires.
+    Parameters ordinary()
+    {
+        Parameters p;
+        p.a = uniform(5.0, 100.0);
+        p.c = p.a * uniform(-1.5, 1.5);
+        p.b = (p.a + std::abs(p.c)) * uniform(1.03, 3.0);
+        p.omega2 = std::exp(uniform(std::log(0.1), std::log(100.0))) * (uniform(-1.0, 1.0) < 0.0 ? -1.0 : 1.0);
+        p.theta20 = uniform(-std::numbers::pi, std::numbers::pi);
+        p.branch = uniform(-1.0, 1.0) < 0.0 ? Branch::Open : Branch::Crossed;
         return p;
     }
 

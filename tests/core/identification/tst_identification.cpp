@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <numeric>
 
@@ -26,20 +25,6 @@ const Parameters kOrdinary{20.0, 60.0, 25.0, 6.25, 0.25, Branch::Open};
 
 using Outcome = Identification::Outcome;
 using Why = Identification::Alternative::Why;
-
-/// Returns a mechanism with typical proportions. Its coupler is 1.03 to 3 times as long as a full turn requires.
-Parameters ordinary(RandomMechanisms &random)
-{
-    Parameters p;
-    p.a = random.uniform(5.0, 100.0);
-    p.c = p.a * random.uniform(-1.5, 1.5);
-    p.b = (p.a + std::abs(p.c)) * random.uniform(1.03, 3.0);
-    p.omega2 =
-        std::exp(random.uniform(std::log(0.1), std::log(100.0))) * (random.uniform(-1.0, 1.0) < 0.0 ? -1.0 : 1.0);
-    p.theta20 = random.uniform(-kPi, kPi);
-    p.branch = random.uniform(-1.0, 1.0) < 0.0 ? Branch::Open : Branch::Crossed;
-    return p;
-}
 
 Printing printingOfTurns(const Parameters &p, double turns, int rows, const std::string &channels)
 {
@@ -67,14 +52,11 @@ double distance(const Parameters &found, const Parameters &truth, bool images = 
 
 QByteArray described(const Parameters &p)
 {
-    return QStringLiteral("a %1 b %2 c %3 omega2 %4 theta20 %5 %6")
-        .arg(p.a, 0, 'g', 10)
-        .arg(p.b, 0, 'g', 10)
-        .arg(p.c, 0, 'g', 10)
-        .arg(p.omega2, 0, 'g', 10)
-        .arg(p.theta20, 0, 'g', 10)
-        .arg(p.branch == Branch::Open ? "open" : "crossed")
-        .toUtf8();
+    QByteArray text = p.branch == Branch::Open ? "open" : "crossed";
+    for (const double value : {p.a, p.b, p.c, p.omega2, p.theta20}) {
+        text += ' ' + QByteArray::number(value, 'g', 10);
+    }
+    return text;
 }
 
 Identification identified(const ReferenceData &data, const Parameters &given = {})
@@ -123,7 +105,8 @@ private slots:
         }
         const QByteArray bytes = file.readAll();
         const auto outcome = readReferenceData({bytes.constData(), static_cast<std::size_t>(bytes.size())});
-        const Diagnosis found = diagnose(std::get<ReferenceData>(outcome), Mechanism());
+        const ReferenceData &data = std::get<ReferenceData>(outcome);
+        const Diagnosis found = diagnose(data, Mechanism());
         const Identification &result = found.identification;
         QCOMPARE(result.outcome, Outcome::Identified);
         QCOMPARE(found.rounded, (Parameters{20.0, 60.0, 25.0, 2.0 * kPi, 0.0, Branch::Open}));
@@ -137,6 +120,13 @@ private slots:
         QCOMPARE(found.change->parameter, Parameter::B);
         QCOMPARE(found.change->value, 60.0);
         QVERIFY(found.change->explained > 0.999999);
+
+        const Diagnosis same = diagnose(data, Mechanism(found.rounded));
+        QVERIFY(same.agreesWithGiven && same.conventions.empty() && !same.change);
+        const Convention halfTurn{Convention::Kind::HalfTurn, {kTheta}, 180.0};
+        const Diagnosis turned = diagnose(applied(halfTurn, data), Mechanism());
+        QCOMPARE(turned.conventions.size(), std::size_t{1});
+        QVERIFY(turned.conventions[0].convention == (Convention{Convention::Kind::HalfTurn, {kTheta}, -180.0}));
     }
 
     void findsRandomMechanisms()
@@ -149,7 +139,7 @@ private slots:
                                Row{"001100"}, Row{"010101", true}, Row{"000100", true}, Row{"000011"}}) {
             RandomMechanisms random(kSeed);
             for (int i = 0; i < numericRuns(15, 500); ++i) {
-                const Parameters truth = ordinary(random);
+                const Parameters truth = random.ordinary();
                 const double turns = random.uniform(0.6, 3.0);
                 const int rows = static_cast<int>(random.uniform(80.0, 500.0));
                 const Identification result =
@@ -168,7 +158,7 @@ private slots:
         for (const char *channels : {"100000", "101010", "001000"}) {
             RandomMechanisms random(kSeed);
             for (int i = 0; i < numericRuns(20, 100); ++i) {
-                const Parameters truth = ordinary(random);
+                const Parameters truth = random.ordinary();
                 Parameters given;
                 given.a = truth.a;
                 given.omega2 = 1.0;
@@ -236,7 +226,8 @@ private slots:
         ReferenceData data = printedData(kOrdinary);
         Parameters other = kOrdinary;
         other.b *= 1.01;
-        valuesOf(data, kXDot) = valuesOf(*std::make_unique<ReferenceData>(printedData(other)), kXDot);
+        ReferenceData second = printedData(other);
+        valuesOf(data, kXDot) = valuesOf(second, kXDot);
         const Diagnosis found = diagnose(data, Mechanism());
         QCOMPARE(found.identification.outcome, Outcome::Identified);
         QVERIFY(distance(found.identification.parameters, kOrdinary) < 1e-5);
@@ -264,45 +255,40 @@ private slots:
 
     /// The file contains x measured from the far end, in the opposite direction. If its derivatives have the same
     /// direction, the file also fits the mechanism turned by 180°. If not, or if θ2 is known, it does not.
-    void readsADepthInBothWaysUnlessOtherColumnsDecide_data()
-    {
-        QTest::addColumn<std::string>("channels");
-        QTest::addColumn<bool>("areDerivativesReversed");
-        QTest::addColumn<bool>("hasCrankAngle");
-        QTest::addColumn<bool>("isUnique");
-        QTest::newRow("alone") << std::string("010000") << false << false << false;
-        QTest::newRow("with theta3") << std::string("110000") << false << false << false;
-        QTest::newRow("six columns") << std::string("111111") << true << false << false;
-        QTest::newRow("six columns, velocity of x") << std::string("111111") << false << false << true;
-        QTest::newRow("with theta2") << std::string("010000") << false << true << true;
-    }
     void readsADepthInBothWaysUnlessOtherColumnsDecide()
     {
-        QFETCH(const std::string, channels);
-        QFETCH(const bool, areDerivativesReversed);
-        QFETCH(const bool, hasCrankAngle);
-        QFETCH(const bool, isUnique);
+        struct Row {
+            const char *name;
+            const char *channels;
+            bool areDerivativesReversed = false;
+            bool hasCrankAngle = false;
+            bool isUnique = false;
+        };
         const Parameters truth{43.0, 154.0, -27.0, 7.0, 0.4, Branch::Open};
-        ReferenceData data = printedData(truth, printingOfTurns(truth, 1.6, 240, channels));
-        for (ReferenceSeries &series : data.series) {
-            const bool isPosition = series.channel == kX;
-            if (series.channel.coordinate == R4x && (isPosition || areDerivativesReversed)) {
-                std::ranges::for_each(series.values, [&](double &x) { x = (isPosition ? 250.0 : 0.0) - x; });
+        for (const Row &row : {Row{"alone", "010000"}, Row{"with theta3", "110000"}, Row{"six columns", "111111", true},
+                               Row{"six columns, velocity of x", "111111", false, false, true},
+                               Row{"with theta2", "010000", false, true, true}}) {
+            ReferenceData data = printedData(truth, printingOfTurns(truth, 1.6, 240, row.channels));
+            for (ReferenceSeries &series : data.series) {
+                const bool isPosition = series.channel == kX;
+                if (series.channel.coordinate == R4x && (isPosition || row.areDerivativesReversed)) {
+                    std::ranges::for_each(series.values, [&](double &x) { x = (isPosition ? 250.0 : 0.0) - x; });
+                }
             }
-        }
-        if (hasCrankAngle) {
-            ReferenceSeries &series = data.series.emplace_back(Channel{Theta2, Order::Position});
-            for (const double t : data.time) {
-                series.values.push_back((truth.omega2 * t + truth.theta20) * kDegreesPerRadian);
+            if (row.hasCrankAngle) {
+                ReferenceSeries &series = data.series.emplace_back(ReferenceSeries{{Theta2, Order::Position}, {}, {}});
+                for (const double t : data.time) {
+                    series.values.push_back((truth.omega2 * t + truth.theta20) * kDegreesPerRadian);
+                }
             }
+            const Identification result = identified(data);
+            QVERIFY2(result.outcome == (row.isUnique ? Outcome::Identified : Outcome::Ambiguous), row.name);
+            double least = distance(result.parameters, truth, data.series.size() == 1);
+            for (const Identification::Alternative &alternative : result.alternatives) {
+                least = std::min(least, distance(alternative.parameters, truth));
+            }
+            QVERIFY2(least < 1e-3, row.name);
         }
-        const Identification result = identified(data);
-        QCOMPARE(result.outcome, isUnique ? Outcome::Identified : Outcome::Ambiguous);
-        double least = distance(result.parameters, truth, channels == "010000" && !hasCrankAngle);
-        for (const Identification::Alternative &alternative : result.alternatives) {
-            least = std::min(least, distance(alternative.parameters, truth));
-        }
-        QVERIFY2(least < 1e-3, QByteArray::number(least));
     }
 
     void excludesBadReadingsAndNamesTheirLines()
@@ -367,7 +353,8 @@ private slots:
     {
         std::stop_source source;
         source.request_stop();
-        QVERIFY(diagnose(printedData(Parameters()), Mechanism(), source.get_token()).identification.stopped);
+        const Diagnosis found = diagnose(printedData(Parameters()), Mechanism(), source.get_token());
+        QVERIFY(found.identification.stopped && found.conventions.empty());
     }
 
     void findsTheParameterThatExplainsTheDifference()
@@ -376,7 +363,7 @@ private slots:
         for (const Parameter parameter :
              {Parameter::A, Parameter::B, Parameter::C, Parameter::Omega2, Parameter::Theta20}) {
             for (int i = 0; i < numericRuns(6, 50); ++i) {
-                const Parameters truth = ordinary(random);
+                const Parameters truth = random.ordinary();
                 Parameters given = truth;
                 valueOf(given, parameter) += parameter == Parameter::Theta20 ? random.uniform(0.3, 3.0)
                                              : parameter == Parameter::B     ? given.b * random.uniform(0.05, 1.0)
