@@ -8,6 +8,7 @@
 #include "core/import/quantity.h"
 #include "core/limits/design.h"
 #include "core/limits/mobility.h"
+#include "core/mechanism/turn.h"
 #include "ui/document/settings_fields.h"
 #include "ui/text/design_text.h"
 #include "ui/text/finding_text.h"
@@ -22,7 +23,6 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <numbers>
 
 namespace slidercrank
 {
@@ -59,7 +59,7 @@ std::vector<MotionFact> findFacts(const Mechanism &mechanism, const MotionLimits
 {
     Sampling revolution;
     if (mechanism.omega2() != 0.0) {
-        revolution.duration = 2.0 * std::numbers::pi / std::abs(mechanism.omega2());
+        revolution.duration = kTurn / std::abs(mechanism.omega2());
     }
     std::vector<MotionFact> facts = positionFacts(mechanism, limits, revolution);
     std::ranges::move(peakFacts(mechanism, limits, revolution), std::back_inserter(facts));

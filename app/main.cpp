@@ -9,6 +9,7 @@
 #include <QApplication>
 #include <QFile>
 #include <QLocale>
+#include <QLoggingCategory>
 
 #include <algorithm>
 #include <cstdio>
@@ -34,16 +35,6 @@ bool hasDisplay(int argc, char *argv[])
     Q_UNUSED(argv)
     return true;
 #endif
-}
-
-/// Of Qt's own messages, only fatal ones are written to standard error.
-void hideMessagesOfQt()
-{
-    qInstallMessageHandler([](QtMsgType type, const QMessageLogContext &, const QString &text) {
-        if (type == QtFatalMsg) {
-            std::fprintf(stderr, "%s\n", qPrintable(text));
-        }
-    });
 }
 
 ExitStatus run()
@@ -76,7 +67,7 @@ int main(int argc, char *argv[])
         platform = Platform::None; // reports wrong arguments, or that there is no display
     }
     if (platform != Platform::Window) {
-        hideMessagesOfQt();
+        QLoggingCategory::setFilterRules("*=false"); // hides messages of Qt, except fatal ones
     }
 #ifndef Q_OS_WIN // on Windows drawing needs no display, and only the native platform finds fonts
     if (platform == Platform::Offscreen && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {

@@ -90,19 +90,14 @@ double OptionReader::number(const char *name, double defaultValue, const std::op
         return defaultValue;
     }
     const auto &[value, fault] = readQuantity(text(name), unit, QLocale::c());
-    if (!fault && value >= smallest && value <= largest) {
-        return value;
+    if (fault) {
+        throw UsageError{QString("--%1: %2").arg(name, quantityFaultText(text(name), *fault, unit))};
     }
-    if (!fault || fault == QuantityFault::TooLarge) {
+    if (value < smallest || value > largest) {
         throw UsageError{CommandLine::tr("--%1 must be from %2 to %3, not \"%4\".")
                              .arg(name, typedNumberText(smallest), typedNumberText(largest), text(name))};
     }
-    if (unit && (fault == QuantityFault::UnknownUnit || fault == QuantityFault::WrongUnit)) {
-        throw UsageError{CommandLine::tr("--%1 must be a number, alone or followed by %2, not \"%3\".")
-                             .arg(name, joinedByOr(unitsFor(*unit)), text(name))};
-    }
-    throw UsageError{CommandLine::tr("--%1 must be a number with a decimal point, such as 60 or -0.5, not \"%2\".")
-                         .arg(name, text(name))};
+    return value;
 }
 
 int OptionReader::integer(const char *name, int defaultValue, int smallest, int largest) const

@@ -7,12 +7,12 @@
 #include "app/output.h"
 #include "app/time_step_report.h"
 #include "core/import/quantity.h"
+#include "core/mechanism/turn.h"
 #include "ui/document/settings_fields.h"
 #include "ui/export/motion_csv.h"
 #include "ui/text/finding_text.h"
 
 #include <cmath>
-#include <numbers>
 
 namespace slidercrank
 {
@@ -45,7 +45,7 @@ Sampling oneRevolution(const OptionReader &options, const Mechanism &mechanism)
     }
     Sampling sampling = options.scene().sampling;
     sampling.start = options.number("start", sampling.start, kSecond);
-    sampling.duration = 2.0 * std::numbers::pi / std::abs(mechanism.omega2());
+    sampling.duration = kTurn / std::abs(mechanism.omega2());
     sampling.steps = static_cast<int>(std::lround(steps));
     return sampling;
 }

@@ -423,10 +423,6 @@
         <translation>%1 o %2</translation>
     </message>
     <message>
-        <source>--%1 must be a number with a decimal point, such as 60 or -0.5, not &quot;%2&quot;.</source>
-        <translation>--%1 debe ser un número con punto decimal, como 60 o -0.5, y no «%2».</translation>
-    </message>
-    <message>
         <source>--%1 must be %2, not &quot;%3&quot;.</source>
         <translation>--%1 debe ser %2, y no «%3».</translation>
     </message>
@@ -621,10 +617,6 @@
     <message>
         <source>--output would overwrite the input file %1: choose another name.</source>
         <translation>--output sobrescribiría el archivo de entrada %1: elija otro nombre.</translation>
-    </message>
-    <message>
-        <source>--%1 must be a number, alone or followed by %2, not &quot;%3&quot;.</source>
-        <translation>--%1 debe ser un número, solo o seguido de %2, y no «%3».</translation>
     </message>
     <message>
         <source>Time steps</source>
