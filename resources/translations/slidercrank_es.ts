@@ -2115,22 +2115,6 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
         <translation>Centro instantáneo P, ω₃ = %1 rad/s; PA = %2 mm, PB = %3 mm</translation>
     </message>
     <message>
-        <source>O₂</source>
-        <translation>O₂</translation>
-    </message>
-    <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
-    <message>
-        <source>G₃</source>
-        <translation>G₃</translation>
-    </message>
-    <message>
         <source>outer dead centre</source>
         <translation>punto muerto exterior</translation>
     </message>

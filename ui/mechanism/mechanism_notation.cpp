@@ -118,12 +118,12 @@ void MechanismSketch::addRay(LinkagePoint point, QPointF centre)
 void MechanismSketch::addNames()
 {
     const QPointF coupler = m_exists ? unitVector(m_B - m_A) : QPointF();
-    addLabelBeside(m_O2, {-1.0, 0.4}, kBesideJoint + 8.0, tr("O₂"), m_ink);
-    addLabelBeside(m_A, unitVector(m_A - m_O2) - coupler, kBesideJoint, tr("A"), m_ink);
+    addLabelBeside(m_O2, {-1.0, 0.4}, kBesideJoint + 8.0, "O₂", m_ink);
+    addLabelBeside(m_A, unitVector(m_A - m_O2) - coupler, kBesideJoint, "A", m_ink);
     if (m_exists) {
         const QPointF across(coupler.y(), -coupler.x());
-        addLabelBeside(m_B, {0.0, -1.0}, 20.0, tr("B"), m_ink);
-        addLabelBeside(0.5 * (m_A + m_B), across.y() < 0.0 ? across : -across, kBesideJoint, tr("G₃"),
+        addLabelBeside(m_B, {0.0, -1.0}, 20.0, "B", m_ink);
+        addLabelBeside(0.5 * (m_A + m_B), across.y() < 0.0 ? across : -across, kBesideJoint, "G₃",
                        m_ink);
     }
     for (const auto &[centre, name] : {std::pair(limits().outer, tr("outer dead centre")),

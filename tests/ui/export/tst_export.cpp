@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/files.h"
 #include "tests/support/suite.h"
 #include "ui/document/session.h"
 #include "ui/export/animation_export.h"
@@ -28,8 +29,6 @@ using namespace slidercrank;
 namespace
 {
 
-const QString kSample = QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv"); // b = 60 mm
-
 void drawSquare(QPainter &painter, const QSize &size)
 {
     painter.fillRect(QRect(QPoint(), size), Qt::white);
@@ -55,12 +54,6 @@ Animation shortAnimation()
 
 const AnimationProgress kGoOn = [](int) { return true; };
 
-QByteArray contentOf(const QString &path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
 QStringList entriesOf(const QString &folder)
 {
     return QDir(folder).entryList(QDir::AllEntries | QDir::NoDotAndDotDot, QDir::Name);
@@ -85,12 +78,23 @@ ReportContent contentWith(double b, const std::shared_ptr<const Reference> &refe
     return content;
 }
 
-QString reportText(const ReportContent &content)
-{
-    QTextDocument document;
-    document.setHtml(reportHtml(content));
-    return document.toPlainText().replace(QChar::Nbsp, u' ');
-}
+/// A report as plain text.
+struct ReportText {
+    QString text;
+
+    explicit ReportText(const ReportContent &content)
+    {
+        QTextDocument document;
+        document.setHtml(reportHtml(content));
+        text = document.toPlainText().replace(QChar::Nbsp, u' ');
+    }
+
+    bool has(const QString &words) const { return text.contains(words); }
+    bool has(const QStringList &list) const
+    {
+        return std::ranges::all_of(list, [this](const QString &words) { return has(words); });
+    }
+};
 
 } // namespace
 
@@ -138,10 +142,12 @@ private slots:
         const QSize usual(100, 100);
         bool isDrawn = false;
         const auto draw = [&isDrawn](QPainter &, const QSize &) { isDrawn = true; };
-        for (const Row &row : {Row{"a.png", {0, 100}, 1.0}, Row{"a.png", {100, -1}, 1.0}, Row{"a.png", usual, 0.0},
-                               Row{"a.png", usual, std::numeric_limits<double>::quiet_NaN()}, Row{"a.png", usual, 1e-3},
-                               Row{"a.png", {20000, 20000}, 1.0}, Row{"a.png", {1400, 900}, 1e9},
-                               Row{"a.png", {1000000, 1}, 1.0}, Row{"a.jpg", usual, 1.0}}) {
+        const Row rows[] = {{"a.png", {0, 100}, 1.0},    {"a.png", {100, -1}, 1.0},
+                            {"a.png", usual, 0.0},       {"a.png", usual, std::numeric_limits<double>::quiet_NaN()},
+                            {"a.png", usual, 1e-3},      {"a.png", {20000, 20000}, 1.0},
+                            {"a.png", {1400, 900}, 1e9}, {"a.png", {1000000, 1}, 1.0},
+                            {"a.jpg", usual, 1.0}};
+        for (const Row &row : rows) {
             const std::optional<QString> fault = exportFigure(path(row.name), {row.size, row.scale}, {}, draw);
             QVERIFY(fault && fault->endsWith(u'.') && !isDrawn);
         }
@@ -151,14 +157,9 @@ private slots:
 
     void namesTheParametersBelowAFigure()
     {
-        QStringList texts;
-        QCOMPARE(exportFigure(path("a.svg"), {QSize(600, 200)}, {},
-                              withParameters(drawSquare, Mechanism(), paletteFor(Theme::Light))),
-                 std::nullopt);
-        const QString svg = QString::fromUtf8(contentOf(path("a.svg")));
-        for (const char *parameter : {"a = 20", "b = 65", "c = 25"}) {
-            QVERIFY2(svg.contains(QLatin1String(parameter)), qPrintable(svg));
-        }
+        const FigureDrawing draw = withParameters(drawSquare, Mechanism(), paletteFor(Theme::Light));
+        QCOMPARE(exportFigure(path("a.svg"), {QSize(600, 200)}, {}, draw), std::nullopt);
+        QVERIFY(contentOf(path("a.svg")).contains("a = 20 mm, b = 65 mm, c = 25 mm"));
     }
 
     void writesFramesIntoANewFolder()
@@ -196,8 +197,7 @@ private slots:
     void leavesNoFilesAfterAFailureOrACancel()
     {
         QVERIFY(QDir(m_folder->path()).mkdir("full"));
-        QFile note(path("full/note.txt"));
-        QVERIFY(note.open(QIODevice::WriteOnly));
+        writeFile(*m_folder, "full/note.txt", "note");
         for (const QString name : {"full", "full/note.txt", "gone/new"}) {
             const std::optional<QString> problem = exportAnimation(path(name), shortAnimation(), drawGrey, kGoOn);
             QVERIFY2(problem && problem->contains("cannot be written"), qPrintable(name));
@@ -220,24 +220,21 @@ private slots:
             QString problem;
         };
         const QTemporaryDir programs;
-        QFile program(programs.filePath("ffmpeg"));
         const QByteArray before = qgetenv("PATH");
         const auto restore = qScopeGuard([&before] { qputenv("PATH", before); });
-        QFile older(path("motion.gif"));
-        for (const Row &row :
-             {Row{"printf newer > $film", "newer", {}}, Row{"echo full >&2; exit 1", "older", "the video: full"},
-              Row{": > $film", "older", "could not make"}, Row{"true", "older", "could not make"}}) {
-            QVERIFY(program.open(QIODevice::WriteOnly));
-            program.write("#!/bin/sh\nfor film; do :; done\n" + row.lastLine + '\n');
-            QVERIFY(program.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner));
-            program.close();
+        const Row rows[] = {{"printf newer > $film", "newer", {}},
+                            {"echo full >&2; exit 1", "older", "the video: full"},
+                            {": > $film", "older", "could not make"},
+                            {"true", "older", "could not make"}};
+        for (const Row &row : rows) {
+            const QString program =
+                writeFile(programs, "ffmpeg", "#!/bin/sh\nfor film; do :; done\n" + row.lastLine + '\n');
+            QVERIFY(QFile::setPermissions(program, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner));
             qputenv("PATH", QFile::encodeName(programs.path()) + ':' + before);
-            QVERIFY(older.open(QIODevice::WriteOnly) && older.write("older") == 5);
-            older.close();
-            const QString problem =
-                exportAnimation(older.fileName(), shortAnimation(), drawGrey, kGoOn).value_or(QString());
+            const QString video = writeFile(*m_folder, "motion.gif", "older");
+            const QString problem = exportAnimation(video, shortAnimation(), drawGrey, kGoOn).value_or(QString());
             QVERIFY2(problem.contains(row.problem) && problem.isEmpty() == row.problem.isEmpty(), qPrintable(problem));
-            QCOMPARE(contentOf(older.fileName()), row.content);
+            QCOMPARE(contentOf(video), row.content);
             QCOMPARE(entriesOf(m_folder->path()).size(), qsizetype(1));
         }
         qputenv("PATH", QFile::encodeName(m_folder->path())); // no ffmpeg
@@ -258,60 +255,48 @@ private slots:
         for (qsizetype i = 1; i < rows.size(); ++i) {
             QVERIFY(std::abs(rows[i].split(',')[1].toDouble() - 30.0 * double(i - 1)) < 1e-9);
         }
-        QVERIFY(
-            exportMotion(path("gone/x.csv"), *session.result(), plottedChannels())->contains("gone"));
+        QVERIFY(exportMotion(path("gone/x.csv"), *session.result(), plottedChannels())->contains("gone"));
     }
 
     void reportsTheMechanismFirstThenPlotsThenErrors()
     {
-        const QString text = reportText(contentWith(65.0, referenceIn({kSample})));
-        const QStringList order{"b, coupler", "[mechanism]", "Motion limits", "[figure]",
-                                "Errors",     "SHA-256",     "Method"};
+        const ReportText report(contentWith(65.0, referenceIn({kSample})));
         qsizetype at = 0;
-        for (const QString &words : order) {
-            QVERIFY2(text.indexOf(words, at) >= at, qPrintable(words + text));
-            at = text.indexOf(words, at);
-        }
         for (const char *words :
-             {"65 mm", "60.0", " ± ", "found in the file", "inventor_sample.csv, t = 0 s to 1 s, 201 rows",
-              "6 of 6 channels of the file agree", "θ³ [°]", "stroke"}) {
-            QVERIFY2(text.contains(QString::fromUtf8(words)), words);
+             {"b, coupler", "[mechanism]", "Motion limits", "[figure]", "Errors", "SHA-256", "Method"}) {
+            at = report.text.indexOf(words, at);
+            QVERIFY2(at >= 0, words);
         }
-        const QString alone = reportText(contentWith(65.0, nullptr));
-        for (const char *words : {"SHA-256", "eference", "found in"}) {
-            QVERIFY2(!alone.contains(QString::fromUtf8(words)), words);
-        }
-        QVERIFY(reportText(contentWith(60.0, referenceIn({kSample}))).contains("within the rounding of the file"));
+        QVERIFY2(report.has({"65 mm", "60.0", " ± ", "found in the file", "θ³ [°]", "stroke",
+                             "inventor_sample.csv, t = 0 s to 1 s, 201 rows", "6 of 6 channels of the file agree"}),
+                 qPrintable(report.text));
+        const ReportText alone(contentWith(65.0, nullptr));
+        QVERIFY(!alone.has("SHA-256") && !alone.has("eference") && !alone.has("found in"));
+        QVERIFY(ReportText(contentWith(60.0, referenceIn({kSample}))).has("within the rounding of the file"));
     }
 
     void reportNamesItsFilesAndColumns()
     {
-        QFile file(path("motion.csv"));
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write("time,Linear Displacement1 (mm),theta3\n0,80,22.6\n0.01,80.3,21.5\n0.02,80.5,20.5\n");
-        file.close();
-        const std::shared_ptr<const Reference> reference = referenceIn({file.fileName()});
+        const QByteArray rows = "time,Linear Displacement1 (mm),theta3\n0,80,22.6\n0.01,80.3,21.5\n0.02,80.5,20.5\n";
+        const std::shared_ptr<const Reference> reference = referenceIn({writeFile(*m_folder, "motion.csv", rows)});
         ReportContent content = contentWith(65.0, reference);
         content.checksums = fileChecksums(*reference);
         content.written = QDateTime({2024, 5, 17}, {9, 41, 5}, Qt::UTC);
-        QString text = reportText(content);
-        for (const char *words :
-             {"17 May 2024 09:41:05", "5a0472220eeedb4db32514e7d5c80640911f2d532411f7cf10adae6d081235b0", // sha256sum
-              "“Linear Displacement1 (mm)” as slider position"}) {
-            QVERIFY2(text.contains(QString::fromUtf8(words)), qPrintable(text));
-        }
-        QVERIFY(!text.contains("theta3”")); // its name is known
-        QVERIFY(file.open(QIODevice::Append) && file.write("0.03,80.7,19.5\n") > 0);
-        file.close();
-        content.checksums = fileChecksums(*reference); // the file has changed since it was read
-        QVERIFY(reportText(content).contains("SHA-256: unknown"));
+        const ReportText report(content);
+        QVERIFY2(report.has({"17 May 2024 09:41:05", "“Linear Displacement1 (mm)” as slider position",
+                             "5a0472220eeedb4db32514e7d5c80640911f2d532411f7cf10adae6d081235b0"}), // sha256sum
+                 qPrintable(report.text));
+        QVERIFY(!report.has("theta3”"));                               // its name is known
+        writeFile(*m_folder, "motion.csv", rows + "0.03,80.7,19.5\n"); // changed since it was read
+        content.checksums = fileChecksums(*reference);
+        QVERIFY(ReportText(content).has("SHA-256: unknown"));
 
         auto changed = std::make_shared<Reference>(*referenceIn({kSample}));
         changed->data.skipped.push_back({17, 2, "oops", RowFault::NotANumber});
         changed->data.layout.columns.emplace_back().heading = "colour";
-        text = reportText(contentWith(60.0, changed));
-        QVERIFY2(text.contains("the first in line 17 (\"oops\": not a number)") && text.contains("not used: colour"),
-                 qPrintable(text));
+        const ReportText skipping(contentWith(60.0, changed));
+        QVERIFY2(skipping.has({"the first in line 17 (\"oops\": not a number)", "not used: colour"}),
+                 qPrintable(skipping.text));
     }
 
     void reportsPinnedMotionsAndTheMethod()
@@ -324,16 +309,14 @@ private slots:
         solver.newton.toleranceKind = ToleranceKind::Relative;
         solver.method = Method::Newton;
         session.setSolver(solver);
-        QString text = reportText({session.result(), {}, true});
-        for (const char *words : {"pinned motions, b = 65 mm", "This mechanism − pinned b = 65 mm", "9.58",
-                                  "Thin: the pinned mechanism.", "2.5·10⁻¹² (relative), at most 10 iterations"}) {
-            QVERIFY2(text.contains(QString::fromUtf8(words)), qPrintable(text));
-        }
-        solver.method = Method::ClosedForm;
-        session.setSolver(solver);
+        const ReportText pinned({session.result(), {}, true});
+        QVERIFY2(pinned.has({"pinned motions, b = 65 mm", "This mechanism − pinned b = 65 mm", "9.58",
+                             "Thin: the pinned mechanism.", "2.5·10⁻¹² (relative), at most 10 iterations"}),
+                 qPrintable(pinned.text));
+        session.setSolver({});
         session.unpinMotions();
-        text = reportText({session.result(), {}, false});
-        QVERIFY(text.contains("Closed form, exact to rounding.") && !text.contains("pinned"));
+        const ReportText alone({session.result(), {}, false});
+        QVERIFY(alone.has("Closed form, exact to rounding.") && !alone.has("pinned"));
     }
 
     void putsTextAndDrawingsOnA4()

@@ -66,10 +66,13 @@ private slots:
             QString typed;
             double value;
         };
-        for (const Row &row :
-             {Row{"70", 70.0}, Row{"60.123456789012345", 60.123456789012345}, Row{"70.5 mm", 70.5}, Row{"70.5mm", 70.5},
-              Row{"123456.5", 123456.5}, Row{"1e-3", 1e-3}, Row{"2.5cm", 25.0}, Row{"1 in", 25.4}, Row{"1 000", 1000.0},
-              Row{"1.5·10⁻⁷", 1.5e-7}, Row{"3e-40", 3e-40}, Row{"1e12", 1e12}}) {
+        const Row rows[] = {{"70", 70.0},           {"60.123456789012345", 60.123456789012345},
+                            {"70.5 mm", 70.5},      {"70.5mm", 70.5},
+                            {"123456.5", 123456.5}, {"1e-3", 1e-3},
+                            {"2.5cm", 25.0},        {"1 in", 25.4},
+                            {"1 000", 1000.0},      {"1.5·10⁻⁷", 1.5e-7},
+                            {"3e-40", 3e-40},       {"1e12", 1e12}};
+        for (const Row &row : rows) {
             Shown shown;
             typeNumber(shown.box, row.typed);
             QVERIFY2(shown.box->value() == row.value, qPrintable(row.typed));
@@ -85,13 +88,17 @@ private slots:
             QString typed;
             QString says;
         };
-        for (const Row &row :
-             {Row{"sixty", "“sixty” is not a number."}, Row{"20/3", "“20/3” is not a number."},
-              Row{"30,5", "The decimal sign here is “.”: 30.5."}, Row{"1,234.5", "“1,234.5” is not a number."},
-              Row{"30 s", "“30 s”: the units here are mm, cm, m, in."}, Row{"inf", "“inf” is not a number."},
-              Row{QString(400, '9'), "“999999999999999999999999…” is too large."},
-              Row{"0", "This must be greater than 0 mm."}, Row{"-5", "This must be greater than 0 mm."},
-              Row{"1e13", "This must be at most 10¹² mm."}}) {
+        const Row rows[] = {{"sixty", "“sixty” is not a number."},
+                            {"20/3", "“20/3” is not a number."},
+                            {"30,5", "The decimal sign here is “.”: 30.5."},
+                            {"1,234.5", "“1,234.5” is not a number."},
+                            {"30 s", "“30 s”: the units here are mm, cm, m, in."},
+                            {"inf", "“inf” is not a number."},
+                            {QString(400, '9'), "“999999999999999999999999…” is too large."},
+                            {"0", "This must be greater than 0 mm."},
+                            {"-5", "This must be greater than 0 mm."},
+                            {"1e13", "This must be at most 10¹² mm."}};
+        for (const Row &row : rows) {
             Shown shown;
             typeNumber(shown.box, row.typed);
             QCOMPARE(shown.edits.count(), 0);
@@ -181,9 +188,9 @@ private slots:
             Qt::Key key;
             double next;
         };
-        for (const Row &row :
-             {Row{65.0, Qt::Key_Up, 66.0}, Row{65.0, Qt::Key_Down, 64.0}, Row{100.0, Qt::Key_Down, 99.0},
-              Row{100.0, Qt::Key_Up, 110.0}, Row{0.2, Qt::Key_Up, 0.21}, Row{1e-6, Qt::Key_Down, 9.9e-7}}) {
+        const Row rows[] = {{65.0, Qt::Key_Up, 66.0},   {65.0, Qt::Key_Down, 64.0}, {100.0, Qt::Key_Down, 99.0},
+                            {100.0, Qt::Key_Up, 110.0}, {0.2, Qt::Key_Up, 0.21},    {1e-6, Qt::Key_Down, 9.9e-7}};
+        for (const Row &row : rows) {
             Shown shown(row.value);
             QTest::keyClick(shown.box, row.key);
             QVERIFY2(shown.box->value() == row.next, qPrintable(shown.box->text()));
@@ -233,11 +240,12 @@ private slots:
             double value;
         };
         const QLocale spanish(QLocale::Spanish);
-        for (const Row &row :
-             {Row{spanish, "61,25", 61.25}, Row{spanish, "1.234", 1.234},
-              Row{QLocale(QLocale::Swedish), QLocale(QLocale::Swedish).toString(-1.5e-7, 'g', 6), -1.5e-7},
-              Row{QLocale(QLocale::Arabic, QLocale::Egypt),
-                  QLocale(QLocale::Arabic, QLocale::Egypt).toString(-26.5, 'g', 6), -26.5}}) {
+        const Row rows[] = {{spanish, "61,25", 61.25},
+                            {spanish, "1.234", 1.234},
+                            {QLocale(QLocale::Swedish), QLocale(QLocale::Swedish).toString(-1.5e-7, 'g', 6), -1.5e-7},
+                            {QLocale(QLocale::Arabic, QLocale::Egypt),
+                             QLocale(QLocale::Arabic, QLocale::Egypt).toString(-26.5, 'g', 6), -26.5}};
+        for (const Row &row : rows) {
             QLocale::setDefault(row.locale);
             Shown shown;
             shown.box->setRange({});
