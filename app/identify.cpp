@@ -45,19 +45,19 @@ QJsonObject jsonIdentification(const ReferenceData &data, const Diagnosis &diagn
     QJsonObject standardErrors, identifiable, noise;
     for (const Parameter parameter : kParameters) {
         const std::size_t i = indexOf(parameter);
-        const QLatin1String name(wordOf(parameter));
+        const QLatin1String name(optionName(parameter));
         standardErrors.insert(name, found.identifiable[i] ? jsonNumber(found.standardError[i]) : QJsonValue());
         identifiable.insert(name, found.identifiable[i]);
     }
     for (const Identification::Noise &column : found.noise) {
-        noise.insert(columnNameOf(column.channel), jsonNumber(column.rms));
+        noise.insert(columnName(column.channel), jsonNumber(column.rms));
     }
     const auto jsonAlternative = [](const Identification::Alternative &alternative) {
         return QJsonObject{{"mechanism", toJson(alternative.parameters)},
                            {"why", kAlternativeNames[static_cast<std::size_t>(alternative.why)]}};
     };
     const auto jsonLeftOut = [](const auto &column) {
-        return QJsonObject{{"channel", columnNameOf(column.channel)},
+        return QJsonObject{{"channel", columnName(column.channel)},
                            {"percentOfPeak", jsonNumber(column.percentOfPeak)}};
     };
     const auto jsonComparison = [](const ChannelComparison &channel) { return jsonObject(comparisonRecord(channel)); };
@@ -74,7 +74,7 @@ QJsonObject jsonIdentification(const ReferenceData &data, const Diagnosis &diagn
             {"conventions", jsonConventions(diagnosis.conventions, data)},
             {"leftOut", jsonList(found.leftOut, jsonLeftOut)},
             {"excludedRows", jsonList(found.excludedRows, jsonNumber)},
-            {"summary", summaryOf(diagnosis)}};
+            {"summary", summaryText(diagnosis)}};
 }
 
 /// The options of the mechanism for another command: "--a 20 --b …".
@@ -83,7 +83,7 @@ QString optionsFor(const Parameters &parameters)
     QString text;
     for (const Parameter parameter : kParameters) {
         text += QString("--%1 %2%3 ")
-                    .arg(wordOf(parameter),
+                    .arg(optionName(parameter),
                          QString::number(valueOf(parameters, parameter), 'g', QLocale::FloatingPointShortest),
                          parameter == Parameter::Theta20 ? "rad" : "");
     }
@@ -97,9 +97,9 @@ QString identificationText(const Reference &reference, const Diagnosis &diagnosi
     const ReferenceData &data = reference.data;
     QStringList lines{headline(reference).trimmed()};
     for (const ConventionFinding &finding : diagnosis.conventions) {
-        lines += explanationOf(finding.convention, data) + ' ' + effectOf(finding);
+        lines += explanationText(finding.convention, data) + ' ' + effectText(finding);
     }
-    lines += summaryOf(diagnosis);
+    lines += summaryText(diagnosis);
     if (found.outcome != Outcome::Approximate) {
         lines += CommandLine::tr("± one standard deviation; %1 iterations, condition number %2.")
                      .arg(QString::number(found.iterations), roundedText(found.conditionNumber));
@@ -107,7 +107,7 @@ QString identificationText(const Reference &reference, const Diagnosis &diagnosi
     const std::optional<ReferenceData> timed = data.crank ? timedBy(Mechanism(found.parameters), data) : std::nullopt;
     lines += '\n' + comparisonTable(diagnosis.identified, timed ? *timed : data);
     if (found.noise.empty()) { // otherwise the summary reports the noise
-        lines += summaryOf(diagnosis.identified);
+        lines += summaryText(diagnosis.identified);
     }
     lines += roundNumbersText(diagnosis);
     lines += (found.outcome == Outcome::Ambiguous ? CommandLine::tr("Options for the first of them: %1")
@@ -129,7 +129,7 @@ ReferenceAnswer identifyOne(const ReferenceQuestion &question, const Reference &
     } else {
         answer.category = CommandLine::tr("not identified");
         answer.status = ExitStatus::NotSolved;
-        streams.report(displayName(reference.paths) + ": " + summaryOf(diagnosis));
+        streams.report(displayName(reference.paths) + ": " + summaryText(diagnosis));
     }
     return answer;
 }

@@ -104,7 +104,7 @@ std::vector<Record> varyLimits(const OptionReader &options, Parameters parameter
     static const QRegularExpression syntax("^(\\w+)=(.+?)\\.\\.(.+)$");
     const QRegularExpressionMatch match = syntax.match(options.text("vary"));
     const auto parameter =
-        std::ranges::find(kParameters, match.captured(1), [](Parameter each) { return QString(wordOf(each)); });
+        std::ranges::find(kParameters, match.captured(1), [](Parameter each) { return QString(optionName(each)); });
     bool isValid = parameter != kParameters.end();
     std::array<double, 2> ends{};
     for (int i = 0; isValid && i < 2; ++i) {

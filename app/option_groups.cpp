@@ -48,7 +48,7 @@ QStringList channelNames()
 {
     QStringList names;
     for (std::size_t index = 0; index < kChannelCount; ++index) {
-        names += columnNameOf(channelAt(index));
+        names += columnName(channelAt(index));
     }
     return names;
 }
@@ -64,7 +64,7 @@ Mechanism readMechanism(const OptionReader &options)
     for (const Parameter parameter : kParameters) {
         const bool isLink = parameter == Parameter::A || parameter == Parameter::B;
         double &value = valueOf(parameters, parameter);
-        value = options.number(wordOf(parameter), value, defaultUnit(parameter),
+        value = options.number(optionName(parameter), value, defaultUnit(parameter),
                                isLink ? kShortestLink : -kLargestParameter);
     }
     parameters.branch = options.choice("branch", parameters.branch);

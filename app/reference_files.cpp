@@ -53,7 +53,8 @@ void reportDoubts(const Streams &streams, const Reference &reference)
         const SkippedRow &first = data.skipped.front();
         streams.report(CommandLine::tr("%1: rows that were skipped: %2, the first in line %3, column %4 (\"%5\"): %6.")
                            .arg(name, QString::number(data.skippedRowCount()), lineText(layout, first),
-                                QString::number(first.column), QString::fromStdString(first.text), reasonOf(first)));
+                                QString::number(first.column), QString::fromStdString(first.text),
+                                rowFaultText(first)));
     }
     QStringList ignored, guesses;
     for (const std::size_t i : ignoredColumns(layout)) {
@@ -183,13 +184,13 @@ QJsonArray jsonConventions(const std::vector<ConventionFinding> &findings, const
         const bool isZeroPoint = convention.kind == Convention::Kind::ZeroPoint;
         QStringList channels;
         for (const Channel channel : convention.channels) {
-            channels += columnNameOf(channel);
+            channels += columnName(channel);
         }
         return QJsonObject{{"name", toJson(convention)["kind"]},
                            {"channel", jsonText(channels.join(','))},
                            {"amount", unit ? QJsonValue(convention.amount) : QJsonValue()},
-                           {"unit", jsonText(isZeroPoint ? unitOf(convention.channels.front()) : QString(unit))},
-                           {"explanation", explanationOf(convention, data)},
+                           {"unit", jsonText(isZeroPoint ? unitText(convention.channels.front()) : QString(unit))},
+                           {"explanation", explanationText(convention, data)},
                            {"standardError", jsonNumber(finding.standardError)},
                            {"before", jsonNumber(finding.before)},
                            {"after", jsonNumber(finding.after)}};
@@ -207,8 +208,8 @@ Record comparisonRecord(const ChannelComparison &channel)
     const auto timeOf = [](std::optional<double> value, double time) {
         return value ? jsonNumber(time) : QJsonValue();
     };
-    return {{"name", columnNameOf(channel.channel)},
-            {"unit", unitOf(channel.channel)},
+    return {{"name", columnName(channel.channel)},
+            {"unit", unitText(channel.channel)},
             {"count", jsonNumber(channel.count)},
             {"maxAbs", jsonNumber(channel.maxAbs)},
             {"timeOfMaxAbs", timeOf(channel.maxAbs, channel.timeOfMaxAbs)},
@@ -233,7 +234,7 @@ QString comparisonTable(const std::vector<ChannelComparison> &channels, const Re
          CommandLine::tr("rms"), CommandLine::tr("largest %"), where, CommandLine::tr("zeros"),
          CommandLine::tr("% of peak"), CommandLine::tr("rounding step"), CommandLine::tr("verdict")}};
     for (const ChannelComparison &channel : channels) {
-        rows.push_back({columnNameOf(channel.channel), unitOf(channel.channel), roundedText(channel.maxAbs),
+        rows.push_back({columnName(channel.channel), unitText(channel.channel), roundedText(channel.maxAbs),
                         place(channel.maxAbs, channel.timeOfMaxAbs), roundedText(channel.rms),
                         roundedText(channel.maxPercent), place(channel.maxPercent, channel.timeOfMaxPercent),
                         QString::number(channel.zeroReference), roundedText(channel.percentOfPeak),

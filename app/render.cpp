@@ -45,7 +45,7 @@ void readSubject(const OptionReader &options, RenderRequest &request)
     QStringList names{"figure", "mechanism", "report", "frames"};
     const qsizetype firstPlot = names.size();
     for (const Channel channel : kPlottedChannels) {
-        names += columnNameOf(channel);
+        names += columnName(channel);
     }
     names += {"error_position", "error_velocity", "error_acceleration"};
     const qsizetype index = options.has("what") ? indexAmong(names, options.text("what"), "what") : 0;

@@ -56,7 +56,7 @@ QByteArray motionJson(const Mechanism &mechanism, Method method, AngleUnit angle
     QJsonObject values;
     for (const Channel channel : channels) {
         const double factor = factorTo(angleUnit, channel);
-        values.insert(columnNameOf(channel),
+        values.insert(columnName(channel),
                       jsonList(motion[channel], [factor](double value) { return jsonNumber(factor * value); }));
     }
     return jsonDocument(

@@ -126,7 +126,7 @@ QString displayName(const QStringList &paths)
 QString readErrorText(const ReadError &error, const QStringList &files)
 {
     const QString file = error.file ? files.value(static_cast<qsizetype>(*error.file)) : files.join(kNameSeparator);
-    QString reason = sentenceOf(error.fault);
+    QString reason = faultText(error.fault);
     if (error.fault.kind == ReadFault::Kind::NoSuchColumn) {
         QStringList headings;
         for (std::size_t i = 0; i < error.layout.columns.size(); ++i) {

@@ -59,7 +59,7 @@ Choices simplified(Choices choices)
 
 QString faultText(const ParameterFault &fault)
 {
-    const QString symbol = symbolOf(fault.parameter);
+    const QString symbol = symbolText(fault.parameter);
     const bool isTooShort =
         fault.reason == ParameterFault::Reason::NotPositive || fault.reason == ParameterFault::Reason::TooShort;
     return isTooShort ? Session::tr("%1 must be at least %2 mm.").arg(symbol, QLocale().toString(kShortestLink))
@@ -73,7 +73,7 @@ EditName changeName(const Parameters &before, const Parameters &after)
     for (const Parameter parameter : kParameters) {
         if (valueOf(before, parameter) != valueOf(after, parameter)) {
             changed |= 1 << indexOf(parameter);
-            symbol = symbolOf(parameter);
+            symbol = symbolText(parameter);
         }
     }
     const bool isOne = !symbol.isEmpty() && std::has_single_bit(static_cast<unsigned>(changed));

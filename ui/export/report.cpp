@@ -103,7 +103,7 @@ QString parameterTable(const ReportContent &content)
     const Identification &found = content.diagnosis.identification;
     std::vector<QStringList> rows{{QString(), Report::tr("model")}};
     for (const Parameter parameter : kParameters) {
-        rows.push_back({QStringLiteral("%1, %2").arg(symbolOf(parameter), parameterName(parameter)),
+        rows.push_back({QStringLiteral("%1, %2").arg(symbolText(parameter), parameterName(parameter)),
                         parameterText(parameter, valueOf(model, parameter))});
     }
     rows.push_back({Report::tr("assembly"), assemblyText(model.branch)});
@@ -150,9 +150,10 @@ QString errorTable(const std::vector<ChannelComparison> &channels, bool isFile)
         rows.front() << Report::tr("largest %") << Report::tr("rounding step") << Report::tr("verdict");
     }
     for (const ChannelComparison &channel : channels) {
-        rows.push_back({QStringLiteral("%1 [%2]").arg(symbolOf(channel.channel), unitOf(channel.channel)),
-                        shortNumber(channel.maxAbs, kDigits), channel.maxAbs ? numberText(channel.timeOfMaxAbs) : dash(),
-                        shortNumber(channel.rms, kDigits), shortNumber(channel.percentOfPeak, kDigits)});
+        rows.push_back({QStringLiteral("%1 [%2]").arg(symbolText(channel.channel), unitText(channel.channel)),
+                        shortNumber(channel.maxAbs, kDigits),
+                        channel.maxAbs ? numberText(channel.timeOfMaxAbs) : dash(), shortNumber(channel.rms, kDigits),
+                        shortNumber(channel.percentOfPeak, kDigits)});
         if (isFile) {
             rows.back() << shortNumber(channel.maxPercent, kDigits) << numberText(channel.roundingStep, kDigits)
                         << verdictText(channel);
@@ -186,7 +187,7 @@ QString fileText(const ReportContent &content)
         const FileColumn &column = data.layout.columns[i];
         if (isGuess(column.reason)) {
             const QString meaning = column.role == ColumnRole::Channel
-                                        ? quantityOf(column.channel) + u' ' + symbolOf(column.channel)
+                                        ? quantityName(column.channel) + u' ' + symbolText(column.channel)
                                         : meaningText(column);
             guessed
                 << Report::tr("“%1” as %2 (%3)").arg(headingText(data.layout, i), meaning, reasonText(data.layout, i));
@@ -199,7 +200,7 @@ QString fileText(const ReportContent &content)
         const SkippedRow &first = data.skipped.front();
         html += note(Report::tr("%1 rows were skipped, the first in line %2 (\"%3\": %4).")
                          .arg(countText(data.skippedRowCount()), lineText(data.layout, first),
-                              QString::fromStdString(first.text), reasonOf(first)));
+                              QString::fromStdString(first.text), rowFaultText(first)));
     }
     if (const QStringList ignored = ignoredHeadings(data.layout); !ignored.isEmpty()) {
         html += note(Report::tr("Columns not used: %1.").arg(ignored.join(u", ")));
@@ -213,7 +214,7 @@ QString comparisonText(const ReportContent &content)
     const Result &result = *content.result;
     const Diagnosis &diagnosis = content.diagnosis;
     QString html = newPage(Report::tr("Errors: model against reference")) + fileText(content) +
-                   QStringLiteral("<b>%1</b>").arg(paragraph(summaryOf(result.comparison)));
+                   QStringLiteral("<b>%1</b>").arg(paragraph(summaryText(result.comparison)));
     for (const QString &line : explanationLines(diagnosis, result.reference->data, result.mechanism)) {
         html += paragraph(line);
     }

@@ -65,7 +65,7 @@ void fillMeanings(QComboBox &combo)
             for (const Order order : {Order::Position, Order::Velocity, Order::Acceleration}) {
                 const Channel channel{coordinate, order};
                 combo.addItem(
-                    QStringLiteral("%1  %2  (%3)").arg(quantityOf(channel), symbolOf(channel), columnNameOf(channel)),
+                    QStringLiteral("%1  %2  (%3)").arg(quantityName(channel), symbolText(channel), columnName(channel)),
                     meaningOf(ColumnRole::Channel, channel));
             }
         }
@@ -87,7 +87,7 @@ void fillUnits(QComboBox &combo, const ColumnChoice &choice, const FileColumn &c
     if (choice.role != ColumnRole::Time) {
         const Channel channel = choice.role == ColumnRole::CrankAngle ? Channel{Theta2, Order::Position} : choice.channel;
         units = isAngle(channel.coordinate) ? QStringList{"°", "rad"} : QStringList{"mm", "cm", "m", "in"};
-        usual = unitOf(channel);
+        usual = unitText(channel);
         units.replaceInStrings(QRegularExpression("$"), usual.mid(units.first().size())); // "/s²"
     }
     combo.addItem(column.unit.empty() ? ColumnMapping::tr("none given: %1").arg(usual)
@@ -135,8 +135,9 @@ QString rangeText(const std::variant<ReferenceData, ReadError> &outcome, const F
     std::vector<double> values = series->values;
     std::erase_if(values, [](double value) { return std::isnan(value); });
     const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
-    return values.empty() ? QString()
-                          : QStringLiteral("%1 … %2 %3").arg(numberText(*lowest), numberText(*highest), unitOf(column.channel));
+    return values.empty()
+               ? QString()
+               : QStringLiteral("%1 … %2 %3").arg(numberText(*lowest), numberText(*highest), unitText(column.channel));
 }
 
 } // namespace

@@ -66,10 +66,10 @@ TableCell numberCell(std::optional<double> value, const QString &unit, const QSt
 TableRow rowOf(const ChannelComparison &channel, const QString &details, const QString &percentFormula)
 {
     constexpr int kDigits = 6; // as many as files write
-    const QString unit = unitOf(channel.channel);
+    const QString unit = unitText(channel.channel);
     const std::optional<double> time = channel.maxAbs ? std::optional(channel.timeOfMaxAbs) : std::nullopt;
-    return {{{.text = QStringLiteral("%1 %2").arg(symbolOf(channel.channel), quantityOf(channel.channel)),
-              .csv = QStringLiteral("%1 [%2]").arg(columnNameOf(channel.channel), unit)},
+    return {{{.text = QStringLiteral("%1 %2").arg(symbolText(channel.channel), quantityName(channel.channel)),
+              .csv = QStringLiteral("%1 [%2]").arg(columnName(channel.channel), unit)},
              numberCell(channel.maxAbs, unit, details),
              numberCell(channel.percentOfPeak, {}, percentFormula),
              {.text = numberText(time, kDigits),
@@ -81,10 +81,10 @@ TableRow rowOf(const ChannelComparison &channel, const QString &details, const Q
 
 TableRow fileRow(const ChannelComparison &channel)
 {
-    const QString unit = unitOf(channel.channel);
+    const QString unit = unitText(channel.channel);
     const VerdictLook look = lookOf(channel.verdict);
     QString count = ErrorPage::tr("%1 in the file, %2 time steps compared")
-                        .arg(columnNameOf(channel.channel), countText(channel.count));
+                        .arg(columnName(channel.channel), countText(channel.count));
     if (channel.missingModel > 0) {
         count += ErrorPage::tr("; at %1 more the model does not exist").arg(countText(channel.missingModel));
     }
@@ -119,7 +119,7 @@ TableRow pinnedRow(const ChannelComparison &channel)
     return rowOf(channel,
                  isUnbounded ? ErrorPage::tr("Unbounded: one of the two reaches a limit position")
                              : ErrorPage::tr("Largest |this − pinned|; root mean square %1.")
-                                   .arg(readout(channel.rms, unitOf(channel.channel))),
+                                   .arg(readout(channel.rms, unitText(channel.channel))),
                  ErrorPage::tr("max |this − pinned| / max |pinned| · 100"));
 }
 
@@ -156,7 +156,7 @@ Page filePage(const Result &result, const ReferenceDiagnosis *diagnosis)
     const Verdict verdict = worstVerdict(result.comparison);
     const VerdictLook look = lookOf(verdict);
     Page page;
-    page.sentence = QStringLiteral("%1 %2: %3").arg(look.mark, result.reference->name, summaryOf(result.comparison));
+    page.sentence = QStringLiteral("%1 %2: %3").arg(look.mark, result.reference->name, summaryText(result.comparison));
     page.tone = look.tone;
     page.fileName = ErrorPage::tr("errors", "name of a file");
     page.keepsFindings = verdict != Verdict::Agrees && isOfFile(diagnosis, result) && !isUpToDate(diagnosis, result);
@@ -244,7 +244,7 @@ QString changesText(const Parameters &before, const Diagnosis &diagnosis)
                                                                       factor * found.standardError[i], factor)
                                                        : ErrorPage::tr("unchanged");
         rows += QStringLiteral("<tr><td>%1 </td><td align=right>%2</td><td> → </td><td>%3</td><td>  (%4)</td></tr>")
-                    .arg(symbolOf(parameter), parameterText(parameter, valueOf(before, parameter)),
+                    .arg(symbolText(parameter), parameterText(parameter, valueOf(before, parameter)),
                          parameterText(parameter, valueOf(diagnosis.rounded, parameter), kDigits), measured);
     }
     if (before.branch != diagnosis.rounded.branch) {
@@ -264,7 +264,7 @@ Finding mechanismFinding(const Result &result, const ReferenceDiagnosis &diagnos
         return {}; // read with the conventions, the file belongs to the model
     }
     const Identification &identification = found.identification;
-    const QString summary = summaryOf(found);
+    const QString summary = summaryText(found);
     Finding finding{identification.hasOneMechanism() ? changeText(found, Mechanism(diagnosis.parameters)) : summary};
     if (!identification.hasMechanism()) {
         return finding;
@@ -282,7 +282,7 @@ Finding mechanismFinding(const Result &result, const ReferenceDiagnosis &diagnos
 /// Returns the explanation of the convention, and the largest error without and with it.
 QString conventionSentence(const ConventionFinding &found, const ReferenceData &data)
 {
-    const QString sentence = explanationOf(found.convention, data);
+    const QString sentence = explanationText(found.convention, data);
     if (found.convention.kind == Convention::Kind::NotDerivative) {
         return sentence; // the column is excluded and has no error
     }
@@ -317,7 +317,7 @@ std::vector<Finding> findingsOf(const Result &result, const ReferenceDiagnosis *
     if (isUpToDate(diagnosis, result) && !result.comparison.empty() && verdict != Verdict::Agrees) {
         for (const ConventionFinding &found : diagnosis->found.conventions) {
             findings.push_back({conventionSentence(found, result.reference->data), Remedy::Apply,
-                                ErrorPage::tr("Apply"), effectOf(found), found.convention});
+                                ErrorPage::tr("Apply"), effectText(found), found.convention});
         }
         for (const QString &sentence : differenceSentences(result.reference->data, diagnosis->found.conventions)) {
             findings.push_back({sentence});
@@ -331,7 +331,7 @@ std::vector<Finding> findingsOf(const Result &result, const ReferenceDiagnosis *
     if (!result.reference->conventions.empty()) {
         QStringList names;
         for (const Convention &convention : result.reference->conventions) {
-            names << nameOf(convention);
+            names << conventionName(convention);
         }
         findings.push_back({ErrorPage::tr("The file is read differently from how it is written: %1.").arg(listed(names)),
                             Remedy::ReadAsPrinted, ErrorPage::tr("Read as written")});

@@ -45,9 +45,9 @@ constexpr Equation kEquations[kCoordinateCount] = {{"x", "Rₓ¹ = 0"},
                                                    {"y", "R_y⁴ − c = 0"},
                                                    {"", "θ₂ − ω₂ t − θ₂₀ = 0"}};
 
-QString symbolOf(Coordinate coordinate)
+QString symbolText(Coordinate coordinate)
 {
-    return symbolOf(Channel{coordinate, Order::Position});
+    return symbolText(Channel{coordinate, Order::Position});
 }
 
 bool isAngle(Constraint row)
@@ -209,10 +209,10 @@ Page jacobianPage(const Result &result, double time)
     for (Eigen::Index j = 0; j < kCoordinateCount; ++j) {
         const auto coordinate = static_cast<Coordinate>(j);
         const QString body = partName(partOf(coordinate));
-        table.columns.push_back({symbolOf(coordinate),
+        table.columns.push_back({symbolText(coordinate),
                                  isAngle(coordinate) ? NewtonPages::tr("Angle of the %1; lengths in mm").arg(body)
                                                      : NewtonPages::tr("Centre of mass of the %1").arg(body),
-                                 columnNameOf(Channel{coordinate, Order::Position})});
+                                 columnName(Channel{coordinate, Order::Position})});
     }
     for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
         const auto row = static_cast<Constraint>(i);
@@ -317,12 +317,12 @@ Page coordinatePage(const Result &result, double time)
         const auto cell = [&](Order order, const Vector12 &values) {
             return numberCell(toFileUnit({coordinate, order}, values[i]));
         };
-        table.rows.push_back({{{.text = symbolOf(coordinate), .csv = columnNameOf(position)},
+        table.rows.push_back({{{.text = symbolText(coordinate), .csv = columnName(position)},
                                {.text = partName(partOf(coordinate))},
                                cell(Order::Position, state.q),
                                cell(Order::Velocity, state.qDot),
                                cell(Order::Acceleration, state.qDDot),
-                               {.text = unitOf(position)}},
+                               {.text = unitText(position)}},
                               {},
                               partOf(coordinate)});
     }

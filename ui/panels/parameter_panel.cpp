@@ -162,8 +162,8 @@ void ParameterPanel::addRow(Parameter parameter, const QString &noun, const QStr
                             const std::vector<ShownUnit> &units)
 {
     const int line = static_cast<int>(parameter);
-    const QLatin1String key(wordOf(parameter));
-    const QString symbol = symbolOf(parameter);
+    const QLatin1String key(optionName(parameter));
+    const QString symbol = symbolText(parameter);
     const QString name = tr("%1 (%2)").arg(explanation, symbol);
     m_chosen->addItem(tr("%1 %2").arg(symbol, noun));
     Row &row = m_rows[indexOf(parameter)];

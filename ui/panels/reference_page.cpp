@@ -100,7 +100,7 @@ PageTable skippedTable(const ReferenceData &data)
     for (const SkippedRow &row : data.skipped) {
         table.rows.push_back(
             textRow({lineText(data.layout, row), row.column == 0 ? QString() : QString::number(row.column),
-                     QString::fromUtf8(row.text), reasonOf(row)}));
+                     QString::fromUtf8(row.text), rowFaultText(row)}));
     }
     return table;
 }
@@ -130,7 +130,7 @@ Finding mechanismFound(const Result &result, const ReferenceDiagnosis *diagnosis
         return {ReferencePage::tr("Searching for the mechanism of this file…")};
     }
     const Diagnosis &found = diagnosis->found;
-    Finding finding{ReferencePage::tr("Mechanism found in this file: %1").arg(summaryOf(found))};
+    Finding finding{ReferencePage::tr("Mechanism found in this file: %1").arg(summaryText(found))};
     if (const QString rounded = roundNumbersText(found); !rounded.isEmpty()) {
         finding.sentence += u'\n' + rounded;
     }

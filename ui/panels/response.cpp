@@ -77,7 +77,7 @@ QString fullTurnText(Parameter parameter, const ResponseRange &range)
     const auto &[lower, upper] = range.fullTurn;
     const bool hasLower = lower > range.assembled.lower;
     const bool hasUpper = upper < range.assembled.upper;
-    const QString symbol = symbolOf(parameter);
+    const QString symbol = symbolText(parameter);
     return lower > upper          ? ResponseText::tr("The crank makes full turns for no value of %1.").arg(symbol)
            : hasLower && hasUpper ? ResponseText::tr("Full turns for %1 ≤ %2 ≤ %3 mm, shaded elsewhere.")
                                         .arg(numberText(lower), symbol, numberText(upper))

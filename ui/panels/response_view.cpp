@@ -36,7 +36,7 @@ ResponseView::ResponseView(Session *session, QWidget *parent)
 {
     named("responseView", this, tr("How the limits depend on a parameter"));
     for (const Parameter parameter : kVariedParameters) {
-        m_parameter->addItem(tr("Response to %1").arg(symbolOf(parameter)));
+        m_parameter->addItem(tr("Response to %1").arg(symbolText(parameter)));
     }
     m_parameter->setCurrentIndex(static_cast<int>(indexOf(Parameter::B)));
     connect(m_parameter, &QComboBox::currentIndexChanged, this, &ResponseView::refresh);
@@ -113,7 +113,7 @@ void ResponseView::refresh()
 void ResponseView::showResponse(bool isNew)
 {
     const auto &[parameters, parameter, range, values, limits] = m_response;
-    const QString symbol = symbolOf(parameter);
+    const QString symbol = symbolText(parameter);
     const QString title = tr("%1 [%2]").arg(symbol, parameter == Parameter::Omega2 ? tr("rad/s") : tr("mm"));
     m_sentence->setText(fullTurnText(parameter, range) + u' ' + tr("Drag a dot to change %1.").arg(symbol));
     ResponseChart::Dots dots{{valueOf(parameters, parameter), limitValues(Mechanism(parameters))}};
@@ -151,7 +151,7 @@ FigureDrawing ResponseView::drawing() const
 QByteArray ResponseView::csv() const
 {
     QByteArray text =
-        QLatin1String(wordOf(m_response.parameter)).latin1() +
+        QLatin1String(optionName(m_response.parameter)).latin1() +
         QByteArray(",stroke,time-ratio,least-transmission-angle,peak-slider-speed,peak-slider-acceleration\n");
     for (std::size_t i = 0; i < m_response.values.size(); ++i) {
         text += QByteArray::number(m_response.values[i], 'g', 17);

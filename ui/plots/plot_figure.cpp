@@ -237,11 +237,11 @@ QStringList PlotFigure::titles(std::size_t index) const
     const Plot &plot = m_plots[index];
     const bool isError = isErrorPlot(index);
     const Channel channel = kPlottedChannels[isError ? index / kPlotColumns * kErrorColumn : channelOf(index)];
-    QString unit = unitOf(channel);
+    QString unit = unitText(channel);
     QStringList titles;
     if (isError) {
         const std::array units{QStringLiteral("%"),
-                               QStringLiteral("%1; %2").arg(unit, unitOf({Coordinate::R4x, channel.order})),
+                               QStringLiteral("%1; %2").arg(unit, unitText({Coordinate::R4x, channel.order})),
                                tr("% of peak")};
         unit = units[static_cast<std::size_t>(m_settings.error)];
         titles << (m_result->reference ? tr("error") : tr("difference"));
@@ -249,12 +249,13 @@ QStringList PlotFigure::titles(std::size_t index) const
         const auto order = static_cast<std::size_t>(channel.order);
         const std::array shortNames{isAngle(channel.coordinate) ? tr("angle") : tr("position"), tr("velocity"),
                                     tr("acceleration")};
-        const QString symbol = symbolOf(channel);
+        const QString symbol = symbolText(channel);
         if (order > 0) {
-            const QString integral = symbolOf(Channel{channel.coordinate, static_cast<Order>(order - 1)});
-            titles << QStringLiteral("%1 %2 = d%3/dt").arg(quantityOf(channel), symbol, integral);
+            const QString integral = symbolText(Channel{channel.coordinate, static_cast<Order>(order - 1)});
+            titles << QStringLiteral("%1 %2 = d%3/dt").arg(quantityName(channel), symbol, integral);
         }
-        titles << QStringLiteral("%1 %2").arg(quantityOf(channel), symbol) << quantityOf(channel) << shortNames[order];
+        titles << QStringLiteral("%1 %2").arg(quantityName(channel), symbol) << quantityName(channel)
+               << shortNames[order];
     }
     unit = plot.values ? plot.ticker->scale.unit(unit) : unit;
     for (QString &title : titles) {

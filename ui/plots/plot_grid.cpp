@@ -42,7 +42,7 @@ PlotGrid::PlotGrid(QWidget *parent)
         m_panes[plot] = new PlotPane(m_picture, this);
         m_panes[plot]->setObjectName(plotName(plot));
         m_panes[plot]->setAccessibleName(isErrorPlot(plot) ? errors[plot / kPlotColumns]
-                                                           : quantityOf(kPlottedChannels[channelOf(plot)]));
+                                                           : quantityName(kPlottedChannels[channelOf(plot)]));
     }
     m_caption->setObjectName(QStringLiteral("no_reference_hint"));
     m_caption->setAutoFillBackground(true);

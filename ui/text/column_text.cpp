@@ -107,7 +107,7 @@ QString meaningText(const FileColumn &column)
     case ColumnRole::Ignored: return dash();
     case ColumnRole::Time: return ColumnText::tr("time");
     case ColumnRole::CrankAngle: return ColumnText::tr("crank angle");
-    case ColumnRole::Channel: return symbolOf(column.channel);
+    case ColumnRole::Channel: return symbolText(column.channel);
     }
     return {};
 }
@@ -119,7 +119,7 @@ QString unitText(const FileColumn &column)
     }
     const QString unit = column.role == ColumnRole::Time         ? "s"
                          : column.role == ColumnRole::CrankAngle ? "°"
-                                                                 : unitOf(column.channel);
+                                                                 : unitText(column.channel);
     return column.role == ColumnRole::Ignored ? dash() : ColumnText::tr("%1 (none given)").arg(unit);
 }
 

@@ -78,7 +78,7 @@ public:
 static_assert(std::size(ConventionText::kRows) == static_cast<std::size_t>(Kind::Axis) + 1);
 
 /// Returns "in radians, but read as degrees" if the factor is the ratio of two known units; otherwise an empty string.
-QString unitText(const Convention &convention)
+QString misreadUnitText(const Convention &convention)
 {
     constexpr double kSlack = 1e-9; // relative rounding error of a computed factor
     for (const ConventionText::Unit &read : ConventionText::kUnits) {
@@ -103,7 +103,7 @@ QString filled(QString text, const Convention &convention)
 {
     QStringList names;
     for (const Channel channel : convention.channels) {
-        names << columnNameOf(channel);
+        names << columnName(channel);
     }
     const bool isTime = convention.kind == Kind::TimeShift;
     const QString unit = isTime                                            ? " s"
@@ -115,7 +115,7 @@ QString filled(QString text, const Convention &convention)
     text.replace("%5", numberText(convention.amount) + unit);
     text.replace("%2", sign + u' ' + magnitude + unit).replace("%3", magnitude);
     if (!convention.channels.empty()) {
-        text.replace("%4", symbolOf(convention.channels.front()));
+        text.replace("%4", symbolText(convention.channels.front()));
     }
     return text.replace("%1", listed(names));
 }
@@ -147,14 +147,14 @@ std::optional<Difference> commonDifference(const Convention &convention, const R
 
 } // namespace
 
-QString nameOf(const Convention &convention)
+QString conventionName(const Convention &convention)
 {
     return ConventionText::tr(row(convention).name);
 }
 
-QString explanationOf(const Convention &convention, const ReferenceData &data)
+QString explanationText(const Convention &convention, const ReferenceData &data)
 {
-    if (const QString unit = unitText(convention); !unit.isEmpty()) {
+    if (const QString unit = misreadUnitText(convention); !unit.isEmpty()) {
         return convention.kind == Kind::TimeUnit ? ConventionText::tr("The time is %1.").arg(unit)
                                                  : filled("%1: " + unit + u'.', convention);
     }
@@ -169,7 +169,7 @@ QString explanationOf(const Convention &convention, const ReferenceData &data)
                   convention);
 }
 
-QString effectOf(const ConventionFinding &finding)
+QString effectText(const ConventionFinding &finding)
 {
     const Convention &convention = finding.convention;
     const QString action = filled(onlyMakesContinuous(convention) ? ConventionText::tr("Makes %1 continuous")

@@ -15,14 +15,14 @@ namespace slidercrank
 {
 
 /// Returns the name of a convention: "angle unit".
-QString nameOf(const Convention &convention);
+QString conventionName(const Convention &convention);
 
 /// Explains a convention: "theta3: in radians, but read as degrees." `data` is the file before conventions are applied.
-QString explanationOf(const Convention &convention, const ReferenceData &data);
+QString explanationText(const Convention &convention, const ReferenceData &data);
 
 /// Describes how a convention changes the data and the error: "Multiplies theta3 by 57.2958: largest error 0.001 % of
 /// peak instead of 98 %."
-QString effectOf(const ConventionFinding &finding);
+QString effectText(const ConventionFinding &finding);
 
 /// Returns a sentence for each group of columns that contain finite differences instead of derivatives: "R4_x_diff:
 /// forward differences, …". Columns that a finding leaves out are not named.

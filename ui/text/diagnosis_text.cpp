@@ -95,11 +95,11 @@ QStringList foundTexts(const Identification &found)
     for (const Parameter parameter : kParameters) {
         if (found.onlyRatios && isLength(parameter)) {
             if (parameter != Parameter::A) {
-                texts << equation.arg(symbolOf(parameter) + "/a",
+                texts << equation.arg(symbolText(parameter) + "/a",
                                       scaledText(parameter, found, 1.0 / found.parameters.a));
             }
         } else if (found.identifiable[indexOf(parameter)]) {
-            texts << equation.arg(symbolOf(parameter), measuredText(parameter, found));
+            texts << equation.arg(symbolText(parameter), measuredText(parameter, found));
         }
     }
     return texts << withNoun(found.parameters.branch);
@@ -142,7 +142,7 @@ QString leftOutText(const Identification &found)
     QStringList columns;
     for (const Identification::LeftOut &column : found.leftOut) {
         columns << DiagnosisText::tr("%1 (%2 % of its peak)")
-                       .arg(symbolOf(column.channel), errorText(column.percentOfPeak));
+                       .arg(symbolText(column.channel), errorText(column.percentOfPeak));
     }
     return columns.join(", ");
 }
@@ -195,7 +195,7 @@ QString notIdentifiedText(const Diagnosis &diagnosis)
         QStringList open;
         for (const Parameter parameter : kParameters) {
             if (found.openParameters[indexOf(parameter)]) {
-                open << symbolOf(parameter);
+                open << symbolText(parameter);
             }
         }
         return DiagnosisText::lack(found.lack).replace("%1", listed(open));
@@ -210,7 +210,7 @@ QString notIdentifiedText(const Diagnosis &diagnosis)
     const QString text =
         !worst ? DiagnosisText::tr("No mechanism fits this file. The nearest: %1.").arg(mechanism)
                : DiagnosisText::tr("No mechanism fits this file. The nearest: %1, off by up to %2 % of peak, in %3.")
-                     .arg(mechanism, errorText(*worst->percentOfPeak), symbolOf(worst->channel));
+                     .arg(mechanism, errorText(*worst->percentOfPeak), symbolText(worst->channel));
     return found.leftOut.empty() ? text
                                  : text + u' ' +
                                        DiagnosisText::tr("It fits the other columns, but these disagree with them: %1.")
@@ -226,9 +226,9 @@ QString crankSpeedText(const CrankSpeedChange &speed)
 
 QString noiseText(const Identification::Noise &noise)
 {
-    const QString unit = unitOf(noise.channel);
+    const QString unit = unitText(noise.channel);
     const QString space = unit.startsWith(u'°') ? QString() : " ";
-    return symbolOf(noise.channel) + u' ' + errorText(noise.rms) + space + unit;
+    return symbolText(noise.channel) + u' ' + errorText(noise.rms) + space + unit;
 }
 
 } // namespace
@@ -243,7 +243,7 @@ QString measuredText(Parameter parameter, const Identification &found)
                : dash();
 }
 
-QString caveatsOf(const Diagnosis &diagnosis)
+QString caveatText(const Diagnosis &diagnosis)
 {
     const Identification &found = diagnosis.identification;
     QStringList sentences;
@@ -288,14 +288,14 @@ QString caveatsOf(const Diagnosis &diagnosis)
     return sentences.join(u' ');
 }
 
-QString summaryOf(const Diagnosis &diagnosis)
+QString summaryText(const Diagnosis &diagnosis)
 {
     const Identification &found = diagnosis.identification;
     if (found.stopped) {
         return DiagnosisText::tr("The search was stopped.");
     }
     if (found.hasMechanism()) {
-        const QString caveats = caveatsOf(diagnosis);
+        const QString caveats = caveatText(diagnosis);
         return identifiedText(diagnosis) + (caveats.isEmpty() ? caveats : u' ' + caveats);
     }
     const QString text = notIdentifiedText(diagnosis);
@@ -306,7 +306,7 @@ QStringList explanationLines(const Diagnosis &diagnosis, const ReferenceData &da
 {
     QStringList lines;
     for (const ConventionFinding &finding : diagnosis.conventions) {
-        lines << explanationOf(finding.convention, data) + u' ' + effectOf(finding);
+        lines << explanationText(finding.convention, data) + u' ' + effectText(finding);
     }
     if (!lines.isEmpty() && diagnosis.agreesWithGiven) {
         lines << DiagnosisText::tr("Read this way, it does not differ from this mechanism.");
@@ -315,7 +315,7 @@ QStringList explanationLines(const Diagnosis &diagnosis, const ReferenceData &da
     }
     lines << differenceSentences(data, diagnosis.conventions);
     if (!diagnosis.agreesWithGiven) {
-        const QString summary = summaryOf(diagnosis);
+        const QString summary = summaryText(diagnosis);
         lines << (diagnosis.identification.hasOneMechanism()
                       ? DiagnosisText::tr("Mechanism found in this file: %1").arg(summary)
                       : summary);

@@ -19,11 +19,11 @@ QString measuredText(Parameter parameter, const Identification &found);
 
 /// Returns the reservations about an identified mechanism: parameters that the data do not determine, mechanisms that
 /// fit equally well, columns and rows that were left out, and noise. Returns an empty string if there are none.
-QString caveatsOf(const Diagnosis &diagnosis);
+QString caveatText(const Diagnosis &diagnosis);
 
 /// Summarizes an identification: the parameters with their standard errors ("a = 20.000001 ± 0.000003 mm, …, open
 /// assembly."), or all mechanisms that fit, or the reason why none was found, or the nearest mechanism.
-QString summaryOf(const Diagnosis &diagnosis);
+QString summaryText(const Diagnosis &diagnosis);
 
 /// Returns "Nominal values fit equally well: a = 20 mm, …", or an empty string if they do not.
 QString roundNumbersText(const Diagnosis &diagnosis);

@@ -58,7 +58,7 @@ QString errorText(double value)
     return shortNumber(value, 3);
 }
 
-QString symbolOf(Channel channel)
+QString symbolText(Channel channel)
 {
     const bool isAngular = isAngle(channel.coordinate);
     const bool isStroke = channel.coordinate == R4x && channel.order != Order::Position;
@@ -71,29 +71,29 @@ QString symbolOf(Channel channel)
     return letters[static_cast<qsizetype>(channel.order)] + direction + body;
 }
 
-QString quantityOf(Channel channel)
+QString quantityName(Channel channel)
 {
     return FindingText::quantity(channel);
 }
 
-QString columnNameOf(Channel channel)
+QString columnName(Channel channel)
 {
     return QString::fromUtf8(nameOf(channel));
 }
 
-QString unitOf(Channel channel)
+QString unitText(Channel channel)
 {
     return QString::fromUtf8(fileUnit(channel));
 }
 
-QString symbolOf(Parameter parameter)
+QString symbolText(Parameter parameter)
 {
     const QStringList symbols{"a", "b", "c", "ω₂",
                               "θ₂₀"};
     return symbols[static_cast<qsizetype>(indexOf(parameter))];
 }
 
-const char *wordOf(Parameter parameter)
+const char *optionName(Parameter parameter)
 {
     return std::array{"a", "b", "c", "omega2", "theta20"}[indexOf(parameter)];
 }
@@ -127,7 +127,7 @@ QString parameterText(Parameter parameter, double value, int digits)
 
 QString equationText(Parameter parameter, double value, int digits)
 {
-    return QStringLiteral("%1 = %2").arg(symbolOf(parameter), parameterText(parameter, value, digits));
+    return QStringLiteral("%1 = %2").arg(symbolText(parameter), parameterText(parameter, value, digits));
 }
 
 QString mechanismText(const Mechanism &mechanism, int digits)
@@ -213,7 +213,7 @@ QString verdictFormula(const ChannelComparison &channel)
            u'\n' + counts;
 }
 
-QString summaryOf(std::span<const ChannelComparison> channels)
+QString summaryText(std::span<const ChannelComparison> channels)
 {
     if (channels.empty()) {
         return FindingText::tr("The file has no column that this program knows.");
@@ -240,7 +240,7 @@ QString summaryOf(std::span<const ChannelComparison> channels)
     const QString text =
         worst->percentOfPeak
             ? FindingText::tr("No match: %1 of %2 quantities differ, most of all the %3, by %4 % of its peak.")
-                  .arg(differs, all, quantityOf(worst->channel), errorText(*worst->percentOfPeak))
+                  .arg(differs, all, quantityName(worst->channel), errorText(*worst->percentOfPeak))
             : FindingText::tr("No match: %1 of %2 quantities differ.").arg(differs, all);
     const std::size_t missing = std::ranges::max(channels, {}, &ChannelComparison::missingModel).missingModel;
     return missing == 0 ? text

@@ -23,25 +23,25 @@ QString errorText(double value);
 
 /// Returns the symbol of a channel: "θ³", "ω³", "Rₓ⁴", "v⁴". The crank angle is "θ₂", as in the controls. Derivatives
 /// have their own letters because fonts misplace the dot of θ̇, and the superscript of d²θ³/dt² looks like a cube.
-QString symbolOf(Channel channel);
+QString symbolText(Channel channel);
 
 /// Returns the name of a channel: "coupler angle", "slider velocity".
-QString quantityOf(Channel channel);
+QString quantityName(Channel channel);
 
 /// Returns the name of a channel in files: "theta3", "R4_x_diff".
-QString columnNameOf(Channel channel);
+QString columnName(Channel channel);
 
 /// Returns the unit of a channel in files: "mm/s²", "°".
-QString unitOf(Channel channel);
+QString unitText(Channel channel);
 
 /// Returns the symbol of a parameter: "a", "ω₂".
-QString symbolOf(Parameter parameter);
+QString symbolText(Parameter parameter);
 
 inline constexpr std::array kParameters{Parameter::A, Parameter::B, Parameter::C, Parameter::Omega2,
                                         Parameter::Theta20};
 
 /// Returns the name of a parameter in options and JSON: "a", "omega2".
-const char *wordOf(Parameter parameter);
+const char *optionName(Parameter parameter);
 
 /// Returns "open" or "crossed".
 QString assemblyText(Branch branch);
@@ -80,6 +80,6 @@ QString verdictText(const ChannelComparison &channel);
 QString verdictFormula(const ChannelComparison &channel);
 
 /// Summarizes a comparison: "Match: 6 of 6 quantities agree within the rounding of the file."
-QString summaryOf(std::span<const ChannelComparison> channels);
+QString summaryText(std::span<const ChannelComparison> channels);
 
 } // namespace slidercrank

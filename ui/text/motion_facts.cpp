@@ -142,7 +142,7 @@ std::vector<MotionFact> strokeFacts(bool isForward, double angle, double stroke,
                          QStringLiteral("s"), explanation});
         facts.push_back({isForward ? "mean-forward-speed" : "mean-return-speed",
                          isForward ? MotionFacts::tr("mean forward speed") : MotionFacts::tr("mean return speed"),
-                         stroke / time, unitOf({R4x, Order::Velocity}),
+                         stroke / time, unitText({R4x, Order::Velocity}),
                          MotionFacts::tr("The stroke divided by its time")});
     }
     return facts;
@@ -278,8 +278,8 @@ std::vector<MotionFact> peakFacts(const Mechanism &mechanism, const MotionLimits
     const std::vector<Peak> peaks = motionPeaks(mechanism);
     for (std::size_t i = 0; i < peaks.size(); ++i) {
         const Peak &peak = peaks[i];
-        MotionFact fact{kKeys[i], quantityOf(peak.channel), toFileUnit(peak.channel, peak.magnitude),
-                        unitOf(peak.channel)};
+        MotionFact fact{kKeys[i], quantityName(peak.channel), toFileUnit(peak.channel, peak.magnitude),
+                        unitText(peak.channel)};
         fact.explanation =
             !std::isinf(peak.magnitude)
                 ? MotionFacts::tr("Largest value over one revolution of the crank, where its derivative is zero")

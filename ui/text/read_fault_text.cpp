@@ -81,12 +81,12 @@ static_assert(std::size(ReadFaultText::kRowFaults) == static_cast<std::size_t>(R
 
 } // namespace
 
-QString reasonOf(const SkippedRow &row)
+QString rowFaultText(const SkippedRow &row)
 {
     return ReadFaultText::row(row.fault).replace("%1", QString::number(row.rows - 1));
 }
 
-QString sentenceOf(const ReadFault &fault)
+QString faultText(const ReadFault &fault)
 {
     const bool namesUnit = fault.kind == ReadFault::Kind::UnknownUnit;
     return ReadFaultText::tr(ReadFaultText::kFaults[static_cast<int>(fault.kind)])

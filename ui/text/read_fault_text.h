@@ -11,9 +11,9 @@ namespace slidercrank
 {
 
 /// Returns a sentence that explains the fault and how to correct it.
-QString sentenceOf(const ReadFault &fault);
+QString faultText(const ReadFault &fault);
 
 /// Returns the reason for skipping a row, as a clause: "not a number".
-QString reasonOf(const SkippedRow &row);
+QString rowFaultText(const SkippedRow &row);
 
 } // namespace slidercrank

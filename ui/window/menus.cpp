@@ -177,7 +177,7 @@ void Menus::addView()
     menu->addMenu(tr("Pl&ots"))->addActions(m_views.plots->choices());
     QMenu *responses = menu->addMenu(tr("Respo&nse to"));
     for (const Parameter parameter : kVariedParameters) {
-        responses->addAction(symbolOf(parameter), m_views.parameters,
+        responses->addAction(symbolText(parameter), m_views.parameters,
                              [panel = m_views.parameters, parameter] { emit panel->responseRequested(parameter); });
     }
     QAction *present = addSwitch(menu, tr("Presentation &mode"), presentation->isOn(), Qt::Key_F11);

@@ -48,7 +48,7 @@ struct Shown {
     template <typename Widget>
     Widget *part(const char *kind, Parameter parameter) const
     {
-        return child<Widget>(panel, QLatin1String(kind) + u'_' + QLatin1String(wordOf(parameter)));
+        return child<Widget>(panel, QLatin1String(kind) + u'_' + QLatin1String(optionName(parameter)));
     }
     NumberBox *box(Parameter parameter) const { return part<NumberBox>("box", parameter); }
 };

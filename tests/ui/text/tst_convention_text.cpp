@@ -85,9 +85,9 @@ private slots:
             {{TimeShift, {}, -0.25}, "The time stamps of the file are shifted by 0.25 s.", "Adds -0.25 s to the time stamps"},
         };
         for (const auto &[convention, explanation, action] : rows) {
-            QVERIFY(!nameOf(convention).isEmpty());
-            QCOMPARE(explanationOf(convention, {}), QString::fromUtf8(explanation));
-            QCOMPARE(effectOf({convention, 98.25, 0.00076543}),
+            QVERIFY(!conventionName(convention).isEmpty());
+            QCOMPARE(explanationText(convention, {}), QString::fromUtf8(explanation));
+            QCOMPARE(effectText({convention, 98.25, 0.00076543}),
                      QString::fromUtf8(action) + ": largest error 0.000765 % of peak instead of 98.3 %.");
         }
     }
@@ -95,8 +95,8 @@ private slots:
     void leavesOutWhatIsNoDerivative()
     {
         const Convention none{Convention::Kind::NotDerivative, {kSliderSpeed}, 1.0};
-        QCOMPARE(explanationOf(none, {}), QString("R4_x_diff: not the time derivative of the position column."));
-        QCOMPARE(effectOf({none, 98.25, 0.0}), QString("Leaves R4_x_diff out: its largest error is 98.3 % of peak."));
+        QCOMPARE(explanationText(none, {}), QString("R4_x_diff: not the time derivative of the position column."));
+        QCOMPARE(effectText({none, 98.25, 0.0}), QString("Leaves R4_x_diff out: its largest error is 98.3 % of peak."));
 
         // Differences are named, whether or not they are a finding.
         ReferenceData data;
@@ -109,7 +109,7 @@ private slots:
             data.series[1].values.push_back((std::sin(9.0 * (t + 0.01)) - std::sin(9.0 * t)) / 0.01);
         }
         const QString sentence = "R4_x_diff: forward differences, not the time derivative.";
-        QCOMPARE(explanationOf(none, data), sentence);
+        QCOMPARE(explanationText(none, data), sentence);
         QCOMPARE(differenceSentences(data, {}), QStringList{sentence});
         QCOMPARE(differenceSentences(data, std::vector<ConventionFinding>{{none, 5.0, 0.0}}), QStringList());
     }

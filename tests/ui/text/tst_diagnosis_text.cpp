@@ -52,7 +52,7 @@ private slots:
 
     void namesTheMechanismWithItsStandardErrors()
     {
-        QCOMPARE(summaryOf(identified()),
+        QCOMPARE(summaryText(identified()),
                  QString("a = 20.000001 ± 0.000003 mm, b = 60.00000 ± 0.00001 mm, c = 24.999974 ± 0.000008 mm, "
                          "ω₂ = 6.2831856 ± 0.0000003 rad/s, θ₂₀ = -0.00002 ± 0.00001°, open assembly."));
         Diagnosis approximate = identified();
@@ -60,7 +60,7 @@ private slots:
         ChannelComparison channel;
         channel.percentOfPeak = 0.0213;
         approximate.identified = {channel};
-        const QString text = summaryOf(approximate);
+        const QString text = summaryText(approximate);
         QVERIFY2(text.startsWith("a ≈ 20 mm, b ≈ 60 mm, c ≈ 25 mm, ω₂ ≈ 6.28 rad/s, ") && text.contains("0.0213 %"),
                  qPrintable(text));
         QCOMPARE(measuredText(Parameter::B, approximate.identification), QString("60 mm"));
@@ -76,7 +76,7 @@ private slots:
         found.parameters.c = 12.5;
         found.identifiable = {false, false, false, true, true};
         found.standardError = {kNone, 2e-5, kNone, 3e-7, 2.3e-7};
-        const QString text = summaryOf(diagnosis);
+        const QString text = summaryText(diagnosis);
         QVERIFY2(text.startsWith("b/a = 3.000000 ± 0.000002, c/a = 1.25, ω₂ = "), qPrintable(text));
         QVERIFY2(text.endsWith("open assembly. The coupler angle θ³ alone determines only b/a and c/a; a = 10 mm is "
                                "taken as given."),
@@ -87,7 +87,7 @@ private slots:
 
     void addsEachCaveat()
     {
-        QCOMPARE(caveatsOf(identified()), QString());
+        QCOMPARE(caveatText(identified()), QString());
         struct Row {
             void (*change)(Diagnosis &);
             const char *sentence;
@@ -143,13 +143,13 @@ private slots:
         for (const auto &[change, sentence] : rows) {
             Diagnosis found = identified();
             change(found);
-            QCOMPARE(caveatsOf(found), QString::fromUtf8(sentence));
-            QVERIFY(summaryOf(found).endsWith(u' ' + QString::fromUtf8(sentence)));
+            QCOMPARE(caveatText(found), QString::fromUtf8(sentence));
+            QVERIFY(summaryText(found).endsWith(u' ' + QString::fromUtf8(sentence)));
         }
         Diagnosis many = identified();
         many.identification.excludedRows = std::vector<std::size_t>(30, 7);
-        QCOMPARE(caveatsOf(many).count(u'7'), 10);
-        QVERIFY(caveatsOf(many).endsWith(", …."));
+        QCOMPARE(caveatText(many).count(u'7'), 10);
+        QVERIFY(caveatText(many).endsWith(", …."));
     }
 
     void listsEachMechanismThatFits()
@@ -157,7 +157,7 @@ private slots:
         Diagnosis found = identified();
         found.identification.outcome = Outcome::Ambiguous;
         found.identification.alternatives = {{Why::Alias, {}}, {Why::AnotherMechanism, {}}};
-        const QString text = summaryOf(found);
+        const QString text = summaryText(found);
         const QString table1 = mechanismText(Mechanism());
         QVERIFY2(text.startsWith("3 mechanisms fit this file equally well: a = 20.000001 ± 0.000003 mm, ") &&
                      text.endsWith("open assembly; " + table1 +
@@ -179,9 +179,9 @@ private slots:
         found.identified = {channel};
         const QString text = "No mechanism fits this file. The nearest: a = 20 mm, b = 61.23 mm, c = 25 mm, ω₂ = 6.283 "
                              "rad/s, θ₂₀ = 0°, open assembly, off by up to 12.3 % of peak, in Rₓ⁴.";
-        QCOMPARE(summaryOf(found), text);
+        QCOMPARE(summaryText(found), text);
         found.identification.leftOut = {{kTheta3, 40.0}};
-        QCOMPARE(summaryOf(found),
+        QCOMPARE(summaryText(found),
                  text + " It fits the other columns, but these disagree with them: θ³ (40.0 % of its peak).");
         QCOMPARE(roundNumbersText(found), QString());
     }
@@ -190,17 +190,17 @@ private slots:
     {
         Diagnosis none;
         Identification &found = none.identification;
-        QStringList sentences{summaryOf(none)};
+        QStringList sentences{summaryText(none)};
         found.outcome = Outcome::Insufficient;
         found.openParameters = {false, true, true, false, true};
         for (const auto lack : {Lack::FewValues, Lack::FewTimeStamps, Lack::NothingMoves, Lack::NoEvidence,
                                 Lack::OpenParameters, Lack::NotParabolic}) {
             found.lack = lack;
-            sentences << summaryOf(none);
+            sentences << summaryText(none);
         }
         QVERIFY(sentences[5].startsWith("These data do not determine b, c and θ₂₀: "));
         found.stopped = true;
-        sentences << summaryOf(none);
+        sentences << summaryText(none);
         for (const QString &sentence : sentences) {
             QVERIFY2(sentence.endsWith(u'.') && !sentence.contains("a =") && !sentence.contains(u'%'),
                      qPrintable(sentence));
@@ -208,7 +208,7 @@ private slots:
         QCOMPARE(sentences.removeDuplicates(), 0);
         Diagnosis uneven;
         uneven.unevenCrank = {2.0 * std::numbers::pi, 9.5};
-        QCOMPARE(summaryOf(uneven),
+        QCOMPARE(summaryText(uneven),
                  QString("The crank speed is not constant: 6.283 rad/s at the start and 9.5 rad/s at "
                          "the end. No mechanism fits this file."));
     }
@@ -226,14 +226,14 @@ private slots:
 
         Diagnosis none;
         none.identification.outcome = Outcome::None;
-        QCOMPARE(explanationLines(none, {}, Mechanism()), QStringList(summaryOf(none)));
+        QCOMPARE(explanationLines(none, {}, Mechanism()), QStringList(summaryText(none)));
 
         Diagnosis other = identified();
         other.change = {Parameter::B, 60.0, 0.9999999};
         other.rounded.a = 20.0;
         QCOMPARE(explanationLines(other, {}, Mechanism()),
                  QStringList({"With b = 60 mm instead of 65 mm, 99.9999 % of the difference disappears.",
-                              "Mechanism found in this file: " + summaryOf(other)}));
+                              "Mechanism found in this file: " + summaryText(other)}));
         QVERIFY(roundNumbersText(other).startsWith("Nominal values fit equally well: a = 20 mm, "));
     }
 

@@ -58,16 +58,16 @@ private slots:
             {{R4y, Order::Velocity}, "v_y⁴", "slider centre's velocity in y", "mm/s"},
         };
         for (const auto &[channel, symbol, quantity, unit] : rows) {
-            QCOMPARE(symbolOf(channel), QString::fromUtf8(symbol));
-            QCOMPARE(quantityOf(channel), QString::fromUtf8(quantity));
-            QCOMPARE(unitOf(channel), QString::fromUtf8(unit));
+            QCOMPARE(symbolText(channel), QString::fromUtf8(symbol));
+            QCOMPARE(quantityName(channel), QString::fromUtf8(quantity));
+            QCOMPARE(unitText(channel), QString::fromUtf8(unit));
         }
-        QCOMPARE(columnNameOf({R4x, Order::Velocity}), QString("R4_x_diff"));
+        QCOMPARE(columnName({R4x, Order::Velocity}), QString("R4_x_diff"));
         QSet<QString> quantities;
         QSet<QString> symbols;
         for (std::size_t i = 0; i < kChannelCount; ++i) {
-            quantities.insert(quantityOf(channelAt(i)));
-            symbols.insert(symbolOf(channelAt(i)));
+            quantities.insert(quantityName(channelAt(i)));
+            symbols.insert(symbolText(channelAt(i)));
         }
         QCOMPARE(quantities.size(), qsizetype(kChannelCount));
         QCOMPARE(symbols.size(), qsizetype(kChannelCount));
@@ -169,7 +169,7 @@ private slots:
             {{}, "The file has no column that this program knows."},
         };
         for (const auto &[channels, text] : rows) {
-            QCOMPARE(summaryOf(channels), text);
+            QCOMPARE(summaryText(channels), text);
         }
     }
 };

@@ -26,17 +26,17 @@ private slots:
         for (const Language language : {Language::English, Language::Spanish}) {
             setLanguage(language);
             for (int kind = 0; kind <= static_cast<int>(Kind::NoMemory); ++kind) { // the last enumerator
-                const QString sentence = sentenceOf({static_cast<Kind>(kind),
-                                                     {R4x, Order::Position},
-                                                     "a heading",
-                                                     ColumnReason::LikeOther,
-                                                     RowFault::TooManyCells});
+                const QString sentence = faultText({static_cast<Kind>(kind),
+                                                    {R4x, Order::Position},
+                                                    "a heading",
+                                                    ColumnReason::LikeOther,
+                                                    RowFault::TooManyCells});
                 QVERIFY2(sentence.endsWith(u'.') && !sentence.contains(u'%'), qPrintable(sentence));
                 QVERIFY2(!sentences.contains(sentence), qPrintable(sentence));
                 sentences += sentence;
             }
             for (int fault = 0; fault <= static_cast<int>(RowFault::NotListed); ++fault) { // the last enumerator
-                const QString clause = reasonOf({3, 1, {}, static_cast<RowFault>(fault), 1500});
+                const QString clause = rowFaultText({3, 1, {}, static_cast<RowFault>(fault), 1500});
                 QVERIFY2(!clause.isEmpty() && !clause.contains(u'%') && !sentences.contains(clause),
                          qPrintable(clause));
                 sentences += clause;
@@ -68,9 +68,9 @@ private slots:
              "a.csv contain R4_x_diff"},
         };
         for (const auto &[fault, part] : rows) {
-            QVERIFY2(sentenceOf(fault).contains(QString::fromUtf8(part)), part);
+            QVERIFY2(faultText(fault).contains(QString::fromUtf8(part)), part);
         }
-        QVERIFY(reasonOf({3, 1, {}, RowFault::NotListed, 1500}).contains("1499"));
+        QVERIFY(rowFaultText({3, 1, {}, RowFault::NotListed, 1500}).contains("1499"));
     }
 };
 
