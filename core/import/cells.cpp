@@ -97,8 +97,7 @@ std::string_view trimmed(std::string_view text)
 
 std::string_view takeLine(std::string_view &rest)
 {
-    const auto end = std::ranges::find_if(rest, [](char c) { return c == '\n' || c == '\r'; });
-    const std::string_view line = rest.substr(0, static_cast<std::size_t>(end - rest.begin()));
+    const std::string_view line = rest.substr(0, rest.find_first_of("\r\n"));
     rest.remove_prefix(line.size());
     rest.remove_prefix(rest.starts_with("\r\n") ? 2 : rest.empty() ? 0 : 1);
     return line;

@@ -313,7 +313,7 @@ void assignChannels(RawTable &table)
             const Heading &heading = column->heading;
             column->use.role = ColumnRole::Channel;
             column->setReason(heading.meaning.channel != column->use.channel ? ColumnReason::WideAngle
-                              : heading.hasUnitOfModelica                    ? ColumnReason::ModelicaName
+                              : heading.meaning.isModelica                   ? ColumnReason::ModelicaName
                               : evidence == Kind::Quantity                   ? ColumnReason::QuantityInName
                                                                              : ColumnReason::KnownName);
         } else if (evidence == Kind::ChannelName) {
@@ -346,7 +346,7 @@ ReadError findMissing(const RawTable &table, std::size_t file)
             fault = {Fault::NoCertainChannel, {}, excerpt(column.heading.printed), reason};
         }
     }
-    return {layout.headerLine, 0, own.form.headerText, fault, {}, file};
+    return {layout.headerLine, 0, {}, fault, {}, file};
 }
 
 } // namespace

@@ -95,17 +95,24 @@ const WordMeaning *find(std::string_view word)
     return found == kVocabulary.end() ? nullptr : &*found;
 }
 
+/// Sets `all` to a value that is known. Returns false if it is another one than before.
+template <typename Value>
+bool merge(std::optional<Value> &all, const std::optional<Value> &value)
+{
+    const bool agrees = !all || !value || *all == *value;
+    all = value ? value : all;
+    return agrees;
+}
+
 /// Returns the body that a name mentions, or nullopt if it mentions none or several.
 std::optional<Body> findBody(std::string_view name)
 {
     std::optional<Body> body;
     for (const std::string &word : wordsOf(name)) {
         const WordMeaning *const known = find(word);
-        const std::optional<Body> named = known ? known->body : std::nullopt;
-        if (named && body && named != body) {
+        if (known && !merge(body, known->body)) {
             return std::nullopt;
         }
-        body = named ? named : body;
     }
     return body;
 }
@@ -163,47 +170,36 @@ std::optional<CompoundName> splitCompound(std::string_view name)
                         {.owner = std::string(name.substr(0, dot)), .isModelica = true}};
 }
 
-template <typename Value>
-bool contradict(const std::optional<Value> &x, const std::optional<Value> &y)
-{
-    return x && y && *x != *y;
-}
-
 /// Returns what several words mean together, or nullopt if one of them is unknown or they contradict each other:
 /// "rotation about x", "linear velocity of the crank".
 std::optional<WordMeaning> combine(const Words &words, std::optional<Body> body)
 {
     WordMeaning all{.body = body};
-    char number = ' '; // of the link, after θ, ω or α
+    std::optional<Body> link; // by its number after θ, ω or α
     bool isGreek = false;
     for (const std::string &word : words) {
         if (isDigit(word[0])) {
-            number = isGreek && word.size() == 1 ? word[0] : number;
+            const bool isNumber = isGreek && word.size() == 1;
+            if (isNumber && !isAmong(word, "2 3")) {
+                return std::nullopt;
+            }
+            link = !isNumber ? link : word == "2" ? Body::Crank : Body::Coupler;
             continue;
         }
         // "v" is a velocity if it is the whole name, but not in "v_0"; "tx" is an axis only in longer names.
         const bool isAmbiguous = isAmong(word, words.size() > 1 ? "v a w" : "tx ty rz psi");
         const WordMeaning *const known = isAmbiguous ? nullptr : find(word);
-        if (!known || contradict(known->dimension, all.dimension) || contradict(known->body, all.body)) {
+        if (!known || !merge(all.dimension, known->dimension) || !merge(all.body, known->body)) {
             return std::nullopt;
         }
         isGreek = isAmong(word, "theta omega alpha alfa tita");
         all.order = std::max(all.order, known->order);
-        all.dimension = known->dimension ? known->dimension : all.dimension;
-        all.body = known->body ? known->body : all.body;
         all.axis = known->axis != ' ' ? known->axis : all.axis;
     }
-    if (number != ' ' && !all.body) {
-        all.body = number == '2' ? Body::Crank : Body::Coupler;
-    }
-    const std::optional<Dimension> ofBody = all.body == Body::Crank    ? std::optional(Dimension::Angle)
-                                            : all.body == Body::Slider ? std::optional(Dimension::Length)
-                                                                       : std::nullopt;
-    if ((number != ' ' && number != '2' && number != '3') || contradict(ofBody, all.dimension)) {
-        return std::nullopt;
-    }
-    all.dimension = all.dimension ? all.dimension : ofBody;
-    return all;
+    all.body = all.body ? all.body : link;
+    const bool isOfCoupler = !all.body || all.body == Body::Coupler;
+    const Dimension ofBody = all.body == Body::Crank ? Dimension::Angle : Dimension::Length;
+    return isOfCoupler || merge(all.dimension, std::optional(ofBody)) ? std::optional(all) : std::nullopt;
 }
 
 /// Returns the channel or quantity of a name, given its body and its unit, if they are known.
@@ -253,8 +249,7 @@ Heading parseHeading(std::string_view cell)
         const std::size_t open = name.rfind(name.back() == ']' ? '[' : '(');
         const std::string_view inside =
             open == name.npos ? std::string_view() : trimmed(name.substr(open + 1, name.size() - open - 2));
-        const bool isIndex = name.back() == ']' && !inside.empty() &&
-                             inside.find_first_not_of("0123456789.,: ") == inside.npos; // "P[3.1]"
+        const bool isIndex = name.back() == ']' && looksNumeric(inside); // "P[3.1]"
         if (open != name.npos && !isIndex) {
             split(open, inside);
         }
@@ -313,7 +308,8 @@ void interpretHeadings(std::vector<Heading> &row, const std::string &unitOfLengt
             heading.unit = heading.unit.empty() ? whole.unit : heading.unit;
         }
         heading.meaning = meaningOf(heading);
-        const NameMeaning &meaning = heading.meaning;
+        NameMeaning &meaning = heading.meaning;
+        meaning.isModelica = meaning.isModelica && heading.unit.empty();
         if (!isComponent) {
             magnitude = meaning.kind == Kind::Quantity ? std::optional(i) : std::nullopt;
         }
@@ -324,7 +320,6 @@ void interpretHeadings(std::vector<Heading> &row, const std::string &unitOfLengt
         if (meaning.kind >= Kind::Quantity && heading.unit.empty() && !base.empty()) {
             constexpr std::array kPerTime{"", "/s", "/s2"};
             heading.unit = base + kPerTime[static_cast<std::size_t>(meaning.channel.order)];
-            heading.hasUnitOfModelica = meaning.isModelica;
         }
     }
 }

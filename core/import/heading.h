@@ -30,7 +30,7 @@ struct NameMeaning {
     Kind kind = Kind::Nothing;
     Channel channel{};
     std::string owner{}; ///< "3.1" in "P[3.1]", "slider" in "slider.s"; empty: none
-    bool isModelica = false;
+    bool isModelica = false; ///< and the unit is not given, but implied
     bool isInventor = false;
 };
 
@@ -43,7 +43,6 @@ struct Heading {
     // Set by interpretHeadings().
     NameMeaning meaning{};
     std::optional<std::size_t> component{}; ///< first component of the vector whose magnitude the column contains
-    bool hasUnitOfModelica = false;         ///< the unit is not given, but implied by the kind of name
 };
 
 /// Splits a cell, given without surrounding quotation marks, into name and unit. The unit is at the end, in brackets or

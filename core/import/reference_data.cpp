@@ -125,11 +125,12 @@ ReferenceData collect(RawTable &table)
             values.push_back(column.values[rows[i]]);
         }
         column.values.clear();
+        const Rounding rounding = column.rounding.infer(column.factor, column.isAbscissa());
         if (column.isAbscissa()) {
             data.time = std::move(values);
-            data.timeRounding = column.rounding.inferForTimeStamps(column.factor);
+            data.timeRounding = rounding;
         } else if (rangeOf(values).count > 0) {
-            data.series.push_back({column.use.channel, std::move(values), column.rounding.infer(column.factor)});
+            data.series.push_back({column.use.channel, std::move(values), rounding});
         } else if (column.isUsed()) {
             column.use.role = ColumnRole::Ignored;
             column.setReason(ColumnReason::NoNumber);

@@ -62,21 +62,6 @@ struct RoundedDecade {
     double weight; ///< number of values
 };
 
-/// Weighted distance from the places of the decades; among equal ones, the coarser rule is better.
-using Distance = std::pair<double, double>;
-
-/// Distance of a rule from the decades. It rounds at `offset`, plus the decade's exponent if `isRelative`.
-Distance distanceOf(const std::vector<RoundedDecade> &decades, int offset, bool isRelative)
-{
-    Distance distance{0.0, 0.0};
-    for (const RoundedDecade &decade : decades) {
-        const int place = offset + (isRelative ? decade.exponent : 0);
-        distance.first += decade.weight * std::abs(decade.place - place);
-        distance.second -= decade.weight * place;
-    }
-    return distance;
-}
-
 /// Returns the first and last digit of the shortest text that is read as `value`, which is printed at `places`.
 PrintedPlaces shortestPlaces(PrintedPlaces places, double value)
 {
@@ -173,19 +158,23 @@ Rounding RoundingObserver::infer(double unitFactor, bool areTimeStamps) const
         }
         decades.push_back({exponent, place, total});
     }
-    Distance least{std::numeric_limits<double>::infinity(), 0.0};
-    const auto offer = [&](Rounding::Rule rule, int digits, const Distance &distance) {
-        if (distance < least) {
-            least = distance;
-            rounding.rule = rule;
-            rounding.digits = digits;
+    // Weighted distance of a rule from the places of the decades; among equal ones, the coarser rule is better.
+    std::pair<double, double> least{std::numeric_limits<double>::infinity(), 0.0};
+    for (const Rounding::Rule rule : {Rounding::Rule::SignificantDigits, Rounding::Rule::Decimals}) {
+        const bool isRelative = rule == Rounding::Rule::SignificantDigits;
+        for (const RoundedDecade &best : decades) { // the best place, a weighted median, is that of a decade
+            std::pair<double, double> distance{0.0, 0.0};
+            for (const RoundedDecade &decade : decades) {
+                const int place = best.place + (isRelative ? decade.exponent - best.exponent : 0);
+                distance.first += decade.weight * std::abs(decade.place - place);
+                distance.second -= decade.weight * place;
+            }
+            if (distance < least) {
+                least = distance;
+                rounding.rule = rule;
+                rounding.digits = isRelative ? best.exponent - best.place + 1 : -best.place;
+            }
         }
-    };
-    for (int digits = 1; digits <= static_cast<int>(kMostDigits); ++digits) {
-        offer(Rounding::Rule::SignificantDigits, digits, distanceOf(decades, 1 - digits, true));
-    }
-    for (const RoundedDecade &decade : decades) { // the best place, a weighted median, is that of a decade
-        offer(Rounding::Rule::Decimals, -decade.place, distanceOf(decades, decade.place, false));
     }
     rounding.coarsestPlace = coarsestPlace(rounding);
     if (rounding.rule == Rounding::Rule::Decimals) {

@@ -78,16 +78,13 @@ class RoundingObserver
 public:
     void observe(PrintedPlaces places, double value);
 
-    Rounding infer(double unitFactor) const { return infer(unitFactor, false); }
-
-    /// Infers the rule of time stamps. Their digits are not random: in 0.0333, 0.0667, 0.1, every third ends early. So
+    /// Infers the rule. The digits of time stamps are not random: in 0.0333, 0.0667, 0.1, every third ends early. So
     /// they are rounded at the place where nearly all have ended.
-    Rounding inferForTimeStamps(double unitFactor) const { return infer(unitFactor, true); }
+    Rounding infer(double unitFactor, bool areTimeStamps) const;
 
 private:
     static constexpr std::size_t kMostDigits = 17; ///< in the shortest text of a double
 
-    Rounding infer(double unitFactor, bool areTimeStamps) const;
     int coarsestPlace(const Rounding &rounding) const;
 
     /// By power of ten: how many values have each number of digits from the first to the last non-zero one, less 1.

@@ -108,25 +108,24 @@ Names readNames(std::string_view line, std::string_view delimiters, const std::o
     const std::string_view text = withoutMark(line);
     const bool bySpaces = row && row->delimiter == ' ';
     const bool hasToFit = row && (bySpaces || text.size() != line.size());
-    Names best;
-    const auto offer = [&](Cells cells, char delimiter) {
-        Names names = makeNames(std::move(cells), delimiter);
-        const bool fits = !hasToFit || names.cells.size() == row->cells.size();
-        const bool isBetter = std::pair(names.known(), names.cells.size()) > std::pair(best.known(), best.cells.size());
-        best = fits && isBetter ? std::move(names) : best;
-    };
+    std::vector<Names> candidates;
     for (const char delimiter : delimiters) {
-        offer(splitCells(text, delimiter), delimiter);
+        candidates.push_back(makeNames(splitCells(text, delimiter), delimiter));
     }
     if (hasToFit) {
         for (const Cells &cells : {splitCells(text, ' '), splitAtBlanks(text, 2), splitAtBlanks(text, 1)}) {
             const Names names = makeNames(cells, ' ');
             if (bySpaces || (names.isComplete() && names.known() + 1 >= names.cells.size())) {
-                offer(cells, ' ');
+                candidates.push_back(names);
             }
         }
+        std::erase_if(candidates, [&](const Names &names) { return names.cells.size() != row->cells.size(); });
     }
-    return best.cells.empty() && bySpaces ? makeNames(splitCells(text, ' '), ' ') : best;
+    if (candidates.empty()) {
+        return bySpaces ? makeNames(splitCells(text, ' '), ' ') : Names();
+    }
+    return *std::ranges::max_element(candidates, {},
+                                     [](const Names &names) { return std::pair(names.known(), names.cells.size()); });
 }
 
 struct HeaderFound {
@@ -276,7 +275,6 @@ TableForm findTable(std::string_view text)
     for (std::size_t i = 0; i < header.line; ++i) {
         form.layout.preambleLines.push_back(lines[i].number);
     }
-    form.headerText = excerpt(line.text);
     form.layout.delimiter = row ? row->delimiter : header.names->delimiter;
     form.data = header.names ? line.below : text.substr(static_cast<std::size_t>(line.text.data() - text.data()));
     form.firstDataLine = line.number + (header.names ? 1 : 0);

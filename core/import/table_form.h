@@ -27,7 +27,6 @@ struct TableForm {
     FileLayout layout{};             ///< without columns and rows
     std::vector<Heading> headings{}; ///< by column; the unit may also be from a line of units or from the cells
     std::vector<std::string_view> cellUnits{}; ///< by column: the unit after the number in each cell
-    std::string headerText{};                  ///< for messages
     std::string_view data{};                   ///< all lines below the headings and units
     std::size_t firstDataLine = 0;
 };

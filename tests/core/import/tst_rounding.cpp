@@ -38,7 +38,7 @@ Rounding inferred(const QStringList &cells)
         const CellNumber number = parseNumber(cell.toStdString(), sign);
         observer.observe(number.places, number.value);
     }
-    return observer.infer(1.0);
+    return observer.infer(1.0, false);
 }
 
 struct ColumnRow {
