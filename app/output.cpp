@@ -12,49 +12,41 @@ namespace slidercrank
 Output::Output(const Streams &streams, const QString &path)
     : m_streams(streams)
     , m_path(path)
-    , m_isPlainFile(!path.isEmpty() && !isPipeOrDevice(QFileInfo(path)))
     , m_file(path)
-    , m_device(path)
+    , m_direct(path)
+    , m_device(path.isEmpty()                    ? &streams.output
+               : isPipeOrDevice(QFileInfo(path)) ? &m_direct
+                                                 : nullptr)
 {
 }
 
-bool Output::fail(const QString &reason)
+bool Output::fail()
 {
-    m_failed = true;
-    const QString withoutStop = withoutFullStop(reason);
+    const QString reason = withoutFullStop(m_device ? m_device->errorString() : m_file.reason());
     m_streams.report(m_path.isEmpty()
-                         ? CommandLine::tr("Cannot write to standard output: %1.").arg(withoutStop)
+                         ? CommandLine::tr("Cannot write to standard output: %1.").arg(reason)
                          : CommandLine::tr("Cannot write %1: %2. Choose another file or folder with --output.")
-                               .arg(QDir::toNativeSeparators(m_path), withoutStop));
+                               .arg(QDir::toNativeSeparators(m_path), reason));
     return false;
 }
 
 bool Output::open()
 {
-    if (m_isPlainFile) {
-        return m_file.open() || fail(m_file.reason());
-    }
-    return m_path.isEmpty() || m_device.open(QIODevice::WriteOnly) || fail(m_device.errorString());
+    const bool isOpen = m_device ? m_device->isOpen() || m_device->open(QIODevice::WriteOnly) : m_file.open();
+    return isOpen || fail();
 }
 
 bool Output::write(const QByteArray &bytes)
 {
-    if (!m_failed && m_isPlainFile) {
-        m_failed = !m_file.write(bytes);
-    } else if (!m_failed) {
-        m_failed = device().write(bytes) != bytes.size();
-    }
+    m_failed = m_failed || (m_device ? m_device->write(bytes) != bytes.size() : !m_file.write(bytes));
     return !m_failed;
 }
 
 ExitStatus Output::finish()
 {
-    if (m_isPlainFile) {
-        return (!m_failed && m_file.commit()) || fail(m_file.reason()) ? ExitStatus::Success : ExitStatus::FileError;
-    }
-    QFileDevice *const file = qobject_cast<QFileDevice *>(&device());
-    const bool isWritten = !m_failed && (!file || file->flush());
-    return isWritten || fail(device().errorString()) ? ExitStatus::Success : ExitStatus::FileError;
+    auto *const buffered = qobject_cast<QFileDevice *>(m_device);
+    const bool isWritten = !m_failed && (m_device ? !buffered || buffered->flush() : m_file.commit());
+    return isWritten || fail() ? ExitStatus::Success : ExitStatus::FileError;
 }
 
 ExitStatus writeOutput(const Streams &streams, const QString &path, const QByteArray &bytes)

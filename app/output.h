@@ -28,14 +28,13 @@ public:
     ExitStatus finish();
 
 private:
-    bool fail(const QString &reason);
-    QIODevice &device() { return m_path.isEmpty() ? m_streams.output : m_device; }
+    bool fail(); ///< reports the reason, and returns false
 
     const Streams &m_streams;
     QString m_path;
-    bool m_isPlainFile;
-    WholeFile m_file; ///< a plain file
-    QFile m_device;   ///< a device or a pipe
+    WholeFile m_file;
+    QFile m_direct;      ///< a device or a pipe
+    QIODevice *m_device; ///< standard output or m_direct; null for a file
     bool m_failed = false;
 };
 

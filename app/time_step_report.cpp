@@ -13,6 +13,7 @@ namespace slidercrank
 
 void TimeStepReport::add(const Trajectory &motion)
 {
+    m_total += motion.status.size();
     for (std::size_t i = 0; i < motion.status.size(); ++i) {
         Steps &steps = m_steps[static_cast<std::size_t>(motion.status[i])];
         if (steps.count++ == 0) {
@@ -42,13 +43,9 @@ ExitStatus TimeStepReport::finish(const Streams &streams, const Mechanism &mecha
 QString TimeStepReport::message(Status status, const Mechanism &mechanism, const NewtonOptions &newton) const
 {
     const Steps &steps = m_steps[static_cast<std::size_t>(status)];
-    std::size_t total = 0;
-    for (const Steps &each : m_steps) {
-        total += each.count;
-    }
     const double theta2 = crankAngle(mechanism.omega2(), steps.first, mechanism.theta20()).hi;
     const QString where = CommandLine::tr("%1 of %2 time steps, first at t = %3 s (θ₂ = %4°)")
-                              .arg(QString::number(steps.count), QString::number(total), roundedText(steps.first, 6),
+                              .arg(QString::number(steps.count), QString::number(m_total), roundedText(steps.first, 6),
                                    roundedText(theta2 * kDegreesPerRadian, 6));
     switch (status) {
     case Status::Solved: return {};

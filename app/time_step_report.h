@@ -32,6 +32,7 @@ private:
     QString message(Status status, const Mechanism &mechanism, const NewtonOptions &newton) const;
 
     std::array<Steps, kStatusCount> m_steps; ///< by Status
+    std::size_t m_total = 0;
 };
 
 } // namespace slidercrank
