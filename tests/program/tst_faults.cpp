@@ -80,8 +80,9 @@ QProcessEnvironment environment(const QString &folder = {}, int call = 0, const 
     return variables;
 }
 
-/// Runs the program. `sizeLimit`: largest size of a file, in bytes.
-Outcome run(const QStringList &arguments, const QProcessEnvironment &environment, std::optional<rlim_t> sizeLimit = {})
+/// Saves by the program. `sizeLimit`: largest size of a file, in bytes.
+Outcome runAt(const Place &place, const Save &save, const QProcessEnvironment &environment,
+              std::optional<rlim_t> sizeLimit = {})
 {
     QProcess program;
     program.setProcessEnvironment(environment);
@@ -94,7 +95,7 @@ Outcome run(const QStringList &arguments, const QProcessEnvironment &environment
 #endif
         });
     }
-    program.start(QStringLiteral(SLIDERCRANK_PROGRAM), arguments);
+    program.start(QStringLiteral(SLIDERCRANK_PROGRAM), save.arguments + QStringList{"--output", place.path()});
     program.waitForFinished(kPatience);
     const QByteArray error = program.readAllStandardError();
     const bool isNormal = program.exitStatus() == QProcess::NormalExit;
@@ -122,16 +123,16 @@ std::set<rlim_t> sizeLimitsFor(qint64 size)
 
 QList<Save> commands()
 {
-    return {{"solve to CSV", "x.csv", 0, {"solve"}},
-            {"solve to JSON", "x.json", 0, {"solve", "--format", "json"}},
-            {"compare", "x.csv", 0, {"compare", kSample, "--format", "csv"}},
-            {"identify", "x.json", 0, {"identify", kSample, "--format", "json"}},
-            {"study", "x.json", 0, {"study", "--format", "json"}},
-            {"limits", "x.csv", 0, {"limits", "--format", "csv"}},
-            {"render PNG", "x.png", 0, {"render"}},
-            {"render SVG", "x.svg", 0, {"render", "--what", "mechanism"}},
-            {"render PDF", "x.pdf", 0, {"render"}},
-            {"render a report", "x.pdf", 0, {"render", "--what", "report"}}};
+    return {{"solve to CSV", "x.csv", {"solve"}},
+            {"solve to JSON", "x.json", {"solve", "--format", "json"}},
+            {"compare", "x.csv", {"compare", kSample, "--format", "csv"}},
+            {"identify", "x.json", {"identify", kSample, "--format", "json"}},
+            {"study", "x.json", {"study", "--format", "json"}},
+            {"limits", "x.csv", {"limits", "--format", "csv"}},
+            {"render PNG", "x.png", {"render"}},
+            {"render SVG", "x.svg", {"render", "--what", "mechanism"}},
+            {"render PDF", "x.pdf", {"render"}},
+            {"render a report", "x.pdf", {"render", "--what", "report"}}};
 }
 
 } // namespace
@@ -164,41 +165,13 @@ private slots:
         QFETCH(const int, index);
         const Save save = commands()[index];
         const QString mark = m_marks.filePath(QStringLiteral("failed"));
-        qsizetype lines = 0;
-        for (int call = 0;; ++call) {
-            const Place place(save);
+        const auto attempt = [&](const Place &place, int call) {
             QFile::remove(mark);
-            const Outcome outcome = run(save.arguments + QStringList{QStringLiteral("--output"), place.path()},
-                                        environment(place.folder(), call, mark));
-            if (call == 0) { // no call fails
-                lines = place.lines();
-            } else if (!QFile::exists(mark)) { // the command has made all its calls without a failure
-                QVERIFY2(call > 3, "No call fails: the library of failing calls is not loaded");
-                QCOMPARE(place.fault(outcome, lines), QString());
-                QVERIFY(outcome.isWritten);
-                break;
-            } else {
-                recordTrial(QStringLiteral("call %1").arg(call), place.fault(outcome, lines));
-            }
-        }
-        QVERIFY2(m_faults.isEmpty(), qPrintable(m_faults.join(u'\n')));
-    }
-
-    void aCommandOnAFullDisk_data() { addCommands(); }
-    void aCommandOnAFullDisk()
-    {
-        QFETCH(const int, index);
-        const Save save = commands()[index];
-        const Place undisturbed(save);
-        QVERIFY(
-            run(save.arguments + QStringList{QStringLiteral("--output"), undisturbed.path()}, environment()).isWritten);
-        for (const rlim_t limit : sizeLimitsFor(undisturbed.size())) {
-            const Place place(save);
-            const Outcome outcome =
-                run(save.arguments + QStringList{QStringLiteral("--output"), place.path()}, environment(), limit);
-            recordTrial(QStringLiteral("%1 bytes").arg(limit), place.fault(outcome, undisturbed.lines()));
-        }
-        QVERIFY2(m_faults.isEmpty(), qPrintable(m_faults.join(u'\n')));
+            Outcome outcome = runAt(place, save, environment(place.folder(), call, mark));
+            outcome.isDisturbed = QFile::exists(mark);
+            return outcome;
+        };
+        tryEveryCall(save, attempt, &Place::fault);
     }
 
     void aCommandIsKilledAtASystemCall_data() { addCommands({"solve to CSV", "render SVG"}); }
@@ -206,21 +179,49 @@ private slots:
     {
         QFETCH(const int, index);
         const Save save = commands()[index];
-        qsizetype lines = 0;
-        for (int call = 0;; ++call) {
-            const Place place(save);
-            const Outcome outcome = run(save.arguments + QStringList{QStringLiteral("--output"), place.path()},
-                                        environment(place.folder(), call, QStringLiteral("kill")));
-            if (call == 0) {
-                lines = place.lines();
-            } else if (outcome.isWritten) {
-                QVERIFY(call > 3);
-                break;
-            } else {
-                recordTrial(QStringLiteral("call %1").arg(call), place.faultAfterKill(lines));
-            }
-        }
-        QVERIFY2(m_faults.isEmpty(), qPrintable(m_faults.join(u'\n')));
+        const auto attempt = [&](const Place &place, int call) {
+            Outcome outcome = runAt(place, save, environment(place.folder(), call, QStringLiteral("kill")));
+            outcome.isDisturbed = !outcome.isWritten;
+            return outcome;
+        };
+        tryEveryCall(save, attempt,
+                     [](const Place &place, const Outcome &, qsizetype lines) { return place.faultAfterKill(lines); });
+    }
+
+    void aSystemCallOfTheWindowFails_data() { addSaves(); }
+    void aSystemCallOfTheWindowFails()
+    {
+        QFETCH(const int, index);
+        const Save save = savesOfTheWindow()[index];
+        const auto attempt = [&](const Place &place, int call) {
+            failCall(qPrintable(place.folder()), call);
+            Outcome outcome = saveInWindow(save, place.path());
+            outcome.isDisturbed = call > 0 && hasFailed();
+            failCall("", 0);
+            return outcome;
+        };
+        tryEveryCall(save, attempt, &Place::fault);
+    }
+
+    void aCommandOnAFullDisk_data() { addCommands(); }
+    void aCommandOnAFullDisk()
+    {
+        QFETCH(const int, index);
+        const Save save = commands()[index];
+        tryEverySizeLimit(save, [&](const Place &place, std::optional<rlim_t> limit) {
+            return runAt(place, save, environment(), limit);
+        });
+    }
+
+    void theWindowOnAFullDisk_data() { addSaves(); }
+    void theWindowOnAFullDisk()
+    {
+        QFETCH(const int, index);
+        const Save save = savesOfTheWindow()[index];
+        tryEverySizeLimit(save, [&](const Place &place, std::optional<rlim_t> limit) {
+            const FileSizeLimit sizeLimit(limit.value_or(RLIM_INFINITY));
+            return saveInWindow(save, place.path());
+        });
     }
 
     void standardOutputToAFullDevice()
@@ -275,52 +276,6 @@ private slots:
         QVERIFY(writeWhole(pipe, kOlder)->contains("it is a pipe or a device"));
         QVERIFY(writeWhole(link, kOlder)->contains("it is a pipe or a device"));
         QVERIFY(QFileInfo(link).isSymLink() && QFileInfo(pipe).exists() && !QFileInfo(pipe).isFile());
-    }
-
-    void aSystemCallOfTheWindowFails_data() { addSaves(); }
-    void aSystemCallOfTheWindowFails()
-    {
-        QFETCH(const int, index);
-        const Save save = savesOfTheWindow()[index];
-        qsizetype lines = 0;
-        for (int call = 0;; ++call) {
-            const Place place(save);
-            failCall(qPrintable(place.folder()), call);
-            const Outcome outcome = saveInWindow(save, place.path());
-            const bool isLast = call > 0 && !hasFailed();
-            failCall("", 0);
-            if (call == 0) {
-                lines = place.lines();
-            } else if (isLast) {
-                QVERIFY2(call > 3, "No call fails: the library of failing calls is not linked");
-                QCOMPARE(place.fault(outcome, lines), QString());
-                QVERIFY(outcome.isWritten);
-                break;
-            } else {
-                recordTrial(QStringLiteral("call %1").arg(call), place.fault(outcome, lines));
-            }
-        }
-        QVERIFY2(m_faults.isEmpty(), qPrintable(m_faults.join(u'\n')));
-    }
-
-    void theWindowOnAFullDisk_data() { addSaves(); }
-    void theWindowOnAFullDisk()
-    {
-        QFETCH(const int, index);
-        const Save save = savesOfTheWindow()[index];
-        const Place undisturbed(save);
-        const Outcome success = saveInWindow(save, undisturbed.path());
-        QCOMPARE(undisturbed.fault(success, undisturbed.lines()), QString());
-        for (const rlim_t limit : sizeLimitsFor(undisturbed.size())) {
-            const Place place(save);
-            Outcome outcome;
-            {
-                const FileSizeLimit sizeLimit(limit);
-                outcome = saveInWindow(save, place.path());
-            }
-            recordTrial(QStringLiteral("%1 bytes").arg(limit), place.fault(outcome, undisturbed.lines()));
-        }
-        QVERIFY2(m_faults.isEmpty(), qPrintable(m_faults.join(u'\n')));
     }
 
     /// The third system call, after opening and writing, synchronizes the file. QSaveFile alone would ignore the
@@ -399,17 +354,16 @@ private:
             const std::optional<QString> problem = m_study->exportNumbers(path);
             bar->showMessage({"study", Message::Kind::Hint, problem.value_or(QStringLiteral("Exported to "))});
         };
-        return {
-            {"scene", "x.json", 0, {}, [this](const QString &path) { m_window->scene().saveTo(path); }},
-            {"figure as PNG", "x.png", 0, {}, picture(&Exports::figure)},
-            {"figure as SVG", "x.svg", 0, {}, picture(&Exports::figure)},
-            {"figure as PDF", "x.pdf", 0, {}, picture(&Exports::figure)},
-            {"mechanism", "x.pdf", 0, {}, picture(&Exports::mechanism)},
-            {"plot", "x.png", 0, {}, plot},
-            {"report", "x.pdf", 0, {}, [&exports](const QString &path) { exports.writeReport(path); }},
-            {"data", "x.csv", 0, {}, [&exports](const QString &path) { exports.writeData(path, plottedChannels()); }},
-            {"study as CSV", "x.csv", 0, {}, study},
-            {"study as JSON", "x.json", 0, {}, study}};
+        return {{"scene", "x.json", {}, [this](const QString &path) { m_window->scene().saveTo(path); }},
+                {"figure as PNG", "x.png", {}, picture(&Exports::figure)},
+                {"figure as SVG", "x.svg", {}, picture(&Exports::figure)},
+                {"figure as PDF", "x.pdf", {}, picture(&Exports::figure)},
+                {"mechanism", "x.pdf", {}, picture(&Exports::mechanism)},
+                {"plot", "x.png", {}, plot},
+                {"report", "x.pdf", {}, [&exports](const QString &path) { exports.writeReport(path); }},
+                {"data", "x.csv", {}, [&exports](const QString &path) { exports.writeData(path, plottedChannels()); }},
+                {"study as CSV", "x.csv", {}, study},
+                {"study as JSON", "x.json", {}, study}};
     }
 
     Outcome saveInWindow(const Save &save, const QString &path)
@@ -425,6 +379,42 @@ private:
         const bool isReason =
             text.contains(QLatin1String("cannot be written")) && !text.contains(QLatin1String("Unknown"));
         return {isWritten, hasMessage && (isWritten || isReason) ? QString() : QStringLiteral("message: ") + text};
+    }
+
+    /// Saves while no system call fails, then while the first one fails, the second one …, until none fails any more.
+    /// `findFault` checks the folder after each.
+    void tryEveryCall(const Save &save, const std::function<Outcome(const Place &, int call)> &attempt,
+                      const std::function<QString(const Place &, const Outcome &, qsizetype lines)> &findFault)
+    {
+        qsizetype lines = 0;
+        for (int call = 0;; ++call) {
+            const Place place(save);
+            const Outcome outcome = attempt(place, call);
+            if (call == 0) {
+                lines = place.lines();
+            } else if (outcome.isDisturbed) {
+                recordTrial(QStringLiteral("call %1").arg(call), findFault(place, outcome, lines));
+            } else {
+                QVERIFY2(call > 3, "No call fails: the library of failing calls is not loaded");
+                QCOMPARE(place.fault(outcome, lines), QString());
+                QVERIFY(outcome.isWritten);
+                break;
+            }
+        }
+        QVERIFY2(m_faults.isEmpty(), qPrintable(m_faults.join(u'\n')));
+    }
+
+    void tryEverySizeLimit(const Save &save,
+                           const std::function<Outcome(const Place &, std::optional<rlim_t>)> &attempt)
+    {
+        const Place undisturbed(save);
+        QVERIFY(attempt(undisturbed, {}).isWritten);
+        for (const rlim_t limit : sizeLimitsFor(undisturbed.size())) {
+            const Place place(save);
+            const Outcome outcome = attempt(place, limit);
+            recordTrial(QStringLiteral("%1 bytes").arg(limit), place.fault(outcome, undisturbed.lines()));
+        }
+        QVERIFY2(m_faults.isEmpty(), qPrintable(m_faults.join(u'\n')));
     }
 
     void recordTrial(const QString &name, const QString &fault)

@@ -484,7 +484,7 @@ private slots:
         QVERIFY(startIn(kSpanishLocale, {"--help"}).output.startsWith("Uso:"));
         const RunResult wrong = startIn(kSpanishLocale, {"solve", "--b", "x"});
         QCOMPARE(wrong.status, 2);
-        QVERIFY(wrong.error.contains("debe ser un número con punto decimal"));
+        QVERIFY(wrong.error.contains("--b: «x» no es un número"));
         const RunResult comparison = startIn(kSpanishLocale, {"compare", kSample});
         QVERIFY(comparison.output.contains("60.000")); // with a decimal point
         QVERIFY(comparison.output.contains("difiere"));

@@ -6,7 +6,6 @@
 
 #include <QByteArray>
 #include <QDir>
-#include <QDirIterator>
 #include <QFile>
 #include <QFileInfo>
 #include <QImage>
@@ -16,7 +15,6 @@
 #include <QTemporaryDir>
 
 #include <functional>
-#include <set>
 
 namespace slidercrank
 {
@@ -27,18 +25,8 @@ inline const QByteArray kOlder = "what was there before\n";
 struct Save {
     const char *name;
     QString file;
-    int frames = 0;             ///< number of frames saved instead of one file; the folder has two more older ones
-    QStringList arguments = {}; ///< arguments of the program, without --output
+    QStringList arguments = {};                             ///< arguments of the program, without --output
     std::function<void(const QString &path)> inWindow = {}; ///< saves by the window, which reports in its message bar
-
-    QStringList files(bool isOlder) const
-    {
-        QStringList names;
-        for (int frame = 1; frame <= frames + (isOlder && frames > 0 ? 2 : 0); ++frame) {
-            names += QStringLiteral("%1_%2.png").arg(QFileInfo(file).baseName()).arg(frame, 3, 10, QLatin1Char('0'));
-        }
-        return frames > 0 ? names : QStringList(file);
-    }
 };
 
 inline QByteArray contentOf(const QString &path)
@@ -71,8 +59,9 @@ inline bool isWhole(const QString &path, qsizetype lines)
 }
 
 struct Outcome {
-    bool isWritten = false; ///< the program reports success; otherwise it reports an error
-    QString fault;          ///< set if the program reports neither
+    bool isWritten = false;   ///< the program reports success; otherwise it reports an error
+    QString fault;            ///< set if the program reports neither
+    bool isDisturbed = false; ///< the system call that was to fail has failed
 };
 
 inline QStringList namesIn(const QString &folder)
@@ -80,25 +69,23 @@ inline QStringList namesIn(const QString &folder)
     return QDir(folder).entryList(QDir::AllEntries | QDir::NoDotAndDotDot | QDir::Hidden | QDir::System, QDir::Name);
 }
 
-/// A temporary folder that contains the older files.
+/// A temporary folder that contains the older file.
 class Place
 {
 public:
     explicit Place(const Save &save)
-        : m_save(save)
+        : m_path(m_folder.filePath(save.file))
     {
-        for (const QString &name : save.files(true)) {
-            QFile file(m_folder.filePath(name));
-            if (!file.open(QIODevice::WriteOnly) || file.write(kOlder) != kOlder.size()) {
-                qFatal("cannot write the older files of a test");
-            }
+        QFile file(m_path);
+        if (!file.open(QIODevice::WriteOnly) || file.write(kOlder) != kOlder.size()) {
+            qFatal("cannot write the older file of a test");
         }
     }
 
     QString folder() const { return m_folder.path(); }
-    QString path() const { return m_folder.filePath(m_save.file); }
-    qint64 size() const { return QFileInfo(m_folder.filePath(m_save.files(false).first())).size(); }
-    qsizetype lines() const { return contentOf(path()).count('\n'); }
+    QString path() const { return m_path; }
+    qint64 size() const { return QFileInfo(m_path).size(); }
+    qsizetype lines() const { return contentOf(m_path).count('\n'); }
 
     /// Describes how the folder contradicts the reported outcome. Empty if it does not.
     QString fault(const Outcome &outcome, qsizetype lines) const
@@ -106,53 +93,25 @@ public:
         if (!outcome.fault.isEmpty()) {
             return outcome.fault;
         }
-        const QString report = outcome.isWritten ? QStringLiteral("done; ") : QStringLiteral("an error; ");
         const QStringList names = namesIn(folder());
-        if (names != m_save.files(!outcome.isWritten)) {
-            return report + QStringLiteral("there are ") + names.join(u' ');
-        }
-        for (const QString &name : names) {
-            const QString file = m_folder.filePath(name);
-            if (outcome.isWritten ? !isWhole(file, lines) : contentOf(file) != kOlder) {
-                return report + QStringLiteral("%1 has %2 bytes").arg(name).arg(QFileInfo(file).size());
-            }
-        }
-        return {};
+        const bool isRight = outcome.isWritten ? isWhole(m_path, lines) : contentOf(m_path) == kOlder;
+        return isRight && names.size() == 1 ? QString()
+                                            : QStringLiteral("%1; there are %2, and %3 bytes")
+                                                  .arg(outcome.isWritten ? "done" : "an error", names.join(u' '))
+                                                  .arg(size());
     }
 
-    /// Checks the folder after the program was killed, so that it reported no outcome. Temporary files may remain, and
-    /// so may older frames that were moved aside: they must not be deleted before the new frames exist, nor mixed with
-    /// them.
+    /// Checks the file after the program was killed, so that it reported no outcome. Temporary files may remain.
     QString faultAfterKill(qsizetype lines) const
     {
-        std::set<bool> isOlder;
-        int count = 0;
-        for (const QString &name : m_save.files(true)) {
-            const QString file = m_folder.filePath(name);
-            if (QFile::exists(file)) {
-                isOlder.insert(contentOf(file) == kOlder);
-                ++count;
-                if (contentOf(file) != kOlder && !isWhole(file, lines)) {
-                    return QStringLiteral("%1 has %2 bytes").arg(name).arg(QFileInfo(file).size());
-                }
-            }
-        }
-        if (isOlder.size() > 1) {
-            return QStringLiteral("older frames and new frames");
-        }
-        const bool isNew = isOlder.contains(false) && count == m_save.files(false).size();
-        int older = 0;
-        QDirIterator iterator(folder(), QDir::Files, QDirIterator::Subdirectories);
-        while (iterator.hasNext()) {
-            older += contentOf(iterator.next()) == kOlder ? 1 : 0;
-        }
-        return isNew || older == m_save.files(true).size() ? QString()
-                                                           : QStringLiteral("neither the older nor the new files");
+        return contentOf(m_path) == kOlder || isWhole(m_path, lines)
+                   ? QString()
+                   : QStringLiteral("neither the older nor the new file");
     }
 
 private:
-    const Save &m_save;
     QTemporaryDir m_folder;
+    QString m_path;
 };
 
 } // namespace slidercrank
