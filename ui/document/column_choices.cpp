@@ -24,15 +24,16 @@ QString settingsKey(const FileLayout &layout, const QStringList &paths)
     for (const std::string &file : layout.files) {
         parts += QString::fromStdString(file);
     }
+    bool hasHeadings = false;
     for (const FileColumn &column : layout.columns) {
         parts << QString::fromStdString(column.heading) << QString::fromStdString(column.unit);
+        hasHeadings = hasHeadings || !column.heading.empty();
     }
-    if (std::ranges::all_of(layout.columns, &std::string::empty, &FileColumn::heading)) {
-        std::ranges::transform(paths, std::back_inserter(parts),
-                               [](const QString &path) { return QFileInfo(path).absoluteFilePath(); });
+    for (const QString &path : paths) {
+        parts += hasHeadings ? QString() : QFileInfo(path).absoluteFilePath();
     }
     const QByteArray hash = QCryptographicHash::hash(parts.join(u'\x1f').toUtf8(), QCryptographicHash::Sha256);
-    return QStringLiteral("columnChoices/") + QString::fromLatin1(hash.left(16).toHex());
+    return "columnChoices/" + QString::fromLatin1(hash.toHex());
 }
 
 } // namespace

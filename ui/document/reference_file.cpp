@@ -27,7 +27,7 @@ struct ReferenceFileText {
 };
 
 constexpr auto kLargest = static_cast<qint64>(kLargestReferenceFile);
-const QString kNameSeparator = QStringLiteral(" + "); // between the names of joined files
+const QString kNameSeparator = " + "; // between the names of joined files
 
 std::string_view toView(const QByteArray &bytes)
 {
@@ -50,7 +50,6 @@ QString wholeFileFault(ReadFault::Kind kind, const QString &shownName)
 std::optional<QString> readFile(const QString &path, const std::stop_token &stop, QByteArray &bytes)
 {
     constexpr qsizetype kBlock = 1 << 22; // bytes
-    const QString name = displayName(path);
     QFile file;
     if (const std::optional<QString> sentence = openForReading(file, path)) {
         return sentence;
@@ -58,40 +57,24 @@ std::optional<QString> readFile(const QString &path, const std::stop_token &stop
     const qint64 size = file.size(); // 0 for a pipe
     bytes = file.read(kFileBeginning);
     if (const std::optional<ReadError> error = findForeignFormat(toView(bytes))) {
-        return readErrorText(*error, {name});
+        return readErrorText(*error, {displayName(path)});
     }
-    if (size > kLargest) {
-        return wholeFileFault(ReadFault::Kind::TooLarge, name);
-    }
-    bytes.reserve(static_cast<qsizetype>(size) + kBlock);
-    qint64 count = 0;
-    do {
+    const auto isTooLarge = [&bytes, size] { return std::max<qint64>(size, bytes.size()) > kLargest; };
+    bytes.reserve(static_cast<qsizetype>(std::min(size, kLargest)) + kBlock);
+    for (qint64 count = 1; count > 0 && !isTooLarge() && !stop.stop_requested();) {
         const qsizetype done = bytes.size();
         bytes.resize(done + kBlock);
         count = file.read(bytes.data() + done, kBlock);
         bytes.resize(done + std::max<qint64>(count, 0));
-    } while (count > 0 && bytes.size() <= kLargest && !stop.stop_requested());
+    }
     if (const std::optional<QString> sentence = readFailure(file, path)) {
         return sentence;
     }
-    if (bytes.size() > kLargest) {
-        return wholeFileFault(ReadFault::Kind::TooLarge, name);
+    if (isTooLarge()) {
+        return wholeFileFault(ReadFault::Kind::TooLarge, displayName(path));
     }
     const bool isComplete = bytes.size() >= size || stop.stop_requested();
-    return isComplete ? std::nullopt : std::optional(wholeFileFault(ReadFault::Kind::Unreadable, name));
-}
-
-/// Returns the first lines of a file, or an empty array if it cannot be read.
-QByteArray readBeginning(const QString &path)
-{
-    constexpr qint64 kLimit = 1 << 20; // bytes: about 15 000 rows of seven columns, which are read in milliseconds
-    QFile file(path);
-    QByteArray bytes = QFileInfo(path).isFile() && file.open(QIODevice::ReadOnly) ? file.read(kLimit) : QByteArray();
-    if (const qsizetype end = bytes.lastIndexOf('\n') + 1; !file.atEnd() && end > 0) {
-        const bool isUtf16 = end % 2 == 1 && end < bytes.size() && bytes[end] == '\0'; // little-endian: "\n\0"
-        bytes.truncate(isUtf16 ? end + 1 : end);
-    }
-    return bytes;
+    return isComplete ? std::nullopt : std::optional(wholeFileFault(ReadFault::Kind::Unreadable, displayName(path)));
 }
 
 /// Returns the name for legends: "results.csv", or "results.csv + 2 more".
@@ -132,7 +115,7 @@ QString readErrorText(const ReadError &error, const QStringList &files)
         for (std::size_t i = 0; i < error.layout.columns.size(); ++i) {
             headings += headingText(error.layout, i);
         }
-        reason += u' ' + ReferenceFileText::tr("There are: %1.").arg(headings.join(QStringLiteral(", ")));
+        reason += u' ' + ReferenceFileText::tr("There are: %1.").arg(headings.join(", "));
     }
     if (error.line == 0) {
         return QStringLiteral("%1: %2").arg(file, reason);
@@ -234,11 +217,10 @@ QByteArrayList fileChecksums(const Reference &reference)
     QByteArrayList checksums;
     for (std::size_t i = 0; i < reference.states.size(); ++i) {
         const QString &path = reference.paths[static_cast<qsizetype>(i)];
-        const auto isUnchanged = [&] { return fileState(path) == reference.states[i]; };
         QFile file(path);
         QCryptographicHash hash(QCryptographicHash::Sha256);
-        const bool isRead = QFileInfo(path).isFile() && isUnchanged() && file.open(QIODevice::ReadOnly) &&
-                            hash.addData(&file) && isUnchanged();
+        const bool isRead = QFileInfo(path).isFile() && file.open(QIODevice::ReadOnly) && hash.addData(&file) &&
+                            fileState(path) == reference.states[i];
         checksums += isRead ? hash.result().toHex() : QByteArray();
     }
     return checksums;
@@ -246,9 +228,16 @@ QByteArrayList fileChecksums(const Reference &reference)
 
 QByteArrayList readBeginnings(const QStringList &paths)
 {
+    constexpr qint64 kLimit = 1 << 20; // bytes: about 15 000 rows of seven columns, which are read in milliseconds
     QByteArrayList beginnings;
     for (const QString &path : paths) {
-        beginnings += readBeginning(path);
+        QFile file(path);
+        QByteArray lines;
+        const bool isOpen = QFileInfo(path).isFile() && file.open(QIODevice::ReadOnly);
+        while (isOpen && !file.atEnd() && lines.size() < kLimit) {
+            lines += file.readLine(kLimit);
+        }
+        beginnings += lines;
     }
     return beginnings;
 }

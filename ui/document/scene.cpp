@@ -28,30 +28,26 @@ constexpr int kVersion = 1;
 constexpr double kLargestTime = std::numeric_limits<double>::max();
 constexpr qint64 kLargestFile = 1 << 20; // bytes; a typical scene has a few thousand
 
-void describe(Scene &scene, JsonFields &fields)
+void describe(Scene &scene, JsonNode &node)
 {
-    fields.object("mechanism", [&](JsonFields &part) { describe(scene.parameters, part); });
-    fields.object("sampling", [&](JsonFields &part) { describe(scene.sampling, part); });
-    fields.object("solver", [&](JsonFields &part) { describe(scene.solver, part); });
-    fields("reference", scene.reference);
-    fields("kept", scene.pinned);
-    fields.check(scene.pinned.size() <= kMaxPinned, "kept");
-    constexpr bool kOptional = true;
-    const auto describeView = [&](JsonFields &view) {
+    int version = kVersion;
+    node("version", version, kVersion);
+    node("mechanism", scene.parameters);
+    node("sampling", scene.sampling);
+    node("solver", scene.solver);
+    node("reference", scene.reference);
+    node("kept", scene.pinned);
+    node.check(scene.pinned.size() <= kMaxPinned, "kept");
+    scene.time = node.isReading() ? scene.sampling.start : scene.time;
+    node.object("view", [&](JsonNode &view) {
         view("time", scene.time, -kLargestTime, kLargestTime);
         describe(scene.plots, view);
-        view.object(
-            "zoom", [&](JsonFields &part) { describe(scene.zoom, part); }, kOptional);
-        view.object(
-            "mechanism",
-            [&](JsonFields &part) {
-                describe(scene.mechanism, part);
-                part("frame", scene.mechanismFrame);
-            },
-            kOptional);
-    };
-    scene.time = fields.isReading() ? scene.sampling.start : scene.time;
-    fields.object("view", describeView, kOptional);
+        view("zoom", scene.zoom);
+        view.object("mechanism", [&](JsonNode &mechanism) {
+            describe(scene.mechanism, mechanism);
+            mechanism("frame", scene.mechanismFrame);
+        });
+    });
 }
 
 /// Returns the path relative to the folder if the file is in or below the folder. Returns other paths, and those of the
@@ -93,11 +89,9 @@ QByteArray sceneToJson(Scene scene, const QString &path)
             file = relativePath(QFileInfo(path).absoluteDir(), file);
         }
     }
-    JsonFields fields;
-    int version = kVersion;
-    fields("version", version, kVersion);
-    describe(scene, fields);
-    return QJsonDocument(fields.written()).toJson();
+    JsonNode node;
+    describe(scene, node);
+    return QJsonDocument(node.value().toObject()).toJson();
 }
 
 std::variant<Scene, QString> parseScene(const QByteArray &json, const QString &path)
@@ -111,15 +105,13 @@ std::variant<Scene, QString> parseScene(const QByteArray &json, const QString &p
             .arg(shown, QString::number(line), error.errorString());
     }
     const QJsonObject object = document.object();
-    if (const auto sentence = versionFault(object.value(QStringLiteral("version")), shown)) {
+    if (const auto sentence = versionFault(object.value("version"), shown)) {
         return *sentence;
     }
     QString fault;
-    JsonFields fields(fault, object);
+    JsonNode node(fault, object);
     Scene scene;
-    int version = kVersion;
-    fields("version", version, kVersion);
-    describe(scene, fields);
+    describe(scene, node);
     if (scene.reference) {
         for (QString &file : scene.reference->paths) {
             file = absolutePath(QFileInfo(path).absoluteDir(), file);
@@ -152,8 +144,8 @@ std::variant<Scene, QString> readScene(const QString &path)
 
 bool isNamedAsScene(const QString &path)
 {
-    return path.endsWith(QLatin1String(".slidercrank"), Qt::CaseInsensitive) ||
-           path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive);
+    return path.endsWith(".slidercrank", Qt::CaseInsensitive) ||
+           path.endsWith(".json", Qt::CaseInsensitive);
 }
 
 std::optional<QString> writeScene(const Scene &scene, const QString &path)

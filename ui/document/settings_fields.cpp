@@ -35,93 +35,93 @@ bool readMeaning(const QString &name, ColumnRole &role, Channel &channel)
     return named || found != kRoles.end();
 }
 
-void describe(Parameters &parameters, JsonFields &fields)
+void describe(Parameters &parameters, JsonNode &node)
 {
-    fields("a", parameters.a, kShortestLink);
-    fields("b", parameters.b, kShortestLink);
-    fields("c", parameters.c);
-    fields("omega2", parameters.omega2);
-    fields("theta20", parameters.theta20);
-    fields("branch", parameters.branch, {"open", "crossed"});
+    node("a", parameters.a, kShortestLink);
+    node("b", parameters.b, kShortestLink);
+    node("c", parameters.c);
+    node("omega2", parameters.omega2);
+    node("theta20", parameters.theta20);
+    node("branch", parameters.branch, {"open", "crossed"});
 }
 
-void describe(Sampling &sampling, JsonFields &fields)
+void describe(Sampling &sampling, JsonNode &node)
 {
-    fields("start", sampling.start);
-    fields("duration", sampling.duration, kLeastPositive);
-    fields("steps", sampling.steps, kMostSteps);
+    node("start", sampling.start);
+    node("duration", sampling.duration, kLeastPositive);
+    node("steps", sampling.steps, kMostSteps);
 }
 
-void describe(SolverSettings &solver, JsonFields &fields)
+void describe(SolverSettings &solver, JsonNode &node)
 {
     NewtonOptions &newton = solver.newton;
-    fields("method", solver.method, {"newton", "closed-form"});
-    fields("maxIterations", newton.maxIterations, kMostIterations);
-    fields("tolerance", newton.tolerance, 0.0, std::numeric_limits<double>::max());
-    fields("toleranceKind", newton.toleranceKind, {"absolute", "relative"});
-    fields("warmStart", newton.warmStart, {"previous", "taylor"});
-    fields("elimination", newton.elimination, {"dense", "structured"});
+    node("method", solver.method, {"newton", "closed-form"});
+    node("maxIterations", newton.maxIterations, kMostIterations);
+    node("tolerance", newton.tolerance, 0.0, std::numeric_limits<double>::max());
+    node("toleranceKind", newton.toleranceKind, {"absolute", "relative"});
+    node("warmStart", newton.warmStart, {"previous", "taylor"});
+    node("elimination", newton.elimination, {"dense", "structured"});
 }
 
-void describe(ColumnChoice &choice, JsonFields &fields)
+void describe(ColumnChoice &choice, JsonNode &node)
 {
     int number = static_cast<int>(choice.column) + 1;
-    fields("column", number, kMostColumns);
+    node("column", number, kMostColumns);
     choice.column = static_cast<std::size_t>(number) - 1;
 
     QString use = meaningName(choice.role, choice.channel);
-    fields("use", use);
-    fields.check(readMeaning(use, choice.role, choice.channel), "use");
+    node("use", use);
+    node.check(readMeaning(use, choice.role, choice.channel), "use");
 
     QString unit = QString::fromStdString(choice.unit);
-    fields("unit", unit);
+    node("unit", unit);
     choice.unit = unit.toStdString();
 }
 
-void describe(Convention &convention, JsonFields &fields)
+void describe(Convention &convention, JsonNode &node)
 {
     using Kind = Convention::Kind;
-    fields("kind", convention.kind,
+    node("kind", convention.kind,
            {"angle-unit", "length-unit", "time-unit", "sign", "half-turn", "whole-turns", "zero-point",
             "swapped-columns", "branch", "time-shift", "not-derivative", "axis"});
-    fields("channels", convention.channels);
-    fields.check(convention.kind != Kind::SwappedColumns || convention.channels.size() == 2, "channels");
-    fields("amount", convention.amount, convention.kind <= Kind::TimeUnit ? kLeastPositive : -kLargestParameter);
+    node("channels", convention.channels);
+    node.check(convention.kind != Kind::SwappedColumns || convention.channels.size() == 2, "channels");
+    node("amount", convention.amount, convention.kind <= Kind::TimeUnit ? kLeastPositive : -kLargestParameter);
 }
 
-void describe(ReferenceSource &source, JsonFields &fields)
+void describe(ReferenceSource &source, JsonNode &node)
 {
-    fields("file", source.paths);
-    fields.check(!source.paths.isEmpty() && !source.paths.contains(QString()), "file");
-    fields("columns", source.columns);
-    fields("conventions", source.conventions);
+    node("file", source.paths);
+    node.check(!source.paths.isEmpty() && !source.paths.contains(QString()), "file");
+    node("columns", source.columns);
+    node("conventions", source.conventions);
 }
 
-void describe(PlotSettings &plots, JsonFields &fields)
+void describe(PlotSettings &plots, JsonNode &node)
 {
-    fields("error", plots.error, {"percent", "absolute", "of-peak"});
-    fields("logarithmicError", plots.logarithmicError);
-    fields("roundingBand", plots.roundingBand);
-    fields("abscissa", plots.abscissa, {"time", "crank-angle"});
+    node("error", plots.error, {"percent", "absolute", "of-peak"});
+    node("logarithmicError", plots.logarithmicError);
+    node("roundingBand", plots.roundingBand);
+    node("abscissa", plots.abscissa, {"time", "crank-angle"});
 }
 
-void describe(PlotZoom &zoom, JsonFields &fields)
+void describe(PlotZoom &zoom, JsonNode &node)
 {
-    fields("time", zoom.time);
+    node("time", zoom.time);
     for (std::size_t plot = 0; plot < kPlotCount; ++plot) {
-        fields(plotName(plot).toLatin1().constData(), zoom.values[plot]);
+        node(plotName(plot).toLatin1().constData(), zoom.values[plot]);
     }
 }
 
-void describe(MechanismSettings &settings, JsonFields &fields)
+void describe(MechanismSettings &settings, JsonNode &node)
 {
-    fields("velocity", settings.velocity);
-    fields("acceleration", settings.acceleration);
-    fields("path", settings.path);
-    fields("names", settings.names);
-    fields("dimensions", settings.dimensions);
-    fields("angles", settings.angles);
-    fields("instantCentre", settings.instantCentre);
+    node("velocity", settings.velocity);
+    node("acceleration", settings.acceleration);
+    node("path", settings.path);
+    node("names", settings.names);
+    node("dimensions", settings.dimensions);
+    node("angles", settings.angles);
+    node("instantCentre", settings.instantCentre);
 }
 
 } // namespace slidercrank

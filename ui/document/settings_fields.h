@@ -5,22 +5,22 @@
 // files, saved column choices and the JSON of the command line are read and written by these functions.
 
 #include "core/sampling/trajectory.h"
-#include "ui/document/json_fields.h"
+#include "ui/document/json_node.h"
 #include "ui/document/reference_file.h"
 #include "ui/document/view_settings.h"
 
 namespace slidercrank
 {
 
-void describe(Parameters &parameters, JsonFields &fields);
-void describe(Sampling &sampling, JsonFields &fields);
-void describe(SolverSettings &solver, JsonFields &fields);
-void describe(ColumnChoice &choice, JsonFields &fields);
-void describe(Convention &convention, JsonFields &fields);
-void describe(ReferenceSource &source, JsonFields &fields); ///< with its paths unchanged
-void describe(PlotSettings &plots, JsonFields &fields);
-void describe(PlotZoom &zoom, JsonFields &fields);
-void describe(MechanismSettings &settings, JsonFields &fields);
+void describe(Parameters &parameters, JsonNode &node);
+void describe(Sampling &sampling, JsonNode &node);
+void describe(SolverSettings &solver, JsonNode &node);
+void describe(ColumnChoice &choice, JsonNode &node);
+void describe(Convention &convention, JsonNode &node);
+void describe(ReferenceSource &source, JsonNode &node); ///< with its paths unchanged
+void describe(PlotSettings &plots, JsonNode &node);
+void describe(PlotZoom &zoom, JsonNode &node);
+void describe(MechanismSettings &settings, JsonNode &node);
 
 /// The name of a column's meaning in files and options: "ignored", "time", "crank-angle", or that of the channel.
 QString meaningName(ColumnRole role, Channel channel);
@@ -32,9 +32,9 @@ bool readMeaning(const QString &name, ColumnRole &role, Channel &channel);
 template <typename Settings>
 QJsonObject toJson(Settings settings)
 {
-    JsonFields fields;
-    describe(settings, fields);
-    return fields.written();
+    JsonNode node;
+    describe(settings, node);
+    return node.value().toObject();
 }
 
 /// Returns the settings in a JSON object. Fields that are missing have their default values; if any value is not valid,
@@ -43,9 +43,9 @@ template <typename Settings>
 Settings fromJson(const QJsonObject &object)
 {
     QString fault;
-    JsonFields fields(fault, object, {}, true);
+    JsonNode node(fault, object, {}, true);
     Settings settings;
-    describe(settings, fields);
+    describe(settings, node);
     return fault.isEmpty() ? settings : Settings();
 }
 

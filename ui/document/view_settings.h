@@ -36,7 +36,7 @@ inline QString plotName(std::size_t plot)
 {
     constexpr std::array kErrors{"plot_error_position", "plot_error_velocity", "plot_error_acceleration"};
     return isErrorPlot(plot) ? QString::fromUtf8(kErrors[plot / kPlotColumns])
-                             : QStringLiteral("plot_") + QString::fromUtf8(nameOf(kPlottedChannels[channelOf(plot)]));
+                             : "plot_" + QString::fromUtf8(nameOf(kPlottedChannels[channelOf(plot)]));
 }
 
 enum class ErrorMeasure {
