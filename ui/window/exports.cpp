@@ -70,7 +70,7 @@ Exports::Picture Exports::plot(const QString &name) const
     const auto draw = [this, name](QPainter &painter, const QSize &size) {
         m_views.plots->paintFigure(painter, name, size, paletteFor(Theme::Light));
     };
-    return {name + QStringLiteral(".png"), kPlotSize, draw};
+    return {name + ".png", kPlotSize, draw};
 }
 
 Exports::Picture Exports::mechanism() const

@@ -51,7 +51,7 @@ namespace slidercrank
 namespace
 {
 
-const QString kSamplePath = QStringLiteral(":/data/inventor_sample.csv");
+const QString kSamplePath = ":/data/inventor_sample.csv";
 
 /// Returns a height (px) at which the error table and its text are visible, also with a large font.
 int panelHeight()
@@ -92,7 +92,7 @@ QSplitter *layOut(const Views &views)
     leftColumn->addWidget(views.parameters);
     left->setMinimumWidth(340);
 
-    QSplitter *right = makeSplitter(QStringLiteral("plotsAndTabs"), Qt::Vertical, views.plots, views.tabs);
+    QSplitter *right = makeSplitter("plotsAndTabs", Qt::Vertical, views.plots, views.tabs);
     right->setStretchFactor(0, 1);
     right->setStretchFactor(1, 0);
     right->setSizes({600, panelHeight()});
@@ -101,7 +101,7 @@ QSplitter *layOut(const Views &views)
         right->setSizes(folded ? QList<int>{height, 0} : QList<int>{height - panelHeight(), panelHeight()});
     });
 
-    QSplitter *columns = makeSplitter(QStringLiteral("columns"), Qt::Horizontal, left, right);
+    QSplitter *columns = makeSplitter("columns", Qt::Horizontal, left, right);
     columns->setStretchFactor(0, 2);
     columns->setStretchFactor(1, 3);
     columns->setSizes({560, 840});
@@ -117,7 +117,7 @@ MainWindow::MainWindow(QWidget *parent)
     , m_exports(new Exports(m_session, m_views, this))
     , m_status(new StatusBar(this))
 {
-    setWindowIcon(QIcon(QStringLiteral(":/slidercrank.svg")));
+    setWindowIcon(QIcon(":/slidercrank.svg"));
     setAcceptDrops(true);
     resize(1400, 900);
     if (chosenTheme() != Theme::System) {
@@ -192,12 +192,12 @@ void MainWindow::makeViews()
 
 void MainWindow::makeTabs()
 {
-    m_views.errors = makePanel(QStringLiteral("errorPanel"), tr("Errors against the reference"),
+    m_views.errors = makePanel("errorPanel", tr("Errors against the reference"),
                                [this] { return errorPage(*m_session->result(), m_session->diagnosis().get()); });
     m_views.tabs->addTab(makeLimitsPanel(), tr("Motion limits"));
     m_views.tabs->addTab(m_views.errors, QString());
     m_views.tabs->addTab(
-        makePanel(QStringLiteral("referencePanel"), tr("Reference: what was read, and how"),
+        makePanel("referencePanel", tr("Reference: what was read, and how"),
                   [this] { return referencePage(*m_session->result(), m_session->diagnosis().get()); }),
         tr("Reference"));
     m_views.tabs->addPage(tr("Newton-Raphson"), [this] { return makeNewtonPanel(); });
@@ -257,8 +257,8 @@ void MainWindow::connectReports(const TablePanel *panel)
 
 QWidget *MainWindow::makeLimitsPanel()
 {
-    auto *panel = named("limits", new SegmentedPages(QStringLiteral("limitsSegment")), tr("Motion limits"));
-    panel->addPage(tr("Values"), makePanel(QStringLiteral("limitsPanel"), tr("Motion limits"),
+    auto *panel = named("limits", new SegmentedPages("limitsSegment"), tr("Motion limits"));
+    panel->addPage(tr("Values"), makePanel("limitsPanel", tr("Motion limits"),
                                            [this] { return limitsPage(*m_session->result()); }));
     auto *response = new ResponseView(m_session);
     panel->addPage(tr("Response"), response);
@@ -275,7 +275,7 @@ QWidget *MainWindow::makeLimitsPanel()
 
 QWidget *MainWindow::makeNewtonPanel()
 {
-    auto *panel = named("newtonPanel", new SegmentedPages(QStringLiteral("segment")), tr("Newton-Raphson"));
+    auto *panel = named("newtonPanel", new SegmentedPages("segment"), tr("Newton-Raphson"));
     panel->addPage(tr("Settings"), new SolverForm(m_session));
     const auto addPage = [this, panel](const char *name, const QString &title, Page (*makePage)(const Result &, double)) {
         const auto make = [this, makePage] { return makePage(*m_session->result(), m_session->time()); };

@@ -20,7 +20,6 @@
 #include <QActionGroup>
 #include <QCoreApplication>
 #include <QDialog>
-#include <QDialogButtonBox>
 #include <QDir>
 #include <QMessageBox>
 #include <QTextBrowser>
@@ -66,21 +65,19 @@ void enableWhile(QAction *action, const Session &session, const std::function<bo
     QObject::connect(&session, &Session::resultChanged, action, update);
 }
 
-/// Opens the help at the section with that anchor, in a separate window.
+/// Opens the help at the section with that anchor, in a separate window that Escape closes.
 void showHelp(const QString &title, const QString &anchor, QWidget *window)
 {
     auto *dialog = new QDialog(window);
-    dialog->setObjectName(QStringLiteral("help"));
+    dialog->setObjectName("help");
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(title);
     auto *text = new QTextBrowser;
     text->setAccessibleName(title);
     text->setSource(QUrl(Menus::tr("qrc:/help/english.html", "a resource of the program") + u'#' + anchor));
-    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close);
-    QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::close);
     auto *rows = new QVBoxLayout(dialog);
+    rows->setContentsMargins(0, 0, 0, 0);
     rows->addWidget(text);
-    rows->addWidget(buttons);
     const int side = 90 * dialog->fontMetrics().averageCharWidth();
     dialog->resize(side, side);
     dialog->show();
@@ -108,7 +105,7 @@ void Menus::addFile()
     menu->addAction(tr("&Open reference…"), QKeySequence::Open, &m_window, &MainWindow::chooseReference);
     menu->addAction(tr("Open sc&ene…"), Qt::CTRL | Qt::SHIFT | Qt::Key_O, scene, &SceneFile::chooseAndOpen);
     QMenu *recent = menu->addMenu(tr("Open &recent"));
-    recent->setObjectName(QStringLiteral("recentMenu"));
+    recent->setObjectName("recentMenu");
     connect(recent, &QMenu::aboutToShow, this, [this, recent] { fillRecent(recent); });
     menu->addAction(tr("Open the samp&le"), &m_window, &MainWindow::openSample);
     QAction *close = menu->addAction(tr("&Close reference"), Qt::CTRL | Qt::Key_W, session,
@@ -203,7 +200,7 @@ void Menus::addView()
         m_window.messages().confirm(tr("The language changes when you start the program again."));
     };
     addChoices<Language>(menu->addMenu(tr("Lan&guage")),
-                         {tr("&System"), QStringLiteral("&English"), QStringLiteral("Es&pañol")}, chosenLanguage(),
+                         {tr("&System"), "&English", "Es&pañol"}, chosenLanguage(),
                          setLanguage);
 }
 
@@ -211,9 +208,9 @@ void Menus::addHelp()
 {
     QMenu *menu = addMenu(tr("&Help"));
     menu->addAction(tr("&Theory and help"), QKeySequence::HelpContents, this,
-                    [this] { showHelp(tr("Theory and help"), QStringLiteral("theory"), &m_window); });
+                    [this] { showHelp(tr("Theory and help"), "theory", &m_window); });
     menu->addAction(tr("&Keyboard and mouse"), Qt::CTRL | Qt::Key_F1, this,
-                    [this] { showHelp(tr("Keyboard and mouse"), QStringLiteral("keys"), &m_window); });
+                    [this] { showHelp(tr("Keyboard and mouse"), "keys", &m_window); });
     menu->addSeparator();
     menu->addAction(tr("&About"), this, &Menus::showAbout);
 }

@@ -16,14 +16,11 @@ namespace slidercrank
 namespace
 {
 
-// The subjects of messages.
-const QString kGreeting = QStringLiteral("greeting");
-const QString kConfirmation = QStringLiteral("confirmation");
-const QString kProblem = QStringLiteral("problem");
-const QString kResult = QStringLiteral("result");
-const QString kReference = QStringLiteral("reference");
-const QString kColumns = QStringLiteral("columns");
-const QString kTimeRange = QStringLiteral("timeRange");
+// The subjects of messages that disappear when they no longer apply.
+const QString kResult = "result";
+const QString kReference = "reference";
+const QString kColumns = "columns";
+const QString kTimeRange = "timeRange";
 
 } // namespace
 
@@ -47,18 +44,18 @@ Messages::Messages(MainWindow *window, MessageBar *bar)
 
 void Messages::greetOnce()
 {
-    const QString key = QStringLiteral("greeted");
+    const QString key = "greeted";
     QSettings settings;
     if (!settings.value(key).toBool()) {
         settings.setValue(key, true);
-        m_bar->showMessage({kGreeting, Message::Kind::Hint, tr("Drag a slider or a link. Press Space to play."),
+        m_bar->showMessage({"greeting", Message::Kind::Hint, tr("Drag a slider or a link. Press Space to play."),
                             tr("Open the sample"), [this] { m_window->openSample(); }});
     }
 }
 
 void Messages::confirm(const QString &sentence)
 {
-    m_bar->showMessage({kConfirmation, Message::Kind::Hint, sentence});
+    m_bar->showMessage({"confirmation", Message::Kind::Hint, sentence});
 }
 
 void Messages::confirmCopiedRows(int count)
@@ -68,7 +65,7 @@ void Messages::confirmCopiedRows(int count)
 
 void Messages::showProblem(const QString &sentence)
 {
-    m_bar->showMessage({kProblem, Message::Kind::Problem, sentence});
+    m_bar->showMessage({"problem", Message::Kind::Problem, sentence});
 }
 
 void Messages::showAboutResult(Message::Kind kind, const QString &sentence)

@@ -25,9 +25,9 @@ namespace
 
 constexpr std::chrono::seconds kRest{2};
 
-const QString kMessage = QStringLiteral("recovery");
-const QString kName = QStringLiteral("recovery_%1.json");
-const QString kLockSuffix = QStringLiteral(".lock");
+const QString kMessage = "recovery";
+const QString kName = "recovery_%1.json";
+const QString kLockSuffix = ".lock";
 
 /// Returns the folder of the settings file, or the configuration folder on Windows, where settings are not a file.
 QDir folder()

@@ -52,11 +52,11 @@ Scene SceneFile::scene() const
 QMessageBox *SceneFile::ask(const char *name, const QString &title, const QString &text,
                             QMessageBox::StandardButtons buttons, const std::function<void(int button)> &answered)
 {
-    if (auto *unanswered = m_window->findChild<QMessageBox *>(QLatin1String(name))) {
+    if (auto *unanswered = m_window->findChild<QMessageBox *>(name)) {
         unanswered->reject();
     }
     auto *question = new QMessageBox(QMessageBox::Question, title, text, buttons, m_window);
-    question->setObjectName(QLatin1String(name));
+    question->setObjectName(name);
     question->setAttribute(Qt::WA_DeleteOnClose);
     connect(question, &QMessageBox::finished, this, answered);
     question->open();
@@ -135,12 +135,11 @@ void SceneFile::show(const Scene &scene, const QString &path, const FileState &s
 
 void SceneFile::chooseAndOpen()
 {
-    auto *dialog =
-        new QFileDialog(m_window, tr("Open scene"), recentFolder(), tr("Scenes (*.slidercrank *.json);;All files (*)"));
-    dialog->setFileMode(QFileDialog::ExistingFile);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString &path) { open(path); });
-    dialog->open();
+    const QString path = QFileDialog::getOpenFileName(m_window, tr("Open scene"), recentFolder(),
+                                                      tr("Scenes (*.slidercrank *.json);;All files (*)"));
+    if (!path.isEmpty()) {
+        open(path);
+    }
 }
 
 void SceneFile::save(const std::function<void()> &proceed)

@@ -61,7 +61,7 @@ void StatusBar::showResult(const Result &result)
     if (result.sampleSeconds) {
         parts << tr("%1 samples in %2 ms").arg(samples, shortNumber(*result.sampleSeconds * 1e3, 2));
     }
-    showMessage(parts.join(QStringLiteral("  ·  "))); // unlike a label, this does not lay out the window
+    showMessage(parts.join("  ·  ")); // unlike a label, this does not lay out the window
 }
 
 void StatusBar::setBusy(bool busy)

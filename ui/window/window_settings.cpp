@@ -23,17 +23,17 @@ namespace
 
 constexpr int kMostRecentFiles = 10;
 
-const QString kRecentFiles = QStringLiteral("recentFiles");
-const QString kSeparator = QStringLiteral("\x1f"); // between the paths of joined files, which do not contain it
-const QString kTheme = QStringLiteral("theme");
-const QString kWindow = QStringLiteral("layout/window");
-const QString kFolded = QStringLiteral("layout/folded");
-const QString kSplitterState = QStringLiteral("layout/");
-const QString kTab = QStringLiteral("view/tab");
-const QString kSpeed = QStringLiteral("view/speed");
-const QString kChoice = QStringLiteral("view/");
+const QString kRecentFiles = "recentFiles";
+const QString kSeparator = "\x1f"; // between the paths of joined files, which do not contain it
+const QString kTheme = "theme";
+const QString kWindow = "layout/window";
+const QString kFolded = "layout/folded";
+const QString kSplitterState = "layout/";
+const QString kTab = "view/tab";
+const QString kSpeed = "view/speed";
+const QString kChoice = "view/";
 
-const QStringList kUnitBoxes{QStringLiteral("unit_omega2"), QStringLiteral("unit_theta20")};
+const QStringList kUnitBoxes{"unit_omega2", "unit_theta20"};
 
 FoldingTabs &tabsIn(const QMainWindow &window)
 {

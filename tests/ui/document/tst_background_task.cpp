@@ -59,7 +59,7 @@ private slots:
         QString value;
         const auto work = [&workThread](const Stop &, const Progress &) {
             workThread = QThread::currentThread();
-            return QStringLiteral("done");
+            return "done";
         };
         const auto done = [&](const QString &result) {
             doneThread = QThread::currentThread();
@@ -69,7 +69,7 @@ private slots:
         task.start(work, done, kFail);
         QVERIFY(task.isRunning() && value.isEmpty());
         AWAIT(!task.isRunning());
-        QCOMPARE(value, QStringLiteral("done"));
+        QCOMPARE(value, "done");
         QVERIFY(workThread && workThread != thread());
         QCOMPARE(doneThread, thread());
         QCOMPARE(QList<QVariantList>(running), kStartedAndEnded);
@@ -192,7 +192,7 @@ private slots:
             };
             task.start(work, kFail, [&sentence](const QString &problem) { sentence = problem; });
             AWAIT(!task.isRunning());
-            QVERIFY2(sentence.contains(QLatin1String(text)), qPrintable(sentence));
+            QVERIFY2(sentence.contains(text), qPrintable(sentence));
         }
     }
 

@@ -21,68 +21,47 @@ using namespace slidercrank;
 namespace
 {
 
-const QString kPath = QStringLiteral("/data/scene.json");
+const QString kPath = "/data/scene.json";
 
-template <typename Value>
-Value pick(RandomMechanisms &random, std::initializer_list<Value> values)
+/// Returns a scene with random numbers. Its choices follow from `i`: a few hundred scenes contain each enumerator, each
+/// flag, and values that may be missing with and without them.
+Scene sceneNumber(int i, RandomMechanisms &random, const QString &folder)
 {
-    return values.begin()[static_cast<std::size_t>(random.uniform(0.0, static_cast<double>(values.size())))];
-}
-
-std::optional<Interval> randomInterval(RandomMechanisms &random)
-{
-    const double lower = random.uniform(-100.0, 100.0);
-    return pick<std::optional<Interval>>(random, {std::nullopt, Interval{lower, lower + random.uniform(1e-3, 100.0)}});
-}
-
-ReferenceSource randomReference(RandomMechanisms &random, const QString &folder)
-{
-    ReferenceSource reference;
-    for (int files = pick(random, {1, 1, 3}); files > 0; --files) {
-        reference.paths +=
-            pick(random, {folder + QStringLiteral("/results.csv"), folder + QStringLiteral("/a b/ñ \"2\".csv"),
-                          QStringLiteral("/elsewhere/results.csv"), QStringLiteral(":/data/inventor_sample.csv")});
-    }
-    for (const ColumnRole role : {ColumnRole::Ignored, ColumnRole::Time, ColumnRole::CrankAngle, ColumnRole::Channel}) {
-        const Channel channel = channelAt(static_cast<std::size_t>(random.uniform(0.0, kChannelCount)));
-        reference.columns.push_back({static_cast<std::size_t>(random.uniform(0.0, 99.0)), role,
-                                     role == ColumnRole::Channel ? channel : Channel(),
-                                     pick<std::string>(random, {"", "rad/s²", "m"})});
-    }
-    for (int kind = 0; kind <= static_cast<int>(Convention::Kind::Axis); ++kind) {
-        reference.conventions.push_back(
-            {static_cast<Convention::Kind>(kind), {kPlottedChannels[1], channelAt(35)}, random.uniform(0.001, 1000.0)});
-    }
-    return reference;
-}
-
-Scene randomScene(RandomMechanisms &random, const QString &folder)
-{
-    const auto flip = [&random] { return pick(random, {false, true}); };
+    const auto flag = [i](int bit) { return (i >> bit) % 2 == 1; };
+    const auto interval = [&random] {
+        const double lower = random.uniform(-100.0, 100.0);
+        return Interval{lower, lower + random.uniform(1e-3, 100.0)};
+    };
     Scene scene;
     scene.parameters = random.next();
-    scene.parameters.branch = pick(random, {Branch::Open, Branch::Crossed});
-    scene.sampling = {random.uniform(-10.0, 10.0), std::exp(random.uniform(-9.0, 9.0)),
-                      static_cast<int>(random.uniform(1.0, 300.0))};
-    scene.solver.method = pick(random, {Method::Newton, Method::ClosedForm});
-    scene.solver.newton = {static_cast<int>(random.uniform(1.0, 100.0)),
-                           pick(random, {0.0, 1e-8, std::exp(random.uniform(-30.0, 0.0))}),
-                           pick(random, {ToleranceKind::Absolute, ToleranceKind::Relative}),
-                           pick(random, {WarmStart::Previous, WarmStart::Taylor}),
-                           pick(random, {Elimination::Dense, Elimination::Structured})};
-    if (flip()) {
-        scene.reference = randomReference(random, folder);
-    }
-    for (int i = pick(random, {0, 1, 4}); i > 0; --i) {
-        scene.pinned.push_back(random.next());
-    }
+    scene.parameters.branch = static_cast<Branch>(flag(0));
+    scene.sampling = {random.uniform(-10.0, 10.0), std::exp(random.uniform(-9.0, 9.0)), 1 + i};
+    scene.solver = {static_cast<Method>(flag(1)),
+                    {1 + i, std::exp(random.uniform(-30.0, 0.0)), static_cast<ToleranceKind>(flag(2)),
+                     static_cast<WarmStart>(flag(3)), static_cast<Elimination>(flag(4))}};
+    scene.pinned.assign(static_cast<std::size_t>(i % 5), random.next());
     scene.time = random.uniform(-10.0, 10.0);
-    scene.plots = {pick(random, {ErrorMeasure::Percent, ErrorMeasure::Absolute, ErrorMeasure::OfPeak}), flip(), flip(),
-                   pick(random, {Abscissa::Time, Abscissa::CrankAngle})};
-    scene.zoom.time = randomInterval(random);
-    std::ranges::generate(scene.zoom.values, [&random] { return randomInterval(random); });
-    scene.mechanism = {flip(), flip(), flip(), flip(), flip(), flip(), flip()};
-    scene.mechanismFrame = pick<std::optional<QRectF>>(random, {std::nullopt, QRectF(-30.5, -20.25, 60.125, 40.5)});
+    scene.plots = {static_cast<ErrorMeasure>(i % 3), flag(0), flag(2), static_cast<Abscissa>(flag(5))};
+    scene.mechanism = {flag(0), flag(1), flag(2), flag(3), flag(4), flag(5), flag(6)};
+    if (flag(3)) {
+        scene.zoom.time = interval();
+        scene.zoom.values[static_cast<std::size_t>(i) % kPlotCount] = interval();
+        scene.mechanismFrame = QRectF(-30.5, -20.25, 60.125, 40.5);
+    }
+    if (flag(4)) {
+        scene.reference.emplace();
+        scene.reference->paths = {folder + "/a b/ñ \"2\".csv", "/elsewhere/results.csv", ":/data/inventor_sample.csv"};
+        scene.reference->paths.resize(1 + i % 3);
+        const Channel channel = channelAt(static_cast<std::size_t>(i) % kChannelCount);
+        scene.reference->columns = {{1, ColumnRole::Ignored, {}, ""},
+                                    {2, ColumnRole::Time, {}, "ms"},
+                                    {5, ColumnRole::CrankAngle, {}, ""},
+                                    {98, ColumnRole::Channel, channel, "rad/s²"}};
+        for (int kind = 0; kind <= static_cast<int>(Convention::Kind::Axis); ++kind) {
+            scene.reference->conventions.push_back(
+                {static_cast<Convention::Kind>(kind), {channel, channelAt(35)}, random.uniform(0.001, 1000.0)});
+        }
+    }
     return scene;
 }
 
@@ -100,7 +79,7 @@ QJsonObject toObject(const Scene &scene)
 QByteArray sceneWith(const QString &place, const QJsonValue &value)
 {
     Scene scene;
-    scene.reference = ReferenceSource{{QStringLiteral("/data/results.csv")}, {ColumnChoice{}}, {Convention{}}};
+    scene.reference = ReferenceSource{{"/data/results.csv"}, {ColumnChoice{}}, {Convention{}}};
     scene.zoom.time = Interval{0.25, 0.5};
     const auto replaced = [&value](auto &&self, QJsonObject object, QStringList keys) -> QJsonObject {
         const QString key = keys.takeFirst();
@@ -121,10 +100,10 @@ private slots:
     void isReadBackAsItWasSaved()
     {
         const QTemporaryDir folder;
-        const QString path = folder.filePath(QStringLiteral("scene.json"));
+        const QString path = folder.filePath("scene.json");
         RandomMechanisms random(20);
         for (int i = 0; i < 300; ++i) {
-            const Scene scene = randomScene(random, folder.path());
+            const Scene scene = sceneNumber(i, random, folder.path());
             QCOMPARE(writeScene(scene, path), std::nullopt);
             const Scene back = std::get<Scene>(readScene(path));
             QVERIFY2(back == scene, contentOf(path).constData()); // to the last bit
@@ -136,8 +115,8 @@ private slots:
     void opensItsReferenceAgain()
     {
         const QTemporaryDir folder;
-        QVERIFY(QDir(folder.path()).mkpath(QStringLiteral("before/data")));
-        const QString data = folder.filePath(QStringLiteral("before/data/results.csv"));
+        QVERIFY(QDir(folder.path()).mkpath("before/data"));
+        const QString data = folder.filePath("before/data/results.csv");
         QVERIFY(QFile::copy(kSample, data));
         Session before;
         const Channel slider{R4x, Order::Position};
@@ -149,11 +128,11 @@ private slots:
         before.open(toChoices(scene), 0.0, scene.reference);
         AWAIT(before.reference());
         scene.reference = toSource(*before.reference());
-        QCOMPARE(writeScene(scene, folder.filePath(QStringLiteral("before/scene.json"))), std::nullopt);
-        QVERIFY(QDir(folder.path()).rename(QStringLiteral("before"), QStringLiteral("after")));
+        QCOMPARE(writeScene(scene, folder.filePath("before/scene.json")), std::nullopt);
+        QVERIFY(QDir(folder.path()).rename("before", "after"));
 
-        const Scene back = std::get<Scene>(readScene(folder.filePath(QStringLiteral("after/scene.json"))));
-        QCOMPARE(back.reference->paths, QStringList(folder.filePath(QStringLiteral("after/data/results.csv"))));
+        const Scene back = std::get<Scene>(readScene(folder.filePath("after/scene.json")));
+        QCOMPARE(back.reference->paths, QStringList(folder.filePath("after/data/results.csv")));
         Session after;
         after.open(toChoices(back), back.time, back.reference);
         AWAIT(after.reference());
@@ -171,9 +150,11 @@ private slots:
     {
         Session session;
         QSignalSpy refused(&session, &Session::referenceRefused);
-        session.open({.parameters = {.b = 70.0}}, 0.5, ReferenceSource{{QStringLiteral("/nowhere/results.csv")}, {}, {}});
+        Choices choices;
+        choices.parameters.b = 70.0;
+        session.open(choices, 0.5, ReferenceSource{{"/nowhere/results.csv"}, {}, {}});
         QVERIFY(refused.wait(kPatience));
-        QVERIFY(refused.first()[1].toString().contains(QLatin1String("results.csv")));
+        QVERIFY(refused.first()[1].toString().contains("results.csv"));
         QCOMPARE(session.parameters().b, 70.0);
         QCOMPARE(session.time(), 0.5);
         QVERIFY(!session.reference());
@@ -181,7 +162,7 @@ private slots:
 
     void ignoresUnknownKeys()
     {
-        const Scene scene = std::get<Scene>(parseScene(sceneWith(QStringLiteral("view.arrows"), true), kPath));
+        const Scene scene = std::get<Scene>(parseScene(sceneWith("view.arrows", true), kPath));
         QVERIFY(!toObject(scene)[u"view"].toObject().contains(u"arrows"));
     }
 
@@ -201,7 +182,7 @@ private slots:
             QVERIFY(scene.zoom.time && scene.zoom.time->lower > 0.05 && scene.zoom.time->upper < 0.95);
             QCOMPARE(scene.time, 0.01);
             QCOMPARE(scene.reference.value().paths,
-                     QStringList(folder.filePath(QStringLiteral("inventor_sample.csv"))));
+                     QStringList(folder.filePath("inventor_sample.csv")));
         }
     }
 
@@ -214,10 +195,10 @@ private slots:
                 QVERIFY2(std::holds_alternative<Scene>(outcome), place);
             }
         }
-        const auto scene = std::get<Scene>(parseScene(sceneWith(QStringLiteral("sampling.start"), 3.0), kPath));
+        const auto scene = std::get<Scene>(parseScene(sceneWith("sampling.start", 3.0), kPath));
         QCOMPARE(scene.time, 0.0); // as saved
-        QJsonObject whole = QJsonDocument::fromJson(sceneWith(QStringLiteral("sampling.start"), 3.0)).object();
-        whole.remove(QStringLiteral("view"));
+        QJsonObject whole = QJsonDocument::fromJson(sceneWith("sampling.start", 3.0)).object();
+        whole.remove("view");
         QCOMPARE(std::get<Scene>(parseScene(QJsonDocument(whole).toJson(), kPath)).time, 3.0);
     }
 
@@ -238,7 +219,7 @@ private slots:
         };
         const QJsonObject mechanism = toObject(Scene()).value(u"mechanism").toObject();
         QJsonObject impossible = mechanism;
-        impossible.insert(QStringLiteral("b"), -1.0);
+        impossible.insert("b", -1.0);
         const auto column = [](int number, const char *use) {
             return QJsonArray{QJsonObject{{"column", number}, {"use", use}, {"unit", ""}}};
         };
@@ -273,13 +254,13 @@ private slots:
             {"reference.columns", column(1, "theta7"), "[0].use"},
             {"reference.conventions", convention("upside-down", {}, 1.0), "[0].kind"},
             {"reference.conventions", convention("swapped-columns", {"theta3"}, 1.0), "[0].channels"},
-            {"reference.conventions", convention("sign", {"x"}, -1.0), "[0].channels"},
+            {"reference.conventions", convention("sign", {"x"}, -1.0), "[0].channels[0]"},
             {"reference.conventions", convention("time-unit", {}, 0.0), "[0].amount"},
             {"view.error", "miles"},
             {"view.roundingBand", 1},
             {"view.time", "now"},
             {"view.zoom.time", QJsonArray{2, 1}},
-            {"view.zoom.time", QJsonArray{"1", 2}},
+            {"view.zoom.time", QJsonArray{"1", 2}, "[0]"},
             {"view.zoom.plot_theta3", QJsonArray{2}},
             {"view.mechanism.frame", QJsonArray{0, 40, 60, -20}},
         };
@@ -307,9 +288,9 @@ private slots:
     {
         const QTemporaryDir folder;
         for (const auto &[path, reason] :
-             {std::pair{QStringLiteral("/nowhere/x.json"), "cannot be opened"}, {folder.path(), "is a folder"},
+             {std::pair<QString, const char *>{"/nowhere/x.json", "cannot be opened"}, {folder.path(), "is a folder"},
               {writeFile(folder, "large.json", QByteArray(2 << 20, ' ')), "too large"}}) {
-            QVERIFY(std::get<QString>(readScene(path)).contains(QLatin1String(reason)));
+            QVERIFY(std::get<QString>(readScene(path)).contains(reason));
         }
     }
 };

@@ -88,7 +88,7 @@ private slots:
     void readsAFileInTheBackgroundAndCompares()
     {
         const QTemporaryDir folder;
-        const QString path = writeFile(folder, QStringLiteral("año 1 Δ.csv"), kSmallFile);
+        const QString path = writeFile(folder, "año 1 Δ.csv", kSmallFile);
         Session session;
         QSignalSpy loaded(&session, &Session::referenceLoaded);
         QSignalSpy results(&session, &Session::resultChanged);
@@ -96,7 +96,7 @@ private slots:
         QCOMPARE(results.count(), 0);
         QVERIFY(loaded.wait(kPatience));
         AWAIT_COMPARE(results.count(), 1);
-        QCOMPARE(session.reference()->name, QStringLiteral("año 1 Δ.csv"));
+        QCOMPARE(session.reference()->name, "año 1 Δ.csv");
         QCOMPARE(session.result()->comparison.size(), std::size_t(1));
         const double exact = 20.0 + std::sqrt(65.0 * 65.0 - 25.0 * 25.0); // 80 mm at t = 0
         QVERIFY(std::abs(*session.result()->comparison[0].maxAbs - (85.0 - exact)) < 1e-9);
@@ -151,7 +151,7 @@ private slots:
         parameters.omega2 = 0.0;
         session.setParameters(parameters);
         QCOMPARE(problems.count(), 1);
-        QVERIFY(problems[0][0].toString().contains(QStringLiteral("choose another ω₂")));
+        QVERIFY(problems[0][0].toString().contains("choose another ω₂"));
         QCOMPARE(session.parameters(), Parameters());
         session.setReference(nullptr);
         session.setParameters(parameters);
@@ -188,13 +188,13 @@ private slots:
         session.loadReference(writeFile(folder, "x.csv", kSmallFile));
         AWAIT(session.reference());
         const auto before = session.reference();
-        QStringList paths{folder.filePath(QStringLiteral("missing.csv"))};
+        QStringList paths{folder.filePath("missing.csv")};
         for (const QByteArray &bytes :
              {QByteArray(), QByteArray("time,banana\n0,1\n"), QByteArray("\x7f\0\1\2\xff", 5)}) {
             paths += writeFile(folder, QStringLiteral("bad%1.csv").arg(paths.size()), bytes);
         }
 #ifdef Q_OS_UNIX
-        paths += folder.filePath(QStringLiteral("pipe.csv")); // is not opened, because that would wait for a writer
+        paths += folder.filePath("pipe.csv"); // is not opened, because that would wait for a writer
         QCOMPARE(mkfifo(QFile::encodeName(paths.last()).constData(), 0600), 0);
 #endif
         QSignalSpy refused(&session, &Session::referenceRefused);
@@ -267,7 +267,7 @@ private slots:
 
         session.useFoundMechanism();
         QCOMPARE(session.parameters(), withCoupler(60.0)); // nominal values, not 60.0000003
-        QCOMPARE(session.undoStack().undoText(), QStringLiteral("use of the file's mechanism"));
+        QCOMPARE(session.undoStack().undoText(), "use of the file's mechanism");
         QCOMPARE(session.result()->comparison.size(), std::size_t(6));
         QVERIFY(allAgree(session.result()->comparison));
         AWAIT(session.diagnosis()->parameters == session.parameters());

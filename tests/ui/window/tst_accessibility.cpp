@@ -5,6 +5,7 @@
 #include "tests/support/suite.h"
 #include "tests/ui/window/window_fixture.h"
 
+#include "ui/panels/timeline.h"
 #include "ui/widgets/number_slider.h"
 #include "ui/window/messages.h"
 #include "ui/window/presentation.h"
@@ -40,7 +41,7 @@ bool isControl(const QWidget *widget)
     const bool stops = widget->focusPolicy() & Qt::TabFocus;
     const QWidget *owner = widget->parentWidget();
     const bool isPart = qobject_cast<const QAbstractSpinBox *>(owner) || qobject_cast<const QComboBox *>(owner) ||
-                        widget->objectName().startsWith(QLatin1String("qt_")) ||
+                        widget->objectName().startsWith("qt_") ||
                         qobject_cast<const QScrollBar *>(widget) || qobject_cast<const QHeaderView *>(widget);
     return (operated || stops) && !isPart;
 }
@@ -71,6 +72,20 @@ QImage pictureOf(QWidget *widget)
     const QRect area(widget->mapTo(window, QPoint()), widget->size());
     QCoreApplication::processEvents();
     return window->grab(area.adjusted(-kMargin, -kMargin, kMargin, kMargin)).toImage();
+}
+
+/// Returns everything that the Space key could change.
+QVariantList stateOf(const QWidget *widget)
+{
+    const auto *button = qobject_cast<const QAbstractButton *>(widget);
+    const auto *table = qobject_cast<const QAbstractItemView *>(widget);
+    return {button && button->isChecked(),
+            button && button->isDown(),
+            widget->property("currentIndex"),
+            widget->property("text"),
+            table ? table->currentIndex().row() : -1,
+            QApplication::activePopupWidget() != nullptr,
+            QApplication::activeModalWidget() != nullptr};
 }
 
 QString accessible(QWidget *widget, QAccessible::Text text)
@@ -121,7 +136,21 @@ private:
         }
     }
 
-    /// Presses the Tab key until the focus returns, and checks that every control was reached and showed the focus.
+    /// Presses Space twice. It must only start and stop the playback.
+    void checkSpace(QWidget *stop)
+    {
+        const QVariantList state = stateOf(stop);
+        for (const bool plays : {true, false}) {
+            QTest::keyClick(stop, Qt::Key_Space);
+            if (view<Timeline>()->isPlaying() != plays || (!plays && stateOf(stop) != state)) {
+                m_faults << described(stop) + " uses Space itself";
+            }
+        }
+        stop->setFocus();
+    }
+
+    /// Presses the Tab key until the focus returns, and checks that every control was reached and showed the focus, and
+    /// that Space plays there.
     void checkTabOrder(QWidget *window)
     {
         QSet<QWidget *> reached;
@@ -129,6 +158,7 @@ private:
         QWidget *stop = QApplication::focusWidget();
         while (stop && !reached.contains(stop)) {
             reached << stop;
+            checkSpace(stop);
             const QImage focused = pictureOf(stop);
             QTest::keyClick(stop, Qt::Key_Tab);
             if (stop->hasFocus() && qobject_cast<QLabel *>(stop)) {
@@ -166,6 +196,7 @@ private:
     {
         for (const bool withReference : {false, true}) {
             openWindow();
+            view<Timeline>()->setClock([] { return 0.0; });
             m_window->messages().greetOnce();
             if (withReference) {
                 openSample();
@@ -193,7 +224,7 @@ private slots:
         checkEveryView([this](QWidget *window) { checkControls(window); });
     }
 
-    void theTabKeyReachesEveryControlAndTheFocusIsVisible()
+    void theTabKeyReachesEveryControlAndSpacePlaysThere()
     {
         checkEveryView([this](QWidget *window) { checkTabOrder(window); });
     }

@@ -274,7 +274,7 @@ private slots:
 
     void theAnimationHasTheSettingsOfItsForm()
     {
-        action(QStringLiteral("Animation…"))->trigger();
+        action("Animation…")->trigger();
         auto *form = view<AnimationForm>();
         const auto *outcome = child<QLabel>(*form, "outcomeLabel");
         QVERIFY(outcome->text().startsWith("30 frames: 1 s"));
@@ -286,7 +286,7 @@ private slots:
         form->accept();
         settle();
         choose("new");
-        const auto frame = [this](const char *name) { return QImage(path(QStringLiteral("new/") + name)); };
+        const auto frame = [this](const char *name) { return QImage(path(QString("new/") + name)); };
         AWAIT(QFile::exists(path("new")));
         QCOMPARE(QDir(path("new")).entryList(QDir::Files).size(), 12);
         QCOMPARE(frame("frame_0001.png").size(), QSize(200, 120));
@@ -296,13 +296,13 @@ private slots:
 
     void theNameFollowsTheFilter()
     {
-        action(QStringLiteral("Figure…"))->trigger();
-        QCOMPARE(name()->text(), QStringLiteral("figure.png"));
+        action("Figure…")->trigger();
+        QCOMPARE(name()->text(), "figure.png");
         chooseFilter(1);
-        QCOMPARE(name()->text(), QStringLiteral("figure.svg"));
+        QCOMPARE(name()->text(), "figure.svg");
         name()->setText("b = 67.5");
         chooseFilter(2);
-        QCOMPARE(name()->text(), QStringLiteral("b = 67.5"));
+        QCOMPARE(name()->text(), "b = 67.5");
     }
 
     void asksForANameAndBeforeReplacingAFile()
@@ -311,19 +311,19 @@ private slots:
         const QString older = writeFile(*m_folder, "θ₂ ñ 曲柄.slidercrank", "older");
         press(Qt::Key_S, Qt::ControlModifier);
         answerWith(QMessageBox::No);
-        choose(QStringLiteral("θ₂ ñ 曲柄"));
+        choose("θ₂ ñ 曲柄");
         QCOMPARE(contentOf(older), QByteArray("older"));
         answerWith(QMessageBox::Yes);
-        choose(QStringLiteral("θ₂ ñ 曲柄"));
+        choose("θ₂ ñ 曲柄");
         AWAIT_COMPARE(m_window->scene().path(), older);
         QVERIFY(contentOf(older).startsWith("{\n"));
         QVERIFY(!m_window->isWindowModified());
 
         writeFile(*m_folder, "a.html.pdf", "older");
-        action(QStringLiteral("Report…"))->trigger();
+        action("Report…")->trigger();
         choose("a.html"); // the dialog checked this name, not that of the file that exists
         QCOMPARE(contentOf(path("a.html.pdf")), QByteArray("older"));
-        QCOMPARE(name()->text(), QStringLiteral("a.html.pdf"));
+        QCOMPARE(name()->text(), "a.html.pdf");
     }
 
 private:
@@ -343,7 +343,7 @@ private:
     QMessageBox *question(const char *name) const
     {
         settle();
-        auto *box = m_window->findChild<QMessageBox *>(QLatin1String(name));
+        auto *box = m_window->findChild<QMessageBox *>(name);
         return box && box->isVisible() ? box : nullptr;
     }
 

@@ -9,7 +9,6 @@
 #include "ui/window/messages.h"
 
 #include <QAbstractButton>
-#include <QAbstractItemView>
 #include <QAbstractSpinBox>
 #include <QClipboard>
 #include <QComboBox>
@@ -26,27 +25,6 @@ using namespace slidercrank;
 
 namespace
 {
-
-QString described(const QWidget *widget)
-{
-    return QStringLiteral("%1 \"%2\"").arg(QLatin1String(widget->metaObject()->className()), widget->objectName());
-}
-
-/// Returns everything that the Space key could change.
-QVariantList stateOf(const QWidget *widget)
-{
-    const auto *button = qobject_cast<const QAbstractButton *>(widget);
-    const auto *list = qobject_cast<const QComboBox *>(widget);
-    const auto *box = qobject_cast<const QAbstractSpinBox *>(widget);
-    const auto *table = qobject_cast<const QAbstractItemView *>(widget);
-    return {button ? button->isChecked() : false,
-            button ? button->isDown() : false,
-            list ? list->currentIndex() : -1,
-            box ? box->text() : QString(),
-            table ? table->currentIndex().row() : -1,
-            QApplication::activePopupWidget() != nullptr,
-            QApplication::activeModalWidget() != nullptr};
-}
 
 void turnWheelOver(QWidget *widget)
 {
@@ -73,29 +51,6 @@ private:
         for (const QChar letter : text) {
             QTest::keyClick(m_window->windowHandle(), letter.toLatin1());
         }
-    }
-
-    /// Presses Space at every control that the Tab key reaches. Space must only start and stop the playback.
-    void pressSpaceAtEveryStop(const QString &page)
-    {
-        QSet<QWidget *> seen;
-        press(Qt::Key_Tab);
-        for (QWidget *stop = QApplication::focusWidget(); stop && !seen.contains(stop);
-             stop = QApplication::focusWidget()) {
-            seen << stop;
-            const QVariantList state = stateOf(stop);
-            for (const bool plays : {true, false}) {
-                press(Qt::Key_Space);
-                QVERIFY2(m_timeline->isPlaying() == plays, qPrintable(page + ": at " + described(stop)));
-            }
-            QVERIFY2(stop == part("playButton") || stateOf(stop) == state, qPrintable(page + ": " + described(stop)));
-            stop->setFocus();
-            press(Qt::Key_Tab);
-            if (stop->hasFocus()) {
-                press(Qt::Key_Tab); // the first key moved the focus to the link of the label
-            }
-        }
-        QVERIFY(seen.size() > 20);
     }
 
     /// Returns what Ctrl+C copies.
@@ -134,17 +89,11 @@ private slots:
         QVERIFY(m_timeline->isPlaying());
     }
 
-    void spacePlaysWhateverHasTheFocus()
-    {
-        openSample();
-        onEveryPage(*m_window, [this](const QString &page) { pressSpaceAtEveryStop(page); });
-    }
-
     void spaceIsPartOfWhatIsTyped()
     {
         typeInto("box_b", "25 mm");
         QVERIFY(!m_timeline->isPlaying());
-        QCOMPARE(textIn("box_b"), QStringLiteral("25 mm"));
+        QCOMPARE(textIn("box_b"), "25 mm");
         press(Qt::Key_Return);
         QCOMPARE(session().parameters().b, 25.0);
         press(Qt::Key_Space); // the number is entered, so the box no longer uses Space
@@ -152,7 +101,7 @@ private slots:
         typeInto("box_b", "20/3");
         press(Qt::Key_Return);
         QVERIFY(part<QLabel>("refusalLabel")->isVisible());
-        QCOMPARE(textIn("box_b"), QStringLiteral("25 mm"));
+        QCOMPARE(textIn("box_b"), "25 mm");
         press(Qt::Key_Space);
         QVERIFY(!m_timeline->isPlaying());
     }
@@ -172,7 +121,7 @@ private slots:
         typeInto("box_b", "7");
         press(Qt::Key_Home);
         press(Qt::Key_6);
-        QCOMPARE(textIn("box_b"), QStringLiteral("67 mm"));
+        QCOMPARE(textIn("box_b"), "67 mm");
         QCOMPARE(session().time(), 0.5);
     }
 
@@ -215,7 +164,7 @@ private slots:
         press(Qt::Key_Space);
         QVERIFY(m_timeline->isPlaying());
         press(Qt::Key_3); // replaces the selected number
-        QCOMPARE(textIn("startBox"), QStringLiteral("3 s"));
+        QCOMPARE(textIn("startBox"), "3 s");
         press(Qt::Key_Return);
         QCOMPARE(session().sampling().start, 3.0);
         press(Qt::Key_Z, Qt::ControlModifier);
@@ -259,11 +208,11 @@ private slots:
         click("loopButton");
         QVERIFY(action("Loop")->isChecked());
         press(Qt::Key_Right, Qt::ShiftModifier);
-        QVERIFY(action(QStringLiteral("2×"))->isChecked() && m_timeline->speed() == 2.0);
+        QVERIFY(action("2×")->isChecked() && m_timeline->speed() == 2.0);
         press(Qt::Key_Left, Qt::ShiftModifier);
-        QVERIFY(action(QStringLiteral("1×"))->isChecked() && m_timeline->speed() == 1.0);
+        QVERIFY(action("1×")->isChecked() && m_timeline->speed() == 1.0);
         m_timeline->setSpeed(0.3); // not a speed of the menu
-        QVERIFY(!action(QStringLiteral("1×"))->isChecked());
+        QVERIFY(!action("1×")->isChecked());
     }
 
     void theKeysOfTheWindowWorkInEveryBox()
@@ -288,9 +237,9 @@ private slots:
         typeInto("box_a", "33");
         press(Qt::Key_Z, Qt::ControlModifier);
         QCOMPARE(session().parameters().b, 70.0);
-        QCOMPARE(textIn("box_a"), QStringLiteral("20 mm"));
+        QCOMPARE(textIn("box_a"), "20 mm");
         press(Qt::Key_Y, Qt::ControlModifier); // nothing is restored
-        QCOMPARE(textIn("box_a"), QStringLiteral("20 mm"));
+        QCOMPARE(textIn("box_a"), "20 mm");
         press(Qt::Key_Z, Qt::ControlModifier); // the box has nothing to undo, so the session undoes b
         QCOMPARE(session().parameters().b, 65.0);
         typeInto("box_a", "33");
@@ -308,7 +257,7 @@ private slots:
             session().setTime(0.5);
             auto *control = part(name);
             const auto state = [&] {
-                return QVariantList{stateOf(control), session().parameters().b, session().time(),
+                return QVariantList{control->property("currentIndex"), session().parameters().b, session().time(),
                                     session().solver().newton.maxIterations};
             };
             const QVariantList before = state();

@@ -120,7 +120,7 @@ private slots:
         settle(*m_window);
         QVERIFY(picture("plot_theta3") != curve && !isBlank(picture("plot_error_position")));
         QVERIFY(part("errorPanel")->isVisible() && !messages()->isVisible());
-        QVERIFY(part<QTabBar>("tabBar")->tabText(1).contains(QStringLiteral("✗")));
+        QVERIFY(part<QTabBar>("tabBar")->tabText(1).contains("✗"));
         QCOMPARE(part<QTableView>("errorTable")->model()->rowCount(), 6);
         const QString sentence = child<QLabel>(*part("errorPanel"), "findingLabel")->text();
         QVERIFY2(sentence.contains("60") && sentence.contains("65 mm"), qPrintable(sentence));
@@ -187,7 +187,7 @@ private slots:
         const QTemporaryDir folder;
         m_window->openReference(writeFile(folder, "columns.csv", "time,J1_x,J2_x\n0,80,1\n1,70,2\n2,75,1\n"));
         AWAIT(messages()->isVisible());
-        QCOMPARE(part<QAbstractButton>("messageRemedy")->text(), QStringLiteral("Choose columns…"));
+        QCOMPARE(part<QAbstractButton>("messageRemedy")->text(), "Choose columns…");
         click("messageRemedy");
         auto *second = part<QComboBox>("meaning2");
         second->setCurrentIndex(second->findText("(R4_x)", Qt::MatchContains));
@@ -205,7 +205,7 @@ private slots:
         drop({files[1], files[0]}); // not in alphabetical order
         AWAIT(session().reference());
         QCOMPARE(session().reference()->paths, files);
-        QCOMPARE(session().reference()->name, QStringLiteral("a.csv + 1 more"));
+        QCOMPARE(session().reference()->name, "a.csv + 1 more");
         drop({kSample});
         AWAIT_COMPARE(session().reference()->paths, QStringList(kSample));
         QCOMPARE(recentFiles(), (QList<QStringList>{{kSample}, files}));
@@ -471,12 +471,12 @@ private slots:
 
     void theLanguageChangesAtTheNextStart()
     {
-        action(QStringLiteral("Español"))->trigger();
+        action("Español")->trigger();
         QVERIFY(said().contains("start the program again"));
         QCOMPARE(chosenLanguage(), Language::Spanish);
         setLanguage(chosenLanguage());
         openWindow();
-        QCOMPARE(m_window->menuBar()->actions().first()->text(), QStringLiteral("&Archivo"));
+        QCOMPARE(m_window->menuBar()->actions().first()->text(), "&Archivo");
         action("English")->trigger();
         setLanguage(chosenLanguage());
         QLocale::setDefault(QLocale::c());

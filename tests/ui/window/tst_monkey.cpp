@@ -153,9 +153,9 @@ private:
             file.write(bytes);
             m_files << file.fileName();
         }
-        QFile::resize(path(QStringLiteral("half written.csv")),
+        QFile::resize(path("half written.csv"),
                       qint64{1} << 32); // a sparse file, which takes no space on most disks
-        m_files << path(QStringLiteral("not there.csv")) << path(QStringLiteral("saved.json")) << m_folder;
+        m_files << path("not there.csv") << path("saved.json") << m_folder;
     }
 
     /// Returns a random visible and enabled widget of the window or of the modal dialog, or null if there is none.
@@ -359,8 +359,8 @@ private slots:
         QVERIFY(QDir::setCurrent(m_folder.path()));
         QStandardPaths::setTestModeEnabled(true);
         QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope,
-                           m_folder.filePath(QStringLiteral("settings")));
-        QApplication::setStyle(QStringLiteral("Fusion"));
+                           m_folder.filePath("settings"));
+        QApplication::setStyle("Fusion");
         QApplication::setQuitOnLastWindowClosed(false);
         QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
     }
@@ -405,7 +405,7 @@ void configureTwoScreens(const QString &file)
 static int run(int argc, char *argv[])
 {
     const QTemporaryDir folder;
-    configureTwoScreens(folder.filePath(QStringLiteral("screens.json")));
+    configureTwoScreens(folder.filePath("screens.json"));
     const QApplication application(argc, argv);
     TestMonkey test;
     return QTest::qExec(&test, argc, argv);

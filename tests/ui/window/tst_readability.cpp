@@ -97,7 +97,7 @@ QString cutOff(const QWidget *widget)
         return widthOf(*line, line->text()) <= line->width() ? QString() : line->text();
     }
     if (const auto *bar = qobject_cast<const QTabBar *>(widget)) {
-        return bar->sizeHint().width() <= bar->width() ? QString() : QStringLiteral("the tabs");
+        return bar->sizeHint().width() <= bar->width() ? QString() : "the tabs";
     }
     return {};
 }
@@ -224,8 +224,8 @@ private slots:
     {
         QLocale::setDefault(QLocale(QLocale::Spanish, QLocale::Spain));
         openWindow();
-        QCOMPARE(countText(1'234'567'890), QStringLiteral("1.234.567.890"));
-        QCOMPARE(countText(1000), QStringLiteral("1000"));
+        QCOMPARE(countText(1'234'567'890), "1.234.567.890");
+        QCOMPARE(countText(1000), "1000");
         press(Qt::Key_R, Qt::ControlModifier);
         auto *box = part<QAbstractSpinBox>("stepsBox");
         for (const auto &[typed, steps] :
@@ -233,7 +233,7 @@ private slots:
             typeNumber(box, typed);
             QCOMPARE(session().sampling().steps, steps);
         }
-        QCOMPARE(box->accessibleDescription(), QStringLiteral("This must be a whole number from 1 to 1.000.000."));
+        QCOMPARE(box->accessibleDescription(), "This must be a whole number from 1 to 1.000.000.");
     }
 
     void numbersOnTheScreenHaveADecimalComma()
@@ -243,8 +243,8 @@ private slots:
         openSample();
         session().setTime(0.123);
         // A point before three digits separates thousands in Spanish.
-        const QRegularExpression point(QStringLiteral("\\d\\.(?!\\d{3}(\\D|$))\\d"));
-        const QRegularExpression comma(QStringLiteral("\\d,\\d"));
+        const QRegularExpression point("\\d\\.(?!\\d{3}(\\D|$))\\d");
+        const QRegularExpression comma("\\d,\\d");
         int commas = 0;
         onEveryPage(*m_window, [&](const QString &) {
             auto *plot = part("plot_R4_x");
@@ -277,8 +277,8 @@ private slots:
         settle(*m_window);
         part<QAbstractButton>("coordinatePanelCopy")->click();
         const QString copied = QApplication::clipboard()->text();
-        QVERIFY2(copied.contains(QRegularExpression(QStringLiteral(",\\d+\\.\\d+,"))), qPrintable(copied));
-        QVERIFY(!copied.contains(QRegularExpression(QStringLiteral("\"-?\\d+,"))));
+        QVERIFY2(copied.contains(QRegularExpression(",\\d+\\.\\d+,")), qPrintable(copied));
+        QVERIFY(!copied.contains(QRegularExpression("\"-?\\d+,")));
     }
 };
 

@@ -136,7 +136,7 @@ private slots:
 static int run(int argc, char *argv[])
 {
     const QTemporaryDir folder;
-    QFile screens(folder.filePath(QStringLiteral("screens.json")));
+    QFile screens(folder.filePath("screens.json"));
     if (!screens.open(QIODevice::WriteOnly) || screens.write(kScreens) < 0) {
         return EXIT_FAILURE;
     }

@@ -38,7 +38,7 @@ protected:
     {
         QStandardPaths::setTestModeEnabled(true);
         QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_settings.path());
-        QApplication::setStyle(QStringLiteral("Fusion"));
+        QApplication::setStyle("Fusion");
         QApplication::setCursorFlashTime(0);
         QLocale::setDefault(QLocale::c());
         resetSettings();
@@ -107,7 +107,7 @@ protected:
 
     void showTab(int index) const
     {
-        part<QTabBar>(QStringLiteral("tabBar"))->setCurrentIndex(index);
+        part<QTabBar>("tabBar")->setCurrentIndex(index);
         settle(*m_window);
     }
 
