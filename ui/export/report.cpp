@@ -34,6 +34,11 @@ namespace
 
 struct Report {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::Report)
+
+public:
+    // In the order of Parameter.
+    static constexpr const char *kNames[] = {QT_TR_NOOP("crank"), QT_TR_NOOP("coupler"), QT_TR_NOOP("offset"),
+                                             QT_TR_NOOP("crank speed"), QT_TR_NOOP("initial angle")};
 };
 
 constexpr int kDigits = 3; // of errors
@@ -79,18 +84,6 @@ QString table(const std::vector<QStringList> &rows)
     return html + "</table>";
 }
 
-QString parameterName(Parameter parameter)
-{
-    switch (parameter) {
-    case Parameter::A: return Report::tr("crank");
-    case Parameter::B: return Report::tr("coupler");
-    case Parameter::C: return Report::tr("offset");
-    case Parameter::Omega2: return Report::tr("crank speed");
-    case Parameter::Theta20: return Report::tr("initial angle");
-    }
-    return {};
-}
-
 bool isFound(const ReportContent &content)
 {
     return content.result->reference && content.diagnosis.identification.hasMechanism();
@@ -103,8 +96,9 @@ QString parameterTable(const ReportContent &content)
     const Identification &found = content.diagnosis.identification;
     std::vector<QStringList> rows{{QString(), Report::tr("model")}};
     for (const Parameter parameter : kParameters) {
-        rows.push_back({QStringLiteral("%1, %2").arg(symbolText(parameter), parameterName(parameter)),
-                        parameterText(parameter, valueOf(model, parameter))});
+        rows.push_back(
+            {QStringLiteral("%1, %2").arg(symbolText(parameter), Report::tr(Report::kNames[indexOf(parameter)])),
+             parameterText(parameter, valueOf(model, parameter))});
     }
     rows.push_back({Report::tr("assembly"), assemblyText(model.branch)});
     if (isFound(content)) {
