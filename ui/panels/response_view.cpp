@@ -2,6 +2,7 @@
 #include "ui/panels/response_view.h"
 
 #include "ui/document/session.h"
+#include "ui/document/whole_file.h"
 #include "ui/panels/response_chart.h"
 #include "ui/panels/table_panel.h"
 #include "ui/text/axis_scale.h"
@@ -166,7 +167,7 @@ QByteArray ResponseView::csv() const
 std::optional<QString> ResponseView::exportTo(const QString &path) const
 {
     if (path.endsWith(QStringLiteral(".csv"), Qt::CaseInsensitive)) {
-        return writeText(path, csv());
+        return writeWhole(path, csv());
     }
     return exportFigure(path, {kFigureSize, 2.0}, accessibleName(),
                         withParameters(drawing(), Mechanism(m_response.parameters), paletteFor(Theme::Light)));

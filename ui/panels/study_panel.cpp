@@ -2,6 +2,7 @@
 #include "ui/panels/study_panel.h"
 
 #include "ui/document/session.h"
+#include "ui/document/whole_file.h"
 #include "ui/panels/study_page.h"
 #include "ui/panels/table_panel.h"
 #include "ui/text/finding_text.h"
@@ -198,7 +199,7 @@ std::optional<QString> StudyPanel::exportNumbers(const QString &path) const
         return tr("There is nothing to export yet: run the study first.");
     }
     const bool json = path.endsWith(".json", Qt::CaseInsensitive);
-    return writeText(path, json ? jsonDocument(studyJson(*m_result)) : csvText(studyRecords(*m_result)));
+    return writeWhole(path, json ? jsonDocument(studyJson(*m_result)) : csvText(studyRecords(*m_result)));
 }
 
 } // namespace slidercrank

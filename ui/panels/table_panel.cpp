@@ -229,7 +229,7 @@ std::optional<QString> TablePanel::exportTo(const QString &path) const
             chart.paint(painter, size, paletteFor(Theme::Light));
         });
     }
-    return writeText(path, csvOf(page).toUtf8());
+    return writeWhole(path, csvOf(page).toUtf8());
 }
 
 void TablePanel::chooseFile()
@@ -274,11 +274,6 @@ QToolButton *addButton(QBoxLayout *row, const QString &name, const QString &text
     button->setFocusPolicy(Qt::TabFocus);
     row->addWidget(button, 0, Qt::AlignTop);
     return button;
-}
-
-std::optional<QString> writeText(const QString &path, const QByteArray &text)
-{
-    return writeWhole(path, text);
 }
 
 void chooseExport(QWidget *parent, const QStringList &filters, const QString &name,

@@ -78,9 +78,6 @@ private:
 /// Adds a button with that text to a row.
 QToolButton *addButton(QBoxLayout *row, const QString &name, const QString &text, const QString &explanation);
 
-/// Writes a file. Returns an error message if it cannot be written.
-std::optional<QString> writeText(const QString &path, const QByteArray &text);
-
 /// Asks for a file name and calls `write` with it. If that returns an error message, passes it to `report`.
 void chooseExport(QWidget *parent, const QStringList &filters, const QString &name,
                   const std::function<std::optional<QString>(const QString &path)> &write,
