@@ -149,12 +149,16 @@ QString leftOutText(const Identification &found)
 
 QString excludedRowsText(const Identification &found)
 {
-    constexpr std::size_t kMostListed = 10;
+    constexpr qsizetype kMostListed = 10;
     QStringList lines;
     for (const std::size_t line : found.excludedRows) {
-        lines << (lines.size() < static_cast<qsizetype>(kMostListed) ? QString::number(line) : "…");
+        if (lines.size() == kMostListed) {
+            lines << "…";
+            break;
+        }
+        lines << QString::number(line);
     }
-    return lines.first(std::min<qsizetype>(lines.size(), kMostListed + 1)).join(", ");
+    return lines.join(", ");
 }
 
 QString ambiguousText(const Identification &found)

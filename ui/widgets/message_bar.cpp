@@ -97,11 +97,8 @@ QFrame *MessageBar::row(int index) const
 
 void MessageBar::removeMessage(const QString &id)
 {
-    for (int i = 0; i < m_rows->count(); ++i) {
-        if (row(i)->objectName() == id) {
-            remove(row(i));
-            return;
-        }
+    if (auto *row = findChild<QFrame *>(id, Qt::FindDirectChildrenOnly)) {
+        remove(row);
     }
 }
 

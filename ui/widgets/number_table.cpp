@@ -200,19 +200,6 @@ void NumberTable::resizeEvent(QResizeEvent *event)
     fitColumns();
 }
 
-/// Passes the font on to the header: a hidden header would keep the old font.
-void NumberTable::changeEvent(QEvent *event)
-{
-    QTableView::changeEvent(event);
-    if (event->type() == QEvent::FontChange) {
-        horizontalHeader()->setFont(font());
-        m_widths.clear();
-        fitColumns();
-    } else if (event->type() == QEvent::PaletteChange) {
-        fillCells();
-    }
-}
-
 /// While the table has the focus, the copy key copies its rows instead of triggering the window's shortcut.
 bool NumberTable::event(QEvent *event)
 {
@@ -220,7 +207,19 @@ bool NumberTable::event(QEvent *event)
         event->accept();
         return true;
     }
-    return QTableView::event(event);
+    const bool isHandled = QTableView::event(event);
+    switch (event->type()) {
+    case QEvent::FontChange:
+        horizontalHeader()->setFont(font()); // a hidden header would keep the old font
+        m_widths.clear();
+        fitColumns();
+        break;
+    case QEvent::PaletteChange: fillCells(); break;
+    case QEvent::FocusIn:
+    case QEvent::FocusOut: reportPart(); break;
+    default: break;
+    }
+    return isHandled;
 }
 
 void NumberTable::keyPressEvent(QKeyEvent *event)
@@ -254,18 +253,6 @@ bool NumberTable::viewportEvent(QEvent *event)
 void NumberTable::setHoveredRow(int row)
 {
     m_hoveredRow = row;
-    reportPart();
-}
-
-void NumberTable::focusInEvent(QFocusEvent *event)
-{
-    QTableView::focusInEvent(event);
-    reportPart();
-}
-
-void NumberTable::focusOutEvent(QFocusEvent *event)
-{
-    QTableView::focusOutEvent(event);
     reportPart();
 }
 

@@ -53,20 +53,18 @@ private slots:
         const Row rows[] = {
             {{.kind = Kind::UnitsContradict, .heading = "R4_x [%2]"}, "R4_x [%2]"},
             {{Kind::UnknownUnit, {Theta3, Order::Velocity}}, "[°/s]"},
-            {{Kind::UnknownUnit, {R4x, Order::Acceleration}}, "[mm/s²]"},
-            {{.kind = Kind::NoSuchColumn, .heading = "x"}, "\"x\""},
-            {{.kind = Kind::SeveralColumns, .heading = "x"}, "\"x\""},
             {{Kind::ChannelChosenTwice, {R4x, Order::Velocity}}, "R4_x_diff"},
-            {{.kind = Kind::NoCertainChannel, .heading = "x", .column = ColumnReason::AngleOrLength},
-             "(x: neither unit nor values"},
-            {{.kind = Kind::NoCertainChannel, .heading = "x", .column = ColumnReason::LikeOther}, "the same quantity)"},
-            {{.kind = Kind::NoCertainChannel, .heading = "x", .column = ColumnReason::UnknownBody}, "the body)"},
-            {{.kind = Kind::NoCertainChannel, .heading = "x", .column = ColumnReason::UnknownUnit}, "its unit"},
+            {{Kind::ChannelInBoth, {R4x, Order::Velocity}}, "R4_x_diff"},
+            {{.kind = Kind::NoCertainChannel, .column = ColumnReason::AngleOrLength}, "neither unit nor values"},
+            {{.kind = Kind::NoCertainChannel, .column = ColumnReason::LikeOther}, "the same quantity)"},
+            {{.kind = Kind::NoCertainChannel, .column = ColumnReason::UnknownBody}, "the body)"},
+            {{.kind = Kind::NoCertainChannel, .column = ColumnReason::UnknownUnit}, "its unit"},
             {{.kind = Kind::NoRow, .row = RowFault::TooManyCells}, "too many cells"},
-            {{.kind = Kind::OtherTimeStamps, .heading = "a.csv"}, "a.csv"},
-            {{.kind = Kind::ChannelInBoth, .channel = {R4x, Order::Velocity}, .heading = "a.csv"},
-             "a.csv contain R4_x_diff"},
         };
+        for (const Kind kind : {Kind::NoSuchColumn, Kind::SeveralColumns, Kind::NoCertainChannel, Kind::OtherTimeStamps,
+                                Kind::ChannelInBoth}) {
+            QVERIFY(faultText({.kind = kind, .heading = "a.csv"}).contains("a.csv"));
+        }
         for (const auto &[fault, part] : rows) {
             QVERIFY2(faultText(fault).contains(QString::fromUtf8(part)), part);
         }
