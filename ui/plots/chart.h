@@ -22,16 +22,15 @@ namespace slidercrank
 class PlotDrawing;
 
 struct ChartSeries {
-    enum class Line { None, Solid, Dashed, Steps }; ///< Steps keeps the value of a point until the next one
+    enum class Line { None, Solid, Dashed };
 
     QString name = {}; ///< in the legend; a series without a name is not listed
     QColor SeriesColours::*colour = &SeriesColours::model;
     std::vector<QPointF> points = {}; ///< ascending in x
     Line line = Line::None;
-    QPainterPath mark = {};  ///< around the origin, in px; empty for no marks
-    bool isHollow = false;   ///< whether the marks are outlines
-    QStringList labels = {}; ///< one beside each point; may be empty
-    QStringList tips = {};   ///< the tool tip of each point; may be empty
+    QPainterPath mark = {}; ///< around the origin, in px; empty for no marks
+    bool isHollow = false;  ///< whether the marks are outlines
+    QStringList tips = {};  ///< the tool tip of each point; may be empty
 };
 
 struct ChartAxis {
@@ -67,31 +66,24 @@ public:
         friend bool operator==(const Place &, const Place &) = default;
     };
 
-    /// Draws a ring around that point; nullopt removes it.
-    void setMarked(const std::optional<Place> &place);
-
-    /// Returns the marked point at a position in the widget, or nullopt.
+    /// Returns the point with a mark at a position in the widget, or nullopt.
     std::optional<Place> pointAt(const QPointF &position);
 
     /// Returns the position (px) of a point in the widget.
     QPointF positionOf(const Place &place);
 
-    /// Paints the chart, without the ring, on any paint device.
+    /// Paints the chart on any paint device.
     void paint(QPainter &painter, const QSize &size, const QPalette &palette);
-
-signals:
-    void pointed(const slidercrank::Chart::Place &place); ///< the pointer is over that point
 
 protected:
     void paintEvent(QPaintEvent *event) override;
     void mouseMoveEvent(QMouseEvent *event) override;
 
 private:
-    void fill(const QSize &size, const QPalette &palette, const std::optional<Place> &marked);
+    void fill(const QSize &size, const QPalette &palette);
 
     std::unique_ptr<PlotDrawing> m_drawing;
     ChartContent m_content;
-    std::optional<Place> m_marked;
 };
 
 } // namespace slidercrank

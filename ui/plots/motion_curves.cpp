@@ -90,17 +90,17 @@ MotionCurves::MotionCurves(const Mechanism &mechanism, const Interval &time)
 }
 
 MotionCurves::MotionCurves(const Trajectory &trajectory)
+    : m_samples{trajectory.time, {}}
 {
-    m_samples.time = trajectory.time;
-    const bool isBackwards = m_samples.time.size() > 1 && m_samples.time.back() < m_samples.time.front();
-    if (isBackwards) {
-        std::ranges::reverse(m_samples.time);
-    }
+    const bool isBackwards = !std::ranges::is_sorted(trajectory.time);
     for (std::size_t channel = 0; channel < m_samples.values.size(); ++channel) {
         m_samples.values[channel] = trajectory[kPlottedChannels[channel]];
         if (isBackwards) {
             std::ranges::reverse(m_samples.values[channel]);
         }
+    }
+    if (isBackwards) {
+        std::ranges::reverse(m_samples.time);
     }
 }
 

@@ -21,10 +21,9 @@ std::vector<double> timeStamps(const Interval &range, double turns, std::size_t 
     constexpr double kMostPerPixel = 32.0;
     const auto pixels = static_cast<double>(columns);
     const double pieces = std::ceil(std::clamp(kPerTurn * turns, 2.0 * pixels, kMostPerPixel * pixels));
-    std::vector<double> stamps{range.lower};
-    for (double i = 1.0; i < pieces; ++i) {
-        const double shift = i * std::numbers::phi;
-        stamps.push_back(range.lower + range.length() * (i + shift - std::floor(shift)) / pieces);
+    std::vector<double> stamps;
+    for (double i = 0.0; i < pieces; ++i) {
+        stamps.push_back(range.lower + range.length() * (i + std::fmod(i * std::numbers::phi, 1.0)) / pieces);
     }
     stamps.push_back(range.upper);
     return stamps;
@@ -45,29 +44,26 @@ MotionErrors::MotionErrors(const Result &result, const PlotSettings &settings, c
         model = sampleMotion(ClosedForm(result.mechanism), m_pinned.time);
     }
     m_time = file ? file->data.time : m_pinned.time;
-    for (const ChannelComparison &comparison : file ? result.comparison : result.difference->channels) {
-        const auto place = std::ranges::find(kPlottedChannels, comparison.channel);
-        if (place == kPlottedChannels.end()) {
+    const std::vector<ChannelComparison> &comparisons = file ? result.comparison : result.difference->channels;
+    for (std::size_t channel = 0; channel < m_errors.size(); ++channel) {
+        const Channel plotted = kPlottedChannels[channel];
+        const auto comparison = std::ranges::find(comparisons, plotted, &ChannelComparison::channel);
+        if (comparison == comparisons.end()) {
             continue;
         }
-        const auto channel = static_cast<std::size_t>(place - kPlottedChannels.begin());
         Errors &errors = m_errors[channel];
-        errors.series = file ? file->data.find(*place) : nullptr;
-        errors.peak = comparison.peak;
-        errors.isUnbounded = !std::isfinite(errors.peak) || !std::isfinite(comparison.maxAbs.value_or(0.0));
+        errors.series = file ? file->data.find(plotted) : nullptr;
+        errors.peak = comparison->peak;
+        errors.isUnbounded = !std::isfinite(errors.peak) || !std::isfinite(comparison->maxAbs.value_or(0.0));
         errors.reference = file ? errors.series->values : m_pinned.values[channel];
-        compute(channel, file ? result.atReference[*place] : model.values[channel]);
-    }
-}
-
-void MotionErrors::compute(std::size_t channel, std::span<const double> model)
-{
-    Errors &errors = m_errors[channel];
-    for (std::size_t i = 0; i < errors.reference.size(); ++i) {
-        errors.values.push_back(error(channel, model[i], errors.reference[i]));
-        if (m_settings.error == ErrorMeasure::Percent && std::isnan(errors.values.back()) && std::isfinite(model[i]) &&
-            std::isfinite(errors.reference[i])) {
-            errors.undefined.push_back(m_time[i]);
+        const std::span<const double> modelValues = file ? result.atReference[plotted] : model.values[channel];
+        for (std::size_t i = 0; i < errors.reference.size(); ++i) {
+            const double value = error(channel, modelValues[i], errors.reference[i]);
+            errors.values.push_back(value);
+            if (settings.error == ErrorMeasure::Percent && std::isnan(value) && std::isfinite(modelValues[i]) &&
+                std::isfinite(errors.reference[i])) {
+                errors.undefined.push_back(m_time[i]);
+            }
         }
     }
 }

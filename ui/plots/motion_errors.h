@@ -38,8 +38,6 @@ public:
     double error(std::size_t channel, double model, double reference) const;
 
 private:
-    void compute(std::size_t channel, std::span<const double> model);
-
     PlotSettings m_settings;
     std::span<const double> m_time;
     std::array<Errors, kPlottedChannels.size()> m_errors;

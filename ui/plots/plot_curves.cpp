@@ -99,11 +99,13 @@ void PlotFigure::zoomTime(const Interval &range)
         outer = unite(outer, Interval{time.front(), time.back()});
     }
     const double largest = std::max(std::abs(outer.lower), std::abs(outer.upper));
-    const double length = std::clamp(range.length(), kSmallestPart * largest, outer.length());
-    const double lower = std::clamp(range.lower, outer.lower, outer.upper - length);
-    zoom.time = Interval{lower, length < outer.length() ? lower + length : outer.upper};
-    if (*zoom.time == sampledRange()) {
-        zoom.time.reset();
+    const double length = std::max(range.length(), kSmallestPart * largest);
+    zoom.time.reset();
+    if (length < outer.length()) {
+        const double lower = std::clamp(range.lower, outer.lower, outer.upper - length);
+        zoom.time = {lower, lower + length};
+    } else if (outer != sampledRange()) {
+        zoom.time = outer;
     }
 }
 
@@ -208,11 +210,12 @@ void PlotFigure::computeMotions(Plot &plot, std::size_t channel)
 
 PlotCurve PlotFigure::errorCurve(std::size_t channel)
 {
-    const bool isCoupler = isAngle(kPlottedChannels[channel].coordinate);
-    const QString ofFile = isCoupler ? tr("error of the coupler") : tr("error of the slider");
-    const QString ofPinned = isCoupler ? tr("difference of the coupler") : tr("difference of the slider");
     const bool hasFile = m_result->reference != nullptr;
-    PlotCurve curve{hasFile ? ofFile : ofPinned, isCoupler ? &SeriesColours::error : &SeriesColours::errorOther};
+    const bool isSlider = channel % kErrorsPerRow != 0;
+    const std::array names{tr("difference of the coupler"), tr("difference of the slider"), tr("error of the coupler"),
+                           tr("error of the slider")};
+    PlotCurve curve{names[(hasFile ? 2 : 0) + (isSlider ? 1 : 0)],
+                    isSlider ? &SeriesColours::errorOther : &SeriesColours::error};
     curve.width = 1.6; // thin, since the errors of a matching file are noise
     curve.read = [this, channel](const ReadTime &at) {
         const std::vector<double> &values = errors()[channel].values;

@@ -96,13 +96,11 @@ QCPGraph *PlotDrawing::addCurve(QCPAxisRect *axes, std::span<const CurvePoint> p
     return curve;
 }
 
-QCPItemText *PlotDrawing::addText(QCPAxisRect *axes, const QString &text, const QPointF &place, Qt::Alignment alignment,
-                                  QCPItemPosition::PositionType type)
+QCPItemText *PlotDrawing::addText(QCPAxisRect *axes, const QString &text, const QPointF &place, Qt::Alignment alignment)
 {
     auto *item = new QCPItemText(this);
     item->position->setAxisRect(axes);
-    item->position->setAxes(axes->axis(QCPAxis::atBottom), axes->axis(QCPAxis::atLeft));
-    item->position->setType(type);
+    item->position->setType(QCPItemPosition::ptAxisRectRatio);
     item->position->setCoords(place);
     item->setClipToAxisRect(false);
     item->setPositionAlignment(alignment);

@@ -42,9 +42,8 @@ public:
 
     QCPGraph *addCurve(QCPAxisRect *axes, std::span<const CurvePoint> points);
 
-    /// Adds text at a position in coordinates of the axes, or in coordinates of another type.
-    QCPItemText *addText(QCPAxisRect *axes, const QString &text, const QPointF &place, Qt::Alignment alignment,
-                         QCPItemPosition::PositionType type = QCPItemPosition::ptPlotCoords);
+    /// Adds text in the axes, where (0, 0) is the upper left corner and (1, 1) the lower right one.
+    QCPItemText *addText(QCPAxisRect *axes, const QString &text, const QPointF &place, Qt::Alignment alignment);
 };
 
 } // namespace slidercrank

@@ -286,19 +286,17 @@ QCPGraph *PlotFigure::addCurve(const Plot &plot, const PlotCurve &curve)
 
 void PlotFigure::addTexts(const Plot &plot)
 {
-    constexpr auto kRatio = QCPItemPosition::ptAxisRectRatio; // (0, 0) is the upper left corner
     const QFontMetricsF metrics(m_fonts.title);
     const auto fits = [&, space = plot.axes->outerRect().right() - plot.axes->left()](const QString &text) {
         return metrics.horizontalAdvance(text) <= space;
     };
     const auto longest = std::ranges::find_if(plot.titles, fits);
     QCPItemText *title = addText(plot.axes, longest == plot.titles.end() ? plot.titles.last() : *longest, {0.0, 0.0},
-                                 Qt::AlignLeft | Qt::AlignBottom, kRatio);
+                                 Qt::AlignLeft | Qt::AlignBottom);
     title->setFont(m_fonts.title);
     title->setPadding(QMargins(0, 0, 0, 3));
     if (!plot.note.isEmpty()) {
-        addText(plot.axes, plot.note, {0.5, plot.values ? 0.1 : 0.5}, Qt::AlignCenter, kRatio)
-            ->setBrush(m_colours.background);
+        addText(plot.axes, plot.note, {0.5, plot.values ? 0.1 : 0.5}, Qt::AlignCenter)->setBrush(m_colours.background);
     }
 }
 

@@ -17,17 +17,6 @@
 namespace slidercrank
 {
 
-namespace
-{
-
-std::optional<std::size_t> plotNamed(const QString &name)
-{
-    const qsizetype index = PlotGrid::plotNames().indexOf(name);
-    return index < 0 ? std::nullopt : std::optional(static_cast<std::size_t>(index));
-}
-
-} // namespace
-
 PlotGrid::PlotGrid(QWidget *parent)
     : QWidget(parent)
     , m_caption(new QLabel(this))
@@ -138,13 +127,6 @@ void PlotGrid::setSettings(const PlotSettings &settings)
 void PlotGrid::setPresentation(bool isPresentation)
 {
     m_figure.setPresentation(isPresentation);
-    rebuild();
-}
-
-void PlotGrid::maximize(const QString &name)
-{
-    m_maximized = plotNamed(name);
-    m_hovered.reset();
     rebuild();
 }
 
@@ -265,16 +247,19 @@ std::vector<PlotPane::Cursor> PlotGrid::cursors(std::size_t plot)
     const QPoint corner = m_panes[plot]->pos();
     const SeriesColours colours = seriesColours(palette());
     std::vector<PlotPane::Cursor> cursors;
-    const auto add = [&](double time, const QStringList &heading, bool isLight = false) {
+    const auto add = [&](double time, const QStringList &headings, bool isLight = false) {
         if (!m_figure.plot(plot).values || !m_figure.timeRange().contains(time)) {
             return;
         }
         const ReadTime read = m_figure.readTime(time);
-        PlotPane::Cursor cursor{std::round(timeAxis.coordToPixel(time)) - corner.x(), isLight, heading, {}};
+        PlotPane::Cursor cursor{std::round(timeAxis.coordToPixel(time)) - corner.x(), isLight, {}};
+        for (const QString &heading : headings) {
+            cursor.lines.push_back({heading, colours.text});
+        }
         for (const PlotReading &reading : m_figure.readings(plot, read)) {
             const QPointF place(timeAxis.coordToPixel(read.t), valueAxis.coordToPixel(reading.value));
             if (QRectF(axes(plot)).adjusted(-1.0, -1.0, 1.0, 1.0).contains(place)) {
-                cursor.dots.push_back({place - corner, colours.*reading.ink, shortNumber(reading.number, kDigits)});
+                cursor.lines.push_back({shortNumber(reading.number, kDigits), colours.*reading.ink, place - corner});
             }
         }
         cursors.push_back(cursor);
@@ -288,15 +273,15 @@ std::vector<PlotPane::Cursor> PlotGrid::cursors(std::size_t plot)
     }
     if (m_hovered && !m_drag) {
         const ReadTime hovered = m_figure.readTime(m_hoverTime);
-        QStringList heading;
+        QStringList headings;
         if (plot == *m_hovered) {
-            heading << m_figure.timeText(hovered.t);
+            headings << m_figure.timeText(hovered.t);
         }
         const double theta3 = plot == 0 && plot == *m_hovered ? m_figure.modelValue(0, hovered) : kNoValue;
         if (std::isfinite(theta3)) {
-            heading << tr("textbook's θ₃ = %1°").arg(shortNumber(theta3 + 180.0, kDigits));
+            headings << tr("textbook's θ₃ = %1°").arg(shortNumber(theta3 + 180.0, kDigits));
         }
-        add(hovered.t, heading, true);
+        add(hovered.t, headings, true);
     }
     return cursors;
 }
@@ -322,7 +307,9 @@ void PlotGrid::paintEvent(QPaintEvent *)
 
 void PlotGrid::paintFigure(QPainter &painter, const QString &name, const QSize &size, const QPalette &palette)
 {
-    m_figure.setPlots(plotsToShow(plotNamed(name)), PlotFonts(font()), seriesColours(palette));
+    const qsizetype index = plotNames().indexOf(name);
+    const std::optional<std::size_t> plot = name.isEmpty() ? std::nullopt : std::optional<std::size_t>(index);
+    m_figure.setPlots(plotsToShow(plot), PlotFonts(font()), seriesColours(palette));
     m_figure.show(size, m_markedTime, mechanismText(m_figure.result()->mechanism));
     m_figure.paint(painter, size);
     rebuild(); // restores the figure for the screen

@@ -45,12 +45,6 @@ public:
     const PlotZoom &zoom() const { return m_figure.zoom; }
     void setZoom(const PlotZoom &zoom);
 
-    /// Returns the name of the plot that fills the figure; empty if all are shown.
-    QString maximized() const { return m_maximized ? plotName(*m_maximized) : QString(); }
-
-    /// Returns the times (s) of the measuring cursors, or nullopt if they are not shown.
-    const std::optional<std::array<double, 2>> &measured() const { return m_measured; }
-
     /// Draws a line at that time (s) in the figures that are painted from now on.
     void markTime(double seconds) { m_markedTime = seconds; }
 
@@ -69,12 +63,6 @@ public slots:
     void showAll();                              ///< resets the zoom of all plots
     void showTime(double seconds);               ///< pans a zoomed time axis so that it shows that time
     void setSettings(const slidercrank::PlotSettings &settings);
-
-    /// Fills the figure with the plot of that name; an empty name shows all plots again.
-    void maximize(const QString &plotName);
-
-    /// Shows or hides the two measuring cursors.
-    void setMeasuring(bool isMeasuring);
 
 signals:
     void timeRequested(double seconds);
@@ -119,7 +107,8 @@ private:
     void drag(const QPoint &to);
     void endDrag();
     void zoomTime(double about, double factor);
-    void toggleMaximized(std::size_t plot);
+    void toggleMaximized(std::size_t plot); ///< fills the figure with that plot, or shows all plots again
+    void setMeasuring(bool isMeasuring);    ///< shows or hides the two measuring cursors
 
     PlotFigure m_figure;
     QPixmap m_picture;
@@ -132,9 +121,9 @@ private:
     double m_hoverTime = 0.0;             ///< s
     std::optional<double> m_time;         ///< s, the current time
     std::optional<double> m_markedTime;
-    std::optional<std::array<double, 2>> m_measured;
-    bool m_isStale = true;     ///< m_picture is out of date
-    QRubberBand *m_rubberBand; ///< the box that a drag zooms into
+    std::optional<std::array<double, 2>> m_measured; ///< s, the measuring cursors; nullopt if they are not shown
+    bool m_isStale = true;                           ///< m_picture is out of date
+    QRubberBand *m_rubberBand;                       ///< the box that a drag zooms into
 
     /// A mouse button that is held down over a plot.
     struct Drag {

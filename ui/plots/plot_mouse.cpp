@@ -31,8 +31,7 @@ Interval scale(const Interval &range, double about, double factor)
 
 std::optional<std::size_t> PlotGrid::plotAt(const QPointF &place) const
 {
-    const auto found = std::ranges::find_if(
-        m_panes, [&](const PlotPane *pane) { return !pane->isHidden() && pane->geometry().contains(place.toPoint()); });
+    const auto found = std::ranges::find(m_panes, childAt(place.toPoint()));
     return found == m_panes.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - m_panes.begin()));
 }
 
@@ -234,7 +233,7 @@ void PlotGrid::keyPressEvent(QKeyEvent *event)
             return setZoom(before);
         }
         if (m_maximized) {
-            return maximize({});
+            return toggleMaximized(*m_maximized);
         }
         break;
     case Qt::Key_Plus:
@@ -255,7 +254,9 @@ void PlotGrid::keyPressEvent(QKeyEvent *event)
 
 void PlotGrid::toggleMaximized(std::size_t plot)
 {
-    maximize(m_maximized ? QString() : plotName(plot));
+    m_maximized = m_maximized ? std::nullopt : std::optional(plot);
+    m_hovered.reset();
+    rebuild();
     m_panes[plot]->setFocus(Qt::OtherFocusReason); // so that Escape can show all plots again
 }
 

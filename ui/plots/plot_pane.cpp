@@ -37,8 +37,8 @@ void PlotPane::setCursors(const std::vector<Cursor> &cursors, const QRect &axes)
     for (const Cursor &cursor : m_cursors) {
         addLabels(cursor);
         painted |= QRectF(cursor.x, m_axes.top(), 1.0, m_axes.height());
-        for (const Dot &dot : cursor.dots) {
-            painted |= QRectF(dot.place, QSizeF(1.0, 1.0));
+        for (const Line &line : cursor.lines) {
+            painted |= line.dot ? QRectF(*line.dot, QSizeF(1.0, 1.0)) : QRectF();
         }
     }
     for (const Label &label : m_labels) {
@@ -50,29 +50,25 @@ void PlotPane::setCursors(const std::vector<Cursor> &cursors, const QRect &axes)
     update(before | m_painted);
 }
 
-/// Places the labels to the right of the line, or to its left where they do not fit. Values are at the height of their
-/// dots, moved only so far that they do not overlap each other and the heading.
-void PlotPane::addLabels(const Cursor &cursor)
+/// Places the labels to the right of the line, or to its left where they do not fit. Headings are at the top, values at
+/// the height of their dots, moved only so far that they do not overlap.
+void PlotPane::addLabels(Cursor cursor)
 {
     constexpr double kGap = 6.0; // px, between the line and the text
     const QFontMetricsF metrics(font());
+    const double height = metrics.height();
+    std::ranges::stable_sort(cursor.lines, {}, [](const Line &line) { return line.dot ? line.dot->y() : 0.0; });
     double top = m_axes.top();
-    const auto add = [&](const QString &text, const QColor &colour, double y) {
-        const double width = metrics.horizontalAdvance(text);
+    double lowest = m_axes.bottom() - static_cast<double>(cursor.lines.size()) * height;
+    for (const Line &line : cursor.lines) {
+        const double width = metrics.horizontalAdvance(line.text);
         const bool fits = cursor.x + kGap + width <= m_axes.right();
         const double x = fits ? cursor.x + kGap : std::max(1.0, cursor.x - kGap - width);
-        m_labels.push_back({QRectF(x, y, width, metrics.height()), colour, text});
-        top = m_labels.back().place.bottom();
-    };
-    for (const QString &line : cursor.heading) {
-        add(line, seriesColours(palette()).text, top);
-    }
-    std::vector<Dot> dots = cursor.dots;
-    std::ranges::stable_sort(dots, {}, [](const Dot &dot) { return dot.place.y(); });
-    double lowest = m_axes.bottom() - static_cast<double>(dots.size()) * metrics.height();
-    for (const Dot &dot : dots) {
-        add(dot.text, dot.colour, std::min(lowest, std::max(top, dot.place.y() - 0.5 * metrics.height())));
-        lowest += metrics.height();
+        const double wanted = std::max(top, line.dot ? line.dot->y() - 0.5 * height : top);
+        const double y = std::max(0.0, std::min(lowest, wanted));
+        m_labels.push_back({QRectF(x, y, width, height), line.colour, line.text});
+        top = y + height;
+        lowest += height;
     }
 }
 
@@ -96,9 +92,11 @@ void PlotPane::paintEvent(QPaintEvent *)
         painter.setOpacity(1.0);
         painter.setRenderHint(QPainter::Antialiasing);
         painter.setPen(colours.background); // separates a dot from its curve
-        for (const Dot &dot : cursor.dots) {
-            painter.setBrush(dot.colour);
-            painter.drawEllipse(dot.place, kRadius, kRadius);
+        for (const Line &line : cursor.lines) {
+            if (line.dot) {
+                painter.setBrush(line.colour);
+                painter.drawEllipse(*line.dot, kRadius, kRadius);
+            }
         }
         painter.setRenderHint(QPainter::Antialiasing, false);
     }

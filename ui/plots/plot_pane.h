@@ -9,6 +9,7 @@
 #include <QPixmap>
 #include <QWidget>
 
+#include <optional>
 #include <vector>
 
 namespace slidercrank
@@ -19,18 +20,17 @@ class PlotPane : public QWidget
     Q_OBJECT
 
 public:
-    struct Dot {
-        QPointF place; ///< px, in the pane
-        QColor colour;
+    struct Line {
         QString text;
+        QColor colour;
+        std::optional<QPointF> dot = {}; ///< px, in the pane; a heading has none
     };
 
-    /// A time at which the curves are read.
+    /// A time at which the curves are read, with a line of text for each heading and each value.
     struct Cursor {
         double x = 0.0;       ///< px, in the pane
         bool isLight = false; ///< follows the pointer
-        QStringList heading;  ///< text at the top of the line
-        std::vector<Dot> dots;
+        std::vector<Line> lines;
     };
 
     /// Text beside a cursor.
@@ -54,7 +54,7 @@ protected:
     void paintEvent(QPaintEvent *event) override;
 
 private:
-    void addLabels(const Cursor &cursor);
+    void addLabels(Cursor cursor);
 
     const QPixmap &m_picture;
     std::vector<Cursor> m_cursors;

@@ -4,6 +4,7 @@
 // Motions for the tests of the plots, and textbook formulas for them.
 
 #include "ui/document/result.h"
+#include "ui/plots/curve_sampling.h"
 
 #include <cmath>
 #include <memory>
@@ -53,6 +54,17 @@ inline std::array<double, 2> positionsAt(double turns, double b)
     const double theta2 = 2.0 * std::numbers::pi * turns;
     const double height = 25.0 - 20.0 * std::sin(theta2);
     return {std::asin(height / b) * kDegreesPerRadian, 20.0 * std::cos(theta2) + std::sqrt(b * b - height * height)};
+}
+
+/// Returns "t,v" for each point; a gap is "t,-".
+inline QString written(const std::vector<CurvePoint> &points)
+{
+    QStringList texts;
+    for (const CurvePoint &point : points) {
+        const QString value = std::isnan(point.value) ? QStringLiteral("-") : QString::number(point.value);
+        texts << QStringLiteral("%1,%2").arg(point.t).arg(value);
+    }
+    return texts.join(u' ');
 }
 
 } // namespace slidercrank

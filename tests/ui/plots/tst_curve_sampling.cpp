@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/suite.h"
+#include "tests/ui/plots/plot_results.h"
 #include "ui/plots/curve_sampling.h"
 
 #include <QTest>
@@ -22,17 +23,6 @@ std::vector<double> evenTime(std::size_t count)
         time[i] = static_cast<double>(i) / static_cast<double>(count - 1);
     }
     return time;
-}
-
-/// Returns "t,v" for each point; a gap is "t,-".
-QString written(const std::vector<CurvePoint> &points)
-{
-    QStringList texts;
-    for (const CurvePoint &point : points) {
-        const QString value = std::isnan(point.value) ? QStringLiteral("-") : QString::number(point.value);
-        texts << QStringLiteral("%1,%2").arg(point.t).arg(value);
-    }
-    return texts.join(u' ');
 }
 
 } // namespace

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/long_tests.h"
 #include "tests/support/random_mechanisms.h"
-#include "tests/support/waiting.h"
 #include "tests/ui/plots/plot_results.h"
-#include "ui/plots/plot_grid.h"
+#include "ui/plots/plot_figure.h"
 
 #include "core/closed_form/closed_form.h"
 #include "core/limits/extremes.h"
@@ -312,27 +311,6 @@ private slots:
                 QCOMPARE(curve.dots[i].value, result->trajectory[kPlottedChannels[0]][i]);
             }
             QVERIFY(isJoined || curve.dots.size() == result->trajectory.time.size());
-        }
-    }
-
-    /// At 6000 rpm the samples of 200 steps all show the same angle.
-    void readsTheMotionAtTheTimeThatIsWritten()
-    {
-        PlotGrid grid;
-        grid.resize(720, 480);
-        grid.setResult(resultOf({.model = turningAt(100.0)}));
-        grid.show();
-        settle();
-        auto *pane = grid.findChild<PlotPane *>(plotName(0));
-        for (const int x : {11, 40, 77, 101}) {
-            QTest::mouseMove(pane, pane->axes().topLeft() + QPoint(x, 20));
-            AWAIT(!pane->text().isEmpty());
-            settle();
-            const QStringList lines = pane->text().split(u'\n');
-            const double t = lines[0].section(u' ', 2, 2).toDouble();
-            QVERIFY(std::abs(t - static_cast<double>(x) / pane->axes().width()) <= 1.0 / pane->axes().width());
-            const double value = valueAt(ClosedForm(Mechanism(turningAt(100.0))), 0, t);
-            QVERIFY2(std::abs(lines.last().toDouble() - value) <= 0.012, qPrintable(pane->text()));
         }
     }
 
