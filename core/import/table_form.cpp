@@ -225,29 +225,12 @@ DecimalSign findDecimalSign(const TableForm &form)
     return commas > 0 ? DecimalSign::Comma : DecimalSign::Point;
 }
 
-/// Removes a first line such as "sep=;", which announces the delimiter to a spreadsheet, and returns the possible
-/// delimiters.
-std::string_view takeAnnouncedDelimiter(std::vector<Line> &lines, FileLayout &layout)
+/// Returns the possible delimiters: the one that a first line such as "sep=;" announces to a spreadsheet, or all.
+std::string_view findDelimiters(std::string_view firstLine)
 {
-    const std::string first = lowered(splitCells(lines.front().text, ' ').front()); // without quotation marks
-    const std::size_t announced =
-        first.size() == 5 && first.starts_with("sep=") ? kDelimiters.find(first[4]) : first.npos;
-    if (announced == first.npos) {
-        return kDelimiters;
-    }
-    layout.preambleLines.push_back(lines.front().number);
-    lines.erase(lines.begin());
-    return kDelimiters.substr(announced, 1);
-}
-
-void setHeadings(TableForm &form, const Names &names, std::string_view delimiters, const std::vector<Line> &lines,
-                 const std::optional<FirstRow> &row)
-{
-    std::ranges::transform(names.cells, std::back_inserter(form.headings), parseHeading);
-    if (row && lines[row->line].text.starts_with('"') && row->cells.size() == form.headings.size() + 1) {
-        form.headings.insert(form.headings.begin(), Heading()); // R writes row names without a heading
-    }
-    readAnnotations(form, delimiters, row);
+    const std::string text = lowered(splitCells(firstLine, ' ').front()); // without quotation marks
+    const std::size_t announced = text.starts_with("sep=") && text.size() == 5 ? kDelimiters.find(text[4]) : text.npos;
+    return announced == text.npos ? kDelimiters : kDelimiters.substr(announced, 1);
 }
 
 } // namespace
@@ -259,16 +242,16 @@ bool isBlankLine(std::string_view line)
 
 TableForm findTable(std::string_view text)
 {
-    std::vector<Line> lines = firstLines(text);
+    const std::vector<Line> lines = firstLines(text);
     const auto tooLong = std::ranges::find_if(lines, [](const Line &line) { return line.text.size() > kLongestLine; });
     if (tooLong != lines.end()) {
         throw ReadError{.line = tooLong->number, .fault = {ReadFault::Kind::LineTooLong}};
     }
-    TableForm form;
-    const std::string_view delimiters = lines.empty() ? kDelimiters : takeAnnouncedDelimiter(lines, form.layout);
     if (lines.empty()) {
         throw ReadError{.fault = {ReadFault::Kind::Empty}};
     }
+    const std::string_view delimiters = findDelimiters(lines.front().text);
+    TableForm form;
     const std::optional<FirstRow> row = findFirstRow(lines, delimiters);
     const HeaderFound header = findHeader(lines, delimiters, row);
     const Line &line = lines[header.line];
@@ -280,7 +263,11 @@ TableForm findTable(std::string_view text)
     form.firstDataLine = line.number + (header.names ? 1 : 0);
     if (header.names) {
         form.layout.headerLine = line.number;
-        setHeadings(form, *header.names, delimiters, lines, row);
+        std::ranges::transform(header.names->cells, std::back_inserter(form.headings), parseHeading);
+        if (row && lines[row->line].text.starts_with('"') && row->cells.size() == form.headings.size() + 1) {
+            form.headings.insert(form.headings.begin(), Heading()); // R writes row names without a heading
+        }
+        readAnnotations(form, delimiters, row);
     } else {
         form.headings.resize(row->cells.size());
     }
@@ -290,13 +277,12 @@ TableForm findTable(std::string_view text)
         setUnits(form, form.cellUnits, lines[row->line].number);
     }
     form.cellUnits.resize(form.headings.size());
-    std::string unitOfLengths;
-    std::string unitOfAngles;
-    for (const Line &above : std::span(lines).first(header.line)) { // OpenSim gives the units there
-        unitOfLengths = above.text.starts_with("Units are S.I. units") ? "m" : unitOfLengths;
-        unitOfAngles = above.text.starts_with("inDegrees=no") ? "rad" : unitOfAngles;
-    }
-    interpretHeadings(form.headings, unitOfLengths, unitOfAngles);
+    const auto isAbove = [&](std::string_view beginning) {
+        return std::ranges::any_of(std::span(lines).first(header.line),
+                                   [&](const Line &above) { return above.text.starts_with(beginning); });
+    };
+    interpretHeadings(form.headings, isAbove("Units are S.I. units") ? "m" : "",
+                      isAbove("inDegrees=no") ? "rad" : ""); // OpenSim
     form.layout.decimalSign = findDecimalSign(form);
     return form;
 }
