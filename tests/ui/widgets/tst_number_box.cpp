@@ -216,7 +216,7 @@ private slots:
             box.setValue(value);
             QString plain = line->text();
             plain.replace("·10", "e").replace(u'⁻', u'-');
-            for (const QChar digit : "⁰¹²³⁴⁵⁶⁷⁸⁹") {
+            for (const QChar digit : QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹")) {
                 plain.replace(digit, QString::number(digit.digitValue()));
             }
             QVERIFY2(std::abs(plain.toDouble() - value) <= 0.05 * std::abs(value), qPrintable(line->text()));
