@@ -23,7 +23,7 @@ namespace
 
 constexpr std::chrono::milliseconds kSettlingTime{200}; // longer than the time between two edits of a drag
 
-// Identities of edits that do not change parameters. Edits of parameters use sets of bits, see changeName().
+// Identities of edits that do not change parameters. Edits of parameters use sets of bits, see nameEdit().
 constexpr int kSamplingIdentity = 100;
 constexpr int kSolverIdentity = 101;
 
@@ -66,29 +66,36 @@ QString faultText(const ParameterFault &fault)
                       : Session::tr("%1 must be a number up to %2.").arg(symbol, QLocale().toString(kLargestParameter));
 }
 
-EditName changeName(const Parameters &before, const Parameters &after)
+/// Names the edit by what differs.
+EditName nameEdit(const Choices &before, const Choices &after)
 {
-    int changed = before.branch == after.branch ? 0 : 1 << kParameterCount; // one bit per parameter
+    if (after.reference != before.reference) {
+        const bool isSame = before.reference && after.reference && before.reference->paths == after.reference->paths;
+        const QString text = isSame            ? EditStack::tr("new interpretation of %1")
+                             : after.reference ? EditStack::tr("opening of %1")
+                                               : EditStack::tr("closing of %1");
+        return {text.arg((after.reference ? after.reference : before.reference)->name), 0, !isSame};
+    }
+    if (after.pinned != before.pinned) {
+        return {after.pinned.empty() ? EditStack::tr("removal of the pinned motions")
+                                     : EditStack::tr("pinning of the motion")};
+    }
+    if (after.sampling != before.sampling) {
+        return {EditStack::tr("change of the time range"), kSamplingIdentity};
+    }
+    if (after.solver != before.solver) {
+        return {EditStack::tr("change of the method"), kSolverIdentity};
+    }
+    int changed = before.parameters.branch == after.parameters.branch ? 0 : 1 << kParameterCount; // a bit per parameter
     QString symbol;
     for (const Parameter parameter : kParameters) {
-        if (valueOf(before, parameter) != valueOf(after, parameter)) {
+        if (valueOf(before.parameters, parameter) != valueOf(after.parameters, parameter)) {
             changed |= 1 << indexOf(parameter);
             symbol = symbolText(parameter);
         }
     }
     const bool isOne = !symbol.isEmpty() && std::has_single_bit(static_cast<unsigned>(changed));
     return {isOne ? EditStack::tr("change of %1").arg(symbol) : EditStack::tr("change of the mechanism"), changed};
-}
-
-EditName changeName(const std::shared_ptr<const Reference> &before, const std::shared_ptr<const Reference> &after)
-{
-    if (!after) {
-        return {EditStack::tr("closing of %1").arg(before->name), 0, true};
-    }
-    if (before && before->paths == after->paths) {
-        return {EditStack::tr("new interpretation of %1").arg(after->name)};
-    }
-    return {EditStack::tr("opening of %1").arg(after->name), 0, true};
 }
 
 } // namespace
@@ -117,7 +124,7 @@ void Session::setParameters(const Parameters &parameters)
         emit problemFound(faultText(*fault));
         emit parametersChanged(m_choices.parameters);
     } else if (parameters != m_choices.parameters) {
-        edit(with(m_choices, &Choices::parameters, parameters), changeName(m_choices.parameters, parameters));
+        edit(with(m_choices, &Choices::parameters, parameters));
     }
 }
 
@@ -130,12 +137,12 @@ void Session::setParameter(Parameter parameter, double value)
 
 void Session::setSampling(const Sampling &sampling)
 {
-    edit(with(m_choices, &Choices::sampling, sampling), {EditStack::tr("change of the time range"), kSamplingIdentity});
+    edit(with(m_choices, &Choices::sampling, sampling));
 }
 
 void Session::setSolver(const SolverSettings &solver)
 {
-    edit(with(m_choices, &Choices::solver, solver), {EditStack::tr("change of the method"), kSolverIdentity});
+    edit(with(m_choices, &Choices::solver, solver));
 }
 
 void Session::pinMotion()
@@ -147,13 +154,13 @@ void Session::pinMotion()
         emit problemFound(tr("%1 motions are already pinned: remove them before you pin another one.").arg(kMaxPinned));
     } else {
         pinned.push_back(m_choices.parameters);
-        edit(with(m_choices, &Choices::pinned, pinned), {EditStack::tr("pinning of the motion")});
+        edit(with(m_choices, &Choices::pinned, pinned));
     }
 }
 
 void Session::unpinMotions()
 {
-    edit(with(m_choices, &Choices::pinned, {}), {EditStack::tr("removal of the pinned motions")});
+    edit(with(m_choices, &Choices::pinned, {}));
 }
 
 bool Session::isRangeOfReference(const Sampling &sampling) const
@@ -162,7 +169,7 @@ bool Session::isRangeOfReference(const Sampling &sampling) const
     return reference && sampling == rangeOf(reference->data.time, sampling);
 }
 
-void Session::edit(const Choices &choices, const EditName &name)
+void Session::edit(const Choices &choices, const QString &name)
 {
     if (choices == m_choices) {
         return;
@@ -179,7 +186,7 @@ void Session::edit(const Choices &choices, const EditName &name)
         const auto &reference = std::get<std::shared_ptr<const Reference>>(timed);
         complete.sampling = rangeOf(reference->data.time, choices.sampling);
     }
-    m_edits.edit(m_choices, complete, name);
+    m_edits.edit(m_choices, complete, name.isEmpty() ? nameEdit(m_choices, choices) : EditName{name});
 }
 
 void Session::applyChoices(const Choices &choices)
@@ -342,9 +349,7 @@ void Session::open(const Choices &choices, double seconds, const std::optional<R
 void Session::setReference(const std::shared_ptr<const Reference> &reference)
 {
     m_reading.discard();
-    if (reference != m_choices.reference) {
-        edit(with(m_choices, &Choices::reference, reference), changeName(m_choices.reference, reference));
-    }
+    edit(with(m_choices, &Choices::reference, reference));
 }
 
 void Session::adoptReference(const std::shared_ptr<const Reference> &reference)
@@ -363,7 +368,7 @@ void Session::adoptReference(const std::shared_ptr<const Reference> &reference)
     const bool isRangeReplaced = range != choices.sampling && !isRangeKept;
     choices.sampling = isRangeReplaced ? range : choices.sampling;
     m_reading.discard();
-    edit(choices, changeName(m_choices.reference, reference));
+    edit(choices);
     if (isRangeReplaced) {
         emit timeRangeReplaced(reference, range);
     }
@@ -373,7 +378,7 @@ void Session::useFoundMechanism()
 {
     if (m_diagnosis && m_diagnosis->found.identification.hasMechanism()) {
         edit(with(m_choices, &Choices::parameters, m_diagnosis->found.rounded),
-             {EditStack::tr("use of the file's mechanism")});
+             EditStack::tr("use of the file's mechanism"));
     }
 }
 
@@ -400,12 +405,12 @@ bool Session::cancel()
     if (m_choices == m_result->choices) {
         stopDiagnosis();
     } else if (m_isOpening) {
-        edit(simplified(m_choices), {EditStack::tr("cancelling")});
+        edit(simplified(m_choices), EditStack::tr("cancelling"));
         emit problemFound(
             tr("Cancelled: the parts of the scene that take long to compute are left out. Undo computes them."));
         return false;
     } else {
-        edit(m_result->choices, {EditStack::tr("cancelling")});
+        edit(m_result->choices, EditStack::tr("cancelling"));
     }
     return true;
 }

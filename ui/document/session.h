@@ -110,7 +110,8 @@ signals:
     void busyChanged(bool busy);                ///< emitted when a background task starts or ends
 
 private:
-    void edit(const Choices &choices, const EditName &name);
+    /// Without a name, the edit is named by what it changes.
+    void edit(const Choices &choices, const QString &name = {});
     void applyChoices(const Choices &choices);
 
     /// Whether the time range of `sampling` is that of the reference data in the result.

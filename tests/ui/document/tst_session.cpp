@@ -174,11 +174,9 @@ private slots:
         Session session;
         session.setParameters(withCoupler(70.0));
         QVERIFY(session.isModified());
-        Choices choices;
-        choices.parameters.b = 80.0;
-        session.open(choices, 0.0, std::nullopt);
+        session.open(Choices(), 0.0, std::nullopt);
         QVERIFY(!session.isModified() && session.undoStack().count() == 0);
-        QCOMPARE(session.result()->mechanism.b(), 80.0);
+        QCOMPARE(session.result()->mechanism.b(), 65.0);
     }
 
     void theReferenceOfASceneDoesNotReplaceEdits()

@@ -117,7 +117,6 @@ private slots:
     {
         const QTemporaryDir folder;
         Session session;
-        QSignalSpy loaded(&session, &Session::referenceLoaded);
         QSignalSpy problems(&session, &Session::problemFound);
         session.loadReference(writeFile(folder, "x.csv", angleTable(0)));
         AWAIT(session.reference() && session.diagnosis());
@@ -136,7 +135,6 @@ private slots:
         QVERIFY(std::abs(session.sampling().start - (2.0 * std::numbers::pi - 0.5) / -4.0) < 1e-12);
         QVERIFY(std::abs(session.sampling().duration - 2.0 * std::numbers::pi / 4.0) < 1e-12);
         QCOMPARE(session.reference(), chosen);
-        QCOMPARE(loaded.count(), 1);
         AWAIT(session.diagnosis() && session.diagnosis()->parameters == parameters);
         QVERIFY(!session.diagnosis()->found.identification.identifiable[indexOf(Parameter::Omega2)]);
         session.undoStack().undo();
@@ -145,14 +143,12 @@ private slots:
         session.setSampling({0.0, 2.0, 100}); // a time range that the user chose stays
         session.setParameters(parameters);
         QCOMPARE(session.sampling(), (Sampling{0.0, 2.0, 100}));
-        session.undoStack().undo();
 
-        // A crank at rest does not reach those angles.
-        parameters.omega2 = 0.0;
+        parameters.omega2 = 0.0; // a crank at rest does not reach those angles
         session.setParameters(parameters);
         QCOMPARE(problems.count(), 1);
         QVERIFY(problems[0][0].toString().contains("choose another ω₂"));
-        QCOMPARE(session.parameters(), Parameters());
+        QCOMPARE(session.parameters().omega2, -4.0);
         session.setReference(nullptr);
         session.setParameters(parameters);
         QCOMPARE(session.parameters(), parameters);

@@ -50,16 +50,14 @@ constexpr int kEvents = 1500;
 constexpr int kManyEvents = 100'000;
 constexpr int kSeed = 1;
 
-const char *const kTexts[] = {
-    "60",     "0",   "-25", "1e-9", "1e300", "1e999",        "nan", "12,5", "12.5 mm",
-    "90°",    "",    "  ",  "abc",  "--3",   "0x10",         "1/3", "½",    "999999999999",
-    "20 rpm", "45.", ".5",  "+7",   "65 in", "\u0663\u0662", "∞",   "1e",   "3.14159265358979"};
+const char *const kTexts[] = {"60",  "0",   "-25",           "1e-9",         "1e300", "1e999", "nan",
+                              "12,5", "90°", "",              "abc",          "1/3",   "20 rpm", "65 in",
+                              ".5",  "1e",  "\u0663\u0662", "999999999999", "∞"};
 
-constexpr int kKeys[] = {
-    Qt::Key_Tab,      Qt::Key_Backtab, Qt::Key_Space,  Qt::Key_Return, Qt::Key_Escape, Qt::Key_Left, Qt::Key_Right,
-    Qt::Key_Up,       Qt::Key_Down,    Qt::Key_Home,   Qt::Key_End,    Qt::Key_PageUp, Qt::Key_Plus, Qt::Key_Minus,
-    Qt::Key_PageDown, Qt::Key_A,       Qt::Key_B,      Qt::Key_0,      Qt::Key_7,      Qt::Key_Z,    Qt::Key_Y,
-    Qt::Key_F9,       Qt::Key_Menu,    Qt::Key_Delete, Qt::Key_F11,    Qt::Key_K,      Qt::Key_R};
+constexpr int kKeys[] = {Qt::Key_Tab,  Qt::Key_Space,  Qt::Key_Return, Qt::Key_Escape, Qt::Key_Left,   Qt::Key_Right,
+                         Qt::Key_Up,   Qt::Key_Down,   Qt::Key_Home,   Qt::Key_PageUp, Qt::Key_Plus,   Qt::Key_A,
+                         Qt::Key_7,    Qt::Key_Z,      Qt::Key_Y,      Qt::Key_F9,     Qt::Key_Menu,   Qt::Key_F11,
+                         Qt::Key_K,    Qt::Key_R,      Qt::Key_Delete};
 
 constexpr Qt::KeyboardModifiers kModifiers[] = {Qt::NoModifier, Qt::NoModifier, Qt::NoModifier, Qt::ShiftModifier,
                                                 Qt::ControlModifier, Qt::AltModifier};
