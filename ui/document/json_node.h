@@ -24,8 +24,8 @@ namespace slidercrank
 /// Names of the enumerators in files, in the order of the enumerators.
 using EnumNames = std::initializer_list<const char *>;
 
-/// A JSON value that is read or written. If it is read and missing or null, the described value keeps its default. That is
-/// a fault unless the node is optional; lists and std::optional values may always be missing.
+/// A JSON value that is read or written. If it is read and missing or null, the described value keeps its default. That
+/// is a fault unless the node is optional; lists and std::optional values may always be missing.
 class JsonNode
 {
 public:

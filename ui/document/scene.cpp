@@ -144,8 +144,7 @@ std::variant<Scene, QString> readScene(const QString &path)
 
 bool isNamedAsScene(const QString &path)
 {
-    return path.endsWith(".slidercrank", Qt::CaseInsensitive) ||
-           path.endsWith(".json", Qt::CaseInsensitive);
+    return path.endsWith(".slidercrank", Qt::CaseInsensitive) || path.endsWith(".json", Qt::CaseInsensitive);
 }
 
 std::optional<QString> writeScene(const Scene &scene, const QString &path)

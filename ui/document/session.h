@@ -49,8 +49,8 @@ public:
     /// Whether anything was edited since the undo stack was clean. Opening a reference file is not an edit.
     bool isModified() const { return m_edits.isModified(); }
 
-    /// Replaces all choices and the time, which cannot be undone. Then reads the reference from `source` in the background;
-    /// the time range remains that of the choices.
+    /// Replaces all choices and the time, which cannot be undone. Then reads the reference from `source` in the
+    /// background; the time range remains that of the choices.
     void open(const Choices &choices, double seconds, const std::optional<ReferenceSource> &source);
 
 public slots:
@@ -105,9 +105,9 @@ signals:
     void timeRangeReplaced(const std::shared_ptr<const slidercrank::Reference> &reference,
                            const slidercrank::Sampling &sampling);
     void referenceRefused(const QStringList &paths, const QString &sentence); ///< nothing has changed
-    void readingProgressed(double part);        ///< 0 … 1 of the reference file
-    void problemFound(const QString &sentence); ///< nothing has changed
-    void busyChanged(bool busy);                ///< emitted when a background task starts or ends
+    void readingProgressed(double part);                                      ///< 0 … 1 of the reference file
+    void problemFound(const QString &sentence);                               ///< nothing has changed
+    void busyChanged(bool busy); ///< emitted when a background task starts or ends
 
 private:
     /// Without a name, the edit is named by what it changes.
@@ -142,7 +142,7 @@ private:
     BackgroundTask m_reading;
     BackgroundTask m_diagnosing;
     bool m_isOpening = false; ///< whether the result is still that of the scene before
-    QTimer m_settling{this}; ///< runs while the parameters may still be changing
+    QTimer m_settling{this};  ///< runs while the parameters may still be changing
 
     EditStack m_edits{[this](const Choices &choices) { applyChoices(choices); }, this};
 };

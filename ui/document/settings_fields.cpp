@@ -82,8 +82,8 @@ void describe(Convention &convention, JsonNode &node)
 {
     using Kind = Convention::Kind;
     node("kind", convention.kind,
-           {"angle-unit", "length-unit", "time-unit", "sign", "half-turn", "whole-turns", "zero-point",
-            "swapped-columns", "branch", "time-shift", "not-derivative", "axis"});
+         {"angle-unit", "length-unit", "time-unit", "sign", "half-turn", "whole-turns", "zero-point", "swapped-columns",
+          "branch", "time-shift", "not-derivative", "axis"});
     node("channels", convention.channels);
     node.check(convention.kind != Kind::SwappedColumns || convention.channels.size() == 2, "channels");
     node("amount", convention.amount, convention.kind <= Kind::TimeUnit ? kLeastPositive : -kLargestParameter);

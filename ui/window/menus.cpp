@@ -199,8 +199,7 @@ void Menus::addView()
         rememberLanguage(language);
         m_window.messages().confirm(tr("The language changes when you start the program again."));
     };
-    addChoices<Language>(menu->addMenu(tr("Lan&guage")),
-                         {tr("&System"), "&English", "Es&pañol"}, chosenLanguage(),
+    addChoices<Language>(menu->addMenu(tr("Lan&guage")), {tr("&System"), "&English", "Es&pañol"}, chosenLanguage(),
                          setLanguage);
 }
 

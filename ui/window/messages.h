@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Shows the messages of the window in its message bar. Each message has a subject; a newer message with the same subject
-// replaces it.
+// Shows the messages of the window in its message bar. Each message has a subject; a newer message with the same
+// subject replaces it.
 
 #include "ui/document/result.h"
 #include "ui/widgets/message_bar.h"

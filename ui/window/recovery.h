@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Session recovery: while there are unsaved changes, keeps a copy of the scene in the folder of the settings. The copy is
-// written two seconds after the last edit, and removed when the scene is saved or the window is closed. After a crash the
-// next start offers to restore it. Each copy has a lock file that is released when its process ends, so that a window
-// does not offer the copy of another running window.
+// Session recovery: while there are unsaved changes, keeps a copy of the scene in the folder of the settings. The copy
+// is written two seconds after the last edit, and removed when the scene is saved or the window is closed. After a
+// crash the next start offers to restore it. Each copy has a lock file that is released when its process ends, so that
+// a window does not offer the copy of another running window.
 
 #include <QLockFile>
 #include <QObject>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The scene of the window as a document: opens and saves it, and asks the user before changes are lost. The scene counts
-// as modified if something was edited since it was saved; moving the time or zooming is no edit.
+// The scene of the window as a document: opens and saves it, and asks the user before changes are lost. The scene
+// counts as modified if something was edited since it was saved; moving the time or zooming is no edit.
 
 #include "ui/document/scene.h"
 #include "ui/document/session.h"
@@ -45,8 +45,8 @@ public:
     void restore(const Scene &scene, const std::function<void()> &proceed);
 
 public slots:
-    /// Asks about unsaved changes, then opens the scene. If `reference` is not empty, these files replace the scene's own
-    /// reference.
+    /// Asks about unsaved changes, then opens the scene. If `reference` is not empty, these files replace the scene's
+    /// own reference.
     void open(const QString &path, const QStringList &reference = {});
     void chooseAndOpen();
 
@@ -74,7 +74,7 @@ private:
     const Views &m_views;
     QWidget *m_window;
     QString m_path;
-    FileState m_state; ///< of the file when it was last opened or saved
+    FileState m_state;                        ///< of the file when it was last opened or saved
     std::optional<ReferenceSource> m_missing; ///< the reference of the scene that has not been opened
 };
 

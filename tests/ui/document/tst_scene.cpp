@@ -181,8 +181,7 @@ private slots:
             QCOMPARE(scene.solver.method, Method::ClosedForm);
             QVERIFY(scene.zoom.time && scene.zoom.time->lower > 0.05 && scene.zoom.time->upper < 0.95);
             QCOMPARE(scene.time, 0.01);
-            QCOMPARE(scene.reference.value().paths,
-                     QStringList(folder.filePath("inventor_sample.csv")));
+            QCOMPARE(scene.reference.value().paths, QStringList(folder.filePath("inventor_sample.csv")));
         }
     }
 
@@ -287,9 +286,9 @@ private slots:
     void reportsFilesThatCannotBeRead()
     {
         const QTemporaryDir folder;
-        for (const auto &[path, reason] :
-             {std::pair<QString, const char *>{"/nowhere/x.json", "cannot be opened"}, {folder.path(), "is a folder"},
-              {writeFile(folder, "large.json", QByteArray(2 << 20, ' ')), "too large"}}) {
+        for (const auto &[path, reason] : {std::pair<QString, const char *>{"/nowhere/x.json", "cannot be opened"},
+                                           {folder.path(), "is a folder"},
+                                           {writeFile(folder, "large.json", QByteArray(2 << 20, ' ')), "too large"}}) {
             QVERIFY(std::get<QString>(readScene(path)).contains(reason));
         }
     }

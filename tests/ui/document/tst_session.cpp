@@ -198,7 +198,10 @@ private slots:
         std::vector<Choices> choices{session.result()->choices};
         const std::pair<std::function<void()>, const char *> edits[] = {
             {[&] { session.setParameter(Parameter::B, 70.0); }, "change of b"},
-            {[&] { session.setSampling({0.0, 1.0, 100}); }, "change of the time range"},
+            {[&] {
+                 session.setSampling({0.0, 1.0, 100});
+             },
+             "change of the time range"},
             {[&] { useNewton(session); }, "change of the method"},
             {[&] { session.setReference(std::make_shared<Reference>()); }, "opening of "},
             {[&] { session.pinMotion(); }, "pinning of the motion"},

@@ -41,8 +41,8 @@ bool isControl(const QWidget *widget)
     const bool stops = widget->focusPolicy() & Qt::TabFocus;
     const QWidget *owner = widget->parentWidget();
     const bool isPart = qobject_cast<const QAbstractSpinBox *>(owner) || qobject_cast<const QComboBox *>(owner) ||
-                        widget->objectName().startsWith("qt_") ||
-                        qobject_cast<const QScrollBar *>(widget) || qobject_cast<const QHeaderView *>(widget);
+                        widget->objectName().startsWith("qt_") || qobject_cast<const QScrollBar *>(widget) ||
+                        qobject_cast<const QHeaderView *>(widget);
     return (operated || stops) && !isPart;
 }
 

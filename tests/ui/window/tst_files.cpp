@@ -234,9 +234,13 @@ private slots:
     void completesAName()
     {
         const QStringList filters{"Images (*.png)", "Drawings (*.svg)"};
-        for (const auto &[name, completed] :
-             {std::pair{"fig", "fig.svg"}, {"fig.svg", "fig.svg"}, {"fig.png", "fig.png"}, {"FIG.SVG", "FIG.SVG"},
-              {"fig.", "fig.svg"}, {"fig.final", "fig.final.svg"}, {"b = 67.5", "b = 67.5.svg"}}) {
+        for (const auto &[name, completed] : {std::pair{"fig", "fig.svg"},
+                                              {"fig.svg", "fig.svg"},
+                                              {"fig.png", "fig.png"},
+                                              {"FIG.SVG", "FIG.SVG"},
+                                              {"fig.", "fig.svg"},
+                                              {"fig.final", "fig.final.svg"},
+                                              {"b = 67.5", "b = 67.5.svg"}}) {
             QCOMPARE(completedName(name, filters[1], filters), QString(completed));
         }
         QCOMPARE(completedName("fig", "Folder (*)", filters), QString("fig"));

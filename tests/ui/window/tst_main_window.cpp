@@ -247,7 +247,9 @@ private slots:
 
     void theStatusLineShowsWhatWasComputed()
     {
-        const auto says = [this](const QString &part) { return m_window->statusBar()->currentMessage().contains(part); };
+        const auto says = [this](const QString &part) {
+            return m_window->statusBar()->currentMessage().contains(part);
+        };
         QVERIFY(!says("form")); // closed form is the default and is not mentioned
         session().setSampling({0.0, 1.0, 1'000'000});
         QVERIFY(!says(" ms")); // so many samples are not computed in advance
@@ -356,17 +358,18 @@ private slots:
         auto *tabs = view<FoldingTabs>();
         const auto fontSize = [this](const char *name) { return QFontInfo(part(name)->font()).pixelSize(); };
         const auto state = [&, this] { // of the usual window
-            return QVariantList{part<QSplitter>("columns")->sizes().first(),
-                                fontSize("mechanismView"),
-                                QFontInfo(view<PlotGrid>()->font()).pixelSize(),
-                                part<QTableView>("errorTable")->horizontalHeader()->font(), // a former defect: stayed large
-                                view<MechanismView>()->settings().angles,
-                                tabs->isFolded(),
-                                part("box_a")->isVisible(),
-                                part("parameterBox")->isVisible(),
-                                m_window->menuBar()->height() > 1,
-                                m_window->statusBar()->isVisible(),
-                                m_window->isFullScreen()};
+            return QVariantList{
+                part<QSplitter>("columns")->sizes().first(),
+                fontSize("mechanismView"),
+                QFontInfo(view<PlotGrid>()->font()).pixelSize(),
+                part<QTableView>("errorTable")->horizontalHeader()->font(), // a former defect: stayed large
+                view<MechanismView>()->settings().angles,
+                tabs->isFolded(),
+                part("box_a")->isVisible(),
+                part("parameterBox")->isVisible(),
+                m_window->menuBar()->height() > 1,
+                m_window->statusBar()->isVisible(),
+                m_window->isFullScreen()};
         };
         const QVariantList usual = state();
         const QImage errors = picture("errorPanel");

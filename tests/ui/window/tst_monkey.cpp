@@ -50,17 +50,17 @@ constexpr int kEvents = 1500;
 constexpr int kManyEvents = 100'000;
 constexpr int kSeed = 1;
 
-const char *const kTexts[] = {"60",  "0",   "-25",           "1e-9",         "1e300", "1e999", "nan",
-                              "12,5", "90°", "",              "abc",          "1/3",   "20 rpm", "65 in",
-                              ".5",  "1e",  "\u0663\u0662", "999999999999", "∞"};
+const char *const kTexts[] = {"60", "0",   "-25", "1e-9",   "1e300", "1e999", "nan", "12,5",         "90°",
+                              "",   "abc", "1/3", "20 rpm", "65 in", ".5",    "1e",  "\u0663\u0662", "999999999999",
+                              "∞"};
 
-constexpr int kKeys[] = {Qt::Key_Tab,  Qt::Key_Space,  Qt::Key_Return, Qt::Key_Escape, Qt::Key_Left,   Qt::Key_Right,
-                         Qt::Key_Up,   Qt::Key_Down,   Qt::Key_Home,   Qt::Key_PageUp, Qt::Key_Plus,   Qt::Key_A,
-                         Qt::Key_7,    Qt::Key_Z,      Qt::Key_Y,      Qt::Key_F9,     Qt::Key_Menu,   Qt::Key_F11,
-                         Qt::Key_K,    Qt::Key_R,      Qt::Key_Delete};
+constexpr int kKeys[] = {Qt::Key_Tab, Qt::Key_Space, Qt::Key_Return, Qt::Key_Escape, Qt::Key_Left, Qt::Key_Right,
+                         Qt::Key_Up,  Qt::Key_Down,  Qt::Key_Home,   Qt::Key_PageUp, Qt::Key_Plus, Qt::Key_A,
+                         Qt::Key_7,   Qt::Key_Z,     Qt::Key_Y,      Qt::Key_F9,     Qt::Key_Menu, Qt::Key_F11,
+                         Qt::Key_K,   Qt::Key_R,     Qt::Key_Delete};
 
-constexpr Qt::KeyboardModifiers kModifiers[] = {Qt::NoModifier, Qt::NoModifier, Qt::NoModifier, Qt::ShiftModifier,
-                                                Qt::ControlModifier, Qt::AltModifier};
+constexpr Qt::KeyboardModifiers kModifiers[] = {Qt::NoModifier,    Qt::NoModifier,      Qt::NoModifier,
+                                                Qt::ShiftModifier, Qt::ControlModifier, Qt::AltModifier};
 
 class Monkey
 {
@@ -92,18 +92,13 @@ public:
             int weight;
             void (Monkey::*act)();
         };
-        static constexpr Action kActions[] = {{"a slider", 20, &Monkey::moveSlider},
-                                              {"text", 12, &Monkey::type},
-                                              {"the mouse", 34, &Monkey::useMouse},
-                                              {"the wheel", 8, &Monkey::turnWheel},
-                                              {"a key", 16, &Monkey::press},
-                                              {"a tab", 4, &Monkey::switchTab},
-                                              {"a menu", 8, &Monkey::trigger},
-                                              {"a context menu", 2, &Monkey::askContextMenu},
-                                              {"a file", 5, &Monkey::drop},
-                                              {"cancel", 3, &Monkey::cancel},
-                                              {"the size", 4, &Monkey::resize},
-                                              {"a moment", 3, &Monkey::wait}};
+        static constexpr Action kActions[] = {
+            {"a slider", 20, &Monkey::moveSlider}, {"text", 12, &Monkey::type},
+            {"the mouse", 34, &Monkey::useMouse},  {"the wheel", 8, &Monkey::turnWheel},
+            {"a key", 16, &Monkey::press},         {"a tab", 4, &Monkey::switchTab},
+            {"a menu", 8, &Monkey::trigger},       {"a context menu", 2, &Monkey::askContextMenu},
+            {"a file", 5, &Monkey::drop},          {"cancel", 3, &Monkey::cancel},
+            {"the size", 4, &Monkey::resize},      {"a moment", 3, &Monkey::wait}};
         int choice = below(119);
         const Action *action = std::begin(kActions);
         for (; choice >= action->weight; ++action) {
@@ -151,8 +146,7 @@ private:
             file.write(bytes);
             m_files << file.fileName();
         }
-        QFile::resize(path("half written.csv"),
-                      qint64{1} << 32); // a sparse file, which takes no space on most disks
+        QFile::resize(path("half written.csv"), qint64{1} << 32); // a sparse file, which takes no space on most disks
         m_files << path("not there.csv") << path("saved.json") << m_folder;
     }
 
@@ -203,8 +197,8 @@ private:
         QPoint at = widget ? within(*widget) : QPoint();
         const auto send = [&](QEvent::Type type, Qt::MouseButtons buttons) {
             if (widget) {
-                QMouseEvent event(type, at, widget->mapToGlobal(at),
-                                  type == QEvent::MouseMove ? Qt::NoButton : button, buttons, modifiers);
+                QMouseEvent event(type, at, widget->mapToGlobal(at), type == QEvent::MouseMove ? Qt::NoButton : button,
+                                  buttons, modifiers);
                 QCoreApplication::sendEvent(widget, &event);
             }
         };
@@ -313,7 +307,8 @@ private:
         }
         QWidget *modal = QApplication::activeModalWidget();
         if (auto *files = qobject_cast<QFileDialog *>(modal)) {
-            static constexpr const char *kNames[] = {"saved.json", "x.png", "x.svg", "x.pdf", "x.csv", "x.gif",
+            static constexpr const char *kNames[] = {"saved.json",   "x.png",     "x.svg",
+                                                     "x.pdf",        "x.csv",     "x.gif",
                                                      "frames/x.png", "x.unknown", "no/such/folder.png"};
             const bool isSaved = files->acceptMode() == QFileDialog::AcceptSave;
             files->selectFile(isSaved ? path(QLatin1String(randomElement(kNames)))
@@ -356,8 +351,7 @@ private slots:
         qputenv("HOME", m_folder.path().toLocal8Bit()); // files that are saved under their proposed names
         QVERIFY(QDir::setCurrent(m_folder.path()));
         QStandardPaths::setTestModeEnabled(true);
-        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope,
-                           m_folder.filePath("settings"));
+        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_folder.filePath("settings"));
         QApplication::setStyle("Fusion");
         QApplication::setQuitOnLastWindowClosed(false);
         QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);

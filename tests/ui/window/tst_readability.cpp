@@ -148,8 +148,10 @@ private slots:
     {
         const QFont usual = QApplication::font();
         QStringList cut;
-        for (const auto &[size, language] : {std::pair{1.0, Language::English}, {1.0, Language::Spanish},
-                                             {1.5, Language::English}, {1.5, Language::Spanish}}) {
+        for (const auto &[size, language] : {std::pair{1.0, Language::English},
+                                             {1.0, Language::Spanish},
+                                             {1.5, Language::English},
+                                             {1.5, Language::Spanish}}) {
             QFont font = usual;
             font.setPointSizeF(size * usual.pointSizeF());
             QApplication::setFont(font);
