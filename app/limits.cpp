@@ -72,7 +72,8 @@ std::vector<Record> listLimits(const std::vector<MotionFact> &facts)
     std::vector<Record> records;
     for (const auto &[name, unit] : kLimits) {
         std::vector<MotionFact> found;
-        std::ranges::copy_if(facts, std::back_inserter(found), [&name](const auto &fact) { return fact.key == name; });
+        std::ranges::copy_if(facts, std::back_inserter(found),
+                             [&name = name](const auto &fact) { return fact.key == name; });
         if (found.empty()) {
             found.push_back({.number = std::numeric_limits<double>::quiet_NaN()});
         }

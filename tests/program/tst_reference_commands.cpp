@@ -232,6 +232,8 @@ private slots:
         const QJsonObject json = run({"compare", file, "--format", "json"}).firstFile();
         QCOMPARE(json["skipped"].toArray().first().toObject()["line"].toInt(), 3);
         QCOMPARE(json["ignoredColumns"].toArray().first().toString(), QStringLiteral("colour"));
+        const RunResult repeated = run({"compare", write("repeated.csv", "time,R4_x\n0,75\n0,76\n0.1,80\n")});
+        QVERIFY(repeated.error.contains("the same time") && !repeated.error.contains("could not be read"));
         const RunResult unreadable = run({"compare", write("empty.csv", "")});
         QVERIFY(unreadable.status == 3 && unreadable.hasOneLineError());
     }

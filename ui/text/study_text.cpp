@@ -21,25 +21,25 @@ struct StudyText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::StudyText)
 
 public:
-    /// The properties of cases that are translated, with %1 instead of a number.
-    static constexpr const char *kPatterns[] = {QT_TR_NOOP("Table 1 of the reference report"),
-                                                QT_TR_NOOP("this mechanism"),
-                                                QT_TR_NOOP("the reference report's file"),
-                                                QT_TR_NOOP("crossed"),
-                                                QT_TR_NOOP("toggle gap %1"),
-                                                QT_TR_NOOP("exact toggle"),
-                                                QT_TR_NOOP("change point"),
-                                                QT_TR_NOOP("a = b and c = 0"),
-                                                QT_TR_NOOP("rocker"),
-                                                QT_TR_NOOP("one arc"),
-                                                QT_TR_NOOP("two arcs"),
-                                                QT_TR_NOOP("barely a rocker"),
-                                                QT_TR_NOOP("gap %1"),
-                                                QT_TR_NOOP("locked"),
-                                                QT_TR_NOOP("never assemblable"),
-                                                QT_TR_NOOP("lengths x %1"),
-                                                QT_TR_NOOP("t near %1"),
-                                                QT_TR_NOOP("%1 steps a turn")};
+    /// Tells lupdate the properties of cases that are translated, with %1 instead of a number.
+    [[maybe_unused]] static constexpr const char *kPatterns[] = {QT_TR_NOOP("Table 1 of the reference report"),
+                                                                 QT_TR_NOOP("this mechanism"),
+                                                                 QT_TR_NOOP("the reference report's file"),
+                                                                 QT_TR_NOOP("crossed"),
+                                                                 QT_TR_NOOP("toggle gap %1"),
+                                                                 QT_TR_NOOP("exact toggle"),
+                                                                 QT_TR_NOOP("change point"),
+                                                                 QT_TR_NOOP("a = b and c = 0"),
+                                                                 QT_TR_NOOP("rocker"),
+                                                                 QT_TR_NOOP("one arc"),
+                                                                 QT_TR_NOOP("two arcs"),
+                                                                 QT_TR_NOOP("barely a rocker"),
+                                                                 QT_TR_NOOP("gap %1"),
+                                                                 QT_TR_NOOP("locked"),
+                                                                 QT_TR_NOOP("never assemblable"),
+                                                                 QT_TR_NOOP("lengths x %1"),
+                                                                 QT_TR_NOOP("t near %1"),
+                                                                 QT_TR_NOOP("%1 steps a turn")};
 };
 
 /// Translates a property such as "toggle gap 1e-4". Formulas are not translated.
