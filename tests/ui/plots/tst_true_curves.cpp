@@ -280,17 +280,6 @@ private slots:
         }
     }
 
-    void theNumberOfStepsChangesNoPixel()
-    {
-        BareFigure shown;
-        QImage before;
-        for (const int steps : {2, 200, 1'000'000}) {
-            shown.show(resultOf({.model = turningAt(50.0), .sampling = {0.0, 1.0, steps}}));
-            QVERIFY(before.isNull() || shown.picture == before);
-            before = shown.picture;
-        }
-    }
-
     /// With Newton-Raphson only the samples are known.
     void fewSamplesAreNotConnected()
     {
