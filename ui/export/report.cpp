@@ -218,8 +218,8 @@ QString comparisonText(const ReportContent &content)
                 note(Report::tr("Found by weighted least squares (Levenberg-Marquardt, %1 iterations, condition number "
                                 "%2); ± is one standard error. %3 of %4 channels of the file agree with the result.")
                          .arg(QString::number(diagnosis.identification.iterations),
-                              shortNumber(diagnosis.identification.conditionNumber, kDigits),
-                              QString::number(agreeing), QString::number(diagnosis.identified.size())));
+                              shortNumber(diagnosis.identification.conditionNumber, kDigits), QString::number(agreeing),
+                              QString::number(diagnosis.identified.size())));
     }
     return html + errorTable(result.comparison, true) +
            note(Report::tr("Largest %: max |model − reference| / |reference| · 100 where the reference is not zero. "
@@ -313,8 +313,8 @@ QString reportHtml(const ReportContent &content)
            QStringLiteral("<table width=100%><tr><td>%1</td><td align=right>[mechanism]%2</td></tr></table>")
                .arg(parameterTable(content), note(caption)) +
            heading(Report::tr("Motion limits")) + paragraph(mobilitySentence(result.mechanism, result.limits)) +
-           limitTable(result) + newPage(Report::tr("Motion")) + paragraph(pinnedText(result)) +
-           "<p>[figure]</p>" + (result.reference ? comparisonText(content) : QString()) +
+           limitTable(result) + newPage(Report::tr("Motion")) + paragraph(pinnedText(result)) + "<p>[figure]</p>" +
+           (result.reference ? comparisonText(content) : QString()) +
            (result.difference ? pinnedSection(result) : QString()) + heading(Report::tr("Method")) +
            paragraph(methodText(result));
 }

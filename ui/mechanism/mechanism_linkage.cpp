@@ -151,8 +151,8 @@ void MechanismSketch::addGhost()
     path.lineTo(coupler.p2());
     add(path, QPen(colour, 1.6));
     avoid(coupler, 2.0);
-    addLabelBeside(coupler.p2(), {0.0, coupler.dy() > 0.0 ? 1.0 : -1.0}, 22.0,
-                   isFile ? tr("file") : tr("pinned"), colour, true);
+    addLabelBeside(coupler.p2(), {0.0, coupler.dy() > 0.0 ? 1.0 : -1.0}, 22.0, isFile ? tr("file") : tr("pinned"),
+                   colour, true);
 }
 
 } // namespace slidercrank

@@ -123,11 +123,10 @@ void MechanismSketch::addNames()
     if (m_exists) {
         const QPointF across(coupler.y(), -coupler.x());
         addLabelBeside(m_B, {0.0, -1.0}, 20.0, "B", m_ink);
-        addLabelBeside(0.5 * (m_A + m_B), across.y() < 0.0 ? across : -across, kBesideJoint, "G₃",
-                       m_ink);
+        addLabelBeside(0.5 * (m_A + m_B), across.y() < 0.0 ? across : -across, kBesideJoint, "G₃", m_ink);
     }
-    for (const auto &[centre, name] : {std::pair(limits().outer, tr("outer dead centre")),
-                                       {limits().inner, tr("inner dead centre")}}) {
+    for (const auto &[centre, name] :
+         {std::pair(limits().outer, tr("outer dead centre")), {limits().inner, tr("inner dead centre")}}) {
         if (centre) {
             const double aboveNameOfB = 23.0 + textSize(name).height();
             addLabelBeside(toPixels({centre->R4x, mechanism().c()}), {0.0, -1.0}, aboveNameOfB, name, m_muted, true);
@@ -138,8 +137,7 @@ void MechanismSketch::addNames()
 /// Adds the letters a and b below their links.
 void MechanismSketch::addLengths()
 {
-    for (const auto &[letter, link] :
-         {std::pair("a", QLineF(m_O2, m_A)), {"b", QLineF(m_A, m_B)}}) {
+    for (const auto &[letter, link] : {std::pair("a", QLineF(m_O2, m_A)), {"b", QLineF(m_A, m_B)}}) {
         const QPointF across(-link.dy(), link.dx());
         addLabelBeside(link.pointAt(0.6), across.y() > 0.0 ? across : -across, 7.0, letter, m_ink);
     }

@@ -35,8 +35,8 @@ struct MechanismScene {
     ReferencePose ghost; ///< the linkage of the reference or of the pinned motion
     MechanismSettings settings;
 
-    /// The motion over one revolution, or over each range of an oscillating crank. Empty unless arrows or the path of G3
-    /// are shown.
+    /// The motion over one revolution, or over each range of an oscillating crank. Empty unless arrows or the path of
+    /// G3 are shown.
     std::vector<std::vector<LinkageMotion>> cycle;
     ArrowScale velocity{&PointMotion::velocity};
     ArrowScale acceleration{&PointMotion::acceleration};

@@ -95,12 +95,11 @@ QStringList partLines(const MechanismScene &scene, DrawnPart part)
     case G3:
         return QStringList(MechanismText::tr("G₃, the coupler's centre of mass")) + pointLines(scene, LinkagePoint::G3);
     case Crank:
-        return QStringList(MechanismText::tr("Crank, %1: pull to change a.")
-                               .arg(lengthText(mechanism, Parameter::A))) +
+        return QStringList(MechanismText::tr("Crank, %1: pull to change a.").arg(lengthText(mechanism, Parameter::A))) +
                crankLines(scene);
     case Coupler:
-        return QStringList(MechanismText::tr("Coupler, %1: pull to change b.")
-                               .arg(lengthText(mechanism, Parameter::B))) +
+        return QStringList(
+                   MechanismText::tr("Coupler, %1: pull to change b.").arg(lengthText(mechanism, Parameter::B))) +
                couplerLines(scene);
     case Guide:
         return {MechanismText::tr("The slider's line, %1: drag up or down to change c.")
@@ -129,10 +128,10 @@ QString lengthText(const Mechanism &mechanism, Parameter length)
 
 QString arrowScaleText(const ArrowScale &scale)
 {
-    return scale.amount == 0.0 ? MechanismText::tr("at rest")
-                               : MechanismText::tr("Scale: %1 mm = %2 %3")
-                                     .arg(numberText(scale.length), numberText(scale.amount),
-                                          scale.isOfVelocity() ? "mm/s" : "mm/s²");
+    return scale.amount == 0.0
+               ? MechanismText::tr("at rest")
+               : MechanismText::tr("Scale: %1 mm = %2 %3")
+                     .arg(numberText(scale.length), numberText(scale.amount), scale.isOfVelocity() ? "mm/s" : "mm/s²");
 }
 
 QString assemblyProblem(const MechanismScene &scene)

@@ -108,8 +108,7 @@ void MechanismView::makeChoices()
     addSwitch(tr("&Names of the points"), "showNames", &MechanismSettings::names);
     addSwitch(tr("&Dimensions"), "showDimensions", &MechanismSettings::dimensions);
     addSwitch(tr("An&gles θ₂ and θ³"), "showAngles", &MechanismSettings::angles);
-    addSwitch(tr("Instant &centre of the coupler"), "showInstantCentre",
-              &MechanismSettings::instantCentre);
+    addSwitch(tr("Instant &centre of the coupler"), "showInstantCentre", &MechanismSettings::instantCentre);
     m_choices << new QAction(this);
     m_choices.back()->setSeparator(true);
     addZoom(tr("Zoom &in"), {Qt::Key_Plus, Qt::Key_Equal}, [this] { zoomBy(1.0, QRectF(rect()).center()); });
@@ -334,8 +333,8 @@ void MechanismView::paintMechanism(QPainter &painter, const QSize &size, const Q
     painter.restore();
 }
 
-/// Shows the note about the part under the pointer. Where the mechanism cannot be assembled, the drawing shows the reason
-/// instead.
+/// Shows the note about the part under the pointer. Where the mechanism cannot be assembled, the drawing shows the
+/// reason instead.
 void MechanismView::showNote()
 {
     constexpr int kWidest = 330;

@@ -29,22 +29,22 @@ public:
 
     // In the order of ColumnReason.
     static constexpr const char *kReasons[] = {
-        QT_TR_NOOP("recognized by its heading"), // KnownName
-        QT_TR_NOOP("chosen by hand"), // Chosen
-        QT_TR_NOOP("assumed: the heading names the quantity, but not the body"), // QuantityInName
-        QT_TR_NOOP("assumed from its values: an angle beyond half a turn, or its derivative"), // WideAngle
-        QT_TR_NOOP("assumed: the first column, whose values only increase"), // RisingValues
-        QT_TR_NOOP("assumed from the heading: named as in Modelica, in m, rad and s"), // ModelicaName
-        QT_TR_NOOP("assumed: no column is the time, and this is the angle of the crank"), // AngleForTime
-        QT_TR_NOOP("ignored: unknown heading"), // UnknownName
-        QT_TR_NOOP("ignored: the heading does not name the body"), // UnknownBody
-        QT_TR_NOOP("ignored: it numbers the rows"), // RowNumber
-        QT_TR_NOOP("ignored: a magnitude, of which “%1” is a component"), // Magnitude
-        QT_TR_NOOP("ignored: the same time stamps as “%1”"), // SameTimeStamps
-        QT_TR_NOOP("ignored: no heading"), // NoName
-        QT_TR_NOOP("ignored: it contains no number"), // NoNumber
-        QT_TR_NOOP("ignored: its unit is unknown, or does not suit the quantity"), // UnknownUnit
-        QT_TR_NOOP("ignored: “%1” could be the same quantity"), // LikeOther
+        QT_TR_NOOP("recognized by its heading"),                                                // KnownName
+        QT_TR_NOOP("chosen by hand"),                                                           // Chosen
+        QT_TR_NOOP("assumed: the heading names the quantity, but not the body"),                // QuantityInName
+        QT_TR_NOOP("assumed from its values: an angle beyond half a turn, or its derivative"),  // WideAngle
+        QT_TR_NOOP("assumed: the first column, whose values only increase"),                    // RisingValues
+        QT_TR_NOOP("assumed from the heading: named as in Modelica, in m, rad and s"),          // ModelicaName
+        QT_TR_NOOP("assumed: no column is the time, and this is the angle of the crank"),       // AngleForTime
+        QT_TR_NOOP("ignored: unknown heading"),                                                 // UnknownName
+        QT_TR_NOOP("ignored: the heading does not name the body"),                              // UnknownBody
+        QT_TR_NOOP("ignored: it numbers the rows"),                                             // RowNumber
+        QT_TR_NOOP("ignored: a magnitude, of which “%1” is a component"),                       // Magnitude
+        QT_TR_NOOP("ignored: the same time stamps as “%1”"),                                    // SameTimeStamps
+        QT_TR_NOOP("ignored: no heading"),                                                      // NoName
+        QT_TR_NOOP("ignored: it contains no number"),                                           // NoNumber
+        QT_TR_NOOP("ignored: its unit is unknown, or does not suit the quantity"),              // UnknownUnit
+        QT_TR_NOOP("ignored: “%1” could be the same quantity"),                                 // LikeOther
         QT_TR_NOOP("ignored: neither unit nor values tell whether it is an angle or a length"), // AngleOrLength
     };
 };
@@ -126,8 +126,9 @@ QString unitText(const FileColumn &column)
 QString reasonText(const FileLayout &layout, std::size_t column)
 {
     const FileColumn &read = layout.columns[column];
-    QString reason = repeatsInstants(layout, column) ? ColumnText::tr("the time stamps, the same in all files")
-                                                     : ColumnText::tr(ColumnText::kReasons[static_cast<int>(read.reason)]);
+    QString reason = repeatsInstants(layout, column)
+                         ? ColumnText::tr("the time stamps, the same in all files")
+                         : ColumnText::tr(ColumnText::kReasons[static_cast<int>(read.reason)]);
     if (read.otherColumn && *read.otherColumn < layout.columns.size() && reason.contains(u"%1")) {
         reason = reason.arg(headingText(layout, *read.otherColumn));
     }

@@ -23,8 +23,8 @@ struct ConventionText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::ConventionText)
 
 public:
-    /// In the explanation and the action, %1 are the columns, %2 "+ 5 mm" or "− 5 mm", %3 "5", %4 the symbol of the first
-    /// column, %5 "-5 mm".
+    /// In the explanation and the action, %1 are the columns, %2 "+ 5 mm" or "− 5 mm", %3 "5", %4 the symbol of the
+    /// first column, %5 "-5 mm".
     struct Row {
         const char *name;
         const char *explanation;

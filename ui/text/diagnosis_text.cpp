@@ -89,8 +89,7 @@ int digitsToTellApart(double x, double y, int fewest)
 /// Returns an equation for each identified parameter, and the assembly.
 QStringList foundTexts(const Identification &found)
 {
-    const QString equation =
-        found.outcome == Outcome::Approximate ? "%1 ≈ %2" : "%1 = %2";
+    const QString equation = found.outcome == Outcome::Approximate ? "%1 ≈ %2" : "%1 = %2";
     QStringList texts;
     for (const Parameter parameter : kParameters) {
         if (found.onlyRatios && isLength(parameter)) {

@@ -62,11 +62,8 @@ QString symbolText(Channel channel)
 {
     const bool isAngular = isAngle(channel.coordinate);
     const bool isStroke = channel.coordinate == R4x && channel.order != Order::Position;
-    const QString body =
-        channel.coordinate == Theta2 ? "₂" : QStringLiteral("¹²³⁴").mid(channel.coordinate / 3, 1);
-    const QString direction = isAngular || isStroke         ? QString()
-                              : channel.coordinate % 3 == 0 ? "ₓ"
-                                                            : "_y";
+    const QString body = channel.coordinate == Theta2 ? "₂" : QStringLiteral("¹²³⁴").mid(channel.coordinate / 3, 1);
+    const QString direction = isAngular || isStroke ? QString() : channel.coordinate % 3 == 0 ? "ₓ" : "_y";
     const QString letters = isAngular ? "θωα" : "Rva";
     return letters[static_cast<qsizetype>(channel.order)] + direction + body;
 }
@@ -88,8 +85,7 @@ QString unitText(Channel channel)
 
 QString symbolText(Parameter parameter)
 {
-    const QStringList symbols{"a", "b", "c", "ω₂",
-                              "θ₂₀"};
+    const QStringList symbols{"a", "b", "c", "ω₂", "θ₂₀"};
     return symbols[static_cast<qsizetype>(indexOf(parameter))];
 }
 
@@ -115,9 +111,7 @@ double shownFactor(Parameter parameter)
 
 QString unitBehind(Parameter parameter)
 {
-    return parameter == Parameter::Theta20  ? "°"
-           : parameter == Parameter::Omega2 ? " rad/s"
-                                            : " mm";
+    return parameter == Parameter::Theta20 ? "°" : parameter == Parameter::Omega2 ? " rad/s" : " mm";
 }
 
 QString parameterText(Parameter parameter, double value, int digits)

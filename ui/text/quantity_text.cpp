@@ -55,11 +55,8 @@ Quantity readCount(const QString &text)
 QStringList unitsFor(const Unit &wanted)
 {
     switch (wanted.dimension) {
-    case Dimension::Length:
-        return {"mm", "cm", "m", "in"};
-    case Dimension::Angle:
-        return wanted.order == 0 ? QStringList{"deg", "rad"}
-                                 : QStringList{"rad/s", "deg/s", "rpm"};
+    case Dimension::Length: return {"mm", "cm", "m", "in"};
+    case Dimension::Angle: return wanted.order == 0 ? QStringList{"deg", "rad"} : QStringList{"rad/s", "deg/s", "rpm"};
     case Dimension::Time: return {"s", "ms"};
     }
     return {};

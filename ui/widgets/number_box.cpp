@@ -254,8 +254,8 @@ void NumberBox::refuse(const QString &sentence)
     QTimer::singleShot(kNoteDuration, m_note, &QWidget::hide);
 }
 
-/// Leaves undo and redo to the window unless text has been typed, and leaves all other Control keys to the window except
-/// those of the clipboard.
+/// Leaves undo and redo to the window unless text has been typed, and leaves all other Control keys to the window
+/// except those of the clipboard.
 bool NumberBox::event(QEvent *event)
 {
     if (event->type() == QEvent::ShortcutOverride) {

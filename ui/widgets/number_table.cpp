@@ -20,7 +20,7 @@ namespace slidercrank
 namespace
 {
 
-constexpr int kCellMargin = 14; // px, left and right of a text together
+constexpr int kCellMargin = 14;   // px, left and right of a text together
 constexpr int kLargestSpare = 28; // px, added to a column if there is space
 
 QString csvField(const QString &text)

@@ -9,8 +9,8 @@
 namespace slidercrank
 {
 
-/// Returns the global position of a popup of that size: below the widget and aligned with its right edge, or above it at
-/// the lower edge of the screen.
+/// Returns the global position of a popup of that size: below the widget and aligned with its right edge, or above it
+/// at the lower edge of the screen.
 inline QPoint popupPosition(const QWidget &widget, const QSize &size)
 {
     const QRect available = widget.screen()->availableGeometry();

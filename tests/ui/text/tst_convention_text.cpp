@@ -82,7 +82,9 @@ private slots:
             {{Branch, {}, 1.0},
              "The file belongs to the other assembly: its slider is on the other side of A.",
              "Sets the model to the other assembly"},
-            {{TimeShift, {}, -0.25}, "The time stamps of the file are shifted by 0.25 s.", "Adds -0.25 s to the time stamps"},
+            {{TimeShift, {}, -0.25},
+             "The time stamps of the file are shifted by 0.25 s.",
+             "Adds -0.25 s to the time stamps"},
         };
         for (const auto &[convention, explanation, action] : rows) {
             QVERIFY(!conventionName(convention).isEmpty());
