@@ -8,6 +8,7 @@
 #include "ui/text/theme.h"
 
 #include <QImage>
+#include <QLabel>
 #include <QPainter>
 #include <QSignalSpy>
 #include <QTest>
