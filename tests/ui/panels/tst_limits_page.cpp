@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/closed_form/closed_form.h"
+#include "tests/support/page_text.h"
 #include "tests/support/suite.h"
 #include "ui/panels/limits_page.h"
 
@@ -33,20 +34,6 @@ Page pageOf(const Parameters &parameters, const Sampling &sampling = {})
     result.sampling = sampling;
     result.limits = motionLimits(result.mechanism);
     return limitsPage(result);
-}
-
-/// The rows as text: "stroke|43.82 mm||–".
-QStringList rowsOf(const Page &page, Table table)
-{
-    QStringList rows;
-    for (const TableRow &row : page.tables[table].rows) {
-        QStringList cells;
-        for (const TableCell &cell : row.cells) {
-            cells << cell.text;
-        }
-        rows << cells.join(u'|');
-    }
-    return rows;
 }
 
 const TableRow *find(const Page &page, Table table, const QString &name)
@@ -191,7 +178,7 @@ private slots:
                   {"slider velocity|0 mm/s|crank at rest|–", "slider acceleration|0 mm/s²|crank at rest|–",
                    "coupler angular velocity|0 °/s|crank at rest|–",
                    "coupler angular acceleration|0 °/s²|crank at rest|–"}}}) {
-            QCOMPARE(rowsOf(pageOf(row.parameters), row.table), row.rows);
+            QCOMPARE(rowTexts(pageOf(row.parameters).tables[row.table]), row.rows);
         }
     }
 

@@ -87,22 +87,6 @@ private slots:
         }
     }
 
-    void aDragIsOneStep()
-    {
-        Shown shown;
-        auto *slider = shown.part<QSlider>("slider", Parameter::B);
-        const QPoint groove(slider->width() - 10, slider->height() / 2);
-        const int steps = shown.session.undoStack().count();
-        QTest::mousePress(slider, Qt::LeftButton, {}, groove);
-        QVERIFY(shown.session.parameters().b > 100.0); // the handle moves to the click
-        letTimePass(shown.session);
-        slider->setValue(20);
-        QTest::mouseRelease(slider, Qt::LeftButton, {}, groove);
-        QCOMPARE(shown.session.undoStack().count(), steps + 1);
-        slider->setValue(30);
-        QCOMPARE(shown.session.undoStack().count(), steps + 2);
-    }
-
     void storesNumbersExactlyAndConvertsUnitsExactly()
     {
         Parameters exact = givenParameters();
@@ -197,18 +181,6 @@ private slots:
         }
         QCOMPARE(asked.size(), 4); // nothing depends on θ₂₀
         QCOMPARE(asked[1][0].value<Parameter>(), Parameter::B);
-    }
-
-    void showsOneParameterWhileBrief()
-    {
-        Shown shown;
-        auto *chosen = child<QComboBox>(shown.panel, "parameterBox");
-        shown.panel.setBrief(true);
-        QVERIFY(shown.box(Parameter::B)->isVisible() && !shown.box(Parameter::A)->isVisible());
-        chosen->setCurrentIndex(2);
-        QVERIFY(shown.box(Parameter::C)->isVisible() && !shown.box(Parameter::B)->isVisible());
-        shown.panel.setBrief(false);
-        QVERIFY(shown.box(Parameter::A)->isVisible() && !chosen->isVisible());
     }
 };
 

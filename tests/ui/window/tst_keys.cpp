@@ -320,6 +320,7 @@ private slots:
         QTest::mousePress(slider, Qt::LeftButton, Qt::NoModifier, handle);
         for (const int pixels : {5, 9}) {
             QTest::mouseMove(slider, handle + QPoint(pixels, 0));
+            letTimePass(session()); // otherwise the edits would form one step without a drag
         }
         QTest::mouseRelease(slider, Qt::LeftButton, Qt::NoModifier, handle + QPoint(9, 0));
         const double b = session().parameters().b;
