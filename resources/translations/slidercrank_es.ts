@@ -85,22 +85,6 @@
         <translation>sin usar</translation>
     </message>
     <message>
-        <source>Seldom exported</source>
-        <translation>Se exportan rara vez</translation>
-    </message>
-    <message>
-        <source>Crank</source>
-        <translation>Manivela</translation>
-    </message>
-    <message>
-        <source>Coupler</source>
-        <translation>Biela</translation>
-    </message>
-    <message>
-        <source>Slider</source>
-        <translation>Corredera</translation>
-    </message>
-    <message>
         <source>time</source>
         <translation>tiempo</translation>
     </message>
@@ -4147,10 +4131,6 @@ SHA-256: %2</translation>
     <message>
         <source>%1 of %2 time steps did not converge within %3 iterations: allow more iterations or a larger tolerance.</source>
         <translation>%1 de %2 instantes no convergieron en %3 iteraciones: permita más iteraciones o una tolerancia mayor.</translation>
-    </message>
-    <message>
-        <source>%1 of %2 time steps did not converge within %3 iterations: allow more iterations.</source>
-        <translation>%1 de %2 instantes no convergieron en %3 iteraciones: permita más iteraciones.</translation>
     </message>
     <message>
         <source>%1 of %2 time steps cannot be assembled: the coupler is too short there.</source>

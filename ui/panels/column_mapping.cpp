@@ -19,7 +19,6 @@
 #include <QScreen>
 #include <QScrollArea>
 #include <QSignalBlocker>
-#include <QStandardItemModel>
 
 #include <algorithm>
 #include <cmath>
@@ -53,14 +52,10 @@ void fillMeanings(QComboBox &combo)
     combo.addItem(ColumnMapping::tr("ignored"), meaningOf(ColumnRole::Ignored));
     combo.addItem(ColumnMapping::tr("time"), meaningOf(ColumnRole::Time));
     combo.addItem(ColumnMapping::tr("crank angle, instead of a time"), meaningOf(ColumnRole::CrankAngle));
-    const std::pair<QString, std::vector<Coordinate>> groups[] = {
-        {ColumnMapping::tr("Slider"), {R4x}},
-        {ColumnMapping::tr("Coupler"), {Theta3}},
-        {ColumnMapping::tr("Crank"), {Theta2}},
-        {ColumnMapping::tr("Seldom exported"), {R4y, Theta4, R3x, R3y, R2x, R2y, R1x, R1y, Theta1}}};
-    for (const auto &[title, coordinates] : groups) {
-        combo.addItem(title); // a heading, which cannot be chosen
-        qobject_cast<QStandardItemModel *>(combo.model())->item(combo.count() - 1)->setFlags(Qt::NoItemFlags);
+    const std::vector<Coordinate> groups[] = {
+        {R4x}, {Theta3}, {Theta2}, {R4y, Theta4, R3x, R3y, R2x, R2y, R1x, R1y, Theta1}};
+    for (const std::vector<Coordinate> &coordinates : groups) {
+        combo.insertSeparator(combo.count());
         for (const Coordinate coordinate : coordinates) {
             for (const Order order : {Order::Position, Order::Velocity, Order::Acceleration}) {
                 const Channel channel{coordinate, order};

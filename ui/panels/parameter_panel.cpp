@@ -233,12 +233,9 @@ void ParameterPanel::setBrief(bool brief)
 void ParameterPanel::arrange()
 {
     for (int line = 0; line < m_chosen->count(); ++line) {
-        const Row &row = m_rows[static_cast<std::size_t>(line)];
-        row.label->setVisible(!m_isBrief);
-        for (QWidget *part : std::initializer_list<QWidget *>{row.slider, row.box, row.unit, row.reset}) {
-            if (part) {
-                part->setVisible(!m_isBrief || line == m_chosen->currentIndex());
-            }
+        m_rows[static_cast<std::size_t>(line)].label->setVisible(!m_isBrief);
+        for (int column = 1; column < m_grid->columnCount(); ++column) {
+            m_grid->itemAtPosition(line, column)->widget()->setVisible(!m_isBrief || line == m_chosen->currentIndex());
         }
     }
     m_chosen->setVisible(m_isBrief);

@@ -33,7 +33,7 @@ LimitValues limitValues(const Mechanism &mechanism)
     values[2] = 90.0 - kDegreesPerRadian * limits.largestPressureAngle;
     for (const Peak &peak : motionPeaks(mechanism)) {
         if (peak.channel.coordinate == R4x) {
-            values[peak.channel.order == Order::Velocity ? 3 : 4] =
+            values[peak.channel.order == Order::Velocity ? kFirstPeak : kFirstPeak + 1] =
                 std::isfinite(peak.magnitude) ? peak.magnitude : kNone;
         }
     }

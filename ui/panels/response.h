@@ -15,10 +15,10 @@
 namespace slidercrank
 {
 
-enum class Limit { Stroke, TimeRatio, TransmissionAngle, SliderSpeed, SliderAcceleration };
+/// Stroke, time ratio, smallest transmission angle, peak slider speed and peak slider acceleration. A value is NaN if the
+/// limit does not exist or is unbounded.
 inline constexpr std::size_t kLimitCount = 5;
-
-/// One value for each Limit: NaN if the limit does not exist or is unbounded.
+inline constexpr std::size_t kFirstPeak = 3;
 using LimitValues = std::array<double, kLimitCount>;
 
 LimitValues limitValues(const Mechanism &mechanism);

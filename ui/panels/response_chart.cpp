@@ -20,12 +20,12 @@ namespace
 enum Series : std::size_t { Corners, Curve };
 
 /// Returns the range of the finite values, without the steep rise of a peak towards infinity.
-Interval valueRange(const Response &response, Limit limit)
+Interval valueRange(const Response &response, std::size_t limit)
 {
     constexpr double kSteep = 3.0; // times the median
     std::vector<double> values;
     for (const LimitValues &limits : response.limits) {
-        if (const double value = limits[static_cast<std::size_t>(limit)]; std::isfinite(value)) {
+        if (const double value = limits[limit]; std::isfinite(value)) {
             values.push_back(value);
         }
     }
@@ -33,15 +33,14 @@ Interval valueRange(const Response &response, Limit limit)
         return {};
     }
     std::ranges::sort(values);
-    const bool isPeak = limit == Limit::SliderSpeed || limit == Limit::SliderAcceleration;
     const double steep = std::max(kSteep * values[values.size() / 2], values.front());
-    return {values.front(), isPeak ? std::min(values.back(), steep) : values.back()};
+    return {values.front(), limit >= kFirstPeak ? std::min(values.back(), steep) : values.back()};
 }
 
 } // namespace
 
-ResponseChart::ResponseChart(Limit limit)
-    : m_limit(static_cast<std::size_t>(limit))
+ResponseChart::ResponseChart(std::size_t limit)
+    : m_limit(limit)
 {
     setAccessibleName(title());
     setCursor(Qt::SizeHorCursor);
@@ -50,7 +49,7 @@ ResponseChart::ResponseChart(Limit limit)
 void ResponseChart::setCurve(const Response &response, const QString &title)
 {
     m_range = response.range;
-    m_curveRange = valueRange(response, static_cast<Limit>(m_limit));
+    m_curveRange = valueRange(response, m_limit);
     ChartContent content{{title, m_range.assembled}, {{}, {kNone, kNone}}};
     content.series = {{}, {.line = ChartSeries::Line::Solid}};
     for (std::size_t i = 0; i < response.values.size(); ++i) {
@@ -168,7 +167,7 @@ void ResponseChart::changeEvent(QEvent *event)
 
 void ResponseChart::paintAll(QPainter &painter, const QSize &size, const QPalette &palette) const
 {
-    ResponseChart copy(static_cast<Limit>(m_limit));
+    ResponseChart copy(m_limit);
     copy.resize(size);
     copy.m_range = m_range;
     copy.m_dots = m_dots;

@@ -22,7 +22,7 @@ public:
     };
     using Dots = std::vector<Dot>; ///< the current value first, then the pinned motions
 
-    explicit ResponseChart(Limit limit);
+    explicit ResponseChart(std::size_t limit); ///< index in LimitValues
 
     /// Returns the name of the limit with its unit.
     QString title() const;

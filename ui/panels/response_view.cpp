@@ -7,6 +7,7 @@
 #include "ui/panels/table_panel.h"
 #include "ui/text/axis_scale.h"
 #include "ui/text/finding_text.h"
+#include "ui/text/record.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/paragraph.h"
 #include "ui/widgets/save_dialog.h"
@@ -26,6 +27,21 @@ namespace
 
 constexpr QSize kFigureSize(1500, 330); // px, of the exported charts
 constexpr QSize kSmallestChart(100, 90); // px; below this the page scrolls
+
+std::vector<Record> recordsOf(const Response &response)
+{
+    constexpr std::array kKeys{"stroke", "time-ratio", "least-transmission-angle", "peak-slider-speed",
+                               "peak-slider-acceleration"}; // in the order of LimitValues
+    std::vector<Record> records;
+    for (std::size_t i = 0; i < response.values.size(); ++i) {
+        Record &record = records.emplace_back();
+        record.emplace_back(QLatin1String(optionName(response.parameter)), response.values[i]);
+        for (std::size_t k = 0; k < kLimitCount; ++k) {
+            record.emplace_back(kKeys[k], jsonNumber(response.limits[i][k]));
+        }
+    }
+    return records;
+}
 
 } // namespace
 
@@ -51,14 +67,13 @@ ResponseView::ResponseView(Session *session, QWidget *parent)
                   tr("Writes the charts to an image file, or the numbers of the curves to a CSV file"));
     connect(exportButton, &QToolButton::clicked, this, [this] {
         chooseExport(this, figureFilters() + QStringList(tr("Tables (*.csv)")), tr("response.png"),
-                     [this](const QString &path) { return exportTo(path); },
-                     [this](const QString &problem) { emit problemFound(problem); });
+                     &ResponseView::exportTo);
     });
     auto *grid = new QGridLayout;
     grid->setSpacing(2);
     grid->setRowStretch(1, 1);
     for (std::size_t i = 0; i < kLimitCount; ++i) {
-        auto *chart = m_charts[i] = named(QStringLiteral("responseChart%1").arg(i), new ResponseChart(static_cast<Limit>(i)));
+        auto *chart = m_charts[i] = named(QStringLiteral("responseChart%1").arg(i), new ResponseChart(i));
         chart->setMinimumSize(kSmallestChart);
         grid->setColumnStretch(static_cast<int>(i), 1);
         const QString title = chart->title().replace(u'/', "/\u2060"); // no line break within a unit
@@ -149,25 +164,10 @@ FigureDrawing ResponseView::drawing() const
     };
 }
 
-QByteArray ResponseView::csv() const
-{
-    QByteArray text =
-        QLatin1String(optionName(m_response.parameter)).latin1() +
-        QByteArray(",stroke,time-ratio,least-transmission-angle,peak-slider-speed,peak-slider-acceleration\n");
-    for (std::size_t i = 0; i < m_response.values.size(); ++i) {
-        text += QByteArray::number(m_response.values[i], 'g', 17);
-        for (const double value : m_response.limits[i]) {
-            text += ',' + (std::isfinite(value) ? QByteArray::number(value, 'g', 17) : QByteArray());
-        }
-        text += '\n';
-    }
-    return text;
-}
-
 std::optional<QString> ResponseView::exportTo(const QString &path) const
 {
     if (path.endsWith(QStringLiteral(".csv"), Qt::CaseInsensitive)) {
-        return writeWhole(path, csv());
+        return writeWhole(path, csvText(recordsOf(m_response)));
     }
     return exportFigure(path, {kFigureSize, 2.0}, accessibleName(),
                         withParameters(drawing(), Mechanism(m_response.parameters), paletteFor(Theme::Light)));

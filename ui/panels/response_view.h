@@ -49,7 +49,6 @@ private:
     void refresh();
     void showResponse(bool isNew); ///< `isNew`: the curves have changed, not only the dots
     FigureDrawing drawing() const;
-    QByteArray csv() const;
     void copy();
 
     Session *m_session;

@@ -51,11 +51,8 @@ QStringList warningsOf(const Result &result)
         }
     };
     warn(Status::IterationLimit,
-         (newton.tolerance > 0.0
-              ? SolverForm::tr("%1 of %2 time steps did not converge within %3 iterations: allow more "
-                               "iterations or a larger tolerance.")
-              : SolverForm::tr("%1 of %2 time steps did not converge within %3 iterations: allow more "
-                               "iterations."))
+         SolverForm::tr("%1 of %2 time steps did not converge within %3 iterations: allow more iterations or a larger "
+                        "tolerance.")
              .replace("%3", QLocale().toString(newton.maxIterations)));
     warn(Status::NotAssemblable,
          SolverForm::tr("%1 of %2 time steps cannot be assembled: the coupler is too short there."));

@@ -84,9 +84,7 @@ StudyPanel::StudyPanel(Session *session, QWidget *parent)
     m_export = addButton(controls, "exportStudyButton", tr("Export all cases…"),
                          tr("The numbers of every case as CSV or JSON"));
     connect(m_export, &QToolButton::clicked, this, [this] {
-        chooseExport(this, {tr("Tables (*.csv)"), "JSON (*.json)"}, tr("speed.csv"),
-                     [this](const QString &path) { return exportNumbers(path); },
-                     [this](const QString &problem) { emit problemFound(problem); });
+        chooseExport(this, {tr("Tables (*.csv)"), "JSON (*.json)"}, tr("speed.csv"), &StudyPanel::exportNumbers);
     });
     auto *rows = new QVBoxLayout(this);
     rows->setContentsMargins(0, 0, 0, 0);
@@ -95,12 +93,7 @@ StudyPanel::StudyPanel(Session *session, QWidget *parent)
     rows->addWidget(m_page, 1);
     connect(&m_study, &BackgroundTask::progressed, this,
             [this](double part) { m_progress->setValue(static_cast<int>(part * kProgressSteps)); });
-    connect(&m_study, &BackgroundTask::runningChanged, this, [this](bool running) {
-        updateButtons();
-        if (!running) {
-            emit finished();
-        }
-    });
+    connect(&m_study, &BackgroundTask::runningChanged, this, &StudyPanel::updateButtons);
     connect(session, &Session::parametersChanged, this, &StudyPanel::showSummary);
     updateButtons();
 }

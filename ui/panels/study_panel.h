@@ -41,7 +41,6 @@ public slots:
     void runHardCases();     ///< or cancels the study that runs
 
 signals:
-    void finished(); ///< the study is complete or was cancelled
     void problemFound(const QString &sentence);
 
 private:

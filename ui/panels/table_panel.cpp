@@ -6,7 +6,6 @@
 #include "ui/text/theme.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/paragraph.h"
-#include "ui/widgets/save_dialog.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -239,8 +238,7 @@ void TablePanel::chooseFile()
     if (page.chart) {
         filters += figureFilters();
     }
-    chooseExport(this, filters, page.fileName + QStringLiteral(".csv"), [this](const QString &path) { return exportTo(path); },
-                 [this](const QString &problem) { emit problemFound(problem); });
+    chooseExport(this, filters, page.fileName + QStringLiteral(".csv"), &TablePanel::exportTo);
 }
 
 void TablePanel::showEvent(QShowEvent *event)
@@ -260,8 +258,7 @@ void TablePanel::resizeEvent(QResizeEvent *event)
 void TablePanel::changeEvent(QEvent *event)
 {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::LocaleChange ||
-        event->type() == QEvent::FontChange) {
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
         refresh();
     }
 }
@@ -274,18 +271,6 @@ QToolButton *addButton(QBoxLayout *row, const QString &name, const QString &text
     button->setFocusPolicy(Qt::TabFocus);
     row->addWidget(button, 0, Qt::AlignTop);
     return button;
-}
-
-void chooseExport(QWidget *parent, const QStringList &filters, const QString &name,
-                  const std::function<std::optional<QString>(const QString &path)> &write,
-                  const std::function<void(const QString &problem)> &report)
-{
-    chooseFileToSave(parent, {TablePanel::tr("Export"), filters, lastFolder(QStandardPaths::DocumentsLocation), name,
-                              [write, report](const QString &path, const QString &) {
-                                  if (const std::optional<QString> problem = write(path)) {
-                                      report(*problem);
-                                  }
-                              }});
 }
 
 QString csvOf(const Page &page)

@@ -5,6 +5,7 @@
 // there is space. The page is computed only while the panel is visible, at most ten times a second.
 
 #include "ui/panels/page.h"
+#include "ui/widgets/save_dialog.h"
 
 #include <QTimer>
 #include <QWidget>
@@ -78,10 +79,19 @@ private:
 /// Adds a button with that text to a row.
 QToolButton *addButton(QBoxLayout *row, const QString &name, const QString &text, const QString &explanation);
 
-/// Asks for a file name and calls `write` with it. If that returns an error message, passes it to `report`.
-void chooseExport(QWidget *parent, const QStringList &filters, const QString &name,
-                  const std::function<std::optional<QString>(const QString &path)> &write,
-                  const std::function<void(const QString &problem)> &report);
+/// Asks for a file name and calls the member `write` of the panel with it. The panel emits problemFound() if that
+/// returns an error message.
+template <typename Panel>
+void chooseExport(Panel *panel, const QStringList &filters, const QString &name,
+                  std::optional<QString> (Panel::*write)(const QString &path) const)
+{
+    chooseFileToSave(panel, {TablePanel::tr("Export"), filters, lastFolder(QStandardPaths::DocumentsLocation), name,
+                             [panel, write](const QString &path, const QString &) {
+                                 if (const std::optional<QString> problem = (panel->*write)(path)) {
+                                     emit panel->problemFound(*problem);
+                                 }
+                             }});
+}
 
 /// Returns the tables of a page as CSV, one after the other. Headings that equal those before are not repeated.
 QString csvOf(const Page &page);

