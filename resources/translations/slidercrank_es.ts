@@ -2831,10 +2831,6 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
         <translation>C_q</translation>
     </message>
     <message>
-        <source>∂C/∂q: a row for each constraint, a column for each coordinate</source>
-        <translation>∂C/∂q: una fila por restricción, una columna por coordenada</translation>
-    </message>
-    <message>
         <source>Angle of the %1; lengths in mm</source>
         <translation>Ángulo: %1; longitudes en mm</translation>
     </message>
@@ -2845,10 +2841,6 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
     <message>
         <source>Condition number κ(C_q) = %1; det C_q = −b cos θ³ = %2 mm</source>
         <translation>Número de condición κ(C_q) = %1; det C_q = −b cos θ³ = %2 mm</translation>
-    </message>
-    <message>
-        <source>κ is the largest singular value divided by the smallest, mm and rad mixed as in C_q. The larger it is, the more digits are lost; it is infinite where the coupler is perpendicular to the slider&apos;s line.</source>
-        <translation>κ es el mayor valor singular dividido por el menor, con mm y rad mezclados como en C_q. Cuanto mayor es, más cifras se pierden; es infinito donde la biela es perpendicular a la línea de la corredera.</translation>
     </message>
     <message>
         <source>from a rough start</source>
@@ -2955,6 +2947,14 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
     <message>
         <source>Of the position; of the velocity per s, of the acceleration per s²</source>
         <translation>De la posición; la de la velocidad por s, la de la aceleración por s²</translation>
+    </message>
+    <message>
+        <source>∂C/∂q: a row for each constraint, a column for each coordinate.
+κ is the largest singular value divided by the smallest, mm and rad mixed. The larger it is, the more
+digits are lost; it is infinite where the coupler is perpendicular to the slider&apos;s line.</source>
+        <translation>∂C/∂q: una fila por restricción, una columna por coordenada.
+κ es el mayor valor singular dividido por el menor, con mm y rad mezclados. Cuanto mayor es, más cifras
+se pierden; es infinito donde la biela es perpendicular a la línea de la corredera.</translation>
     </message>
 </context>
 <context>

@@ -8,8 +8,6 @@
 #include "ui/text/finding_text.h"
 #include "ui/text/written_number.h"
 
-#include <QCoreApplication>
-
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -21,10 +19,6 @@ namespace slidercrank
 
 namespace
 {
-
-struct NewtonPages {
-    Q_DECLARE_TR_FUNCTIONS(slidercrank::NewtonPages)
-};
 
 struct Equation {
     const char *direction; ///< of the joint's equation; empty if the joint has only one
@@ -103,14 +97,9 @@ Page emptyPage(Status status, const Result &result)
     return {sentences[static_cast<std::size_t>(status)], Tone::Bad};
 }
 
-double timeStep(const Sampling &sampling)
-{
-    return sampling.duration / sampling.steps;
-}
-
 TimeStepEquations solvedEquations(const Result &result, double time)
 {
-    return equationsAt(result.mechanism, time, timeStep(result.sampling), result.solver);
+    return equationsAt(result.mechanism, time, result.sampling.duration / result.sampling.steps, result.solver);
 }
 
 /// The residual after each iteration.
@@ -161,24 +150,24 @@ ChartContent residualChart(std::vector<ChartSeries> series, const NewtonOptions 
 
 } // namespace
 
-Page equationPage(const Result &result, double time)
+Page NewtonPages::equations(const Result &result, double time)
 {
     const TimeStepEquations equations = solvedEquations(result, time);
     Page page = emptyPage(equations.state.status, result);
-    page.fileName = NewtonPages::tr("equations", "name of a file");
+    page.fileName = tr("equations", "name of a file");
     PageTable table{
         "equationTable",
-        NewtonPages::tr("Equations, a row for each constraint"),
-        {{NewtonPages::tr("joint"), NewtonPages::tr("Joint that the equation describes"), "joint", false},
-         {NewtonPages::tr("equation"),
-          NewtonPages::tr("C(q, t) = 0; bodies as superscripts: 1 ground, 2 crank, 3 coupler, 4 slider"), "equation",
+        tr("Equations, a row for each constraint"),
+        {{tr("joint"), tr("Joint that the equation describes"), "joint", false},
+         {tr("equation"),
+          tr("C(q, t) = 0; bodies as superscripts: 1 ground, 2 crank, 3 coupler, 4 slider"), "equation",
           false},
-         {NewtonPages::tr("C"), NewtonPages::tr("Residual of the equation, in mm or rad"), "C"},
-         {NewtonPages::tr("Cₜ, per s"),
-          NewtonPages::tr("∂C/∂t, in mm/s or rad/s: the velocities follow from C_q dq/dt = −Cₜ"), "C_t"},
-         {NewtonPages::tr("Q_d, per s²"),
-          NewtonPages::tr("In mm/s² or rad/s²: the accelerations follow from C_q d²q/dt² = Q_d"), "Q_d"},
-         {NewtonPages::tr("unit"), NewtonPages::tr("Of C; of Cₜ per s, of Q_d per s²"), "unit", false}},
+         {tr("C"), tr("Residual of the equation, in mm or rad"), "C"},
+         {tr("Cₜ, per s"),
+          tr("∂C/∂t, in mm/s or rad/s: the velocities follow from C_q dq/dt = −Cₜ"), "C_t"},
+         {tr("Q_d, per s²"),
+          tr("In mm/s² or rad/s²: the accelerations follow from C_q d²q/dt² = Q_d"), "Q_d"},
+         {tr("unit"), tr("Of C; of Cₜ per s, of Q_d per s²"), "unit", false}},
         {}};
     for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
         const auto row = static_cast<Constraint>(i);
@@ -195,23 +184,26 @@ Page equationPage(const Result &result, double time)
     return page;
 }
 
-Page jacobianPage(const Result &result, double time)
+Page NewtonPages::jacobian(const Result &result, double time)
 {
     const TimeStepEquations equations = solvedEquations(result, time);
     Page page = emptyPage(equations.state.status, result);
-    page.fileName = NewtonPages::tr("jacobian", "name of a file");
+    page.fileName = tr("jacobian", "name of a file");
     PageTable table{
         "jacobianTable",
-        NewtonPages::tr("Jacobian C_q, a row for each constraint, a column for each coordinate"),
-        {{NewtonPages::tr("C_q"), NewtonPages::tr("∂C/∂q: a row for each constraint, a column for each coordinate"),
+        tr("Jacobian C_q, a row for each constraint, a column for each coordinate"),
+        {{tr("C_q"),
+          tr("∂C/∂q: a row for each constraint, a column for each coordinate.\n"
+             "κ is the largest singular value divided by the smallest, mm and rad mixed. The larger it is, the more\n"
+             "digits are lost; it is infinite where the coupler is perpendicular to the slider's line."),
           "constraint", false}},
         {}};
     for (Eigen::Index j = 0; j < kCoordinateCount; ++j) {
         const auto coordinate = static_cast<Coordinate>(j);
         const QString body = partName(partOf(coordinate));
         table.columns.push_back({symbolText(coordinate),
-                                 isAngle(coordinate) ? NewtonPages::tr("Angle of the %1; lengths in mm").arg(body)
-                                                     : NewtonPages::tr("Centre of mass of the %1").arg(body),
+                                 isAngle(coordinate) ? tr("Angle of the %1; lengths in mm").arg(body)
+                                                     : tr("Centre of mass of the %1").arg(body),
                                  columnName(Channel{coordinate, Order::Position})});
     }
     for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
@@ -230,21 +222,17 @@ Page jacobianPage(const Result &result, double time)
     page.tables = {table};
     if (equations.hasPosition()) {
         const double condition = conditionNumber(equations.Cq);
-        page.note = NewtonPages::tr("Condition number κ(C_q) = %1; det C_q = −b cos θ³ = %2 mm")
+        page.note = tr("Condition number κ(C_q) = %1; det C_q = −b cos θ³ = %2 mm")
                         .arg(std::isinf(condition) ? "∞" : shortNumber(condition, kReadoutDigits),
                              shortNumber(equations.Cq.determinant(), kReadoutDigits));
-        page.noteDetails =
-            NewtonPages::tr("κ is the largest singular value divided by the smallest, mm and rad mixed as "
-                            "in C_q. The larger it is, the more digits are lost; it is infinite where the "
-                            "coupler is perpendicular to the slider's line.");
     }
     return page;
 }
 
-Page iterationPage(const Result &result, double time)
+Page NewtonPages::iterations(const Result &result, double time)
 {
     const NewtonOptions &options = result.solver.newton;
-    const double step = timeStep(result.sampling);
+    const double step = result.sampling.duration / result.sampling.steps;
     IterationHistory rough;
     IterationHistory warm;
     solve(result.mechanism, time, options, {}, &rough);
@@ -252,24 +240,24 @@ Page iterationPage(const Result &result, double time)
     if (before.positionStatus == Status::Solved) {
         solve(result.mechanism, time, options, before, &warm);
     }
-    const QString roughName = NewtonPages::tr("from a rough start");
-    const QString warmName = NewtonPages::tr("from %1 s earlier").arg(numberText(step));
-    const QString roughStart = NewtonPages::tr("From a rough start: θ₂ exact, θ³ = 0 (crossed: 180°)");
-    const QString warmStart = NewtonPages::tr("From the position one time step before");
+    const QString roughName = tr("from a rough start");
+    const QString warmName = tr("from %1 s earlier").arg(numberText(step));
+    const QString roughStart = tr("From a rough start: θ₂ exact, θ³ = 0 (crossed: 180°)");
+    const QString warmStart = tr("From the position one time step before");
 
     Page page = emptyPage(solvedEquations(result, time).state.status, result);
-    page.fileName = NewtonPages::tr("iterations", "name of a file");
-    page.chart = PageChart{"iterationPlot", NewtonPages::tr("Residual ‖C‖ over the iterations"),
+    page.fileName = tr("iterations", "name of a file");
+    page.chart = PageChart{"iterationPlot", tr("Residual ‖C‖ over the iterations"),
                            residualChart({residualSeries(rough, roughName, &SeriesColours::model, false),
                                           residualSeries(warm, warmName, &SeriesColours::reference, true)},
                                          options)};
     PageTable table{"iterationTable",
-                    NewtonPages::tr("Iterations, a row for each"),
-                    {{NewtonPages::tr("step"), NewtonPages::tr("0: the start"), "step"},
-                     {NewtonPages::tr("● ‖C‖"), roughStart, "residual_from_afar"},
-                     {NewtonPages::tr("● θ³ [°]"), roughStart, "theta3_from_afar"},
-                     {NewtonPages::tr("□ ‖C‖"), warmStart, "residual_from_before"},
-                     {NewtonPages::tr("□ θ³ [°]"), warmStart, "theta3_from_before"}},
+                    tr("Iterations, a row for each"),
+                    {{tr("step"), tr("0: the start"), "step"},
+                     {tr("● ‖C‖"), roughStart, "residual_from_afar"},
+                     {tr("● θ³ [°]"), roughStart, "theta3_from_afar"},
+                     {tr("□ ‖C‖"), warmStart, "residual_from_before"},
+                     {tr("□ θ³ [°]"), warmStart, "theta3_from_before"}},
                     {}};
     constexpr int kDecimals = 10;
     for (std::size_t k = 0; k < std::max(rough.size(), warm.size()); ++k) {
@@ -289,26 +277,26 @@ Page iterationPage(const Result &result, double time)
     page.tables = {table};
     if (page.sentence.isEmpty()) {
         page.tone = Tone::Normal;
-        page.sentence = NewtonPages::tr(
+        page.sentence = tr(
             "Near the solution each iteration doubles the number of correct digits: the line bends down.");
     }
     return page;
 }
 
-Page coordinatePage(const Result &result, double time)
+Page NewtonPages::coordinates(const Result &result, double time)
 {
     const State state = solvedEquations(result, time).state;
     Page page = emptyPage(state.status, result);
-    page.fileName = NewtonPages::tr("coordinates", "name of a file");
+    page.fileName = tr("coordinates", "name of a file");
     PageTable table{
         "coordinateTable",
-        NewtonPages::tr("Coordinates, a row for each"),
-        {{NewtonPages::tr("coordinate"), NewtonPages::tr("Centre of mass and angle of each body"), "coordinate", false},
-         {NewtonPages::tr("body"), {}, "body", false},
-         {NewtonPages::tr("position"), NewtonPages::tr("q, in mm or °"), "position"},
-         {NewtonPages::tr("velocity, per s"), NewtonPages::tr("dq/dt, in mm/s or °/s"), "velocity"},
-         {NewtonPages::tr("acceleration, per s²"), NewtonPages::tr("d²q/dt², in mm/s² or °/s²"), "acceleration"},
-         {NewtonPages::tr("unit"), NewtonPages::tr("Of the position; of the velocity per s, of the acceleration per s²"),
+        tr("Coordinates, a row for each"),
+        {{tr("coordinate"), tr("Centre of mass and angle of each body"), "coordinate", false},
+         {tr("body"), {}, "body", false},
+         {tr("position"), tr("q, in mm or °"), "position"},
+         {tr("velocity, per s"), tr("dq/dt, in mm/s or °/s"), "velocity"},
+         {tr("acceleration, per s²"), tr("d²q/dt², in mm/s² or °/s²"), "acceleration"},
+         {tr("unit"), tr("Of the position; of the velocity per s, of the acceleration per s²"),
           "unit", false}},
         {}};
     for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {

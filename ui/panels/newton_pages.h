@@ -7,15 +7,22 @@
 #include "ui/document/result.h"
 #include "ui/panels/page.h"
 
+#include <QCoreApplication>
+
 namespace slidercrank
 {
 
-Page equationPage(const Result &result, double time);
-Page jacobianPage(const Result &result, double time);
+struct NewtonPages {
+    Q_DECLARE_TR_FUNCTIONS(slidercrank::NewtonPages)
 
-/// The iterations from a rough start, and those from the position one time step earlier.
-Page iterationPage(const Result &result, double time);
+public:
+    static Page equations(const Result &result, double time);
+    static Page jacobian(const Result &result, double time);
 
-Page coordinatePage(const Result &result, double time);
+    /// The iterations from a rough start, and those from the position one time step earlier.
+    static Page iterations(const Result &result, double time);
+
+    static Page coordinates(const Result &result, double time);
+};
 
 } // namespace slidercrank

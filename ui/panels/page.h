@@ -56,9 +56,8 @@ struct Page {
     bool keepsFindings = false; ///< new findings are being computed: the previous ones remain visible, but disabled
     std::vector<PageTable> tables{};
     std::optional<PageChart> chart{};
-    QString note{};        ///< below the tables
-    QString noteDetails{}; ///< tool tip of the note, rich text
-    QString fileName{};    ///< default name of an exported file, without a suffix
+    QString note{};     ///< below the tables
+    QString fileName{}; ///< default name of an exported file, without a suffix
 };
 
 } // namespace slidercrank

@@ -47,7 +47,11 @@ TablePanel::TablePanel(const QString &name, const QString &title, const std::fun
     m_copy = addButton(head, name + "Copy", tr("Copy"), tr("Copies the tables as CSV, with every digit"));
     m_export = addButton(head, name + "Export", tr("Export…"), tr("Writes the tables to a CSV file, with every digit"));
     connect(m_copy, &QToolButton::clicked, this, &TablePanel::copy);
-    connect(m_export, &QToolButton::clicked, this, &TablePanel::chooseFile);
+    connect(m_export, &QToolButton::clicked, this, [this] {
+        const Page page = m_makePage();
+        chooseExport(this, QStringList(tr("Tables (*.csv)")) + (page.chart ? figureFilters() : QStringList()),
+                     page.fileName + QStringLiteral(".csv"), &TablePanel::exportTo);
+    });
     auto *grid = new QGridLayout(m_findings);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setVerticalSpacing(2);
@@ -112,7 +116,6 @@ void TablePanel::fill()
     m_sentence->setText(page.sentence);
     setInk(*m_sentence, toneColour(page.tone, palette()));
     m_note->setText(page.note);
-    m_note->setToolTip(page.noteDetails);
     m_note->setVisible(!page.note.isEmpty());
     m_chart->setVisible(page.chart.has_value());
     if (page.chart) {
@@ -138,8 +141,8 @@ void TablePanel::fillFindings(const Page &page)
         delete item;
     }
     m_findings->setVisible(!m_shownFindings.empty());
-    for (int row = 0; row < static_cast<int>(m_shownFindings.size()); ++row) {
-        const Finding &finding = m_shownFindings[static_cast<std::size_t>(row)];
+    int row = 0;
+    for (const Finding &finding : m_shownFindings) {
         grid->addWidget(named("findingLabel", plainText(finding.sentence)), row, 0);
         if (finding.remedy != Remedy::None) {
             auto *button = named("remedyButton", new QPushButton(finding.remedyText),
@@ -149,6 +152,7 @@ void TablePanel::fillFindings(const Page &page)
             grid->addWidget(button, row, 1, Qt::AlignTop);
             connect(button, &QPushButton::clicked, this, [this, finding] { emit remedyRequested(finding); });
         }
+        ++row;
     }
 }
 
@@ -229,16 +233,6 @@ std::optional<QString> TablePanel::exportTo(const QString &path) const
         });
     }
     return writeWhole(path, csvOf(page).toUtf8());
-}
-
-void TablePanel::chooseFile()
-{
-    const Page page = m_makePage();
-    QStringList filters{tr("Tables (*.csv)")};
-    if (page.chart) {
-        filters += figureFilters();
-    }
-    chooseExport(this, filters, page.fileName + QStringLiteral(".csv"), &TablePanel::exportTo);
 }
 
 void TablePanel::showEvent(QShowEvent *event)

@@ -58,7 +58,6 @@ private:
     NumberTable *tableFor(const PageTable &content);
     void arrange();
     void copy();
-    void chooseFile();
 
     std::function<Page()> m_makePage;
     bool m_stale = true;

@@ -284,10 +284,10 @@ QWidget *MainWindow::makeNewtonPanel()
         connect(page, &TablePanel::partHovered, m_views.mechanism, &MechanismView::highlight);
         panel->addPage(title, page);
     };
-    addPage("equationPanel", tr("Equations"), equationPage);
-    addPage("jacobianPanel", tr("Jacobian"), jacobianPage);
-    addPage("iterationPanel", tr("Iterations"), iterationPage);
-    addPage("coordinatePanel", tr("Coordinates"), coordinatePage);
+    addPage("equationPanel", tr("Equations"), NewtonPages::equations);
+    addPage("jacobianPanel", tr("Jacobian"), NewtonPages::jacobian);
+    addPage("iterationPanel", tr("Iterations"), NewtonPages::iterations);
+    addPage("coordinatePanel", tr("Coordinates"), NewtonPages::coordinates);
     return panel;
 }
 

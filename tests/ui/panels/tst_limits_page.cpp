@@ -7,6 +7,7 @@
 #include <QLocale>
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -18,15 +19,6 @@ namespace
 enum Column { Name, Value, Angle, Time };
 enum Table { Positions, Peaks };
 
-Parameters lengths(double a, double b, double c)
-{
-    Parameters parameters;
-    parameters.a = a;
-    parameters.b = b;
-    parameters.c = c;
-    return parameters;
-}
-
 Page pageOf(const Parameters &parameters, const Sampling &sampling = {})
 {
     Result result;
@@ -36,14 +28,10 @@ Page pageOf(const Parameters &parameters, const Sampling &sampling = {})
     return limitsPage(result);
 }
 
-const TableRow *find(const Page &page, Table table, const QString &name)
+const TableRow &find(const Page &page, Table table, const QString &name)
 {
-    for (const TableRow &row : page.tables[table].rows) {
-        if (row.cells[Name].text == name) {
-            return &row;
-        }
-    }
-    return nullptr;
+    const std::vector<TableRow> &rows = page.tables[table].rows;
+    return *std::ranges::find(rows, name, [](const TableRow &row) { return row.cells[Name].text; });
 }
 
 } // namespace
@@ -62,34 +50,32 @@ private slots:
             Parameters parameters;
             QString sentence;
         };
-        Parameters atRest = lengths(20.0, 65.0, 25.0);
-        atRest.omega2 = 0.0;
         for (const Row &row :
-             {Row{lengths(20, 65, 25), "The crank makes full turns: b = 65 mm ≥ a + |c| = 45 mm."},
-              Row{lengths(20, 65, -25), "The crank makes full turns: b = 65 mm ≥ a + |c| = 45 mm."},
-              Row{atRest, "The crank is at rest, ω₂ = 0; it could make full turns: b = 65 mm ≥ a + |c| = 45 mm."},
-              Row{lengths(20, 40, 25), "The crank oscillates and cannot make a full turn: b = 40 mm < a + |c| = 45 mm. "
+             {Row{{20, 65, 25}, "The crank makes full turns: b = 65 mm ≥ a + |c| = 45 mm."},
+              Row{{20, 65, -25}, "The crank makes full turns: b = 65 mm ≥ a + |c| = 45 mm."},
+              Row{{.omega2 = 0.0}, "The crank is at rest, ω₂ = 0; it could make full turns: b = 65 mm ≥ a + |c| = 45 mm."},
+              Row{{20, 40, 25}, "The crank oscillates and cannot make a full turn: b = 40 mm < a + |c| = 45 mm. "
                                        "It would make full turns "
                                        "if b ≥ 45 mm, a ≤ 15 mm or |c| ≤ 20 mm."},
-              Row{lengths(20, 20, 5), "The crank oscillates and cannot make a full turn: b = 20 mm < a + |c| = 25 mm. "
+              Row{{20, 20, 5}, "The crank oscillates and cannot make a full turn: b = 20 mm < a + |c| = 25 mm. "
                                       "It would make full turns "
                                       "if b ≥ 25 mm, a ≤ 15 mm or c = 0."},
-              Row{lengths(20, 10, 5),
+              Row{{20, 10, 5},
                   "The crank oscillates within one of two arcs and cannot make a full turn: b = 10 mm < a + |c| = 25 "
                   "mm, and "
                   "also less than a − |c| = 15 mm. It would make full turns if b ≥ 25 mm or a ≤ 5 mm."},
-              Row{lengths(20, 5, 25),
+              Row{{20, 5, 25},
                   "The crank is locked in a single position: b = |c| − a = 5 mm. It would make full "
                   "turns if b ≥ 45 mm."},
-              Row{lengths(20, 4, 25),
+              Row{{20, 4, 25},
                   "It cannot be assembled: b = 4 mm < |c| − a = 5 mm. It can be assembled if b ≥ 5 mm, "
                   "a ≥ 21 mm or |c| ≤ 24 mm. It would make full turns if b ≥ 45 mm."},
-              Row{lengths(20, 45, 25), "The crank just makes full turns: b = a + |c| = 45 mm. At θ₂ = 270° " + jump},
-              Row{lengths(20, 45, -25), "The crank just makes full turns: b = a + |c| = 45 mm. At θ₂ = 90° " + jump},
-              Row{lengths(20, 20, 0),
+              Row{{20, 45, 25}, "The crank just makes full turns: b = a + |c| = 45 mm. At θ₂ = 270° " + jump},
+              Row{{20, 45, -25}, "The crank just makes full turns: b = a + |c| = 45 mm. At θ₂ = 90° " + jump},
+              Row{{20, 20, 0},
                   "The crank just makes full turns: b = a = 20 mm, c = 0, a change point. At θ₂ = 90° and 270° " +
                       jump},
-              Row{lengths(20, 45 * (1 - 1e-8), 25), "The crank oscillates and cannot make a full turn: b = 44.9999995 "
+              Row{{20, 45 * (1 - 1e-8), 25}, "The crank oscillates and cannot make a full turn: b = 44.9999995 "
                                                     "mm < a + |c| = 45 mm. It would make full "
                                                     "turns if b ≥ 45 mm, a ≤ 19.9999 mm or |c| ≤ 24.9999 mm."}}) {
             QCOMPARE(pageOf(row.parameters).sentence, row.sentence);
@@ -98,14 +84,14 @@ private slots:
 
     void makesFullTurnsWithTheLengthsThatTheSentenceNames()
     {
-        const Parameters given = lengths(17.1234567, 40.7654321, -31.9876543);
+        const Parameters given{17.1234567, 40.7654321, -31.9876543};
         const QString sentence = pageOf(given).sentence;
         const auto limit = [&sentence](const QString &symbol) {
             const qsizetype start = sentence.indexOf(symbol, sentence.indexOf(" if ")) + symbol.size();
             return sentence.mid(start, sentence.indexOf(" mm", start) - start).toDouble();
         };
         const auto turns = [](double a, double b, double c) {
-            return motionLimits(Mechanism(lengths(a, b, c))).mobility == Mobility::FullTurn;
+            return motionLimits(Mechanism({a, b, c})).mobility == Mobility::FullTurn;
         };
         QVERIFY(!turns(given.a, given.b, given.c));
         QVERIFY2(turns(given.a, limit("b ≥ "), given.c), qPrintable(sentence));
@@ -120,35 +106,33 @@ private slots:
             Table table;
             QStringList rows;
         };
-        Parameters atRest;
-        atRest.omega2 = 0.0;
         for (const Row &row :
-             {Row{lengths(20, 65, 25),
+             {Row{{20, 65, 25},
                   Positions,
                   {"outer dead centre|81.24 mm|17.10|0.0475", "inner dead centre|37.42 mm|213.75|0.5937",
                    "stroke|43.82 mm||–", "forward stroke|163.36°||–", "forward time|0.4538 s||–",
                    "mean forward speed|96.58 mm/s||–", "return stroke|196.64°||–", "return time|0.5462 s||–",
                    "mean return speed|80.23 mm/s||–", "time ratio|1.204||–",
                    "minimum transmission angle|46.19°|270.00|0.7500"}},
-              Row{lengths(20, 65, 25),
+              Row{{20, 65, 25},
                   Peaks,
                   {"slider velocity|162.9 mm/s|301.81|0.8384", "slider acceleration|-1110 mm/s²|6.41|0.0178",
                    "coupler angular velocity|121.4 °/s|189.22|0.5256",
                    "coupler angular velocity|-121.4 °/s|350.78|0.9744",
                    "coupler angular acceleration|-964.5 °/s²|270.00|0.7500"}},
-              Row{lengths(20, 65, 0),
+              Row{{20, 65, 0},
                   Peaks, // peaks that are reached twice are ordered by their angle
                   {"slider velocity|-131.5 mm/s|74.21|0.2061", "slider velocity|131.5 mm/s|285.79|0.7939",
                    "slider acceleration|-1033 mm/s²|0.00|0.0000", "coupler angular velocity|-110.8 °/s|0.00|0.0000",
                    "coupler angular velocity|110.8 °/s|180.00|0.5000",
                    "coupler angular acceleration|731.5 °/s²|90.00|0.2500",
                    "coupler angular acceleration|-731.5 °/s²|270.00|0.7500"}},
-              Row{lengths(20, 40, 25),
+              Row{{20, 40, 25},
                   Positions,
                   {"outer dead centre|54.54 mm|24.62|0.0684", "crank limit position|13.23 mm|311.41|0.8650",
                    "crank limit position|-13.23 mm|228.59|0.6350", "stroke|67.77 mm||–",
                    "minimum transmission angle|0.00°|311.41|0.8650"}},
-              Row{lengths(20, 40, 25),
+              Row{{20, 40, 25},
                   Peaks,
                   {"slider velocity|unbounded|228.59|0.6350", "slider velocity|unbounded|311.41|0.8650",
                    "slider acceleration|unbounded|228.59|0.6350", "slider acceleration|unbounded|311.41|0.8650",
@@ -156,24 +140,24 @@ private slots:
                    "coupler angular velocity|unbounded|311.41|0.8650",
                    "coupler angular acceleration|unbounded|228.59|0.6350",
                    "coupler angular acceleration|unbounded|311.41|0.8650"}},
-              Row{lengths(20, 45, 25),
+              Row{{20, 45, 25},
                   Peaks,
                   {"slider velocity|314.2 mm/s|270.00|0.7500", "slider acceleration|unbounded|270.00|0.7500",
                    "coupler angular velocity|240.0 °/s|270.00|0.7500",
                    "coupler angular acceleration|unbounded|270.00|0.7500"}},
-              Row{lengths(20, 20, 0),
+              Row{{20, 20, 0},
                   Peaks,
                   {"slider velocity|-251.3 mm/s|90.00|0.2500", "slider velocity|251.3 mm/s|270.00|0.7500",
                    "slider acceleration|unbounded|90.00|0.2500", "slider acceleration|unbounded|270.00|0.7500",
                    "coupler angular velocity|360.0 °/s|throughout|–",
                    "coupler angular acceleration|unbounded|90.00|0.2500",
                    "coupler angular acceleration|unbounded|270.00|0.7500"}},
-              Row{lengths(20, 5, 25),
+              Row{{20, 5, 25},
                   Positions,
                   {"outer dead centre|0 mm|90.00|0.2500", "only position|0 mm|90.00|0.2500", "stroke|0 mm||–",
                    "minimum transmission angle|0.00°|90.00|0.2500"}},
-              Row{lengths(20, 4, 25), Positions, {}}, Row{lengths(20, 4, 25), Peaks, {}},
-              Row{atRest,
+              Row{{20, 4, 25}, Positions, {}}, Row{{20, 4, 25}, Peaks, {}},
+              Row{{.omega2 = 0.0},
                   Peaks,
                   {"slider velocity|0 mm/s|crank at rest|–", "slider acceleration|0 mm/s²|crank at rest|–",
                    "coupler angular velocity|0 °/s|crank at rest|–",
@@ -186,14 +170,14 @@ private slots:
     {
         // Crank and coupler are in one line at the dead centres, where Pythagoras' theorem gives R4x.
         const double stroke = std::sqrt(80.0 * 80.0 - 625.0) - std::sqrt(40.0 * 40.0 - 625.0);
-        const Page of60 = pageOf(lengths(20, 60, 25));
-        const TableRow *row = find(of60, Positions, "stroke");
-        QVERIFY(row && !row->time && std::abs(row->cells[Value].number.value() / stroke - 1.0) < 1e-12);
-        QCOMPARE(row->cells[Name].csv, "stroke [mm]");
+        const Page of60 = pageOf({20, 60, 25});
+        const TableRow &row = find(of60, Positions, "stroke");
+        QVERIFY(!row.time && std::abs(row.cells[Value].number.value() / stroke - 1.0) < 1e-12);
+        QCOMPARE(row.cells[Name].csv, "stroke [mm]");
         const ClosedForm motion{Mechanism()};
         const Page page = pageOf({});
-        QVERIFY(std::abs(motion.motionAt(find(page, Positions, "outer dead centre")->time.value()).R4xDot) < 1e-11);
-        QVERIFY(std::abs(motion.motionAt(find(page, Peaks, "slider velocity")->time.value()).R4xDDot) < 1e-10);
+        QVERIFY(std::abs(motion.motionAt(find(page, Positions, "outer dead centre").time.value()).R4xDot) < 1e-11);
+        QVERIFY(std::abs(motion.motionAt(find(page, Peaks, "slider velocity").time.value()).R4xDDot) < 1e-10);
     }
 
     void hasNoTimeForRowsOutsideTheTimeRange()
@@ -201,25 +185,25 @@ private slots:
         Sampling half;
         half.duration = 0.5;
         const Page page = pageOf({}, half);
-        QCOMPARE(find(page, Positions, "outer dead centre")->cells[Time].text, "0.04751");
-        const TableRow *inner = find(page, Positions, "inner dead centre");
-        QVERIFY(!inner->time);
-        QCOMPARE(inner->cells[Angle].text, "213.75");
-        QVERIFY(inner->cells[Time].explanation.contains("Outside"));
+        QCOMPARE(find(page, Positions, "outer dead centre").cells[Time].text, "0.04751");
+        const TableRow &inner = find(page, Positions, "inner dead centre");
+        QVERIFY(!inner.time);
+        QCOMPARE(inner.cells[Angle].text, "213.75");
+        QVERIFY(inner.cells[Time].explanation.contains("Outside"));
 
         Sampling justEnough; // includes the last time step
         justEnough.duration = 0.75;
-        QVERIFY(find(pageOf({}, justEnough), Peaks, "coupler angular acceleration")->time);
+        QVERIFY(find(pageOf({}, justEnough), Peaks, "coupler angular acceleration").time);
         Parameters there;
         there.omega2 = 0.0;
         there.theta20 = 1.5 * std::numbers::pi; // at rest where the coupler is steepest
-        QCOMPARE(find(pageOf(there), Positions, "minimum transmission angle")->time, std::optional(0.0));
+        QCOMPARE(find(pageOf(there), Positions, "minimum transmission angle").time, std::optional(0.0));
     }
 
     void canBeAssembledAtTheTimeOfEveryRow()
     {
         for (int i = 0; i < 50; ++i) {
-            const Parameters parameters = lengths(20.0 + 0.37 * i, 30.0 + 0.11 * i, (i % 2 == 0 ? 1.0 : -1.0) * 15.3);
+            const Parameters parameters{20.0 + 0.37 * i, 30.0 + 0.11 * i, (i % 2 == 0 ? 1.0 : -1.0) * 15.3};
             const ClosedForm motion{Mechanism(parameters)};
             const Page page = pageOf(parameters);
             for (const PageTable &table : page.tables) {

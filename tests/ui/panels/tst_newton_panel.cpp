@@ -52,13 +52,13 @@ private slots:
     {
         const auto result = resultWith({});
         const State state = ClosedForm(Mechanism()).stateAt(0.2);
-        const Page equations = equationPage(*result, 0.2);
+        const Page equations = NewtonPages::equations(*result, 0.2);
         const Vector12 Qd = quadraticVelocityTerm(Mechanism(), state.q, state.qDot);
         QCOMPARE(cell(equations, CrankPinX, 0).text, "pin A, x");
         QCOMPARE(cell(equations, CrankDrive, 0).text, "drive");
         QCOMPARE(cell(equations, CrankDrive, 3).text, "-6.283");
         QCOMPARE(equations.tables[0].rows[CrankPinX].part, MechanismPart::PinA);
-        const Page jacobian = jacobianPage(*result, 0.2);
+        const Page jacobian = NewtonPages::jacobian(*result, 0.2);
         const Matrix12 Cq = constraintJacobian(Mechanism(), state.q);
         for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
             QVERIFY(std::abs(number(equations, i, 2)) <= 1e-12);
@@ -75,7 +75,7 @@ private slots:
 
     void showsTheCoordinatesInTheUnitsOfTheReferenceReport()
     {
-        const Page page = coordinatePage(*resultWith({}), 0.3);
+        const Page page = NewtonPages::coordinates(*resultWith({}), 0.3);
         const State state = ClosedForm(Mechanism()).stateAt(0.3);
         for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
             const double scale = isAngle(static_cast<Coordinate>(i)) ? kDegreesPerRadian : 1.0;
@@ -95,7 +95,7 @@ private slots:
         IterationHistory warm;
         solve(Mechanism(), 0.6, options, {}, &rough);
         solve(Mechanism(), 0.6, options, solve(Mechanism(), 0.595, options), &warm);
-        const Page page = iterationPage(*result, 0.6);
+        const Page page = NewtonPages::iterations(*result, 0.6);
         QCOMPARE(page.tables[0].rows.size(), rough.size());
         for (std::size_t k = 0; k < rough.size(); ++k) {
             const auto row = static_cast<Eigen::Index>(k);
@@ -112,15 +112,15 @@ private slots:
     void saysWhyNumbersAreMissing()
     {
         const auto rocker = resultWith({}, 40.0);
-        for (const auto page : {equationPage, jacobianPage, iterationPage, coordinatePage}) {
+        for (const auto page : {NewtonPages::equations, NewtonPages::jacobian, NewtonPages::iterations, NewtonPages::coordinates}) {
             QVERIFY(page(*rocker, 0.75).sentence.contains("too short"));
             QVERIFY(!page(*rocker, 0.25).sentence.contains("⚠"));
         }
-        const Page nothing = coordinatePage(*rocker, 0.75);
+        const Page nothing = NewtonPages::coordinates(*rocker, 0.75);
         QCOMPARE(cell(nothing, R4x, 2).text, "–");
         QVERIFY(!cell(nothing, R4x, 2).number);
         const auto limited = resultWith({Method::Newton, {1, 1e-14}});
-        QVERIFY(coordinatePage(*limited, 0.3).sentence.contains("Not converged within 1 iterations"));
+        QVERIFY(NewtonPages::coordinates(*limited, 0.3).sentence.contains("Not converged within 1 iterations"));
     }
 
     void changesOneSettingAtATime()

@@ -11,8 +11,6 @@
 
 #include <QAbstractButton>
 #include <QComboBox>
-#include <QLabel>
-#include <QSignalSpy>
 #include <QSlider>
 #include <QTest>
 
@@ -170,17 +168,6 @@ private slots:
                 QVERIFY2(slider->toolTip().contains(QString::fromUtf8(row.tip)), qPrintable(slider->toolTip()));
             }
         }
-    }
-
-    void requestsTheResponseOnAClickOnAName()
-    {
-        const Shown shown;
-        QSignalSpy asked(&shown.panel, &ParameterPanel::responseRequested);
-        for (QLabel *label : shown.panel.findChildren<QLabel *>()) {
-            QTest::mouseClick(label, Qt::LeftButton);
-        }
-        QCOMPARE(asked.size(), 4); // nothing depends on θ₂₀
-        QCOMPARE(asked[1][0].value<Parameter>(), Parameter::B);
     }
 };
 
