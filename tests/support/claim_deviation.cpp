@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/support/claim_deviation.h"
-
-#include "core/mechanism/turn.h"
+// Judges what a claim says about deviations, noise, omitted columns and excluded rows.
+#include "tests/support/claim_judge.h"
+#include "tests/support/claim_precision.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,395 +12,280 @@ namespace slidercrank
 namespace
 {
 
-bool canBeFitted(Channel channel)
-{
-    return channel.coordinate == Theta3 || channel.coordinate == R4x || channel == kY ||
-           (channel.coordinate == Theta2 && channel.order != Order::Acceleration);
-}
+using Kind = Convention::Kind;
+
+/// The numbers of one column, as the claim interprets them, beside the motion of a mechanism. Rows that are excluded or
+/// have no number are omitted.
+struct Deviation {
+    Channel channel;
+    const ClaimColumn *column = nullptr;
+    Values numbers{};
+    Values motion{};
+    Values difference{};  ///< of motion and numbers, without whole turns
+    Values uncertainty{}; ///< standard deviation that noise and the rounding of numbers and time stamps explain
+    Values excess{};      ///< of the difference over half a rounding step, at the best time within its rounding
+    Values isBad{};       ///< 1 in rows with wrong readings
+
+    double largest() const { return difference.abs().maxCoeff(); }
+    double rms() const { return std::sqrt(difference.square().mean()); }
+    double noise() const { return std::sqrt(uncertainty.square().mean()); }
+    double peak() const { return (numbers.isZero() ? motion : numbers).abs().maxCoeff(); }
+    double range() const { return motion.maxCoeff() - motion.minCoeff(); }
+    double spread() const { return std::sqrt((numbers - numbers.mean()).square().mean()); }
+    bool moves() const { return range() > 1e-6 * peak(); }
+};
+using Deviations = std::vector<Deviation>;
 
 /// Returns the product of the unit factors that the claim found for a column.
-double unitFactor(const ProgramClaim &claim, Channel channel)
+double unitFactor(const Claim &claim, Channel channel)
 {
     double factor = 1.0;
-    for (const Finding &finding : claim.findings) {
-        if (finding.name.ends_with("-unit") && std::ranges::count(finding.channels, channel) > 0) {
-            factor *= finding.amount;
-        }
+    for (const auto &[convention, before, after, standardError] : claim.diagnosis.conventions) {
+        const bool isUnit = convention.kind == Kind::AngleUnit || convention.kind == Kind::LengthUnit;
+        factor *= isUnit && concerns(convention, channel) ? convention.amount : 1.0;
     }
     return factor;
 }
 
-/// Deviation of one column, as interpreted by the claim, from the claimed motion.
-struct ColumnDeviation {
-    Channel channel;
-    const ClaimColumn *column = nullptr;
-    double largest = 0.0;
-    double largestWithTurns = 0.0; ///< the same without removing whole turns from angles
-    double rms = 0.0;
-    double peak = 0.0;                ///< of the numbers
-    double range = 0.0;               ///< largest minus smallest value of the motion
-    double spread = 0.0;              ///< standard deviation of the numbers
-    double uncertainty = 0.0;         ///< rms explained by noise and by the rounding of values and time stamps
-    double medianUncertainties = 0.0; ///< median of |deviation| / uncertainty over the rows
-    double mostUncertainties = 0.0;   ///< largest ratio among rows with wrong readings that are not excluded
-};
-
-class Deviations
+template <class List>
+double valueFor(Channel channel, const List &list, double List::value_type::*value)
 {
-public:
-    Deviations(const ClaimFile &file, const ReferenceData &data, const ProgramClaim &claim, const Parameters &mechanism)
-        : m_file(file)
-        , m_claim(claim)
-        , m_mechanism(mechanism)
-    {
-        for (const std::size_t line : data.lines) {
-            m_rows.push_back(static_cast<std::size_t>(std::ranges::find(file.lines, line) - file.lines.begin()));
-        }
-    }
+    const auto found = std::ranges::find(list, channel, &List::value_type::channel);
+    return found == list.end() ? 0.0 : (*found).*value;
+}
 
-    /// Returns the deviations of all columns except swapped ones.
-    std::vector<ColumnDeviation> all() const
-    {
-        std::vector<ColumnDeviation> deviations;
-        for (const ReferenceSeries &series : m_claim.read.series) {
-            if (!hasFinding(m_claim, "swapped-columns", series.channel)) {
-                deviations.push_back(of(series));
-            }
-        }
-        return deviations;
+/// Returns the deviations of the columns from a mechanism: with the claim's conventions and without its excluded rows,
+/// or as they are in the file.
+Deviations deviationsFrom(const Parameters &p, const Claim &claim, bool isAsClaimed = true)
+{
+    const ClaimFile &file = claim.file;
+    const ReferenceData &data = isAsClaimed ? claim.read : claim.data;
+    Values times = Values::Map(data.time.data(), static_cast<Index>(data.time.size()));
+    if (data.crank) {
+        times = (Values::Map(data.crank->degrees.data(), times.size()) / kDegreesPerRadian - p.theta20) / p.omega2;
     }
-
-    bool isExcluded(std::size_t i) const
-    {
-        return isKnown(i) && ((m_file.hasSaturation && isBad(i)) ||
-                              std::ranges::count(m_claim.excludedLines, m_file.lines[m_rows[i]]) > 0);
+    const Values late = Values::Constant(times.size(), 0.5 * file.timeStep * file.timeFactor);
+    const std::array motions{motionOf(p, times), motionOf(p, times - late), motionOf(p, times + late)};
+    Values isBad = Values::Zero(times.size());
+    Values isExcluded = isBad;
+    for (Index i = 0; i < times.size(); ++i) {
+        const std::size_t line = data.lines[static_cast<std::size_t>(i)];
+        isBad[i] = file.badRows.contains(std::ranges::find(file.lines, line) - file.lines.begin()) ? 1.0 : 0.0;
+        const bool isNamed = std::ranges::count(claim.found.excludedRows, line) > 0;
+        isExcluded[i] = isAsClaimed && (isNamed || (file.hasSaturation && isBad[i] > 0.0)) ? 1.0 : 0.0;
     }
-
-private:
-    ColumnDeviation of(const ReferenceSeries &series) const
-    {
+    Deviations deviations;
+    for (const ReferenceSeries &series : data.series) {
         const Channel channel = series.channel;
-        const ClaimColumn &column = *std::ranges::find(m_file.columns, channel, &ClaimColumn::named);
-        const double factor = unitFactor(m_claim, channel);
-        const auto noise = std::ranges::find(m_claim.noise, channel, &ProgramClaim::ChannelValue::channel);
-        const double rms = noise == m_claim.noise.end() ? 0.0 : noise->value;
-        ColumnDeviation deviation{channel, &column};
-        std::vector<double> ratios;
-        double count = 0.0, sum = 0.0, squares = 0.0, low = INFINITY, high = -INFINITY;
-        for (std::size_t i = 0; i < series.values.size(); ++i) {
-            const double value = series.values[i];
-            const double motion = at(i, channel);
-            if (!std::isfinite(value) || !std::isfinite(motion) || isExcluded(i)) {
-                continue;
+        const auto column = std::ranges::find(file.columns, channel, &ClaimColumn::named);
+        const double factor = isAsClaimed ? unitFactor(claim, channel) : 1.0;
+        const Values numbers = Values::Map(series.values.data(), times.size());
+        const Values steps = column->form.stepsAt(numbers / factor) * std::abs(factor);
+        std::array<Values, 3> motion;
+        std::ranges::transform(motions, motion.begin(),
+                               [&](const Poses &all) { return all.col(columnOf(channel)).cast<double>(); });
+        std::vector<Index> rows;
+        for (Index i = 0; i < times.size(); ++i) {
+            if (std::isfinite(numbers[i] + motion[0][i]) && isExcluded[i] == 0.0) {
+                rows.push_back(i);
             }
-            const double difference = static_cast<double>(differenceIn(channel, motion, value));
-            const double step = column.form.stepAt(value / factor) * std::abs(factor);
-            const double half = 0.5 * m_file.timeStep * m_file.timeFactor;
-            const double blur = half > 0.0 ? at(i, channel, half) - at(i, channel, -half) : 0.0;
-            const double variance = (step * step + (std::isfinite(blur) ? blur * blur : 0.0)) / 12.0 + rms * rms;
-            ratios.push_back(std::abs(difference) / std::sqrt(variance));
-            deviation.largest = std::max(deviation.largest, std::abs(difference));
-            deviation.largestWithTurns = std::max(deviation.largestWithTurns, std::abs(motion - value));
-            deviation.peak = std::max(deviation.peak, std::abs(value));
-            deviation.rms += difference * difference;
-            deviation.uncertainty += variance;
-            if (isBad(i)) {
-                deviation.mostUncertainties = std::max(deviation.mostUncertainties, ratios.back());
-            }
-            low = std::min(low, motion);
-            high = std::max(high, motion);
-            count += 1.0;
-            sum += value;
-            squares += value * value;
         }
-        if (!ratios.empty()) {
-            const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-            std::ranges::nth_element(ratios, middle);
-            deviation.medianUncertainties = *middle;
+        if (rows.empty() || (isAsClaimed && claim.has(Kind::SwappedColumns, channel))) {
+            continue;
         }
-        count = std::max(count, 1.0);
-        deviation.rms = std::sqrt(deviation.rms / count);
-        deviation.uncertainty = std::sqrt(deviation.uncertainty / count);
-        deviation.range = high > low ? high - low : 0.0;
-        deviation.peak = deviation.peak > 0.0 ? deviation.peak : std::max(std::abs(low), std::abs(high));
-        deviation.spread = std::sqrt(std::max(squares / count - sum / count * sum / count, 0.0));
-        return deviation;
+        Deviation &deviation = deviations.emplace_back(Deviation{channel, &*column});
+        const double rms = valueFor(channel, claim.found.noise, &Identification::Noise::rms);
+        const Values blur = (motion[2] - motion[1]).isFinite().select(motion[2] - motion[1], 0.0);
+        const bool hasTurns = isAngle(channel.coordinate) && channel.order == Order::Position;
+        const Values difference = motion[0] - numbers;
+        const Values nearest = difference.abs().min((motion[1] - numbers).abs()).min((motion[2] - numbers).abs());
+        deviation.numbers = numbers(rows);
+        deviation.motion = motion[0](rows);
+        deviation.difference =
+            difference(rows).unaryExpr([=](double x) { return hasTurns ? std::remainder(x, 360.0) : x; });
+        deviation.uncertainty = ((steps.square() + blur.square()) / 12.0 + rms * rms).sqrt()(rows);
+        deviation.excess = (nearest - 0.5 * steps)(rows);
+        deviation.isBad = isBad(rows);
     }
+    return deviations;
+}
 
-    bool isBad(std::size_t i) const { return isKnown(i) && m_file.badRows.contains(m_rows[i]); }
-    bool isKnown(std::size_t i) const { return i < m_rows.size() && m_rows[i] < m_file.lines.size(); }
-
-    double at(std::size_t i, Channel channel, double late = 0.0) const
-    {
-        const Parameters &p = m_mechanism;
-        const std::optional<CrankAngles> &crank = m_claim.read.crank;
-        const Pose pose = crank ? poseAt(p, crank->degrees[i] / kDegreesPerRadian, p.omega2)
-                                : motionAt(p, m_claim.read.time[i] + late);
-        return static_cast<double>(pose[indexOf(channel)]);
-    }
-
-    const ClaimFile &m_file;
-    const ProgramClaim &m_claim;
-    const Parameters m_mechanism;
-    std::vector<std::size_t> m_rows; ///< row of the file for each row of the data
-};
-
-std::string percent(double part)
+bool isUsed(const Claim &claim, Channel channel)
 {
-    return std::to_string(100.0 * part) + " %";
+    return canBeFitted(channel) && !claim.isLeftOut(channel);
 }
 
 /// Checks that the printed deviations are those of the printed mechanism, and that `nearest` fits better than a
 /// constant.
-std::string falsePrintedDeviation(const ClaimFile &file, const ProgramClaim &claim,
-                                  const std::vector<ColumnDeviation> &deviations)
+std::string falsePrintedDeviation(const Claim &claim, const Deviations &deviations)
 {
-    for (const ColumnDeviation &deviation : deviations) {
+    for (const Deviation &deviation : deviations) {
         const std::string name(nameOf(deviation.channel));
-        const double tolerance = 0.02 * deviation.largest + 1e-6 * deviation.peak + deviation.uncertainty;
-        const auto printed = std::ranges::find(claim.identified, deviation.channel, &ChannelComparison::channel);
-        if (!file.byAngle && !file.hasSaturation && printed != claim.identified.end() && printed->maxAbs &&
-            std::abs(*printed->maxAbs - deviation.largest) > tolerance &&
-            std::abs(*printed->maxAbs - deviation.largestWithTurns) > tolerance) {
-            return "says that " + name + " deviates by " + percent(*printed->maxAbs / deviation.peak) +
-                   " of its peak, not " + percent(deviation.largest / deviation.peak);
+        const double tolerance = 0.02 * deviation.largest() + 1e-6 * deviation.peak() + deviation.noise();
+        const auto differs = [&](double printed, double actual) { return std::abs(printed - actual) > tolerance; };
+        const auto printed =
+            std::ranges::find(claim.diagnosis.identified, deviation.channel, &ChannelComparison::channel);
+        if (!claim.file.isByAngle && !claim.file.hasSaturation && printed != claim.diagnosis.identified.end() &&
+            printed->maxAbs && differs(*printed->maxAbs, deviation.largest()) &&
+            differs(*printed->maxAbs, (deviation.motion - deviation.numbers).abs().maxCoeff())) {
+            return "false deviation of " + name;
         }
-        const auto leftOut = std::ranges::find(claim.leftOut, deviation.channel, &ProgramClaim::ChannelValue::channel);
-        if (leftOut != claim.leftOut.end() &&
-            std::abs(0.01 * leftOut->value * deviation.peak - deviation.largest) > tolerance) {
-            return "leaves out " + name + " as off by " + percent(0.01 * leftOut->value) + " of its peak, not " +
-                   percent(deviation.largest / deviation.peak);
+        const double leftOut =
+            valueFor(deviation.channel, claim.found.leftOut, &Identification::LeftOut::percentOfPeak);
+        if (claim.isLeftOut(deviation.channel) && differs(0.01 * leftOut * deviation.peak(), deviation.largest())) {
+            return "false deviation of the omitted " + name;
         }
-        const bool moves = deviation.spread > 1e-3 * deviation.peak;
-        if (claim.outcome == ClaimedOutcome::Nearest && leftOut == claim.leftOut.end() && moves &&
-            canBeFitted(deviation.channel) && deviation.rms > 1.2 * deviation.spread) {
-            return "nearest is off by " + percent(deviation.rms / deviation.spread) + " of the spread of " + name;
+        if (claim.isNearest() && isUsed(claim, deviation.channel) && deviation.spread() > 1e-3 * deviation.peak() &&
+            deviation.rms() > 1.2 * deviation.spread()) {
+            return "a constant is nearer to " + name;
         }
     }
     return {};
 }
 
 /// Checks that every column and every wrong reading that an identified mechanism does not explain is named.
-std::string unnamedDeviation(const ProgramClaim &claim, const std::vector<ColumnDeviation> &deviations)
+std::string unnamedDeviation(const Claim &claim, const Deviations &deviations)
 {
     constexpr double kVisible = 5e-4; // of the peak
     constexpr double kFar = 16.0;     // twice the limit beyond which readings must be excluded
-    for (const ColumnDeviation &deviation : deviations) {
-        if (isLeftOut(claim, deviation.channel) || !canBeFitted(deviation.channel)) {
-            continue;
-        }
-        const std::string name(nameOf(deviation.channel));
-        if (deviation.mostUncertainties > kFar) {
-            return "a reading of " + name + " that is off by " + std::to_string(deviation.mostUncertainties) +
-                   " standard deviations is not named";
-        }
-        if (deviation.medianUncertainties > 3.0 && deviation.largest > kVisible * deviation.peak) {
-            return name + " is not named, which is off by " + percent(deviation.largest / deviation.peak) +
-                   " of its peak and " + std::to_string(deviation.medianUncertainties) + " times its uncertainty";
+    for (const Deviation &deviation : deviations) {
+        Values ratios = deviation.difference.abs() / deviation.uncertainty;
+        const double worstReading = (ratios * deviation.isBad).maxCoeff();
+        const auto middle = ratios.begin() + ratios.size() / 2;
+        std::nth_element(ratios.begin(), middle, ratios.end());
+        if (isUsed(claim, deviation.channel) &&
+            (worstReading > kFar || (*middle > 3.0 && deviation.largest() > kVisible * deviation.peak()))) {
+            return "does not name " + std::string(nameOf(deviation.channel)) + " or its wrong readings";
         }
     }
     return {};
 }
 
 /// Checks that the claimed noise does not exceed the noise of the correct readings.
-std::string falseNoise(const ClaimFile &file, const ProgramClaim &claim)
+std::string falseNoise(const Claim &claim)
 {
     constexpr double kMost = 1.5;
-    for (const auto &[channel, rms] : claim.noise) {
-        const auto column = std::ranges::find(file.columns, channel, &ClaimColumn::named);
-        double count = 0.0, squares = 0.0;
-        for (std::size_t row = 0; row < file.instants.size(); ++row) {
-            const double late = 0.5 * file.timeStep;
-            const double before = file.exactValue(column->shown, file.instants[row] - late) * column->factor;
-            const double after = file.exactValue(column->shown, file.instants[row] + late) * column->factor;
-            const double difference = column->values[row] - 0.5 * (before + after) - column->origin;
-            const double step = column->form.stepAt(column->values[row]);
-            const double square = difference * difference + (step * step + (after - before) * (after - before)) / 12.0;
-            if (std::isfinite(square) && !file.badRows.contains(row)) {
-                squares += square;
-                count += 1.0;
-            }
+    const ClaimFile &file = claim.file;
+    for (const auto &[channel, rms] : claim.found.noise) {
+        const ClaimColumn &column = *std::ranges::find(file.columns, channel, &ClaimColumn::named);
+        const Values before = column.factor * file.exactValues(column.shown, file.instants - 0.5 * file.timeStep);
+        const Values after = column.factor * file.exactValues(column.shown, file.instants + 0.5 * file.timeStep);
+        const Values squares = (column.values - 0.5 * (before + after) - column.origin).square() +
+                               (column.form.stepsAt(column.values).square() + (after - before).square()) / 12.0;
+        double sum = 0.0;
+        double count = 0.0;
+        for (Index row = 0; row < squares.size(); ++row) {
+            const bool isUsed = std::isfinite(squares[row]) && !file.badRows.contains(row);
+            sum += isUsed ? squares[row] : 0.0;
+            count += isUsed ? 1.0 : 0.0;
         }
-        const double actual = std::sqrt(squares / std::max(count, 1.0)) * std::abs(unitFactor(claim, channel));
-        if (rms > kMost * actual) {
-            return "noise of " + std::to_string(rms) + " in " + std::string(nameOf(channel)) + ", not " +
-                   std::to_string(actual);
+        if (rms > kMost * std::sqrt(sum / std::max(count, 1.0)) * std::abs(unitFactor(claim, channel))) {
+            return "too much noise of " + std::string(nameOf(channel)) + ", " + std::to_string(rms);
         }
     }
     return {};
 }
 
-/// Checks that an approximate mechanism explains every used column to 1 % and has no standard errors.
-std::string falseApproximation(const ProgramClaim &claim, const std::vector<ColumnDeviation> &deviations)
+/// Checks that an approximate mechanism explains every used column to 1 % and has no standard errors, and that round
+/// numbers explain the file equally well, by the largest or by the rms deviation.
+std::string falseApproximation(const Claim &claim, const Deviations &deviations)
 {
     constexpr double kMost = 0.01;
-    const bool hasError = std::ranges::any_of(claim.standardError, [](double error) { return std::isfinite(error); });
-    if (hasError) {
-        return "standard errors of an approximate mechanism";
-    }
-    for (const ColumnDeviation &deviation : deviations) {
-        if (!canBeFitted(deviation.channel) || isLeftOut(claim, deviation.channel)) {
+    constexpr double kEqually = 1.15;
+    const Deviations rounded = deviationsFrom(claim.diagnosis.rounded, claim);
+    std::array<double, 4> parts{}; // of the range: largest and rms, then the same of the rounded mechanism
+    for (std::size_t k = 0; k < deviations.size(); ++k) {
+        const Deviation &deviation = deviations[k];
+        const double noise = deviation.column->noise + deviation.noise();
+        const double range = deviation.range();
+        if (!isUsed(claim, deviation.channel) || !deviation.moves()) {
             continue;
         }
-        const bool moves = deviation.range > 1e-6 * deviation.peak;
-        const double noise = deviation.column->noise + deviation.uncertainty;
-        if (moves && (deviation.rms > kMost * deviation.range + noise ||
-                      deviation.largest > kMost * deviation.range + 5.0 * noise)) {
-            return "approximate, but " + std::string(nameOf(deviation.channel)) + " is off by " +
-                   percent(deviation.largest / deviation.range) + " of its range";
+        if (deviation.rms() > kMost * range + noise || deviation.largest() > kMost * range + 5.0 * noise) {
+            return "approximate, but " + std::string(nameOf(deviation.channel)) + " is far";
+        }
+        const std::array sizes{deviation.largest(), deviation.rms(), rounded[k].largest(), rounded[k].rms()};
+        for (std::size_t i = 0; i < sizes.size(); ++i) {
+            parts[i] = std::max(parts[i], sizes[i] / (i < 2 ? range : rounded[k].range()));
         }
     }
-    return {};
+    if (std::ranges::any_of(claim.found.standardError, [](double error) { return std::isfinite(error); })) {
+        return "standard errors of an approximate mechanism";
+    }
+    return parts[2] <= kEqually * parts[0] || parts[3] <= kEqually * parts[1] ? "" : "the round numbers deviate more";
 }
 
-/// Checks that the round numbers explain the file equally well, by the largest or by the rms deviation.
-std::string falseRounding(const ProgramClaim &claim, const std::vector<ColumnDeviation> &exact,
-                          const std::vector<ColumnDeviation> &rounded)
+std::string falseExclusion(const Claim &claim)
 {
-    constexpr double kEqually = 1.15;
-    const auto largest = [&](const std::vector<ColumnDeviation> &deviations, double ColumnDeviation::*size) {
-        double part = 0.0;
-        for (const ColumnDeviation &deviation : deviations) {
-            const bool isUsed = canBeFitted(deviation.channel) && !isLeftOut(claim, deviation.channel);
-            if (isUsed && deviation.range > 1e-6 * deviation.peak) {
-                part = std::max(part, deviation.*size / deviation.range);
-            }
-        }
-        return part;
+    const std::vector<std::size_t> &excluded = claim.found.excludedRows;
+    const auto isRight = [&](std::size_t line) {
+        return !claim.file.badRows.contains(std::ranges::find(claim.file.lines, line) - claim.file.lines.begin());
     };
-    for (const auto size : {&ColumnDeviation::largest, &ColumnDeviation::rms}) {
-        if (largest(rounded, size) <= kEqually * largest(exact, size)) {
-            return {};
-        }
-    }
-    return "round numbers deviate by " + percent(largest(rounded, &ColumnDeviation::largest)) + " instead of " +
-           percent(largest(exact, &ColumnDeviation::largest));
-}
-
-std::string falseExclusion(const ClaimFile &file, const ProgramClaim &claim)
-{
-    if (20 * claim.excludedLines.size() > file.instants.size() && !file.hasSaturation) {
-        return std::to_string(claim.excludedLines.size()) + " rows of " + std::to_string(file.instants.size()) +
-               " are excluded";
-    }
-    for (const std::size_t line : claim.excludedLines) {
-        const auto row = std::ranges::find(file.lines, line) - file.lines.begin();
-        if (!file.badRows.contains(static_cast<std::size_t>(row))) {
-            return "excludes line " + std::to_string(line) + ", which is right";
-        }
-    }
-    return {};
+    const bool isTooMuch = 20 * excluded.size() > claim.file.lines.size() && !claim.file.hasSaturation;
+    return isTooMuch || std::ranges::any_of(excluded, isRight) ? "excludes rows that are right" : "";
 }
 
 /// Finds a verdict better than `differs` for a motion whose error exceeds 2 % of its peak plus half a rounding step.
-std::string falseVerdict(const ClaimFile &file, const ReferenceData &read,
-                         const std::vector<ChannelComparison> &verdicts, const Parameters &model,
-                         const ProgramClaim *claim, const Deviations &reader)
+std::string falseVerdict(const std::vector<ChannelComparison> &verdicts, const Parameters &p,
+                         const Deviations &deviations)
 {
     constexpr double kVisible = 0.02;
-    for (const ChannelComparison &verdict : verdicts) {
-        const ReferenceSeries *series = read.find(verdict.channel);
-        const auto column = std::ranges::find(file.columns, verdict.channel, &ClaimColumn::named);
-        if (verdict.verdict == Verdict::Differs || series == nullptr || read.crank ||
-            (claim && hasFinding(*claim, "swapped-columns", verdict.channel))) {
-            continue;
-        }
-        const double factor = claim ? unitFactor(*claim, verdict.channel) : 1.0;
-        double peak = 1e-9 * toFileUnit(verdict.channel, naturalSize(model, verdict.channel));
-        double excess = 0.0;
-        for (std::size_t i = 0; i < read.time.size(); ++i) {
-            const double value = series->values[i];
-            if (!std::isfinite(value) || (claim && reader.isExcluded(i))) {
-                continue;
-            }
-            double least = INFINITY;
-            for (const double late : {0.0, -0.5, 0.5}) { // in rounding steps of the time
-                const double t = read.time[i] + late * file.timeStep * file.timeFactor;
-                const double motion = static_cast<double>(motionAt(model, t)[indexOf(verdict.channel)]);
-                peak = late == 0.0 ? std::max(peak, std::abs(motion)) : peak;
-                least = std::min(least, std::abs(motion - value));
-            }
-            excess = std::max(excess, least - 0.5 * column->form.stepAt(value / factor) * std::abs(factor));
-        }
-        if (excess > kVisible * peak) {
-            return std::string(verdict.verdict == Verdict::Agrees ? "agrees" : "close") + " in " +
-                   std::string(nameOf(verdict.channel)) + ", which is off by " + percent(excess / peak) +
-                   " of the peak";
+    for (const Deviation &deviation : deviations) {
+        const auto verdict = std::ranges::find(verdicts, deviation.channel, &ChannelComparison::channel);
+        const double least = 1e-9 * toFileUnit(deviation.channel, naturalSize(p, deviation.channel));
+        if (verdict != verdicts.end() && verdict->verdict != Verdict::Differs &&
+            deviation.excess.maxCoeff() > kVisible * std::max(deviation.motion.abs().maxCoeff(), least)) {
+            return "false verdict of " + std::string(nameOf(deviation.channel));
         }
     }
     return {};
 }
 
-/// Returns whether the columns contain the exact motion in the stated units.
-bool isPlain(const ClaimFile &file)
+/// Checks that no channel differs from its own motion if the columns contain that motion in the stated units.
+std::string falseDifference(const Claim &claim)
 {
-    return file.truth && !file.byAngle && file.timeFactor == 1.0 && file.timeOffset == 0.0 && file.badRows.empty() &&
-           std::ranges::all_of(file.columns, [](const ClaimColumn &column) {
-               return column.content == ClaimColumn::Content::Motion && column.named == column.shown &&
-                      column.factor == 1.0 && column.origin == 0.0 && column.noise == 0.0 &&
-                      column.form.quantum == 0.0 && !column.form.isTruncated;
-           });
+    const ClaimFile &file = claim.file;
+    const bool isPlain = file.truth && !file.isByAngle && file.timeFactor == 1.0 && file.badRows.empty() &&
+                         std::ranges::all_of(file.columns, [](const ClaimColumn &column) {
+                             return column.content == ClaimColumn::Content::Motion && column.named == column.shown &&
+                                    column.factor == 1.0 && column.origin == 0.0 && column.noise == 0.0 &&
+                                    column.form.quantum == 0.0 && !column.form.isTruncated;
+                         });
+    if (isPlain) {
+        for (const ChannelComparison &channel : compareExactly(Mechanism(*file.truth), claim.data).channels) {
+            if (channel.verdict == Verdict::Differs) {
+                return std::string(nameOf(channel.channel)) + " differs from its own motion";
+            }
+        }
+    }
+    return {};
 }
 
 } // namespace
 
-bool isLeftOut(const ProgramClaim &claim, Channel channel)
+std::string falseDeviation(const Claim &claim)
 {
-    return std::ranges::count(claim.leftOut, channel, &ProgramClaim::ChannelValue::channel) > 0;
-}
-
-bool hasFinding(const ProgramClaim &claim, std::string_view name, Channel channel)
-{
-    return std::ranges::any_of(claim.findings, [&](const Finding &finding) {
-        return finding.name == name && std::ranges::count(finding.channels, channel) > 0;
-    });
-}
-
-long double differenceIn(Channel channel, long double one, long double other)
-{
-    const long double difference = one - other;
-    const bool isPosition = isAngle(channel.coordinate) && channel.order == Order::Position;
-    return isPosition ? std::remainder(difference, 360.0L) : difference;
-}
-
-std::string falseDeviation(const ClaimFile &file, const ReferenceData &data, const ProgramClaim &claim)
-{
-    for (const ProgramClaim::ClaimedFinding &finding : claim.findings) {
-        if (!(finding.after < finding.before) && (finding.before > 0.0 || finding.after > 0.0)) {
-            return std::string(finding.name) + " leaves " + percent(0.01 * finding.after) + " of " +
-                   percent(0.01 * finding.before);
-        }
+    const auto worsens = [](const ConventionFinding &finding) {
+        return !(finding.after < finding.before) && (finding.before > 0.0 || finding.after > 0.0);
+    };
+    const auto isAxis = [](const ConventionFinding &finding) { return finding.convention.kind == Kind::Axis; };
+    std::string wrong = std::ranges::any_of(claim.diagnosis.conventions, worsens) ? "a convention worsens the deviation"
+                                                                                  : falseExclusion(claim);
+    if (std::ranges::none_of(claim.diagnosis.conventions, isAxis) &&
+        (claim.isIdentified() || claim.isApproximate() || claim.isNearest())) {
+        const Parameters &p = claim.found.parameters;
+        const Deviations deviations = deviationsFrom(p, claim);
+        wrong += claim.data.crank ? "" : falseVerdict(claim.diagnosis.identified, p, deviations);
+        wrong += falsePrintedDeviation(claim, deviations);
+        wrong += claim.isIdentified() && !claim.file.hasSaturation ? unnamedDeviation(claim, deviations) : "";
+        wrong += claim.isIdentified() && claim.file.truth ? falseNoise(claim) : "";
+        wrong += claim.isApproximate() ? falseApproximation(claim, deviations) : "";
     }
-    const Deviations reader(file, data, claim, claim.parameters);
-    const bool isIdentified = claim.outcome == ClaimedOutcome::Identified || claim.outcome == ClaimedOutcome::Ambiguous;
-    const bool isApproximate = claim.outcome == ClaimedOutcome::Approximate;
-    std::string wrong = falseExclusion(file, claim);
-    if (std::ranges::none_of(claim.findings, [](const Finding &finding) { return finding.name == "axis"; }) &&
-        (isIdentified || isApproximate || claim.outcome == ClaimedOutcome::Nearest)) {
-        const std::vector<ColumnDeviation> deviations = reader.all();
-        wrong +=
-            wrong.empty() ? falseVerdict(file, claim.read, claim.identified, claim.parameters, &claim, reader) : "";
-        wrong += wrong.empty() ? falsePrintedDeviation(file, claim, deviations) : "";
-        wrong += wrong.empty() && isIdentified && !file.hasSaturation ? unnamedDeviation(claim, deviations) : "";
-        wrong += wrong.empty() && isIdentified && file.truth ? falseNoise(file, claim) : "";
-        wrong += wrong.empty() && isApproximate ? falseApproximation(claim, deviations) : "";
-        if (wrong.empty() && isApproximate) {
-            wrong = falseRounding(claim, deviations, Deviations(file, data, claim, claim.rounded).all());
-        }
+    if (!claim.data.crank) {
+        const std::vector<ChannelComparison> given = compareExactly(Mechanism(claim.file.given), claim.data).channels;
+        wrong += falseVerdict(given, claim.file.given, deviationsFrom(claim.file.given, claim, false));
     }
-    if (wrong.empty()) {
-        const ExactComparison given = compareExactly(Mechanism(file.given), data);
-        wrong = falseVerdict(file, data, given.channels, file.given, nullptr, reader);
-    }
-    if (wrong.empty() && isPlain(file)) {
-        for (const ChannelComparison &channel : compareExactly(Mechanism(*file.truth), data).channels) {
-            if (channel.verdict == Verdict::Differs) {
-                wrong = "differs in " + std::string(nameOf(channel.channel)) + " from its own motion, by " +
-                        std::to_string(channel.worstOver) + " half steps";
-            }
-        }
-    }
-    return wrong;
+    return wrong + falseDifference(claim);
 }
 
 } // namespace slidercrank

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/claim_file.h"
 
+#include "core/closed_form/textbook_motion.h"
 #include "core/mechanism/turn.h"
-#include "tests/support/expected_precision.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,54 +13,27 @@
 namespace slidercrank
 {
 
-Pose poseAt(const Parameters &p, long double theta2, long double w, long double alpha)
+Pose poseAt(const Parameters &p, long double theta2)
 {
-    Pose pose{};
-    const auto set = [&pose](Coordinate coordinate, std::array<long double, 3> values) {
-        for (std::size_t order = 0; order < values.size(); ++order) {
-            pose[indexOf({coordinate, static_cast<Order>(order)})] = values[order];
+    constexpr auto kPi = std::numbers::pi_v<long double>;
+    Pose pose = Pose::Constant(kNone);
+    TextbookMotion<long double> motion;
+    if (motion.compute({p.a, p.b, p.c, p.omega2}, theta2, p.branch == Branch::Open ? 1.0 : -1.0, kPi)) {
+        for (std::size_t k = 0; k < kChannelCount; ++k) {
+            const Channel channel = channelAt(k);
+            pose[columnOf(channel)] = motion.valueAt(channel) * (isAngle(channel.coordinate) ? 180.0L / kPi : 1.0L);
         }
-    };
-    const long double a = p.a;
-    const long double b = p.b;
-    const long double sine = std::sin(theta2);
-    const long double cosine = std::cos(theta2);
-    const long double h = p.c - a * sine;
-    if (std::abs(h) > b) {
-        pose.fill(kNone);
-        return pose;
-    }
-    const long double pi = std::acos(-1.0L);
-    const long double degree = pi / 180.0L;
-    const bool isOpen = p.branch == Branch::Open;
-    const long double s = (isOpen ? 1.0L : -1.0L) * std::sqrt((b - h) * (b + h)); // projection of the coupler on x
-    const long double theta3 = isOpen ? std::asin(h / b) : pi - std::asin(h / b);
-    const long double hDDot = a * sine * w * w - a * cosine * alpha;
-    const long double w3 = -a * cosine * w / s;
-    const long double alpha3 = (hDDot + h * w3 * w3) / s;
-    const long double sDot = -h * w3;
-    const long double sDDot = a * cosine * w * w3 - h * alpha3;
-
-    set(Theta2, {theta2 / degree, w / degree, alpha / degree});
-    set(Theta3, {theta3 / degree, w3 / degree, alpha3 / degree});
-    set(R4y, {static_cast<long double>(p.c), 0.0L, 0.0L});
-    const auto setAlong = [&](Coordinate coordinate, long double crank, long double coupler) {
-        set(coordinate, {crank * a * cosine + coupler * s, -crank * a * sine * w + coupler * sDot,
-                         -crank * a * (cosine * w * w + sine * alpha) + coupler * sDDot});
-    };
-    setAlong(R2x, 0.5L, 0.0L);
-    setAlong(R3x, 1.0L, 0.5L);
-    setAlong(R4x, 1.0L, 1.0L);
-    for (const Coordinate coordinate : {R2y, R3y}) {
-        set(coordinate, {0.5L * (a * sine + (coordinate == R3y ? p.c : 0.0)), 0.5L * a * cosine * w,
-                         0.5L * a * (cosine * alpha - sine * w * w)});
     }
     return pose;
 }
 
-Pose motionAt(const Parameters &p, long double t)
+Poses motionOf(const Parameters &p, const Values &times)
 {
-    return poseAt(p, p.omega2 * t + static_cast<long double>(p.theta20), p.omega2);
+    Poses motion(times.size(), kChannelCount);
+    for (Index row = 0; row < times.size(); ++row) {
+        motion.row(row) = poseAt(p, p.omega2 * static_cast<long double>(times[row]) + p.theta20);
+    }
+    return motion;
 }
 
 namespace
@@ -73,27 +46,9 @@ std::string format(double value, const char *pattern, int precision)
     return text.data();
 }
 
-double numberIn(const std::string &text)
+double rounded(double value, int digits)
 {
-    return std::strtod(text.c_str(), nullptr);
-}
-
-double roundTo(double value, double step)
-{
-    return std::round(value / step) * step;
-}
-
-/// Hashes the name of a kind, the seed of the suite and the number of the file to 64 bits (FNV-1a, then splitmix64).
-std::uint64_t seedFor(std::string_view kind, std::uint64_t suiteSeed, int number)
-{
-    std::uint64_t bits = 0xcbf29ce484222325ULL;
-    for (const char c : kind) {
-        bits = (bits ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
-    }
-    bits ^= suiteSeed * 0x9e3779b97f4a7c15ULL + static_cast<std::uint64_t>(number) * 0xd1342543de82ef95ULL;
-    bits = (bits ^ (bits >> 30U)) * 0xbf58476d1ce4e5b9ULL;
-    bits = (bits ^ (bits >> 27U)) * 0x94d049bb133111ebULL;
-    return bits ^ (bits >> 31U);
+    return std::strtod(format(value, "%.*e", digits - 1).c_str(), nullptr);
 }
 
 } // namespace
@@ -103,38 +58,31 @@ double NumberForm::stepAt(double value) const
     if (quantum > 0.0) {
         return quantum;
     }
-    const double place = std::pow(10.0, -count);
-    if (rule == Rule::Decimals) {
-        return place;
-    }
-    const int exponent = value == 0.0 ? 0 : static_cast<int>(std::floor(std::log10(std::abs(value))));
-    const double digit = std::pow(10.0, exponent - count + 1);
-    return rule == Rule::Digits ? digit : std::max(place, digit);
+    const int exponent = std::isnormal(value) ? static_cast<int>(std::floor(std::log10(std::abs(value)))) : 0;
+    return std::max(decimals < 0 ? 0.0 : std::pow(10.0, -decimals), std::pow(10.0, exponent - digits + 1));
+}
+
+Values NumberForm::stepsAt(const Values &values) const
+{
+    return values.unaryExpr([this](double value) { return stepAt(value); });
 }
 
 std::string NumberForm::print(double value) const
 {
     if (quantum > 0.0 || isTruncated) {
         const double step = stepAt(value);
-        value = isTruncated ? std::floor(value / step) * step : roundTo(value, step);
+        value = (isTruncated ? std::floor(value / step) : std::round(value / step)) * step;
     }
-    std::string text;
-    switch (rule) {
-    case Rule::Digits: text = format(value, "%.*g", count); break;
-    case Rule::Decimals: text = format(value, "%.*f", count); break;
-    case Rule::DigitsInDecimals: text = format(numberIn(format(value, "%.*e", count - 1)), "%.*f", count); break;
-    }
-    return everyDigit ? format(numberIn(text), "%.*e", 18) : text;
+    value = rounded(value, digits);
+    return isScientific    ? format(value, "%.*e", 18)
+           : decimals >= 0 ? format(value, "%.*f", decimals)
+                           : format(value, "%.*g", digits);
 }
 
-double Random::uniform(double from, double to)
+double Random::in(double low, double high)
 {
-    return from + (to - from) * std::ldexp(static_cast<double>(m_engine() >> 11U), -53);
-}
-
-double Random::logUniform(double from, double to)
-{
-    return std::exp(uniform(std::log(from), std::log(to)));
+    const double part = std::ldexp(static_cast<double>(m_engine() >> 11U), -53);
+    return low > 0.0 && high > 5.0 * low ? low * std::pow(high / low, part) : low + (high - low) * part;
 }
 
 int Random::whole(int from, int to)
@@ -142,69 +90,57 @@ int Random::whole(int from, int to)
     return from + static_cast<int>(m_engine() % static_cast<std::uint64_t>(to - from + 1));
 }
 
-double Random::normal()
+Values Random::normal(Index count)
 {
-    const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform(0.0, 1.0)));
-    return radius * std::cos(kTurn * uniform(0.0, 1.0));
+    return Values::NullaryExpr(
+        count, [this] { return std::sqrt(-2.0 * std::log(1.0 - in(0.0, 1.0))) * std::cos(in(0.0, kTurn)); });
 }
 
-Parameters anyMechanism(Random &random)
+ClaimFile::ClaimFile(std::uint64_t seed, int fileIndex)
+    : random(seed)
+    , index(fileIndex)
+    , truth(Parameters())
 {
-    Parameters p;
-    p.a = random.logUniform(5.0, 100.0);
-    p.c = p.a * random.uniform(-1.2, 1.2);
-    const double ratio = random.logUniform(1.05, 6.0);
+    const auto round = [](double length) { return 0.5 * std::round(2.0 * length); };
+    Parameters &p = *truth;
+    p.a = random.in(5.0, 100.0);
+    p.c = p.a * random.in(-1.2, 1.2);
+    const double ratio = random.in(1.05, 6.0);
     p.b = (p.a + std::abs(p.c)) * ratio;
     if (random.chance(0.5)) {
-        p.a = std::max(roundTo(p.a, 0.5), 5.0);
-        p.c = roundTo(p.c, 0.5);
-        p.b = roundTo((p.a + std::abs(p.c)) * ratio, 0.5) + 0.5;
+        p.a = std::max(round(p.a), 5.0);
+        p.c = round(p.c);
+        p.b = round((p.a + std::abs(p.c)) * ratio) + 0.5;
     }
-    p.omega2 = random.logUniform(0.5, 100.0) * random.sign();
-    p.theta20 = random.uniform(-std::numbers::pi, std::numbers::pi);
+    p.omega2 = random.in(0.5, 100.0) * random.sign();
+    p.theta20 = random.in(-std::numbers::pi, std::numbers::pi);
     p.branch = random.chance(0.25) ? Branch::Crossed : Branch::Open;
-    return p;
 }
 
-ClaimFile::ClaimFile(std::uint64_t seed, int fileNumber)
-    : random(seed)
-    , number(fileNumber)
-    , truth(anyMechanism(random))
+void ClaimFile::sample(double turnCount, int rowCount, double start)
 {
-}
-
-void ClaimFile::sample(double turns, int rows, double start)
-{
-    double step = turns * kTurn / std::abs(truth.value_or(given).omega2) / std::max(rows - 1, 1);
+    double step = turnCount * kTurn / std::abs(truth->omega2) / std::max(rowCount - 1, 1);
     const bool isRound = random.chance(0.5);
+    step = isRound ? rounded(step, 3) : step;
+    instants = start + step * Values::LinSpaced(rowCount, 0.0, rowCount - 1);
     if (isRound) {
-        step = numberIn(format(step, "%.*e", 2));
+        instants = instants.unaryExpr([](double t) { return rounded(t, 12); });
     }
-    instants.clear();
-    for (int i = 0; i < rows; ++i) {
-        const double t = start + step * i;
-        instants.push_back(isRound ? numberIn(format(t, "%.*g", 12)) : t);
+    timeForm.digits = isRound ? 15 : 9;
+    timeStep = isRound ? 0.0 : timeForm.stepAt(instants[rowCount - 1]);
+}
+
+void ClaimFile::sampleOnce()
+{
+    if (instants.size() == 0) {
+        sample(random.in(isLong ? 1.0 : 0.6, 3.0), random.whole(isLong ? 100 : 60, 400));
     }
-    timeForm = digits(isRound ? 15 : 9);
-    timeStep = isRound ? 0.0 : timeForm.stepAt(instants.back());
 }
 
-void ClaimFile::sample()
-{
-    const double turns = random.uniform(0.6, 3.0);
-    sample(turns, random.whole(60, 400));
-}
-
-ClaimColumn &ClaimFile::add(Channel channel, NumberForm form)
-{
-    columns.push_back({channel, channel, form});
-    return columns.back();
-}
-
-void ClaimFile::add(const Channels &channels, NumberForm form)
+void ClaimFile::add(const Channels &channels, const NumberForm &form)
 {
     for (const Channel channel : channels) {
-        add(channel, form);
+        columns.push_back({channel, channel, form});
     }
 }
 
@@ -213,51 +149,39 @@ ClaimColumn &ClaimFile::at(Channel named)
     return *std::ranges::find(columns, named, &ClaimColumn::named);
 }
 
-double ClaimFile::exactValue(Channel channel, double t) const
+bool ClaimFile::has(Channel named) const
 {
-    return static_cast<double>((motion ? motion(t) : motionAt(*truth, t))[indexOf(channel)]);
+    return std::ranges::count(columns, named, &ClaimColumn::named) > 0;
 }
 
-void ClaimFile::setContent(ClaimColumn::Content content, const Channels &channels)
+Poses ClaimFile::motionAt(const Values &times) const
 {
-    for (const Channel channel : channels) {
-        at(channel).content = content;
+    Poses motion(times.size(), kChannelCount);
+    for (Index row = 0; pose && row < times.size(); ++row) {
+        motion.row(row) = pose(times[row]);
     }
+    return pose ? motion : motionOf(*truth, times);
+}
+
+Values ClaimFile::exactValues(Channel channel, const Values &times) const
+{
+    return motionAt(times).col(columnOf(channel)).cast<double>();
 }
 
 double ClaimFile::swing(Channel channel)
 {
-    if (instants.empty()) {
-        sample();
-    }
-    std::vector<double> values;
-    for (const double t : instants) {
-        values.push_back(exactValue(channel, t));
-    }
-    const auto [low, high] = std::ranges::minmax(values);
-    return 0.5 * (high - low);
-}
-
-void ClaimFile::setNoise(double part)
-{
-    for (ClaimColumn &column : columns) {
-        column.noise = part * swing(column.shown);
-    }
+    sampleOnce();
+    const Values values = exactValues(channel);
+    return 0.5 * (values.maxCoeff() - values.minCoeff());
 }
 
 void ClaimFile::compute()
 {
-    if (instants.empty()) {
-        sample();
-    }
-    std::vector<Pose> poses;
-    for (const double t : instants) {
-        poses.push_back(motion ? motion(t) : motionAt(*truth, t));
-    }
+    sampleOnce();
     for (ClaimColumn &column : columns) {
-        for (std::size_t row = column.values.size(); row < poses.size(); ++row) {
-            const double value = static_cast<double>(poses[row][indexOf(column.shown)]) * column.factor + column.origin;
-            column.values.push_back(value + (column.noise > 0.0 ? column.noise * random.normal() : 0.0));
+        if (column.values.size() == 0) {
+            column.values = exactValues(column.shown) * column.factor + column.origin;
+            column.values += column.noise * random.normal(instants.size());
         }
     }
 }
@@ -265,49 +189,31 @@ void ClaimFile::compute()
 void ClaimFile::print()
 {
     compute();
-    if (truth && interpretations.empty()) {
-        interpretations = {{*truth, {}}};
+    if (truth) {
+        interpretations.insert(interpretations.begin(), {*truth, findings});
     }
-    text = byAngle ? "theta2" : "time";
+    text = isByAngle ? "theta2" : "time";
     for (const ClaimColumn &column : columns) {
         text += ',' + std::string(nameOf(column.named));
     }
     std::size_t line = 1;
-    lines.assign(instants.size(), 0);
-    for (std::size_t row = 0; row < instants.size(); ++row) {
+    lines.assign(static_cast<std::size_t>(instants.size()), 0);
+    for (Index row = 0; row < instants.size(); ++row) {
         const auto hasValue = [row](const ClaimColumn &column) { return std::isfinite(column.values[row]); };
         if (!keepsEmptyRows && std::ranges::none_of(columns, hasValue)) {
             continue;
         }
-        double abscissa = instants[row] * timeFactor + timeOffset;
-        if (byAngle) {
-            const double theta2 = truth->omega2 * instants[row] + truth->theta20;
-            abscissa = theta2 * kDegreesPerRadian * byAngle->factor + byAngle->origin;
-            abscissa = byAngle->isWithinATurn ? abscissa - 360.0 * std::floor(abscissa / 360.0) : abscissa;
-        }
-        for (auto copies = 1 + std::ranges::count(repeatedRows, row); copies > 0; --copies) {
-            text += '\n' + timeForm.print(abscissa);
+        const double unit = isByAngle ? 360.0 : 1.0; // the crank turns once a second
+        const double abscissa = instants[row] * unit * timeFactor + timeOrigin;
+        for (std::size_t copies = 1 + repeatedRows.count(row); copies > 0; --copies) {
+            text += '\n' + timeForm.print(isWithinTurn ? abscissa - 360.0 * std::floor(abscissa / 360.0) : abscissa);
             for (const ClaimColumn &column : columns) {
                 text += ',' + (hasValue(column) ? column.form.print(column.values[row]) : std::string());
             }
-            lines[row] = ++line;
+            lines[static_cast<std::size_t>(row)] = ++line;
         }
     }
     text += '\n';
-}
-
-/// Generates the file. Repeats this while the systematic deviation is too small to be visible in the file.
-ClaimFile claimFile(const ClaimKind &kind, std::uint64_t suiteSeed, int number)
-{
-    constexpr std::uint64_t kMostDraws = 20;
-    for (std::uint64_t draw = 0;; ++draw) {
-        ClaimFile file(seedFor(kind.name, suiteSeed, number) + draw, number);
-        kind.make(file);
-        file.print();
-        if (draw == kMostDraws || areDeviationsVisible(file)) {
-            return file;
-        }
-    }
 }
 
 } // namespace slidercrank

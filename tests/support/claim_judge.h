@@ -3,8 +3,9 @@
 
 // Judges whether the program's claims about a file of known origin are true.
 
+#include "core/identification/diagnosis.h"
+#include "core/import/reference_data.h"
 #include "tests/support/claim_file.h"
-#include "tests/support/program_claim.h"
 
 #include <string>
 #include <vector>
@@ -12,18 +13,43 @@
 namespace slidercrank
 {
 
-struct ClaimJudgement {
-    ClaimedOutcome outcome = ClaimedOutcome::None;
-    bool isRight = false;      ///< the truth is the identified (or accepted approximate) mechanism or is listed
-    bool isDetermined = false; ///< whether the file determines its mechanism
-    std::string falseClaim{};  ///< why a claim is false; empty if none is
-    std::string miss{};        ///< what the program missed although the file determines its mechanism
+/// What the program claims about a file.
+struct Claim {
+    Claim(const ClaimFile &claimFile, const ReferenceData &referenceData);
+
+    const ClaimFile &file;
+    const ReferenceData &data;
+    Diagnosis diagnosis;
+    const Identification &found = diagnosis.identification;
+    ReferenceData read; ///< the data with the conventions that the program found
+
+    bool isIdentified() const;
+    bool isApproximate() const { return found.outcome == Identification::Outcome::Approximate; }
+    bool isNearest() const { return found.outcome == Identification::Outcome::Nearest; }
+    bool has(Convention::Kind kind, Channel channel) const; ///< whether a convention concerns the column
+    bool isLeftOut(Channel channel) const;
 };
 
-ClaimJudgement judgeClaim(const ClaimFile &file, const ReferenceData &data, const ProgramClaim &claim);
+/// Error of a claimed parameter.
+struct ParameterError {
+    double difference;
+    double standardError; ///< 0 if none is claimed
+    double size;          ///< of the parameter
+};
 
-/// Returns the distance of each parameter from the nearest image of the truth, in standard errors. Empty unless
-/// identified.
-std::vector<double> errorsInStandardErrors(const ClaimFile &file, const ProgramClaim &claim);
+/// Returns the errors of the parameters that the claim identifies.
+std::vector<ParameterError> parameterErrors(const Claim &claim, const Parameters &parameters, const Parameters &truth);
+
+/// Describes a false statement about deviations, noise, omitted columns or excluded rows. Empty if all are true.
+std::string falseDeviation(const Claim &claim);
+
+struct Judgement {
+    Identification::Outcome outcome = Identification::Outcome::None;
+    std::string falseClaim{}; ///< why a claim is false; empty if none is
+    bool isDetermined = false;
+    bool isMissed = false; ///< the file determines its mechanism, which the program did not find
+};
+
+Judgement judge(const Claim &claim);
 
 } // namespace slidercrank
