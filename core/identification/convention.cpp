@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/convention.h"
 
+#include "core/identification/observations.h"
 #include "core/import/crank_angles.h"
 
 #include <algorithm>
@@ -21,20 +22,6 @@ void multiply(ReferenceSeries &series, double factor)
         value *= factor;
     }
     series.rounding.unitFactor *= std::abs(factor);
-}
-
-/// Removes jumps by whole turns.
-void makeContinuous(std::vector<double> &degrees)
-{
-    double last = kNone;
-    double turns = 0.0;
-    for (double &value : degrees) {
-        if (std::isfinite(value)) {
-            turns -= std::isnan(last) ? 0.0 : 360.0 * std::round((value + turns - last) / 360.0);
-            value += turns;
-            last = value;
-        }
-    }
 }
 
 /// Fixes the rounding step before a shift: a shifted column keeps its decimals, but not its significant digits.
@@ -156,7 +143,7 @@ ReferenceData applied(const Convention &convention, ReferenceData data)
         case Kind::HalfTurn:
         case Kind::WholeTurns:
             keepDecimals(series);
-            makeContinuous(series.values);
+            removeJumps(series.values, 360.0);
             shift(series, convention.amount);
             break;
         case Kind::ZeroPoint: shift(series, convention.amount); break;

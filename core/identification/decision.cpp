@@ -112,21 +112,6 @@ double aliasDistance(const Observations &data, double speed)
     return std::abs(speed) * kFewestRowsPerTurn > difference ? difference : 0.0;
 }
 
-/// Whether `rival` has the same interpretation as `best`, but more or other free origins.
-bool isExtension(const Hypothesis &rival, const Hypothesis &best)
-{
-    bool hasMore = false;
-    for (std::size_t j = 0; j < best.columns.size(); ++j) {
-        ColumnUse use = rival.columns[j];
-        hasMore = hasMore || use.hasOffset != best.columns[j].hasOffset;
-        use.hasOffset = best.columns[j].hasOffset;
-        if (use != best.columns[j]) {
-            return false;
-        }
-    }
-    return hasMore;
-}
-
 /// Whether two hypotheses convert the values of some column in different ways.
 bool isReadDifferently(const Hypothesis &x, const Hypothesis &y)
 {
@@ -142,14 +127,11 @@ void addAlternatives(const Observations &data, std::span<const Candidate> candid
     const bool convertsValues = !isAsWritten(data, best.hypothesis); // headings that explain the file are believed
     const Parameters middle = middleParameters(best.hypothesis);
     for (const Candidate &rival : candidates) {
-        const bool isAsGood = isExtension(rival.hypothesis, best.hypothesis)
-                                  ? rival.score < best.score - kMargin
-                                  : rival.pricedScore() < best.pricedScore() + kMargin;
         const bool isAnother =
             std::ranges::none_of(mirrorImages(middleParameters(rival.hypothesis)), [&](const Parameters &image) {
                 return areNear(middle, image, 1e-3, uncertainty.parameterErrors);
             });
-        if (rival.acceptance == best.acceptance && isAsGood &&
+        if (rival.acceptance == best.acceptance && rival.pricedScore() < best.pricedScore() + kMargin &&
             (isAnother || (convertsValues && isReadDifferently(rival.hypothesis, best.hypothesis)))) {
             const Parameters other = parametersOf(data, rival.hypothesis);
             result.outcome = Outcome::Ambiguous;

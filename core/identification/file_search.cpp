@@ -15,7 +15,6 @@ namespace
 
 constexpr std::size_t kSearchRows = 300;
 constexpr std::size_t kFinalRows = 1000;
-constexpr double kMostExcluded = 0.05; // of the rows
 
 /// The rows whose flag is not set.
 Observations without(const Observations &data, const std::vector<bool> &flags)
@@ -29,19 +28,21 @@ Observations without(const Observations &data, const std::vector<bool> &flags)
     return selection(data, rows);
 }
 
-bool mayBeExcluded(std::ptrdiff_t count, std::size_t rows)
+/// Whether some rows are flagged, and few enough to be excluded.
+bool mayBeExcluded(const std::vector<bool> &flags)
 {
-    return count > 0 && static_cast<double>(count) <= kMostExcluded * static_cast<double>(rows);
+    constexpr double kMost = 0.05; // of the rows
+    const auto count = static_cast<double>(std::ranges::count(flags, true));
+    return count > 0.0 && count <= kMost * static_cast<double>(flags.size());
 }
 
-double medianOf(std::vector<double> values)
+/// The median of the magnitudes, without NaN; 0 if there are none.
+double medianMagnitude(std::vector<double> values)
 {
-    if (values.empty()) {
-        return 0.0;
-    }
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
+    std::erase_if(values, [](double value) { return std::isnan(value); });
+    const auto middle = values.begin() + std::ranges::ssize(values) / 2;
+    std::ranges::nth_element(values, middle, {}, [](double value) { return std::abs(value); });
+    return values.empty() ? 0.0 : std::abs(*middle);
 }
 
 /// Flags rows with a value far from the straight line between its neighbours. They may be bad readings.
@@ -51,26 +52,20 @@ std::vector<bool> suspiciousRows(const Observations &data)
     constexpr double kLeastPart = 0.05; // of the spread
     std::vector<bool> flags(data.abscissa.size(), false);
     for (const ObservedColumn &column : data.columns) {
-        std::vector<double> distances(flags.size(), 0.0);
-        std::vector<double> magnitudes;
+        std::vector<double> distances(flags.size(), kNone);
         for (std::size_t i = 1; i + 1 < flags.size(); ++i) {
             const double part =
                 (data.abscissa[i] - data.abscissa[i - 1]) / (data.abscissa[i + 1] - data.abscissa[i - 1]);
-            const double between = (1.0 - part) * column.values[i - 1] + part * column.values[i + 1];
-            distances[i] = std::isnan(column.values[i] - between) ? 0.0 : column.values[i] - between;
-            magnitudes.push_back(std::abs(distances[i]));
+            distances[i] =
+                std::abs(column.values[i] - (1.0 - part) * column.values[i - 1] - part * column.values[i + 1]);
         }
-        const double far = std::max(kFar * medianOf(std::move(magnitudes)), kLeastPart * column.spread);
-        for (std::size_t i = 1; i + 1 < flags.size(); ++i) {
-            const bool isPeak = std::abs(distances[i]) >= std::abs(distances[i - 1]) &&
-                                std::abs(distances[i]) >= std::abs(distances[i + 1]);
-            if (tellsShape(column) && isPeak && std::abs(distances[i]) > far) {
-                flags[i] = true;
-            }
+        const double far = std::max(kFar * medianMagnitude(distances), kLeastPart * column.spread);
+        for (std::size_t i = 1; i + 1 < flags.size() && tellsShape(column); ++i) {
+            const bool isPeak = !(distances[i] < distances[i - 1]) && !(distances[i] < distances[i + 1]);
+            flags[i] = flags[i] || (isPeak && distances[i] > far);
         }
     }
-    return mayBeExcluded(std::ranges::count(flags, true), flags.size()) ? flags
-                                                                        : std::vector<bool>(flags.size(), false);
+    return flags;
 }
 
 /// Flags rows in which the residual of a used column exceeds 8 standard deviations, estimated by the median absolute
@@ -92,14 +87,7 @@ std::vector<bool> outliers(const Observations &data, const Candidate &candidate)
         return 1.0 - height * height < kNearToggle;
     };
     for (std::size_t j = 0; j < data.columns.size(); ++j) {
-        std::vector<double> magnitudes;
-        magnitudes.reserve(flags.size());
-        for (const double residual : fit.residuals[j]) {
-            if (!std::isnan(residual)) {
-                magnitudes.push_back(std::abs(residual));
-            }
-        }
-        const double scale = kOfNormal * medianOf(std::move(magnitudes));
+        const double scale = kOfNormal * medianMagnitude(fit.residuals[j]);
         const double factor = fit.hypothesis.columns[j].factor();
         for (std::size_t i = 0; i < flags.size(); ++i) {
             // Without the estimated noise, which contains the outliers.
@@ -170,63 +158,30 @@ Candidate extended(const Observations &all, const Observations &window, const Ob
         hypothesis = std::move(fit.hypothesis);
     }
     hypothesis.abscissaStep = all.step; // only the whole file shows whether the time stamps are rounded
-    return fitCandidate(last, std::move(hypothesis));
+    Candidate candidate = fitCandidate(last, std::move(hypothesis));
+    candidate.price = found.price; // includes the preference for the given mechanism
+    return candidate;
 }
 
-/// Extends the best candidates of the window to the whole file.
-std::vector<Candidate> inWholeFile(const Observations &all, const Observations &window, const Observations &last,
-                                   std::span<const Candidate> candidates, const std::stop_token &stop)
+/// Searches the window, and extends its best candidates to all rows.
+FileSearch searchRows(const Observations &all, const Parameters &given, const std::stop_token &stop)
 {
     constexpr std::size_t kMost = 6;
-    if (window.abscissa.size() == last.abscissa.size()) {
-        return {candidates.begin(), candidates.end()};
-    }
-    std::vector<Candidate> whole;
-    for (const Candidate &candidate : candidates.first(std::min(kMost, candidates.size()))) {
-        if (Candidate one = extended(all, window, last, candidate); one.exists() && !stop.stop_requested()) {
-            one.price = candidate.price; // includes the preference for the given mechanism
-            whole.push_back(std::move(one));
+    const Observations window = searchWindow(all);
+    FileSearch search{finalRows(all), searchCandidates(window, given, stop), {}};
+    if (window.abscissa.size() < search.data.abscissa.size()) {
+        search.candidates.resize(std::min(kMost, search.candidates.size()));
+        for (Candidate &candidate : search.candidates) {
+            candidate = stop.stop_requested() ? Candidate() : extended(all, window, search.data, candidate);
         }
+        std::erase_if(search.candidates, [](const Candidate &candidate) { return !candidate.exists(); });
+        std::ranges::stable_sort(search.candidates, isBetter);
     }
-    std::ranges::stable_sort(whole, isBetter);
-    return whole;
-}
-
-/// Searches a file after its outliers were removed.
-std::vector<Candidate> searchRest(const Observations &rest, const Observations &last, const Parameters &given,
-                                  const std::stop_token &stop)
-{
-    const Observations window = searchWindow(rest);
-    return inWholeFile(rest, window, last, searchCandidates(window, given, stop), stop);
-}
-
-bool isIdentified(const FileSearch &search)
-{
-    return !search.candidates.empty() && search.candidates.front().acceptance == Acceptance::Identified;
-}
-
-/// Whether each flagged row has a residual several times as large as all other rows of its column, and is neither the
-/// first nor the last. Systematic residuals follow no distribution, so that a smaller one may be a good reading, and
-/// filters distort the ends of a file.
-bool areFarAway(const Observations &data, const Candidate &candidate, const std::vector<bool> &flags)
-{
-    constexpr double kTimes = 4.0;
-    const Fit fit = evaluateHypothesis(data, candidate.hypothesis);
-    std::vector<bool> isFar(flags.size(), false);
-    for (const std::vector<double> &residuals : fit.residuals) {
-        double largest = 0.0;
-        for (std::size_t i = 0; i < flags.size(); ++i) {
-            largest = flags[i] || std::isnan(residuals[i]) ? largest : std::max(largest, std::abs(residuals[i]));
-        }
-        for (std::size_t i = 0; i < flags.size(); ++i) {
-            isFar[i] = isFar[i] || std::abs(residuals[i]) > kTimes * largest;
-        }
-    }
-    return isFar == flags && !flags.front() && !flags.back();
+    return search;
 }
 
 /// Excludes the rows that are outliers of the best candidate, in several rounds because they bias its fit. Returns
-/// whether the other rows are explained; if not, changes nothing.
+/// whether the mechanism of the other rows is identified; if not, changes nothing.
 bool excludeOutliers(const Observations &all, const Parameters &given, const std::stop_token &stop, FileSearch &search)
 {
     constexpr int kRounds = 4;
@@ -237,25 +192,20 @@ bool excludeOutliers(const Observations &all, const Parameters &given, const std
     std::vector<bool> flags;
     for (int round = 0; round < kRounds && !stop.stop_requested(); ++round) {
         std::vector<bool> found = outliers(all, nearest);
-        if (found == flags || !mayBeExcluded(std::ranges::count(found, true), found.size())) {
+        if (found == flags || !mayBeExcluded(found)) {
             break;
         }
         flags = std::move(found);
-        Candidate refitted = fitCandidate(finalRows(without(all, flags)), nearest.hypothesis);
-        if (!refitted.exists()) {
+        nearest = fitCandidate(finalRows(without(all, flags)), nearest.hypothesis);
+        if (!nearest.exists()) {
             return false;
         }
-        nearest = std::move(refitted);
     }
-    const Acceptance before = search.candidates.front().acceptance;
-    if (flags.empty() || nearest.acceptance == Acceptance::Rejected || nearest.acceptance > before ||
-        (nearest.acceptance == before && before != Acceptance::Identified) ||
-        (nearest.acceptance == Acceptance::Approximate && !areFarAway(all, nearest, flags))) {
+    // Systematic residuals follow no distribution, so that large ones may be good readings.
+    if (flags.empty() || nearest.acceptance != Acceptance::Identified) {
         return false;
     }
-    const Observations rest = without(all, flags);
-    search.data = finalRows(rest);
-    search.candidates = searchRest(rest, search.data, given, stop);
+    search = searchRows(without(all, flags), given, stop);
     if (search.candidates.empty() || isBetter(nearest, search.candidates.front())) {
         search.candidates.insert(search.candidates.begin(), std::move(nearest));
     }
@@ -272,29 +222,19 @@ bool excludeOutliers(const Observations &all, const Parameters &given, const std
 
 FileSearch searchFile(const Observations &all, const Parameters &given, const std::stop_token &stop)
 {
-    FileSearch search;
-    const Observations window = searchWindow(all);
-    search.data = finalRows(all);
-    const std::vector<bool> suspicious = suspiciousRows(window);
-    const bool isSuspicious = std::ranges::count(suspicious, true) > 0;
-    search.candidates = inWholeFile(all, window, search.data, searchCandidates(window, given, stop), stop);
-    if (isIdentified(search)) {
-        if (search.data.abscissa.size() < all.abscissa.size()) {
-            excludeOutliers(all, given, stop, search);
-        }
-        return search;
-    }
-    if (isSuspicious) { // bad readings may have prevented the search from finding the motion
-        FileSearch cleaned = search;
-        const Observations rest = without(window, suspicious);
-        const bool isWhole = window.abscissa.size() == all.abscissa.size();
-        cleaned.candidates =
-            inWholeFile(all, rest, isWhole ? rest : search.data, searchCandidates(rest, given, stop), stop);
+    FileSearch search = searchRows(all, given, stop);
+    const bool isIdentified =
+        !search.candidates.empty() && search.candidates.front().acceptance == Acceptance::Identified;
+    const std::vector<bool> suspicious = suspiciousRows(all);
+    if (!isIdentified && mayBeExcluded(suspicious)) { // they may have prevented the search from finding the motion
+        FileSearch cleaned = searchRows(without(all, suspicious), given, stop);
         if (excludeOutliers(all, given, stop, cleaned)) {
             return cleaned;
         }
     }
-    excludeOutliers(all, given, stop, search);
+    if (!isIdentified || search.data.abscissa.size() < all.abscissa.size()) {
+        excludeOutliers(all, given, stop, search);
+    }
     return search;
 }
 

@@ -113,14 +113,12 @@ double interpretColumn(const ObservedColumn &column, const ColumnRegression &reg
 }
 
 /// Chooses the best interpretation of each column. The lengths of the hypothesis are multiplied by `size` first.
-/// Returns nullopt if more than half of the columns were left out, or if units of columns cancel the other unit of
-/// time.
+/// Returns nullopt if more than half of the columns were left out.
 std::optional<Interpretation> interpret(const Observations &data, Hypothesis hypothesis,
                                         const std::vector<ColumnRegression> &regressions, double size, bool isPlain)
 {
     Interpretation result{std::move(hypothesis), 0.0};
     std::size_t leftOut = 0;
-    bool isOtherTime = result.hypothesis.timeUnit == 1.0; // or it converts some derivative
     for (std::size_t j = 0; j < data.columns.size(); ++j) {
         ColumnUse &use = result.hypothesis.columns[j];
         use.perTime = std::pow(result.hypothesis.timeUnit, static_cast<int>(use.channel.order));
@@ -130,12 +128,10 @@ std::optional<Interpretation> interpret(const Observations &data, Hypothesis hyp
                 interpretColumn(data.columns[j], regressions[j], columnSize, result.hypothesis, isPlain, use);
         }
         leftOut += use.isUsed ? 0 : 1;
-        isOtherTime =
-            isOtherTime || (use.isUsed && use.perTime != 1.0 && std::abs(use.unit * use.perTime - 1.0) > 1e-6);
     }
     result.misfit += priceOf(data, result.hypothesis);
     result.hypothesis.unknowns.head(3) *= size;
-    return 2 * leftOut > data.columns.size() || !isOtherTime ? std::nullopt : std::optional(std::move(result));
+    return 2 * leftOut > data.columns.size() ? std::nullopt : std::optional(std::move(result));
 }
 
 /// Continuation from the fit with free scales and origins to the fit with those of the file, in small steps: on a short

@@ -30,32 +30,6 @@ bool isAnglePosition(Channel channel)
     return isAngle(channel.coordinate) && channel.order == Order::Position;
 }
 
-/// Removes jumps by whole turns and returns whether there were any. A column with jumps of another size is not changed:
-/// it is in another unit.
-bool removeJumps(std::vector<double> &radians)
-{
-    std::vector<double> continuous = radians;
-    double last = kNone;
-    double turns = 0.0;
-    bool any = false;
-    for (double &value : continuous) {
-        if (std::isnan(value)) {
-            continue;
-        }
-        const double change = std::isnan(last) ? 0.0 : value + turns - last;
-        const double jump = kTurn * std::round(change / kTurn);
-        if (jump != 0.0 && std::abs(change - jump) > kQuarterTurn) {
-            return false;
-        }
-        any = any || jump != 0.0;
-        turns -= jump;
-        value += turns;
-        last = value;
-    }
-    radians = std::move(continuous);
-    return any;
-}
-
 /// The number of rows for each independent observation. Rounding errors of equal values, or of values with equal
 /// differences, are not independent.
 double repetitionOf(const ObservedColumn &column)
@@ -170,7 +144,7 @@ std::optional<ObservedColumn> observedColumn(const ReferenceSeries &series, std:
     }
     removeSaturation(column.values, series.rounding.stepAt(rangeOf(series.values).size()) * unit);
     if (isAnglePosition(column.channel)) {
-        column.hadJumps = removeJumps(column.values);
+        column.hadJumps = removeJumps(column.values, kTurn);
     }
     learnStatistics(column, series.rounding, unit);
     const bool isPlotted = column.channel.coordinate == R4x || column.channel.coordinate == Theta3;
@@ -180,6 +154,30 @@ std::optional<ObservedColumn> observedColumn(const ReferenceSeries &series, std:
 }
 
 } // namespace
+
+bool removeJumps(std::vector<double> &angles, double turn)
+{
+    std::vector<double> continuous = angles;
+    double last = kNone;
+    double turns = 0.0;
+    bool hadJumps = false;
+    for (double &value : continuous) {
+        if (std::isnan(value)) {
+            continue;
+        }
+        const double change = std::isnan(last) ? 0.0 : value + turns - last;
+        const double jump = turn * std::round(change / turn);
+        if (jump != 0.0 && std::abs(change - jump) > 0.25 * turn) {
+            return false;
+        }
+        hadJumps = hadJumps || jump != 0.0;
+        turns -= jump;
+        value += turns;
+        last = value;
+    }
+    angles = std::move(continuous);
+    return hadJumps;
+}
 
 bool tellsShape(const ObservedColumn &column)
 {

@@ -32,6 +32,10 @@ struct ObservedColumn : ColumnStatistics {
     double count = 0.0;            ///< number of values
 };
 
+/// Removes jumps by whole turns and returns whether there were any. Angles with jumps of another size are not changed:
+/// they are in another unit. `turn`: in the unit of the angles.
+bool removeJumps(std::vector<double> &angles, double turn);
+
 /// Whether a column contains information on the shape of the motion: it varies, and its channel depends on more than
 /// the crank angle or the offset.
 bool tellsShape(const ObservedColumn &column);

@@ -41,25 +41,28 @@ double roundedTo(int place, double value)
     return (place < 0 ? std::round(value * power) / power : std::round(value / power) * power) + 0.0; // never -0
 }
 
-struct RoundNumber {
-    double value;
-    int digits;
-};
-
-/// The roundest number within three standard errors of a value; nullopt if none is round enough.
-std::optional<RoundNumber> roundNumber(double value, double standardError)
+/// The roundest number within three standard errors of a value, in any of some units; nullopt if none is round enough.
+std::optional<double> roundNumber(std::span<const double> units, double value, double standardError)
 {
-    if (std::abs(value) <= kStandardErrors * standardError) {
-        return RoundNumber{0.0, 0};
+    std::optional<double> best;
+    int fewest = std::numeric_limits<int>::max(); // digits
+    const double tolerance = kStandardErrors * standardError;
+    if (std::abs(value) <= tolerance) {
+        return 0.0;
     }
-    const int highest = powerOfTenBelow(std::abs(value) + kStandardErrors * standardError) + 1;
-    for (int place = highest; std::pow(10.0, place) >= kLeastSpacing * standardError; --place) {
-        const double rounded = roundedTo(place, value);
-        if (std::abs(rounded - value) <= kStandardErrors * standardError) {
-            return RoundNumber{rounded, powerOfTenBelow(std::abs(rounded)) - place + 1};
+    for (const double unit : units) {
+        const int highest = powerOfTenBelow((std::abs(value) + tolerance) / unit) + 1;
+        for (int place = highest; std::pow(10.0, place) * unit >= kLeastSpacing * standardError; --place) {
+            const double rounded = roundedTo(place, value / unit);
+            if (std::abs(rounded * unit - value) <= tolerance) {
+                const int digits = powerOfTenBelow(std::abs(rounded)) - place + 1;
+                best = digits < fewest ? rounded * unit : best;
+                fewest = std::min(digits, fewest);
+                break;
+            }
         }
     }
-    return std::nullopt;
+    return best;
 }
 
 /// Whether the rounded mechanism agrees with the data as well as the fitted one.
@@ -92,21 +95,6 @@ double largestDeviation(const Parameters &parameters, const Identification &foun
         }
     }
     return largest;
-}
-
-/// The roundest number within three standard errors of a value, in any of some units; nullopt if none is round enough.
-std::optional<double> roundNumberIn(std::span<const double> units, double value, double standardError)
-{
-    std::optional<double> best;
-    int fewest = std::numeric_limits<int>::max();
-    for (const double unit : units) {
-        const std::optional<RoundNumber> candidate = roundNumber(value / unit, standardError / unit);
-        if (candidate && candidate->digits < fewest) {
-            fewest = candidate->digits;
-            best = candidate->value * unit;
-        }
-    }
-    return best;
 }
 
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -146,7 +134,7 @@ Parameters nominalParameters(const Identification &found, const ReferenceData &d
             for (const Parameter parameter : parameters) {
                 const double error = errorFactor * errorOf(found, parameter);
                 double &value = valueOf(tried, parameter);
-                value = std::isnan(error) ? value : roundNumberIn(unitsOf(parameter), value, error).value_or(value);
+                value = std::isnan(error) ? value : roundNumber(unitsOf(parameter), value, error).value_or(value);
             }
             if (!findFault(tried) && largestDeviation(tried, found, data) <= most) {
                 nominal = tried;
@@ -165,7 +153,7 @@ Parameters nominalParameters(const Identification &found, const ReferenceData &d
 
 double roundest(double value, double standardError, std::span<const double> units)
 {
-    return roundNumberIn(units, value, standardError).value_or(roundedTo(powerOfTenBelow(standardError) - 1, value));
+    return roundNumber(units, value, standardError).value_or(roundedTo(powerOfTenBelow(standardError) - 1, value));
 }
 
 Parameters inRoundNumbers(const Identification &found, const ReferenceData &data,

@@ -236,23 +236,6 @@ private slots:
         QVERIFY(found.identification.leftOut[0].percentOfPeak > 0.1 && found.conventions.empty());
     }
 
-    void findsNoMechanismInColumnsOfTwoMechanisms()
-    {
-        ReferenceData data = printedData(kOrdinary);
-        Parameters other = kOrdinary;
-        other.b *= 1.02;
-        const ReferenceData second = printedData(other);
-        for (std::size_t i = 0; i < data.series.size(); ++i) {
-            if (data.series[i].channel.coordinate == Theta3) {
-                data.series[i] = second.series[i];
-            }
-        }
-        const Diagnosis found = diagnose(data, Mechanism());
-        QCOMPARE(found.identification.outcome, Outcome::Nearest);
-        const double worst = *std::ranges::max(found.identified, {}, &ChannelComparison::percentOfPeak).percentOfPeak;
-        QVERIFY2(worst < 5.0, QByteArray::number(worst)); // the mechanism is the fitted one
-    }
-
     /// The file contains x measured from the far end, in the opposite direction. If its derivatives have the same
     /// direction, the file also fits the mechanism turned by 180°. If not, or if θ2 is known, it does not.
     void readsADepthInBothWaysUnlessOtherColumnsDecide()

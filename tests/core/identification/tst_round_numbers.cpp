@@ -71,10 +71,10 @@ private slots:
         int exact = 0;
         constexpr int kMechanisms = 50;
         for (int i = 0; i < kMechanisms; ++i) {
-            Parameters chosen;
-            chosen.a = std::round(random.uniform(10.0, 60.0));
-            chosen.c = 0.5 * std::round(random.uniform(-1.5, 1.5) * chosen.a);
-            chosen.b = std::round((chosen.a + std::abs(chosen.c)) * random.uniform(1.2, 3.0));
+            Parameters chosen = random.ordinary();
+            chosen.a = std::round(chosen.a);
+            chosen.b = std::round(chosen.b) + 2.0;
+            chosen.c = 0.5 * std::round(2.0 * chosen.c);
             chosen.omega2 = std::round(random.uniform(-200.0, -20.0)) * kPi / 30.0;
             chosen.theta20 = std::round(random.uniform(-170.0, 170.0)) * kPi / 180.0;
             Printing printing;
