@@ -26,12 +26,12 @@ constexpr int kLargestStepCount = 100'000'000;
 constexpr double kShortestTime = 1e-12; // s
 
 /// Parses the meaning that --column gives a column: "R4_x [m]", "time" or "ignored".
-NamedChoice parseMeaning(const QString &text)
+ColumnChoice parseMeaning(const QString &text)
 {
     const Heading heading = parseHeading(text.toStdString());
     const QString name = QString::fromStdString(heading.name);
     indexAmong(QStringList{"time", "crank-angle", "ignored"} + channelNames(), name, "column");
-    NamedChoice choice;
+    ColumnChoice choice;
     choice.unit = heading.unit;
     readMeaning(name, choice.role, choice.channel);
     return choice;
@@ -125,12 +125,12 @@ std::optional<double> readTimeStamp(const OptionReader &options, const Mechanism
     return time;
 }
 
-std::vector<NamedChoice> readColumns(const OptionReader &options)
+std::vector<ColumnChoice> readColumns(const OptionReader &options)
 {
-    std::vector<NamedChoice> choices;
+    std::vector<ColumnChoice> choices;
     if (options.has("abscissa")) {
         const bool isTime = options.choice("abscissa", 0) == 0;
-        choices.push_back({"#1", isTime ? ColumnRole::Time : ColumnRole::CrankAngle, {}, {}});
+        choices.push_back({.role = isTime ? ColumnRole::Time : ColumnRole::CrankAngle, .heading = "#1"});
     }
     for (const QString &text : options.texts("column")) {
         const qsizetype equals = text.lastIndexOf('='); // a heading may contain one, a meaning does not
@@ -139,7 +139,7 @@ std::vector<NamedChoice> readColumns(const OptionReader &options)
                                              "[m]\", \"#1=time\" or \"id=ignored\", not \"%1\".")
                                  .arg(text)};
         }
-        NamedChoice choice = parseMeaning(text.sliced(equals + 1).trimmed());
+        ColumnChoice choice = parseMeaning(text.sliced(equals + 1).trimmed());
         choice.heading = text.first(equals).trimmed().toStdString();
         choices.push_back(std::move(choice));
     }

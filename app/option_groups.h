@@ -32,7 +32,7 @@ Format readFormat(const OptionReader &options, Format defaultFormat);
 std::optional<double> readTimeStamp(const OptionReader &options, const Mechanism &mechanism, double start);
 
 /// Reads --column and --abscissa.
-std::vector<NamedChoice> readColumns(const OptionReader &options);
+std::vector<ColumnChoice> readColumns(const OptionReader &options);
 
 /// Reads --output, which must not name an input file. Empty: standard output.
 QString readOutput(const OptionReader &options, const QStringList &inputFiles = {});

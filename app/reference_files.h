@@ -20,7 +20,7 @@ struct ReferenceAnswer : Answer {
 
 struct ReferenceQuestion : Question {
     QList<QStringList> files; ///< each element is one reference: a file, or several files that are joined
-    std::vector<NamedChoice> columns;
+    std::vector<ColumnChoice> columns;
 
     explicit ReferenceQuestion(const OptionReader &options);
 
@@ -33,7 +33,7 @@ struct ReferenceQuestion : Question {
 /// Reads a reference, and reports rows and columns that are not used or doubtful. A table by crank angle gets the time
 /// stamps of this mechanism. Reports the reason and returns null if the reference cannot be read.
 std::shared_ptr<const Reference> readTimedReference(const Streams &streams, const ReferenceSource &source,
-                                                    const std::vector<NamedChoice> &columns,
+                                                    const std::vector<ColumnChoice> &columns,
                                                     const Mechanism &mechanism);
 
 /// "file.csv: t = 0 … 1 s, 201 rows"

@@ -223,7 +223,7 @@ ExitStatus renderCommand(const OptionReader &options, const Streams &streams)
 {
     RenderRequest request = readRequest(options);
     Scene &scene = request.scene;
-    const std::vector<NamedChoice> columns = readColumns(options);
+    const std::vector<ColumnChoice> columns = readColumns(options);
     if (!columns.empty() && !scene.reference) {
         throw UsageError{CommandLine::tr("--column describes a reference file: name the file with --reference.")};
     }

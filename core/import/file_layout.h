@@ -112,18 +112,11 @@ std::optional<Unit> parseColumnUnit(const std::string &text, ColumnRole role, Ch
 struct ColumnChoice {
     std::size_t column = 0; ///< from 0
     ColumnRole role = ColumnRole::Ignored;
-    Channel channel;  ///< if the role is Channel
-    std::string unit; ///< as in a heading ("rad/s", "m", "ms"); empty: that of the file, or else the default unit
+    Channel channel{};     ///< if the role is Channel
+    std::string unit{};    ///< as in a heading ("rad/s", "m", "ms"); empty: that of the file, or else the default unit
+    std::string heading{}; ///< instead of `column`: as printed, with or without its unit; "#3": the third column
 
     friend bool operator==(const ColumnChoice &, const ColumnChoice &) = default;
-};
-
-/// The same for a column that is identified by its heading.
-struct NamedChoice {
-    std::string heading; ///< as printed, with or without its unit; "#3": the third column
-    ColumnRole role = ColumnRole::Ignored;
-    Channel channel;
-    std::string unit;
 };
 
 } // namespace slidercrank

@@ -41,14 +41,14 @@ std::size_t findColumn(const RawTable &table, const std::string &name)
     throw ReadError{table.files.size() == 1 ? table.files[0].form.layout.headerLine : 0, 0, {}, fault};
 }
 
-/// Returns all choices by column number. Choices by heading override them.
+/// Returns the choices by column number, and only the last one for a column.
 std::vector<ColumnChoice> resolveChoices(const ReadOptions &options, const RawTable &table)
 {
-    std::vector<ColumnChoice> choices = options.columns;
-    for (const NamedChoice &named : options.named) {
-        const std::size_t column = findColumn(table, named.heading);
-        std::erase_if(choices, [&](const ColumnChoice &choice) { return choice.column == column; });
-        choices.push_back({column, named.role, named.channel, named.unit});
+    std::vector<ColumnChoice> choices;
+    for (ColumnChoice choice : options.columns) {
+        choice.column = choice.heading.empty() ? choice.column : findColumn(table, choice.heading);
+        std::erase_if(choices, [&](const ColumnChoice &earlier) { return earlier.column == choice.column; });
+        choices.push_back(choice);
     }
     return choices;
 }

@@ -18,9 +18,6 @@
 // A table by crank angle instead of time is read as the motion of a crank that turns once a second, until timedBy() is
 // called with another one.
 //
-// In a file with a time and one other column, whose heading is generic ("Value", "y"), the name of the file may tell
-// the quantity ("slider_velocity.csv").
-//
 // If a heading leaves open which channel it is, the usual one is assumed, unless the unit contradicts it. Such a guess
 // is marked in the layout. Other columns are ignored.
 
@@ -116,12 +113,10 @@ struct ValueRange {
 ValueRange rangeOf(std::span<const double> values);
 
 struct ReadOptions {
-    std::vector<ColumnChoice> columns; ///< for the other columns, the file decides
+    std::vector<ColumnChoice> columns; ///< the last one for a column applies; for the other columns, the file decides
 
     /// Called regularly from the reading thread with the part that has been read, from 0 to 1. May be empty.
     std::function<void(double part)> progress;
-
-    std::vector<NamedChoice> named{}; ///< override `columns`
 };
 
 /// A file in memory.

@@ -129,7 +129,7 @@ QString readErrorText(const ReadError &error, const QStringList &files)
 
 ReferenceOutcome readReference(const ReferenceSource &source, std::stop_token stop, ReadOptions options)
 {
-    options.columns = source.columns;
+    options.columns.insert(options.columns.begin(), source.columns.begin(), source.columns.end());
     auto reference = std::make_shared<Reference>();
     QByteArrayList bytes(source.paths.size());
     std::vector<FileBytes> files;

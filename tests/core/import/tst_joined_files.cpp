@@ -74,13 +74,13 @@ private slots:
             described(readJoined(files, {{{1, ColumnRole::Channel, kX, {}}, {3, ColumnRole::Channel, kV, "m/s"}}, {}})),
             std::string("time 0 1; R4_x 1 2; R4_x_diff 3000 4000"));
         QCOMPARE(described(readJoined(
-                     files, {{}, {}, {{"#2", ColumnRole::Channel, kX, {}}, {"#4", ColumnRole::Channel, kV, {}}}})),
+                     files, {{{0, ColumnRole::Channel, kX, {}, "#2"}, {0, ColumnRole::Channel, kV, {}, "#4"}}, {}})),
                  std::string("time 0 1; R4_x 1 2; R4_x_diff 3 4"));
         // The choice for the first column applies to the same heading in the other files.
         QCOMPARE(described(readJoined({"q,R4_x\n0,1\n90,2\n", "q,theta3\n0,3\n90,4\n"},
                                       {{{0, ColumnRole::CrankAngle, {}, {}}}, {}})),
                  std::string("time 0 0.25; R4_x 1 2; theta3 3 4"));
-        const Outcome several = readJoined(files, {{}, {}, {{"Value", ColumnRole::Channel, kX, {}}}});
+        const Outcome several = readJoined(files, {{{0, ColumnRole::Channel, kX, {}, "Value"}}, {}});
         QCOMPARE(std::get<ReadError>(several).fault.kind, Kind::SeveralColumns);
         QCOMPARE(std::get<ReadError>(several).layout.columns.size(), std::size_t(4));
     }
