@@ -104,12 +104,9 @@ struct Drawn {
     DrawnPart partAt(QPointF model) const { return sketch->partAt(sketch->toPixels(model)); }
     QRectF label(const QString &text) const
     {
-        for (const Label &label : sketch->labels()) {
-            if (label.text.startsWith(text)) {
-                return label.box;
-            }
-        }
-        return {};
+        const auto begins = [&text](const Label &label) { return label.text.startsWith(text); };
+        const auto found = std::ranges::find_if(sketch->labels(), begins);
+        return found == sketch->labels().end() ? QRectF() : found->box;
     }
 };
 
@@ -215,16 +212,11 @@ private slots:
 
     void saysWhyItCannotBeAssembledAndWhatWouldHelp()
     {
-        struct Row {
-            double b, c;
-            const char *limit;
-        };
-        const Row rows[] = {{40.0, 25.00001, "full turns if b ≥ 45.0001 mm"},
-                            {40.0, 100.00001, "assembled if b ≥ 80.0001 mm"}};
-        for (const Row &row : rows) {
-            Bench bench({.b = row.b, .c = row.c});
+        for (const auto &[c, limit] : {std::pair(25.00001, "full turns if b ≥ 45.0001 mm"),
+                                       std::pair(100.00001, "assembled if b ≥ 80.0001 mm")}) {
+            Bench bench({.b = 40.0, .c = c});
             bench.session.setTime(kNotAssembled);
-            QVERIFY2(bench.text().contains(QString::fromUtf8(row.limit)), qPrintable(bench.text()));
+            QVERIFY2(bench.text().contains(limit), qPrintable(bench.text()));
         }
     }
 
@@ -370,14 +362,13 @@ private slots:
 
     void flipsTheAssembly()
     {
-        Bench bench;
-        QSignalSpy requested(&bench.view, &MechanismView::branchRequested);
-        auto *button = bench.view.findChild<QToolButton *>("flipButton");
-        button->click();
-        QCOMPARE(requested.takeFirst()[0].value<Branch>(), Branch::Crossed);
-        bench.session.setParameters({.branch = Branch::Crossed});
-        button->click();
-        QCOMPARE(requested.takeFirst()[0].value<Branch>(), Branch::Open);
+        for (const auto &[shown, flipped] :
+             {std::pair(Branch::Open, Branch::Crossed), {Branch::Crossed, Branch::Open}}) {
+            Bench bench({.branch = shown});
+            QSignalSpy requested(&bench.view, &MechanismView::branchRequested);
+            bench.view.findChild<QToolButton *>("flipButton")->click();
+            QCOMPARE(requested.takeFirst()[0].value<Branch>(), flipped);
+        }
     }
 
     void zoomsAndMovesTheDrawing()
@@ -387,10 +378,11 @@ private slots:
         bench.drag({60.0, -20.0}, {50.0, -10.0});
         const QPointF moved = bench.view.toPixels({30.0, 5.0});
         QVERIFY(bench.view.zoom() && moved != whole);
-        const double scale = bench.view.toPixels({1.0, 0.0}).x() - bench.view.toPixels({0.0, 0.0}).x();
+        const auto scale = [&bench] { return bench.view.toPixels({1.0, 0.0}).x() - bench.view.toPixels({}).x(); };
+        const double before = scale();
         bench.view.choices()[8]->trigger(); // zoom in
         QTest::keyClick(&bench.view, Qt::Key_Right, Qt::ControlModifier);
-        QVERIFY(bench.view.toPixels({1.0, 0.0}).x() - bench.view.toPixels({0.0, 0.0}).x() > 1.2 * scale);
+        QVERIFY(scale() > 1.2 * before);
         bench.view.choices()[10]->trigger(); // fit
         QVERIFY(!bench.view.zoom());
         QCOMPARE(bench.view.toPixels({30.0, 5.0}), whole);
@@ -398,17 +390,14 @@ private slots:
 
     void arrowsAreTheDerivativesOfWhatIsDrawn()
     {
-        const Parameters parameters;
-        MechanismSettings settings;
-        settings.velocity = settings.acceleration = true;
-        const Drawn drawn(parameters, 0.37, settings);
+        const Drawn drawn({}, 0.37, {.velocity = true, .acceleration = true});
         const SeriesColours colours = drawn.sketch->colours();
         constexpr double kStep = 1e-4; // s
         for (const LinkagePoint point : kLinkagePoints) {
             const auto at = [&](double time) -> QPointF {
-                const Pose pose = poseAt(parameters, time);
+                const Pose pose = poseAt(Parameters(), time);
                 const QPointF A(pose.pinX, pose.pinY);
-                const QPointF B(pose.sliderX, parameters.c);
+                const QPointF B(pose.sliderX, Parameters().c);
                 return point == LinkagePoint::A ? A : point == LinkagePoint::B ? B : 0.5 * (A + B);
             };
             const auto hasArrow = [&](QPointF derivative, const ArrowScale &scale, const QColor &colour) {
@@ -428,8 +417,7 @@ private slots:
 
     void showsTheInstantCentre()
     {
-        MechanismSettings settings;
-        settings.instantCentre = true;
+        const MechanismSettings settings{.instantCentre = true};
         // At θ2 = 0, P is at (R4x, 0): PA = √(b² − c²) = 60 mm, PB = c = 25 mm, ω3 = −a ω2 / PA = −2π/3 rad/s.
         const Drawn drawn({}, 0.0, settings);
         const QString text = "Instant centre P, ω₃ = -2.094 rad/s; PA = 60.00 mm, PB = 25.00 mm";
@@ -441,8 +429,7 @@ private slots:
 
     void labelsKeepClearOfTheLinks()
     {
-        MechanismSettings settings;
-        settings.names = settings.dimensions = settings.angles = true;
+        const MechanismSettings settings{.names = true, .dimensions = true, .angles = true};
         int overlaps = 0;
         for (const Parameters &parameters : {Parameters(), Parameters{.b = 60.0, .branch = Branch::Crossed},
                                              Parameters{.c = 0.0}, Parameters{.c = -25.0}}) {
