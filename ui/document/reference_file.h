@@ -15,19 +15,15 @@
 
 #include <memory>
 #include <stop_token>
+#include <utility>
 #include <variant>
 #include <vector>
 
 namespace slidercrank
 {
 
-/// Identifies a version of a file: it changes when the file is written.
-struct FileState {
-    qint64 size = -1; ///< bytes
-    QDateTime modified;
-
-    friend bool operator==(const FileState &, const FileState &) = default;
-};
+/// Identifies a version of a file by its size in bytes and the time when it was written.
+using FileState = std::pair<qint64, QDateTime>;
 
 FileState fileState(const QString &path);
 

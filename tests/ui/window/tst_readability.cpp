@@ -18,7 +18,6 @@
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QAbstractSpinBox>
-#include <QClipboard>
 #include <QComboBox>
 #include <QDir>
 #include <QFileInfo>
@@ -274,13 +273,6 @@ private slots:
         const QList<QByteArray> lines = contentOf(data).split('\n');
         QCOMPARE(lines[2].count(','), lines[0].count(',')); // commas separate columns only
         QVERIFY(lines[2].contains("0.005"));
-        showTab(3);
-        part<QAbstractButton>("segment4")->click();
-        settle(*m_window);
-        part<QAbstractButton>("coordinatePanelCopy")->click();
-        const QString copied = QApplication::clipboard()->text();
-        QVERIFY2(copied.contains(QRegularExpression(",\\d+\\.\\d+,")), qPrintable(copied));
-        QVERIFY(!copied.contains(QRegularExpression("\"-?\\d+,")));
     }
 };
 
