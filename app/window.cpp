@@ -8,7 +8,6 @@
 #include "app/output.h"
 #include "ui/document/scene.h"
 #include "ui/window/main_window.h"
-#include "ui/window/scene_file.h"
 
 #include <QApplication>
 #include <QDir>
@@ -84,12 +83,7 @@ ExitStatus windowCommand(const OptionReader &options, const Streams &streams)
     }
     leaveConsole();
     MainWindow window;
-    window.showWithinScreen();
-    if (!scenes.isEmpty()) {
-        window.scene().open(scenes.first(), files);
-    } else if (!files.isEmpty()) {
-        window.openReference(files);
-    }
+    window.start(scenes.value(0), files);
     return static_cast<ExitStatus>(QApplication::exec());
 }
 

@@ -299,6 +299,18 @@ QWidget *MainWindow::makeStudyPanel()
     return panel;
 }
 
+void MainWindow::start(const QString &scene, const QStringList &reference)
+{
+    showWithinScreen();
+    if (!scene.isEmpty()) {
+        m_scene->open(scene, reference);
+    } else if (!reference.isEmpty()) {
+        openReference(reference);
+    } else {
+        m_messages->greetOnce();
+    }
+}
+
 void MainWindow::showWithinScreen()
 {
     constexpr QSize kFrame(20, 60); // px, an upper limit: the size of the frame is known only once it is shown

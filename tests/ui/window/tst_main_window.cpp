@@ -12,7 +12,6 @@
 #include "ui/text/language.h"
 #include "ui/widgets/folding_tabs.h"
 #include "ui/window/exports.h"
-#include "ui/window/messages.h"
 #include "ui/window/window_settings.h"
 
 #include <QAbstractSpinBox>
@@ -64,15 +63,19 @@ private slots:
         }
     }
 
-    void greetsTheFirstTimeOnly()
+    void greetsTheFirstTimeOnlyAndNotBesideAFile()
     {
-        m_window->messages().greetOnce();
+        m_window->start({}, {kSample});
+        AWAIT(session().reference());
+        QVERIFY(said().isEmpty());
+        m_window->start({}, {});
         QVERIFY(messages()->isVisible() && said().contains("Space"));
+        session().setReference(nullptr);
         click("messageRemedy");
         AWAIT(session().reference());
-        QVERIFY(!said().contains("Space"));
-        m_window->messages().greetOnce();
-        QVERIFY(!said().contains("Space"));
+        QVERIFY(said().isEmpty());
+        m_window->start({}, {});
+        QVERIFY(said().isEmpty());
     }
 
     void anUnreadProblemStaysUntilItIsDismissed()
