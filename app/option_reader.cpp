@@ -2,6 +2,7 @@
 #include "app/option_reader.h"
 
 #include "core/import/quantity.h"
+#include "ui/text/finding_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/written_number.h"
 
@@ -11,17 +12,11 @@
 namespace slidercrank
 {
 
-QString joinedByOr(const QStringList &names)
-{
-    return names.size() < 2 ? names.join("")
-                            : CommandLine::tr("%1 or %2").arg(names.first(names.size() - 1).join(", "), names.last());
-}
-
 qsizetype indexAmong(const QStringList &words, const QString &word, const char *option)
 {
     const qsizetype index = words.indexOf(word);
     if (index < 0) {
-        throw UsageError{CommandLine::tr("--%1 must be %2, not \"%3\".").arg(option, joinedByOr(words), word)};
+        throw UsageError{CommandLine::tr("--%1 must be %2, not \"%3\".").arg(option, anyOf(words), word)};
     }
     return index;
 }

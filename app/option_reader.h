@@ -19,9 +19,6 @@
 namespace slidercrank
 {
 
-/// "x", "x or y", "x, y or z".
-QString joinedByOr(const QStringList &names);
-
 /// Returns the position of the value of an option in the list of its possible values. Throws if it is not among them.
 qsizetype indexAmong(const QStringList &words, const QString &word, const char *option);
 

@@ -86,7 +86,7 @@ void readTarget(const OptionReader &options, RenderRequest &request)
     const bool isReport = request.subject == Subject::Report;
     if (request.subject != Subject::Frames && (isReport ? format != FigureFormat::Pdf : !format)) {
         throw UsageError{CommandLine::tr("--output must end in %1, not \"%2\".")
-                             .arg(isReport ? ".pdf" : joinedByOr({".png", ".svg", ".pdf"}), request.output)};
+                             .arg(isReport ? ".pdf" : anyOf({".png", ".svg", ".pdf"}), request.output)};
     }
 }
 

@@ -403,10 +403,6 @@
         <translation>± una desviación estándar; %1 iteraciones, número de condición %2.</translation>
     </message>
     <message>
-        <source>%1 or %2</source>
-        <translation>%1 o %2</translation>
-    </message>
-    <message>
         <source>--%1 must be %2, not &quot;%3&quot;.</source>
         <translation>--%1 debe ser %2, y no «%3».</translation>
     </message>
@@ -1901,6 +1897,10 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
         <source>Time steps at which the mechanism cannot be assembled, or has no derivatives: %1.</source>
         <translation>Instantes en los que el mecanismo no puede ensamblarse o no tiene derivadas: %1.</translation>
     </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 o %2</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::FoldingTabs</name>
@@ -2521,10 +2521,6 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
 </context>
 <context>
     <name>slidercrank::MotionFacts</name>
-    <message>
-        <source>%1 or %2</source>
-        <translation>%1 o %2</translation>
-    </message>
     <message>
         <source>outer dead centre</source>
         <translation>punto muerto exterior</translation>

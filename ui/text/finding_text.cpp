@@ -43,14 +43,23 @@ int exponentOf(double magnitude)
     return static_cast<int>(std::floor(std::log10(magnitude)));
 }
 
+/// Joins words by a pattern such as "%1 and %2", and all but the last one by commas.
+QString joined(const QStringList &words, const QString &pattern)
+{
+    return words.size() < 2 ? words.join(QString())
+                            : pattern.arg(words.first(words.size() - 1).join(", "), words.last());
+}
+
 } // namespace
 
 QString listed(const QStringList &words)
 {
-    if (words.size() < 2) {
-        return words.join(QString());
-    }
-    return FindingText::tr("%1 and %2").arg(words.first(words.size() - 1).join(", "), words.last());
+    return joined(words, FindingText::tr("%1 and %2"));
+}
+
+QString anyOf(const QStringList &words)
+{
+    return joined(words, FindingText::tr("%1 or %2"));
 }
 
 QString errorText(double value)

@@ -18,6 +18,9 @@ namespace slidercrank
 /// Joins words to a list: "x", "x and y", "x, y and z".
 QString listed(const QStringList &words);
 
+/// Joins words to a choice: "x", "x or y", "x, y or z".
+QString anyOf(const QStringList &words);
+
 /// Returns an error with three significant digits, or "∞".
 QString errorText(double value);
 

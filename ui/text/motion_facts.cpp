@@ -56,13 +56,6 @@ QString atMost(const char *symbol, double limit)
     return QStringLiteral("%1 ≤ %2 mm").arg(QLatin1String(symbol), roundedText(limit, false));
 }
 
-QString anyOf(const QStringList &bounds)
-{
-    return bounds.size() == 1 ? bounds.first()
-                              : MotionFacts::tr("%1 or %2")
-                                    .arg(bounds.first(bounds.size() - 1).join(QStringLiteral(", ")), bounds.last());
-}
-
 /// States, for each length by itself, the values with which the crank makes full turns.
 QString helpForFullTurn(const Mechanism &mechanism)
 {
