@@ -19,7 +19,7 @@ void setAxis(QCPAxis &axis, const ChartAxis &content, int pixels, int pixelsPerL
     if (content.isLogarithmic) {
         axis.setScaleType(QCPAxis::stLogarithmic);
         axis.setTicker(QSharedPointer<QCPAxisTicker>(new QCPAxisTickerLog));
-        axis.setNumberFormat(QStringLiteral("eb")); // powers of ten
+        axis.setNumberFormat("eb"); // powers of ten
         axis.setNumberPrecision(0);
     }
     axis.ticker()->setTickCount(std::max(1, pixels / pixelsPerLabel));

@@ -331,7 +331,7 @@ std::vector<PlotReading> PlotFigure::readings(std::size_t plot, const ReadTime &
 
 QString PlotFigure::timeText(double t) const
 {
-    return (isOverAngle() ? QStringLiteral("θ₂ = %1") : QStringLiteral("t = %1")).arg(durationText(t - zeroTime()));
+    return QString(isOverAngle() ? "θ₂ = %1" : "t = %1").arg(durationText(t - zeroTime()));
 }
 
 QString PlotFigure::durationText(double seconds) const

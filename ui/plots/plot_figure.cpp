@@ -205,8 +205,8 @@ void PlotFigure::setTimeScale()
     m_timeTicker->scale = scaleFor(std::max(kLeast, labelWidth + kSpace));
     m_timeTicker->perUnit = 1.0 / perSecond();
     m_timeTicker->setTickOrigin(zeroTime());
-    const QString title = isOverAngle() ? QStringLiteral("θ₂ [%1]").arg(m_timeTicker->scale.unit(QStringLiteral("°")))
-                                        : QStringLiteral("t [%1]").arg(m_timeTicker->scale.unit(QStringLiteral("s")));
+    const QString unit = m_timeTicker->scale.unit(isOverAngle() ? "°" : "s");
+    const QString title = QString(isOverAngle() ? "θ₂ [%1]" : "t [%1]").arg(unit);
     const QMargins least(static_cast<int>(kUsualDigits * digitWidth) + kTickLength + kLabelGap, 0,
                          static_cast<int>(0.5 * labelWidth), 0);
     for (const std::size_t index : m_shown) {
@@ -240,7 +240,7 @@ QStringList PlotFigure::titles(std::size_t index) const
     QString unit = unitText(channel);
     QStringList titles;
     if (isError) {
-        const std::array units{QStringLiteral("%"),
+        const std::array units{QString("%"),
                                QStringLiteral("%1; %2").arg(unit, unitText({Coordinate::R4x, channel.order})),
                                tr("% of peak")};
         unit = units[static_cast<std::size_t>(m_settings.error)];

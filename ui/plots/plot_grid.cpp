@@ -33,7 +33,7 @@ PlotGrid::PlotGrid(QWidget *parent)
         m_panes[plot]->setAccessibleName(isErrorPlot(plot) ? errors[plot / kPlotColumns]
                                                            : quantityName(kPlottedChannels[channelOf(plot)]));
     }
-    m_caption->setObjectName(QStringLiteral("no_reference_hint"));
+    m_caption->setObjectName("no_reference_hint");
     m_caption->setAutoFillBackground(true);
     m_caption->setBackgroundRole(QPalette::Base);                   // the background of the figure
     m_caption->setTextInteractionFlags(Qt::LinksAccessibleByMouse); // the keyboard uses the menu instead
@@ -207,7 +207,7 @@ void PlotGrid::refresh()
         m_panes[index]->setVisible(plot.axes != nullptr);
         if (plot.axes) {
             m_panes[index]->setGeometry(plot.axes->outerRect());
-            m_panes[index]->setAccessibleDescription(plot.titles.first() + QStringLiteral(". ") + plot.note);
+            m_panes[index]->setAccessibleDescription(plot.titles.first() + ". " + plot.note);
             m_panes[index]->update();
         }
     }
@@ -268,8 +268,8 @@ std::vector<PlotPane::Cursor> PlotGrid::cursors(std::size_t plot)
         add(*m_time, {});
     }
     if (m_measured) {
-        add((*m_measured)[0], {QStringLiteral("1")});
-        add((*m_measured)[1], {QStringLiteral("2")});
+        add((*m_measured)[0], {"1"});
+        add((*m_measured)[1], {"2"});
     }
     if (m_hovered && !m_drag) {
         const ReadTime hovered = m_figure.readTime(m_hoverTime);

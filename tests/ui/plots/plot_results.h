@@ -40,7 +40,7 @@ inline std::shared_ptr<Reference> referenceOf(double b, std::size_t channels = k
 {
     const std::shared_ptr<const Result> result = resultOf({.model = withCoupler(b), .sampling = {0.0, 1.0, 40}});
     auto reference = std::make_shared<Reference>();
-    reference->name = QStringLiteral("simulation.csv");
+    reference->name = "simulation.csv";
     reference->data.time = result->trajectory.time;
     for (std::size_t i = 0; i < channels; ++i) {
         reference->data.series.push_back({kPlottedChannels[i], result->trajectory[kPlottedChannels[i]], {}});
@@ -61,7 +61,7 @@ inline QString written(const std::vector<CurvePoint> &points)
 {
     QStringList texts;
     for (const CurvePoint &point : points) {
-        const QString value = std::isnan(point.value) ? QStringLiteral("-") : QString::number(point.value);
+        const QString value = std::isnan(point.value) ? "-" : QString::number(point.value);
         texts << QStringLiteral("%1,%2").arg(point.t).arg(value);
     }
     return texts.join(u' ');

@@ -72,7 +72,7 @@ private slots:
         QVERIFY(!chart.pointAt(place + QPointF(15.0, 15.0)));
         QVERIFY(!chart.pointAt(chart.positionOf({1, 0}))); // has no mark
         QTest::mouseMove(&chart, place.toPoint());
-        AWAIT(QToolTip::text() == QStringLiteral("1e-4"));
+        AWAIT(QToolTip::text() == "1e-4");
     }
 
     void namesItsPartsWhereThereIsRoom()
@@ -84,7 +84,7 @@ private slots:
             for (const char *wanted : {"iteration", "residual", "rough start", "10", "-6"}) {
                 QVERIFY2(texts.contains(QString::fromUtf8(wanted)), wanted);
             }
-            QVERIFY(!textsOf(chart, {90, 60}).contains(QStringLiteral("rough start")));
+            QVERIFY(!textsOf(chart, {90, 60}).contains("rough start"));
         }
     }
 };

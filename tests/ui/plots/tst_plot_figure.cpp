@@ -113,7 +113,7 @@ private slots:
         const Plot &plot = plotOf(figure, kPositionErrors);
         const std::vector<CurvePoint> &marks = plot.curves[1].dots;
         QVERIFY(marks.size() == 2 && marks[0].t == reference->data.time[20] && marks[1].t == reference->data.time[30]);
-        QCOMPARE(plot.curves[1].name, QStringLiteral("undefined: the reference is 0"));
+        QCOMPARE(plot.curves[1].name, "undefined: the reference is 0");
         QCOMPARE(gapsIn(plot.curves[0].points), 2);
         QCOMPARE(gapsIn(curveIn(plot, kErrorInks[1]).points), 0);
         QVERIFY(plot.values->upper < 1000.0);
@@ -122,8 +122,8 @@ private slots:
         reference->data.series.resize(1);
         PlotFigure &zeros = figureOf({.reference = reference});
         zeros.setSettings(settingsWith(ErrorMeasure::Percent));
-        QCOMPARE(plotOf(zeros, kPositionErrors).note, QStringLiteral("undefined: the reference is 0"));
-        QCOMPARE(plotOf(zeros, 5).note, QStringLiteral("not in the file"));
+        QCOMPARE(plotOf(zeros, kPositionErrors).note, "undefined: the reference is 0");
+        QCOMPARE(plotOf(zeros, 5).note, "not in the file");
     }
 
     void showsHalfARoundingStepOfTheFile()
@@ -148,13 +148,12 @@ private slots:
                 figure.setSettings(settingsWith(measure));
                 for (std::size_t plot = 0; plot < kPlotCount; ++plot) {
                     if (!isErrorPlot(plot) || figure.hasErrors()) {
-                        QCOMPARE(plotOf(figure, plot).note, QStringLiteral("the mechanism cannot be assembled"));
+                        QCOMPARE(plotOf(figure, plot).note, "the mechanism cannot be assembled");
                     }
                 }
             }
         }
-        QCOMPARE(plotOf(figureOf({.pinned = {withCoupler(60.0)}}), kPositionErrors).note,
-                 QStringLiteral("no difference"));
+        QCOMPARE(plotOf(figureOf({.pinned = {withCoupler(60.0)}}), kPositionErrors).note, "no difference");
         QVERIFY(plotOf(figureOf({.reference = referenceOf(65.0)}), kPositionErrors).note.isEmpty());
     }
 
@@ -163,7 +162,7 @@ private slots:
         PlotFigure &figure = figureOf({.reference = referenceOf(65.0, 1)});
         QCOMPARE(plotOf(figure, 0).curves.size(), std::size_t(2));
         const std::vector<PlotReading> readings = readingsOf(figure, 1, 0.0);
-        QCOMPARE(figure.plot(1).note, QStringLiteral("not in the file"));
+        QCOMPARE(figure.plot(1).note, "not in the file");
         QVERIFY(readings.size() == 1 && isNear(readings[0].number, positionsAt(0.0, 60.0)[1], 1e-9));
     }
 
@@ -215,8 +214,8 @@ private slots:
         QCOMPARE(plotOf(figure, 3).titles,
                  (QStringList{"coupler angular velocity ω³ = dθ³/dt [°/s]", "coupler angular velocity ω³ [°/s]",
                               "coupler angular velocity [°/s]", "velocity [°/s]"}));
-        QVERIFY(plotOf(figure, 7).titles.first().startsWith(QStringLiteral("slider acceleration a⁴ = dv⁴/dt")));
-        QCOMPARE(plotOf(figure, 0).titles.first(), QStringLiteral("coupler angle θ³ [°]"));
+        QVERIFY(plotOf(figure, 7).titles.first().startsWith("slider acceleration a⁴ = dv⁴/dt"));
+        QCOMPARE(plotOf(figure, 0).titles.first(), "coupler angle θ³ [°]");
     }
 
     void withAFileValuesAreReadAtItsTimeStamps()
@@ -245,14 +244,14 @@ private slots:
         parameters.omega2 = -2.0 * std::numbers::pi;
         parameters.theta20 = 0.5 * std::numbers::pi;
         PlotFigure &figure = figureOf({parameters});
-        QCOMPARE(figure.timeText(0.25), QStringLiteral("t = 0.25 s"));
-        QCOMPARE(figure.durationText(0.5), QStringLiteral("0.5 s"));
-        QCOMPARE(plotOf(figure, 0).axes->axis(QCPAxis::atBottom)->label(), QStringLiteral("t [s]"));
+        QCOMPARE(figure.timeText(0.25), "t = 0.25 s");
+        QCOMPARE(figure.durationText(0.5), "0.5 s");
+        QCOMPARE(plotOf(figure, 0).axes->axis(QCPAxis::atBottom)->label(), "t [s]");
         figure.setSettings({.abscissa = Abscissa::CrankAngle});
-        QCOMPARE(figure.timeText(0.5), QStringLiteral("θ₂ = -90°"));
-        QCOMPARE(figure.durationText(0.5), QStringLiteral("-180°"));
+        QCOMPARE(figure.timeText(0.5), "θ₂ = -90°");
+        QCOMPARE(figure.durationText(0.5), "-180°");
         const QCPAxis &axis = *plotOf(figure, 0).axes->axis(QCPAxis::atBottom);
-        QCOMPARE(axis.label(), QStringLiteral("θ₂ [°]"));
+        QCOMPARE(axis.label(), "θ₂ [°]");
         const auto zero = axis.tickVectorLabels().indexOf(QStringLiteral("0")); // a quarter of a second after 90°
         QVERIFY(zero >= 0 && isNear(axis.tickVector()[zero], 0.25, 1e-9));
     }

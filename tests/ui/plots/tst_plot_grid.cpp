@@ -24,9 +24,9 @@ using namespace slidercrank;
 namespace
 {
 
-const QString kAngle = QStringLiteral("plot_theta3");
-const QString kSlider = QStringLiteral("plot_R4_x");
-const QString kErrors = QStringLiteral("plot_error_velocity");
+const QString kAngle = "plot_theta3";
+const QString kSlider = "plot_R4_x";
+const QString kErrors = "plot_error_velocity";
 
 /// A visible grid that counts how often one of its plots is painted completely.
 class ShownGrid : public QObject
@@ -136,7 +136,7 @@ private slots:
             settle();
             const SeriesColours colours = seriesColours(paletteFor(theme));
             for (const QString &name : PlotGrid::plotNames()) {
-                const bool isError = name.contains(QStringLiteral("error"));
+                const bool isError = name.contains("error");
                 const QImage image = shown.pane(name).grab().toImage();
                 QVERIFY2(pixelsLike(image, isError ? colours.errorOther : colours.model) > 50, qPrintable(name));
                 QVERIFY2(pixelsLike(image, isError ? colours.error : colours.reference) > 50, qPrintable(name));
@@ -177,7 +177,7 @@ private slots:
             QCOMPARE(shown.repaints, 0);
             for (PlotPane *pane : shown.grid.findChildren<PlotPane *>()) {
                 const PlotPane::Cursor &cursor = pane->cursors().at(0);
-                QCOMPARE(cursor.lines.size(), pane->objectName().contains(QStringLiteral("error")) ? 2U : 3U);
+                QCOMPARE(cursor.lines.size(), pane->objectName().contains("error") ? 2U : 3U);
                 QVERIFY(std::abs(cursor.x - shown.at(pane->objectName(), t).x()) < 2.0);
                 const QImage image = pane->grab().toImage();
                 const auto colourAt = [&](int y) { return image.pixelColor(static_cast<int>(cursor.x), y); };
@@ -225,11 +225,11 @@ private slots:
     void sixPlotsFillTheFigureWithoutAReference()
     {
         ShownGrid shown;
-        auto *hint = shown.grid.findChild<QLabel *>(QStringLiteral("no_reference_hint"));
+        auto *hint = shown.grid.findChild<QLabel *>("no_reference_hint");
         QVERIFY(hint->isVisible() && !shown.pane(kErrors).isVisible());
         QVERIFY(std::abs(shown.pane(kAngle).width() - shown.grid.width() / 2) < 10);
         QSignalSpy requested(&shown.grid, &PlotGrid::openReferenceRequested);
-        emit hint->linkActivated(QStringLiteral("open"));
+        emit hint->linkActivated("open");
         QCOMPARE(requested.count(), 1);
         shown.show({.reference = referenceOf(65.0)});
         QVERIFY(!hint->isVisible() && shown.pane(kErrors).isVisible());
@@ -360,14 +360,14 @@ private slots:
             QTest::keyClick(&shown.pane(kSlider), key);
         }
         shown.setTime(2.0);
-        QCOMPARE(shown.pane(kSlider).text(), QStringLiteral("1\n74.54\n2\n34.54"));
-        const auto *caption = shown.grid.findChild<QLabel *>(QStringLiteral("no_reference_hint"));
-        QCOMPARE(caption->text(), QStringLiteral("1: t = 0 s · 2: t = 0.5 s · Δ = 0.5 s"));
+        QCOMPARE(shown.pane(kSlider).text(), "1\n74.54\n2\n34.54");
+        const auto *caption = shown.grid.findChild<QLabel *>("no_reference_hint");
+        QCOMPARE(caption->text(), "1: t = 0 s · 2: t = 0.5 s · Δ = 0.5 s");
         shown.grid.setSettings({.abscissa = Abscissa::CrankAngle});
         settle();
-        QCOMPARE(caption->text(), QStringLiteral("1: θ₂ = 0° · 2: θ₂ = 180° · Δ = 180°"));
+        QCOMPARE(caption->text(), "1: θ₂ = 0° · 2: θ₂ = 180° · Δ = 180°");
         shown.drag(kSlider, shown.at(kSlider, 0.5), shown.at(kSlider, 0.25));
-        QVERIFY(std::abs(caption->text().section(QStringLiteral("Δ = "), 1).chopped(1).toDouble() - 90.0) < 4.0);
+        QVERIFY(std::abs(caption->text().section("Δ = ", 1).chopped(1).toDouble() - 90.0) < 4.0);
         measuring->trigger();
         QVERIFY(shown.pane(kSlider).text().isEmpty());
     }
@@ -394,8 +394,7 @@ private slots:
         QContextMenuEvent event(QContextMenuEvent::Mouse, place, shown.grid.mapToGlobal(place));
         QCoreApplication::sendEvent(&shown.grid, &event);
         for (QAction *action : shown.grid.findChild<QMenu *>()->actions()) {
-            if (action->text().contains(QStringLiteral("xport")) ||
-                action->text().contains(QStringLiteral("alues here"))) {
+            if (action->text().contains("xport") || action->text().contains("alues here")) {
                 action->trigger();
             }
         }

@@ -190,7 +190,7 @@ struct BareFigure {
         const QCPAxisRect &axes = *figure.plot(plot).axes;
         const Truth truth(*figure.result(), channelOf(plot), axes);
         if (!figure.plot(plot).values) {
-            return truth.isEmpty() ? QString() : QStringLiteral("it is said not to exist");
+            return truth.isEmpty() ? QString() : "it is said not to exist";
         }
         const double paper = colours.background.lightnessF();
         const double curve = colours.model.lightnessF();
