@@ -145,10 +145,10 @@ bool MessageBar::eventFilter(QObject *watched, QEvent *event)
 void MessageBar::place()
 {
     constexpr int kMargin = 6;  // px
-    constexpr int kWidest = 80; // characters
+    constexpr int kWidest = 64; // characters
     const int space = parentWidget()->width() - 2 * kMargin;
     const int width = std::min(space, kWidest * fontMetrics().averageCharWidth());
-    setGeometry(kMargin + space - width, kMargin, width, std::max(0, m_rows->heightForWidth(width)));
+    setGeometry(kMargin, kMargin, width, std::max(0, m_rows->heightForWidth(width)));
     setVisible(m_rows->count() > 0 && !m_isMuted);
     raise();
 }

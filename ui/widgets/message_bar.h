@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Shows messages over the upper right corner of its parent without changing the layout. Hints disappear by themselves;
+// Shows messages over the upper left corner of its parent without changing the layout. Hints disappear by themselves;
 // questions and problems wait for a click.
 
 #include <QString>
