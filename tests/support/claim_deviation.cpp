@@ -269,23 +269,26 @@ std::string falseDeviation(const Claim &claim)
         return !(finding.after < finding.before) && (finding.before > 0.0 || finding.after > 0.0);
     };
     const auto isAxis = [](const ConventionFinding &finding) { return finding.convention.kind == Kind::Axis; };
-    std::string wrong = std::ranges::any_of(claim.diagnosis.conventions, worsens) ? "a convention worsens the deviation"
-                                                                                  : falseExclusion(claim);
+    std::string wrong;
+    const auto add = [&wrong](const std::string &statement) { wrong += statement.empty() ? "" : statement + "; "; };
+    add(std::ranges::any_of(claim.diagnosis.conventions, worsens) ? "a convention worsens the deviation" : "");
+    add(falseExclusion(claim));
     if (std::ranges::none_of(claim.diagnosis.conventions, isAxis) &&
         (claim.isIdentified() || claim.isApproximate() || claim.isNearest())) {
         const Parameters &p = claim.found.parameters;
         const Deviations deviations = deviationsFrom(p, claim);
-        wrong += claim.data.crank ? "" : falseVerdict(claim.diagnosis.identified, p, deviations);
-        wrong += falsePrintedDeviation(claim, deviations);
-        wrong += claim.isIdentified() && !claim.file.hasSaturation ? unnamedDeviation(claim, deviations) : "";
-        wrong += claim.isIdentified() && claim.file.truth ? falseNoise(claim) : "";
-        wrong += claim.isApproximate() ? falseApproximation(claim, deviations) : "";
+        add(claim.data.crank ? "" : falseVerdict(claim.diagnosis.identified, p, deviations));
+        add(falsePrintedDeviation(claim, deviations));
+        add(claim.isIdentified() && !claim.file.hasSaturation ? unnamedDeviation(claim, deviations) : "");
+        add(claim.isIdentified() && claim.file.truth ? falseNoise(claim) : "");
+        add(claim.isApproximate() ? falseApproximation(claim, deviations) : "");
     }
     if (!claim.data.crank) {
         const std::vector<ChannelComparison> given = compareExactly(Mechanism(claim.file.given), claim.data).channels;
-        wrong += falseVerdict(given, claim.file.given, deviationsFrom(claim.file.given, claim, false));
+        add(falseVerdict(given, claim.file.given, deviationsFrom(claim.file.given, claim, false)));
     }
-    return wrong + falseDifference(claim);
+    add(falseDifference(claim));
+    return wrong;
 }
 
 } // namespace slidercrank
