@@ -33,6 +33,7 @@ PlotGrid::PlotGrid(QWidget *parent)
         m_panes[plot]->setAccessibleName(isErrorPlot(plot) ? errors[plot / kPlotColumns]
                                                            : quantityName(kPlottedChannels[channelOf(plot)]));
     }
+    setObjectName("plots");
     m_caption->setObjectName("no_reference_hint");
     m_caption->setAutoFillBackground(true);
     m_caption->setBackgroundRole(QPalette::Base);                   // the background of the figure

@@ -44,7 +44,7 @@ constexpr const char *kScreens = R"({"synchronousWindowSystemEvents": true, "win
 /// The edges of the views that are checked. They contain only numbers and titles, and no moving parts.
 const std::pair<QString, Qt::Edge> kEdges[] = {{"mechanismView", Qt::BottomEdge},
                                                {"plot_theta3", Qt::LeftEdge},
-                                               {"plot_theta3_diff2", Qt::BottomEdge},
+                                               {"plots", Qt::BottomEdge},
                                                {"iterationPlot", Qt::LeftEdge},
                                                {"iterationTable", Qt::LeftEdge}};
 
