@@ -93,7 +93,8 @@ struct ConventionFinding {
     Convention convention;
 
     /// The largest error without and with the convention, in percent of the motion's peak, after all other conventions
-    /// are applied: of the columns that it changes, or of all if it changes the times or the model. 0 without values.
+    /// are applied: of the columns that it changes, or of all if it changes the times, the axes or the model. 0 without
+    /// values.
     double before = 0.0;
     double after = 0.0;
 

@@ -64,18 +64,6 @@ double largestPercent(const Parameters &parameters, const ReferenceData &data, c
     return largest;
 }
 
-/// The channels of a convention after it was applied: an exchange of axes renames them.
-std::vector<Channel> channelsAfter(const Convention &convention)
-{
-    std::vector<Channel> channels = convention.channels;
-    for (Channel &channel : channels) {
-        if (convention.kind == Kind::Axis && isLength(channel)) {
-            channel.coordinate = channel.coordinate == R4x ? R4y : R4x;
-        }
-    }
-    return channels;
-}
-
 } // namespace
 
 std::vector<ConventionFinding> findConventions(const Observations &data, const Candidate &candidate,
@@ -107,7 +95,7 @@ std::vector<ConventionFinding> findConventions(const Observations &data, const C
 std::vector<ConventionFinding> findFaultsOfWholeFile(const ReferenceData &data, const Parameters &given,
                                                      Identification &found)
 {
-    constexpr int kMostFaults = 2;
+    constexpr std::size_t kMostFaults = 2;
     constexpr double kSamePart = 2e-3;
     // Each fault changes the mechanism by one symmetry (convention.h), which the ratios of the parameters tell.
     Parameters p = found.parameters;
@@ -124,19 +112,7 @@ std::vector<ConventionFinding> findFaultsOfWholeFile(const ReferenceData &data, 
     p.omega2 *= sense / timeFactor;
     p.theta20 *= sense;
     errors[indexOf(Parameter::Omega2)] /= timeFactor;
-    Parameters started = given;
-    started.theta20 = p.theta20;
-    const bool isLate = !data.crank && !areNear(given, started, kSamePart, errors);
-    const bool isOtherAssembly = p.branch != given.branch;
-    Parameters likeGiven = p;
-    likeGiven.theta20 = given.theta20;
-    likeGiven.branch = given.branch;
-    const int count = (lengthFactor != 1.0 ? 1 : 0) + (timeFactor != 1.0 ? 1 : 0) + (isReversed ? 1 : 0) +
-                      (isLate ? 1 : 0) + (isOtherAssembly ? 1 : 0);
     std::vector<ConventionFinding> findings;
-    if (count == 0 || count > kMostFaults || !areNear(given, likeGiven, kSamePart, errors)) {
-        return findings;
-    }
     const auto add = [&](Kind kind, double amount, auto &&concerns) {
         ConventionFinding &finding = findings.emplace_back(ConventionFinding{{kind, {}, amount}});
         for (const ReferenceSeries &series : data.series) {
@@ -154,15 +130,23 @@ std::vector<ConventionFinding> findFaultsOfWholeFile(const ReferenceData &data, 
     if (isReversed) {
         add(Kind::Sign, -1.0, [](Channel channel) { return isAngle(channel.coordinate); });
     }
-    if (isOtherAssembly) {
+    if (p.branch != given.branch) {
         findings.push_back({{Kind::Branch, {}, 1.0}});
     }
-    if (isLate) {
+    Parameters likeGiven = p;
+    likeGiven.theta20 = given.theta20;
+    likeGiven.branch = given.branch;
+    Parameters started = given;
+    started.theta20 = p.theta20;
+    if (!data.crank && !areNear(given, started, kSamePart, errors)) {
         const double late = std::remainder(p.theta20 - given.theta20, kTurn) / given.omega2;
         const double error = errors[indexOf(Parameter::Theta20)] / std::abs(given.omega2);
         const double amount = error > 0.0 ? roundest(late, error) : late;
         findings.push_back({{Kind::TimeShift, {}, amount}});
         p.theta20 -= amount * p.omega2;
+    }
+    if (findings.empty() || findings.size() > kMostFaults || !areNear(given, likeGiven, kSamePart, errors)) {
+        return {};
     }
     p.theta20 = std::remainder(p.theta20, kTurn);
     found.parameters = p;
@@ -197,11 +181,11 @@ bool measureFindings(const ReferenceData &data, const Parameters &found, std::ve
         others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
         Parameters without = found;
         without.branch = convention.kind == Kind::Branch ? oppositeBranch(found.branch) : found.branch;
-        const bool concernsAll = convention.kind == Kind::TimeUnit || (data.crank && concerns(convention, kCrankAngle));
-        const std::vector<Channel> before = concernsAll ? std::vector<Channel>() : convention.channels;
-        const std::vector<Channel> after = concernsAll ? std::vector<Channel>() : channelsAfter(convention);
-        findings[i].before = largestPercent(without, allApplied(others, some), before);
-        findings[i].after = largestPercent(found, allApplied(findings, some), after);
+        const bool concernsAll = convention.kind == Kind::TimeUnit || convention.kind == Kind::Axis ||
+                                 (data.crank && concerns(convention, kCrankAngle));
+        const std::vector<Channel> channels = concernsAll ? std::vector<Channel>() : convention.channels;
+        findings[i].before = largestPercent(without, allApplied(others, some), channels);
+        findings[i].after = largestPercent(found, allApplied(findings, some), channels);
         if (findings[i].after < findings[i].before) {
             ++i;
         } else {
