@@ -106,7 +106,7 @@ QStringList fileNames(const QStringList &paths)
 /// Returns the first cells of a column as written in the file.
 QString firstValues(const FileLayout &layout, std::size_t column)
 {
-    constexpr std::size_t kValues = 3;
+    constexpr std::size_t kValues = 2;
     QStringList values;
     for (std::size_t row = 0; row < std::min(kValues, layout.rows.size()); ++row) {
         if (column < layout.rows[row].size()) {
@@ -170,8 +170,9 @@ ColumnMapping::ColumnMapping(const QStringList &paths, const QByteArrayList &beg
         return m_layout.isOpen() ? leavesOpen(column.reason)
                                  : column.role == ColumnRole::Channel && isGuess(column.reason);
     });
-    if (open != m_layout.columns.end()) {
-        m_rows[static_cast<std::size_t>(open - m_layout.columns.begin())].meaning->setFocus();
+    const auto first = static_cast<std::size_t>(open == m_layout.columns.end() ? 0 : open - m_layout.columns.begin());
+    if (first < m_rows.size()) {
+        m_rows[first].meaning->setFocus();
     }
 }
 
@@ -206,6 +207,7 @@ QWidget *ColumnMapping::createRows()
         }
         addRow(grid, line++, i);
     }
+    grid->setColumnMinimumWidth(0, 12 * fontMetrics().averageCharWidth()); // for usual headings
     grid->setColumnStretch(0, 1);
     grid->setColumnStretch(5, 2);
     grid->setRowStretch(line, 1);

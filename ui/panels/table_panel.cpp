@@ -26,7 +26,7 @@ namespace
 {
 
 constexpr std::chrono::milliseconds kPause{100}; // numbers that change faster cannot be read
-constexpr int kChartWidth = 240;                 // px, beside tables
+constexpr int kChartWidth = 360;                 // px, beside tables
 constexpr QSize kChartSize(900, 600);            // px, of an exported chart
 
 } // namespace
