@@ -34,6 +34,10 @@ ColumnChoice parseMeaning(const QString &text)
     ColumnChoice choice;
     choice.unit = heading.unit;
     readMeaning(name, choice.role, choice.channel);
+    if (!choice.unit.empty() && !parseColumnUnit(choice.unit, choice.role, choice.channel)) {
+        throw UsageError{
+            CommandLine::tr("--column: \"%1\" is not a unit of %2.").arg(QString::fromStdString(choice.unit), name)};
+    }
     return choice;
 }
 
@@ -141,6 +145,10 @@ std::vector<ColumnChoice> readColumns(const OptionReader &options)
         }
         ColumnChoice choice = parseMeaning(text.sliced(equals + 1).trimmed());
         choice.heading = text.first(equals).trimmed().toStdString();
+        if (std::ranges::count(choices, choice.heading, &ColumnChoice::heading) > 0) {
+            throw UsageError{CommandLine::tr("--column gives \"%1\" two meanings: keep one of them.")
+                                 .arg(QString::fromStdString(choice.heading))};
+        }
         choices.push_back(std::move(choice));
     }
     return choices;

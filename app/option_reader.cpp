@@ -37,7 +37,26 @@ OptionReader::OptionReader(const CommandDescription &command, const QStringList 
     if (!m_parser.errorText().isEmpty() && !has("help")) {
         throw UsageError{CommandLine::tr("%1 --help describes the options.").arg(m_parser.errorText())};
     }
+    checkRepetitions();
     m_scene.solver.newton.elimination = Elimination::Structured; // the same iterates as Dense, ten times faster
+}
+
+void OptionReader::checkRepetitions() const
+{
+    const QStringList repeatable{"column", "reference"};
+    for (const OptionDescription &option : m_options) {
+        if (texts(option.name).size() > 1 && !repeatable.contains(option.name)) {
+            throw UsageError{CommandLine::tr("--%1 is given more than once: keep one of them.").arg(option.name)};
+        }
+    }
+    if ((files() + texts("scene") + texts("reference")).count("-") > 1) {
+        throw UsageError{CommandLine::tr("Standard input can be read only once: give one \"-\".")};
+    }
+    for (const char *name : {"scene", "reference", "output"}) {
+        if (texts(name).contains("")) {
+            throw UsageError{CommandLine::tr("--%1 needs the name of a file.").arg(name)};
+        }
+    }
 }
 
 void OptionReader::readScene()

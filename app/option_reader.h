@@ -61,6 +61,7 @@ public:
 
 private:
     const OptionDescription *find(const char *name) const; ///< null if the command does not take the option
+    void checkRepetitions() const; ///< throws if an option or standard input is given twice, or a file has no name
 
     const CommandDescription &m_command;
     std::vector<OptionDescription> m_options;

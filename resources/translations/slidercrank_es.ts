@@ -936,6 +936,26 @@ Equipo: %1. Tiempo: %2 s.
         <source>There is no command and no file &quot;%1&quot;: choose one of %2.</source>
         <translation>No existe ninguna orden ni archivo «%1»: elija una de %2.</translation>
     </message>
+    <message>
+        <source>--column: &quot;%1&quot; is not a unit of %2.</source>
+        <translation>--column: «%1» no es una unidad de %2.</translation>
+    </message>
+    <message>
+        <source>--column gives &quot;%1&quot; two meanings: keep one of them.</source>
+        <translation>--column da dos significados a «%1»: deje uno.</translation>
+    </message>
+    <message>
+        <source>--%1 is given more than once: keep one of them.</source>
+        <translation>--%1 se da más de una vez: deje una sola.</translation>
+    </message>
+    <message>
+        <source>Standard input can be read only once: give one &quot;-&quot;.</source>
+        <translation>La entrada estándar solo se puede leer una vez: ponga un solo «-».</translation>
+    </message>
+    <message>
+        <source>--%1 needs the name of a file.</source>
+        <translation>--%1 necesita el nombre de un archivo.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::ConventionText</name>
