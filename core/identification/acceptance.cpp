@@ -196,10 +196,12 @@ Candidate judgedCandidate(const Observations &data, Fit fit)
                                            : judgement == Residual::Systematic ? Acceptance::Approximate
                                                                                : Acceptance::Identified);
     }
-    if (candidate.acceptance == Acceptance::Approximate && hasOffset) { // a free origin would absorb systematic errors
+    const bool leavesOut = std::ranges::count(candidate.judgements, Residual::NotUsed) > 0;
+    if (candidate.acceptance == Acceptance::Approximate && (hasOffset || leavesOut)) { // would hide systematic errors
         candidate.acceptance = Acceptance::Rejected;
     }
-    candidate.distance = all > 0.0 ? off / all : 1.0;
+    const double spare = all - candidate.freeCount;
+    candidate.distance = spare > 0.0 ? std::min(off / spare, 1.0) : 1.0;
     return candidate;
 }
 

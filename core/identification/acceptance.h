@@ -29,7 +29,8 @@ struct Candidate : Fit {
     std::vector<Residual> judgements{}; ///< by column
     Acceptance acceptance = Acceptance::Rejected;
     bool isExact = false;  ///< rounding explains all residuals
-    double distance = 1.0; ///< mean of noise²/spread², each at most 1, over the columns with information on the shape
+    /// Noise²/spread², at most 1, per degree of freedom of the columns with information on the shape.
+    double distance = 1.0;
 
     /// The score with the price of the hypothesis.
     double pricedScore() const;

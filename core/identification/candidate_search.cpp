@@ -114,7 +114,7 @@ void addWithVariants(const Observations &data, Hypothesis hypothesis, std::vecto
 std::vector<Fit> exchangedShapes(const Observations &data, SpeedCandidates speeds, double scoreBefore,
                                  const std::stop_token &stop)
 {
-    constexpr std::size_t kMostFitted = 6;
+    constexpr std::size_t kMostFitted = 10;
     constexpr std::size_t kMost = 4;
     constexpr double kLeastGain = 24.0; // the price of an exchange
     std::vector<ColumnUse> columns = plainColumns(data);

@@ -193,7 +193,6 @@ struct ClaimKind {
     std::string name{};
     bool isFault = false;             ///< of a sensor, filter, logger or spreadsheet
     std::vector<std::string> lines{}; ///< of steps
-    std::uint64_t draw = 1;           ///< which set of random files
 };
 
 std::vector<ClaimKind> claimKinds();

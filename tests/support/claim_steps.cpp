@@ -383,9 +383,7 @@ std::vector<ClaimKind> claimKinds()
     for (std::string line; std::getline(stream, line);) {
         if (line.starts_with('[')) {
             const std::size_t end = line.rfind(']');
-            const std::size_t draw = line.find("draw ", end);
             kinds.push_back({line.substr(1, end - 1), line.find("fault", end) != std::string::npos});
-            kinds.back().draw = draw == std::string::npos ? 1 : std::stoull(line.substr(draw + 5));
         } else if (!line.empty() && line[0] != '#') {
             kinds.back().lines.push_back(line);
         }
@@ -397,7 +395,7 @@ ClaimFile claimFile(const ClaimKind &kind, std::uint64_t suiteSeed, int number)
 {
     constexpr std::uint64_t kMostDraws = 20;
     for (std::uint64_t draw = 0;; ++draw) {
-        ClaimBuilder file(seedFor(kind.name, kind.draw * suiteSeed, number) + draw, number);
+        ClaimBuilder file(seedFor(kind.name, suiteSeed, number) + draw, number);
         file.isLong = kind.isFault;
         file.tolerance = kind.isFault ? 1e-5 : 2e-3; // faults: accurate within their standard errors
         for (const std::string &line : kind.lines) {
