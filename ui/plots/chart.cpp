@@ -2,25 +2,34 @@
 #include "ui/plots/chart.h"
 
 #include "ui/plots/plot_drawing.h"
+#include "ui/text/written_number.h"
 
 #include <QMouseEvent>
 #include <QToolTip>
 
 #include <algorithm>
-
+#include <cmath>
 namespace slidercrank
 {
 
 namespace
 {
 
+/// Labels the ticks of a logarithmic axis with powers of ten: 10⁻³. QCustomPlot does that only in English.
+class DecadeTicker : public QCPAxisTickerLog
+{
+protected:
+    QString getTickLabel(double tick, const QLocale &, QChar, int) override
+    {
+        return powerOfTen(static_cast<int>(std::lround(std::log10(tick))));
+    }
+};
+
 void setAxis(QCPAxis &axis, const ChartAxis &content, int pixels, int pixelsPerLabel)
 {
     if (content.isLogarithmic) {
         axis.setScaleType(QCPAxis::stLogarithmic);
-        axis.setTicker(QSharedPointer<QCPAxisTicker>(new QCPAxisTickerLog));
-        axis.setNumberFormat("eb"); // powers of ten
-        axis.setNumberPrecision(0);
+        axis.setTicker(QSharedPointer<QCPAxisTicker>(new DecadeTicker));
     }
     axis.ticker()->setTickCount(std::max(1, pixels / pixelsPerLabel));
     axis.setLabel(content.title);

@@ -81,7 +81,7 @@ private slots:
             Chart chart;
             chart.setContent(content(legend));
             const QStringList texts = textsOf(chart, {500, 300});
-            for (const char *wanted : {"iteration", "residual", "rough start", "10", "-6"}) {
+            for (const char *wanted : {"iteration", "residual", "rough start", "10⁻⁶"}) {
                 QVERIFY2(texts.contains(QString::fromUtf8(wanted)), wanted);
             }
             QVERIFY(!textsOf(chart, {90, 60}).contains("rough start"));
