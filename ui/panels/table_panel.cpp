@@ -68,9 +68,9 @@ TablePanel::TablePanel(const QString &name, const QString &title, const std::fun
     content->addLayout(columns, 1);
     m_beside = new QBoxLayout(QBoxLayout::LeftToRight);
     m_beside->setSpacing(12);
-    columns->addWidget(m_chart, 1);
+    columns->addWidget(m_chart, 1, Qt::AlignTop);
     columns->addLayout(m_beside, 1);
-    m_chart->setMinimumSize(200, 100);
+    m_chart->setMinimumWidth(200);
     m_chart->hide();
     m_scroll->setFrameShape(QFrame::NoFrame);
     m_scroll->setFocusPolicy(Qt::NoFocus);
@@ -193,10 +193,12 @@ void TablePanel::fillTables(const Page &page)
     m_export->setVisible(!m_shownTables.empty());
 }
 
-/// Several tables scroll together; a single table scrolls below its headings.
+/// Several tables scroll together; a single table scrolls below its headings. A chart is as high as the visible part.
 void TablePanel::arrange()
 {
-    constexpr int kScrollBar = 20; // px
+    constexpr int kScrollBar = 20;    // px
+    constexpr int kLowestChart = 100; // px
+    m_chart->setFixedHeight(std::max(kLowestChart, m_scroll->height()));
     const bool together = m_shownTables.size() > 1;
     const int available = m_scroll->width() - (m_chart->isHidden() ? 0 : kChartWidth);
     int needed = 0;
