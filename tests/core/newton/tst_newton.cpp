@@ -186,12 +186,14 @@ void TestNewton::iterationsDependNeitherOnScaleNorOnTime()
     }
 }
 
+/// The iteration limit of the options is for warm starts: a cold start has its own.
 void TestNewton::coldStartConvergesWithinItsLimit()
 {
+    constexpr NewtonOptions kOneIteration{1, 0.0};
     for (const Case &which : allCases()) {
         const Mechanism mechanism(which.parameters);
         for (const double t : timeStampsOf(which)) {
-            const NewtonTimeStep instant = solve(mechanism, t, kToTheEnd);
+            const NewtonTimeStep instant = solve(mechanism, t, kOneIteration);
             const bool exists = ClosedForm{mechanism}.motionAt(t).status != Status::NotAssemblable;
             const Status expected = exists ? Status::Solved : Status::NotAssemblable;
             QVERIFY2(instant.positionStatus == expected, qPrintable(described(which.parameters, instant)));
