@@ -63,13 +63,9 @@ TablePanel::TablePanel(const QString &name, const QString &title, const std::fun
     content->setContentsMargins(0, 0, 0, 0);
     content->setSpacing(3);
     content->addWidget(m_findings);
-    auto *columns = new QHBoxLayout;
-    columns->setSpacing(12);
-    content->addLayout(columns, 1);
     m_beside = new QBoxLayout(QBoxLayout::LeftToRight);
     m_beside->setSpacing(12);
-    columns->addWidget(m_chart, 1, Qt::AlignTop);
-    columns->addLayout(m_beside, 1);
+    content->addLayout(m_beside, 1);
     m_chart->setMinimumWidth(200);
     m_chart->hide();
     m_scroll->setFrameShape(QFrame::NoFrame);
@@ -82,7 +78,11 @@ TablePanel::TablePanel(const QString &name, const QString &title, const std::fun
     rows->setContentsMargins(6, 4, 6, 2);
     rows->setSpacing(3);
     rows->addLayout(head);
-    rows->addWidget(m_scroll, 1);
+    auto *columns = new QHBoxLayout;
+    columns->setSpacing(12);
+    columns->addWidget(m_chart, 1);
+    columns->addWidget(m_scroll, 1);
+    rows->addLayout(columns, 1);
     rows->addWidget(m_note);
 
     m_pause.setSingleShot(true);
@@ -193,24 +193,24 @@ void TablePanel::fillTables(const Page &page)
     m_export->setVisible(!m_shownTables.empty());
 }
 
-/// Several tables scroll together; a single table scrolls below its headings. A chart is as high as the visible part.
+/// Several tables scroll together; a single table scrolls below its headings. The rest of the width is for the chart.
 void TablePanel::arrange()
 {
-    constexpr int kScrollBar = 20;    // px
-    constexpr int kLowestChart = 100; // px
-    m_chart->setFixedHeight(std::max(kLowestChart, m_scroll->height()));
+    constexpr int kScrollBar = 20; // px
     const bool together = m_shownTables.size() > 1;
-    const int available = m_scroll->width() - (m_chart->isHidden() ? 0 : kChartWidth);
-    int needed = 0;
+    const int available = std::max(1, contentsRect().width() - (m_chart->isHidden() ? 0 : kChartWidth));
+    int sum = 0;
+    int widest = 0;
     for (NumberTable *table : m_shownTables) {
         const QSize content = table->contentSize();
-        needed += content.width() + m_beside->spacing();
+        sum += content.width() + m_beside->spacing();
+        widest = std::max(widest, content.width());
         table->setVerticalScrollBarPolicy(together ? Qt::ScrollBarAlwaysOff : Qt::ScrollBarAsNeeded);
-        table->setMinimumHeight(together ? content.height() : 1);
-        table->setMinimumWidth(
-            m_chart->isHidden() ? 1 : std::clamp(content.width() + kScrollBar, 1, std::max(1, available)));
+        table->setMinimumSize(1, together ? content.height() : 1);
     }
-    m_beside->setDirection(needed <= available || !together ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    const bool isBeside = sum <= available || !together;
+    m_beside->setDirection(isBeside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    m_scroll->setMinimumWidth(m_chart->isHidden() ? 1 : std::min((isBeside ? sum : widest) + kScrollBar, available));
 }
 
 void TablePanel::copy()
