@@ -81,10 +81,10 @@ private slots:
         QCOMPARE(sampled.at(0, "time"), -1.0);
         QCOMPARE(sampled.at(4, "time"), 1.0);
 
-        const CsvTable revolution(run("solve --step-angle 15 --omega2 3 --theta20 30deg").output);
+        const CsvTable revolution(run("solve --step-angle 15 --start 0.5 --omega2 180deg/s --theta20 30deg").output);
         QCOMPARE(revolution.rows.size(), std::size_t(25));
         for (std::size_t i = 0; i < revolution.rows.size(); ++i) {
-            QVERIFY(std::abs(revolution.at(i, "theta2") - (30.0 + 15.0 * static_cast<double>(i))) < 1e-10);
+            QVERIFY(std::abs(revolution.at(i, "theta2") - (120.0 + 15.0 * static_cast<double>(i))) < 1e-10);
         }
 
         const CsvTable atTime(run("solve --at 0.25").output);
