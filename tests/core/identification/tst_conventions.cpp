@@ -40,6 +40,12 @@ void *operator new(std::size_t size)
     throw std::bad_alloc();
 }
 
+void *operator new(std::size_t size, const std::nothrow_t &) noexcept
+{
+    largestAllocation = std::max(largestAllocation.load(), size);
+    return std::malloc(std::max<std::size_t>(size, 1));
+}
+
 // Not inlined, because g++ 14 would otherwise warn of a mismatch of new and free.
 [[gnu::noinline]] void operator delete(void *memory) noexcept
 {
