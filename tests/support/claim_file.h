@@ -115,7 +115,7 @@ struct Finding {
 };
 
 /// One true interpretation of a file.
-struct Interpretation {
+struct TrueInterpretation {
     Parameters mechanism;
     std::vector<Finding> findings{};
 };
@@ -134,7 +134,7 @@ struct ClaimFile {
 
     // What may be claimed.
     std::vector<Finding> findings{};               ///< of the truth
-    std::vector<Interpretation> interpretations{}; ///< other true ones; print() inserts that of the truth as the first
+    std::vector<TrueInterpretation> interpretations{}; ///< other true ones; print() inserts that of the truth as the first
     bool hasTooFewValues = false;                  ///< too few values to identify a mechanism reliably
     bool mayBeMissed = false;      ///< may be refused although the linearized fit determines the mechanism
     bool mayBeApproximate = false; ///< has systematic deviations: `approximate` is as good as `identified`

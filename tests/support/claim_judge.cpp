@@ -143,7 +143,7 @@ std::string falseMechanism(const Claim &claim, const Parameters &parameters, Rol
         why += ' ' + std::to_string(static_cast<int>(finding.convention.kind)) + " by " +
                std::to_string(finding.convention.amount);
     }
-    for (const Interpretation &interpretation : claim.file.interpretations) {
+    for (const TrueInterpretation &interpretation : claim.file.interpretations) {
         for (const Parameters &image : mirrorImages(interpretation.mechanism)) {
             const auto offsets = compareImage(claim, interpretation.mechanism, image);
             if (!offsets ||
@@ -199,7 +199,7 @@ bool areTrueWithoutMechanism(const Claim &claim)
     }
     const Role role = claim.isApproximate() ? Role::Approximation : Role::Mechanism;
     return !(claim.isApproximate() && std::ranges::any_of(conventions, isOrigin)) &&
-           std::ranges::any_of(claim.file.interpretations, [&](const Interpretation &interpretation) {
+           std::ranges::any_of(claim.file.interpretations, [&](const TrueInterpretation &interpretation) {
                return areSameFindings(claim, interpretation.findings, {}, role);
            });
 }
