@@ -133,9 +133,10 @@ struct ClaimFile {
     Parameters given{}; ///< the mechanism that is passed to the program
 
     // What may be claimed.
-    std::vector<Finding> findings{};               ///< of the truth
-    std::vector<TrueInterpretation> interpretations{}; ///< other true ones; print() inserts that of the truth as the first
-    bool hasTooFewValues = false;                  ///< too few values to identify a mechanism reliably
+    std::vector<Finding> findings{}; ///< of the truth
+    std::vector<TrueInterpretation>
+        interpretations{};         ///< other true ones; print() inserts that of the truth as the first
+    bool hasTooFewValues = false;  ///< too few values to identify a mechanism reliably
     bool mayBeMissed = false;      ///< may be refused although the linearized fit determines the mechanism
     bool mayBeApproximate = false; ///< has systematic deviations: `approximate` is as good as `identified`
     bool hasSaturation = false;    ///< the program need not name the bad rows
