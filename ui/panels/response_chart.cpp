@@ -109,12 +109,13 @@ void ResponseChart::paintShade(QPainter &painter, const QPalette &palette)
     const QRectF area = axisArea();
     QColor colour = seriesColours(palette).warning;
     colour.setAlphaF(kOpacity);
-    const auto &[lower, upper] = m_range.fullTurn;
+    const Interval &range = m_range.fullTurn;
     const auto pixel = [&](double value) {
-        return lower > upper ? area.right() : std::clamp(positionOf(Dot{value}).x(), area.left(), area.right());
+        return range.lower > range.upper ? area.right()
+                                         : std::clamp(positionOf(Dot{value}).x(), area.left(), area.right());
     };
-    painter.fillRect(QRectF(area.topLeft(), QPointF(pixel(lower), area.bottom())), colour);
-    painter.fillRect(QRectF(QPointF(pixel(upper), area.top()), area.bottomRight()), colour);
+    painter.fillRect(QRectF(area.topLeft(), QPointF(pixel(range.lower), area.bottom())), colour);
+    painter.fillRect(QRectF(QPointF(pixel(range.upper), area.top()), area.bottomRight()), colour);
 }
 
 void ResponseChart::paintDots(QPainter &painter, const QPalette &palette)
