@@ -142,7 +142,8 @@ ExitStatus ReferenceQuestion::answerEach(const Streams &streams, const AnswerOne
 }
 
 std::shared_ptr<const Reference> readTimedReference(const Streams &streams, const ReferenceSource &source,
-                                                    const std::vector<ColumnChoice> &columns, const Mechanism &mechanism)
+                                                    const std::vector<ColumnChoice> &columns,
+                                                    const Mechanism &mechanism)
 {
     ReferenceOutcome outcome = readReference(source, {}, {columns, {}});
     if (const auto *read = std::get_if<std::shared_ptr<const Reference>>(&outcome)) {

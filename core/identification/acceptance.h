@@ -28,7 +28,7 @@ struct Candidate : Fit {
     double price = 0.0;
     std::vector<Residual> judgements{}; ///< by column
     Acceptance acceptance = Acceptance::Rejected;
-    bool isExact = false;  ///< rounding explains all residuals
+    bool isExact = false; ///< rounding explains all residuals
     /// Noise²/spread², at most 1, per degree of freedom of the columns with information on the shape.
     double distance = 1.0;
 

@@ -29,7 +29,7 @@ struct NameMeaning {
     };
     Kind kind = Kind::Nothing;
     Channel channel{};
-    std::string owner{}; ///< "3.1" in "P[3.1]", "slider" in "slider.s"; empty: none
+    std::string owner{};     ///< "3.1" in "P[3.1]", "slider" in "slider.s"; empty: none
     bool isModelica = false; ///< and the unit is not given, but implied
     bool isInventor = false;
 };

@@ -6,8 +6,8 @@
 #include "core/mechanism/mechanism.h"
 
 #include <cmath>
-#include <numbers>
 #include <cstdint>
+#include <numbers>
 #include <random>
 
 namespace slidercrank

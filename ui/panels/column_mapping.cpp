@@ -80,7 +80,8 @@ void fillUnits(QComboBox &combo, const ColumnChoice &choice, const FileColumn &c
     QStringList units{"s", "ms"};
     QString usual = units.first();
     if (choice.role != ColumnRole::Time) {
-        const Channel channel = choice.role == ColumnRole::CrankAngle ? Channel{Theta2, Order::Position} : choice.channel;
+        const Channel channel =
+            choice.role == ColumnRole::CrankAngle ? Channel{Theta2, Order::Position} : choice.channel;
         units = isAngle(channel.coordinate) ? QStringList{"°", "rad"} : QStringList{"mm", "cm", "m", "in"};
         usual = unitText(channel);
         units.replaceInStrings(QRegularExpression("$"), usual.mid(units.first().size())); // "/s²"
@@ -196,7 +197,8 @@ QWidget *ColumnMapping::createRows()
     auto *grid = new QGridLayout(page);
     grid->setHorizontalSpacing(14);
     int column = 0;
-    for (const QString &heading : {tr("heading"), tr("first values"), tr("read as"), tr("unit"), tr("range"), tr("why")}) {
+    for (const QString &heading :
+         {tr("heading"), tr("first values"), tr("read as"), tr("unit"), tr("range"), tr("why")}) {
         grid->addWidget(boldLabel(heading), 0, column++);
     }
     int line = 1;

@@ -49,7 +49,7 @@ private:
     void addRow(QGridLayout *grid, int line, std::size_t column);
     void addButtons(QBoxLayout *rows);
     ColumnChoice choiceIn(std::size_t row) const;
-    std::vector<ColumnChoice> choices() const; ///< of the rows that the user chose
+    std::vector<ColumnChoice> choices() const;                    ///< of the rows that the user chose
     void showChoice(std::size_t row, const ColumnChoice &choice); ///< in the two lists of the row
     void choose(std::size_t row);
     void detectAgain();

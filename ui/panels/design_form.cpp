@@ -55,23 +55,23 @@ void DesignForm::createControls()
     form->setVerticalSpacing(4);
     form->setFieldGrowthPolicy(QFormLayout::FieldsStayAtSizeHint);
     m_stroke = addField(form, "designStroke", tr("Stroke"), new NumberBox,
-                      tr("Type a stroke: the mechanism is scaled, so that its time ratio and angles stay"));
+                        tr("Type a stroke: the mechanism is scaled, so that its time ratio and angles stay"));
     m_stroke->setSuffix(tr(" mm"));
     m_stroke->setUnit(kMillimetre);
-    m_timeRatio =
-        addField(form, "designTimeRatio", tr("Time ratio"), new NumberBox,
-               tr("Type a time ratio: the mechanism with the largest minimum transmission angle is chosen, the stroke "
-                  "stays. A ratio below 1 exchanges the forward and the return stroke."));
+    m_timeRatio = addField(
+        form, "designTimeRatio", tr("Time ratio"), new NumberBox,
+        tr("Type a time ratio: the mechanism with the largest minimum transmission angle is chosen, the stroke "
+           "stays. A ratio below 1 exchanges the forward and the return stroke."));
     m_transmissionAngle = addField(form, "designTransmissionAngle", tr("Minimum transmission angle"), new NumberBox,
-                                 tr("Type the smallest transmission angle that you accept: the mechanism with the "
-                                    "largest minimum transmission angle is chosen, stroke and time ratio stay"));
+                                   tr("Type the smallest transmission angle that you accept: the mechanism with the "
+                                      "largest minimum transmission angle is chosen, stroke and time ratio stay"));
     m_transmissionAngle->setSuffix(QStringLiteral("°"));
     m_transmissionAngle->setUnit(kDegree);
     for (NumberBox *box : {m_stroke, m_timeRatio, m_transmissionAngle}) {
         box->setRange({.smallest = 0.0, .isOpen = true});
     }
     m_ratio = addField(form, "designRatio", tr("Ratio b/a"), new NumberSlider,
-                     tr("The freedom that stroke and time ratio leave: the ratio b/a of coupler and crank"));
+                       tr("The freedom that stroke and time ratio leave: the ratio b/a of coupler and crank"));
     m_ratio->setMinimumWidth(120);
     m_best->setText(tr("Best transmission angle"));
     m_best->setToolTip(

@@ -102,8 +102,8 @@ TableRow fileRow(const ChannelComparison &channel)
         details += u' ' + ErrorPage::tr("Undefined where the reference is zero: at %1 time steps.")
                               .arg(countText(channel.zeroReference));
     }
-    TableRow row = rowOf(channel, details + u'\n' + rounding,
-                         ErrorPage::tr("max |model − reference| / max |reference| · 100"));
+    TableRow row =
+        rowOf(channel, details + u'\n' + rounding, ErrorPage::tr("max |model − reference| / max |reference| · 100"));
     row.cells[0].explanation = count;
     row.cells.insert(row.cells.begin() + 1,
                      {.text = look.mark + u' ' + look.word,
@@ -146,7 +146,8 @@ QString leftOutText(const ReferenceData &data)
         parts << ErrorPage::tr("%1 rows of the file were skipped").arg(countText(skipped));
     }
     if (const qsizetype ignored = ignoredHeadings(data.layout).size(); ignored > 0) {
-        parts << (ignored == 1 ? ErrorPage::tr("1 column was ignored") : ErrorPage::tr("%1 columns were ignored").arg(ignored));
+        parts << (ignored == 1 ? ErrorPage::tr("1 column was ignored")
+                               : ErrorPage::tr("%1 columns were ignored").arg(ignored));
     }
     return parts.isEmpty() ? QString() : ErrorPage::tr("%1 (see Reference).").arg(parts.join("; "));
 }
@@ -197,9 +198,9 @@ Page pinnedPage(const Result &result)
     if (result.difference->hasGaps) {
         page.sentence += u' ' + ErrorPage::tr("Where one of the two cannot be assembled there is nothing to compare.");
     }
-    PageTable table = tableWith(
-        "differenceTable", ErrorPage::tr("Differences from the pinned motion, a row for each channel"),
-        {ErrorPage::tr("largest difference"), ErrorPage::tr("max |this − pinned|"), "max_difference"});
+    PageTable table =
+        tableWith("differenceTable", ErrorPage::tr("Differences from the pinned motion, a row for each channel"),
+                  {ErrorPage::tr("largest difference"), ErrorPage::tr("max |this − pinned|"), "max_difference"});
     std::ranges::transform(result.difference->channels, std::back_inserter(table.rows), pinnedRow);
     page.tables = {table};
     return page;
@@ -333,8 +334,9 @@ std::vector<Finding> findingsOf(const Result &result, const ReferenceDiagnosis *
         for (const Convention &convention : result.reference->conventions) {
             names << conventionName(convention);
         }
-        findings.push_back({ErrorPage::tr("The file is read differently from how it is written: %1.").arg(listed(names)),
-                            Remedy::ReadAsPrinted, ErrorPage::tr("Read as written")});
+        findings.push_back(
+            {ErrorPage::tr("The file is read differently from how it is written: %1.").arg(listed(names)),
+             Remedy::ReadAsPrinted, ErrorPage::tr("Read as written")});
     }
     return findings;
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The page of the errors of the model against the reference file, or against the motion that was pinned last: a verdict,
-// explanations of the difference with their remedies, and a row for each channel.
+// The page of the errors of the model against the reference file, or against the motion that was pinned last: a
+// verdict, explanations of the difference with their remedies, and a row for each channel.
 
 #include "ui/document/result.h"
 #include "ui/panels/page.h"

@@ -85,7 +85,8 @@ TableCell numberCell(double value)
 /// A page without tables; its sentence says why numbers are missing, if they are.
 Page emptyPage(Status status, const Result &result)
 {
-    const QString sentences[] = { // in the order of Status
+    const QString sentences[] = {
+        // in the order of Status
         {},
         NewtonPages::tr("⚠ The coupler is perpendicular to the slider's line: C_q is singular. The position exists, "
                         "velocity and acceleration do not."),
@@ -159,14 +160,11 @@ Page NewtonPages::equations(const Result &result, double time)
         "equationTable",
         tr("Equations, a row for each constraint"),
         {{tr("joint"), tr("Joint that the equation describes"), "joint", false},
-         {tr("equation"),
-          tr("C(q, t) = 0; bodies as superscripts: 1 ground, 2 crank, 3 coupler, 4 slider"), "equation",
+         {tr("equation"), tr("C(q, t) = 0; bodies as superscripts: 1 ground, 2 crank, 3 coupler, 4 slider"), "equation",
           false},
          {tr("C"), tr("Residual of the equation, in mm or rad"), "C"},
-         {tr("Cₜ, per s"),
-          tr("∂C/∂t, in mm/s or rad/s: the velocities follow from C_q dq/dt = −Cₜ"), "C_t"},
-         {tr("Q_d, per s²"),
-          tr("In mm/s² or rad/s²: the accelerations follow from C_q d²q/dt² = Q_d"), "Q_d"},
+         {tr("Cₜ, per s"), tr("∂C/∂t, in mm/s or rad/s: the velocities follow from C_q dq/dt = −Cₜ"), "C_t"},
+         {tr("Q_d, per s²"), tr("In mm/s² or rad/s²: the accelerations follow from C_q d²q/dt² = Q_d"), "Q_d"},
          {tr("unit"), tr("Of C; of Cₜ per s, of Q_d per s²"), "unit", false}},
         {}};
     for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
@@ -277,8 +275,8 @@ Page NewtonPages::iterations(const Result &result, double time)
     page.tables = {table};
     if (page.sentence.isEmpty()) {
         page.tone = Tone::Normal;
-        page.sentence = tr(
-            "Near the solution each iteration doubles the number of correct digits: the line bends down.");
+        page.sentence =
+            tr("Near the solution each iteration doubles the number of correct digits: the line bends down.");
     }
     return page;
 }
@@ -296,8 +294,7 @@ Page NewtonPages::coordinates(const Result &result, double time)
          {tr("position"), tr("q, in mm or °"), "position"},
          {tr("velocity, per s"), tr("dq/dt, in mm/s or °/s"), "velocity"},
          {tr("acceleration, per s²"), tr("d²q/dt², in mm/s² or °/s²"), "acceleration"},
-         {tr("unit"), tr("Of the position; of the velocity per s, of the acceleration per s²"),
-          "unit", false}},
+         {tr("unit"), tr("Of the position; of the velocity per s, of the acceleration per s²"), "unit", false}},
         {}};
     for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
         const auto coordinate = static_cast<Coordinate>(i);

@@ -182,7 +182,8 @@ void ParameterPanel::addRow(Parameter parameter, const QString &noun, const QStr
 
     row.slider = named(QStringLiteral("slider_") + key, new ParameterSlider, tr("%1, slider").arg(name));
     m_grid->addWidget(row.slider, line, 1);
-    connect(row.slider, &QSlider::valueChanged, this, [this, parameter, &row] { edit(parameter, row.slider->number()); });
+    connect(row.slider, &QSlider::valueChanged, this,
+            [this, parameter, &row] { edit(parameter, row.slider->number()); });
     connect(row.slider, &QSlider::sliderPressed, m_session, &Session::beginDrag);
     connect(row.slider, &QSlider::sliderReleased, m_session, &Session::endDrag);
 

@@ -81,9 +81,9 @@ QString fullTurnText(Parameter parameter, const ResponseRange &range)
     return lower > upper          ? ResponseText::tr("The crank makes full turns for no value of %1.").arg(symbol)
            : hasLower && hasUpper ? ResponseText::tr("Full turns for %1 ≤ %2 ≤ %3 mm, shaded elsewhere.")
                                         .arg(numberText(lower), symbol, numberText(upper))
-           : hasLower             ? ResponseText::tr("Full turns for %1 ≥ %2 mm, shaded elsewhere.").arg(symbol, numberText(lower))
-           : hasUpper             ? ResponseText::tr("Full turns for %1 ≤ %2 mm, shaded elsewhere.").arg(symbol, numberText(upper))
-                                  : QString();
+           : hasLower ? ResponseText::tr("Full turns for %1 ≥ %2 mm, shaded elsewhere.").arg(symbol, numberText(lower))
+           : hasUpper ? ResponseText::tr("Full turns for %1 ≤ %2 mm, shaded elsewhere.").arg(symbol, numberText(upper))
+                      : QString();
 }
 
 Response computeResponse(const Parameters &parameters, Parameter parameter, int count, const std::stop_token &stop)

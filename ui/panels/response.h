@@ -15,8 +15,8 @@
 namespace slidercrank
 {
 
-/// Stroke, time ratio, smallest transmission angle, peak slider speed and peak slider acceleration. A value is NaN if the
-/// limit does not exist or is unbounded.
+/// Stroke, time ratio, smallest transmission angle, peak slider speed and peak slider acceleration. A value is NaN if
+/// the limit does not exist or is unbounded.
 inline constexpr std::size_t kLimitCount = 5;
 inline constexpr std::size_t kFirstPeak = 3;
 using LimitValues = std::array<double, kLimitCount>;
@@ -28,7 +28,8 @@ inline constexpr std::array kVariedParameters{Parameter::A, Parameter::B, Parame
 
 struct ResponseRange {
     Interval assembled; ///< values with which the mechanism can be assembled; unbounded ends are cut off
-    Interval fullTurn;  ///< values with which the crank makes full turns; may exceed `assembled`; lower > upper if there are none
+    Interval fullTurn; ///< values with which the crank makes full turns; may exceed `assembled`; lower > upper if there
+                       ///< are none
 };
 
 /// Returns the range of one parameter, with all others fixed. It contains the current value if the mechanism can be

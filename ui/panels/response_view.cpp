@@ -25,7 +25,7 @@ namespace slidercrank
 namespace
 {
 
-constexpr QSize kFigureSize(1500, 330); // px, of the exported charts
+constexpr QSize kFigureSize(1500, 330);  // px, of the exported charts
 constexpr QSize kSmallestChart(100, 90); // px; below this the page scrolls
 
 std::vector<Record> recordsOf(const Response &response)

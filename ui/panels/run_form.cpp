@@ -31,7 +31,8 @@ RunForm::RunForm(Session *session, QWidget *parent)
     auto *form = new QFormLayout(this);
     form->setVerticalSpacing(4);
     m_start = addField(form, "startBox", tr("Start"), new NumberBox, tr("The first time step"));
-    m_duration = addField(form, "durationBox", tr("Duration"), new NumberBox, tr("From the first time step to the last"));
+    m_duration =
+        addField(form, "durationBox", tr("Duration"), new NumberBox, tr("From the first time step to the last"));
     m_duration->setRange({.smallest = 0.0, .isOpen = true});
     m_oneTurn = named("oneTurnButton", new QToolButton);
     m_oneTurn->setText(tr("One revolution"));

@@ -79,11 +79,11 @@ SolverForm::SolverForm(Session *session, QWidget *parent)
     auto *method = addField(form, "methodBox", tr("Method"), new QComboBox, tr("How the curves are computed"));
     method->addItems({tr("Newton-Raphson"), tr("closed form, exact")}); // in the order of Method
     auto *tolerance = addField(form, "toleranceBox", tr("Tolerance"), new NumberBox,
-                             tr("Iterates until ‖C‖ is at most this; 0: until it no longer decreases"));
+                               tr("Iterates until ‖C‖ is at most this; 0: until it no longer decreases"));
     tolerance->setRange({.smallest = 0.0});
     auto *kind = addField(form, "toleranceKindBox", tr("Tolerance type"), new QComboBox,
-                        tr("Absolute: mm and rad mixed, as in the reference report. Relative: lengths divided by "
-                           "a + b + |c|, the same at every scale"));
+                          tr("Absolute: mm and rad mixed, as in the reference report. Relative: lengths divided by "
+                             "a + b + |c|, the same at every scale"));
     kind->addItems({tr("absolute"), tr("relative")}); // in the order of ToleranceKind
     auto *iterations = addField(form, "iterationsBox", tr("Maximum iterations"), new NumberBox, tr("At one time step"));
     iterations->setRange({.smallest = 1.0, .largest = kMaximumIterations, .isWhole = true});

@@ -40,14 +40,15 @@ MethodText textFor(MethodName::Kind kind)
 {
     const QString taylor = StudyPage::tr(
         "The same, started from position, velocity and acceleration of the time step before (Taylor series)");
-    const MethodText texts[] = { // in the order of MethodName::Kind
+    const MethodText texts[] = {
+        // in the order of MethodName::Kind
         {StudyPage::tr("Newton-Raphson, dense"),
          StudyPage::tr("As in the reference report: 12 equations solved together (dense LU), started from the "
                        "time step before"),
          Tone::Fair, Mark::Square},
         {StudyPage::tr("dense, Taylor start"), taylor, Tone::Fair, Mark::Diamond},
-        {StudyPage::tr("Newton-Raphson, structured"),
-         StudyPage::tr("The same 12 equations, solved joint by joint"), Tone::Model, Mark::Circle},
+        {StudyPage::tr("Newton-Raphson, structured"), StudyPage::tr("The same 12 equations, solved joint by joint"),
+         Tone::Model, Mark::Circle},
         {StudyPage::tr("structured, Taylor start"), taylor, Tone::Model, Mark::Diamond},
         {StudyPage::tr("closed form"), StudyPage::tr("The exact formulas, one time step after the other"), Tone::Good,
          Mark::Square},
@@ -71,7 +72,8 @@ QString nameOfRow(const MethodResult &row)
 QString statusText(Status status)
 {
     const QString texts[] = {StudyPage::tr("solved"), StudyPage::tr("singular"), StudyPage::tr("not converged"),
-                             StudyPage::tr("cannot be assembled"), StudyPage::tr("not finite")}; // in the order of Status
+                             StudyPage::tr("cannot be assembled"),
+                             StudyPage::tr("not finite")}; // in the order of Status
     return texts[static_cast<std::size_t>(status)];
 }
 
@@ -130,7 +132,8 @@ PageTable tableFor(const CaseResult &result, int channels)
         StudyPage::tr("Methods that compute %1 channels, a row for each method and tolerance").arg(channels),
         {{title, StudyPage::tr("How the motion is computed"), "method", false},
          {StudyPage::tr("tolerance"),
-          StudyPage::tr("Of Newton-Raphson: absolute for the dense method of the reference report, relative for the others"),
+          StudyPage::tr(
+              "Of Newton-Raphson: absolute for the dense method of the reference report, relative for the others"),
           "tolerance"},
          {StudyPage::tr("time [ns]"),
           StudyPage::tr("Position, velocity and acceleration at one time step: median over interleaved rounds"),

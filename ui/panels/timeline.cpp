@@ -18,8 +18,8 @@
 #include <QLocale>
 #include <QMenu>
 #include <QPainter>
-#include <QStyle>
 #include <QSignalBlocker>
+#include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -83,7 +83,8 @@ Timeline::Timeline(Session *session, QWidget *parent)
     setSpeed(m_speed);
 }
 
-void Timeline::addAction(Command command, const QString &text, const QKeySequence &shortcut, const std::function<void()> &act)
+void Timeline::addAction(Command command, const QString &text, const QKeySequence &shortcut,
+                         const std::function<void()> &act)
 {
     auto *action = m_actions[command] = new QAction(text, this);
     action->setShortcut(shortcut);
@@ -133,7 +134,8 @@ void Timeline::fillMenu(QMenu *menu)
 
 QLayout *Timeline::createScrubbing()
 {
-    const auto makeBox = [](const char *name, const QString &spoken, const QString &explanation, const QString &suffix, const Unit &unit) {
+    const auto makeBox = [](const char *name, const QString &spoken, const QString &explanation, const QString &suffix,
+                            const Unit &unit) {
         auto *box = named(name, new NumberBox, spoken);
         box->setToolTip(explanation);
         box->setButtonSymbols(QAbstractSpinBox::NoButtons);
@@ -145,8 +147,9 @@ QLayout *Timeline::createScrubbing()
     connect(m_timeBox, &NumberBox::edited, m_session, &Session::setTime);
 
     constexpr double kLargestAngle = 1e300; // degrees; larger than any angle that a mechanism reaches
-    m_angleBox = makeBox("angleBox", tr("Crank angle in degrees"),
-                         tr("Crank angle: type one to go to the time when the crank first passes it"), tr("°"), kDegree);
+    m_angleBox =
+        makeBox("angleBox", tr("Crank angle in degrees"),
+                tr("Crank angle: type one to go to the time when the crank first passes it"), tr("°"), kDegree);
     m_angleBox->setRange({.smallest = -kLargestAngle, .largest = kLargestAngle});
     m_angleBox->setFixedDecimals(2);
     m_angleBox->setStep(1.0);
@@ -202,10 +205,10 @@ QLayout *Timeline::createButtons()
 void Timeline::colourIcons()
 {
     using enum QStyle::StandardPixmap;
-    for (const auto &[command, symbol] : {std::pair{Start, SP_MediaSkipBackward}, std::pair{Back, SP_MediaSeekBackward},
-                                          std::pair{Play, isPlaying() ? SP_MediaPause : SP_MediaPlay},
-                                          std::pair{Forward, SP_MediaSeekForward}, std::pair{End, SP_MediaSkipForward},
-                                          std::pair{Loop, SP_BrowserReload}}) {
+    for (const auto &[command, symbol] :
+         {std::pair{Start, SP_MediaSkipBackward}, std::pair{Back, SP_MediaSeekBackward},
+          std::pair{Play, isPlaying() ? SP_MediaPause : SP_MediaPlay}, std::pair{Forward, SP_MediaSeekForward},
+          std::pair{End, SP_MediaSkipForward}, std::pair{Loop, SP_BrowserReload}}) {
         m_actions[command]->setIcon(colouredIcon(*this, symbol));
     }
     m_playButton->setAccessibleName(isPlaying() ? tr("Pause") : tr("Play"));
@@ -299,9 +302,7 @@ void Timeline::nextFrame()
 {
     const double time = m_playedFrom + m_speed * (m_clock() - m_playedSince);
     const bool isOver = time >= last() && !isLooping();
-    m_requested = time < last() ? time
-                  : isOver      ? last()
-                                : first() + std::fmod(time - first(), last() - first());
+    m_requested = time < last() ? time : isOver ? last() : first() + std::fmod(time - first(), last() - first());
     m_session->setTime(m_requested);
     if (isOver) {
         pause();
@@ -351,8 +352,8 @@ void Timeline::showTime()
     const QSignalBlocker quiet(m_slider);
     m_slider->setValue(static_cast<int>(std::lround(currentStep())));
     constexpr int kDigits = 3;
-    m_run->setText(tr("%1 s · %2 ▾", "duration, playback speed")
-                       .arg(numberText(last() - first(), kDigits), speedText(m_speed)));
+    m_run->setText(
+        tr("%1 s · %2 ▾", "duration, playback speed").arg(numberText(last() - first(), kDigits), speedText(m_speed)));
 }
 
 } // namespace slidercrank

@@ -57,7 +57,8 @@ protected:
 private:
     enum Command { Play, Forward, Back, Start, End, Loop, Faster, Slower, OpenRun, CommandCount };
 
-    void addAction(Command command, const QString &text, const QKeySequence &shortcut, const std::function<void()> &act = {});
+    void addAction(Command command, const QString &text, const QKeySequence &shortcut,
+                   const std::function<void()> &act = {});
     void createActions();
     QLayout *createScrubbing();
     QLayout *createButtons();

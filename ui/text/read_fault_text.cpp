@@ -26,50 +26,48 @@ public:
 
     // In the order of ReadFault::Kind. %1 is the heading or the file, %2 the channel or its unit, %3 the fault of a
     // row, %4 that of a column.
-    static constexpr const char *kFaults[] =
-        {
-            QT_TR_NOOP("The file is empty: it needs a line of headings, and numbers below it."),     // Empty
-            QT_TR_NOOP("The file is a spreadsheet or an archive, not text: save the table as CSV."), // Spreadsheet
-            QT_TR_NOOP("The file is a PDF document, not a table: export the table as CSV."),         // Pdf
-            QT_TR_NOOP("The file is HTML or XML, not a table of text: export the table as CSV."),    // Markup
-            QT_TR_NOOP("The file is JSON, not a table of text: export the table as CSV."),           // Json
-            QT_TR_NOOP("the file holds bytes that are not text: export the table as CSV."),          // NotText
-            QT_TR_NOOP(
-                "the line has more than a million characters: export the table as CSV, a row a line."), // LineTooLong
-            QT_TR_NOOP("the line of units contradicts the heading, %1: correct one of the two."), // UnitsContradict
-            QT_TR_NOOP(
-                "numbers where the headings should be: put a line such as time,theta3,R4_x above them."), // NamesMissing
-            QT_TR_NOOP("unknown unit, or one of another quantity: write for example [%2], or none."),     // UnknownUnit
-            QT_TR_NOOP("unknown unit of time: write [s] or [ms], or none for seconds."), // UnknownTimeUnit
-            QT_TR_NOOP("there is no column \"%1\"."),                                    // NoSuchColumn
-            QT_TR_NOOP(
-                "several columns are called \"%1\": give the number of one of them, as in #3."), // SeveralColumns
-            QT_TR_NOOP("there is a column of that name already: keep one of the two."),          // ChannelTwice
-            QT_TR_NOOP("there is a time column already: keep one of the two."),                  // TimeTwice
-            QT_TR_NOOP("two columns are chosen as %2: keep one of the two."),                    // ChannelChosenTwice
-            QT_TR_NOOP("two columns are chosen as the time: keep one of the two."),              // TimeChosenTwice
-            QT_TR_NOOP("there is no time column: call the column of the time stamps \"time\", or that of the crank "
-                       "angle \"theta2\"."), // NoTime
-            QT_TR_NOOP("no column beside the time has a known heading: use theta3, theta3_diff, theta3_diff2, R4_x, "
-                       "R4_x_diff, R4_x_diff2."), // NoChannel
-            QT_TR_NOOP("the columns beside the time are unknown (%1: %4): use theta3, theta3_diff, theta3_diff2, R4_x, "
-                       "R4_x_diff, R4_x_diff2."),                   // NoCertainChannel
-            QT_TR_NOOP("there are no numbers below the headings."), // NoNumbers
-            QT_TR_NOOP("no row can be read, this one because of: %3. Write numbers as 0.005, or as 0,005 with columns "
-                       "separated by semicolons or tabs."),             // NoRow
-            QT_TR_NOOP("no column beside the time contains a number."), // NoValues
-            QT_TR_NOOP(
-                "the time does not increase: sort the rows by time, and keep one row for each time."), // TimeNotRising
-            QT_TR_NOOP(
-                "the crank angle goes back: sort the rows by it, and keep one row for each angle."), // AngleTurnsBack
-            QT_TR_NOOP("its time stamps are not those of %1: export the plots with the same start, end and step, or "
-                       "open one file at a time."), // OtherTimeStamps
-            QT_TR_NOOP("both this file and %1 contain %2: leave one of them out, or choose the meaning of their "
-                       "columns."),                                                    // ChannelInBoth
-            QT_TR_NOOP("The file is larger than 2 GB: export fewer rows or columns."), // TooLarge
-            QT_TR_NOOP("Reading was stopped."),                                        // Stopped
-            QT_TR_NOOP("The file became shorter while it was read: open it again."),   // Unreadable
-            QT_TR_NOOP("There is not enough memory: leave out rows or columns."),      // NoMemory
+    static constexpr const char *kFaults[] = {
+        QT_TR_NOOP("The file is empty: it needs a line of headings, and numbers below it."),     // Empty
+        QT_TR_NOOP("The file is a spreadsheet or an archive, not text: save the table as CSV."), // Spreadsheet
+        QT_TR_NOOP("The file is a PDF document, not a table: export the table as CSV."),         // Pdf
+        QT_TR_NOOP("The file is HTML or XML, not a table of text: export the table as CSV."),    // Markup
+        QT_TR_NOOP("The file is JSON, not a table of text: export the table as CSV."),           // Json
+        QT_TR_NOOP("the file holds bytes that are not text: export the table as CSV."),          // NotText
+        QT_TR_NOOP(
+            "the line has more than a million characters: export the table as CSV, a row a line."), // LineTooLong
+        QT_TR_NOOP("the line of units contradicts the heading, %1: correct one of the two."),       // UnitsContradict
+        QT_TR_NOOP(
+            "numbers where the headings should be: put a line such as time,theta3,R4_x above them."), // NamesMissing
+        QT_TR_NOOP("unknown unit, or one of another quantity: write for example [%2], or none."),     // UnknownUnit
+        QT_TR_NOOP("unknown unit of time: write [s] or [ms], or none for seconds."),                  // UnknownTimeUnit
+        QT_TR_NOOP("there is no column \"%1\"."),                                                     // NoSuchColumn
+        QT_TR_NOOP("several columns are called \"%1\": give the number of one of them, as in #3."),   // SeveralColumns
+        QT_TR_NOOP("there is a column of that name already: keep one of the two."),                   // ChannelTwice
+        QT_TR_NOOP("there is a time column already: keep one of the two."),                           // TimeTwice
+        QT_TR_NOOP("two columns are chosen as %2: keep one of the two."),       // ChannelChosenTwice
+        QT_TR_NOOP("two columns are chosen as the time: keep one of the two."), // TimeChosenTwice
+        QT_TR_NOOP("there is no time column: call the column of the time stamps \"time\", or that of the crank "
+                   "angle \"theta2\"."), // NoTime
+        QT_TR_NOOP("no column beside the time has a known heading: use theta3, theta3_diff, theta3_diff2, R4_x, "
+                   "R4_x_diff, R4_x_diff2."), // NoChannel
+        QT_TR_NOOP("the columns beside the time are unknown (%1: %4): use theta3, theta3_diff, theta3_diff2, R4_x, "
+                   "R4_x_diff, R4_x_diff2."),                   // NoCertainChannel
+        QT_TR_NOOP("there are no numbers below the headings."), // NoNumbers
+        QT_TR_NOOP("no row can be read, this one because of: %3. Write numbers as 0.005, or as 0,005 with columns "
+                   "separated by semicolons or tabs."),             // NoRow
+        QT_TR_NOOP("no column beside the time contains a number."), // NoValues
+        QT_TR_NOOP(
+            "the time does not increase: sort the rows by time, and keep one row for each time."), // TimeNotRising
+        QT_TR_NOOP(
+            "the crank angle goes back: sort the rows by it, and keep one row for each angle."), // AngleTurnsBack
+        QT_TR_NOOP("its time stamps are not those of %1: export the plots with the same start, end and step, or "
+                   "open one file at a time."), // OtherTimeStamps
+        QT_TR_NOOP("both this file and %1 contain %2: leave one of them out, or choose the meaning of their "
+                   "columns."),                                                    // ChannelInBoth
+        QT_TR_NOOP("The file is larger than 2 GB: export fewer rows or columns."), // TooLarge
+        QT_TR_NOOP("Reading was stopped."),                                        // Stopped
+        QT_TR_NOOP("The file became shorter while it was read: open it again."),   // Unreadable
+        QT_TR_NOOP("There is not enough memory: leave out rows or columns."),      // NoMemory
     };
 
     // In the order of RowFault.

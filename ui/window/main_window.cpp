@@ -258,18 +258,19 @@ void MainWindow::connectReports(const TablePanel *panel)
 QWidget *MainWindow::makeLimitsPanel()
 {
     auto *panel = named("limits", new SegmentedPages("limitsSegment"), tr("Motion limits"));
-    panel->addPage(tr("Values"), makePanel("limitsPanel", tr("Motion limits"),
-                                           [this] { return limitsPage(*m_session->result()); }));
+    panel->addPage(tr("Values"),
+                   makePanel("limitsPanel", tr("Motion limits"), [this] { return limitsPage(*m_session->result()); }));
     auto *response = new ResponseView(m_session);
     panel->addPage(tr("Response"), response);
     panel->addPage(tr("Design"), new DesignForm(m_session));
     connect(response, &ResponseView::copied, m_messages, &Messages::confirm);
     connect(response, &ResponseView::problemFound, m_messages, &Messages::showProblem);
-    connect(m_views.parameters, &ParameterPanel::responseRequested, panel, [this, panel, response](Parameter parameter) {
-        response->setParameter(parameter);
-        panel->setCurrent(1);
-        m_views.tabs->showPage(panel);
-    });
+    connect(m_views.parameters, &ParameterPanel::responseRequested, panel,
+            [this, panel, response](Parameter parameter) {
+                response->setParameter(parameter);
+                panel->setCurrent(1);
+                m_views.tabs->showPage(panel);
+            });
     return panel;
 }
 
@@ -277,7 +278,8 @@ QWidget *MainWindow::makeNewtonPanel()
 {
     auto *panel = named("newtonPanel", new SegmentedPages("segment"), tr("Newton-Raphson"));
     panel->addPage(tr("Settings"), new SolverForm(m_session));
-    const auto addPage = [this, panel](const char *name, const QString &title, Page (*makePage)(const Result &, double)) {
+    const auto addPage = [this, panel](const char *name, const QString &title,
+                                       Page (*makePage)(const Result &, double)) {
         const auto make = [this, makePage] { return makePage(*m_session->result(), m_session->time()); };
         TablePanel *page = makePanel(QString::fromLatin1(name), title, make);
         connect(m_session, &Session::timeChanged, page, &TablePanel::refresh);

@@ -150,8 +150,7 @@ void tst_constraints::vanishOnTheExactMotion()
         const double speeds = std::abs(p.omega2) + std::abs(qDot[Theta3]);
         const double accelerations = std::abs(qDDot[Theta3]) + speeds * speeds;
         const Vector12 positionSizes = rowUnits(p) * angleSize;
-        const Vector12 velocitySizes =
-            (Cq.cwiseAbs() * qDot.cwiseAbs()).array() + lengths * speeds * angleSize;
+        const Vector12 velocitySizes = (Cq.cwiseAbs() * qDot.cwiseAbs()).array() + lengths * speeds * angleSize;
         const Vector12 accelerationSizes =
             (Cq.cwiseAbs() * qDDot.cwiseAbs() + Qd.cwiseAbs()).array() + lengths * accelerations * angleSize;
         const double unit = kRoundings * kUnitRoundoff;

@@ -52,7 +52,10 @@ struct Dialog {
         mapping.show();
     }
 
-    QComboBox *combo(const QString &what, int row) const { return child<QComboBox>(mapping, what + QString::number(row)); }
+    QComboBox *combo(const QString &what, int row) const
+    {
+        return child<QComboBox>(mapping, what + QString::number(row));
+    }
     QString meaning(int row) const { return combo("meaning", row)->currentText(); }
     QString why(int row) const { return text(QStringLiteral("why%1").arg(row)); }
     QString text(const QString &label) const { return child<QLabel>(mapping, label)->text(); }
@@ -176,7 +179,8 @@ private slots:
         QVERIFY(!dialog.problem().isEmpty() && !dialog.canBeUsed());
         dialog.choose("meaning", 0, "time");
         QVERIFY(dialog.problem().isEmpty() && dialog.canBeUsed());
-        for (const QByteArray &bytes : {QByteArray(), QByteArray("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16), QByteArray("time,theta3\n")}) {
+        for (const QByteArray &bytes :
+             {QByteArray(), QByteArray("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16), QByteArray("time,theta3\n")}) {
             QVERIFY(!Dialog({bytes}).canBeUsed());
         }
     }
@@ -222,7 +226,7 @@ private slots:
         QVERIFY(loaded.wait(kPatience));
         session.apply({Convention::Kind::LengthUnit, {kSlider}, 100.0});
         saveChoices(readLayout(QStringList(path)), {path},
-                        {{2, ColumnRole::Ignored, {}, {}}, {3, ColumnRole::Channel, kSlider, {}}});
+                    {{2, ColumnRole::Ignored, {}, {}}, {3, ColumnRole::Channel, kSlider, {}}});
         loaded.clear();
         session.loadReference(path);
         QVERIFY(loaded.wait(kPatience));

@@ -105,12 +105,14 @@ private slots:
         ChannelComparison zeros = compared(Verdict::Differs, 1.0, kSlider);
         zeros.maxPercent.reset();
         zeros.zeroReference = 7;
-        const Page page = errorPage(resultWith({compared(Verdict::Agrees, 0.00123456),
-                                                compared(Verdict::Close, 14.2345, {R4x, Order::Velocity}), missing, zeros}),
-                                    nullptr);
+        const Page page =
+            errorPage(resultWith({compared(Verdict::Agrees, 0.00123456),
+                                  compared(Verdict::Close, 14.2345, {R4x, Order::Velocity}), missing, zeros}),
+                      nullptr);
         QCOMPARE(rowTexts(page.tables.at(0)),
-                 (QStringList{"θ³ coupler angle|✓ agrees|0.001235 °|0.006173|0.5", "v⁴ slider velocity|≈ close|14.23 mm/s|71.17|0.5",
-                              "θ³ coupler angle|✗ differs|–|–|–", "Rₓ⁴ slider position|✗ differs|1.000 mm|5.000|0.5"}));
+                 (QStringList{"θ³ coupler angle|✓ agrees|0.001235 °|0.006173|0.5",
+                              "v⁴ slider velocity|≈ close|14.23 mm/s|71.17|0.5", "θ³ coupler angle|✗ differs|–|–|–",
+                              "Rₓ⁴ slider position|✗ differs|1.000 mm|5.000|0.5"}));
         const std::vector<TableRow> &rows = page.tables[0].rows;
         QCOMPARE(rows[1].cells[LargestError].number, std::optional(14.2345)); // every digit, to be copied
         QCOMPARE(rows[0].cells[Quantity].csv, "theta3 [°]");
@@ -181,7 +183,8 @@ private slots:
             diagnosis.found.identification.outcome = row.outcome;
             diagnosis.found.identified[0].verdict = row.verdictThen;
             diagnosis.found.identified[0].percentOfPeak = row.percentThen;
-            QCOMPARE(std::ranges::count(remediesOf(errorPage(result, &diagnosis)), Remedy::UseFoundMechanism), row.offered);
+            QCOMPARE(std::ranges::count(remediesOf(errorPage(result, &diagnosis)), Remedy::UseFoundMechanism),
+                     row.offered);
         }
     }
 
@@ -217,7 +220,8 @@ private slots:
         reference.data.skipped = {{12, 3, "a<b", RowFault::NotANumber, 1, 1}, {15, 1, "", RowFault::NoTime, 1, 0}};
         reference.data.layout.columns.emplace_back().heading = "force";
         const Result result = resultWith({compared(Verdict::Agrees)}, reference);
-        QCOMPARE(errorPage(result, nullptr).note, "2 rows of the file were skipped; 1 column was ignored (see Reference).");
+        QCOMPARE(errorPage(result, nullptr).note,
+                 "2 rows of the file were skipped; 1 column was ignored (see Reference).");
         QVERIFY(errorPage(resultWith({}), nullptr).note.isEmpty());
         const QStringList rows = rowTexts(referencePage(result, nullptr).tables[1]);
         QVERIFY(rows[0].startsWith("12 (b.csv)|3|a<b|") && rows[1].startsWith("15 (a.csv)|1||"));
@@ -257,7 +261,8 @@ private slots:
         const QStringList columns = rowTexts(page.tables[0]);
         QCOMPARE(columns.size(), 4);
         QVERIFY2(columns[1].startsWith("theta3 [rad]|rad|θ³|"), qPrintable(columns[1]));
-        QVERIFY2(columns[2].startsWith("R4_x|mm (none given)|Rₓ⁴|") && columns[2].contains("|1, 1 gap|"), qPrintable(columns[2]));
+        QVERIFY2(columns[2].startsWith("R4_x|mm (none given)|Rₓ⁴|") && columns[2].contains("|1, 1 gap|"),
+                 qPrintable(columns[2]));
         QVERIFY2(columns[3].contains("|–|"), qPrintable(columns[3]));
         QCOMPARE(page.tables[0].rows[3].cells[0].tone, Tone::Muted);
         QVERIFY(rowTexts(page.tables[1]).at(0).startsWith("3|2|oops|"));

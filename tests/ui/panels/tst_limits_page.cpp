@@ -53,13 +53,16 @@ private slots:
         for (const Row &row :
              {Row{{20, 65, 25}, "The crank makes full turns: b = 65 mm ≥ a + |c| = 45 mm."},
               Row{{20, 65, -25}, "The crank makes full turns: b = 65 mm ≥ a + |c| = 45 mm."},
-              Row{{.omega2 = 0.0}, "The crank is at rest, ω₂ = 0; it could make full turns: b = 65 mm ≥ a + |c| = 45 mm."},
-              Row{{20, 40, 25}, "The crank oscillates and cannot make a full turn: b = 40 mm < a + |c| = 45 mm. "
-                                       "It would make full turns "
-                                       "if b ≥ 45 mm, a ≤ 15 mm or |c| ≤ 20 mm."},
-              Row{{20, 20, 5}, "The crank oscillates and cannot make a full turn: b = 20 mm < a + |c| = 25 mm. "
-                                      "It would make full turns "
-                                      "if b ≥ 25 mm, a ≤ 15 mm or c = 0."},
+              Row{{.omega2 = 0.0},
+                  "The crank is at rest, ω₂ = 0; it could make full turns: b = 65 mm ≥ a + |c| = 45 mm."},
+              Row{{20, 40, 25},
+                  "The crank oscillates and cannot make a full turn: b = 40 mm < a + |c| = 45 mm. "
+                  "It would make full turns "
+                  "if b ≥ 45 mm, a ≤ 15 mm or |c| ≤ 20 mm."},
+              Row{{20, 20, 5},
+                  "The crank oscillates and cannot make a full turn: b = 20 mm < a + |c| = 25 mm. "
+                  "It would make full turns "
+                  "if b ≥ 25 mm, a ≤ 15 mm or c = 0."},
               Row{{20, 10, 5},
                   "The crank oscillates within one of two arcs and cannot make a full turn: b = 10 mm < a + |c| = 25 "
                   "mm, and "
@@ -75,9 +78,10 @@ private slots:
               Row{{20, 20, 0},
                   "The crank just makes full turns: b = a = 20 mm, c = 0, a change point. At θ₂ = 90° and 270° " +
                       jump},
-              Row{{20, 45 * (1 - 1e-8), 25}, "The crank oscillates and cannot make a full turn: b = 44.9999995 "
-                                                    "mm < a + |c| = 45 mm. It would make full "
-                                                    "turns if b ≥ 45 mm, a ≤ 19.9999 mm or |c| ≤ 24.9999 mm."}}) {
+              Row{{20, 45 * (1 - 1e-8), 25},
+                  "The crank oscillates and cannot make a full turn: b = 44.9999995 "
+                  "mm < a + |c| = 45 mm. It would make full "
+                  "turns if b ≥ 45 mm, a ≤ 19.9999 mm or |c| ≤ 24.9999 mm."}}) {
             QCOMPARE(pageOf(row.parameters).sentence, row.sentence);
         }
     }

@@ -41,7 +41,8 @@ constexpr std::size_t kStroke = 0, kRatio = 1, kSpeed = 3, kAcceleration = 4;
 /// Compares two lists of limits; NaN equals NaN.
 bool isSame(const LimitValues &first, const LimitValues &second)
 {
-    return std::ranges::equal(first, second, [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); });
+    return std::ranges::equal(first, second,
+                              [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); });
 }
 
 /// Computes the limits directly from the core.
@@ -211,7 +212,8 @@ private slots:
             dragTo(x);
         }
         const double b = shown.session.parameters().b;
-        const double pixel = before.range.assembled.length() / (chart->positionOf({135.0, {}}) - chart->positionOf({5.0, {}})).x();
+        const double pixel =
+            before.range.assembled.length() / (chart->positionOf({135.0, {}}) - chart->positionOf({5.0, {}})).x();
         QVERIFY2(std::abs(b - (65.0 + 20.0 * pixel)) <= 1.1 * pixel, qPrintable(QString::number(b)));
         for (const std::size_t limit : {kStroke, kAcceleration}) {
             const ResponseChart::Dot &dot = shown.chart(limit)->dots()[0];
@@ -251,7 +253,8 @@ private slots:
         QFile file(folder.filePath("r.csv"));
         QVERIFY(file.open(QFile::ReadOnly));
         const QList<QByteArray> lines = file.readAll().trimmed().split('\n');
-        QCOMPARE(lines[0], QByteArray("c,stroke,time-ratio,least-transmission-angle,peak-slider-speed,peak-slider-acceleration"));
+        QCOMPARE(lines[0],
+                 QByteArray("c,stroke,time-ratio,least-transmission-angle,peak-slider-speed,peak-slider-acceleration"));
         QCOMPARE(lines.size() - 1, static_cast<qsizetype>(response.values.size()));
         const QList<QByteArray> cells = lines[lines.size() / 2].split(',');
         const std::size_t middle = static_cast<std::size_t>(lines.size() / 2 - 1);
@@ -315,7 +318,8 @@ private slots:
         shown.type("designTimeRatio", "1.5");
         QVERIFY(shown.refusal().isEmpty());
         shown.type("designTransmissionAngle", "70");
-        const std::variant<Lengths, DesignFault> designed = design({*shown.limits().stroke, 1.5, 70.0 / kDegreesPerRadian});
+        const std::variant<Lengths, DesignFault> designed =
+            design({*shown.limits().stroke, 1.5, 70.0 / kDegreesPerRadian});
         const DesignFault &fault = std::get<DesignFault>(designed);
         for (const double bound : {fault.bound * kDegreesPerRadian, fault.timeRatioBound}) {
             QVERIFY2(shown.refusal().contains(QString::number(bound, 'g', 4)), qPrintable(shown.refusal()));

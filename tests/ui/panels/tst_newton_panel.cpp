@@ -112,7 +112,8 @@ private slots:
     void saysWhyNumbersAreMissing()
     {
         const auto rocker = resultWith({}, 40.0);
-        for (const auto page : {NewtonPages::equations, NewtonPages::jacobian, NewtonPages::iterations, NewtonPages::coordinates}) {
+        for (const auto page :
+             {NewtonPages::equations, NewtonPages::jacobian, NewtonPages::iterations, NewtonPages::coordinates}) {
             QVERIFY(page(*rocker, 0.75).sentence.contains("too short"));
             QVERIFY(!page(*rocker, 0.25).sentence.contains("⚠"));
         }
@@ -169,11 +170,14 @@ private slots:
 
         summary = run({Method::Newton, {2, 1e-8}});
         QVERIFY(summary.count(Status::IterationLimit) > 0);
-        QVERIFY(text("warningLabel").contains(QString("%1 of 201 time steps did not converge within 2 iterations")
-                                                  .arg(summary.count(Status::IterationLimit))));
+        QVERIFY(text("warningLabel")
+                    .contains(QString("%1 of 201 time steps did not converge within 2 iterations")
+                                  .arg(summary.count(Status::IterationLimit))));
         summary = run({Method::ClosedForm, {}}, 40.0);
-        QVERIFY(text("warningLabel").contains(
-            QString("%1 of 201 time steps cannot be assembled").arg(summary.count(Status::NotAssemblable))));
+        QVERIFY(
+            text("warningLabel")
+                .contains(
+                    QString("%1 of 201 time steps cannot be assembled").arg(summary.count(Status::NotAssemblable))));
         QVERIFY(!text("warningLabel").contains("%"));
 
         summary = run({Method::Newton, {1, 1e-8}}, 65.0, 20); // counts only the solved time steps

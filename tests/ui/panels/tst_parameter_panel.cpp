@@ -105,15 +105,17 @@ private slots:
             const char *typed;
             double value; ///< rad/s, rad
         };
-        for (const Row &row : {Row{Parameter::Omega2, 0, "60 rpm", 2.0 * kPi}, Row{Parameter::Omega2, 2, "120", 4.0 * kPi},
-                               Row{Parameter::Omega2, 1, "360", 2.0 * kPi}, Row{Parameter::Omega2, 2, "4 rad/s", 4.0},
-                               Row{Parameter::Omega2, 2, "−90 °/s", -kPi / 2.0}, Row{Parameter::Theta20, 0, "90", kPi / 2.0},
-                               Row{Parameter::Theta20, 1, "30 deg", kPi / 6.0}, Row{Parameter::Theta20, 0, "0.25rad", 0.25}}) {
+        for (const Row &row :
+             {Row{Parameter::Omega2, 0, "60 rpm", 2.0 * kPi}, Row{Parameter::Omega2, 2, "120", 4.0 * kPi},
+              Row{Parameter::Omega2, 1, "360", 2.0 * kPi}, Row{Parameter::Omega2, 2, "4 rad/s", 4.0},
+              Row{Parameter::Omega2, 2, "−90 °/s", -kPi / 2.0}, Row{Parameter::Theta20, 0, "90", kPi / 2.0},
+              Row{Parameter::Theta20, 1, "30 deg", kPi / 6.0}, Row{Parameter::Theta20, 0, "0.25rad", 0.25}}) {
             const Shown shown;
             shown.part<QComboBox>("unit", row.parameter)->setCurrentIndex(row.shownUnit);
             QCOMPARE(shown.session.parameters(), givenParameters()); // another unit does not change the number
             typeNumber(shown.box(row.parameter), QString::fromUtf8(row.typed));
-            QVERIFY2(std::abs(valueOf(shown.session.parameters(), row.parameter) / row.value - 1.0) <= 1e-15, row.typed);
+            QVERIFY2(std::abs(valueOf(shown.session.parameters(), row.parameter) / row.value - 1.0) <= 1e-15,
+                     row.typed);
         }
         for (const char *degrees : {"370", "10", "123", "-725"}) {
             const Shown shown;
@@ -144,13 +146,12 @@ private slots:
             QList<double> shaded;
             const char *tip;
         };
-        for (const Row &row :
-             {Row{65.0, Parameter::A, {0.1, 0.38}, {0.42, 0.9}, "a ≤ 40 mm"},
-              Row{65.0, Parameter::B, {0.24, 0.9}, {0.05, 0.21}, "b ≥ 45 mm"},
-              Row{65.0, Parameter::C, {0.29, 0.5, 0.71}, {0.1, 0.26, 0.74, 0.9}, "-45 ≤ c ≤ 45 mm"},
-              Row{65.0, Parameter::Omega2, {0.1, 0.9}, {}, ""},
-              Row{15.0, Parameter::A, {}, {0.05, 0.5, 0.9}, "no value of a"},
-              Row{15.0, Parameter::C, {}, {0.1, 0.5, 0.9}, "no value of c"}}) {
+        for (const Row &row : {Row{65.0, Parameter::A, {0.1, 0.38}, {0.42, 0.9}, "a ≤ 40 mm"},
+                               Row{65.0, Parameter::B, {0.24, 0.9}, {0.05, 0.21}, "b ≥ 45 mm"},
+                               Row{65.0, Parameter::C, {0.29, 0.5, 0.71}, {0.1, 0.26, 0.74, 0.9}, "-45 ≤ c ≤ 45 mm"},
+                               Row{65.0, Parameter::Omega2, {0.1, 0.9}, {}, ""},
+                               Row{15.0, Parameter::A, {}, {0.05, 0.5, 0.9}, "no value of a"},
+                               Row{15.0, Parameter::C, {}, {0.1, 0.5, 0.9}, "no value of c"}}) {
             for (const Theme theme : {Theme::Light, Theme::Dark}) {
                 Shown shown({.b = row.b});
                 shown.panel.setPalette(paletteFor(theme));

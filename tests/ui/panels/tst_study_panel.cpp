@@ -96,7 +96,7 @@ private slots:
         auto *hard = child<QPushButton>(panel, "runHardButton");
         const auto *progress = child<QProgressBar>(panel, "studyProgress");
         run->click();
-        QVERIFY(progress->isVisible()); // the call returned at once
+        QVERIFY(progress->isVisible());                  // the call returned at once
         QVERIFY(!hard->isEnabled() && run->isEnabled()); // now the button cancels the study
         AWAIT(hard->isEnabled());
         for (const char *table : {"studyTable36", "studyTable6"}) {

@@ -115,9 +115,10 @@ private slots:
             double from;
             double to;
         };
-        for (const Row &row : {Row{"forwardButton", 0.0, 0.005}, Row{"forwardButton", 0.0123, 0.015}, Row{"forwardButton", 0.3, 0.305},
-                               Row{"forwardButton", 1.0, 1.0}, Row{"backButton", 0.01, 0.005}, Row{"backButton", 0.0123, 0.01},
-                               Row{"backButton", 0.0, 0.0}, Row{"endButton", 0.3, 1.0}, Row{"startButton", 0.3, 0.0}}) {
+        for (const Row &row :
+             {Row{"forwardButton", 0.0, 0.005}, Row{"forwardButton", 0.0123, 0.015}, Row{"forwardButton", 0.3, 0.305},
+              Row{"forwardButton", 1.0, 1.0}, Row{"backButton", 0.01, 0.005}, Row{"backButton", 0.0123, 0.01},
+              Row{"backButton", 0.0, 0.0}, Row{"endButton", 0.3, 1.0}, Row{"startButton", 0.3, 0.0}}) {
             bench.session.setTime(row.from);
             bench.click(row.button);
             QCOMPARE(bench.session.time(), row.to);
@@ -178,9 +179,10 @@ private slots:
             const char *typed;
             Sampling sampling;
         };
-        for (const Row &row : {Row{"stepsBox", "500", {0.5, 2.5, 500}}, Row{"durationBox", "3.25", {0.5, 3.25, 500}},
-                               Row{"startBox", "-1", {-1.0, 3.25, 500}}, Row{"durationBox", "0", {-1.0, 3.25, 500}},
-                               Row{"durationBox", "-2", {-1.0, 3.25, 500}}, Row{"startBox", "1e13", {-1.0, 3.25, 500}}}) {
+        for (const Row &row :
+             {Row{"stepsBox", "500", {0.5, 2.5, 500}}, Row{"durationBox", "3.25", {0.5, 3.25, 500}},
+              Row{"startBox", "-1", {-1.0, 3.25, 500}}, Row{"durationBox", "0", {-1.0, 3.25, 500}},
+              Row{"durationBox", "-2", {-1.0, 3.25, 500}}, Row{"startBox", "1e13", {-1.0, 3.25, 500}}}) {
             typeNumber(bench.box(row.box), row.typed);
             QCOMPARE(bench.session.sampling(), row.sampling);
         }
@@ -242,8 +244,8 @@ private slots:
             const char *action;
             double after;
         };
-        for (const Row &row : {Row{0.3, "Faster", 0.5}, Row{0.3, "Slower", 0.25}, Row{0.3, "10×", 10.0}, Row{10.0, "Faster", 10.0},
-                               Row{0.001, "Slower", 0.001}}) {
+        for (const Row &row : {Row{0.3, "Faster", 0.5}, Row{0.3, "Slower", 0.25}, Row{0.3, "10×", 10.0},
+                               Row{10.0, "Faster", 10.0}, Row{0.001, "Slower", 0.001}}) {
             timeline.setSpeed(row.before);
             for (QAction *action : timeline.findChildren<QAction *>()) {
                 if (action->text().remove(u'&') == row.action) {
