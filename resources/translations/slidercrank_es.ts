@@ -153,8 +153,8 @@
         <translation>Detectar de nuevo</translation>
     </message>
     <message>
-        <source>Say what the columns are; the choice is remembered for files with the same headings.</source>
-        <translation>Indique qué es cada columna; la elección se recuerda para los archivos con los mismos encabezados.</translation>
+        <source>Choose what each column contains. The choice is remembered for files with the same headings.</source>
+        <translation>Elija qué contiene cada columna. La elección se recuerda para los archivos con los mismos encabezados.</translation>
     </message>
     <message>
         <source>range</source>
@@ -1048,8 +1048,8 @@ Equipo: %1. Tiempo: %2 s.
         <translation>desfase de tiempo</translation>
     </message>
     <message>
-        <source>no derivative</source>
-        <translation>no es derivada</translation>
+        <source>not a derivative</source>
+        <translation>no es una derivada</translation>
     </message>
     <message>
         <source>axis</source>
@@ -1451,8 +1451,8 @@ Equipo: %1. Tiempo: %2 s.
         <translation>%1 en el archivo, %2 instantes comparados</translation>
     </message>
     <message>
-        <source>; at %1 more the model does not exist</source>
-        <translation>; en otros %1 el mecanismo no se puede ensamblar</translation>
+        <source>; at %1 more time steps the mechanism cannot be assembled</source>
+        <translation>; en otros %1 instantes el mecanismo no se puede ensamblar</translation>
     </message>
     <message>
         <source>The file writes this channel in steps of at most %1.</source>
@@ -1914,12 +1914,12 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
         <translation>No coincide: difieren %1 de %2 magnitudes.</translation>
     </message>
     <message>
-        <source>Time steps at which the mechanism cannot be assembled, or has no derivatives: %1.</source>
-        <translation>Instantes en los que el mecanismo no puede ensamblarse o no tiene derivadas: %1.</translation>
-    </message>
-    <message>
         <source>%1 or %2</source>
         <translation>%1 o %2</translation>
+    </message>
+    <message>
+        <source>Time steps at which the mechanism cannot be assembled, or has no derivatives: %1.</source>
+        <translation>Instantes en los que el mecanismo no puede ensamblarse o no tiene derivadas: %1.</translation>
     </message>
 </context>
 <context>
@@ -2182,12 +2182,12 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
         <translation>G₃, el centro de masa de la biela</translation>
     </message>
     <message>
-        <source>Crank, %1: pull to change a.</source>
-        <translation>Manivela, %1: tire para cambiar a.</translation>
+        <source>Crank, %1: drag to change a.</source>
+        <translation>Manivela, %1: arrastre para cambiar a.</translation>
     </message>
     <message>
-        <source>Coupler, %1: pull to change b.</source>
-        <translation>Biela, %1: tire para cambiar b.</translation>
+        <source>Coupler, %1: drag to change b.</source>
+        <translation>Biela, %1: arrastre para cambiar b.</translation>
     </message>
     <message>
         <source>The slider&apos;s line, %1: drag up or down to change c.</source>
@@ -2519,8 +2519,8 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
         <translation>Elegir columnas…</translation>
     </message>
     <message>
-        <source>The names in %1 do not tell what all of its columns are: some are guessed.</source>
-        <translation>Los nombres de %1 no identifican todas sus columnas: algunas se han deducido.</translation>
+        <source>The headings in %1 do not identify every column: some meanings were guessed.</source>
+        <translation>Los encabezados de %1 no identifican todas las columnas: algunos significados se han deducido.</translation>
     </message>
     <message>
         <source>%1 is a table by crank angle: ω₂ and θ₂₀ give its time.</source>
@@ -4319,7 +4319,7 @@ SHA-256: %2</translation>
         <translation>No se resuelve ningún instante</translation>
     </message>
     <message>
-        <source>Rounding a, b, c, ω₂, θ₂₀ and t to doubles alone may cost %1</source>
+        <source>Rounding a, b, c, ω₂, θ₂₀ and t to doubles alone may cause an error of %1</source>
         <translation>El solo redondeo de a, b, c, ω₂, θ₂₀ y t a double puede causar un error de %1</translation>
     </message>
     <message>

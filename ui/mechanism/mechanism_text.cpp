@@ -95,11 +95,11 @@ QStringList partLines(const MechanismScene &scene, DrawnPart part)
     case G3:
         return QStringList(MechanismText::tr("G₃, the coupler's centre of mass")) + pointLines(scene, LinkagePoint::G3);
     case Crank:
-        return QStringList(MechanismText::tr("Crank, %1: pull to change a.").arg(lengthText(mechanism, Parameter::A))) +
+        return QStringList(MechanismText::tr("Crank, %1: drag to change a.").arg(lengthText(mechanism, Parameter::A))) +
                crankLines(scene);
     case Coupler:
         return QStringList(
-                   MechanismText::tr("Coupler, %1: pull to change b.").arg(lengthText(mechanism, Parameter::B))) +
+                   MechanismText::tr("Coupler, %1: drag to change b.").arg(lengthText(mechanism, Parameter::B))) +
                couplerLines(scene);
     case Guide:
         return {MechanismText::tr("The slider's line, %1: drag up or down to change c.")

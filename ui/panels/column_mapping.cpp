@@ -152,8 +152,8 @@ ColumnMapping::ColumnMapping(const QStringList &paths, const QByteArrayList &beg
     m_rows.resize(m_layout.columns.size());
     setInk(*m_problem, seriesColours(palette()).warning);
     auto *rows = new QVBoxLayout(this);
-    rows->addWidget(
-        new Paragraph(tr("Say what the columns are; the choice is remembered for files with the same headings.")));
+    rows->addWidget(new Paragraph(
+        tr("Choose what each column contains. The choice is remembered for files with the same headings.")));
     rows->addWidget(createRows(), 1);
     rows->addWidget(m_problem);
     addButtons(rows);

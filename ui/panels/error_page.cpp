@@ -86,7 +86,8 @@ TableRow fileRow(const ChannelComparison &channel)
     QString count = ErrorPage::tr("%1 in the file, %2 time steps compared")
                         .arg(columnName(channel.channel), countText(channel.count));
     if (channel.missingModel > 0) {
-        count += ErrorPage::tr("; at %1 more the model does not exist").arg(countText(channel.missingModel));
+        count += ErrorPage::tr("; at %1 more time steps the mechanism cannot be assembled")
+                     .arg(countText(channel.missingModel));
     }
     const QString rounding = channel.roundingStep
                                  ? ErrorPage::tr("The file writes this channel in steps of at most %1.")

@@ -102,7 +102,7 @@ QString descriptionOf(const MethodResult &row)
         row.maxError ? StudyPage::tr("Largest error: %1 of the peak").arg(shortNumber(*row.maxError, kDigits))
                      : StudyPage::tr("No time step is solved")};
     if (row.errorBound) {
-        lines << StudyPage::tr("Rounding a, b, c, ω₂, θ₂₀ and t to doubles alone may cost %1")
+        lines << StudyPage::tr("Rounding a, b, c, ω₂, θ₂₀ and t to doubles alone may cause an error of %1")
                      .arg(shortNumber(*row.errorBound, kDigits));
     }
     return lines.join(u'\n');

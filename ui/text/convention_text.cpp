@@ -53,7 +53,7 @@ public:
          QT_TR_NOOP("Sets the model to the other assembly")},
         {QT_TR_NOOP("time shift"), QT_TR_NOOP("The time stamps of the file are shifted by %3 s."),
          QT_TR_NOOP("Adds %5 to the time stamps")},
-        {QT_TR_NOOP("no derivative"), QT_TR_NOOP("%1: not the time derivative of the position column."),
+        {QT_TR_NOOP("not a derivative"), QT_TR_NOOP("%1: not the time derivative of the position column."),
          QT_TR_NOOP("Leaves %1 out")},
         {QT_TR_NOOP("axis"), QT_TR_NOOP("The slider moves along y instead of x, as in an upright engine."),
          QT_TR_NOOP("Turns %1 by 90°, so that y becomes x")}};

@@ -101,7 +101,7 @@ void Messages::showReading(const std::shared_ptr<const Reference> &reference)
     });
     const QString sentence = isAngleOnly
                                  ? tr("%1 is a table by crank angle: ω₂ and θ₂₀ give its time.")
-                                 : tr("The names in %1 do not tell what all of its columns are: some are guessed.");
+                                 : tr("The headings in %1 do not identify every column: some meanings were guessed.");
     m_bar->showMessage({kColumns, Message::Kind::Question, sentence.arg(reference->name), tr("Choose columns…"),
                         [this, paths = reference->paths] { m_window->chooseColumns(paths); }});
 }
