@@ -2,6 +2,7 @@
 #include "core/study/cases.h"
 
 #include "core/mechanism/turn.h"
+#include "core/sampling/crank_time.h"
 
 #include <algorithm>
 #include <array>
@@ -143,18 +144,13 @@ std::vector<double> perpendicularTimes(const Case &which)
     }
 
     constexpr int kMostTurns = 10;
-    const double from = which.sampling.start;
-    const double to = from + which.sampling.duration;
+    const double start = which.sampling.start;
     const double turnTime = kTurn / std::abs(parameters.omega2);
     std::vector<double> result;
     for (const double angle : angles) {
-        const double once = (angle - parameters.theta20) / parameters.omega2;
-        const double turns = std::ceil((from - once) / turnTime);
-        for (int k = 0; k < kMostTurns; ++k) {
-            const double t = once + turnTime * (turns + k);
-            if (t >= from && t <= to) {
-                result.push_back(t);
-            }
+        const std::optional<double> first = timeAtCrankAngle(Mechanism(parameters), angle, start);
+        for (int k = 0; first && k < kMostTurns && *first + turnTime * k <= start + which.sampling.duration; ++k) {
+            result.push_back(*first + turnTime * k);
         }
     }
     std::sort(result.begin(), result.end());

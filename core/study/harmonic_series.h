@@ -15,6 +15,7 @@
 
 #include "core/mechanism/mechanism.h"
 
+#include <array>
 #include <vector>
 
 namespace slidercrank
@@ -23,38 +24,24 @@ namespace slidercrank
 class HarmonicSeries
 {
 public:
-    /// Returns whether the motion is periodic in θ2: b >= a + |c|.
-    static bool existsFor(const Mechanism &mechanism);
-
-    /// Preconditions: existsFor(mechanism), harmonics >= 1.
+    /// Preconditions: the crank makes full turns, harmonics >= 1.
     HarmonicSeries(const Mechanism &mechanism, int harmonics);
 
-    /// A position with its time derivatives (mm or rad, s).
-    struct Sum {
-        double value = 0.0;
-        double first = 0.0;
-        double second = 0.0;
-    };
-    struct Sums {
-        Sum theta3;
-        Sum R4x;
-    };
-    /// Returns the sums of the series at time t (s).
-    Sums at(double t) const;
+    /// A position with its first and second time derivative (mm or rad, s).
+    using Sums = std::array<double, 3>;
+
+    /// Returns the sums of the series of θ3 and R4x at time t (s).
+    std::array<Sums, 2> at(double t) const;
 
 private:
     struct Harmonic {
         double cosine = 0.0;
         double sine = 0.0;
     };
-    struct Term {
-        Harmonic theta3;
-        Harmonic R4x;
-    };
 
     double m_omega2;
     double m_theta20;
-    std::vector<Term> m_terms; ///< by n, from 0
+    std::vector<std::array<Harmonic, 2>> m_terms; ///< of θ3 and R4x, by n from 0
 };
 
 } // namespace slidercrank

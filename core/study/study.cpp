@@ -10,7 +10,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
 #include <thread>
 
 namespace slidercrank
@@ -39,32 +38,24 @@ struct Judged {
 };
 
 struct Judgement {
-    std::vector<Judged> timeStamps;
+    std::vector<double> times;             ///< ascending
+    std::vector<Judged> exact;             ///< by time
     std::array<double, kChannels> sizes{}; ///< rad, mm: the peak, or naturalSize() where that is 0
 };
 
 template <class Real>
-TwoPart inTwoParts(const Real &value)
-{
-    const auto hi = static_cast<double>(value);
-    return {hi, static_cast<double>(Real(value - hi))};
-}
-
-template <class Real>
 Judged judgedFrom(const Parameters &parameters, double t, const ExactState<Real> &exact)
 {
-    Judged judged;
-    judged.status = exact.status;
-    judged.clearance = static_cast<double>(exact.clearance);
+    Judged judged{exact.status, static_cast<double>(exact.clearance), {}, {}};
+    std::array<double, kChannelCount> kappa{};
+    if (exact.status == Status::Solved) {
+        kappa = conditioning<Real>(parameters, t);
+    }
     for (std::size_t k = 0; k < kChannels; ++k) {
         const std::size_t index = indexOf(kPlottedChannels[k]);
-        judged.values[k] = inTwoParts(exact.values[index]);
-    }
-    if (exact.status == Status::Solved) {
-        const std::array<double, kChannelCount> kappa = conditioning<Real>(parameters, t);
-        for (std::size_t k = 0; k < kChannels; ++k) {
-            judged.kappa[k] = kappa[indexOf(kPlottedChannels[k])];
-        }
+        const auto hi = static_cast<double>(exact.values[index]);
+        judged.values[k] = {hi, static_cast<double>(Real(exact.values[index] - hi))};
+        judged.kappa[k] = kappa[index];
     }
     return judged;
 }
@@ -78,21 +69,25 @@ Judged judge(const Parameters &parameters, double t)
                                               : judgedFrom(parameters, t, exactState<Digits100>(parameters, t));
 }
 
-std::array<double, kChannels> sizesOf(const Parameters &parameters, const std::vector<Judged> &run)
+/// Computes the exact motion at the times, or fewer if stopped.
+template <class Reach>
+Judgement judgeAll(const Parameters &parameters, const std::vector<double> &times, const std::stop_token &stop,
+                   const Reach &reach)
 {
-    std::array<double, kChannels> sizes{};
-    for (const Judged &judged : run) {
+    Judgement judgement{times, {}, {}};
+    for (std::size_t i = 0; i < times.size() && !stop.stop_requested(); ++i) {
+        const Judged judged = judge(parameters, times[i]);
         for (std::size_t k = 0; k < kChannels && judged.status == Status::Solved; ++k) {
-            sizes[k] = std::max(sizes[k], std::abs(judged.values[k].hi));
+            judgement.sizes[k] = std::max(judgement.sizes[k], std::abs(judged.values[k].hi));
         }
+        judgement.exact.push_back(judged);
+        reach(static_cast<double>(i + 1) / static_cast<double>(times.size()));
     }
     for (std::size_t k = 0; k < kChannels; ++k) {
         const double natural = naturalSize(parameters, kPlottedChannels[k]);
-        if (sizes[k] <= kExactZero * natural) {
-            sizes[k] = natural;
-        }
+        judgement.sizes[k] = judgement.sizes[k] > kExactZero * natural ? judgement.sizes[k] : natural;
     }
-    return sizes;
+    return judgement;
 }
 
 /// Returns error / size, and 0 for 0/0, which occurs if the crank does not turn.
@@ -104,9 +99,8 @@ double relative(double error, double size)
 /// A method applied to a case.
 struct Contender {
     const StudyMethod *method = nullptr;
+    std::vector<double> times{};
     StudyRun run{};
-    std::vector<std::size_t> timeStamps{}; ///< indices of the judged time stamps in those of the case
-    std::size_t stride = 1;                ///< every stride-th answer is judged
     StudyAnswers answers{};
     long long repeats = 1;
     std::vector<double> nanoseconds{}; ///< per state, one value for each round
@@ -128,15 +122,18 @@ int severity(Status status)
     return kByStatus[static_cast<std::size_t>(status)];
 }
 
-/// Sets the errors and statuses of the result.
+/// Sets the errors and statuses of the result from the answers at the times of the judgement.
 void compareAnswers(const Contender &contender, const Judgement &judgement, MethodResult &result)
 {
     double worst = 0.0;
     double bound = 0.0;
     std::size_t silent = 0;
-    for (std::size_t i = 0; i < contender.timeStamps.size(); ++i) {
-        const std::size_t answer = i * contender.stride;
-        const Status status = contender.answers.status[answer];
+    for (std::size_t i = 0; i < contender.times.size(); ++i) {
+        const auto time = std::ranges::lower_bound(judgement.times, contender.times[i]);
+        if (time == judgement.times.end() || *time != contender.times[i]) {
+            continue;
+        }
+        const Status status = contender.answers.status[i];
         ++result.counts[static_cast<std::size_t>(status)];
         if (severity(status) > severity(result.status)) {
             result.status = status;
@@ -144,7 +141,7 @@ void compareAnswers(const Contender &contender, const Judgement &judgement, Meth
         if (status != Status::Solved) {
             continue;
         }
-        const Judged &judged = judgement.timeStamps[contender.timeStamps[i]];
+        const Judged &judged = judgement.exact[static_cast<std::size_t>(time - judgement.times.begin())];
         if (judged.status != Status::Solved) {
             silent += judged.clearance < -kLimitRounding ? 1 : 0;
             continue;
@@ -152,7 +149,7 @@ void compareAnswers(const Contender &contender, const Judgement &judgement, Meth
         bool isWrong = false;
         for (std::size_t k = 0; k < kChannels; ++k) {
             const double error =
-                relative(deviation(contender.answers.values[k][answer], judged.values[k]), judgement.sizes[k]);
+                relative(deviation(contender.answers.values[k][i], judged.values[k]), judgement.sizes[k]);
             const double limit = relative(judged.kappa[k] * kUnitRoundoff, judgement.sizes[k]);
             worst = std::max(worst, error);
             bound = std::max(bound, limit);
@@ -176,54 +173,17 @@ double quantile(const std::vector<double> &sorted, double part)
     return std::lerp(sorted[below], sorted[above], position - static_cast<double>(below));
 }
 
-/// Adds a method to be run at `times`, unless it does not apply to the mechanism. Every stride-th time is judged;
-/// `judged` holds the indices of the corresponding exact motions.
-void addContender(const StudyMethod &method, const Case &which, const std::vector<double> &times,
-                  const std::vector<std::size_t> &judged, std::size_t stride, std::vector<Contender> &contenders)
+/// Adds a method to be run at `times`, unless it does not apply to the mechanism.
+void addContender(const StudyMethod &method, const Mechanism &mechanism, const std::vector<double> &times,
+                  std::vector<Contender> &contenders)
 {
-    if (StudyRun run = method.prepare(which, times)) {
-        Contender &contender = contenders.emplace_back(Contender{&method, std::move(run), judged, stride});
-        contender.answers.values.fill(std::vector<double>(times.size()));
-        contender.answers.status.resize(times.size());
+    Contender contender{&method, times};
+    contender.run = method.prepare(mechanism, contender.times);
+    contender.answers.values.fill(std::vector<double>(times.size()));
+    contender.answers.status.resize(times.size());
+    if (contender.run) {
+        contenders.push_back(std::move(contender));
     }
-}
-
-std::vector<Contender> makeContenders(const Case &which, const std::vector<double> &all,
-                                      const std::vector<double> &steps)
-{
-    std::vector<std::size_t> everyIndex(all.size());
-    std::iota(everyIndex.begin(), everyIndex.end(), std::size_t{0});
-    std::vector<std::size_t> stepIndices;
-    for (const double t : steps) {
-        stepIndices.push_back(static_cast<std::size_t>(std::ranges::lower_bound(all, t) - all.begin()));
-    }
-    std::vector<Contender> contenders;
-    for (const StudyMethod &method : studyMethods()) {
-        const bool isEverywhere = method.timeStamps == StudyMethod::TimeStamps::All;
-        addContender(method, which, isEverywhere ? all : steps, isEverywhere ? everyIndex : stepIndices, 1, contenders);
-    }
-    return contenders;
-}
-
-/// The approximate share of the exact motion in the time of a case.
-constexpr double kJudgeShare = 0.6;
-
-/// Computes the exact motion at all time stamps. Returns nullopt if stopped.
-template <class Reach>
-std::optional<Judgement> judgeAll(const Case &which, const std::vector<double> &timeStamps, const std::stop_token &stop,
-                                  const Reach &reach)
-{
-    Judgement judgement;
-    judgement.timeStamps.reserve(timeStamps.size());
-    for (const double t : timeStamps) {
-        if (stop.stop_requested()) {
-            return std::nullopt;
-        }
-        judgement.timeStamps.push_back(judge(which.parameters, t));
-        reach(static_cast<double>(judgement.timeStamps.size()) / static_cast<double>(timeStamps.size()));
-    }
-    judgement.sizes = sizesOf(which.parameters, judgement.timeStamps);
-    return judgement;
 }
 
 /// Runs each method once to obtain the answers and to warm up, then in rounds. Returns false if stopped.
@@ -247,8 +207,7 @@ bool timeAll(std::vector<Contender> &contenders, const StudyRequest &request, co
             for (long long repeat = 0; repeat < contender.repeats; ++repeat) {
                 contender.run(contender.answers);
             }
-            const double states =
-                static_cast<double>(contender.repeats) * static_cast<double>(contender.answers.status.size());
+            const double states = static_cast<double>(contender.repeats) * static_cast<double>(contender.times.size());
             contender.nanoseconds.push_back(1e9 * secondsSince(start) / states);
         }
         if (stop.stop_requested()) {
@@ -266,13 +225,14 @@ MethodResult resultOf(Contender &contender, const Judgement &judgement)
     result.method = method.name;
     result.tolerance = method.tolerance;
     result.channels = method.channels;
-    std::sort(contender.nanoseconds.begin(), contender.nanoseconds.end());
+    result.states = contender.times.size();
+    std::ranges::sort(contender.nanoseconds);
     if (!contender.nanoseconds.empty()) {
         result.nsPerState = quantile(contender.nanoseconds, 0.5);
         result.spread = quantile(contender.nanoseconds, 0.75) - quantile(contender.nanoseconds, 0.25);
     }
     if (method.tolerance) {
-        const auto states = static_cast<double>(contender.answers.status.size());
+        const auto states = static_cast<double>(result.states);
         const auto iterations = static_cast<double>(contender.answers.iterations);
         const auto solved = std::ranges::count(contender.answers.status, Status::Solved);
         result.iterationsPerState = iterations / states;
@@ -282,42 +242,38 @@ MethodResult resultOf(Contender &contender, const Judgement &judgement)
     return result;
 }
 
-/// Measures every method, with every step size if its cost or error depends on it. Returns no rows if stopped.
-std::vector<WorkPrecision> measureWorkPrecision(const Case &which, const StudyRequest &request,
-                                                const std::stop_token &stop)
+/// Times the contenders, and compares their answers with the exact motion at the times `judged`. Returns no rows if
+/// stopped.
+template <class Reach>
+std::vector<MethodResult> measure(std::vector<Contender> contenders, const Parameters &parameters,
+                                  const std::vector<double> &judged, const StudyRequest &request,
+                                  const std::stop_token &stop, const Reach &reach)
 {
-    constexpr std::array kMultiples{1, 2, 4, 8, 16, 32};
-    constexpr int kOutputs = WorkPrecision::kOutputs;
-    std::vector<std::size_t> outputs(kOutputs + 1);
-    std::iota(outputs.begin(), outputs.end(), std::size_t{0});
-    std::vector<Case> cases(kMultiples.size(), which);
-    std::vector<std::vector<double>> times;
-    for (std::size_t i = 0; i < kMultiples.size(); ++i) {
-        cases[i].sampling.steps = kMultiples[i] * kOutputs;
-        times.push_back(cases[i].sampling.timeStamps());
-    }
-    const auto ignoreProgress = [](double) {};
-    const std::optional<Judgement> judgement = judgeAll(which, times.front(), stop, ignoreProgress);
-    std::vector<Contender> contenders;
-    for (const StudyMethod &method : studyMethods()) {
-        for (std::size_t i = 0; i < (method.dependsOnStep ? kMultiples.size() : 1); ++i) {
-            const auto stride = static_cast<std::size_t>(kMultiples[i]);
-            addContender(method, cases[i], times[i], outputs, stride, contenders);
-        }
-    }
-    std::vector<WorkPrecision> rows;
-    if (!judgement || !timeAll(contenders, request, stop, ignoreProgress)) {
-        return rows;
-    }
-    for (Contender &contender : contenders) {
-        const auto states = static_cast<double>(contender.answers.status.size());
-        const MethodResult result = resultOf(contender, *judgement);
-        const auto solves = result.linearSolvesPerState;
-        rows.push_back({result.method, result.tolerance, static_cast<int>(states) - 1,
-                        1e-3 * states * result.nsPerState, 1e-3 * states * result.spread,
-                        solves ? std::optional(states * *solves) : std::nullopt, result.maxError});
+    constexpr double kJudgeShare = 0.6; // of the exact motion in the duration, approximately
+    const Judgement judgement = judgeAll(parameters, judged, stop, [&](double part) { reach(kJudgeShare * part); });
+    const bool isTimed =
+        timeAll(contenders, request, stop, [&](double part) { reach(kJudgeShare + (1.0 - kJudgeShare) * part); });
+    std::vector<MethodResult> rows;
+    for (std::size_t i = 0; i < contenders.size() && isTimed; ++i) {
+        rows.push_back(resultOf(contenders[i], judgement));
     }
     return rows;
+}
+
+/// Measures every method, with every step size if its cost or error depends on it. Returns no rows if stopped.
+std::vector<MethodResult> measureWorkPrecision(Case which, const StudyRequest &request, const std::stop_token &stop)
+{
+    which.sampling.steps = kWorkPrecisionOutputs;
+    const std::vector<double> outputs = which.sampling.timeStamps();
+    std::vector<Contender> contenders;
+    for (const StudyMethod &method : studyMethods()) {
+        // A power of two, so that the time stamps of the outputs are the same doubles.
+        for (int multiple = 1; multiple <= (method.dependsOnStep ? 32 : 1); multiple *= 2) {
+            which.sampling.steps = multiple * kWorkPrecisionOutputs;
+            addContender(method, Mechanism(which.parameters), which.sampling.timeStamps(), contenders);
+        }
+    }
+    return measure(std::move(contenders), which.parameters, outputs, request, stop, [](double) {});
 }
 
 Machine thisMachine()
@@ -356,29 +312,22 @@ StudyResult runStudy(const StudyRequest &request, std::stop_token stop, const st
         }
     };
     for (const Case &which : request.cases) {
-        const std::vector<double> all = timeStampsOf(which);
-        const std::vector<double> steps = which.sampling.timeStamps();
-        const std::optional<Judgement> judgement =
-            judgeAll(which, all, stop, [&](double part) { reach(kJudgeShare * part); });
-        std::vector<Contender> contenders = makeContenders(which, all, steps);
-        const bool timed = judgement && timeAll(contenders, request, stop,
-                                                [&](double part) { reach(kJudgeShare + (1.0 - kJudgeShare) * part); });
-        if (!timed) {
+        const std::vector<double> times = timeStampsOf(which);
+        std::vector<Contender> contenders;
+        for (const StudyMethod &method : studyMethods()) {
+            addContender(method, Mechanism(which.parameters),
+                         method.needsEqualSteps ? which.sampling.timeStamps() : times, contenders);
+        }
+        CaseResult caseResult{which.name, which.parameters, times.size(), {}, {}};
+        caseResult.methods = measure(std::move(contenders), which.parameters, times, request, stop, reach);
+        if (result.cases.empty() && !stop.stop_requested()) {
+            caseResult.workPrecision = measureWorkPrecision(which, request, stop);
+        }
+        if (stop.stop_requested()) {
             result.complete = false;
             break;
         }
-        CaseResult of{which.name, which.parameters, all.size(), {}, {}};
-        for (Contender &contender : contenders) {
-            of.methods.push_back(resultOf(contender, *judgement));
-        }
-        if (result.cases.empty()) {
-            of.workPrecision = measureWorkPrecision(which, request, stop);
-            if (stop.stop_requested()) {
-                result.complete = false;
-                break;
-            }
-        }
-        result.cases.push_back(std::move(of));
+        result.cases.push_back(std::move(caseResult));
     }
     result.seconds = secondsSince(start);
     if (result.complete && progress) {
@@ -395,27 +344,6 @@ Case studyCase(const Parameters &parameters)
         result.sampling.duration = 2.0 * std::numbers::pi / std::abs(parameters.omega2);
     }
     return result;
-}
-
-std::vector<std::size_t> bestFront(const CaseResult &result)
-{
-    const std::vector<MethodResult> &rows = result.methods;
-    std::vector<std::size_t> order;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        if (rows[i].maxError) {
-            order.push_back(i);
-        }
-    }
-    std::ranges::stable_sort(order, {},
-                             [&](std::size_t i) { return std::pair(-rows[i].channels, rows[i].nsPerState); });
-    std::vector<std::size_t> front;
-    for (const std::size_t i : order) {
-        const bool isFirst = front.empty() || rows[front.back()].channels != rows[i].channels;
-        if (isFirst || *rows[i].maxError < *rows[front.back()].maxError) {
-            front.push_back(i);
-        }
-    }
-    return front;
 }
 
 } // namespace slidercrank

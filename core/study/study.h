@@ -62,9 +62,10 @@ std::string nameOf(const MethodName &method);
 
 /// A row of the study. Compare times only between rows with the same number of channels.
 struct MethodResult {
-    MethodName method;
-    std::optional<double> tolerance; ///< of Newton-Raphson
-    int channels = 6;                ///< number of channels computed: 36 or 6
+    MethodName method{};
+    std::optional<double> tolerance{}; ///< of Newton-Raphson
+    int channels = 6;                  ///< number of channels computed: 36 or 6
+    std::size_t states = 0;            ///< number of computed time stamps
 
     double nsPerState = 0.0; ///< median over the rounds
     double spread = 0.0;     ///< between the quartiles, ns
@@ -91,26 +92,19 @@ inline constexpr double kSilentPart = 0.01;
 /// The (|h| - b)/b up to which it is a matter of rounding whether a position exists.
 inline constexpr double kLimitRounding = 1e-14;
 
-/// Error against cost for one tolerance and step size: the cost of the same kOutputs + 1 states of the six plotted
-/// channels, at equal time steps over the sampled duration.
-struct WorkPrecision {
-    static constexpr int kOutputs = 25; ///< the number of steps is a multiple of it
-
-    MethodName method;
-    std::optional<double> tolerance;
-    int steps = kOutputs;
-    double microseconds = 0.0; ///< median over the rounds, of the whole calculation
-    double spread = 0.0;       ///< between the quartiles, µs
-    std::optional<double> linearSolves;
-    std::optional<double> maxError; ///< as in MethodResult
-};
+/// The number of time steps between the outputs of CaseResult::workPrecision.
+inline constexpr int kWorkPrecisionOutputs = 25;
 
 struct CaseResult {
     std::string name;
     Parameters parameters;
     std::size_t timeStamps = 0;
     std::vector<MethodResult> methods;
-    std::vector<WorkPrecision> workPrecision; ///< of the first case only
+
+    /// Error against cost for each tolerance and step size, of the first case only: the errors of the same
+    /// kWorkPrecisionOutputs + 1 states, at equal time steps over the sampled duration, and the cost of all
+    /// MethodResult::states that the method computes for them.
+    std::vector<MethodResult> workPrecision;
 };
 
 /// The machine and compiler on which the times were measured.
@@ -135,9 +129,5 @@ StudyResult runStudy(const StudyRequest &request, std::stop_token stop = {},
 
 /// Returns the case of one revolution of this mechanism in 200 steps, or of one second if the crank does not turn.
 Case studyCase(const Parameters &parameters);
-
-/// Returns the rows of a case for which no other row with the same number of channels is both faster and at least as
-/// accurate: first those with all channels, then those with six, each by ascending time and decreasing error.
-std::vector<std::size_t> bestFront(const CaseResult &result);
 
 } // namespace slidercrank

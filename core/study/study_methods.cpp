@@ -3,8 +3,8 @@
 
 #include "core/closed_form/closed_form.h"
 #include "core/closed_form/state_at.h"
+#include "core/limits/mobility.h"
 #include "core/newton/newton.h"
-#include "core/study/finite_difference.h"
 #include "core/study/harmonic_series.h"
 
 #include <cmath>
@@ -37,8 +37,8 @@ void put(StudyAnswers &answers, std::size_t i, const State &state)
 StudyMethod newton(MethodName::Kind kind, const NewtonOptions &options)
 {
     StudyMethod method{.name = {kind}, .tolerance = options.tolerance, .channels = static_cast<int>(kChannelCount)};
-    method.prepare = [options](const Case &which, std::span<const double> timeStamps) -> StudyRun {
-        return [options, mechanism = Mechanism(which.parameters), timeStamps](StudyAnswers &answers) {
+    method.prepare = [options](const Mechanism &mechanism, std::span<const double> timeStamps) -> StudyRun {
+        return [options, mechanism, timeStamps](StudyAnswers &answers) {
             NewtonTimeStep last;
             answers.iterations = 0;
             for (std::size_t i = 0; i < timeStamps.size(); ++i) {
@@ -55,8 +55,8 @@ StudyMethod closedForm()
 {
     StudyMethod method{.name = {MethodName::Kind::ClosedForm}, .channels = static_cast<int>(kChannelCount)};
     method.dependsOnStep = false;
-    method.prepare = [](const Case &which, std::span<const double> timeStamps) -> StudyRun {
-        return [closedForm = ClosedForm(Mechanism(which.parameters)), timeStamps](StudyAnswers &answers) {
+    method.prepare = [](const Mechanism &mechanism, std::span<const double> timeStamps) -> StudyRun {
+        return [closedForm = ClosedForm(mechanism), timeStamps](StudyAnswers &answers) {
             for (std::size_t i = 0; i < timeStamps.size(); ++i) {
                 put(answers, i, closedForm.stateAt(timeStamps[i]));
             }
@@ -68,8 +68,8 @@ StudyMethod closedForm()
 StudyMethod closedFormBatch()
 {
     StudyMethod method{.name = {MethodName::Kind::ClosedFormBatch}, .dependsOnStep = false};
-    method.prepare = [](const Case &which, std::span<const double> timeStamps) -> StudyRun {
-        return [batch = ClosedForm(Mechanism(which.parameters)), timeStamps](StudyAnswers &answers) {
+    method.prepare = [](const Mechanism &mechanism, std::span<const double> timeStamps) -> StudyRun {
+        return [batch = ClosedForm(mechanism), timeStamps](StudyAnswers &answers) {
             auto &values = answers.values;
             batch.evaluate(timeStamps,
                            {values[0].data(), values[1].data(), values[2].data(), values[3].data(), values[4].data(),
@@ -80,31 +80,40 @@ StudyMethod closedFormBatch()
     return method;
 }
 
-/// Computes positions in closed form at the steps of the sampling and one step beyond either end, and derivatives from
-/// their differences.
+/// Computes positions in closed form at equal steps and one step beyond either end, and derivatives as central
+/// differences, as is usual for films, sensors and tables. Their error decreases with the square of the step, until
+/// rounding dominates:
+///
+///     ẋ ≈ (x₊ - x₋) / 2Δ            error: Δ²/6 times the third derivative, and ε|x|/Δ
+///     ẍ ≈ (x₊ - 2x + x₋) / Δ²       error: Δ²/12 times the fourth derivative, and 4ε|x|/Δ²
+///
+/// Source: M. Abramowitz, I. Stegun, "Handbook of Mathematical Functions", 25.3.21 and 25.3.23.
 StudyMethod finiteDifference()
 {
-    StudyMethod method{.name = {MethodName::Kind::FiniteDifference}, .timeStamps = StudyMethod::TimeStamps::Sampling};
-    method.prepare = [](const Case &which, std::span<const double> timeStamps) -> StudyRun {
-        const double step = which.sampling.duration / which.sampling.steps;
-        std::vector<double> sampled{which.sampling.timeStamp(-1)};
+    StudyMethod method{.name = {MethodName::Kind::FiniteDifference}, .needsEqualSteps = true};
+    method.prepare = [](const Mechanism &mechanism, std::span<const double> timeStamps) -> StudyRun {
+        const double step = (timeStamps.back() - timeStamps.front()) / static_cast<double>(timeStamps.size() - 1);
+        std::vector<double> sampled{timeStamps.front() - step};
         sampled.insert(sampled.end(), timeStamps.begin(), timeStamps.end());
-        sampled.push_back(which.sampling.timeStamp(which.sampling.steps + 1));
+        sampled.push_back(timeStamps.back() + step);
         std::vector<Motion> motions(sampled.size());
-        return [closedForm = ClosedForm(Mechanism(which.parameters)), step, sampled,
-                motions](StudyAnswers &answers) mutable {
+        return [closedForm = ClosedForm(mechanism), step, sampled, motions](StudyAnswers &answers) mutable {
             for (std::size_t i = 0; i < sampled.size(); ++i) {
                 motions[i] = closedForm.motionAt(sampled[i]);
             }
             for (std::size_t i = 0; i < answers.status.size(); ++i) {
-                const std::span<const Motion, 3> three(&motions[i], 3);
-                const Derivatives theta3 = centralDifferences(three[0].theta3, three[1].theta3, three[2].theta3, step);
-                const Derivatives slider = centralDifferences(three[0].R4x, three[1].R4x, three[2].R4x, step);
-                const Status status = !std::isnan(slider.second)  ? Status::Solved
-                                      : !std::isnan(three[1].R4x) ? Status::Singular
-                                                                  : Status::NotAssemblable;
-                put(answers, i,
-                    {three[1].theta3, three[1].R4x, theta3.first, slider.first, theta3.second, slider.second}, status);
+                const Motion &here = motions[i + 1];
+                const auto differences = [&](double Motion::*position) {
+                    const double rise = motions[i + 2].*position - here.*position;
+                    const double riseBefore = here.*position - motions[i].*position;
+                    return std::pair((rise + riseBefore) / (2.0 * step), (rise - riseBefore) / (step * step));
+                };
+                const auto [theta3Dot, theta3DDot] = differences(&Motion::theta3);
+                const auto [R4xDot, R4xDDot] = differences(&Motion::R4x);
+                const Status status = !std::isnan(R4xDDot)    ? Status::Solved
+                                      : !std::isnan(here.R4x) ? Status::Singular
+                                                              : Status::NotAssemblable;
+                put(answers, i, {here.theta3, here.R4x, theta3Dot, R4xDot, theta3DDot, R4xDDot}, status);
             }
         };
     };
@@ -114,16 +123,14 @@ StudyMethod finiteDifference()
 StudyMethod harmonics(int count)
 {
     StudyMethod method{.name = {MethodName::Kind::Harmonics, count}, .dependsOnStep = false};
-    method.prepare = [count](const Case &which, std::span<const double> timeStamps) -> StudyRun {
-        const Mechanism mechanism(which.parameters);
-        if (!HarmonicSeries::existsFor(mechanism)) {
+    method.prepare = [count](const Mechanism &mechanism, std::span<const double> timeStamps) -> StudyRun {
+        if (motionLimits(mechanism).mobility != Mobility::FullTurn) {
             return {};
         }
         return [series = HarmonicSeries(mechanism, count), timeStamps](StudyAnswers &answers) {
             for (std::size_t i = 0; i < timeStamps.size(); ++i) {
                 const auto [theta3, slider] = series.at(timeStamps[i]);
-                put(answers, i, {theta3.value, slider.value, theta3.first, slider.first, theta3.second, slider.second},
-                    Status::Solved);
+                put(answers, i, {theta3[0], slider[0], theta3[1], slider[1], theta3[2], slider[2]}, Status::Solved);
             }
         };
     };

@@ -23,24 +23,19 @@ struct StudyAnswers {
     long long iterations = 0;
 };
 
-/// Fills the answers, which have the size of its time stamps. Can be called repeatedly.
+/// Fills the answers, whose vectors have the size of its time stamps. Can be called repeatedly.
 using StudyRun = std::function<void(StudyAnswers &)>;
 
 struct StudyMethod {
-    enum class TimeStamps {
-        All,     ///< timeStampsOf() of the case
-        Sampling ///< only the equal steps of its sampling
-    };
-
     MethodName name{};
     std::optional<double> tolerance{}; ///< of Newton-Raphson
     int channels = 6;
-    bool dependsOnStep = true; ///< whether its error or cost for the same outputs depends on the step
-    TimeStamps timeStamps = TimeStamps::All;
+    bool dependsOnStep = true;    ///< whether its error or cost for the same outputs depends on the step
+    bool needsEqualSteps = false; ///< then it is run at the steps of the sampling only
 
-    /// Does the work that is needed once per mechanism, and returns the function that is timed. Returns null if the
-    /// method does not apply.
-    std::function<StudyRun(const Case &, std::span<const double> timeStamps)> prepare{};
+    /// Does the work that is needed once per mechanism, and returns the function that is timed, which refers to the
+    /// ascending time stamps. Returns null if the method does not apply.
+    std::function<StudyRun(const Mechanism &, std::span<const double> timeStamps)> prepare{};
 };
 
 /// Returns all methods, the slowest first.

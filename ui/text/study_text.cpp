@@ -103,14 +103,15 @@ Record recordOf(const MethodResult &row, bool isJson)
     return record;
 }
 
-QJsonObject jsonWork(const WorkPrecision &row)
+QJsonObject jsonWork(const MethodResult &row)
 {
+    const auto states = static_cast<double>(row.states);
     return {{"method", QString::fromStdString(nameOf(row.method))},
             {"tolerance", jsonNumber(row.tolerance)},
-            {"steps", row.steps},
-            {"microseconds", jsonNumber(row.microseconds)},
-            {"spread", jsonNumber(row.spread)},
-            {"linearSolves", jsonNumber(row.linearSolves)},
+            {"steps", jsonCount(row.states - 1)},
+            {"microseconds", jsonNumber(1e-3 * states * row.nsPerState)},
+            {"spread", jsonNumber(1e-3 * states * row.spread)},
+            {"linearSolves", jsonNumber(states * row.linearSolvesPerState.value_or(kNone))},
             {"maxError", jsonNumber(row.maxError)}};
 }
 

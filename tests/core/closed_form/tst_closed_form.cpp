@@ -123,303 +123,299 @@ class tst_closed_form : public QObject
     Q_OBJECT
 
 private slots:
-    void exactDerivativesMatchExactPositions();
-    void isExactOnRandomMechanisms();
-    void isExactOnNamedCases();
-    void isExactNearNinetyDegrees();
-    void isExactUpToARockersLimits_data();
-    void isExactUpToARockersLimits();
-    void isExactAtAnyCrankAngle();
-    void manyTimeStampsEqualSingleOnes();
-    void specialTimeStampsDoNotAffectOthers();
-    void scalesWithTheMechanism();
-    void reportsWhatDoesNotExist();
-};
-
-/// The multiple-precision results also agree with the reference file: R4x(0) for b = 60.
-void tst_closed_form::exactDerivativesMatchExactPositions()
-{
-    const double kStep = 1e-12;
-    Parameters p{.b = 60.0};
-    const double start = static_cast<double>(exactState<Digits50>(p, 0.0).values[indexOf({R4x, Order::Position})]);
-    QVERIFY(std::abs(start - 74.5436) < 5e-5);
-    for (const Branch branch : {Branch::Open, Branch::Crossed}) {
-        p.branch = branch;
-        ExactInput<Digits50> before(p, 0.3);
-        ExactInput<Digits50> after(p, 0.3);
-        before.t -= kStep;
-        after.t += kStep;
-        const ExactState<Digits50> here = exactState<Digits50>(p, 0.3);
-        for (std::size_t index = 0; index < 2 * kCoordinateCount; ++index) {
-            const Digits50 slope =
-                (exactState(after).values[index] - exactState(before).values[index]) / (2 * Digits50(kStep));
-            QVERIFY(static_cast<double>(abs(slope - here.values[index + kCoordinateCount])) < 1e-15);
-        }
-    }
-}
-
-void tst_closed_form::isExactOnRandomMechanisms()
-{
-    RandomMechanisms random(20240501);
-    Worst worst;
-    for (int i = 0; i < 300; ++i) {
-        Parameters p = random.next();
-        const double turn = 2.0 * std::numbers::pi / std::abs(p.omega2);
-        const std::vector<double> times = randomTimes(random, 8, 0.0, turn);
+    /// The multiple-precision results also agree with the reference file: R4x(0) for b = 60.
+    void exactDerivativesMatchExactPositions()
+    {
+        const double kStep = 1e-12;
+        Parameters p{.b = 60.0};
+        const double start = static_cast<double>(exactState<Digits50>(p, 0.0).values[indexOf({R4x, Order::Position})]);
+        QVERIFY(std::abs(start - 74.5436) < 5e-5);
         for (const Branch branch : {Branch::Open, Branch::Crossed}) {
             p.branch = branch;
-            const std::vector<double> around = Sampling{0.0, turn, 200}.timeStamps();
-            const auto tolerances = scaled(channelSizes<long double>(p, exactRun<long double>(p, around)), kPromise);
-            for (const double t : times) {
-                const State got = ClosedForm{Mechanism(p)}.stateAt(t);
-                QCOMPARE(got.status, Status::Solved);
-                worst.add(p, worstDeviation(got, exactState<Digits50>(p, t), t, tolerances));
+            ExactInput<Digits50> before(p, 0.3);
+            ExactInput<Digits50> after(p, 0.3);
+            before.t -= kStep;
+            after.t += kStep;
+            const ExactState<Digits50> here = exactState<Digits50>(p, 0.3);
+            for (std::size_t index = 0; index < 2 * kCoordinateCount; ++index) {
+                const Digits50 slope =
+                    (exactState(after).values[index] - exactState(before).values[index]) / (2 * Digits50(kStep));
+                QVERIFY(static_cast<double>(abs(slope - here.values[index + kCoordinateCount])) < 1e-15);
             }
         }
     }
-    worst.check("of peak", kPromise);
-}
 
-/// The time stamps include the doubles closest to a toggle (timeStampsOf()).
-void tst_closed_form::isExactOnNamedCases()
-{
-    Worst worst;
-    for (const Case &which : allCases()) {
-        const Parameters &p = which.parameters;
-        if (isRocker(p)) {
-            continue;
+    void isExactOnRandomMechanisms()
+    {
+        RandomMechanisms random(20240501);
+        Worst worst;
+        for (int i = 0; i < 300; ++i) {
+            Parameters p = random.next();
+            const double turn = 2.0 * std::numbers::pi / std::abs(p.omega2);
+            const std::vector<double> times = randomTimes(random, 8, 0.0, turn);
+            for (const Branch branch : {Branch::Open, Branch::Crossed}) {
+                p.branch = branch;
+                const std::vector<double> around = Sampling{0.0, turn, 200}.timeStamps();
+                const auto tolerances =
+                    scaled(channelSizes<long double>(p, exactRun<long double>(p, around)), kPromise);
+                for (const double t : times) {
+                    const State got = ClosedForm{Mechanism(p)}.stateAt(t);
+                    QCOMPARE(got.status, Status::Solved);
+                    worst.add(p, worstDeviation(got, exactState<Digits50>(p, t), t, tolerances));
+                }
+            }
         }
-        const std::vector<double> times = timeStampsOf(which);
-        const std::vector<ExactState<Digits100>> run = exactRun<Digits100>(p, times);
-        const auto tolerances = scaled(channelSizes<Digits100>(p, run), kPromise);
-        for (std::size_t i = 0; i < times.size(); ++i) {
-            const State got = ClosedForm{Mechanism(p)}.stateAt(times[i]);
-            QVERIFY2(got.status == run[i].status, describe(p).c_str());
-            worst.add(p, worstDeviation(got, run[i], times[i], tolerances));
-        }
+        worst.check("of peak", kPromise);
     }
-    worst.check("of peak", kPromise);
-}
 
-/// At the doubles closest to ±90° and their neighbours, the error is relative to each value, not to the channel's peak.
-/// At distances from 1e-16 to 0.1 rad it is relative to the channel's size between half and twice that distance.
-void tst_closed_form::isExactNearNinetyDegrees()
-{
-    Worst worst;
-    for (const Case &which : allCases()) {
-        if (isRocker(which.parameters)) {
-            continue;
+    /// The time stamps include the doubles closest to a toggle (timeStampsOf()).
+    void isExactOnNamedCases()
+    {
+        Worst worst;
+        for (const Case &which : allCases()) {
+            const Parameters &p = which.parameters;
+            if (isRocker(p)) {
+                continue;
+            }
+            const std::vector<double> times = timeStampsOf(which);
+            const std::vector<ExactState<Digits100>> run = exactRun<Digits100>(p, times);
+            const auto tolerances = scaled(channelSizes<Digits100>(p, run), kPromise);
+            for (std::size_t i = 0; i < times.size(); ++i) {
+                const State got = ClosedForm{Mechanism(p)}.stateAt(times[i]);
+                QVERIFY2(got.status == run[i].status, describe(p).c_str());
+                worst.add(p, worstDeviation(got, run[i], times[i], tolerances));
+            }
         }
-        for (const double centre : {kQuarter, -kQuarter}) {
-            for (const double angle : {centre, std::nextafter(centre, 0.0), std::nextafter(centre, 2.0 * centre)}) {
+        worst.check("of peak", kPromise);
+    }
+
+    /// At the doubles closest to ±90° and their neighbours, the error is relative to each value, not to the channel's
+    /// peak. At distances from 1e-16 to 0.1 rad it is relative to the channel's size between half and twice that
+    /// distance.
+    void isExactNearNinetyDegrees()
+    {
+        Worst worst;
+        for (const Case &which : allCases()) {
+            if (isRocker(which.parameters)) {
+                continue;
+            }
+            for (const double centre : {kQuarter, -kQuarter}) {
+                for (const double angle : {centre, std::nextafter(centre, 0.0), std::nextafter(centre, 2.0 * centre)}) {
+                    Parameters p = which.parameters;
+                    p.theta20 = angle;
+                    const ExactState<Digits100> exact = exactState<Digits100>(p, 0.0);
+                    const State got = ClosedForm{Mechanism(p)}.stateAt(0.0);
+                    QCOMPARE(got.status, exact.status);
+                    worst.add(p,
+                              worstDeviation(got, exact, 0.0, scaled(termSizes(p, exact), kRoundings * kUnitRoundoff)));
+                }
                 Parameters p = which.parameters;
-                p.theta20 = angle;
-                const ExactState<Digits100> exact = exactState<Digits100>(p, 0.0);
-                const State got = ClosedForm{Mechanism(p)}.stateAt(0.0);
-                QCOMPARE(got.status, exact.status);
-                worst.add(p, worstDeviation(got, exact, 0.0, scaled(termSizes(p, exact), kRoundings * kUnitRoundoff)));
-            }
-            Parameters p = which.parameters;
-            p.omega2 = 1.0;
-            p.theta20 = centre;
-            for (double distance = 0.1; distance > 1e-16; distance *= 0.1) {
-                std::vector<double> near;
-                for (const double factor : {-2.0, -1.0, -0.5, 0.5, 1.0, 2.0}) {
-                    near.push_back(factor * distance);
-                }
-                const std::vector<ExactState<Digits100>> exact = exactRun<Digits100>(p, near);
-                const auto tolerances = scaled(channelSizes<Digits100>(p, exact), kRoundings * kUnitRoundoff);
-                for (const std::size_t i : {1, 4}) {
-                    const State got = ClosedForm{Mechanism(p)}.stateAt(near[i]);
-                    worst.add(p, worstDeviation(got, exact[i], near[i], tolerances));
+                p.omega2 = 1.0;
+                p.theta20 = centre;
+                for (double distance = 0.1; distance > 1e-16; distance *= 0.1) {
+                    std::vector<double> near;
+                    for (const double factor : {-2.0, -1.0, -0.5, 0.5, 1.0, 2.0}) {
+                        near.push_back(factor * distance);
+                    }
+                    const std::vector<ExactState<Digits100>> exact = exactRun<Digits100>(p, near);
+                    const auto tolerances = scaled(channelSizes<Digits100>(p, exact), kRoundings * kUnitRoundoff);
+                    for (const std::size_t i : {1, 4}) {
+                        const State got = ClosedForm{Mechanism(p)}.stateAt(near[i]);
+                        worst.add(p, worstDeviation(got, exact[i], near[i], tolerances));
+                    }
                 }
             }
         }
+        worst.check("u of the neighbourhood", kRoundings);
     }
-    worst.check("u of the neighbourhood", kRoundings);
-}
 
-void tst_closed_form::isExactUpToARockersLimits_data()
-{
-    QTest::addColumn<Parameters>("parameters");
-    for (const Case &which : hardCases()) {
-        if (isRocker(which.parameters)) {
-            QTest::newRow(std::string(which.name).c_str()) << which.parameters;
+    void isExactUpToARockersLimits_data()
+    {
+        QTest::addColumn<Parameters>("parameters");
+        for (const Case &which : hardCases()) {
+            if (isRocker(which.parameters)) {
+                QTest::newRow(std::string(which.name).c_str()) << which.parameters;
+            }
+        }
+        for (const NamedMechanism &rocker : difficultRockers()) {
+            QTest::newRow(rocker.name.c_str()) << rocker.parameters;
         }
     }
-    for (const NamedMechanism &rocker : difficultRockers()) {
-        QTest::newRow(rocker.name.c_str()) << rocker.parameters;
-    }
-}
 
-/// Near the limits of a rocker, rounding a, b, c or θ2 can change b - |h| by its own size, so that no result for
-/// rounded inputs is better than u(|f| + κ). For the exact inputs the result is accurate to the last digits.
-void tst_closed_form::isExactUpToARockersLimits()
-{
-    QFETCH(const Parameters, parameters);
-    constexpr double kConditionRoundings = 4.0;
-    constexpr double kNearTheLimit = 1e-4;
-    constexpr double kAtTheLimit = 1e-30; // of a + b + |c|: a two-part angle cannot resolve a smaller distance
-    const Case turn{.name = {},
-                    .parameters = parameters,
-                    .sampling = {0.0, 2.0 * std::numbers::pi / std::abs(parameters.omega2), 50}};
+    /// Near the limits of a rocker, rounding a, b, c or θ2 can change b - |h| by its own size, so that no result for
+    /// rounded inputs is better than u(|f| + κ). For the exact inputs the result is accurate to the last digits.
+    void isExactUpToARockersLimits()
+    {
+        QFETCH(const Parameters, parameters);
+        constexpr double kConditionRoundings = 4.0;
+        constexpr double kNearTheLimit = 1e-4;
+        constexpr double kAtTheLimit = 1e-30; // of a + b + |c|: a two-part angle cannot resolve a smaller distance
+        const Case turn{.name = {},
+                        .parameters = parameters,
+                        .sampling = {0.0, 2.0 * std::numbers::pi / std::abs(parameters.omega2), 50}};
 
-    // A whole turn, both sides of each limit, and the neighbouring doubles of t, and of θ20 at t = 0.
-    std::vector<std::pair<Parameters, double>> places;
-    for (const double t : turn.sampling.timeStamps()) {
-        places.emplace_back(parameters, t);
+        // A whole turn, both sides of each limit, and the neighbouring doubles of t, and of θ20 at t = 0.
+        std::vector<std::pair<Parameters, double>> places;
+        for (const double t : turn.sampling.timeStamps()) {
+            places.emplace_back(parameters, t);
+        }
+        for (const double limit : perpendicularTimes(turn)) {
+            for (double distance = 1e-1; distance > 1e-16; distance *= 0.1) {
+                places.emplace_back(parameters, limit - distance);
+                places.emplace_back(parameters, limit + distance);
+            }
+            double t = limit;
+            Parameters turned = parameters;
+            turned.theta20 = std::remainder(parameters.omega2 * limit + parameters.theta20, 2.0 * std::numbers::pi);
+            for (int i = -3; i <= 3; ++i) {
+                places.emplace_back(parameters, t + i * (std::nextafter(t, 1e300) - t));
+                places.emplace_back(turned, 0.0);
+                places.back().first.theta20 += i * (std::nextafter(turned.theta20, 10.0) - turned.theta20);
+            }
+        }
+        Worst worst;
+        Worst worstNear;
+        for (const auto &[p, t] : places) {
+            const ExactState<Digits100> exact = exactState<Digits100>(p, t);
+            const State got = ClosedForm{Mechanism(p)}.stateAt(t);
+            const double clearance = static_cast<double>(exact.clearance);
+            if (std::abs(clearance) * p.b > kAtTheLimit * characteristicLength(p)) {
+                QVERIFY2(got.status == exact.status, qPrintable(QStringLiteral("t = %1").arg(t, 0, 'g', 17)));
+            }
+            if (got.status == Status::NotAssemblable || exact.status == Status::NotAssemblable) {
+                continue;
+            }
+            std::array<double, kChannelCount> sizes = termSizes(p, exact);
+            std::array<double, kChannelCount> tolerances = conditioning<Digits100>(p, t);
+            for (std::size_t index = 0; index < kChannelCount; ++index) {
+                tolerances[index] = kConditionRoundings * kUnitRoundoff * (sizes[index] + tolerances[index]);
+            }
+            const Order last = got.status == Status::Solved ? Order::Acceleration : Order::Position;
+            worst.add(p, worstDeviation(got, exact, t, tolerances, last));
+            if (clearance < kNearTheLimit) {
+                // Close to a dead centre, R4x is a small difference of its terms.
+                sizes[indexOf({R4x, Order::Position})] += 2.0 * sizes[indexOf({R2x, Order::Position})];
+                worstNear.add(p, worstDeviation(got, exact, t, scaled(sizes, kRoundings * kUnitRoundoff), last));
+            }
+        }
+        worst.check("u(|f| + κ)", kConditionRoundings);
+        worstNear.check("u|f| near a limit", kRoundings);
     }
-    for (const double limit : perpendicularTimes(turn)) {
-        for (double distance = 1e-1; distance > 1e-16; distance *= 0.1) {
-            places.emplace_back(parameters, limit - distance);
-            places.emplace_back(parameters, limit + distance);
-        }
-        double t = limit;
-        Parameters turned = parameters;
-        turned.theta20 = std::remainder(parameters.omega2 * limit + parameters.theta20, 2.0 * std::numbers::pi);
-        for (int i = -3; i <= 3; ++i) {
-            places.emplace_back(parameters, t + i * (std::nextafter(t, 1e300) - t));
-            places.emplace_back(turned, 0.0);
-            places.back().first.theta20 += i * (std::nextafter(turned.theta20, 10.0) - turned.theta20);
-        }
-    }
-    Worst worst;
-    Worst worstNear;
-    for (const auto &[p, t] : places) {
-        const ExactState<Digits100> exact = exactState<Digits100>(p, t);
-        const State got = ClosedForm{Mechanism(p)}.stateAt(t);
-        const double clearance = static_cast<double>(exact.clearance);
-        if (std::abs(clearance) * p.b > kAtTheLimit * characteristicLength(p)) {
-            QVERIFY2(got.status == exact.status, qPrintable(QStringLiteral("t = %1").arg(t, 0, 'g', 17)));
-        }
-        if (got.status == Status::NotAssemblable || exact.status == Status::NotAssemblable) {
-            continue;
-        }
-        std::array<double, kChannelCount> sizes = termSizes(p, exact);
-        std::array<double, kChannelCount> tolerances = conditioning<Digits100>(p, t);
-        for (std::size_t index = 0; index < kChannelCount; ++index) {
-            tolerances[index] = kConditionRoundings * kUnitRoundoff * (sizes[index] + tolerances[index]);
-        }
-        const Order last = got.status == Status::Solved ? Order::Acceleration : Order::Position;
-        worst.add(p, worstDeviation(got, exact, t, tolerances, last));
-        if (clearance < kNearTheLimit) {
-            // Close to a dead centre, R4x is a small difference of its terms.
-            sizes[indexOf({R4x, Order::Position})] += 2.0 * sizes[indexOf({R2x, Order::Position})];
-            worstNear.add(p, worstDeviation(got, exact, t, scaled(sizes, kRoundings * kUnitRoundoff), last));
-        }
-    }
-    worst.check("u(|f| + κ)", kConditionRoundings);
-    worstNear.check("u|f| near a limit", kRoundings);
-}
 
-/// Up to 1e15 s. The results do not change at 1.6e6 rad, the largest angle that the vectorized code reduces.
-void tst_closed_form::isExactAtAnyCrankAngle()
-{
-    const Parameters p{.b = 60.0};
-    auto tolerances =
-        scaled(channelSizes<long double>(p, exactRun<long double>(p, Sampling{}.timeStamps())), 2.0 * kPromise);
-    tolerances[indexOf({Theta2, Order::Position})] = kInfinity; // the angle grows, and one double cannot represent it
-    const double limit = 1.6e6 / p.omega2;
-    std::vector<double> times{limit, std::nextafter(limit, 0.0), std::nextafter(limit, 1e9), 0.999 * limit};
-    for (double t = 0.1; t < 1e15; t *= 1.37) {
-        times.push_back(t);
-        times.push_back(-t);
-    }
-    for (double quarter = 0.25; quarter < limit; quarter *= 2.0) {
-        times.push_back(quarter);
-        times.push_back(std::nextafter(quarter, 0.0));
-    }
-    Worst worst;
-    for (const double t : times) {
-        worst.add(p, worstDeviation(ClosedForm{Mechanism(p)}.stateAt(t), exactState<Digits100>(p, t), t, tolerances));
-    }
-    worst.check("of peak", 2.0 * kPromise);
-    QCOMPARE(differenceFromOne(p, times), QString());
-}
-
-/// Bit by bit, for rockers, both branches, arrays of any length and any selection of channels. Nothing else is written.
-void tst_closed_form::manyTimeStampsEqualSingleOnes()
-{
-    QVERIFY(!hwy::SupportedAndGeneratedTargets().empty());
-    RandomMechanisms random(20240503);
-    for (const auto &[name, parameters] : mechanismList(200)) {
-        Parameters p = parameters;
-        std::vector<double> times = randomTimes(random, 61, -100.0, 100.0);
-        for (const double t : perpendicularTimes({.name = {}, .parameters = p})) {
+    /// Up to 1e15 s. The results do not change at 1.6e6 rad, the largest angle that the vectorized code reduces.
+    void isExactAtAnyCrankAngle()
+    {
+        const Parameters p{.b = 60.0};
+        auto tolerances =
+            scaled(channelSizes<long double>(p, exactRun<long double>(p, Sampling{}.timeStamps())), 2.0 * kPromise);
+        tolerances[indexOf({Theta2, Order::Position})] =
+            kInfinity; // the angle grows, and one double cannot represent it
+        const double limit = 1.6e6 / p.omega2;
+        std::vector<double> times{limit, std::nextafter(limit, 0.0), std::nextafter(limit, 1e9), 0.999 * limit};
+        for (double t = 0.1; t < 1e15; t *= 1.37) {
             times.push_back(t);
+            times.push_back(-t);
         }
-        for (const Branch branch : {Branch::Open, Branch::Crossed}) {
-            p.branch = branch;
-            QCOMPARE(differenceFromOne(p, times), QString());
+        for (double quarter = 0.25; quarter < limit; quarter *= 2.0) {
+            times.push_back(quarter);
+            times.push_back(std::nextafter(quarter, 0.0));
         }
-    }
-    const std::vector<double> times = Sampling{0.0, 1.0, 300}.timeStamps();
-    for (std::size_t length = 0; length <= 260; length += length < 40 ? 1 : 11) {
-        for (const std::size_t from : {0, 1, 3}) {
-            QCOMPARE(differenceFromOne(Parameters(), std::span(times).subspan(from, length)), QString());
+        Worst worst;
+        for (const double t : times) {
+            worst.add(p,
+                      worstDeviation(ClosedForm{Mechanism(p)}.stateAt(t), exactState<Digits100>(p, t), t, tolerances));
         }
+        worst.check("of peak", 2.0 * kPromise);
+        QCOMPARE(differenceFromOne(p, times), QString());
     }
-    for (unsigned wanted = 0; wanted < 64; ++wanted) {
-        QCOMPARE(differenceFromOne(Parameters(), std::span(times).first(70), wanted), QString());
-    }
-}
 
-/// Puts every kind of time stamp that the vectorized code cannot process at every position among ordinary ones.
-void tst_closed_form::specialTimeStampsDoNotAffectOthers()
-{
-    const Parameters locked{.b = 5.0, .c = 25.0, .theta20 = kQuarter}; // in its only pose at t = 0
-    struct Row {
-        Parameters parameters;
-        double t;
-        Status status;
-    };
-    for (const auto &[parameters, special, status] :
-         {Row{{}, kNone, Status::NotFinite}, Row{{}, kInfinity, Status::NotFinite},
-          Row{{}, -kInfinity, Status::NotFinite}, Row{{}, 1e308, Status::NotFinite},
-          Row{{.b = 40.0}, 0.75, Status::NotAssemblable}, Row{locked, 0.0, Status::Singular},
-          Row{{}, 1e9 + 0.3, Status::Solved}}) {
-        QCOMPARE(ClosedForm{Mechanism(parameters)}.motionAt(special).status, status);
-        QCOMPARE(isAssemblable(Mechanism(parameters), special), status == Status::Solved || status == Status::Singular);
-        for (std::size_t length = 1; length <= 20; ++length) {
-            for (std::size_t place = 0; place < length; ++place) {
-                std::vector<double> times = Sampling{0.005, 0.2, 20}.timeStamps();
-                times.resize(length);
-                times[place] = special;
-                times[(place * 7 + 3) % length] = special;
-                for (const unsigned wanted : {63U, 3U}) {
-                    QCOMPARE(differenceFromOne(parameters, times, wanted), QString());
+    /// Bit by bit, for rockers, both branches, arrays of any length and any selection of channels. Nothing else is
+    /// written.
+    void manyTimeStampsEqualSingleOnes()
+    {
+        QVERIFY(!hwy::SupportedAndGeneratedTargets().empty());
+        RandomMechanisms random(20240503);
+        for (const auto &[name, parameters] : mechanismList(200)) {
+            Parameters p = parameters;
+            std::vector<double> times = randomTimes(random, 61, -100.0, 100.0);
+            for (const double t : perpendicularTimes({.name = {}, .parameters = p})) {
+                times.push_back(t);
+            }
+            for (const Branch branch : {Branch::Open, Branch::Crossed}) {
+                p.branch = branch;
+                QCOMPARE(differenceFromOne(p, times), QString());
+            }
+        }
+        const std::vector<double> times = Sampling{0.0, 1.0, 300}.timeStamps();
+        for (std::size_t length = 0; length <= 260; length += length < 40 ? 1 : 11) {
+            for (const std::size_t from : {0, 1, 3}) {
+                QCOMPARE(differenceFromOne(Parameters(), std::span(times).subspan(from, length)), QString());
+            }
+        }
+        for (unsigned wanted = 0; wanted < 64; ++wanted) {
+            QCOMPARE(differenceFromOne(Parameters(), std::span(times).first(70), wanted), QString());
+        }
+    }
+
+    /// Puts every kind of time stamp that the vectorized code cannot process at every position among ordinary ones.
+    void specialTimeStampsDoNotAffectOthers()
+    {
+        const Parameters locked{.b = 5.0, .c = 25.0, .theta20 = kQuarter}; // in its only pose at t = 0
+        struct Row {
+            Parameters parameters;
+            double t;
+            Status status;
+        };
+        for (const auto &[parameters, special, status] :
+             {Row{{}, kNone, Status::NotFinite}, Row{{}, kInfinity, Status::NotFinite},
+              Row{{}, -kInfinity, Status::NotFinite}, Row{{}, 1e308, Status::NotFinite},
+              Row{{.b = 40.0}, 0.75, Status::NotAssemblable}, Row{locked, 0.0, Status::Singular},
+              Row{{}, 1e9 + 0.3, Status::Solved}}) {
+            QCOMPARE(ClosedForm{Mechanism(parameters)}.motionAt(special).status, status);
+            QCOMPARE(isAssemblable(Mechanism(parameters), special),
+                     status == Status::Solved || status == Status::Singular);
+            for (std::size_t length = 1; length <= 20; ++length) {
+                for (std::size_t place = 0; place < length; ++place) {
+                    std::vector<double> times = Sampling{0.005, 0.2, 20}.timeStamps();
+                    times.resize(length);
+                    times[place] = special;
+                    times[(place * 7 + 3) % length] = special;
+                    for (const unsigned wanted : {63U, 3U}) {
+                        QCOMPARE(differenceFromOne(parameters, times, wanted), QString());
+                    }
                 }
             }
         }
     }
-}
 
-/// Scales by powers of two; the results agree bit by bit.
-void tst_closed_form::scalesWithTheMechanism()
-{
-    const Parameters p;
-    const State reference = ClosedForm{Mechanism(p)}.stateAt(0.3);
-    for (const int exponent : {-30, -3, 5, 30}) {
-        Parameters scaledUp = p;
-        for (double *length : {&scaledUp.a, &scaledUp.b, &scaledUp.c}) {
-            *length = std::ldexp(*length, exponent);
+    /// Scales by powers of two; the results agree bit by bit.
+    void scalesWithTheMechanism()
+    {
+        const Parameters p;
+        const State reference = ClosedForm{Mechanism(p)}.stateAt(0.3);
+        for (const int exponent : {-30, -3, 5, 30}) {
+            Parameters scaledUp = p;
+            for (double *length : {&scaledUp.a, &scaledUp.b, &scaledUp.c}) {
+                *length = std::ldexp(*length, exponent);
+            }
+            const State state = ClosedForm{Mechanism(scaledUp)}.stateAt(0.3);
+            QCOMPARE(state.q[Theta3], reference.q[Theta3]);
+            QCOMPARE(std::ldexp(state.q[R4x], -exponent), reference.q[R4x]);
+            QCOMPARE(std::ldexp(state.qDDot[R3x], -exponent), reference.qDDot[R3x]);
         }
-        const State state = ClosedForm{Mechanism(scaledUp)}.stateAt(0.3);
-        QCOMPARE(state.q[Theta3], reference.q[Theta3]);
-        QCOMPARE(std::ldexp(state.q[R4x], -exponent), reference.q[R4x]);
-        QCOMPARE(std::ldexp(state.qDDot[R3x], -exponent), reference.qDDot[R3x]);
     }
-}
 
-void tst_closed_form::reportsWhatDoesNotExist()
-{
-    for (const auto &[p, t] : {std::pair(Parameters{.b = 4.0}, 0.3), std::pair(Parameters(), kNone)}) {
-        const State state = ClosedForm{Mechanism(p)}.stateAt(t);
-        QVERIFY(state.q.array().isNaN().all() && state.qDot.array().isNaN().all() && state.qDDot.array().isNaN().all());
+    void reportsWhatDoesNotExist()
+    {
+        for (const auto &[p, t] : {std::pair(Parameters{.b = 4.0}, 0.3), std::pair(Parameters(), kNone)}) {
+            const State state = ClosedForm{Mechanism(p)}.stateAt(t);
+            QVERIFY(state.q.array().isNaN().all() && state.qDot.array().isNaN().all() &&
+                    state.qDDot.array().isNaN().all());
+        }
+        const State locked = ClosedForm{Mechanism({.b = 5.0, .theta20 = kQuarter})}.stateAt(0.0);
+        QVERIFY(locked.q.allFinite() && locked.qDot.array().isNaN().all() && locked.qDDot.array().isNaN().all());
     }
-    const State locked = ClosedForm{Mechanism({.b = 5.0, .theta20 = kQuarter})}.stateAt(0.0);
-    QVERIFY(locked.q.allFinite() && locked.qDot.array().isNaN().all() && locked.qDDot.array().isNaN().all());
-}
+};
 
 const Suite suite("tst_closed_form", runWithoutApplication<tst_closed_form>);
 #include "tst_closed_form.moc"

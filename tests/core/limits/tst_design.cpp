@@ -35,96 +35,92 @@ class TestDesign : public QObject
     Q_OBJECT
 
 private slots:
-    void meetsRandomRequests();
-    void hasTheBestTransmissionAngle();
-    void agreesWithPublishedDesigns();
-    void refusesWhatIsImpossible();
-    void exchangesTheDirectionsBelowARatioOfOne();
+    void meetsRandomRequests()
+    {
+        std::mt19937_64 random(24);
+        std::uniform_real_distribution<double> unit(0.0, 1.0);
+        int feasible = 0;
+        while (feasible < 10'000) {
+            DesignRequest request;
+            request.stroke = std::pow(10.0, -2.0 + 6.0 * unit(random));
+            request.timeRatio = unit(random) < 0.1 ? 1.0 : 1.0 + 1.9 * unit(random);
+            if (unit(random) < 0.5) {
+                request.transmissionAngle = 80.0 * kDegree * unit(random);
+            }
+            const std::variant<Lengths, DesignFault> result = design(request);
+            if (std::holds_alternative<DesignFault>(result)) {
+                continue;
+            }
+            ++feasible;
+            const Lengths &lengths = std::get<Lengths>(result);
+            const MotionLimits limits = limitsOf(lengths);
+            QCOMPARE(limits.mobility, Mobility::FullTurn);
+            QVERIFY(std::abs(*limits.stroke / request.stroke - 1.0) < 1e-12);
+            // Near the ratio 3 the angle α depends on the small difference b - a, which the rounding of a and b
+            // changes.
+            const double tolerance =
+                std::max(1e-12, 1e-15 * lengths.a / (lengths.b - lengths.a) / (3.0 - request.timeRatio));
+            QVERIFY(std::abs(*limits.timeRatio / request.timeRatio - 1.0) < tolerance);
+            QVERIFY(minimumTransmissionAngle(lengths) >= request.transmissionAngle.value_or(0.0));
+        }
+    }
+
+    void hasTheBestTransmissionAngle()
+    {
+        for (const double timeRatio : {1.05, 1.2, 1.5, 2.0, 2.8}) {
+            const std::optional<DesignRange> range = findDesignRange(timeRatio);
+            for (int i = 1; i < 1000; ++i) {
+                const double ratio = 1.0 + (std::min(range->largestRatio, kLongestCoupler) - 1.0) * i / 1000.0;
+                QVERIFY(minimumTransmissionAngle(findLengths(80.0, timeRatio, ratio)) <=
+                        range->bestTransmissionAngle + 1e-9);
+            }
+        }
+    }
+
+    /// In-line mechanism: the crank is half the stroke. The dead centres of a = 20, b = 65, c = 25 (Norton, "Design of
+    /// Machinery", section 3.8) reproduce that mechanism.
+    void agreesWithPublishedDesigns()
+    {
+        const Lengths inLine = findLengths(80.0, 1.0, 4.0);
+        QCOMPARE(inLine.a, 40.0);
+        QCOMPARE(inLine.b, 160.0);
+        QCOMPARE(inLine.c, 0.0);
+
+        const double stroke = std::sqrt(85.0 * 85.0 - 25.0 * 25.0) - std::sqrt(45.0 * 45.0 - 25.0 * 25.0);
+        const double alpha = std::asin(25.0 / 45.0) - std::asin(25.0 / 85.0);
+        const Lengths offset =
+            findLengths(stroke, (std::numbers::pi + alpha) / (std::numbers::pi - alpha), 65.0 / 20.0);
+        QVERIFY(std::abs(offset.a - 20.0) < 1e-12 && std::abs(offset.b - 65.0) < 1e-12 &&
+                std::abs(offset.c - 25.0) < 1e-12);
+    }
+
+    void refusesWhatIsImpossible()
+    {
+        using Reason = DesignFault::Reason;
+        const auto faultOf = [](const DesignRequest &request) { return std::get<DesignFault>(design(request)); };
+        QCOMPARE(faultOf({0.0, 1.2, {}}).reason, Reason::StrokeNotPositive);
+        QCOMPARE(faultOf({80.0, 3.0, {}}).reason, Reason::TimeRatioOutOfRange);
+        QCOMPARE(faultOf({80.0, 1.0 / 3.0, {}}).reason, Reason::TimeRatioOutOfRange);
+        QCOMPARE(faultOf({80.0, std::nan(""), {}}).reason, Reason::TimeRatioOutOfRange);
+        QCOMPARE(faultOf({80.0, 1.0, 90.0 * kDegree}).reason, Reason::TransmissionAngleTooLarge);
+
+        const DesignFault fault = faultOf({80.0, 1.2, 60.0 * kDegree});
+        QCOMPARE(fault.reason, Reason::TransmissionAngleTooLarge);
+        QVERIFY(std::holds_alternative<Lengths>(design({80.0, 1.2, fault.bound - 1e-9})));
+        QVERIFY(std::holds_alternative<Lengths>(design({80.0, fault.timeRatioBound - 1e-6, 60.0 * kDegree})));
+        QVERIFY(std::holds_alternative<DesignFault>(design({80.0, fault.timeRatioBound + 1e-6, 60.0 * kDegree})));
+    }
+
+    void exchangesTheDirectionsBelowARatioOfOne()
+    {
+        const Lengths slowBack = std::get<Lengths>(design({80.0, 1.25, {}}));
+        const Lengths slowOut = std::get<Lengths>(design({80.0, 0.8, {}}));
+        QVERIFY(slowBack.c > 0.0);
+        QCOMPARE(slowOut.c, -slowBack.c);
+        QVERIFY(*limitsOf(slowBack).angleOutwards < *limitsOf(slowBack).angleInwards);
+        QVERIFY(*limitsOf(slowOut).angleOutwards > *limitsOf(slowOut).angleInwards);
+    }
 };
-
-void TestDesign::meetsRandomRequests()
-{
-    std::mt19937_64 random(24);
-    std::uniform_real_distribution<double> unit(0.0, 1.0);
-    int feasible = 0;
-    while (feasible < 10'000) {
-        DesignRequest request;
-        request.stroke = std::pow(10.0, -2.0 + 6.0 * unit(random));
-        request.timeRatio = unit(random) < 0.1 ? 1.0 : 1.0 + 1.9 * unit(random);
-        if (unit(random) < 0.5) {
-            request.transmissionAngle = 80.0 * kDegree * unit(random);
-        }
-        const std::variant<Lengths, DesignFault> result = design(request);
-        if (std::holds_alternative<DesignFault>(result)) {
-            continue;
-        }
-        ++feasible;
-        const Lengths &lengths = std::get<Lengths>(result);
-        const MotionLimits limits = limitsOf(lengths);
-        QCOMPARE(limits.mobility, Mobility::FullTurn);
-        QVERIFY(std::abs(*limits.stroke / request.stroke - 1.0) < 1e-12);
-        // Near the ratio 3 the angle α depends on the small difference b - a, which the rounding of a and b changes.
-        const double tolerance =
-            std::max(1e-12, 1e-15 * lengths.a / (lengths.b - lengths.a) / (3.0 - request.timeRatio));
-        QVERIFY(std::abs(*limits.timeRatio / request.timeRatio - 1.0) < tolerance);
-        QVERIFY(minimumTransmissionAngle(lengths) >= request.transmissionAngle.value_or(0.0));
-    }
-}
-
-void TestDesign::hasTheBestTransmissionAngle()
-{
-    for (const double timeRatio : {1.05, 1.2, 1.5, 2.0, 2.8}) {
-        const std::optional<DesignRange> range = findDesignRange(timeRatio);
-        for (int i = 1; i < 1000; ++i) {
-            const double ratio = 1.0 + (std::min(range->largestRatio, kLongestCoupler) - 1.0) * i / 1000.0;
-            QVERIFY(minimumTransmissionAngle(findLengths(80.0, timeRatio, ratio)) <=
-                    range->bestTransmissionAngle + 1e-9);
-        }
-    }
-}
-
-/// In-line mechanism: the crank is half the stroke. The dead centres of a = 20, b = 65, c = 25 (Norton, "Design of
-/// Machinery", section 3.8) reproduce that mechanism.
-void TestDesign::agreesWithPublishedDesigns()
-{
-    const Lengths inLine = findLengths(80.0, 1.0, 4.0);
-    QCOMPARE(inLine.a, 40.0);
-    QCOMPARE(inLine.b, 160.0);
-    QCOMPARE(inLine.c, 0.0);
-
-    const double stroke = std::sqrt(85.0 * 85.0 - 25.0 * 25.0) - std::sqrt(45.0 * 45.0 - 25.0 * 25.0);
-    const double alpha = std::asin(25.0 / 45.0) - std::asin(25.0 / 85.0);
-    const Lengths offset = findLengths(stroke, (std::numbers::pi + alpha) / (std::numbers::pi - alpha), 65.0 / 20.0);
-    QVERIFY(std::abs(offset.a - 20.0) < 1e-12 && std::abs(offset.b - 65.0) < 1e-12 &&
-            std::abs(offset.c - 25.0) < 1e-12);
-}
-
-void TestDesign::refusesWhatIsImpossible()
-{
-    using Reason = DesignFault::Reason;
-    const auto faultOf = [](const DesignRequest &request) { return std::get<DesignFault>(design(request)); };
-    QCOMPARE(faultOf({0.0, 1.2, {}}).reason, Reason::StrokeNotPositive);
-    QCOMPARE(faultOf({80.0, 3.0, {}}).reason, Reason::TimeRatioOutOfRange);
-    QCOMPARE(faultOf({80.0, 1.0 / 3.0, {}}).reason, Reason::TimeRatioOutOfRange);
-    QCOMPARE(faultOf({80.0, std::nan(""), {}}).reason, Reason::TimeRatioOutOfRange);
-    QCOMPARE(faultOf({80.0, 1.0, 90.0 * kDegree}).reason, Reason::TransmissionAngleTooLarge);
-
-    const DesignFault fault = faultOf({80.0, 1.2, 60.0 * kDegree});
-    QCOMPARE(fault.reason, Reason::TransmissionAngleTooLarge);
-    QVERIFY(std::holds_alternative<Lengths>(design({80.0, 1.2, fault.bound - 1e-9})));
-    QVERIFY(std::holds_alternative<Lengths>(design({80.0, fault.timeRatioBound - 1e-6, 60.0 * kDegree})));
-    QVERIFY(std::holds_alternative<DesignFault>(design({80.0, fault.timeRatioBound + 1e-6, 60.0 * kDegree})));
-}
-
-void TestDesign::exchangesTheDirectionsBelowARatioOfOne()
-{
-    const Lengths slowBack = std::get<Lengths>(design({80.0, 1.25, {}}));
-    const Lengths slowOut = std::get<Lengths>(design({80.0, 0.8, {}}));
-    QVERIFY(slowBack.c > 0.0);
-    QCOMPARE(slowOut.c, -slowBack.c);
-    QVERIFY(*limitsOf(slowBack).angleOutwards < *limitsOf(slowBack).angleInwards);
-    QVERIFY(*limitsOf(slowOut).angleOutwards > *limitsOf(slowOut).angleInwards);
-}
 
 const Suite suite("tst_design", runWithoutApplication<TestDesign>);
 #include "tst_design.moc"

@@ -122,182 +122,174 @@ class tst_extremes : public QObject
     Q_OBJECT
 
 private slots:
-    void peaksEqualThoseOfAFineScan_data();
-    void peaksEqualThoseOfAFineScan();
-    void everyPlaceHasThePeaksValue();
-    void speedScalesThePeaks();
-    void aRockerIsUnboundedAtItsLimits();
-    void anExactToggleBoundsOnlyTheSpeeds();
-    void couplerSpeedIsConstantWithChangePoints();
-    void nothingMovesWithoutSpeedOrMobility();
-};
-
-void tst_extremes::peaksEqualThoseOfAFineScan_data()
-{
-    QTest::addColumn<Parameters>("p");
-    std::set<std::array<double, 4>> seen;
-    for (const Case &which : allCases()) {
-        const Parameters &p = which.parameters;
-        const std::array<double, 4> key{p.a, p.b, p.c, p.branch == Branch::Open ? 0.0 : 1.0};
-        if (turnsRoundFreely(p) && seen.insert(key).second) {
-            QTest::newRow(std::string(which.name).c_str()) << p;
-        }
-    }
-    RandomMechanisms random(71);
-    for (int i = 0; i < 25; ++i) {
-        QTest::addRow("random %d", i) << random.next();
-    }
-    const Parameters barely{1.0, std::nextafter(1.0, 2.0), 2e-16, 1.0, 0.0, Branch::Open}; // a gap of 2e-17
-    QTest::newRow("gap 2e-17") << barely;
-}
-
-void tst_extremes::peaksEqualThoseOfAFineScan()
-{
-    QFETCH(Parameters, p);
-    const std::vector<Peak> peaks = motionPeaks(Mechanism(p));
-    QCOMPARE(peaks.size(), std::size_t(4));
-    for (std::size_t i = 0; i < kRates.size(); ++i) {
-        const Peak &peak = peaks[i];
-        QVERIFY(peak.channel == kRates[i]);
-        const ExactPeak exact = scannedPeak(p, peak.channel);
-        const double relative = static_cast<double>((Digits50(peak.magnitude) - exact.magnitude) / exact.magnitude);
-        QVERIFY2(std::abs(relative) <= 4e-15, describe(p, peak, exact).c_str());
-
-        // Proportional to the angle from ±90°, at which the spacing of doubles is 2.2e-16.
-        const double fromSteepest = std::abs(std::abs(static_cast<double>(exact.theta2)) - 0.5 * kPi);
-        const double tolerance = 1e-11 * valleyOf(p) + 1e-14 * fromSteepest + 2.3e-16;
-        double nearest = kTurn;
-        for (const PeakPlace &place : peak.places) {
-            const double off = static_cast<double>(Digits50(place.theta2) - exact.theta2);
-            nearest = std::min(nearest, std::abs(std::remainder(off, kTurn)));
-            QVERIFY(place.theta2 >= -kPi && place.theta2 < kPi);
-        }
-        QVERIFY2(nearest <= tolerance, describe(p, peak, exact).c_str());
-    }
-}
-
-/// θ3 depends only on sin θ2, so its derivatives have two equal peaks; without an offset, so does the slider's speed.
-void tst_extremes::everyPlaceHasThePeaksValue()
-{
-    RandomMechanisms random(72);
-    for (int i = 0; i < 100; ++i) {
-        Parameters p = random.next();
-        p.c = i % 5 == 0 ? 0.0 : p.c;
-        const std::vector<Peak> peaks = motionPeaks(Mechanism(p));
-        for (const Peak &peak : peaks) {
-            QVERIFY(!peak.places.empty());
-            for (const PeakPlace &place : peak.places) {
-                const double exact = static_cast<double>(valueAt(p, peak.channel, place.theta2));
-                QVERIFY2(std::abs(place.value - exact) <= 1e-13 * peak.magnitude, describe(p).c_str());
-                QVERIFY2(std::abs(std::abs(exact) - peak.magnitude) <= 1e-11 * peak.magnitude, describe(p).c_str());
+    void peaksEqualThoseOfAFineScan_data()
+    {
+        QTest::addColumn<Parameters>("p");
+        std::set<std::array<double, 4>> seen;
+        for (const Case &which : allCases()) {
+            const Parameters &p = which.parameters;
+            const std::array<double, 4> key{p.a, p.b, p.c, p.branch == Branch::Open ? 0.0 : 1.0};
+            if (turnsRoundFreely(p) && seen.insert(key).second) {
+                QTest::newRow(std::string(which.name).c_str()) << p;
             }
         }
-        const std::vector<PeakPlace> &places = peakOf(peaks, kCouplerSpeed).places;
-        QVERIFY2(places.size() == 2, describe(p).c_str());
-        QVERIFY(std::abs(std::remainder(places[0].theta2 - (kPi - places[1].theta2), kTurn)) < 1e-12);
-        QVERIFY(std::signbit(places[0].value) != std::signbit(places[1].value));
-        QCOMPARE(peakOf(peaks, kSliderSpeed).places.size(), std::size_t(p.c == 0.0 ? 2 : 1));
+        RandomMechanisms random(71);
+        for (int i = 0; i < 25; ++i) {
+            QTest::addRow("random %d", i) << random.next();
+        }
+        const Parameters barely{1.0, std::nextafter(1.0, 2.0), 2e-16, 1.0, 0.0, Branch::Open}; // a gap of 2e-17
+        QTest::newRow("gap 2e-17") << barely;
     }
-}
 
-void tst_extremes::speedScalesThePeaks()
-{
-    Parameters p;
-    const std::vector<Peak> once = motionPeaks(Mechanism(p));
-    p.omega2 *= -4.0;
-    p.theta20 = 123.0;
-    const std::vector<Peak> fast = motionPeaks(Mechanism(p));
-    for (std::size_t i = 0; i < once.size(); ++i) {
-        const bool speed = once[i].channel.order == Order::Velocity;
-        QCOMPARE(fast[i].magnitude, (speed ? 4.0 : 16.0) * once[i].magnitude);
-        QCOMPARE(fast[i].places.size(), once[i].places.size());
-        QCOMPARE(fast[i].places[0].theta2, once[i].places[0].theta2);
-        QCOMPARE(fast[i].places[0].value, (speed ? -4.0 : 16.0) * once[i].places[0].value);
-    }
-}
-
-void tst_extremes::aRockerIsUnboundedAtItsLimits()
-{
-    for (const double b : {40.0, 10.0}) {
-        Parameters p;
-        p.b = b;
-        p.c = b == 10.0 ? 5.0 : 25.0;
-        const MotionLimits limits = motionLimits(Mechanism(p));
+    void peaksEqualThoseOfAFineScan()
+    {
+        QFETCH(Parameters, p);
         const std::vector<Peak> peaks = motionPeaks(Mechanism(p));
         QCOMPARE(peaks.size(), std::size_t(4));
-        for (const Peak &peak : peaks) {
-            QVERIFY(std::isinf(peak.magnitude));
-            QCOMPARE(peak.places.size(), 2 * limits.ranges.size());
+        for (std::size_t i = 0; i < kRates.size(); ++i) {
+            const Peak &peak = peaks[i];
+            QVERIFY(peak.channel == kRates[i]);
+            const ExactPeak exact = scannedPeak(p, peak.channel);
+            const double relative = static_cast<double>((Digits50(peak.magnitude) - exact.magnitude) / exact.magnitude);
+            QVERIFY2(std::abs(relative) <= 4e-15, describe(p, peak, exact).c_str());
+
+            // Proportional to the angle from ±90°, at which the spacing of doubles is 2.2e-16.
+            const double fromSteepest = std::abs(std::abs(static_cast<double>(exact.theta2)) - 0.5 * kPi);
+            const double tolerance = 1e-11 * valleyOf(p) + 1e-14 * fromSteepest + 2.3e-16;
+            double nearest = kTurn;
             for (const PeakPlace &place : peak.places) {
-                const double height = p.c - p.a * std::sin(place.theta2);
-                QVERIFY(std::abs(std::abs(height) - p.b) < 1e-12);
+                const double off = static_cast<double>(Digits50(place.theta2) - exact.theta2);
+                nearest = std::min(nearest, std::abs(std::remainder(off, kTurn)));
+                QVERIFY(place.theta2 >= -kPi && place.theta2 < kPi);
             }
+            QVERIFY2(nearest <= tolerance, describe(p, peak, exact).c_str());
         }
     }
-}
 
-/// At the toggle the slider reverses abruptly: the velocities have one-sided limits (that of θ3 is ±ω √(a/b)), and the
-/// accelerations are unbounded.
-void tst_extremes::anExactToggleBoundsOnlyTheSpeeds()
-{
-    for (const double c : {25.0, -25.0}) {
-        for (const Branch branch : {Branch::Open, Branch::Crossed}) {
-            const Parameters p{20.0, 45.0, c, 3.0, 0.0, branch};
-            const double toggle = c > 0.0 ? -0.5 * kPi : 0.5 * kPi;
+    /// θ3 depends only on sin θ2, so its derivatives have two equal peaks; without an offset, so does the slider's
+    /// speed.
+    void everyPlaceHasThePeaksValue()
+    {
+        RandomMechanisms random(72);
+        for (int i = 0; i < 100; ++i) {
+            Parameters p = random.next();
+            p.c = i % 5 == 0 ? 0.0 : p.c;
             const std::vector<Peak> peaks = motionPeaks(Mechanism(p));
-            for (const Channel channel : {kSliderAcceleration, kCouplerAcceleration}) {
-                const Peak &peak = peakOf(peaks, channel);
-                QVERIFY(std::isinf(peak.magnitude));
-                QCOMPARE(peak.places.size(), std::size_t(1));
-                QCOMPARE(peak.places[0].theta2, toggle);
+            for (const Peak &peak : peaks) {
+                QVERIFY(!peak.places.empty());
+                for (const PeakPlace &place : peak.places) {
+                    const double exact = static_cast<double>(valueAt(p, peak.channel, place.theta2));
+                    QVERIFY2(std::abs(place.value - exact) <= 1e-13 * peak.magnitude, describe(p).c_str());
+                    QVERIFY2(std::abs(std::abs(exact) - peak.magnitude) <= 1e-11 * peak.magnitude, describe(p).c_str());
+                }
             }
-            const Peak &turning = peakOf(peaks, kCouplerSpeed);
-            QVERIFY(std::abs(turning.magnitude - 3.0 * std::sqrt(20.0 / 45.0)) < 1e-13);
-            QCOMPARE(turning.places.size(), std::size_t(1));
-            QVERIFY(std::abs(turning.places[0].theta2 - toggle) < 1e-14);
-            const Peak &speed = peakOf(peaks, kSliderSpeed);
-            QVERIFY(std::abs(speed.magnitude - 3.0 * (20.0 + std::sqrt(20.0 * 45.0))) < 1e-12);
-            QVERIFY(std::abs(speed.places[0].theta2 - toggle) < 1e-14);
+            const std::vector<PeakPlace> &places = peakOf(peaks, kCouplerSpeed).places;
+            QVERIFY2(places.size() == 2, describe(p).c_str());
+            QVERIFY(std::abs(std::remainder(places[0].theta2 - (kPi - places[1].theta2), kTurn)) < 1e-12);
+            QVERIFY(std::signbit(places[0].value) != std::signbit(places[1].value));
+            QCOMPARE(peakOf(peaks, kSliderSpeed).places.size(), std::size_t(p.c == 0.0 ? 2 : 1));
         }
     }
-}
 
-/// a = b, c = 0: the slider moves to 2a and back in one half turn and rests during the other.
-void tst_extremes::couplerSpeedIsConstantWithChangePoints()
-{
-    const Parameters p{20.0, 20.0, 0.0, -3.0, 0.0, Branch::Open};
-    const std::vector<Peak> peaks = motionPeaks(Mechanism(p));
-    const Peak &turning = peakOf(peaks, kCouplerSpeed);
-    QCOMPARE(turning.magnitude, 3.0);
-    QVERIFY(turning.places.empty());
-    const Peak &speed = peakOf(peaks, kSliderSpeed);
-    QVERIFY(std::abs(speed.magnitude - 120.0) < 1e-12);
-    QCOMPARE(speed.places.size(), std::size_t(2));
-    for (const Channel channel : {kSliderAcceleration, kCouplerAcceleration}) {
-        QVERIFY(std::isinf(peakOf(peaks, channel).magnitude));
-        QCOMPARE(peakOf(peaks, channel).places.size(), std::size_t(2));
+    void speedScalesThePeaks()
+    {
+        Parameters p;
+        const std::vector<Peak> once = motionPeaks(Mechanism(p));
+        p.omega2 *= -4.0;
+        p.theta20 = 123.0;
+        const std::vector<Peak> fast = motionPeaks(Mechanism(p));
+        for (std::size_t i = 0; i < once.size(); ++i) {
+            const bool speed = once[i].channel.order == Order::Velocity;
+            QCOMPARE(fast[i].magnitude, (speed ? 4.0 : 16.0) * once[i].magnitude);
+            QCOMPARE(fast[i].places.size(), once[i].places.size());
+            QCOMPARE(fast[i].places[0].theta2, once[i].places[0].theta2);
+            QCOMPARE(fast[i].places[0].value, (speed ? -4.0 : 16.0) * once[i].places[0].value);
+        }
     }
-}
 
-void tst_extremes::nothingMovesWithoutSpeedOrMobility()
-{
-    Parameters p;
-    p.omega2 = 0.0;
-    for (const double b : {65.0, 45.0, 40.0}) {
-        p.b = b;
+    void aRockerIsUnboundedAtItsLimits()
+    {
+        for (const double b : {40.0, 10.0}) {
+            Parameters p;
+            p.b = b;
+            p.c = b == 10.0 ? 5.0 : 25.0;
+            const MotionLimits limits = motionLimits(Mechanism(p));
+            const std::vector<Peak> peaks = motionPeaks(Mechanism(p));
+            QCOMPARE(peaks.size(), std::size_t(4));
+            for (const Peak &peak : peaks) {
+                QVERIFY(std::isinf(peak.magnitude));
+                QCOMPARE(peak.places.size(), 2 * limits.ranges.size());
+                for (const PeakPlace &place : peak.places) {
+                    const double height = p.c - p.a * std::sin(place.theta2);
+                    QVERIFY(std::abs(std::abs(height) - p.b) < 1e-12);
+                }
+            }
+        }
+    }
+
+    /// At the toggle the slider reverses abruptly: the velocities have one-sided limits (that of θ3 is ±ω √(a/b)), and
+    /// the accelerations are unbounded.
+    void anExactToggleBoundsOnlyTheSpeeds()
+    {
+        for (const double c : {25.0, -25.0}) {
+            for (const Branch branch : {Branch::Open, Branch::Crossed}) {
+                const Parameters p{20.0, 45.0, c, 3.0, 0.0, branch};
+                const double toggle = c > 0.0 ? -0.5 * kPi : 0.5 * kPi;
+                const std::vector<Peak> peaks = motionPeaks(Mechanism(p));
+                for (const Channel channel : {kSliderAcceleration, kCouplerAcceleration}) {
+                    const Peak &peak = peakOf(peaks, channel);
+                    QVERIFY(std::isinf(peak.magnitude));
+                    QCOMPARE(peak.places.size(), std::size_t(1));
+                    QCOMPARE(peak.places[0].theta2, toggle);
+                }
+                const Peak &turning = peakOf(peaks, kCouplerSpeed);
+                QVERIFY(std::abs(turning.magnitude - 3.0 * std::sqrt(20.0 / 45.0)) < 1e-13);
+                QCOMPARE(turning.places.size(), std::size_t(1));
+                QVERIFY(std::abs(turning.places[0].theta2 - toggle) < 1e-14);
+                const Peak &speed = peakOf(peaks, kSliderSpeed);
+                QVERIFY(std::abs(speed.magnitude - 3.0 * (20.0 + std::sqrt(20.0 * 45.0))) < 1e-12);
+                QVERIFY(std::abs(speed.places[0].theta2 - toggle) < 1e-14);
+            }
+        }
+    }
+
+    /// a = b, c = 0: the slider moves to 2a and back in one half turn and rests during the other.
+    void couplerSpeedIsConstantWithChangePoints()
+    {
+        const Parameters p{20.0, 20.0, 0.0, -3.0, 0.0, Branch::Open};
         const std::vector<Peak> peaks = motionPeaks(Mechanism(p));
-        QCOMPARE(peaks.size(), std::size_t(4));
-        for (const Peak &peak : peaks) {
-            QCOMPARE(peak.magnitude, 0.0);
-            QVERIFY(peak.places.empty());
+        const Peak &turning = peakOf(peaks, kCouplerSpeed);
+        QCOMPARE(turning.magnitude, 3.0);
+        QVERIFY(turning.places.empty());
+        const Peak &speed = peakOf(peaks, kSliderSpeed);
+        QVERIFY(std::abs(speed.magnitude - 120.0) < 1e-12);
+        QCOMPARE(speed.places.size(), std::size_t(2));
+        for (const Channel channel : {kSliderAcceleration, kCouplerAcceleration}) {
+            QVERIFY(std::isinf(peakOf(peaks, channel).magnitude));
+            QCOMPARE(peakOf(peaks, channel).places.size(), std::size_t(2));
         }
     }
-    p.omega2 = 1.0;
-    for (const double b : {5.0, 4.0}) { // locked, impossible
-        p.b = b;
-        QVERIFY(motionPeaks(Mechanism(p)).empty());
+
+    void nothingMovesWithoutSpeedOrMobility()
+    {
+        Parameters p;
+        p.omega2 = 0.0;
+        for (const double b : {65.0, 45.0, 40.0}) {
+            p.b = b;
+            const std::vector<Peak> peaks = motionPeaks(Mechanism(p));
+            QCOMPARE(peaks.size(), std::size_t(4));
+            for (const Peak &peak : peaks) {
+                QCOMPARE(peak.magnitude, 0.0);
+                QVERIFY(peak.places.empty());
+            }
+        }
+        p.omega2 = 1.0;
+        for (const double b : {5.0, 4.0}) { // locked, impossible
+            p.b = b;
+            QVERIFY(motionPeaks(Mechanism(p)).empty());
+        }
     }
-}
+};
 
 const Suite suite("tst_extremes", runWithoutApplication<tst_extremes>);
 #include "tst_extremes.moc"

@@ -103,348 +103,345 @@ class tst_mobility : public QObject
     Q_OBJECT
 
 private slots:
-    void classifiesByExactSums();
-    void grashofLimitIsExact();
-    void rangesAreOrderedWithinATurn();
-    void mirrorsAndScalesWithTheMechanism();
-    void eachLengthHasItsLimitForAFullTurn();
-    void rangesContainTheAssemblableAngles();
-    void rangesEndWhereTheCouplerIsPerpendicular();
-    void velocityIsZeroAtDeadCentres();
-    void strokeEqualsThatOfTheMotion();
-    void anglesLeadFromDeadCentreToDeadCentre();
-    void largestPressureAngleEqualsThatOfTheMotion();
-    void sliderPositionsLeadBackToTheCrank();
-};
-
-void tst_mobility::classifiesByExactSums()
-{
-    std::array<int, 4> seen{};
-    for (const Parameters &p : mechanisms()) {
-        const Mobility mobility = motionLimits(Mechanism(p)).mobility;
-        VERIFY_FOR(p, mobility == exactMobility(p));
-        ++seen[std::size_t(mobility)];
-    }
-    for (const int count : seen) {
-        QVERIFY(count > 0);
-    }
-}
-
-/// One unit in the last place of b decides. If a + |c| is not exactly representable, b is compared with the exact sum.
-void tst_mobility::grashofLimitIsExact()
-{
-    for (const auto &[a, c] : {std::pair(20.0, 25.0),
-                               {20.0, -25.0},
-                               {20.0, 0.0},
-                               {0.1, 0.2},
-                               {1.0 / 3.0, 1e-9},
-                               {1e12, 1e-3},
-                               {1e-9, 1e9}}) {
-        for (const double edge : {a + std::abs(c), std::abs(c) - a}) {
-            for (const double b : {std::nextafter(edge, 0.0), edge, std::nextafter(edge, 1e300)}) {
-                const Parameters p{a, b, c, 1.0};
-                VERIFY_FOR(p, findFault(p) || motionLimits(Mechanism(p)).mobility == exactMobility(p));
-            }
+    void classifiesByExactSums()
+    {
+        std::array<int, 4> seen{};
+        for (const Parameters &p : mechanisms()) {
+            const Mobility mobility = motionLimits(Mechanism(p)).mobility;
+            VERIFY_FOR(p, mobility == exactMobility(p));
+            ++seen[std::size_t(mobility)];
+        }
+        for (const int count : seen) {
+            QVERIFY(count > 0);
         }
     }
-}
 
-void tst_mobility::rangesAreOrderedWithinATurn()
-{
-    for (const Parameters &p : mechanisms()) {
-        const MotionLimits limits = motionLimits(Mechanism(p));
-        const std::vector<CrankRange> &ranges = limits.ranges;
-        const bool hasTwoArcs = limits.mobility == Mobility::Rocker && p.b < p.a - std::abs(p.c);
-        VERIFY_FOR(p, ranges.size() == (limits.mobility == Mobility::Impossible ? 0U : hasTwoArcs ? 2U : 1U));
-        VERIFY_FOR(p, limits.mobility != Mobility::FullTurn || near(ranges[0].to - ranges[0].from, kTurn, kTolerance));
-        VERIFY_FOR(p, limits.mobility != Mobility::Locked ||
-                          (ranges[0].from == ranges[0].to && !limits.inner &&
-                           near(std::sin(ranges[0].from), p.c > 0.0 ? 1.0 : -1.0, kTolerance)));
-        for (std::size_t i = 0; i < ranges.size(); ++i) {
-            VERIFY_FOR(p, ranges[i].from >= -kPi && ranges[i].from < kPi && ranges[i].from <= ranges[i].to);
-            VERIFY_FOR(p, (i == 0 || ranges[i - 1].to < ranges[i].from) && ranges[i].to <= ranges[0].from + kTurn);
-        }
-    }
-}
-
-/// c → -c mirrors the mechanism at the x axis: θ2 → -θ2, and ω2 changes sign. The other branch mirrors it at the y
-/// axis: θ2 → π - θ2, R4x → -R4x. Lengths are also scaled.
-void tst_mobility::mirrorsAndScalesWithTheMechanism()
-{
-    struct Image {
-        Parameters parameters;
-        double along; ///< factor of R4x and of the lengths
-        double (*angle)(double);
-        bool exchangesDirections;
-    };
-    for (const Parameters &p : mechanisms()) {
-        const auto same = [](double angle) { return angle; };
-        const MotionLimits limits = motionLimits(Mechanism(p));
-        for (const Image &image :
-             {Image{{p.a, p.b, -p.c, -p.omega2, p.theta20, p.branch}, 1.0, [](double x) { return -x; }, false},
-              Image{{p.a, p.b, p.c, p.omega2, p.theta20, oppositeBranch(p.branch)},
-                    -1.0,
-                    [](double x) { return kPi - x; },
-                    true},
-              Image{{p.a * 0x1p-20, p.b * 0x1p-20, p.c * 0x1p-20, p.omega2, p.theta20, p.branch}, 0x1p-20, same, false},
-              Image{{p.a * 8.0, p.b * 8.0, p.c * 8.0, p.omega2, p.theta20, p.branch}, 8.0, same, false}}) {
-            if (findFault(image.parameters) || p.omega2 == 0.0) {
-                continue;
-            }
-            const MotionLimits other = motionLimits(Mechanism(image.parameters));
-            const double tolerance = kTolerance * characteristicLength(image.parameters);
-            VERIFY_FOR(p, limits.mobility == other.mobility && limits.ranges.size() == other.ranges.size());
-            VERIFY_FOR(p, near(limits.largestPressureAngle, other.largestPressureAngle, kTolerance));
-            VERIFY_FOR(p, near(limits.timeRatio, other.timeRatio, 10.0 * kTolerance));
-            VERIFY_FOR(p, near(limits.angleOutwards,
-                               image.exchangesDirections ? other.angleInwards : other.angleOutwards, kTolerance));
-            VERIFY_FOR(p, limits.stroke.has_value() == other.stroke.has_value());
-            VERIFY_FOR(p, !limits.stroke || near(std::abs(image.along) * *limits.stroke, *other.stroke, tolerance));
-            for (const auto centre : {&MotionLimits::outer, &MotionLimits::inner}) {
-                VERIFY_FOR(p, (limits.*centre).has_value() == (other.*centre).has_value());
-                if (limits.*centre) {
-                    VERIFY_FOR(p, near(image.along * (limits.*centre)->R4x, (other.*centre)->R4x, tolerance));
-                    VERIFY_FOR(p, near(difference(image.angle((limits.*centre)->theta2), (other.*centre)->theta2), 0.0,
-                                       kTolerance));
+    /// One unit in the last place of b decides. If a + |c| is not exactly representable, b is compared with the exact
+    /// sum.
+    void grashofLimitIsExact()
+    {
+        for (const auto &[a, c] : {std::pair(20.0, 25.0),
+                                   {20.0, -25.0},
+                                   {20.0, 0.0},
+                                   {0.1, 0.2},
+                                   {1.0 / 3.0, 1e-9},
+                                   {1e12, 1e-3},
+                                   {1e-9, 1e9}}) {
+            for (const double edge : {a + std::abs(c), std::abs(c) - a}) {
+                for (const double b : {std::nextafter(edge, 0.0), edge, std::nextafter(edge, 1e300)}) {
+                    const Parameters p{a, b, c, 1.0};
+                    VERIFY_FOR(p, findFault(p) || motionLimits(Mechanism(p)).mobility == exactMobility(p));
                 }
             }
-            for (const CrankRange &range : limits.ranges) { // the same arc, possibly traversed from the other end
-                const double middle = image.angle(0.5 * (range.from + range.to));
-                VERIFY_FOR(p, std::ranges::any_of(other.ranges, [&](const CrankRange &found) {
-                               return near(found.to - found.from, range.to - range.from, kTolerance) &&
-                                      (limits.mobility == Mobility::FullTurn ||
-                                       near(difference(middle, 0.5 * (found.from + found.to)), 0.0, kTolerance));
-                           }));
+        }
+    }
+
+    void rangesAreOrderedWithinATurn()
+    {
+        for (const Parameters &p : mechanisms()) {
+            const MotionLimits limits = motionLimits(Mechanism(p));
+            const std::vector<CrankRange> &ranges = limits.ranges;
+            const bool hasTwoArcs = limits.mobility == Mobility::Rocker && p.b < p.a - std::abs(p.c);
+            VERIFY_FOR(p, ranges.size() == (limits.mobility == Mobility::Impossible ? 0U : hasTwoArcs ? 2U : 1U));
+            VERIFY_FOR(p,
+                       limits.mobility != Mobility::FullTurn || near(ranges[0].to - ranges[0].from, kTurn, kTolerance));
+            VERIFY_FOR(p, limits.mobility != Mobility::Locked ||
+                              (ranges[0].from == ranges[0].to && !limits.inner &&
+                               near(std::sin(ranges[0].from), p.c > 0.0 ? 1.0 : -1.0, kTolerance)));
+            for (std::size_t i = 0; i < ranges.size(); ++i) {
+                VERIFY_FOR(p, ranges[i].from >= -kPi && ranges[i].from < kPi && ranges[i].from <= ranges[i].to);
+                VERIFY_FOR(p, (i == 0 || ranges[i - 1].to < ranges[i].from) && ranges[i].to <= ranges[0].from + kTurn);
             }
         }
     }
-}
 
-/// A mechanism with one length at its limit still makes full turns; slightly beyond the limit it does not.
-void tst_mobility::eachLengthHasItsLimitForAFullTurn()
-{
-    const Parameters p{20.0, 65.0, -25.0, 1.0};
-    const Mechanism mechanism(p);
-    QCOMPARE(shortestCouplerForAnyPose(mechanism), 5.0);
-    const auto turns = [&](double Parameters::*length, double value) {
-        Parameters changed = p;
-        changed.*length = value;
-        return motionLimits(Mechanism(changed)).mobility == Mobility::FullTurn;
-    };
-    const double a = longestCrankForFullTurn(mechanism);
-    const double b = shortestCouplerForFullTurn(mechanism);
-    const double c = largestOffsetForFullTurn(mechanism);
-    QVERIFY(turns(&Parameters::a, a) && !turns(&Parameters::a, std::nextafter(a, 1e3)));
-    QVERIFY(turns(&Parameters::b, b) && !turns(&Parameters::b, std::nextafter(b, 0.0)));
-    QVERIFY(turns(&Parameters::c, -c) && !turns(&Parameters::c, std::nextafter(-c, -1e3)));
-}
-
-/// Checked over the full circle, except within rounding of the ends of the ranges.
-void tst_mobility::rangesContainTheAssemblableAngles()
-{
-    constexpr double kBesideAnEnd = 1e-9;
-    for (const Parameters &p : mechanisms()) {
-        const MotionLimits limits = motionLimits(Mechanism(p));
-        for (int i = 0; i < 200; ++i) {
-            const double theta2 = -kPi + kTurn * i / 200.0;
-            const ExactState<long double> exact = atAngle(p, theta2);
-            if (std::abs(exact.clearance) > kBesideAnEnd) {
-                VERIFY_FOR(p, isWithin(limits, theta2) == (exact.status != Status::NotAssemblable));
-            }
-        }
-    }
-}
-
-/// |c - a sin θ2| = b at the ends. The angle is accurate only to √u if a range nearly vanishes or nearly closes.
-void tst_mobility::rangesEndWhereTheCouplerIsPerpendicular()
-{
-    for (const Parameters &p : mechanisms()) {
-        const MotionLimits limits = motionLimits(Mechanism(p));
-        if (limits.mobility != Mobility::Rocker) {
-            continue;
-        }
-        for (const CrankRange &range : limits.ranges) {
-            for (const double end : {range.from, range.to}) {
-                const double height = std::abs(p.c - p.a * std::sin(end));
-                VERIFY_FOR(p, near(height, p.b, 8.0 * kUnitRoundoff * characteristicLength(p)));
-            }
-        }
-    }
-}
-
-void tst_mobility::velocityIsZeroAtDeadCentres()
-{
-    int outer = 0;
-    int inner = 0;
-    for (const Parameters &p : mechanisms()) {
-        const MotionLimits limits = motionLimits(Mechanism(p));
-        VERIFY_FOR(p, limits.outer.has_value() == (limits.mobility != Mobility::Impossible));
-        const bool folds =
-            abs(Digits100(p.b) - Digits100(p.a)) >= std::abs(p.c) && limits.mobility != Mobility::Impossible;
-        VERIFY_FOR(p, limits.inner.has_value() == folds);
-        outer += limits.outer ? 1 : 0;
-        inner += limits.inner ? 1 : 0;
-        for (const bool stretched : {true, false}) {
-            const std::optional<DeadCentre> &centre = stretched ? limits.outer : limits.inner;
-            if (!centre) {
-                continue;
-            }
-            VERIFY_FOR(p, centre->theta2 >= -kPi && centre->theta2 < kPi);
-            // The distance of B from O2 is b + a or |b - a|.
-            const double distance = stretched ? p.b + p.a : std::abs(p.b - p.a);
-            VERIFY_FOR(p, near(std::hypot(centre->R4x, p.c), distance, kTolerance * characteristicLength(p)));
-
-            const ExactState<Digits50> exact = atAngle<Digits50>(p, centre->theta2);
-            const double cosine = std::abs(static_cast<double>(exact.cosTheta3));
-            if (cosine < 1e-3) {
-                continue; // the dead centre is at a limit of the motion, where the velocity is not zero
-            }
-            VERIFY_FOR(p, exact.status == Status::Solved);
-            const double R4 = static_cast<double>(exact.values[indexOf({R4x, Order::Position})]);
-            const double R4Dot = static_cast<double>(exact.values[indexOf({R4x, Order::Velocity})]);
-            const double R4DDot = static_cast<double>(exact.values[indexOf({R4x, Order::Acceleration})]);
-            VERIFY_FOR(p, near(centre->R4x, R4, kTolerance * characteristicLength(p) / cosine));
-            // An error u of θ2 causes a velocity of u R̈4x, and more if larger terms cancel.
-            VERIFY_FOR(p, near(R4Dot, 0.0,
-                               16.0 * kUnitRoundoff * (kPi * std::abs(R4DDot) + characteristicLength(p) / cosine)));
-        }
-    }
-    QVERIFY(outer > 0 && inner > 0);
-}
-
-/// Samples densely near ±90° and near the ends of a rocker's arcs, where the slider reverses within a small angle.
-void tst_mobility::strokeEqualsThatOfTheMotion()
-{
-    constexpr int kSamples = 2000;
-    constexpr double kSampling = 1e-5; // of a + b + |c|: error due to the distance of the samples
-    for (const Parameters &p : mechanisms()) {
-        const MotionLimits limits = motionLimits(Mechanism(p));
-        VERIFY_FOR(p, limits.stroke.has_value() == (limits.mobility != Mobility::Impossible));
-        double stroke = 0.0;
-        for (const CrankRange &range : limits.ranges) {
-            std::vector<double> ends{range.from, range.to};
-            for (const double square : {-0.5 * kPi, 0.5 * kPi, 1.5 * kPi, 2.5 * kPi}) {
-                if (square > range.from && square < range.to) {
-                    ends.push_back(square);
+    /// c → -c mirrors the mechanism at the x axis: θ2 → -θ2, and ω2 changes sign. The other branch mirrors it at the y
+    /// axis: θ2 → π - θ2, R4x → -R4x. Lengths are also scaled.
+    void mirrorsAndScalesWithTheMechanism()
+    {
+        struct Image {
+            Parameters parameters;
+            double along; ///< factor of R4x and of the lengths
+            double (*angle)(double);
+            bool exchangesDirections;
+        };
+        for (const Parameters &p : mechanisms()) {
+            const auto same = [](double angle) { return angle; };
+            const MotionLimits limits = motionLimits(Mechanism(p));
+            for (const Image &image :
+                 {Image{{p.a, p.b, -p.c, -p.omega2, p.theta20, p.branch}, 1.0, [](double x) { return -x; }, false},
+                  Image{{p.a, p.b, p.c, p.omega2, p.theta20, oppositeBranch(p.branch)},
+                        -1.0,
+                        [](double x) { return kPi - x; },
+                        true},
+                  Image{{p.a * 0x1p-20, p.b * 0x1p-20, p.c * 0x1p-20, p.omega2, p.theta20, p.branch},
+                        0x1p-20,
+                        same,
+                        false},
+                  Image{{p.a * 8.0, p.b * 8.0, p.c * 8.0, p.omega2, p.theta20, p.branch}, 8.0, same, false}}) {
+                if (findFault(image.parameters) || p.omega2 == 0.0) {
+                    continue;
                 }
-            }
-            std::sort(ends.begin(), ends.end());
-            double least = std::numeric_limits<double>::infinity();
-            double most = -least;
-            for (std::size_t piece = 1; piece < ends.size(); ++piece) {
-                for (int i = 0; i <= kSamples; ++i) {
-                    const double along = crowded(crowded(static_cast<double>(i) / kSamples));
-                    const double theta2 = ends[piece - 1] + along * (ends[piece] - ends[piece - 1]);
-                    const ExactState<double> exact = atAngle<double>(p, theta2);
-                    if (exact.status != Status::NotAssemblable) {
-                        const double R4 = exact.values[indexOf({R4x, Order::Position})];
-                        least = std::min(least, R4);
-                        most = std::max(most, R4);
+                const MotionLimits other = motionLimits(Mechanism(image.parameters));
+                const double tolerance = kTolerance * characteristicLength(image.parameters);
+                VERIFY_FOR(p, limits.mobility == other.mobility && limits.ranges.size() == other.ranges.size());
+                VERIFY_FOR(p, near(limits.largestPressureAngle, other.largestPressureAngle, kTolerance));
+                VERIFY_FOR(p, near(limits.timeRatio, other.timeRatio, 10.0 * kTolerance));
+                VERIFY_FOR(p, near(limits.angleOutwards,
+                                   image.exchangesDirections ? other.angleInwards : other.angleOutwards, kTolerance));
+                VERIFY_FOR(p, limits.stroke.has_value() == other.stroke.has_value());
+                VERIFY_FOR(p, !limits.stroke || near(std::abs(image.along) * *limits.stroke, *other.stroke, tolerance));
+                for (const auto centre : {&MotionLimits::outer, &MotionLimits::inner}) {
+                    VERIFY_FOR(p, (limits.*centre).has_value() == (other.*centre).has_value());
+                    if (limits.*centre) {
+                        VERIFY_FOR(p, near(image.along * (limits.*centre)->R4x, (other.*centre)->R4x, tolerance));
+                        VERIFY_FOR(p, near(difference(image.angle((limits.*centre)->theta2), (other.*centre)->theta2),
+                                           0.0, kTolerance));
                     }
                 }
-            }
-            stroke = std::max(stroke, most - least);
-        }
-        if (limits.stroke) {
-            QVERIFY2(near(*limits.stroke, stroke, kSampling * characteristicLength(p)),
-                     qPrintable(QString("%1: %2, sampled %3")
-                                    .arg(QString::fromStdString(describe(p)))
-                                    .arg(*limits.stroke, 0, 'g', 17)
-                                    .arg(stroke, 0, 'g', 17)));
-        }
-    }
-}
-
-/// From the inner dead centre the crank turns by angleOutwards to the outer one, and the slider never reverses
-/// meanwhile.
-void tst_mobility::anglesLeadFromDeadCentreToDeadCentre()
-{
-    int seen = 0;
-    for (const Parameters &p : mechanisms()) {
-        const MotionLimits limits = motionLimits(Mechanism(p));
-        const bool turns = limits.mobility == Mobility::FullTurn;
-        VERIFY_FOR(p, limits.angleOutwards.has_value() == turns && limits.angleInwards.has_value() == turns &&
-                          limits.timeRatio.has_value() == turns);
-        if (!turns) {
-            continue;
-        }
-        ++seen;
-        const double outwards = *limits.angleOutwards;
-        const double inwards = *limits.angleInwards;
-        const double sense = p.omega2 < 0.0 ? -1.0 : 1.0;
-        VERIFY_FOR(p, outwards > 0.0 && inwards > 0.0);
-        VERIFY_FOR(p, near(outwards + inwards, kTurn, kTolerance));
-        VERIFY_FOR(p, near(difference(limits.inner->theta2 + sense * outwards, limits.outer->theta2), 0.0, kTolerance));
-        VERIFY_FOR(p, near(*limits.timeRatio, std::max(outwards, inwards) / std::min(outwards, inwards), kTolerance));
-        VERIFY_FOR(p, *limits.timeRatio >= 1.0);
-        const double away = limits.outer->R4x > limits.inner->R4x ? 1.0 : -1.0;
-        double last = limits.inner->R4x;
-        for (int i = 1; i <= 50; ++i) {
-            const double theta2 = limits.inner->theta2 + sense * outwards * i / 50.0;
-            const double R4 = static_cast<double>(atAngle<Digits50>(p, theta2).values[indexOf({R4x, Order::Position})]);
-            VERIFY_FOR(p, away * (R4 - last) >= -kTolerance * characteristicLength(p));
-            last = R4;
-        }
-    }
-    QVERIFY(seen > 50);
-}
-
-void tst_mobility::largestPressureAngleEqualsThatOfTheMotion()
-{
-    for (const Parameters &p : mechanisms()) {
-        const MotionLimits limits = motionLimits(Mechanism(p));
-        if (limits.mobility == Mobility::Impossible) {
-            continue;
-        }
-        const double largest = limits.largestPressureAngle;
-        // the largest θ3 is asin of the largest sine, accurate to √u if the sine is 1
-        const ExactState<Digits50> there = atAngle<Digits50>(p, limits.largestPressureAngleAt);
-        const double height = std::abs(p.c - p.a * std::sin(limits.largestPressureAngleAt));
-        VERIFY_FOR(p, near(std::sin(largest), height / p.b, kTolerance * characteristicLength(p) / p.b));
-        if (limits.mobility == Mobility::FullTurn) {
-            const Digits50 sine = (Digits50(p.a) + std::abs(p.c)) / p.b;
-            VERIFY_FOR(p, near(largest, static_cast<double>(asin(sine)), 1e-15));
-            VERIFY_FOR(p, there.status != Status::NotAssemblable);
-        } else {
-            VERIFY_FOR(p, near(largest, 0.5 * kPi, 1e-15));
-        }
-        for (int i = 0; i < 100; ++i) {
-            const ExactState<double> exact = atAngle<double>(p, kTurn * i / 100.0);
-            if (exact.status != Status::NotAssemblable) {
-                const double steepness =
-                    std::atan2(std::sin(exact.values[indexOf({Theta3, Order::Position})]), std::abs(exact.cosTheta3));
-                VERIFY_FOR(p, std::abs(steepness) <= largest + 1e-7);
+                for (const CrankRange &range : limits.ranges) { // the same arc, possibly traversed from the other end
+                    const double middle = image.angle(0.5 * (range.from + range.to));
+                    VERIFY_FOR(p, std::ranges::any_of(other.ranges, [&](const CrankRange &found) {
+                                   return near(found.to - found.from, range.to - range.from, kTolerance) &&
+                                          (limits.mobility == Mobility::FullTurn ||
+                                           near(difference(middle, 0.5 * (found.from + found.to)), 0.0, kTolerance));
+                               }));
+                }
             }
         }
     }
-}
 
-/// Positions beyond the stroke lead to its nearer end.
-void tst_mobility::sliderPositionsLeadBackToTheCrank()
-{
-    constexpr double kPerpendicular = 1e-3; // of b: closer to a limit, a position does not determine the angle
-    RandomMechanisms random(35);
-    int checked = 0;
-    for (int i = 0; i < 2000; ++i) {
-        const Parameters p = anyMechanism(random);
+    /// A mechanism with one length at its limit still makes full turns; slightly beyond the limit it does not.
+    void eachLengthHasItsLimitForAFullTurn()
+    {
+        const Parameters p{20.0, 65.0, -25.0, 1.0};
         const Mechanism mechanism(p);
-        const auto motionAt = [&](double theta2) { return ClosedForm(withCrankAt(mechanism, theta2)).motionAt(0.0); };
-        const Motion motion = motionAt(random.uniform(-kPi, kPi));
-        if (!(std::abs(motion.s) > kPerpendicular * p.b)) {
-            continue;
-        }
-        ++checked;
-        const auto stroke = strokeAround(mechanism, motionLimits(mechanism), motion.theta2, i % 2 == 0 ? 1 : -1);
-        VERIFY_FOR(p, stroke && stroke->from < stroke->to);
-        const double found = crankAngleAt(mechanism, *stroke, motion.R4x);
-        VERIFY_FOR(p, near(motionAt(found).R4x, motion.R4x, 1e-12 * characteristicLength(p)));
-        const double beyond = 2.0 * characteristicLength(p);
-        const bool grows = stroke->R4xFrom < stroke->R4xTo;
-        VERIFY_FOR(p, crankAngleAt(mechanism, *stroke, beyond) == (grows ? stroke->to : stroke->from));
-        VERIFY_FOR(p, crankAngleAt(mechanism, *stroke, -beyond) == (grows ? stroke->from : stroke->to));
+        QCOMPARE(shortestCouplerForAnyPose(mechanism), 5.0);
+        const auto turns = [&](double Parameters::*length, double value) {
+            Parameters changed = p;
+            changed.*length = value;
+            return motionLimits(Mechanism(changed)).mobility == Mobility::FullTurn;
+        };
+        const double a = longestCrankForFullTurn(mechanism);
+        const double b = shortestCouplerForFullTurn(mechanism);
+        const double c = largestOffsetForFullTurn(mechanism);
+        QVERIFY(turns(&Parameters::a, a) && !turns(&Parameters::a, std::nextafter(a, 1e3)));
+        QVERIFY(turns(&Parameters::b, b) && !turns(&Parameters::b, std::nextafter(b, 0.0)));
+        QVERIFY(turns(&Parameters::c, -c) && !turns(&Parameters::c, std::nextafter(-c, -1e3)));
     }
-    QVERIFY(checked > 500);
-}
+
+    /// Checked over the full circle, except within rounding of the ends of the ranges.
+    void rangesContainTheAssemblableAngles()
+    {
+        constexpr double kBesideAnEnd = 1e-9;
+        for (const Parameters &p : mechanisms()) {
+            const MotionLimits limits = motionLimits(Mechanism(p));
+            for (int i = 0; i < 200; ++i) {
+                const double theta2 = -kPi + kTurn * i / 200.0;
+                const ExactState<long double> exact = atAngle(p, theta2);
+                if (std::abs(exact.clearance) > kBesideAnEnd) {
+                    VERIFY_FOR(p, isWithin(limits, theta2) == (exact.status != Status::NotAssemblable));
+                }
+            }
+        }
+    }
+
+    /// |c - a sin θ2| = b at the ends. The angle is accurate only to √u if a range nearly vanishes or nearly closes.
+    void rangesEndWhereTheCouplerIsPerpendicular()
+    {
+        for (const Parameters &p : mechanisms()) {
+            const MotionLimits limits = motionLimits(Mechanism(p));
+            if (limits.mobility != Mobility::Rocker) {
+                continue;
+            }
+            for (const CrankRange &range : limits.ranges) {
+                for (const double end : {range.from, range.to}) {
+                    const double height = std::abs(p.c - p.a * std::sin(end));
+                    VERIFY_FOR(p, near(height, p.b, 8.0 * kUnitRoundoff * characteristicLength(p)));
+                }
+            }
+        }
+    }
+
+    void velocityIsZeroAtDeadCentres()
+    {
+        int outer = 0;
+        int inner = 0;
+        for (const Parameters &p : mechanisms()) {
+            const MotionLimits limits = motionLimits(Mechanism(p));
+            VERIFY_FOR(p, limits.outer.has_value() == (limits.mobility != Mobility::Impossible));
+            const bool folds =
+                abs(Digits100(p.b) - Digits100(p.a)) >= std::abs(p.c) && limits.mobility != Mobility::Impossible;
+            VERIFY_FOR(p, limits.inner.has_value() == folds);
+            outer += limits.outer ? 1 : 0;
+            inner += limits.inner ? 1 : 0;
+            for (const bool stretched : {true, false}) {
+                const std::optional<DeadCentre> &centre = stretched ? limits.outer : limits.inner;
+                if (!centre) {
+                    continue;
+                }
+                VERIFY_FOR(p, centre->theta2 >= -kPi && centre->theta2 < kPi);
+                // The distance of B from O2 is b + a or |b - a|.
+                const double distance = stretched ? p.b + p.a : std::abs(p.b - p.a);
+                VERIFY_FOR(p, near(std::hypot(centre->R4x, p.c), distance, kTolerance * characteristicLength(p)));
+
+                const ExactState<Digits50> exact = atAngle<Digits50>(p, centre->theta2);
+                const double cosine = std::abs(static_cast<double>(exact.cosTheta3));
+                if (cosine < 1e-3) {
+                    continue; // the dead centre is at a limit of the motion, where the velocity is not zero
+                }
+                VERIFY_FOR(p, exact.status == Status::Solved);
+                const double R4 = static_cast<double>(exact.values[indexOf({R4x, Order::Position})]);
+                const double R4Dot = static_cast<double>(exact.values[indexOf({R4x, Order::Velocity})]);
+                const double R4DDot = static_cast<double>(exact.values[indexOf({R4x, Order::Acceleration})]);
+                VERIFY_FOR(p, near(centre->R4x, R4, kTolerance * characteristicLength(p) / cosine));
+                // An error u of θ2 causes a velocity of u R̈4x, and more if larger terms cancel.
+                VERIFY_FOR(p, near(R4Dot, 0.0,
+                                   16.0 * kUnitRoundoff * (kPi * std::abs(R4DDot) + characteristicLength(p) / cosine)));
+            }
+        }
+        QVERIFY(outer > 0 && inner > 0);
+    }
+
+    /// Samples densely near ±90° and near the ends of a rocker's arcs, where the slider reverses within a small angle.
+    void strokeEqualsThatOfTheMotion()
+    {
+        constexpr int kSamples = 2000;
+        constexpr double kSampling = 1e-5; // of a + b + |c|: error due to the distance of the samples
+        for (const Parameters &p : mechanisms()) {
+            const MotionLimits limits = motionLimits(Mechanism(p));
+            VERIFY_FOR(p, limits.stroke.has_value() == (limits.mobility != Mobility::Impossible));
+            double stroke = 0.0;
+            for (const CrankRange &range : limits.ranges) {
+                std::vector<double> ends{range.from, range.to};
+                for (const double square : {-0.5 * kPi, 0.5 * kPi, 1.5 * kPi, 2.5 * kPi}) {
+                    if (square > range.from && square < range.to) {
+                        ends.push_back(square);
+                    }
+                }
+                std::sort(ends.begin(), ends.end());
+                double least = std::numeric_limits<double>::infinity();
+                double most = -least;
+                for (std::size_t piece = 1; piece < ends.size(); ++piece) {
+                    for (int i = 0; i <= kSamples; ++i) {
+                        const double along = crowded(crowded(static_cast<double>(i) / kSamples));
+                        const double theta2 = ends[piece - 1] + along * (ends[piece] - ends[piece - 1]);
+                        const ExactState<double> exact = atAngle<double>(p, theta2);
+                        if (exact.status != Status::NotAssemblable) {
+                            const double R4 = exact.values[indexOf({R4x, Order::Position})];
+                            least = std::min(least, R4);
+                            most = std::max(most, R4);
+                        }
+                    }
+                }
+                stroke = std::max(stroke, most - least);
+            }
+            if (limits.stroke) {
+                QVERIFY2(near(*limits.stroke, stroke, kSampling * characteristicLength(p)),
+                         qPrintable(QString("%1: %2, sampled %3")
+                                        .arg(QString::fromStdString(describe(p)))
+                                        .arg(*limits.stroke, 0, 'g', 17)
+                                        .arg(stroke, 0, 'g', 17)));
+            }
+        }
+    }
+
+    /// From the inner dead centre the crank turns by angleOutwards to the outer one, and the slider never reverses
+    /// meanwhile.
+    void anglesLeadFromDeadCentreToDeadCentre()
+    {
+        int seen = 0;
+        for (const Parameters &p : mechanisms()) {
+            const MotionLimits limits = motionLimits(Mechanism(p));
+            const bool turns = limits.mobility == Mobility::FullTurn;
+            VERIFY_FOR(p, limits.angleOutwards.has_value() == turns && limits.angleInwards.has_value() == turns &&
+                              limits.timeRatio.has_value() == turns);
+            if (!turns) {
+                continue;
+            }
+            ++seen;
+            const double outwards = *limits.angleOutwards;
+            const double inwards = *limits.angleInwards;
+            const double sense = p.omega2 < 0.0 ? -1.0 : 1.0;
+            VERIFY_FOR(p, outwards > 0.0 && inwards > 0.0);
+            VERIFY_FOR(p, near(outwards + inwards, kTurn, kTolerance));
+            VERIFY_FOR(
+                p, near(difference(limits.inner->theta2 + sense * outwards, limits.outer->theta2), 0.0, kTolerance));
+            VERIFY_FOR(p,
+                       near(*limits.timeRatio, std::max(outwards, inwards) / std::min(outwards, inwards), kTolerance));
+            VERIFY_FOR(p, *limits.timeRatio >= 1.0);
+            const double away = limits.outer->R4x > limits.inner->R4x ? 1.0 : -1.0;
+            double last = limits.inner->R4x;
+            for (int i = 1; i <= 50; ++i) {
+                const double theta2 = limits.inner->theta2 + sense * outwards * i / 50.0;
+                const double R4 =
+                    static_cast<double>(atAngle<Digits50>(p, theta2).values[indexOf({R4x, Order::Position})]);
+                VERIFY_FOR(p, away * (R4 - last) >= -kTolerance * characteristicLength(p));
+                last = R4;
+            }
+        }
+        QVERIFY(seen > 50);
+    }
+
+    void largestPressureAngleEqualsThatOfTheMotion()
+    {
+        for (const Parameters &p : mechanisms()) {
+            const MotionLimits limits = motionLimits(Mechanism(p));
+            if (limits.mobility == Mobility::Impossible) {
+                continue;
+            }
+            const double largest = limits.largestPressureAngle;
+            // the largest θ3 is asin of the largest sine, accurate to √u if the sine is 1
+            const ExactState<Digits50> there = atAngle<Digits50>(p, limits.largestPressureAngleAt);
+            const double height = std::abs(p.c - p.a * std::sin(limits.largestPressureAngleAt));
+            VERIFY_FOR(p, near(std::sin(largest), height / p.b, kTolerance * characteristicLength(p) / p.b));
+            if (limits.mobility == Mobility::FullTurn) {
+                const Digits50 sine = (Digits50(p.a) + std::abs(p.c)) / p.b;
+                VERIFY_FOR(p, near(largest, static_cast<double>(asin(sine)), 1e-15));
+                VERIFY_FOR(p, there.status != Status::NotAssemblable);
+            } else {
+                VERIFY_FOR(p, near(largest, 0.5 * kPi, 1e-15));
+            }
+            for (int i = 0; i < 100; ++i) {
+                const ExactState<double> exact = atAngle<double>(p, kTurn * i / 100.0);
+                if (exact.status != Status::NotAssemblable) {
+                    const double steepness = std::atan2(std::sin(exact.values[indexOf({Theta3, Order::Position})]),
+                                                        std::abs(exact.cosTheta3));
+                    VERIFY_FOR(p, std::abs(steepness) <= largest + 1e-7);
+                }
+            }
+        }
+    }
+
+    /// Positions beyond the stroke lead to its nearer end.
+    void sliderPositionsLeadBackToTheCrank()
+    {
+        constexpr double kPerpendicular = 1e-3; // of b: closer to a limit, a position does not determine the angle
+        RandomMechanisms random(35);
+        int checked = 0;
+        for (int i = 0; i < 2000; ++i) {
+            const Parameters p = anyMechanism(random);
+            const Mechanism mechanism(p);
+            const auto motionAt = [&](double theta2) {
+                return ClosedForm(withCrankAt(mechanism, theta2)).motionAt(0.0);
+            };
+            const Motion motion = motionAt(random.uniform(-kPi, kPi));
+            if (!(std::abs(motion.s) > kPerpendicular * p.b)) {
+                continue;
+            }
+            ++checked;
+            const auto stroke = strokeAround(mechanism, motionLimits(mechanism), motion.theta2, i % 2 == 0 ? 1 : -1);
+            VERIFY_FOR(p, stroke && stroke->from < stroke->to);
+            const double found = crankAngleAt(mechanism, *stroke, motion.R4x);
+            VERIFY_FOR(p, near(motionAt(found).R4x, motion.R4x, 1e-12 * characteristicLength(p)));
+            const double beyond = 2.0 * characteristicLength(p);
+            const bool grows = stroke->R4xFrom < stroke->R4xTo;
+            VERIFY_FOR(p, crankAngleAt(mechanism, *stroke, beyond) == (grows ? stroke->to : stroke->from));
+            VERIFY_FOR(p, crankAngleAt(mechanism, *stroke, -beyond) == (grows ? stroke->from : stroke->to));
+        }
+        QVERIFY(checked > 500);
+    }
+};
 
 const Suite suite("tst_mobility", runWithoutApplication<tst_mobility>);
 #include "tst_mobility.moc"

@@ -23,113 +23,110 @@ class tst_mechanism : public QObject
     Q_OBJECT
 
 private slots:
-    void defaultsAreTable1();
-    void findsTheFirstFault();
-    void namedCasesAreMechanisms();
-    void channelsHaveTheNamesAndUnitsOfFiles();
-    void naturalSizeFollowsLengthAndSpeed();
-};
-
-void tst_mechanism::defaultsAreTable1()
-{
-    QVERIFY(Mechanism().parameters() == (Parameters{20.0, 65.0, 25.0, 2.0 * std::numbers::pi, 0.0, Branch::Open}));
-    QVERIFY(!findFault({}));
-}
-
-void tst_mechanism::findsTheFirstFault()
-{
-    using Reason = ParameterFault::Reason;
-    for (const Parameter parameter :
-         {Parameter::A, Parameter::B, Parameter::C, Parameter::Omega2, Parameter::Theta20}) {
-        const bool isLink = parameter == Parameter::A || parameter == Parameter::B;
-        const auto ofLink = [isLink](Reason reason) { return isLink ? std::optional(reason) : std::nullopt; };
-        struct Row {
-            double value;
-            std::optional<Reason> reason;
-        };
-        for (const auto &[value, reason] :
-             {Row{kNone, Reason::NotFinite}, Row{kInfinity, Reason::NotFinite}, Row{-kInfinity, Reason::NotFinite},
-              Row{std::nextafter(1e12, kInfinity), Reason::TooLarge},
-              Row{-std::nextafter(1e12, kInfinity), Reason::TooLarge}, Row{1e12, std::nullopt},
-              Row{-1.0, ofLink(Reason::NotPositive)}, Row{-0.0, ofLink(Reason::NotPositive)},
-              Row{std::nextafter(1e-9, 0.0), ofLink(Reason::TooShort)}, Row{1e-9, std::nullopt}}) {
-            Parameters parameters;
-            parameters.theta20 =
-                parameter == Parameter::Theta20 || !reason ? 0.0 : kNone; // a second fault, in a later parameter
-            valueOf(parameters, parameter) = value;
-            const std::optional<ParameterFault> fault = findFault(parameters);
-            QCOMPARE(fault.has_value(), reason.has_value());
-            QVERIFY(!fault || (fault->parameter == parameter && fault->reason == *reason));
-        }
+    void defaultsAreTable1()
+    {
+        QVERIFY(Mechanism().parameters() == (Parameters{20.0, 65.0, 25.0, 2.0 * std::numbers::pi, 0.0, Branch::Open}));
+        QVERIFY(!findFault({}));
     }
-}
 
-/// Also checks that at perpendicularTimes() cos θ2 = 0, or the height of B above A is b.
-void tst_mechanism::namedCasesAreMechanisms()
-{
-    std::set<std::string_view> names;
-    const std::vector<Case> cases = allCases();
-    QCOMPARE(cases.size(), nominalCases().size() + hardCases().size());
-    for (const Case &which : cases) {
-        const Parameters &p = which.parameters;
-        const std::string name(which.name);
-        QVERIFY2(!findFault(p) && names.insert(which.name).second, name.c_str());
-        const std::vector<double> instants = timeStampsOf(which);
-        QVERIFY2(instants.size() > std::size_t(which.sampling.steps) && std::ranges::is_sorted(instants), name.c_str());
-        QVERIFY2(instants.front() >= which.sampling.start, name.c_str());
-        QVERIFY2(instants.back() <= which.sampling.start + which.sampling.duration, name.c_str());
-        QVERIFY2(!perpendicularTimes(which).empty() || p.omega2 == 0.0, name.c_str());
-        for (const double t : perpendicularTimes(which)) {
-            const double theta2 = p.omega2 * t + p.theta20;
-            const double tolerance = 1e-15 * (8.0 + std::abs(theta2)); // rad
-            const double height = std::abs(p.c - p.a * std::sin(theta2));
-            QVERIFY2(std::abs(std::cos(theta2)) < tolerance || std::abs(height - p.b) < tolerance * (p.a + p.b),
-                     name.c_str());
-        }
-    }
-}
-
-/// In the order of `solve`: all of q, then q̇, then q̈, each with x, y and θ of each body.
-void tst_mechanism::channelsHaveTheNamesAndUnitsOfFiles()
-{
-    struct Derivative {
-        const char *ending;
-        const char *unit;
-    };
-    std::size_t index = 0;
-    for (const auto &[ending, unit] : {Derivative{"", ""}, Derivative{"_diff", "/s"}, Derivative{"_diff2", "/s²"}}) {
-        for (const char *body : {"1", "2", "3", "4"}) {
-            const std::string r = std::string("R") + body;
-            for (const std::string &name : {r + "_x", r + "_y", std::string("theta") + body}) {
-                const Channel channel = channelAt(index);
-                const bool angle = name[0] == 't';
-                QCOMPARE(indexOf(channel), index);
-                QCOMPARE(std::string(nameOf(channel)), name + ending);
-                QVERIFY(channelNamed(name + ending) == channel);
-                QCOMPARE(std::string(fileUnit(channel)), std::string(angle ? "°" : "mm") + unit);
-                QCOMPARE(toFileUnit(channel, std::numbers::pi), angle ? 180.0 : std::numbers::pi);
-                const bool isPlotted = name == "theta3" || name == "R4_x";
-                QCOMPARE(plottedChannels().test(index), isPlotted);
-                ++index;
+    void findsTheFirstFault()
+    {
+        using Reason = ParameterFault::Reason;
+        for (const Parameter parameter :
+             {Parameter::A, Parameter::B, Parameter::C, Parameter::Omega2, Parameter::Theta20}) {
+            const bool isLink = parameter == Parameter::A || parameter == Parameter::B;
+            const auto ofLink = [isLink](Reason reason) { return isLink ? std::optional(reason) : std::nullopt; };
+            struct Row {
+                double value;
+                std::optional<Reason> reason;
+            };
+            for (const auto &[value, reason] :
+                 {Row{kNone, Reason::NotFinite}, Row{kInfinity, Reason::NotFinite}, Row{-kInfinity, Reason::NotFinite},
+                  Row{std::nextafter(1e12, kInfinity), Reason::TooLarge},
+                  Row{-std::nextafter(1e12, kInfinity), Reason::TooLarge}, Row{1e12, std::nullopt},
+                  Row{-1.0, ofLink(Reason::NotPositive)}, Row{-0.0, ofLink(Reason::NotPositive)},
+                  Row{std::nextafter(1e-9, 0.0), ofLink(Reason::TooShort)}, Row{1e-9, std::nullopt}}) {
+                Parameters parameters;
+                parameters.theta20 =
+                    parameter == Parameter::Theta20 || !reason ? 0.0 : kNone; // a second fault, in a later parameter
+                valueOf(parameters, parameter) = value;
+                const std::optional<ParameterFault> fault = findFault(parameters);
+                QCOMPARE(fault.has_value(), reason.has_value());
+                QVERIFY(!fault || (fault->parameter == parameter && fault->reason == *reason));
             }
         }
     }
-    QCOMPARE(index, kChannelCount);
-    QCOMPARE(allChannels().count(), kChannelCount);
-    for (const char *name : {"", "time", "theta", "Theta3", "theta3 ", "theta3_diff3", "R5_x", "R4_x_diff2x", "R4x"}) {
-        QVERIFY2(!channelNamed(name), name);
-    }
-}
 
-void tst_mechanism::naturalSizeFollowsLengthAndSpeed()
-{
-    const Parameters parameters{.c = -25.0, .omega2 = -3.0};
-    QCOMPARE(naturalSize(parameters, {R4x, Order::Position}), 110.0);
-    QCOMPARE(naturalSize(parameters, {R4x, Order::Velocity}), 330.0);
-    QCOMPARE(naturalSize(parameters, {R1y, Order::Acceleration}), 990.0);
-    QCOMPARE(naturalSize(parameters, {Theta3, Order::Position}), 1.0);
-    QCOMPARE(naturalSize(parameters, {Theta4, Order::Acceleration}), 9.0);
-}
+    /// Also checks that at perpendicularTimes() cos θ2 = 0, or the height of B above A is b.
+    void namedCasesAreMechanisms()
+    {
+        std::set<std::string_view> names;
+        const std::vector<Case> cases = allCases();
+        QCOMPARE(cases.size(), nominalCases().size() + hardCases().size());
+        for (const Case &which : cases) {
+            const Parameters &p = which.parameters;
+            const std::string name(which.name);
+            QVERIFY2(!findFault(p) && names.insert(which.name).second, name.c_str());
+            const std::vector<double> instants = timeStampsOf(which);
+            QVERIFY2(instants.size() > std::size_t(which.sampling.steps) && std::ranges::is_sorted(instants),
+                     name.c_str());
+            QVERIFY2(instants.front() >= which.sampling.start, name.c_str());
+            QVERIFY2(instants.back() <= which.sampling.start + which.sampling.duration, name.c_str());
+            QVERIFY2(!perpendicularTimes(which).empty() || p.omega2 == 0.0, name.c_str());
+            for (const double t : perpendicularTimes(which)) {
+                const double theta2 = p.omega2 * t + p.theta20;
+                const double tolerance = 1e-15 * (8.0 + std::abs(theta2)); // rad
+                const double height = std::abs(p.c - p.a * std::sin(theta2));
+                QVERIFY2(std::abs(std::cos(theta2)) < tolerance || std::abs(height - p.b) < tolerance * (p.a + p.b),
+                         name.c_str());
+            }
+        }
+    }
+
+    /// In the order of `solve`: all of q, then q̇, then q̈, each with x, y and θ of each body.
+    void channelsHaveTheNamesAndUnitsOfFiles()
+    {
+        struct Derivative {
+            const char *ending;
+            const char *unit;
+        };
+        std::size_t index = 0;
+        for (const auto &[ending, unit] :
+             {Derivative{"", ""}, Derivative{"_diff", "/s"}, Derivative{"_diff2", "/s²"}}) {
+            for (const char *body : {"1", "2", "3", "4"}) {
+                const std::string r = std::string("R") + body;
+                for (const std::string &name : {r + "_x", r + "_y", std::string("theta") + body}) {
+                    const Channel channel = channelAt(index);
+                    const bool angle = name[0] == 't';
+                    QCOMPARE(indexOf(channel), index);
+                    QCOMPARE(std::string(nameOf(channel)), name + ending);
+                    QVERIFY(channelNamed(name + ending) == channel);
+                    QCOMPARE(std::string(fileUnit(channel)), std::string(angle ? "°" : "mm") + unit);
+                    QCOMPARE(toFileUnit(channel, std::numbers::pi), angle ? 180.0 : std::numbers::pi);
+                    const bool isPlotted = name == "theta3" || name == "R4_x";
+                    QCOMPARE(plottedChannels().test(index), isPlotted);
+                    ++index;
+                }
+            }
+        }
+        QCOMPARE(index, kChannelCount);
+        QCOMPARE(allChannels().count(), kChannelCount);
+        for (const char *name :
+             {"", "time", "theta", "Theta3", "theta3 ", "theta3_diff3", "R5_x", "R4_x_diff2x", "R4x"}) {
+            QVERIFY2(!channelNamed(name), name);
+        }
+    }
+
+    void naturalSizeFollowsLengthAndSpeed()
+    {
+        const Parameters parameters{.c = -25.0, .omega2 = -3.0};
+        QCOMPARE(naturalSize(parameters, {R4x, Order::Position}), 110.0);
+        QCOMPARE(naturalSize(parameters, {R4x, Order::Velocity}), 330.0);
+        QCOMPARE(naturalSize(parameters, {R1y, Order::Acceleration}), 990.0);
+        QCOMPARE(naturalSize(parameters, {Theta3, Order::Position}), 1.0);
+        QCOMPARE(naturalSize(parameters, {Theta4, Order::Acceleration}), 9.0);
+    }
+};
 
 const Suite suite("tst_mechanism", runWithoutApplication<tst_mechanism>);
 #include "tst_mechanism.moc"

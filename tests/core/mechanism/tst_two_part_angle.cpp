@@ -42,126 +42,123 @@ class tst_two_part_angle : public QObject
     Q_OBJECT
 
 private slots:
-    void sumIsExact();
-    void productIsExact();
-    void crankAngleHasTwiceTheDigits();
-    void sineAndCosineKeepTheSecondPart();
-    void cosineIsExactNextToNinetyDegrees();
-    void fineSineHasTwiceTheDigits();
+    void sumIsExact()
+    {
+        RandomMechanisms random(1);
+        for (int i = 0; i < 5000; ++i) {
+            const double x = anyDouble(random, 200.0);
+            const double y = i % 2 == 0 ? anyDouble(random, 200.0) : x * random.uniform(-1.5, 1.5);
+            const TwoPart sum = twoSum(x, y);
+            QVERIFY2(cpp_rational(sum.hi) + cpp_rational(sum.lo) == cpp_rational(x) + cpp_rational(y),
+                     qPrintable(numbers({x, y, sum.hi, sum.lo})));
+            QVERIFY2(isNormalized(sum), qPrintable(numbers({x, y, sum.hi, sum.lo})));
+        }
+    }
+
+    void productIsExact()
+    {
+        RandomMechanisms random(2);
+        for (int i = 0; i < 5000; ++i) {
+            const double x = anyDouble(random, 200.0);
+            const double y = anyDouble(random, 200.0);
+            const TwoPart product = twoProduct(x, y);
+            QVERIFY2(cpp_rational(product.hi) + cpp_rational(product.lo) == cpp_rational(x) * cpp_rational(y),
+                     qPrintable(numbers({x, y, product.hi, product.lo})));
+            QVERIFY2(isNormalized(product), qPrintable(numbers({x, y, product.hi, product.lo})));
+        }
+    }
+
+    /// The error is at most 1e-31 (103 bits) of the size of the terms, even if ω2 t and θ20 cancel.
+    void crankAngleHasTwiceTheDigits()
+    {
+        constexpr double kRelative = 1e-31;
+        RandomMechanisms random(3);
+        for (int i = 0; i < 5000; ++i) {
+            const double omega2 = anyDouble(random, 30.0);
+            const double t = anyDouble(random, 30.0);
+            const double theta20 =
+                i % 3 == 0 ? -omega2 * t * random.uniform(1.0, 1.0 + 1e-12) : anyDouble(random, 30.0);
+            const TwoPart angle = crankAngle(omega2, t, theta20);
+            const Digits100 exact = Digits100(omega2) * Digits100(t) + Digits100(theta20);
+            const double error = static_cast<double>(abs(Digits100(angle.hi) + Digits100(angle.lo) - exact));
+            const double tolerance = kRelative * (std::abs(omega2 * t) + std::abs(theta20));
+            QVERIFY2(error <= tolerance,
+                     qPrintable(numbers({omega2, t, theta20, angle.hi, angle.lo, error, tolerance})));
+            QVERIFY2(isNormalized(angle), qPrintable(numbers({omega2, t, theta20, angle.hi, angle.lo})));
+        }
+    }
+
+    /// The error is at most 2u at angles of any size. Without the second part it would be that of the angle: 1e-7 at
+    /// 1e9.
+    void sineAndCosineKeepTheSecondPart()
+    {
+        RandomMechanisms random(4);
+        double worst = 0.0;
+        for (int i = 0; i < 3000; ++i) {
+            const double size = std::pow(10.0, random.uniform(-2.0, 14.0));
+            const double omega2 = random.uniform(-10.0, 10.0);
+            const double t = size * random.uniform(0.5, 1.0);
+            const double theta20 = random.uniform(-10.0, 10.0);
+            const TwoPart parts = crankAngle(omega2, t, theta20);
+            const SinCos got = sinCos(parts);
+            const double tolerance = 2.0 * kUnitRoundoff;
+            const Digits100 angle = Digits100(omega2) * Digits100(t) + Digits100(theta20);
+            const double sinError = static_cast<double>(abs(Digits100(got.sin) - sin(angle)));
+            const double cosError = static_cast<double>(abs(Digits100(got.cos) - cos(angle)));
+            worst = std::max({worst, sinError / tolerance, cosError / tolerance});
+            QVERIFY2(sinError <= tolerance && cosError <= tolerance,
+                     qPrintable(numbers({omega2, t, theta20, got.sin, got.cos, sinError, cosError})));
+        }
+        qInfo("worst: %.3g of the tolerance", worst);
+    }
+
+    /// The cosine of the double closest to 90° is 6e-17, and near a toggle all its digits matter.
+    void cosineIsExactNextToNinetyDegrees()
+    {
+        constexpr double kRelative = 4.0 * kUnitRoundoff;
+        for (const double quarter : {0.5 * std::numbers::pi, -0.5 * std::numbers::pi, 1.5 * std::numbers::pi}) {
+            for (const double away : {0.0, 1e-17, -1e-17, 3e-16, -1e-12, 1e-8, -1e-4}) {
+                const SinCos got = sinCos(crankAngle(1.0, away, quarter));
+                const Digits100 angle = Digits100(quarter) + Digits100(away);
+                const double exact = static_cast<double>(cos(angle));
+                const double error = static_cast<double>(abs(Digits100(got.cos) - cos(angle)));
+                QVERIFY2(error <= kRelative * std::abs(exact),
+                         qPrintable(numbers({quarter, away, got.cos, exact, error})));
+            }
+        }
+    }
+
+    /// Close to every multiple of 90° the result has about 30 significant digits, except for the effect of the angle's
+    /// own rounding.
+    void fineSineHasTwiceTheDigits()
+    {
+        constexpr double kRelative = 1e-30;
+        constexpr double kLastDigits = 1e-31;
+        RandomMechanisms random(5);
+        double worst = 0.0;
+        for (int i = 0; i < 4000; ++i) {
+            const double size = std::pow(10.0, random.uniform(-3.0, std::log10(kLargestFineAngle)));
+            double hi = random.uniform(-size, size);
+            if (i % 2 == 0) {
+                hi = 0.5 * std::numbers::pi * std::round(hi) + std::pow(10.0, random.uniform(-20.0, -1.0));
+                hi = std::clamp(hi, -kLargestFineAngle, kLargestFineAngle);
+            }
+            const TwoPart angle = twoSum(hi, hi * random.uniform(-1e-16, 1e-16));
+            const FineSine got = fineSine(angle);
+            const Digits100 exact = sin(Digits100(angle.hi) + Digits100(angle.lo)) - Digits100(got.whole);
+            const double partSize = static_cast<double>(abs(exact));
+            const double error = static_cast<double>(abs(Digits100(got.part.hi) + Digits100(got.part.lo) - exact));
+            const double slope = got.whole == 0.0 ? 1.0 : std::sqrt(2.0 * partSize);
+            const double spacing = std::nextafter(std::abs(hi), 1e300) - std::abs(hi);
+            const double tolerance = kRelative * partSize + kLastDigits * slope * spacing;
+            worst = std::max(worst, error / tolerance);
+            QVERIFY2(partSize < 0.71 && error <= tolerance,
+                     qPrintable(numbers({angle.hi, angle.lo, got.whole, got.part.hi, error, tolerance})));
+            QVERIFY(isNormalized(got.part));
+        }
+        qInfo("worst: %.3g of the tolerance", worst);
+    }
 };
-
-void tst_two_part_angle::sumIsExact()
-{
-    RandomMechanisms random(1);
-    for (int i = 0; i < 5000; ++i) {
-        const double x = anyDouble(random, 200.0);
-        const double y = i % 2 == 0 ? anyDouble(random, 200.0) : x * random.uniform(-1.5, 1.5);
-        const TwoPart sum = twoSum(x, y);
-        QVERIFY2(cpp_rational(sum.hi) + cpp_rational(sum.lo) == cpp_rational(x) + cpp_rational(y),
-                 qPrintable(numbers({x, y, sum.hi, sum.lo})));
-        QVERIFY2(isNormalized(sum), qPrintable(numbers({x, y, sum.hi, sum.lo})));
-    }
-}
-
-void tst_two_part_angle::productIsExact()
-{
-    RandomMechanisms random(2);
-    for (int i = 0; i < 5000; ++i) {
-        const double x = anyDouble(random, 200.0);
-        const double y = anyDouble(random, 200.0);
-        const TwoPart product = twoProduct(x, y);
-        QVERIFY2(cpp_rational(product.hi) + cpp_rational(product.lo) == cpp_rational(x) * cpp_rational(y),
-                 qPrintable(numbers({x, y, product.hi, product.lo})));
-        QVERIFY2(isNormalized(product), qPrintable(numbers({x, y, product.hi, product.lo})));
-    }
-}
-
-/// The error is at most 1e-31 (103 bits) of the size of the terms, even if ω2 t and θ20 cancel.
-void tst_two_part_angle::crankAngleHasTwiceTheDigits()
-{
-    constexpr double kRelative = 1e-31;
-    RandomMechanisms random(3);
-    for (int i = 0; i < 5000; ++i) {
-        const double omega2 = anyDouble(random, 30.0);
-        const double t = anyDouble(random, 30.0);
-        const double theta20 = i % 3 == 0 ? -omega2 * t * random.uniform(1.0, 1.0 + 1e-12) : anyDouble(random, 30.0);
-        const TwoPart angle = crankAngle(omega2, t, theta20);
-        const Digits100 exact = Digits100(omega2) * Digits100(t) + Digits100(theta20);
-        const double error = static_cast<double>(abs(Digits100(angle.hi) + Digits100(angle.lo) - exact));
-        const double tolerance = kRelative * (std::abs(omega2 * t) + std::abs(theta20));
-        QVERIFY2(error <= tolerance, qPrintable(numbers({omega2, t, theta20, angle.hi, angle.lo, error, tolerance})));
-        QVERIFY2(isNormalized(angle), qPrintable(numbers({omega2, t, theta20, angle.hi, angle.lo})));
-    }
-}
-
-/// The error is at most 2u at angles of any size. Without the second part it would be that of the angle: 1e-7 at 1e9.
-void tst_two_part_angle::sineAndCosineKeepTheSecondPart()
-{
-    RandomMechanisms random(4);
-    double worst = 0.0;
-    for (int i = 0; i < 3000; ++i) {
-        const double size = std::pow(10.0, random.uniform(-2.0, 14.0));
-        const double omega2 = random.uniform(-10.0, 10.0);
-        const double t = size * random.uniform(0.5, 1.0);
-        const double theta20 = random.uniform(-10.0, 10.0);
-        const TwoPart parts = crankAngle(omega2, t, theta20);
-        const SinCos got = sinCos(parts);
-        const double tolerance = 2.0 * kUnitRoundoff;
-        const Digits100 angle = Digits100(omega2) * Digits100(t) + Digits100(theta20);
-        const double sinError = static_cast<double>(abs(Digits100(got.sin) - sin(angle)));
-        const double cosError = static_cast<double>(abs(Digits100(got.cos) - cos(angle)));
-        worst = std::max({worst, sinError / tolerance, cosError / tolerance});
-        QVERIFY2(sinError <= tolerance && cosError <= tolerance,
-                 qPrintable(numbers({omega2, t, theta20, got.sin, got.cos, sinError, cosError})));
-    }
-    qInfo("worst: %.3g of the tolerance", worst);
-}
-
-/// The cosine of the double closest to 90° is 6e-17, and near a toggle all its digits matter.
-void tst_two_part_angle::cosineIsExactNextToNinetyDegrees()
-{
-    constexpr double kRelative = 4.0 * kUnitRoundoff;
-    for (const double quarter : {0.5 * std::numbers::pi, -0.5 * std::numbers::pi, 1.5 * std::numbers::pi}) {
-        for (const double away : {0.0, 1e-17, -1e-17, 3e-16, -1e-12, 1e-8, -1e-4}) {
-            const SinCos got = sinCos(crankAngle(1.0, away, quarter));
-            const Digits100 angle = Digits100(quarter) + Digits100(away);
-            const double exact = static_cast<double>(cos(angle));
-            const double error = static_cast<double>(abs(Digits100(got.cos) - cos(angle)));
-            QVERIFY2(error <= kRelative * std::abs(exact), qPrintable(numbers({quarter, away, got.cos, exact, error})));
-        }
-    }
-}
-
-/// Close to every multiple of 90° the result has about 30 significant digits, except for the effect of the angle's own
-/// rounding.
-void tst_two_part_angle::fineSineHasTwiceTheDigits()
-{
-    constexpr double kRelative = 1e-30;
-    constexpr double kLastDigits = 1e-31;
-    RandomMechanisms random(5);
-    double worst = 0.0;
-    for (int i = 0; i < 4000; ++i) {
-        const double size = std::pow(10.0, random.uniform(-3.0, std::log10(kLargestFineAngle)));
-        double hi = random.uniform(-size, size);
-        if (i % 2 == 0) {
-            hi = 0.5 * std::numbers::pi * std::round(hi) + std::pow(10.0, random.uniform(-20.0, -1.0));
-            hi = std::clamp(hi, -kLargestFineAngle, kLargestFineAngle);
-        }
-        const TwoPart angle = twoSum(hi, hi * random.uniform(-1e-16, 1e-16));
-        const FineSine got = fineSine(angle);
-        const Digits100 exact = sin(Digits100(angle.hi) + Digits100(angle.lo)) - Digits100(got.whole);
-        const double partSize = static_cast<double>(abs(exact));
-        const double error = static_cast<double>(abs(Digits100(got.part.hi) + Digits100(got.part.lo) - exact));
-        const double slope = got.whole == 0.0 ? 1.0 : std::sqrt(2.0 * partSize);
-        const double spacing = std::nextafter(std::abs(hi), 1e300) - std::abs(hi);
-        const double tolerance = kRelative * partSize + kLastDigits * slope * spacing;
-        worst = std::max(worst, error / tolerance);
-        QVERIFY2(partSize < 0.71 && error <= tolerance,
-                 qPrintable(numbers({angle.hi, angle.lo, got.whole, got.part.hi, error, tolerance})));
-        QVERIFY(isNormalized(got.part));
-    }
-    qInfo("worst: %.3g of the tolerance", worst);
-}
 
 const Suite suite("tst_two_part_angle", runWithoutApplication<tst_two_part_angle>);
 #include "tst_two_part_angle.moc"

@@ -81,163 +81,156 @@ class tst_constraints : public QObject
     Q_OBJECT
 
 private slots:
-    void rowsMatchTheirNames();
-    void vanishOnTheExactMotion();
-    void jacobianIsTheDerivative();
-    void timeDerivativeIsTheDerivative();
-    void quadraticVelocityTermIsTheDerivative();
-    void determinantIsMinusBCosTheta3();
-};
-
-/// Changing one coordinate violates exactly the constraints that contain it, by the amount of the change.
-void tst_constraints::rowsMatchTheirNames()
-{
-    const Parameters p;
-    const Mechanism mechanism(p);
-    const Vector12 q = coordinates(exactState<Digits50>(p, 0.2), Order::Position);
-    struct Row {
-        Coordinate pushed;
-        std::vector<std::pair<Constraint, double>> broken;
-    };
-    const Row rows[] = {
-        {R1x, {{GroundX, 1.0}}},
-        {R1y, {{GroundY, 1.0}}},
-        {Theta1, {{GroundAngle, 1.0}, {SliderAngle, -1.0}}},
-        {R2x, {{CrankPivotX, 1.0}, {CrankPinX, 1.0}}},
-        {R2y, {{CrankPivotY, 1.0}, {CrankPinY, 1.0}}},
-        {R3x, {{CrankPinX, -1.0}, {SliderPinX, -1.0}}},
-        {R3y, {{CrankPinY, -1.0}, {SliderPinY, -1.0}}},
-        {R4x, {{SliderPinX, 1.0}}},
-        {R4y, {{SliderPinY, 1.0}, {SliderLine, 1.0}}},
-        {Theta4, {{SliderAngle, 1.0}}},
-    };
-    constexpr double kPush = 0.5;
-    constexpr double kTolerance = 1e-13; // mm or rad, a few rounding errors of 100 mm
-    for (const Row &row : rows) {
-        Vector12 pushed = q;
-        pushed[row.pushed] += kPush;
-        Vector12 expected = Vector12::Zero();
-        for (const auto &[constraint, sign] : row.broken) {
-            expected[constraint] = sign * kPush;
-        }
-        const Vector12 C = constraints(mechanism, pushed, 0.2);
-        QVERIFY2((C - expected).cwiseAbs().maxCoeff() < kTolerance, std::string(nameOf({row.pushed, {}})).c_str());
-    }
-}
-
-/// C = 0, C_q q̇ = -C_t and C_q q̈ = Q_d on the exact motion of random mechanisms, within a few rounding errors of the
-/// terms of each row.
-void tst_constraints::vanishOnTheExactMotion()
-{
-    constexpr double kRoundings = 16.0;
-    RandomMechanisms random(12);
-    for (int i = 0; i < 300; ++i) {
-        const Parameters p = random.next();
+    /// Changing one coordinate violates exactly the constraints that contain it, by the amount of the change.
+    void rowsMatchTheirNames()
+    {
+        const Parameters p;
         const Mechanism mechanism(p);
-        const double t = random.uniform(0.0, 2.0 * std::numbers::pi / std::abs(p.omega2));
-        const ExactState<Digits50> exact = exactState<Digits50>(p, t);
-        const Vector12 q = coordinates(exact, Order::Position);
-        const Vector12 qDot = coordinates(exact, Order::Velocity);
-        const Vector12 qDDot = coordinates(exact, Order::Acceleration);
-        const Matrix12 Cq = constraintJacobian(mechanism, q);
-        const Vector12 C = constraints(mechanism, q, t);
-        const Vector12 velocity = Cq * qDot + constraintTimeDerivative(mechanism);
-        const Vector12 Qd = quadraticVelocityTerm(mechanism, q, qDot);
-        const Vector12 acceleration = Cq * qDDot - Qd;
-        // A relative error u of θ2 or θ3 changes each C by u θ ∂C/∂θ, and likewise the derivatives of C.
-        const double angleSize = 1.0 + std::abs(q[Theta2]) + std::abs(q[Theta3]);
-        const double lengths = p.a + p.b + std::abs(p.c);
-        const double speeds = std::abs(p.omega2) + std::abs(qDot[Theta3]);
-        const double accelerations = std::abs(qDDot[Theta3]) + speeds * speeds;
-        const Vector12 positionSizes = rowUnits(p) * angleSize;
-        const Vector12 velocitySizes = (Cq.cwiseAbs() * qDot.cwiseAbs()).array() + lengths * speeds * angleSize;
-        const Vector12 accelerationSizes =
-            (Cq.cwiseAbs() * qDDot.cwiseAbs() + Qd.cwiseAbs()).array() + lengths * accelerations * angleSize;
-        const double unit = kRoundings * kUnitRoundoff;
-        const Vector12 zero = Vector12::Zero();
-        QCOMPARE(difference(p, C, zero, unit * positionSizes), QString());
-        QCOMPARE(difference(p, velocity, zero, unit * velocitySizes), QString());
-        QCOMPARE(difference(p, acceleration, zero, unit * accelerationSizes), QString());
-    }
-}
-
-void tst_constraints::jacobianIsTheDerivative()
-{
-    for (const auto &[name, parameters] : mechanismList(40, 11)) {
-        const Mechanism mechanism(parameters);
-        RandomMechanisms random(13);
-        for (int pose = 0; pose < 4; ++pose) {
-            const Vector12 q = anywhere(parameters, random);
-            const Matrix12 Cq = constraintJacobian(mechanism, q);
-            Matrix12 expected;
-            Matrix12 tolerance;
-            for (Eigen::Index column = 0; column < kCoordinateCount; ++column) {
-                const double unit = coordinateUnit(parameters, column);
-                Vector12 more = q;
-                Vector12 less = q;
-                more[column] += kStep * unit;
-                less[column] -= kStep * unit;
-                // t = 0, because C_q does not depend on t and a large ω2 t would hide the difference.
-                expected.col(column) = (constraints(mechanism, more, 0.0) - constraints(mechanism, less, 0.0)) /
-                                       (more[column] - less[column]);
-                tolerance.col(column) = kDifferenceTolerance / unit * rowUnits(parameters);
+        const Vector12 q = coordinates(exactState<Digits50>(p, 0.2), Order::Position);
+        struct Row {
+            Coordinate pushed;
+            std::vector<std::pair<Constraint, double>> broken;
+        };
+        const Row rows[] = {
+            {R1x, {{GroundX, 1.0}}},
+            {R1y, {{GroundY, 1.0}}},
+            {Theta1, {{GroundAngle, 1.0}, {SliderAngle, -1.0}}},
+            {R2x, {{CrankPivotX, 1.0}, {CrankPinX, 1.0}}},
+            {R2y, {{CrankPivotY, 1.0}, {CrankPinY, 1.0}}},
+            {R3x, {{CrankPinX, -1.0}, {SliderPinX, -1.0}}},
+            {R3y, {{CrankPinY, -1.0}, {SliderPinY, -1.0}}},
+            {R4x, {{SliderPinX, 1.0}}},
+            {R4y, {{SliderPinY, 1.0}, {SliderLine, 1.0}}},
+            {Theta4, {{SliderAngle, 1.0}}},
+        };
+        constexpr double kPush = 0.5;
+        constexpr double kTolerance = 1e-13; // mm or rad, a few rounding errors of 100 mm
+        for (const Row &row : rows) {
+            Vector12 pushed = q;
+            pushed[row.pushed] += kPush;
+            Vector12 expected = Vector12::Zero();
+            for (const auto &[constraint, sign] : row.broken) {
+                expected[constraint] = sign * kPush;
             }
-            QCOMPARE(difference(parameters, Cq, expected, tolerance), QString());
+            const Vector12 C = constraints(mechanism, pushed, 0.2);
+            QVERIFY2((C - expected).cwiseAbs().maxCoeff() < kTolerance, std::string(nameOf({row.pushed, {}})).c_str());
         }
     }
-}
 
-void tst_constraints::timeDerivativeIsTheDerivative()
-{
-    for (const auto &[name, parameters] : mechanismList(40, 11)) {
-        const Mechanism mechanism(parameters);
-        RandomMechanisms random(14);
-        const Vector12 q = anywhere(parameters, random);
-        const Vector12 Ct = constraintTimeDerivative(mechanism);
-        const double turnTime = parameters.omega2 == 0.0 ? 1.0 : 1.0 / std::abs(parameters.omega2);
-        const double step = kStep * turnTime;
-        const double t = 0.3 * turnTime;
-        const Vector12 expected =
-            (constraints(mechanism, q, t + step) - constraints(mechanism, q, t - step)) / (2.0 * step);
-        const Vector12 tolerance = kDifferenceTolerance / turnTime * rowUnits(parameters);
-        QCOMPARE(difference(parameters, Ct, expected, tolerance), QString());
-    }
-}
-
-/// Along any motion q(t) with q̈ = 0 the velocity equation's left-hand side C_q q̇ + C_t changes at the rate -Q_d.
-void tst_constraints::quadraticVelocityTermIsTheDerivative()
-{
-    for (const auto &[name, parameters] : mechanismList(40, 11)) {
-        const Mechanism mechanism(parameters);
-        RandomMechanisms random(15);
-        for (int pose = 0; pose < 8; ++pose) {
-            const Vector12 q = anywhere(parameters, random);
-            const Vector12 qDot = anywhere(parameters, random);
+    /// C = 0, C_q q̇ = -C_t and C_q q̈ = Q_d on the exact motion of random mechanisms, within a few rounding errors of
+    /// the terms of each row.
+    void vanishOnTheExactMotion()
+    {
+        constexpr double kRoundings = 16.0;
+        RandomMechanisms random(12);
+        for (int i = 0; i < 300; ++i) {
+            const Parameters p = random.next();
+            const Mechanism mechanism(p);
+            const double t = random.uniform(0.0, 2.0 * std::numbers::pi / std::abs(p.omega2));
+            const ExactState<Digits50> exact = exactState<Digits50>(p, t);
+            const Vector12 q = coordinates(exact, Order::Position);
+            const Vector12 qDot = coordinates(exact, Order::Velocity);
+            const Vector12 qDDot = coordinates(exact, Order::Acceleration);
+            const Matrix12 Cq = constraintJacobian(mechanism, q);
+            const Vector12 C = constraints(mechanism, q, t);
+            const Vector12 velocity = Cq * qDot + constraintTimeDerivative(mechanism);
             const Vector12 Qd = quadraticVelocityTerm(mechanism, q, qDot);
-            const Vector12 later = constraintJacobian(mechanism, q + kStep * qDot) * qDot;
-            const Vector12 earlier = constraintJacobian(mechanism, q - kStep * qDot) * qDot;
-            const Vector12 expected = -(later - earlier) / (2.0 * kStep);
-            // At speeds up to 5 rad/s the third derivative is up to 5⁴ times the length.
-            const Vector12 tolerance = 100.0 * kDifferenceTolerance * rowUnits(parameters);
-            QCOMPARE(difference(parameters, Qd, expected, tolerance), QString());
+            const Vector12 acceleration = Cq * qDDot - Qd;
+            // A relative error u of θ2 or θ3 changes each C by u θ ∂C/∂θ, and likewise the derivatives of C.
+            const double angleSize = 1.0 + std::abs(q[Theta2]) + std::abs(q[Theta3]);
+            const double lengths = p.a + p.b + std::abs(p.c);
+            const double speeds = std::abs(p.omega2) + std::abs(qDot[Theta3]);
+            const double accelerations = std::abs(qDDot[Theta3]) + speeds * speeds;
+            const Vector12 positionSizes = rowUnits(p) * angleSize;
+            const Vector12 velocitySizes = (Cq.cwiseAbs() * qDot.cwiseAbs()).array() + lengths * speeds * angleSize;
+            const Vector12 accelerationSizes =
+                (Cq.cwiseAbs() * qDDot.cwiseAbs() + Qd.cwiseAbs()).array() + lengths * accelerations * angleSize;
+            const double unit = kRoundings * kUnitRoundoff;
+            const Vector12 zero = Vector12::Zero();
+            QCOMPARE(difference(p, C, zero, unit * positionSizes), QString());
+            QCOMPARE(difference(p, velocity, zero, unit * velocitySizes), QString());
+            QCOMPARE(difference(p, acceleration, zero, unit * accelerationSizes), QString());
         }
     }
-}
 
-void tst_constraints::determinantIsMinusBCosTheta3()
-{
-    for (const auto &[name, parameters] : mechanismList(40, 11)) {
-        const Mechanism mechanism(parameters);
-        RandomMechanisms random(16);
-        for (int pose = 0; pose < 8; ++pose) {
-            const Vector12 q = anywhere(parameters, random);
-            const double determinant = constraintJacobian(mechanism, q).determinant();
-            const double expected = -parameters.b * std::cos(q[Theta3]);
-            const double tolerance = 64.0 * kUnitRoundoff * (parameters.a + parameters.b);
-            QVERIFY2(std::abs(determinant - expected) <= tolerance, describe(parameters).c_str());
+    void jacobianIsTheDerivative()
+    {
+        for (const auto &[name, parameters] : mechanismList(40, 11)) {
+            const Mechanism mechanism(parameters);
+            RandomMechanisms random(13);
+            for (int pose = 0; pose < 4; ++pose) {
+                const Vector12 q = anywhere(parameters, random);
+                const Matrix12 Cq = constraintJacobian(mechanism, q);
+                Matrix12 expected;
+                Matrix12 tolerance;
+                for (Eigen::Index column = 0; column < kCoordinateCount; ++column) {
+                    const double unit = coordinateUnit(parameters, column);
+                    Vector12 more = q;
+                    Vector12 less = q;
+                    more[column] += kStep * unit;
+                    less[column] -= kStep * unit;
+                    // t = 0, because C_q does not depend on t and a large ω2 t would hide the difference.
+                    expected.col(column) = (constraints(mechanism, more, 0.0) - constraints(mechanism, less, 0.0)) /
+                                           (more[column] - less[column]);
+                    tolerance.col(column) = kDifferenceTolerance / unit * rowUnits(parameters);
+                }
+                QCOMPARE(difference(parameters, Cq, expected, tolerance), QString());
+            }
         }
     }
-}
+
+    void timeDerivativeIsTheDerivative()
+    {
+        for (const auto &[name, parameters] : mechanismList(40, 11)) {
+            const Mechanism mechanism(parameters);
+            RandomMechanisms random(14);
+            const Vector12 q = anywhere(parameters, random);
+            const Vector12 Ct = constraintTimeDerivative(mechanism);
+            const double turnTime = parameters.omega2 == 0.0 ? 1.0 : 1.0 / std::abs(parameters.omega2);
+            const double step = kStep * turnTime;
+            const double t = 0.3 * turnTime;
+            const Vector12 expected =
+                (constraints(mechanism, q, t + step) - constraints(mechanism, q, t - step)) / (2.0 * step);
+            const Vector12 tolerance = kDifferenceTolerance / turnTime * rowUnits(parameters);
+            QCOMPARE(difference(parameters, Ct, expected, tolerance), QString());
+        }
+    }
+
+    /// Along any motion q(t) with q̈ = 0 the velocity equation's left-hand side C_q q̇ + C_t changes at the rate -Q_d.
+    void quadraticVelocityTermIsTheDerivative()
+    {
+        for (const auto &[name, parameters] : mechanismList(40, 11)) {
+            const Mechanism mechanism(parameters);
+            RandomMechanisms random(15);
+            for (int pose = 0; pose < 8; ++pose) {
+                const Vector12 q = anywhere(parameters, random);
+                const Vector12 qDot = anywhere(parameters, random);
+                const Vector12 Qd = quadraticVelocityTerm(mechanism, q, qDot);
+                const Vector12 later = constraintJacobian(mechanism, q + kStep * qDot) * qDot;
+                const Vector12 earlier = constraintJacobian(mechanism, q - kStep * qDot) * qDot;
+                const Vector12 expected = -(later - earlier) / (2.0 * kStep);
+                // At speeds up to 5 rad/s the third derivative is up to 5⁴ times the length.
+                const Vector12 tolerance = 100.0 * kDifferenceTolerance * rowUnits(parameters);
+                QCOMPARE(difference(parameters, Qd, expected, tolerance), QString());
+            }
+        }
+    }
+
+    void determinantIsMinusBCosTheta3()
+    {
+        for (const auto &[name, parameters] : mechanismList(40, 11)) {
+            const Mechanism mechanism(parameters);
+            RandomMechanisms random(16);
+            for (int pose = 0; pose < 8; ++pose) {
+                const Vector12 q = anywhere(parameters, random);
+                const double determinant = constraintJacobian(mechanism, q).determinant();
+                const double expected = -parameters.b * std::cos(q[Theta3]);
+                const double tolerance = 64.0 * kUnitRoundoff * (parameters.a + parameters.b);
+                QVERIFY2(std::abs(determinant - expected) <= tolerance, describe(parameters).c_str());
+            }
+        }
+    }
+};
 
 const Suite suite("tst_constraints", runWithoutApplication<tst_constraints>);
 #include "tst_constraints.moc"

@@ -96,139 +96,136 @@ class TestNewtonRandom : public QObject
     Q_OBJECT
 
 private slots:
-    void solvedStatesAreAccurateToOnePercent();
-    void solvedDerivativesAreAccurateNearAToggle();
-    void structuredStepsEqualDenseSteps();
-};
+    /// Uses each combination of options in turn, and a warm start from another random time stamp.
+    void solvedStatesAreAccurateToOnePercent()
+    {
+        const std::vector<NewtonOptions> ways = everyWay(kReport.maxIterations, kReport.tolerance);
+        for (std::size_t kind = 0; kind < std::size(kKinds); ++kind) {
+            constexpr double kPart = 0.01;
+            RandomMechanisms random(40 + kind);
+            int poses = 0;
+            int unsolved = 0;
+            for (int i = 0; i < numericRuns(500, 5000); ++i) {
+                Parameters p = random.next();
+                const double sign = random.uniform(-1.0, 1.0) < 0.0 ? -1.0 : 1.0;
+                kKinds[kind].change(p, sign * std::pow(10.0, random.uniform(-16.0, -1.0)), random);
+                if (findFault(p)) { // e.g. a coupler shorter than the program accepts
+                    continue;
+                }
+                const Mechanism mechanism(p);
+                const NewtonOptions &options = ways[static_cast<std::size_t>(i) % ways.size()];
+                const std::array<double, kChannelCount> sizes = peaks(p);
+                for (int k = 0; k < 20; ++k) {
+                    const double t = randomTime(p, k, random);
+                    const double before = t - std::pow(10.0, random.uniform(-4.0, 0.0)) / p.omega2;
+                    const NewtonTimeStep instant = solve(mechanism, t, options, solve(mechanism, before, options));
+                    const ExactState<double> exact = closedFormState(p, t);
+                    const Status status = instant.state.status;
+                    if (exact.status != Status::Solved) {
+                        continue;
+                    }
+                    ++poses;
+                    unsolved += status == Status::Solved ? 0 : 1;
+                    if (status != Status::Solved && status != Status::Singular) {
+                        continue;
+                    }
+                    std::array<double, kChannelCount> tolerances;
+                    for (std::size_t index = 0; index < kChannelCount; ++index) {
+                        tolerances[index] = kPart * std::max(sizes[index], std::abs(exact.values[index]));
+                    }
+                    const Order last = status == Status::Solved ? Order::Acceleration : Order::Position;
+                    const Deviation deviation = worstDeviation(instant.state, exact, t, tolerances, last);
+                    QVERIFY2(deviation.accepted(), (describe(p) + "\n    " + describe(deviation)).c_str());
+                }
+            }
+            qInfo("%s: %d of %d unsolved", kKinds[kind].name, unsolved, poses);
+            QVERIFY2(unsolved <= kKinds[kind].unsolved * poses, kKinds[kind].name);
+        }
+    }
 
-/// Uses each combination of options in turn, and a warm start from another random time stamp.
-void TestNewtonRandom::solvedStatesAreAccurateToOnePercent()
-{
-    const std::vector<NewtonOptions> ways = everyWay(kReport.maxIterations, kReport.tolerance);
-    for (std::size_t kind = 0; kind < std::size(kKinds); ++kind) {
-        constexpr double kPart = 0.01;
-        RandomMechanisms random(40 + kind);
-        int poses = 0;
-        int unsolved = 0;
-        for (int i = 0; i < numericRuns(500, 5000); ++i) {
+    /// Within 0.03 rad of a toggle, a limit, an exact toggle and a change point, solutions with status Solved have a
+    /// relative error below 6 kResolvedPart. The error is relative to the value or, if larger, to its size far from the
+    /// toggle.
+    void solvedDerivativesAreAccurateNearAToggle()
+    {
+        constexpr double kPart = 6.0 * kResolvedPart;
+        constexpr int kMechanisms = 600;
+        RandomMechanisms random(22);
+        int solved = 0;
+        for (int i = 0; i < kMechanisms; ++i) {
             Parameters p = random.next();
-            const double sign = random.uniform(-1.0, 1.0) < 0.0 ? -1.0 : 1.0;
-            kKinds[kind].change(p, sign * std::pow(10.0, random.uniform(-16.0, -1.0)), random);
-            if (findFault(p)) { // e.g. a coupler shorter than the program accepts
+            const double gap = std::pow(10.0, random.uniform(-15.0, -4.0));
+            p.c = i % 4 == 0 ? 0.0 : p.c;
+            p.b = (p.a + std::abs(p.c)) * (1.0 + (i % 4 < 2 ? 0.0 : i % 4 == 2 ? gap : -gap));
+            const double square = (p.c >= 0.0 ? -0.5 : 0.5) * std::numbers::pi;
+            const double offset =
+                std::pow(10.0, random.uniform(-8.0, -1.5)) * (random.uniform(-1.0, 1.0) < 0.0 ? -1 : 1);
+            const double t = (square + offset - p.theta20) / p.omega2;
+            const double before = t + 0.01 / p.omega2 * (offset < 0.0 ? -1.0 : 1.0);
+            const ExactState<Digits100> exact = exactState<Digits100>(p, t);
+            if (exact.status != Status::Solved) {
                 continue;
             }
-            const Mechanism mechanism(p);
-            const NewtonOptions &options = ways[static_cast<std::size_t>(i) % ways.size()];
-            const std::array<double, kChannelCount> sizes = peaks(p);
-            for (int k = 0; k < 20; ++k) {
-                const double t = randomTime(p, k, random);
-                const double before = t - std::pow(10.0, random.uniform(-4.0, 0.0)) / p.omega2;
-                const NewtonTimeStep instant = solve(mechanism, t, options, solve(mechanism, before, options));
-                const ExactState<double> exact = closedFormState(p, t);
-                const Status status = instant.state.status;
-                if (exact.status != Status::Solved) {
+            std::array<double, kChannelCount> tolerances;
+            for (std::size_t index = 0; index < kChannelCount; ++index) {
+                const double ordinary = naturalSize(p, channelAt(index)) * p.a / (p.a + p.b + std::abs(p.c));
+                tolerances[index] = kPart * std::max(std::abs(static_cast<double>(exact.values[index])), ordinary);
+            }
+            for (const double tolerance : {0.0, 1e-12, 1e-8, 1e-4}) {
+                for (const NewtonOptions &options : everyWay(60, tolerance)) {
+                    const NewtonTimeStep instant = run(p, {before, t}, options).back();
+                    if (instant.state.status == Status::Solved) {
+                        ++solved;
+                        const Deviation deviation = worstDeviation(instant.state, exact, t, tolerances);
+                        QVERIFY2(
+                            deviation.accepted(),
+                            qPrintable(described(options) + QString::fromStdString(describe(p) + describe(deviation))));
+                    }
+                }
+            }
+        }
+        QVERIFY(solved > kMechanisms);
+    }
+
+    /// From any iterate, the steps of both eliminations agree: ‖difference‖ <= u (κ ‖Δq‖ + ‖q‖), with the 2-norm of the
+    /// twelve numbers (mm and rad mixed) and κ the ratio of the extreme singular values of C_q.
+    void structuredStepsEqualDenseSteps()
+    {
+        using LongVector = Eigen::Matrix<long double, kCoordinateCount, 1>;
+        const std::vector<Case> cases = allCases();
+        for (const Case &which : cases) {
+            const Mechanism mechanism(which.parameters);
+            for (const double t : timeStampsOf(which)) {
+                const NewtonTimeStep answer = solve(mechanism, t);
+                if (answer.positionStatus == Status::NotAssemblable) {
                     continue;
                 }
-                ++poses;
-                unsolved += status == Status::Solved ? 0 : 1;
-                if (status != Status::Solved && status != Status::Singular) {
-                    continue;
-                }
-                std::array<double, kChannelCount> tolerances;
-                for (std::size_t index = 0; index < kChannelCount; ++index) {
-                    tolerances[index] = kPart * std::max(sizes[index], std::abs(exact.values[index]));
-                }
-                const Order last = status == Status::Solved ? Order::Acceleration : Order::Position;
-                const Deviation deviation = worstDeviation(instant.state, exact, t, tolerances, last);
-                QVERIFY2(deviation.accepted(), (describe(p) + "\n    " + describe(deviation)).c_str());
-            }
-        }
-        qInfo("%s: %d of %d unsolved", kKinds[kind].name, unsolved, poses);
-        QVERIFY2(unsolved <= kKinds[kind].unsolved * poses, kKinds[kind].name);
-    }
-}
-
-/// Within 0.03 rad of a toggle, a limit, an exact toggle and a change point, solutions with status Solved have a
-/// relative error below 6 kResolvedPart. The error is relative to the value or, if larger, to its size far from the
-/// toggle.
-void TestNewtonRandom::solvedDerivativesAreAccurateNearAToggle()
-{
-    constexpr double kPart = 6.0 * kResolvedPart;
-    constexpr int kMechanisms = 600;
-    RandomMechanisms random(22);
-    int solved = 0;
-    for (int i = 0; i < kMechanisms; ++i) {
-        Parameters p = random.next();
-        const double gap = std::pow(10.0, random.uniform(-15.0, -4.0));
-        p.c = i % 4 == 0 ? 0.0 : p.c;
-        p.b = (p.a + std::abs(p.c)) * (1.0 + (i % 4 < 2 ? 0.0 : i % 4 == 2 ? gap : -gap));
-        const double square = (p.c >= 0.0 ? -0.5 : 0.5) * std::numbers::pi;
-        const double offset = std::pow(10.0, random.uniform(-8.0, -1.5)) * (random.uniform(-1.0, 1.0) < 0.0 ? -1 : 1);
-        const double t = (square + offset - p.theta20) / p.omega2;
-        const double before = t + 0.01 / p.omega2 * (offset < 0.0 ? -1.0 : 1.0);
-        const ExactState<Digits100> exact = exactState<Digits100>(p, t);
-        if (exact.status != Status::Solved) {
-            continue;
-        }
-        std::array<double, kChannelCount> tolerances;
-        for (std::size_t index = 0; index < kChannelCount; ++index) {
-            const double ordinary = naturalSize(p, channelAt(index)) * p.a / (p.a + p.b + std::abs(p.c));
-            tolerances[index] = kPart * std::max(std::abs(static_cast<double>(exact.values[index])), ordinary);
-        }
-        for (const double tolerance : {0.0, 1e-12, 1e-8, 1e-4}) {
-            for (const NewtonOptions &options : everyWay(60, tolerance)) {
-                const NewtonTimeStep instant = run(p, {before, t}, options).back();
-                if (instant.state.status == Status::Solved) {
-                    ++solved;
-                    const Deviation deviation = worstDeviation(instant.state, exact, t, tolerances);
-                    QVERIFY2(
-                        deviation.accepted(),
-                        qPrintable(described(options) + QString::fromStdString(describe(p) + describe(deviation))));
+                Vector12 q = answer.q;
+                q[Theta3] = 0.5 * (q[Theta3] + coldStart(mechanism, t)[Theta3]);
+                StructuredSystem system(mechanism, t);
+                for (int k = 0; k < 4; ++k) {
+                    const Matrix12 Cq = constraintJacobian(mechanism, q);
+                    const Vector12 C = constraints(mechanism, q, t);
+                    const Vector12 step = Cq.partialPivLu().solve(-C);
+                    system.moveTo(StructuredSystem::read(q));
+                    QVERIFY(std::abs(system.residual(1.0) - C.norm()) <= 8.0 * kUnitRoundoff * C.norm());
+                    Vector12 next;
+                    StructuredSystem::write(system.next(StructuredSystem::read(q)), next);
+                    const LongVector difference =
+                        next.cast<long double>() - (q.cast<long double>() + step.cast<long double>());
+                    const Vector12 singularValues = Eigen::JacobiSVD<Matrix12>(Cq).singularValues();
+                    const double kappa = singularValues[0] / singularValues[11];
+                    if (!(kappa < 0.1 / kUnitRoundoff)) {
+                        break; // no digit of the step is significant
+                    }
+                    const double bound = kUnitRoundoff * (kappa * step.norm() + q.norm());
+                    QVERIFY2(static_cast<double>(difference.norm()) <= bound, std::string(which.name).c_str());
+                    q += step;
                 }
             }
         }
     }
-    QVERIFY(solved > kMechanisms);
-}
-
-/// From any iterate, the steps of both eliminations agree: ‖difference‖ <= u (κ ‖Δq‖ + ‖q‖), with the 2-norm of the
-/// twelve numbers (mm and rad mixed) and κ the ratio of the extreme singular values of C_q.
-void TestNewtonRandom::structuredStepsEqualDenseSteps()
-{
-    using LongVector = Eigen::Matrix<long double, kCoordinateCount, 1>;
-    const std::vector<Case> cases = allCases();
-    for (const Case &which : cases) {
-        const Mechanism mechanism(which.parameters);
-        for (const double t : timeStampsOf(which)) {
-            const NewtonTimeStep answer = solve(mechanism, t);
-            if (answer.positionStatus == Status::NotAssemblable) {
-                continue;
-            }
-            Vector12 q = answer.q;
-            q[Theta3] = 0.5 * (q[Theta3] + coldStart(mechanism, t)[Theta3]);
-            StructuredSystem system(mechanism, t);
-            for (int k = 0; k < 4; ++k) {
-                const Matrix12 Cq = constraintJacobian(mechanism, q);
-                const Vector12 C = constraints(mechanism, q, t);
-                const Vector12 step = Cq.partialPivLu().solve(-C);
-                system.moveTo(StructuredSystem::read(q));
-                QVERIFY(std::abs(system.residual(1.0) - C.norm()) <= 8.0 * kUnitRoundoff * C.norm());
-                Vector12 next;
-                StructuredSystem::write(system.next(StructuredSystem::read(q)), next);
-                const LongVector difference =
-                    next.cast<long double>() - (q.cast<long double>() + step.cast<long double>());
-                const Vector12 singularValues = Eigen::JacobiSVD<Matrix12>(Cq).singularValues();
-                const double kappa = singularValues[0] / singularValues[11];
-                if (!(kappa < 0.1 / kUnitRoundoff)) {
-                    break; // no digit of the step is significant
-                }
-                const double bound = kUnitRoundoff * (kappa * step.norm() + q.norm());
-                QVERIFY2(static_cast<double>(difference.norm()) <= bound, std::string(which.name).c_str());
-                q += step;
-            }
-        }
-    }
-}
+};
 
 const Suite suite("tst_newton_random", runWithoutApplication<TestNewtonRandom>);
 #include "tst_newton_random.moc"

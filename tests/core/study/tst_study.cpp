@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/study/finite_difference.h"
-#include "core/study/harmonic_series.h"
 #include "core/study/study.h"
 #include "core/study/study_methods.h"
 #include "tests/support/suite.h"
@@ -68,308 +66,266 @@ class tst_study : public QObject
     Q_OBJECT
 
 private slots:
-    void namesTheDocumentedMethods();
-    void closedFormIsExactToTheLastDigits();
-    void smallerTolerancesAreNotLessAccurate();
-    void differencesAreSecondOrderInTheStep();
-    void differencesOfAParabolaAreExact();
-    void harmonicsFallWithTheirNumber();
-    void harmonicsAreLeftOutWhereTheCrankRocks();
-    void twoHarmonicsEqualTheTextbookFormula();
-    void errorBoundHasTheSizeOfRoundingErrors();
-    void errorBoundIsInverseToTheGap();
-    void onlyApproximationsAreSilentlyWrong();
-    void countsEveryTimeStepOnce();
-    void reportsTheWorstStatus();
-    void reportsWhatCannotBeAssembled();
-    void bestFrontComparesOnlyEqualOutputs();
-    void reportsErrorAndCost();
-    void progressRisesToOne();
-    void stopsWhenAsked();
-    void measuresTimes();
-};
+    void namesTheDocumentedMethods()
+    {
+        std::vector<std::string> names;
+        for (const StudyMethod &method : studyMethods()) {
+            if (std::find(names.begin(), names.end(), nameOf(method.name)) == names.end()) {
+                names.push_back(nameOf(method.name));
+            }
+        }
+        const std::vector<std::string> expected{
+            "newton-dense", "newton-dense-taylor", "newton-structured", "newton-structured-taylor",
+            "closed-form",  "closed-form-batch",   "finite-difference", "harmonic-2",
+            "harmonic-4",   "harmonic-8",          "harmonic-16",       "harmonic-32"};
+        QCOMPARE(names, expected);
+    }
 
-void tst_study::namesTheDocumentedMethods()
-{
-    std::vector<std::string> names;
-    for (const StudyMethod &method : studyMethods()) {
-        if (std::find(names.begin(), names.end(), nameOf(method.name)) == names.end()) {
-            names.push_back(nameOf(method.name));
+    void closedFormIsExactToTheLastDigits()
+    {
+        std::vector<Case> cases(nominalCases().begin(), nominalCases().end());
+        for (const char *name : {"toggle gap 1e-15, c > 0", "exact toggle, crossed", "t near 1e9 s", "b/a = 1e9"}) {
+            cases.push_back(named(name));
+        }
+        for (const Case &which : cases) {
+            const CaseResult result = studied(coarse(which, 24));
+            QCOMPARE_LE(errorOf(result, "closed-form"), 1e-15);
+            QCOMPARE_LE(errorOf(result, "closed-form-batch"), 2e-15);
         }
     }
-    const std::vector<std::string> expected{
-        "newton-dense", "newton-dense-taylor", "newton-structured", "newton-structured-taylor",
-        "closed-form",  "closed-form-batch",   "finite-difference", "harmonic-2",
-        "harmonic-4",   "harmonic-8",          "harmonic-16",       "harmonic-32"};
-    QCOMPARE(names, expected);
-}
 
-void tst_study::closedFormIsExactToTheLastDigits()
-{
-    std::vector<Case> cases(nominalCases().begin(), nominalCases().end());
-    for (const char *name : {"toggle gap 1e-15, c > 0", "exact toggle, crossed", "t near 1e9 s", "b/a = 1e9"}) {
-        cases.push_back(named(name));
+    void smallerTolerancesAreNotLessAccurate()
+    {
+        const CaseResult result = studied(coarse(nominalCases()[0], 50));
+        for (const char *method :
+             {"newton-dense", "newton-dense-taylor", "newton-structured", "newton-structured-taylor"}) {
+            double before = 1.0;
+            for (const double tolerance : {1e-4, 1e-8, 1e-12, 0.0}) {
+                const double error = errorOf(result, method, tolerance);
+                constexpr double kNoise = 1e-14; // errors below this are rounding errors
+                QVERIFY2(error <= before + kNoise, method);
+                before = error;
+            }
+            QVERIFY2(before < kSilentPart, method);
+            QCOMPARE_LE(before, 2.0 * *rowOf(result, method, 0.0)->errorBound + 1e-15);
+        }
+        QCOMPARE_LT(errorOf(result, "newton-structured-taylor", 1e-12),
+                    errorOf(result, "newton-structured-taylor", 1e-4));
     }
-    for (const Case &which : cases) {
-        const CaseResult result = studied(coarse(which, 24));
-        QCOMPARE_LE(errorOf(result, "closed-form"), 1e-15);
-        QCOMPARE_LE(errorOf(result, "closed-form-batch"), 2e-15);
-    }
-}
 
-void tst_study::smallerTolerancesAreNotLessAccurate()
-{
-    const CaseResult result = studied(coarse(nominalCases()[0], 50));
-    for (const char *method :
-         {"newton-dense", "newton-dense-taylor", "newton-structured", "newton-structured-taylor"}) {
-        double before = 1.0;
-        for (const double tolerance : {1e-4, 1e-8, 1e-12, 0.0}) {
-            const double error = errorOf(result, method, tolerance);
-            constexpr double kNoise = 1e-14; // errors below this are rounding errors
-            QVERIFY2(error <= before + kNoise, method);
+    void differencesAreSecondOrderInTheStep()
+    {
+        Case which = nominalCases()[0];
+        double before = 0.0;
+        for (const int steps : {50, 100, 200, 400}) {
+            which.sampling.steps = steps;
+            const double error = errorOf(studied(which), "finite-difference");
+            if (before > 0.0) {
+                const double ratio = before / error;
+                QVERIFY2(ratio > 3.6 && ratio < 4.4,
+                         qPrintable(QString("%1 steps: %2 times less").arg(steps).arg(ratio)));
+            }
             before = error;
         }
-        QVERIFY2(before < kSilentPart, method);
-        QCOMPARE_LE(before, 2.0 * *rowOf(result, method, 0.0)->errorBound + 1e-15);
     }
-    QCOMPARE_LT(errorOf(result, "newton-structured-taylor", 1e-12), errorOf(result, "newton-structured-taylor", 1e-4));
-}
 
-void tst_study::differencesAreSecondOrderInTheStep()
-{
-    Case which = nominalCases()[0];
-    double before = 0.0;
-    for (const int steps : {50, 100, 200, 400}) {
-        which.sampling.steps = steps;
-        const double error = errorOf(studied(which), "finite-difference");
-        if (before > 0.0) {
-            const double ratio = before / error;
-            QVERIFY2(ratio > 3.6 && ratio < 4.4, qPrintable(QString("%1 steps: %2 times less").arg(steps).arg(ratio)));
+    void harmonicsFallWithTheirNumber()
+    {
+        const CaseResult result = studied(coarse(nominalCases()[0], 50));
+        double before = 1.0;
+        for (const char *method : {"harmonic-2", "harmonic-4", "harmonic-8", "harmonic-16", "harmonic-32"}) {
+            const double error = errorOf(result, method);
+            QVERIFY2(error < 0.2 * before, qPrintable(QString("%1: %2 after %3").arg(method).arg(error).arg(before)));
+            before = error;
         }
-        before = error;
+        QCOMPARE_LT(before, 2e-13); // only rounding errors, which grow with n²
     }
-}
 
-void tst_study::differencesOfAParabolaAreExact()
-{
-    const std::vector<double> samples{9.0, 4.0, 1.0, 0.0, 1.0, 4.0}; // (2x - 3)² at x = 0, ½, 1, …
-    for (std::size_t i = 0; i < 4; ++i) {
-        const Derivatives derivatives = centralDifferences(samples[i], samples[i + 1], samples[i + 2], 0.5);
-        QCOMPARE(derivatives.first, -8.0 + 4.0 * static_cast<double>(i));
-        QCOMPARE(derivatives.second, 8.0);
+    void harmonicsAreLeftOutWhereTheCrankRocks()
+    {
+        const CaseResult result = studied(coarse(named("rocker, one arc"), 20));
+        QVERIFY(!rowOf(result, "harmonic-2"));
+        QVERIFY(rowOf(result, "closed-form"));
     }
-}
 
-void tst_study::harmonicsFallWithTheirNumber()
-{
-    const CaseResult result = studied(coarse(nominalCases()[0], 50));
-    double before = 1.0;
-    for (const char *method : {"harmonic-2", "harmonic-4", "harmonic-8", "harmonic-16", "harmonic-32"}) {
-        const double error = errorOf(result, method);
-        QVERIFY2(error < 0.2 * before, qPrintable(QString("%1: %2 after %3").arg(method).arg(error).arg(before)));
-        before = error;
-    }
-    QCOMPARE_LT(before, 2e-13); // only rounding errors, which grow with n²
-}
-
-void tst_study::harmonicsAreLeftOutWhereTheCrankRocks()
-{
-    const CaseResult result = studied(coarse(named("rocker, one arc"), 20));
-    QVERIFY(!rowOf(result, "harmonic-2"));
-    QVERIFY(rowOf(result, "closed-form"));
-}
-
-void tst_study::twoHarmonicsEqualTheTextbookFormula()
-{
-    // Norton, section 13.2, c = 0: ẍ ≈ -r ω² (cos ωt + (r/l) cos 2ωt), up to terms of (r/l)³.
-    Parameters parameters;
-    parameters.a = 20.0;
-    parameters.b = 400.0;
-    parameters.c = 0.0;
-    parameters.omega2 = 3.0;
-    const HarmonicSeries series(Mechanism(parameters), 2);
-    const double ratio = parameters.a / parameters.b;
-    for (int i = 0; i < 24; ++i) {
-        const double t = 0.1 * i;
-        const double angle = 3.0 * t;
-        const double expected = -20.0 * 9.0 * (std::cos(angle) + ratio * std::cos(2.0 * angle));
-        QCOMPARE_LT(std::abs(series.at(t).R4x.second - expected), 20.0 * 9.0 * ratio * ratio * ratio);
-    }
-}
-
-void tst_study::errorBoundHasTheSizeOfRoundingErrors()
-{
-    const CaseResult result = studied(coarse(nominalCases()[0], 50));
-    for (const MethodResult &row : result.methods) {
-        QVERIFY2(row.errorBound && *row.errorBound > 5e-16 && *row.errorBound < 5e-15, nameOf(row.method).c_str());
-    }
-}
-
-void tst_study::errorBoundIsInverseToTheGap()
-{
-    double before = 0.0;
-    for (const char *name : {"toggle gap 1e-4, c > 0", "toggle gap 1e-6, c > 0", "toggle gap 1e-8, c > 0"}) {
-        const CaseResult result = studied(coarse(named(name), 20));
-        const double bound = rowOf(result, "closed-form")->errorBound.value();
-        if (before > 0.0) {
-            QVERIFY2(bound / before > 90.0 && bound / before < 110.0, name); // the bound grows with 1/gap
+    void twoHarmonicsEqualTheTextbookFormula()
+    {
+        // Norton, section 13.2, c = 0: ẍ ≈ -r ω² (cos ωt + (r/l) cos 2ωt), up to terms of (r/l)³.
+        Parameters parameters;
+        parameters.a = 20.0;
+        parameters.b = 400.0;
+        parameters.c = 0.0;
+        parameters.omega2 = 3.0;
+        const double ratio = parameters.a / parameters.b;
+        std::vector<double> times;
+        for (int i = 0; i < 24; ++i) {
+            times.push_back(0.1 * i);
         }
-        before = bound;
+        StudyAnswers answers;
+        answers.values.fill(times);
+        answers.status.resize(times.size());
+        const auto isHarmonic2 = [](const StudyMethod &method) { return nameOf(method.name) == "harmonic-2"; };
+        std::ranges::find_if(studyMethods(), isHarmonic2)->prepare(Mechanism(parameters), times)(answers);
+        for (std::size_t i = 0; i < times.size(); ++i) {
+            const double angle = 3.0 * times[i];
+            const double expected = -20.0 * 9.0 * (std::cos(angle) + ratio * std::cos(2.0 * angle));
+            QCOMPARE_LT(std::abs(answers.values[5][i] - expected), 20.0 * 9.0 * ratio * ratio * ratio);
+        }
     }
-}
 
-void tst_study::onlyApproximationsAreSilentlyWrong()
-{
-    for (const Case &which : allCases()) {
-        const CaseResult result = studied(coarse(which, 24));
+    void errorBoundHasTheSizeOfRoundingErrors()
+    {
+        const CaseResult result = studied(coarse(nominalCases()[0], 50));
         for (const MethodResult &row : result.methods) {
-            const bool isApproximation =
-                row.method.kind == MethodName::Kind::FiniteDifference || row.method.kind == MethodName::Kind::Harmonics;
-            QCOMPARE(row.silentFailures.has_value(), row.maxError.has_value());
-            if (isApproximation) {
-                QCOMPARE(row.silentFailures.value_or(0) > 0, row.maxError.value_or(0.0) > kSilentPart);
-                continue;
+            QVERIFY2(row.errorBound && *row.errorBound > 5e-16 && *row.errorBound < 5e-15, nameOf(row.method).c_str());
+        }
+    }
+
+    void errorBoundIsInverseToTheGap()
+    {
+        double before = 0.0;
+        for (const char *name : {"toggle gap 1e-4, c > 0", "toggle gap 1e-6, c > 0", "toggle gap 1e-8, c > 0"}) {
+            const CaseResult result = studied(coarse(named(name), 20));
+            const double bound = rowOf(result, "closed-form")->errorBound.value();
+            if (before > 0.0) {
+                QVERIFY2(bound / before > 90.0 && bound / before < 110.0, name); // the bound grows with 1/gap
             }
-            QVERIFY2(row.silentFailures.value_or(0) == 0,
-                     qPrintable(QString("%1, tolerance %2: %3 of %4 silently wrong, error %5")
-                                    .arg(nameOf(row.method).c_str())
-                                    .arg(row.tolerance.value_or(-1.0))
-                                    .arg(row.silentFailures.value_or(0))
-                                    .arg(result.timeStamps)
-                                    .arg(row.maxError.value_or(0.0))));
+            before = bound;
         }
     }
-}
 
-void tst_study::countsEveryTimeStepOnce()
-{
-    Case which = coarse(named("theta20 = 1 rad"), 30); // two times with a perpendicular coupler besides the steps
-    const CaseResult result = studied(which);
-    QCOMPARE(result.timeStamps, std::size_t(33));
-    for (const MethodResult &row : result.methods) {
-        std::size_t sum = 0;
-        for (const std::size_t count : row.counts) {
-            sum += count;
-        }
-        QCOMPARE(sum, row.method.kind == MethodName::Kind::FiniteDifference ? std::size_t(31) : std::size_t(33));
-    }
-}
-
-void tst_study::reportsTheWorstStatus()
-{
-    Case which = nominalCases()[0];
-    which.parameters.a *= 1e9;
-    which.parameters.b *= 1e9;
-    which.parameters.c *= 1e9;
-    const CaseResult result = studied(coarse(which, 20));
-    const MethodResult *report =
-        rowOf(result, "newton-dense", 1e-8); // mm: smaller than the rounding error of the residual
-    QVERIFY(report);
-    QCOMPARE(report->status, Status::IterationLimit);
-    QVERIFY(report->counts[static_cast<std::size_t>(Status::IterationLimit)] > 0);
-    QCOMPARE(rowOf(result, "newton-structured", 1e-8)->status, Status::Solved);
-}
-
-void tst_study::reportsWhatCannotBeAssembled()
-{
-    const CaseResult result = studied(coarse(named("never assemblable"), 10));
-    for (const MethodResult &row : result.methods) {
-        QCOMPARE(row.status, Status::NotAssemblable);
-        QVERIFY(!row.maxError && !row.errorBound);
-    }
-}
-
-void tst_study::bestFrontComparesOnlyEqualOutputs()
-{
-    CaseResult result;
-    const auto add = [&](double time, std::optional<double> error, int channels = 36) {
-        MethodResult row;
-        row.channels = channels;
-        row.nsPerState = time;
-        row.maxError = error;
-        result.methods.push_back(row);
-    };
-    add(10.0, 1e-3);
-    add(5.0, 1e-1);
-    add(7.0, 1e-1);  // slower, no better
-    add(20.0, 1e-2); // slower and worse
-    add(1.0, {});    // solved nothing
-    add(30.0, 1e-9);
-    add(2.0, 1e-12, 6); // faster and better than all, with fewer channels
-    add(3.0, 1e-2, 6);
-    QCOMPARE(bestFront(result), (std::vector<std::size_t>{1, 0, 5, 6}));
-}
-
-/// For a fixed set of outputs, a smaller step makes differences more accurate and every method slower. An exact method
-/// has only one row, or the same error in all rows.
-void tst_study::reportsErrorAndCost()
-{
-    const StudyResult study = runStudy(quick({nominalCases()[0], nominalCases()[1]}));
-    QVERIFY(study.cases[1].workPrecision.empty());
-    double before = 1.0;
-    int steps = WorkPrecision::kOutputs;
-    int closedForms = 0;
-    for (const WorkPrecision &row : study.cases[0].workPrecision) {
-        QVERIFY(row.steps % WorkPrecision::kOutputs == 0 && row.microseconds > 0.0 && row.maxError);
-        closedForms += row.method.kind == MethodName::Kind::ClosedForm ? 1 : 0;
-        if (row.method.kind == MethodName::Kind::FiniteDifference) {
-            QCOMPARE(row.steps, steps);
-            QVERIFY(*row.maxError < before / 3.0);
-            before = *row.maxError;
-            steps *= 2;
-        } else if (row.method.kind == MethodName::Kind::NewtonDense && row.tolerance == 0.0) {
-            QVERIFY(*row.maxError < 1e-13 && *row.linearSolves > 2.0 * row.steps);
+    void onlyApproximationsAreSilentlyWrong()
+    {
+        for (const Case &which : allCases()) {
+            const CaseResult result = studied(coarse(which, 24));
+            for (const MethodResult &row : result.methods) {
+                const bool isApproximation = row.method.kind == MethodName::Kind::FiniteDifference ||
+                                             row.method.kind == MethodName::Kind::Harmonics;
+                QCOMPARE(row.silentFailures.has_value(), row.maxError.has_value());
+                if (isApproximation) {
+                    QCOMPARE(row.silentFailures.value_or(0) > 0, row.maxError.value_or(0.0) > kSilentPart);
+                    continue;
+                }
+                QVERIFY2(row.silentFailures.value_or(0) == 0,
+                         qPrintable(QString("%1, tolerance %2: %3 of %4 silently wrong, error %5")
+                                        .arg(nameOf(row.method).c_str())
+                                        .arg(row.tolerance.value_or(-1.0))
+                                        .arg(row.silentFailures.value_or(0))
+                                        .arg(result.timeStamps)
+                                        .arg(row.maxError.value_or(0.0))));
+            }
         }
     }
-    QCOMPARE(steps, 64 * WorkPrecision::kOutputs);
-    QCOMPARE(closedForms, 1);
-}
 
-void tst_study::progressRisesToOne()
-{
-    double last = 0.0;
-    bool falls = false;
-    int calls = 0;
-    runStudy(quick({coarse(nominalCases()[0], 10), coarse(nominalCases()[1], 10)}), {}, [&](double part) {
-        falls = falls || part < last;
-        last = part;
-        ++calls;
-    });
-    QVERIFY(!falls);
-    QCOMPARE(last, 1.0);
-    QVERIFY(calls > 20);
-}
+    void countsEveryTimeStepOnce()
+    {
+        Case which = coarse(named("theta20 = 1 rad"), 30); // two times with a perpendicular coupler besides the steps
+        const CaseResult result = studied(which);
+        QCOMPARE(result.timeStamps, std::size_t(33));
+        for (const MethodResult &row : result.methods) {
+            std::size_t sum = 0;
+            for (const std::size_t count : row.counts) {
+                sum += count;
+            }
+            QCOMPARE(sum, row.method.kind == MethodName::Kind::FiniteDifference ? std::size_t(31) : std::size_t(33));
+        }
+    }
 
-void tst_study::stopsWhenAsked()
-{
-    std::stop_source stop;
-    double last = 0.0;
-    const StudyResult result =
-        runStudy(quick({coarse(nominalCases()[0], 10), nominalCases()[1]}), stop.get_token(), [&](double part) {
+    void reportsTheWorstStatus()
+    {
+        Case which = nominalCases()[0];
+        which.parameters.a *= 1e9;
+        which.parameters.b *= 1e9;
+        which.parameters.c *= 1e9;
+        const CaseResult result = studied(coarse(which, 20));
+        const MethodResult *report =
+            rowOf(result, "newton-dense", 1e-8); // mm: smaller than the rounding error of the residual
+        QVERIFY(report);
+        QCOMPARE(report->status, Status::IterationLimit);
+        QVERIFY(report->counts[static_cast<std::size_t>(Status::IterationLimit)] > 0);
+        QCOMPARE(rowOf(result, "newton-structured", 1e-8)->status, Status::Solved);
+    }
+
+    void reportsWhatCannotBeAssembled()
+    {
+        const CaseResult result = studied(coarse(named("never assemblable"), 10));
+        for (const MethodResult &row : result.methods) {
+            QCOMPARE(row.status, Status::NotAssemblable);
+            QVERIFY(!row.maxError && !row.errorBound);
+        }
+    }
+
+    /// For a fixed set of outputs, a smaller step makes differences more accurate and every method slower. An exact
+    /// method has only one row, or the same error in all rows.
+    void reportsErrorAndCost()
+    {
+        const StudyResult study = runStudy(quick({nominalCases()[0], nominalCases()[1]}));
+        QVERIFY(study.cases[1].workPrecision.empty());
+        double before = 1.0;
+        std::size_t steps = kWorkPrecisionOutputs;
+        int closedForms = 0;
+        for (const MethodResult &row : study.cases[0].workPrecision) {
+            QVERIFY((row.states - 1) % kWorkPrecisionOutputs == 0 && row.nsPerState > 0.0 && row.maxError);
+            closedForms += row.method.kind == MethodName::Kind::ClosedForm ? 1 : 0;
+            if (row.method.kind == MethodName::Kind::FiniteDifference) {
+                QCOMPARE(row.states, steps + 1);
+                QVERIFY(*row.maxError < before / 3.0);
+                before = *row.maxError;
+                steps *= 2;
+            } else if (row.method.kind == MethodName::Kind::NewtonDense && row.tolerance == 0.0) {
+                QVERIFY(*row.maxError < 1e-13 && *row.linearSolvesPerState > 2.0);
+            }
+        }
+        QCOMPARE(steps, std::size_t{64 * kWorkPrecisionOutputs});
+        QCOMPARE(closedForms, 1);
+    }
+
+    void progressRisesToOne()
+    {
+        double last = 0.0;
+        bool falls = false;
+        int calls = 0;
+        runStudy(quick({coarse(nominalCases()[0], 10), coarse(nominalCases()[1], 10)}), {}, [&](double part) {
+            falls = falls || part < last;
             last = part;
-            if (part > 0.6) { // within the second case
-                stop.request_stop();
-            }
+            ++calls;
         });
-    QVERIFY(!result.complete);
-    QCOMPARE(result.cases.size(), std::size_t(1));
-    QVERIFY(last < 1.0);
-}
+        QVERIFY(!falls);
+        QCOMPARE(last, 1.0);
+        QVERIFY(calls > 20);
+    }
 
-void tst_study::measuresTimes()
-{
-    StudyRequest request = quick({coarse(nominalCases()[0], 40)});
-    request.rounds = 5;
-    request.secondsPerRound = 50e-6;
-    const StudyResult result = runStudy(request);
-    for (const MethodResult &row : result.cases.front().methods) {
-        QVERIFY2(row.nsPerState > 0.0 && row.spread >= 0.0, nameOf(row.method).c_str());
-        QCOMPARE(row.iterationsPerState.has_value(), row.tolerance.has_value());
-        if (row.tolerance) {
-            QCOMPARE(*row.linearSolvesPerState, *row.iterationsPerState + 2.0);
+    void stopsWhenAsked()
+    {
+        std::stop_source stop;
+        double last = 0.0;
+        const StudyResult result =
+            runStudy(quick({coarse(nominalCases()[0], 10), nominalCases()[1]}), stop.get_token(), [&](double part) {
+                last = part;
+                if (part > 0.6) { // within the second case
+                    stop.request_stop();
+                }
+            });
+        QVERIFY(!result.complete);
+        QCOMPARE(result.cases.size(), std::size_t(1));
+        QVERIFY(last < 1.0);
+    }
+
+    void measuresTimes()
+    {
+        StudyRequest request = quick({coarse(nominalCases()[0], 40)});
+        request.rounds = 5;
+        request.secondsPerRound = 50e-6;
+        const StudyResult result = runStudy(request);
+        for (const MethodResult &row : result.cases.front().methods) {
+            QVERIFY2(row.nsPerState > 0.0 && row.spread >= 0.0, nameOf(row.method).c_str());
+            QCOMPARE(row.iterationsPerState.has_value(), row.tolerance.has_value());
+            if (row.tolerance) {
+                QCOMPARE(*row.linearSolvesPerState, *row.iterationsPerState + 2.0);
+            }
         }
     }
-}
+};
 
 const Suite suite("tst_study", runWithoutApplication<tst_study>);
 #include "tst_study.moc"
