@@ -118,10 +118,11 @@ void addExtrema(const SteepPlace &place, double from, double to, AllPoints &poin
 void addLimits(const SteepPlace &place, double u, AllPoints &points)
 {
     const Rates rates = place.at(u);
+    const double theta2 = place.theta2(place.isToggle() ? u : std::copysign(0.0, u));
     for (std::size_t channel = 0; channel < kCount; ++channel) {
         const bool isFinite = place.isToggle() || kPlottedChannels[channel].order == Order::Position;
         const double value = rates.value[channel];
-        points[channel].push_back({place.theta2(u),
+        points[channel].push_back({theta2,
                                    isFinite ? value : std::copysign(std::numeric_limits<double>::infinity(), value),
                                    u > 0.0 ? CriticalPoint::Kind::Begin : CriticalPoint::Kind::End});
     }
