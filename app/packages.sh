@@ -54,7 +54,7 @@ installMissing() {
     ((${#missing[@]} > 0)) || return 0
     if ! asRoot env DEBIAN_FRONTEND=noninteractive apt-get install --yes --no-install-recommends \
         "${aptOptions[@]}" "${missing[@]}" >>"$log" 2>&1 </dev/null; then
-        echo "Could not install ${missing[*]} (no network, or no right to? apt-get's own words are in $log)." >&2
+        echo "Could not install ${missing[*]} (no network, or no permission?), see $log." >&2
         return 1
     fi
 }

@@ -7,7 +7,7 @@ _slidercrank() {
     case ${COMP_WORDS[1]-} in
     solve | limits | compare | identify | study | render) ((COMP_CWORD > 1)) && command=${COMP_WORDS[1]} ;;
     esac
-    # shellcheck disable=SC2086 # no word at all where there is no command
+    # shellcheck disable=SC2086 # without a command, there must be no word
     help=$(LC_ALL=C.UTF-8 LANGUAGE=en "${COMP_WORDS[0]}" $command --help 2>/dev/null)
     COMPREPLY=()
     [[ $previous == -o ]] && previous=--output
@@ -25,7 +25,7 @@ _slidercrank() {
             mapfile -t COMPREPLY < <(compgen -W "${choices//|/ }" -- "$current")
             return
         elif [[ $choices =~ ^[A-Z] ]]; then
-            return # a number, which nobody can guess
+            return # a number cannot be completed
         fi
     fi
     if [[ $current == -* ]]; then

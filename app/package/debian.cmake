@@ -10,15 +10,15 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "motion of a slider-crank, computed and held against a simulation")
-set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "Change the lengths, the offset and the crank's speed of a slider-crank, and
-watch it move while positions, velocities and accelerations are plotted. The
-motion is computed as in multibody dynamics, with twelve coordinates and the
-Newton-Raphson method, and held against its closed form.
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "motion of a slider-crank, computed and compared with a simulation")
+set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "Set the lengths, the offset and the crank speed of a slider-crank, and watch
+it move while positions, velocities and accelerations are plotted. The motion
+is computed exactly, and by the Newton-Raphson method with the 12 coordinates
+of multibody dynamics.
 .
-The results of another simulation, saved as CSV, are laid over the plots, and
-told in numbers how far they are from the model, and whose motion they are.
-Everything can also be done from the command line.")
+The results of another simulation, saved as CSV, are drawn over the plots. The
+program reports how far they differ from the model, and finds the mechanism
+that they belong to. Everything can also be done from the command line.")
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libqt6svg6 (<< 6.7.2-5~) | qt6-svg-plugins") # a plugin, loaded at run time for the window's icon
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "fonts-dejavu-core | fonts-noto-core, qt6-translations-l10n, qt6-wayland")

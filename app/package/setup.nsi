@@ -34,12 +34,12 @@ VIAddVersionKey LegalCopyright "2026 the authors of slidercrank, GPL 3 or later"
 !insertmacro MUI_LANGUAGE Spanish
 
 LangString program ${LANG_ENGLISH} "Slider-Crank"
-LangString program ${LANG_SPANISH} "Manivela-Corredera"
+LangString program ${LANG_SPANISH} "Biela-manivela"
 LangString scene ${LANG_ENGLISH} "Slider-crank scene"
-LangString scene ${LANG_SPANISH} "Escena de manivela-corredera"
+LangString scene ${LANG_SPANISH} "Escena de biela-manivela"
 
 ; Tells Explorer that the icon of scene files has changed.
-!macro tellOfFileTypes
+!macro announceFileTypes
     System::Call "shell32::SHChangeNotify(i 0x08000000, i 0, p 0, p 0)" ; SHCNE_ASSOCCHANGED
 !macroend
 
@@ -58,7 +58,7 @@ Section
     WriteRegStr HKCU "${OPENS}\shell\open\command" "" '"$INSTDIR\slidercrank.exe" "%1"'
     WriteRegStr HKCU "${OPENS}\SupportedTypes" ".csv" ""
     WriteRegStr HKCU "${OPENS}\SupportedTypes" ".txt" ""
-    !insertmacro tellOfFileTypes
+    !insertmacro announceFileTypes
 
     WriteRegStr HKCU "${UNINSTALL}" DisplayName "$(program)"
     WriteRegStr HKCU "${UNINSTALL}" DisplayVersion "${VERSION}"
@@ -80,11 +80,11 @@ Section Uninstall
     Delete "$INSTDIR\NOTICES.txt"
     Delete "$INSTDIR\uninstall.exe"
     RMDir "$INSTDIR"
-    Delete "$SMPROGRAMS\Slider-Crank.lnk" ; by either name: the language may have changed
-    Delete "$SMPROGRAMS\Manivela-Corredera.lnk"
+    Delete "$SMPROGRAMS\Slider-Crank.lnk" ; under both names, because the language may have changed
+    Delete "$SMPROGRAMS\Biela-manivela.lnk"
     DeleteRegKey HKCU "${CLASSES}\.slidercrank"
     DeleteRegKey HKCU "${CLASSES}\slidercrank.scene"
     DeleteRegKey HKCU "${OPENS}"
     DeleteRegKey HKCU "${UNINSTALL}"
-    !insertmacro tellOfFileTypes
+    !insertmacro announceFileTypes
 SectionEnd
