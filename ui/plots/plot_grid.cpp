@@ -19,7 +19,7 @@ namespace slidercrank
 
 PlotGrid::PlotGrid(QWidget *parent)
     : QWidget(parent)
-    , m_caption(new QLabel(this))
+    , m_hint(new QLabel(tr("To compare with a simulation, <a href=\"open\">open its CSV…</a> or drop it here."), this))
     , m_rubberBand(new QRubberBand(QRubberBand::Rectangle, this))
 {
     setAttribute(Qt::WA_OpaquePaintEvent);
@@ -34,11 +34,11 @@ PlotGrid::PlotGrid(QWidget *parent)
                                                            : quantityName(kPlottedChannels[channelOf(plot)]));
     }
     setObjectName("plots");
-    m_caption->setObjectName("no_reference_hint");
-    m_caption->setAutoFillBackground(true);
-    m_caption->setBackgroundRole(QPalette::Base);                   // the background of the figure
-    m_caption->setTextInteractionFlags(Qt::LinksAccessibleByMouse); // the keyboard uses the menu instead
-    connect(m_caption, &QLabel::linkActivated, this, &PlotGrid::openReferenceRequested);
+    m_hint->setObjectName("no_reference_hint");
+    m_hint->setAutoFillBackground(true);
+    m_hint->setBackgroundRole(QPalette::Base);                   // the background of the figure
+    m_hint->setTextInteractionFlags(Qt::LinksAccessibleByMouse); // the keyboard uses the menu instead
+    connect(m_hint, &QLabel::linkActivated, this, &PlotGrid::openReferenceRequested);
     makeChoices();
     rebuild();
 }
@@ -65,10 +65,6 @@ void PlotGrid::makeChoices()
     add(tr("&Logarithmic errors"), &PlotSettings::logarithmicError, true, false);
     add(tr("File's &rounding"), &PlotSettings::roundingBand, true, false);
     add(tr("Over the crank &angle"), &PlotSettings::abscissa, Abscissa::CrankAngle, Abscissa::Time);
-    m_measuring = new QAction(tr("Mea&suring cursors"), this);
-    m_measuring->setCheckable(true);
-    m_choices << m_measuring;
-    connect(m_measuring, &QAction::toggled, this, &PlotGrid::setMeasuring);
 }
 
 QStringList PlotGrid::plotNames()
@@ -129,19 +125,6 @@ void PlotGrid::setPresentation(bool isPresentation)
 {
     m_figure.setPresentation(isPresentation);
     rebuild();
-}
-
-void PlotGrid::setMeasuring(bool isMeasuring)
-{
-    m_measured.reset();
-    if (isMeasuring) {
-        const Interval range = m_figure.timeRange();
-        const double third = range.length() / 3.0;
-        m_measured = {m_figure.readTime(range.lower + third).t, m_figure.readTime(range.upper - third).t};
-    }
-    m_measuring->setChecked(isMeasuring);
-    moveCursors();
-    updateCaption();
 }
 
 std::vector<std::size_t> PlotGrid::plotsToShow(const std::optional<std::size_t> &maximized) const
@@ -212,34 +195,17 @@ void PlotGrid::refresh()
             m_panes[index]->update();
         }
     }
-    updateCaption();
+    const bool isAlone = !m_figure.result()->isCompared() && !m_maximized && !m_figure.isPresentation();
+    constexpr int kGap = 12;
+    const QRect legend = m_figure.legend->outerRect();
+    const int hintWidth = m_hint->sizeHint().width();
+    m_hint->setGeometry(width() - hintWidth - kGap, 0, hintWidth, legend.height());
+    m_hint->setVisible(isAlone && legend.right() < m_hint->x());
     moveCursors();
     update();
 }
 
-/// Shows the measured times or, without a file, how to compare with one.
-void PlotGrid::updateCaption()
-{
-    const bool isAlone =
-        m_figure.result() && !m_figure.result()->isCompared() && !m_maximized && !m_figure.isPresentation();
-    QString text =
-        isAlone ? tr("To compare with a simulation, <a href=\"open\">open its CSV…</a> or drop it here.") : QString();
-    if (m_measured) {
-        const auto [first, second] = *m_measured;
-        text = QStringLiteral("1: %1 · 2: %2 · Δ = %3")
-                   .arg(m_figure.timeText(first), m_figure.timeText(second), m_figure.durationText(second - first));
-    }
-    if (text != m_caption->text()) {
-        m_caption->setText(text);
-    }
-    constexpr int kGap = 12;
-    const QRect legend = m_figure.legend->outerRect();
-    const int textWidth = m_caption->sizeHint().width();
-    m_caption->setGeometry(width() - textWidth - kGap, 0, textWidth, legend.height());
-    m_caption->setVisible(!text.isEmpty() && (m_measured || legend.right() < m_caption->x()));
-}
-
-/// Returns the cursors of a plot: at the current time, at the measured times and at the pointer.
+/// Returns the cursors of a plot: at the current time and at the pointer.
 std::vector<PlotPane::Cursor> PlotGrid::cursors(std::size_t plot)
 {
     constexpr int kDigits = 4;
@@ -255,12 +221,12 @@ std::vector<PlotPane::Cursor> PlotGrid::cursors(std::size_t plot)
         const ReadTime read = m_figure.readTime(time);
         PlotPane::Cursor cursor{std::round(timeAxis.coordToPixel(time)) - corner.x(), isLight, {}};
         for (const QString &heading : headings) {
-            cursor.lines.push_back({heading, colours.text});
+            cursor.labels.push_back({heading, colours.text});
         }
         for (const PlotReading &reading : m_figure.readings(plot, read)) {
             const QPointF place(timeAxis.coordToPixel(read.t), valueAxis.coordToPixel(reading.value));
             if (QRectF(axes(plot)).adjusted(-1.0, -1.0, 1.0, 1.0).contains(place)) {
-                cursor.lines.push_back({shortNumber(reading.number, kDigits), colours.*reading.ink, place - corner});
+                cursor.labels.push_back({shortNumber(reading.number, kDigits), colours.*reading.ink, place - corner});
             }
         }
         cursors.push_back(cursor);
@@ -268,19 +234,14 @@ std::vector<PlotPane::Cursor> PlotGrid::cursors(std::size_t plot)
     if (m_time) {
         add(*m_time, {});
     }
-    if (m_measured) {
-        add((*m_measured)[0], {"1"});
-        add((*m_measured)[1], {"2"});
-    }
     if (m_hovered && !m_drag) {
         const ReadTime hovered = m_figure.readTime(m_hoverTime);
         QStringList headings;
         if (plot == *m_hovered) {
             headings << m_figure.timeText(hovered.t);
-        }
-        const double theta3 = plot == 0 && plot == *m_hovered ? m_figure.modelValue(0, hovered) : kNoValue;
-        if (std::isfinite(theta3)) {
-            headings << tr("textbook's θ₃ = %1°").arg(shortNumber(theta3 + 180.0, kDigits));
+            if (m_time) {
+                headings << QStringLiteral("Δ = %1").arg(m_figure.durationText(hovered.t - *m_time));
+            }
         }
         add(hovered.t, headings, true);
     }
@@ -294,9 +255,6 @@ void PlotGrid::moveCursors()
     }
     for (const std::size_t plot : m_figure.plots()) {
         m_panes[plot]->setCursors(cursors(plot), axes(plot).translated(-m_panes[plot]->pos()));
-    }
-    if (m_measured) { // otherwise it does not depend on the time, and its layout would cost more than all cursors
-        updateCaption();
     }
 }
 

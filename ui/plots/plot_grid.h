@@ -96,40 +96,33 @@ private:
     void refreshIfStale();
     void refresh();
     void moveCursors();
-    void updateCaption();
     std::vector<PlotPane::Cursor> cursors(std::size_t plot);
 
     QRect axes(std::size_t plot) const { return m_figure.plot(plot).axes->rect(); } ///< px
     std::optional<std::size_t> plotAt(const QPointF &place) const;
     QPointF coordinates(std::size_t plot, const QPointF &place) const; ///< px → time (s) and value
-    std::optional<std::size_t> measuringCursorAt(const QPoint &place) const;
-    QRect draggedBox() const;
     void drag(const QPoint &to);
     void endDrag();
     void zoomTime(double about, double factor);
     void toggleMaximized(std::size_t plot); ///< fills the figure with that plot, or shows all plots again
-    void setMeasuring(bool isMeasuring);    ///< shows or hides the two measuring cursors
 
     PlotFigure m_figure;
     QPixmap m_picture;
     std::array<PlotPane *, kPlotCount> m_panes{};
     QList<QAction *> m_choices;
-    QAction *m_measuring = nullptr;
-    QLabel *m_caption; ///< to the right of the legend
+    QLabel *m_hint; ///< how to compare with a file; to the right of the legend
     std::optional<std::size_t> m_maximized;
     std::optional<std::size_t> m_hovered; ///< the plot under the pointer
     double m_hoverTime = 0.0;             ///< s
     std::optional<double> m_time;         ///< s, the current time
     std::optional<double> m_markedTime;
-    std::optional<std::array<double, 2>> m_measured; ///< s, the measuring cursors; nullopt if they are not shown
-    bool m_isStale = true;                           ///< m_picture is out of date
-    QRubberBand *m_rubberBand;                       ///< the box that a drag zooms into
+    bool m_isStale = true; ///< m_picture is out of date
+    QRubberBand *m_rubberBand; ///< the box that a drag zooms into
 
     /// A mouse button that is held down over a plot.
     struct Drag {
         std::size_t plot = 0;
-        bool isPan = false;
-        std::optional<std::size_t> measuringCursor; ///< moved by the drag; a drag that is neither zooms into a box
+        bool isPan = false; ///< otherwise the drag zooms into a box
         QPoint start;
         QPoint last;
         PlotZoom before; ///< restored by Escape

@@ -27,6 +27,20 @@ Interval scale(const Interval &range, double about, double factor)
     return {about - (about - range.lower) * factor, about + (range.upper - about) * factor};
 }
 
+/// Returns the box that a drag zooms into. A flat box gets the whole height of the axes, a narrow one their whole width.
+QRect draggedBox(const QPoint &from, const QPoint &to, const QRect &axes)
+{
+    constexpr int kLeast = 8; // px
+    QRect box = QRect(from, to).normalized();
+    if (box.width() <= kLeast) {
+        box = QRect(axes.left(), box.top(), axes.width(), box.height());
+    }
+    if (box.height() <= kLeast) {
+        box = QRect(box.left(), axes.top(), box.width(), axes.height());
+    }
+    return box & axes;
+}
+
 } // namespace
 
 std::optional<std::size_t> PlotGrid::plotAt(const QPointF &place) const
@@ -65,20 +79,6 @@ void PlotGrid::wheelEvent(QWheelEvent *event)
     }
 }
 
-/// Returns the index (0 or 1) of the measuring cursor under the pointer, or nullopt.
-std::optional<std::size_t> PlotGrid::measuringCursorAt(const QPoint &place) const
-{
-    constexpr double kReach = 5.0; // px
-    const std::optional<std::size_t> plot = plotAt(place);
-    for (std::size_t i = 0; m_measured && plot && axes(*plot).contains(place) && i < m_measured->size(); ++i) {
-        const double x = m_figure.axis(*plot, QCPAxis::atBottom).coordToPixel((*m_measured)[i]);
-        if (std::abs(x - place.x()) <= kReach) {
-            return i;
-        }
-    }
-    return std::nullopt;
-}
-
 void PlotGrid::mousePressEvent(QMouseEvent *event)
 {
     refreshIfStale();
@@ -89,8 +89,7 @@ void PlotGrid::mousePressEvent(QMouseEvent *event)
     }
     endDrag(); // begun with another button, or its release was not received
     const bool isPan = !isLeft || event->modifiers().testFlag(Qt::ShiftModifier);
-    m_drag =
-        Drag{*plot, isPan, isPan ? std::nullopt : measuringCursorAt(event->pos()), event->pos(), event->pos(), zoom()};
+    m_drag = Drag{*plot, isPan, event->pos(), event->pos(), zoom()};
 }
 
 void PlotGrid::mouseMoveEvent(QMouseEvent *event)
@@ -101,9 +100,7 @@ void PlotGrid::mouseMoveEvent(QMouseEvent *event)
         drag(place);
     } else {
         const std::optional<std::size_t> plot = plotAt(place);
-        const bool isOverCursor = measuringCursorAt(place).has_value();
-        setCursor(isOverCursor ? Qt::SplitHCursor : Qt::ArrowCursor);
-        m_hovered = plot && !isOverCursor && axes(*plot).contains(place) ? plot : std::nullopt;
+        m_hovered = plot && axes(*plot).contains(place) ? plot : std::nullopt;
         m_hoverTime = m_hovered ? coordinates(*plot, place).x() : 0.0;
     }
     moveCursors();
@@ -112,9 +109,6 @@ void PlotGrid::mouseMoveEvent(QMouseEvent *event)
 void PlotGrid::drag(const QPoint &to)
 {
     const std::size_t plot = m_drag->plot;
-    if (m_drag->measuringCursor && m_measured) {
-        (*m_measured)[*m_drag->measuringCursor] = m_figure.readTime(coordinates(plot, to).x()).t;
-    }
     m_drag->hasMoved |= (to - m_drag->start).manhattanLength() >= QApplication::startDragDistance();
     if (!m_drag->hasMoved) {
         return;
@@ -130,27 +124,11 @@ void PlotGrid::drag(const QPoint &to)
             values = Interval{values->lower + way.y(), values->upper + way.y()};
         }
         refresh(); // the next mouse move is relative to the new axes
-    } else if (!m_drag->measuringCursor) {
-        m_rubberBand->setGeometry(draggedBox());
+    } else {
+        m_rubberBand->setGeometry(draggedBox(m_drag->start, to, axes(plot)));
         m_rubberBand->show();
         m_rubberBand->raise();
     }
-}
-
-/// Returns the box that the drag zooms into. A flat box gets the whole height of the axes, a narrow one their whole
-/// width.
-QRect PlotGrid::draggedBox() const
-{
-    constexpr int kLeast = 8; // px
-    const QRect axes = this->axes(m_drag->plot);
-    QRect box = QRect(m_drag->start, m_drag->last).normalized();
-    if (box.width() <= kLeast) {
-        box = QRect(axes.left(), box.top(), axes.width(), box.height());
-    }
-    if (box.height() <= kLeast) {
-        box = QRect(box.left(), axes.top(), box.width(), axes.height());
-    }
-    return box & axes;
 }
 
 void PlotGrid::mouseReleaseEvent(QMouseEvent *event)
@@ -159,10 +137,10 @@ void PlotGrid::mouseReleaseEvent(QMouseEvent *event)
         return;
     }
     const Drag drag = *m_drag;
-    const QRect box = draggedBox();
+    const QRect box = m_rubberBand->geometry();
     const QRect axes = this->axes(drag.plot);
     endDrag();
-    if (drag.isPan || drag.measuringCursor) {
+    if (drag.isPan) {
         return;
     }
     if (!drag.hasMoved && axes.contains(event->pos())) {
@@ -212,8 +190,7 @@ void PlotGrid::leaveEvent(QEvent *)
     moveCursors();
 }
 
-/// Handles the keys of the plot that has the focus or is being dragged. + and − zoom about the current time; 1 and 2
-/// move the measuring cursors to it.
+/// Handles the keys of the plot that has the focus or is being dragged. + and − zoom about the current time.
 void PlotGrid::keyPressEvent(QKeyEvent *event)
 {
     const Interval shown = m_figure.timeRange();
@@ -240,13 +217,6 @@ void PlotGrid::keyPressEvent(QKeyEvent *event)
     case Qt::Key_Equal: return zoomTime(about, 0.7);
     case Qt::Key_Minus: return zoomTime(about, 1.0 / 0.7);
     case Qt::Key_0: return showAll();
-    case Qt::Key_1:
-    case Qt::Key_2:
-        if (m_measured && m_time) {
-            (*m_measured)[event->key() == Qt::Key_1 ? 0 : 1] = m_figure.readTime(*m_time).t;
-            return moveCursors();
-        }
-        break;
     default: break;
     }
     QWidget::keyPressEvent(event);

@@ -27,24 +27,20 @@ PlotPane::PlotPane(const QPixmap &picture, QWidget *figure)
     setFocusPolicy(Qt::TabFocus);
 }
 
-void PlotPane::setCursors(const std::vector<Cursor> &cursors, const QRect &axes)
+void PlotPane::setCursors(std::vector<Cursor> cursors, const QRect &axes)
 {
     const QRect before = m_painted;
     m_axes = axes;
-    m_cursors = cursors;
-    m_labels.clear();
+    m_cursors = std::move(cursors);
     QRectF painted;
-    for (const Cursor &cursor : m_cursors) {
-        addLabels(cursor);
+    for (Cursor &cursor : m_cursors) {
+        placeLabels(cursor);
         painted |= QRectF(cursor.x, m_axes.top(), 1.0, m_axes.height());
-        for (const Line &line : cursor.lines) {
-            painted |= line.dot ? QRectF(*line.dot, QSizeF(1.0, 1.0)) : QRectF();
+        for (const Label &label : cursor.labels) {
+            painted |= label.place;
         }
     }
-    for (const Label &label : m_labels) {
-        painted |= label.place;
-    }
-    constexpr int kAround = 5; // px, more than the radius of a dot
+    constexpr int kAround = 5; // px, more than the radius of a dot on the line
     m_painted = painted.toAlignedRect().adjusted(-kAround, -kAround, kAround, kAround);
     // One rectangle: where the region to paint has several, Qt starts threads to fill it, which costs far more.
     update(before | m_painted);
@@ -52,21 +48,21 @@ void PlotPane::setCursors(const std::vector<Cursor> &cursors, const QRect &axes)
 
 /// Places the labels to the right of the line, or to its left where they do not fit. Headings are at the top, values at
 /// the height of their dots, moved only so far that they do not overlap.
-void PlotPane::addLabels(Cursor cursor)
+void PlotPane::placeLabels(Cursor &cursor) const
 {
     constexpr double kGap = 6.0; // px, between the line and the text
     const QFontMetricsF metrics(font());
     const double height = metrics.height();
-    std::ranges::stable_sort(cursor.lines, {}, [](const Line &line) { return line.dot ? line.dot->y() : 0.0; });
+    std::ranges::stable_sort(cursor.labels, {}, [](const Label &label) { return label.dot ? label.dot->y() : 0.0; });
     double top = m_axes.top();
-    double lowest = m_axes.bottom() - static_cast<double>(cursor.lines.size()) * height;
-    for (const Line &line : cursor.lines) {
-        const double width = metrics.horizontalAdvance(line.text);
+    double lowest = m_axes.bottom() - static_cast<double>(cursor.labels.size()) * height;
+    for (Label &label : cursor.labels) {
+        const double width = metrics.horizontalAdvance(label.text);
         const bool fits = cursor.x + kGap + width <= m_axes.right();
         const double x = fits ? cursor.x + kGap : std::max(1.0, cursor.x - kGap - width);
-        const double wanted = std::max(top, line.dot ? line.dot->y() - 0.5 * height : top);
+        const double wanted = std::max(top, label.dot ? label.dot->y() - 0.5 * height : top);
         const double y = std::max(0.0, std::min(lowest, wanted));
-        m_labels.push_back({QRectF(x, y, width, height), line.colour, line.text});
+        label.place = QRectF(x, y, width, height);
         top = y + height;
         lowest += height;
     }
@@ -75,8 +71,10 @@ void PlotPane::addLabels(Cursor cursor)
 QString PlotPane::text() const
 {
     QStringList lines;
-    for (const Label &label : m_labels) {
-        lines << label.text;
+    for (const Cursor &cursor : m_cursors) {
+        for (const Label &label : cursor.labels) {
+            lines << label.text;
+        }
     }
     return lines.join(u'\n');
 }
@@ -92,20 +90,22 @@ void PlotPane::paintEvent(QPaintEvent *)
         painter.setOpacity(1.0);
         painter.setRenderHint(QPainter::Antialiasing);
         painter.setPen(colours.background); // separates a dot from its curve
-        for (const Line &line : cursor.lines) {
-            if (line.dot) {
-                painter.setBrush(line.colour);
-                painter.drawEllipse(*line.dot, kRadius, kRadius);
+        for (const Label &label : cursor.labels) {
+            if (label.dot) {
+                painter.setBrush(label.colour);
+                painter.drawEllipse(*label.dot, kRadius, kRadius);
             }
         }
         painter.setRenderHint(QPainter::Antialiasing, false);
     }
     QColor behind = colours.background;
     behind.setAlphaF(0.8F);
-    for (const Label &label : m_labels) {
-        painter.fillRect(label.place, behind);
-        painter.setPen(label.colour);
-        painter.drawText(label.place, Qt::AlignCenter | Qt::TextDontClip, label.text);
+    for (const Cursor &cursor : m_cursors) {
+        for (const Label &label : cursor.labels) {
+            painter.fillRect(label.place, behind);
+            painter.setPen(label.colour);
+            painter.drawText(label.place, Qt::AlignCenter | Qt::TextDontClip, label.text);
+        }
     }
     if (hasFocus()) {
         painter.setPen(QPen(palette().color(QPalette::Highlight), 2));

@@ -20,33 +20,27 @@ class PlotPane : public QWidget
     Q_OBJECT
 
 public:
-    struct Line {
+    /// Text beside a cursor: a heading, or a value with a dot on its curve. Positions are in px, in the pane.
+    struct Label {
         QString text;
         QColor colour;
-        std::optional<QPointF> dot = {}; ///< px, in the pane; a heading has none
+        std::optional<QPointF> dot = {}; ///< a heading has none
+        QRectF place = {};               ///< of the text; setCursors() chooses it
     };
 
-    /// A time at which the curves are read, with a line of text for each heading and each value.
+    /// A time at which the curves are read.
     struct Cursor {
         double x = 0.0;       ///< px, in the pane
         bool isLight = false; ///< follows the pointer
-        std::vector<Line> lines;
-    };
-
-    /// Text beside a cursor.
-    struct Label {
-        QRectF place; ///< px, in the pane
-        QColor colour;
-        QString text;
+        std::vector<Label> labels = {};
     };
 
     /// `picture` shows the whole figure and must outlive the pane.
     PlotPane(const QPixmap &picture, QWidget *figure);
 
-    void setCursors(const std::vector<Cursor> &cursors, const QRect &axes);
+    void setCursors(std::vector<Cursor> cursors, const QRect &axes);
 
     const std::vector<Cursor> &cursors() const { return m_cursors; }
-    const std::vector<Label> &labels() const { return m_labels; }
     const QRect &axes() const { return m_axes; } ///< px, in the pane
     QString text() const;                        ///< the texts of all labels, one per line
 
@@ -54,11 +48,10 @@ protected:
     void paintEvent(QPaintEvent *event) override;
 
 private:
-    void addLabels(Cursor cursor);
+    void placeLabels(Cursor &cursor) const;
 
     const QPixmap &m_picture;
     std::vector<Cursor> m_cursors;
-    std::vector<Label> m_labels;
     QRect m_painted; ///< contains all cursors and labels; px, in the pane
     QRect m_axes;
 };
