@@ -3217,10 +3217,6 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>Sobre el án&amp;gulo de la manivela</translation>
     </message>
     <message>
-        <source>Mea&amp;suring cursors</source>
-        <translation>C&amp;ursores de medida</translation>
-    </message>
-    <message>
         <source>Error &amp;in ° and mm</source>
         <translation>Error en ° &amp;y mm</translation>
     </message>
@@ -3243,10 +3239,6 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     <message>
         <source>Error of the accelerations</source>
         <translation>Error de las aceleraciones</translation>
-    </message>
-    <message>
-        <source>textbook&apos;s θ₃ = %1°</source>
-        <translation>θ₃ del libro de texto = %1°</translation>
     </message>
     <message>
         <source>Copy the &amp;values here</source>
@@ -3570,18 +3562,6 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     <message>
         <source>The rows are by crank angle; ω₂ and θ₂₀ give the time.</source>
         <translation>Las filas van por ángulo de la manivela; ω₂ y θ₂₀ dan el tiempo.</translation>
-    </message>
-    <message>
-        <source>First column is the time</source>
-        <translation>La primera columna es el tiempo</translation>
-    </message>
-    <message>
-        <source>The rows are by time.</source>
-        <translation>Las filas van por tiempo.</translation>
-    </message>
-    <message>
-        <source>First column is the crank angle</source>
-        <translation>La primera columna es el ángulo de la manivela</translation>
     </message>
     <message>
         <source>Searching for the mechanism of this file…</source>
@@ -4084,10 +4064,6 @@ SHA-256: %2</translation>
     <message>
         <source>%1 is a pipe or a device: save the data in a file, and open that.</source>
         <translation>%1 es una tubería o un dispositivo: guarde los datos en un archivo y abra ese archivo.</translation>
-    </message>
-    <message>
-        <source>Cancelled: the parts of the scene that take long to compute are left out. Undo computes them.</source>
-        <translation>Cancelado: se han omitido las partes de la escena que tardan mucho en calcularse. Deshacer las calcula.</translation>
     </message>
 </context>
 <context>

@@ -177,21 +177,6 @@ ReferenceOutcome timedBy(const Mechanism &mechanism, const std::shared_ptr<const
     return timed;
 }
 
-std::vector<ColumnChoice> withAbscissaAs(ColumnRole role, const Reference &reference)
-{
-    const std::vector<FileColumn> &columns = reference.data.layout.columns;
-    const auto found = std::ranges::find_if(columns, [](const FileColumn &column) {
-        return column.role == ColumnRole::Time || column.role == ColumnRole::CrankAngle;
-    });
-    const auto abscissa = static_cast<std::size_t>(found - columns.begin());
-    const std::string &printed = columns[abscissa].unit;
-    const bool isSuitable = parseColumnUnit(printed, role, {}).has_value();
-    std::vector<ColumnChoice> choices = reference.columns;
-    std::erase_if(choices, [abscissa](const ColumnChoice &choice) { return choice.column == abscissa; });
-    choices.push_back({abscissa, role, {}, isSuitable ? "" : role == ColumnRole::CrankAngle ? "deg" : "s"});
-    return choices;
-}
-
 ReferenceSource toSource(const Reference &reference)
 {
     QStringList paths;

@@ -56,10 +56,6 @@ using ReferenceOutcome = std::variant<std::shared_ptr<const Reference>, QString>
 /// Reads files, pipes or standard input. May run in any thread.
 ReferenceOutcome readReference(const ReferenceSource &source, std::stop_token stop = {}, ReadOptions options = {});
 
-/// Returns the column choices of the reference with its time or crank angle column read as `role`, which is Time or
-/// CrankAngle.
-std::vector<ColumnChoice> withAbscissaAs(ColumnRole role, const Reference &reference);
-
 /// Returns a table by crank angle with the time stamps at which the crank of that mechanism reaches its angles, or a
 /// sentence if the crank does not reach them in their order. Returns other data, and null, unchanged.
 ReferenceOutcome timedBy(const Mechanism &mechanism, const std::shared_ptr<const Reference> &reference);

@@ -120,12 +120,7 @@ Session::~Session()
 
 void Session::setParameters(const Parameters &parameters)
 {
-    if (const std::optional<ParameterFault> fault = findFault(parameters)) {
-        emit problemFound(faultText(*fault));
-        emit parametersChanged(m_choices.parameters);
-    } else if (parameters != m_choices.parameters) {
-        edit(with(m_choices, &Choices::parameters, parameters));
-    }
+    edit(with(m_choices, &Choices::parameters, parameters));
 }
 
 void Session::setParameter(Parameter parameter, double value)
@@ -163,30 +158,38 @@ void Session::unpinMotions()
     edit(with(m_choices, &Choices::pinned, {}));
 }
 
-bool Session::isRangeOfReference(const Sampling &sampling) const
-{
-    const std::shared_ptr<const Reference> &reference = m_result->reference;
-    return reference && sampling == rangeOf(reference->data.time, sampling);
-}
-
-void Session::edit(const Choices &choices, const QString &name)
+void Session::edit(const Choices &choices, const QString &name, bool adoptsRange)
 {
     if (choices == m_choices) {
         return;
     }
-    const ReferenceOutcome timed = timedBy(Mechanism(choices.parameters), choices.reference);
+    const std::optional<ParameterFault> fault = findFault(choices.parameters);
+    const ReferenceOutcome timed =
+        fault ? faultText(*fault) : timedBy(Mechanism(choices.parameters), choices.reference);
     if (const QString *sentence = std::get_if<QString>(&timed)) {
-        emit problemFound(*sentence);
-        emit parametersChanged(m_choices.parameters);
+        if (adoptsRange) {
+            emit referenceRefused(choices.reference->paths, *sentence);
+        } else {
+            emit problemFound(*sentence);
+            emit parametersChanged(m_choices.parameters);
+        }
         return;
     }
     Choices complete = choices;
-    if (choices.reference && choices.reference == m_choices.reference && isRangeOfReference(choices.sampling)) {
-        // The time stamps of a table by crank angle depend on the crank speed.
+    if (choices.reference) {
+        // A time range that is that of the file remains so: the time stamps of a table by crank angle depend on ω₂.
+        const Reference *shown = m_result->reference.get();
+        const bool isOfFile = shown && shown->paths == choices.reference->paths &&
+                              choices.sampling == rangeOf(shown->data.time, choices.sampling);
         const auto &reference = std::get<std::shared_ptr<const Reference>>(timed);
-        complete.sampling = rangeOf(reference->data.time, choices.sampling);
+        const Sampling range = rangeOf(reference->data.time, choices.sampling);
+        complete.sampling =
+            isOfFile || (adoptsRange && !contains(choices.sampling, range)) ? range : choices.sampling;
     }
     m_edits.edit(m_choices, complete, name.isEmpty() ? nameEdit(m_choices, choices) : EditName{name});
+    if (adoptsRange && complete.sampling != choices.sampling) {
+        emit timeRangeReplaced(choices.reference, complete.sampling);
+    }
 }
 
 void Session::applyChoices(const Choices &choices)
@@ -236,7 +239,6 @@ void Session::publish(std::shared_ptr<const Result> result)
 {
     const bool isNewReference = result->choices.reference != m_result->choices.reference;
     m_result = std::move(result);
-    m_isOpening = false;
     emit resultChanged(m_result);
     emit timeChanged(pose());
     if (m_result->reference) {
@@ -306,7 +308,7 @@ void Session::read(const QStringList &paths, const std::function<ReferenceSource
     m_reading.start(work, finish, finish);
 }
 
-void Session::loadReference(const QStringList &paths, const std::optional<std::vector<ColumnChoice>> &columns)
+void Session::loadReference(const QStringList &paths)
 {
     const auto pipe = std::ranges::find_if(paths, [](const QString &path) { return isPipeOrDevice(QFileInfo(path)); });
     if (pipe != paths.end()) { // reading a pipe might never end
@@ -314,29 +316,17 @@ void Session::loadReference(const QStringList &paths, const std::optional<std::v
             paths, tr("%1 is a pipe or a device: save the data in a file, and open that.").arg(displayName(*pipe)));
         return;
     }
-    const auto source = [paths, columns]() -> ReferenceSource {
-        return {paths, columns ? *columns : savedChoices(readLayout(paths), paths), {}};
-    };
-    read(paths, source, [this, paths, columns](const std::shared_ptr<const Reference> &reference) {
-        if (columns) {
-            saveChoices(reference->data.layout, paths, *columns);
-        }
-        adoptReference(reference);
-    });
-}
-
-void Session::readAbscissaAs(ColumnRole role)
-{
-    if (const std::shared_ptr<const Reference> &reference = m_choices.reference) {
-        loadReference(reference->paths, withAbscissaAs(role, *reference));
-    }
+    const auto source = [paths]() -> ReferenceSource { return {paths, savedChoices(readLayout(paths), paths), {}}; };
+    read(paths, source, [this](const std::shared_ptr<const Reference> &reference) { adoptReference(reference); });
 }
 
 void Session::open(const Choices &choices, double seconds, const std::optional<ReferenceSource> &source)
 {
     m_reading.discard();
     m_edits.clear();
-    m_isOpening = true;
+    if (takesLong(choices)) {
+        applyChoices(simplified(choices)); // otherwise the result of the previous scene would be shown meanwhile
+    }
     applyChoices(choices);
     setTime(seconds);
     if (source) {
@@ -354,24 +344,8 @@ void Session::setReference(const std::shared_ptr<const Reference> &reference)
 
 void Session::adoptReference(const std::shared_ptr<const Reference> &reference)
 {
-    const ReferenceOutcome timed = timedBy(Mechanism(m_choices.parameters), reference);
-    if (const QString *sentence = std::get_if<QString>(&timed)) {
-        emit referenceRefused(reference->paths, *sentence);
-        return;
-    }
-    Choices choices = with(m_choices, &Choices::reference, reference);
-    const auto &data = std::get<std::shared_ptr<const Reference>>(timed)->data;
-    const Sampling range = rangeOf(data.time, choices.sampling);
-    const bool isReadAgain = m_choices.reference && m_choices.reference->paths == reference->paths;
-    const bool isRangeKept =
-        contains(choices.sampling, range) && !(isReadAgain && isRangeOfReference(choices.sampling));
-    const bool isRangeReplaced = range != choices.sampling && !isRangeKept;
-    choices.sampling = isRangeReplaced ? range : choices.sampling;
     m_reading.discard();
-    edit(choices);
-    if (isRangeReplaced) {
-        emit timeRangeReplaced(reference, range);
-    }
+    edit(with(m_choices, &Choices::reference, reference), {}, true);
 }
 
 void Session::useFoundMechanism()
@@ -398,21 +372,15 @@ void Session::readAsPrinted()
     }
 }
 
-bool Session::cancel()
+void Session::cancel()
 {
     m_computation.discard();
     m_reading.discard();
     if (m_choices == m_result->choices) {
         stopDiagnosis();
-    } else if (m_isOpening) {
-        edit(simplified(m_choices), EditStack::tr("cancelling"));
-        emit problemFound(
-            tr("Cancelled: the parts of the scene that take long to compute are left out. Undo computes them."));
-        return false;
     } else {
         edit(m_result->choices, EditStack::tr("cancelling"));
     }
-    return true;
 }
 
 } // namespace slidercrank

@@ -49,8 +49,9 @@ public:
     /// Whether anything was edited since the undo stack was clean. Opening a reference file is not an edit.
     bool isModified() const { return m_edits.isModified(); }
 
-    /// Replaces all choices and the time, which cannot be undone. Then reads the reference from `source` in the
-    /// background; the time range remains that of the choices.
+    /// Replaces all choices and the time, which cannot be undone. If they take long to compute, the result is first that
+    /// of simpler choices. Reads the reference from `source` in the background; the time range remains that of the
+    /// choices.
     void open(const Choices &choices, double seconds, const std::optional<ReferenceSource> &source);
 
 public slots:
@@ -68,11 +69,7 @@ public slots:
     /// Emits referenceLoaded() or referenceRefused(). If the time range does not contain the data, it is replaced by
     /// that of the data.
     void loadReference(const QString &path) { loadReference(QStringList(path)); }
-    void loadReference(const QStringList &paths) { loadReference(paths, std::nullopt); }
-
-    /// Reads the current file again with its time or crank angle column read as `role`, which is Time or CrankAngle,
-    /// and saves that choice.
-    void readAbscissaAs(slidercrank::ColumnRole role);
+    void loadReference(const QStringList &paths);
 
     /// Uses data that have been read, or no data if null. Does not change the time range.
     void setReference(const std::shared_ptr<const slidercrank::Reference> &reference);
@@ -89,9 +86,8 @@ public slots:
     void beginDrag() { m_edits.setDragging(true); }
     void endDrag() { m_edits.setDragging(false); }
 
-    /// Stops all background tasks, and restores the choices of the current result. Returns false if there is no such
-    /// result because a scene was just opened: then the scene is simplified until it can be computed quickly.
-    bool cancel();
+    /// Stops all background tasks, and restores the choices of the current result.
+    void cancel();
 
 signals:
     void parametersChanged(const slidercrank::Parameters &parameters);
@@ -110,18 +106,11 @@ signals:
     void busyChanged(bool busy); ///< emitted when a background task starts or ends
 
 private:
-    /// Without a name, the edit is named by what it changes.
-    void edit(const Choices &choices, const QString &name = {});
+    /// Without a name, the edit is named by what it changes. With `adoptsRange`, the time range of the reference
+    /// replaces one that does not contain it.
+    void edit(const Choices &choices, const QString &name = {}, bool adoptsRange = false);
     void applyChoices(const Choices &choices);
-
-    /// Whether the time range of `sampling` is that of the reference data in the result.
-    bool isRangeOfReference(const Sampling &sampling) const;
-
-    /// Uses the reference, and its time range if the current one does not contain it.
     void adoptReference(const std::shared_ptr<const Reference> &reference);
-
-    /// Reads in the background, with these column choices or else the saved ones, then calls adoptReference().
-    void loadReference(const QStringList &paths, const std::optional<std::vector<ColumnChoice>> &columns);
 
     /// Reads in the background from what `source` returns there, then calls done() or emits referenceRefused().
     void read(const QStringList &paths, const std::function<ReferenceSource()> &source,
@@ -141,8 +130,7 @@ private:
     BackgroundTask m_computation;
     BackgroundTask m_reading;
     BackgroundTask m_diagnosing;
-    bool m_isOpening = false; ///< whether the result is still that of the scene before
-    QTimer m_settling{this};  ///< runs while the parameters may still be changing
+    QTimer m_settling{this}; ///< runs while the parameters may still be changing
 
     EditStack m_edits{[this](const Choices &choices) { applyChoices(choices); }, this};
 };

@@ -20,9 +20,7 @@ enum class Remedy {
     UseFoundMechanism, ///< use the mechanism that was found as the model
     Apply,             ///< read the file with the convention
     ReadAsPrinted,     ///< read the file without the conventions that were applied
-    ChooseColumns,     ///< open the dialog for the meaning of the columns
-    ReadByAngle,       ///< read the first column as the crank angle
-    ReadByTime         ///< read the first column as the time
+    ChooseColumns      ///< open the dialog for the meaning of the columns
 };
 
 /// A sentence about the reference file, with at most one remedy.

@@ -105,25 +105,6 @@ PageTable skippedTable(const ReferenceData &data)
     return table;
 }
 
-bool isAbscissaOpen(const ReferenceData &data)
-{
-    const auto isGuessedTime = [](const FileColumn &column) {
-        return column.role == ColumnRole::Time && isGuess(column.reason);
-    };
-    return data.crank || std::ranges::any_of(data.layout.columns, isGuessedTime);
-}
-
-/// Offers the other meaning of the first column, because headings do not always distinguish time from crank angle.
-Finding abscissaFinding(const ReferenceData &data)
-{
-    if (data.crank) {
-        return {ReferencePage::tr("The rows are by crank angle; ω₂ and θ₂₀ give the time."), Remedy::ReadByTime,
-                ReferencePage::tr("First column is the time")};
-    }
-    return {ReferencePage::tr("The rows are by time."), Remedy::ReadByAngle,
-            ReferencePage::tr("First column is the crank angle")};
-}
-
 Finding mechanismFound(const Result &result, const ReferenceDiagnosis *diagnosis)
 {
     if (!isOfFile(diagnosis, result)) {
@@ -158,8 +139,8 @@ Page referencePage(const Result &result, const ReferenceDiagnosis *diagnosis)
     page.fileName = ReferencePage::tr("reference", "name of a file");
     page.findings = {{ReferencePage::tr("%1. %2.").arg(formText(data.layout), rows), Remedy::ChooseColumns,
                       ReferencePage::tr("Choose columns…")}};
-    if (isAbscissaOpen(data)) {
-        page.findings.push_back(abscissaFinding(data));
+    if (data.crank) {
+        page.findings.push_back({ReferencePage::tr("The rows are by crank angle; ω₂ and θ₂₀ give the time.")});
     }
     page.findings.push_back(mechanismFound(result, diagnosis));
     for (const Finding &finding : findingsOf(result, diagnosis)) {

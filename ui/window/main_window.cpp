@@ -167,10 +167,10 @@ void MainWindow::connectDocument()
     connect(m_exports, &Exports::busyChanged, m_status, &StatusBar::setBusy);
     connect(m_exports, &Exports::progressed, m_status, &StatusBar::setProgress);
     connect(m_status, &StatusBar::cancelled, this, [this] {
-        const bool showsOlderResult = m_session->cancel();
+        m_session->cancel();
         if (m_exports->cancel()) {
             m_messages->confirm(tr("Cancelled: nothing was written."));
-        } else if (showsOlderResult) {
+        } else {
             m_messages->showAboutResult(Message::Kind::Hint, tr("Cancelled: the previous result is still shown."));
         }
     });
@@ -386,8 +386,6 @@ void MainWindow::applyRemedy(const Finding &finding)
     case Remedy::UseFoundMechanism: m_session->useFoundMechanism(); break;
     case Remedy::Apply: m_session->apply(finding.convention); break;
     case Remedy::ReadAsPrinted: m_session->readAsPrinted(); break;
-    case Remedy::ReadByAngle: m_session->readAbscissaAs(ColumnRole::CrankAngle); break;
-    case Remedy::ReadByTime: m_session->readAbscissaAs(ColumnRole::Time); break;
     case Remedy::ChooseColumns: chooseColumns(m_session->reference()->paths); break;
     }
 }

@@ -126,10 +126,6 @@ void SceneFile::show(const Scene &scene, const QString &path, const FileState &s
     m_views.plots->setZoom(scene.zoom);
     m_views.mechanism->setSettings(scene.mechanism);
     m_views.mechanism->setZoom(scene.mechanismFrame);
-    if (m_session->result()->sampling != scene.sampling) { // still being computed; the result resets the zoom
-        const auto setZoom = [this, zoom = scene.zoom] { m_views.plots->setZoom(zoom); };
-        connect(m_session, &Session::resultChanged, this, setZoom, Qt::SingleShotConnection);
-    }
     emit changed();
 }
 

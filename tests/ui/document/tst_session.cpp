@@ -129,7 +129,7 @@ private slots:
         session.setParameter(Parameter::B, 67.0);
         session.setReference(largeReference());
         QCOMPARE(session.result(), before);
-        QVERIFY(session.cancel());
+        session.cancel();
         QCOMPARE(session.result(), before);
         QCOMPARE(session.parameters().b, 65.0);
         QCOMPARE(session.sampling(), Sampling());
@@ -142,17 +142,16 @@ private slots:
     }
 
     /// Otherwise the result of the previous scene would be shown with the choices of this one.
-    void cancelSimplifiesASceneThatTakesLong()
+    void aSceneThatTakesLongIsSimplifiedUntilItIsComputed()
     {
         Session session;
         Choices opened{withCoupler(80.0), session.sampling(), session.solver(), nullptr};
         opened.solver.method = Method::Newton;
         opened.sampling.steps = 1000000;
         session.open(opened, 0.0, std::nullopt);
-        QSignalSpy problems(&session, &Session::problemFound);
-        QVERIFY(!session.cancel());
-        QCOMPARE(problems.count(), 1);
         QCOMPARE(session.result()->choices.parameters, opened.parameters);
+        QVERIFY(session.parameters() == opened.parameters && session.solver() == opened.solver);
+        session.cancel();
         QCOMPARE(session.result()->choices.solver, session.solver());
         QCOMPARE(session.result()->choices.sampling, session.sampling());
         QVERIFY(session.isModified());
@@ -162,7 +161,7 @@ private slots:
         Session other; // a large file is left out
         const auto large = largeReference();
         other.open(with(Choices(), &Choices::reference, large), 0.0, std::nullopt);
-        QVERIFY(!other.cancel());
+        other.cancel();
         QVERIFY(!other.reference() && !other.result()->reference);
         other.undoStack().undo();
         QCOMPARE(other.reference(), large);

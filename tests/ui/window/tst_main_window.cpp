@@ -154,7 +154,7 @@ private slots:
     }
 
     /// The heading does not say that the first column is the crank angle.
-    void theFirstColumnIsTheTimeOrTheCrankAngle()
+    void theFirstColumnCanBeTheCrankAngle()
     {
         const QTemporaryDir folder;
         drop({writeFile(folder, "table.csv", "phi,R4_x\n0,80\n90,65\n180,40\n270,47\n360,80\n")});
@@ -164,10 +164,12 @@ private slots:
         QVERIFY(!said().contains("The time range"));
         showTab(2);
         const auto remedies = part("referencePanel")->findChildren<QPushButton *>();
-        const auto byAngle =
-            std::ranges::find(remedies, QString("First column is the crank angle"), &QPushButton::text);
-        QVERIFY(byAngle != remedies.end());
-        (*byAngle)->click();
+        const auto choose = std::ranges::find(remedies, QString("Choose columns…"), &QPushButton::text);
+        QVERIFY(choose != remedies.end());
+        (*choose)->click();
+        auto *first = part<QComboBox>("meaning0");
+        first->setCurrentIndex(first->findText("crank angle", Qt::MatchContains));
+        click("useButton");
         AWAIT(session().reference()->data.crank.has_value());
         session().undoStack().undo();
         QVERIFY(!session().reference()->data.crank);
