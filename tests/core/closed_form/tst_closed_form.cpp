@@ -388,23 +388,6 @@ private slots:
         }
     }
 
-    /// Scales by powers of two; the results agree bit by bit.
-    void scalesWithTheMechanism()
-    {
-        const Parameters p;
-        const State reference = ClosedForm{Mechanism(p)}.stateAt(0.3);
-        for (const int exponent : {-30, -3, 5, 30}) {
-            Parameters scaledUp = p;
-            for (double *length : {&scaledUp.a, &scaledUp.b, &scaledUp.c}) {
-                *length = std::ldexp(*length, exponent);
-            }
-            const State state = ClosedForm{Mechanism(scaledUp)}.stateAt(0.3);
-            QCOMPARE(state.q[Theta3], reference.q[Theta3]);
-            QCOMPARE(std::ldexp(state.q[R4x], -exponent), reference.q[R4x]);
-            QCOMPARE(std::ldexp(state.qDDot[R3x], -exponent), reference.qDDot[R3x]);
-        }
-    }
-
     void reportsWhatDoesNotExist()
     {
         for (const auto &[p, t] : {std::pair(Parameters{.b = 4.0}, 0.3), std::pair(Parameters(), kNone)}) {

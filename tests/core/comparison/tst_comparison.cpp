@@ -54,7 +54,6 @@ std::vector<ChannelComparison> compareFile(const QString &path, double b, Method
 }
 
 const QString kInventorFile = qEnvironmentVariable("SLIDERCRANK_REFERENCE_FILE");
-const QString kSample = QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv");
 
 /// Returns whether the value agrees with the quoted one, which has three digits.
 bool isNear(double value, double quoted)
@@ -290,16 +289,6 @@ private slots:
         QVERIFY(std::ranges::all_of(table1, [](const auto &found) { return found.verdict == Verdict::Differs; }));
         QVERIFY(isNear(table1[0].maxPercent.value(), 20.9) && isNear(table1[0].maxAbs.value(), 7.22));
         QVERIFY(isNear(table1[3].maxPercent.value(), 9.83));
-    }
-
-    void agreesWithTheSample()
-    {
-        const std::vector<ChannelComparison> comparisons = compareFile(kSample, 60.0, Method::ClosedForm);
-        QCOMPARE(comparisons.size(), std::size_t(6));
-        for (const ChannelComparison &found : comparisons) {
-            QCOMPARE(found.verdict, Verdict::Agrees);
-            QCOMPARE(found.count, std::size_t(201));
-        }
     }
 
     void comparesTwoMotionsLikeAFile()

@@ -191,22 +191,6 @@ private slots:
         }
     }
 
-    void speedScalesThePeaks()
-    {
-        Parameters p;
-        const std::vector<Peak> once = motionPeaks(Mechanism(p));
-        p.omega2 *= -4.0;
-        p.theta20 = 123.0;
-        const std::vector<Peak> fast = motionPeaks(Mechanism(p));
-        for (std::size_t i = 0; i < once.size(); ++i) {
-            const bool speed = once[i].channel.order == Order::Velocity;
-            QCOMPARE(fast[i].magnitude, (speed ? 4.0 : 16.0) * once[i].magnitude);
-            QCOMPARE(fast[i].places.size(), once[i].places.size());
-            QCOMPARE(fast[i].places[0].theta2, once[i].places[0].theta2);
-            QCOMPARE(fast[i].places[0].value, (speed ? -4.0 : 16.0) * once[i].places[0].value);
-        }
-    }
-
     void aRockerIsUnboundedAtItsLimits()
     {
         for (const double b : {40.0, 10.0}) {

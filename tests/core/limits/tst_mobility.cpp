@@ -88,11 +88,6 @@ bool near(double x, double y, double tolerance)
     return std::abs(x - y) <= tolerance;
 }
 
-bool near(const std::optional<double> &x, const std::optional<double> &y, double tolerance)
-{
-    return x.has_value() == y.has_value() && (!x || near(*x, *y, tolerance));
-}
-
 /// Like QVERIFY, but a failure also prints the mechanism.
 #define VERIFY_FOR(parameters, condition) QVERIFY2(condition, describe(parameters).c_str())
 
@@ -103,23 +98,11 @@ class tst_mobility : public QObject
     Q_OBJECT
 
 private slots:
-    void classifiesByExactSums()
-    {
-        std::array<int, 4> seen{};
-        for (const Parameters &p : mechanisms()) {
-            const Mobility mobility = motionLimits(Mechanism(p)).mobility;
-            VERIFY_FOR(p, mobility == exactMobility(p));
-            ++seen[std::size_t(mobility)];
-        }
-        for (const int count : seen) {
-            QVERIFY(count > 0);
-        }
-    }
-
     /// One unit in the last place of b decides. If a + |c| is not exactly representable, b is compared with the exact
     /// sum.
-    void grashofLimitIsExact()
+    void classifiesByExactSums()
     {
+        std::vector<Parameters> all = mechanisms();
         for (const auto &[a, c] : {std::pair(20.0, 25.0),
                                    {20.0, -25.0},
                                    {20.0, 0.0},
@@ -129,10 +112,19 @@ private slots:
                                    {1e-9, 1e9}}) {
             for (const double edge : {a + std::abs(c), std::abs(c) - a}) {
                 for (const double b : {std::nextafter(edge, 0.0), edge, std::nextafter(edge, 1e300)}) {
-                    const Parameters p{a, b, c, 1.0};
-                    VERIFY_FOR(p, findFault(p) || motionLimits(Mechanism(p)).mobility == exactMobility(p));
+                    all.push_back({a, b, c, 1.0});
                 }
             }
+        }
+        std::array<int, 4> seen{};
+        std::erase_if(all, [](const Parameters &p) { return findFault(p).has_value(); });
+        for (const Parameters &p : all) {
+            const Mobility mobility = motionLimits(Mechanism(p)).mobility;
+            VERIFY_FOR(p, mobility == exactMobility(p));
+            ++seen[std::size_t(mobility)];
+        }
+        for (const int count : seen) {
+            QVERIFY(count > 0);
         }
     }
 
@@ -151,62 +143,6 @@ private slots:
             for (std::size_t i = 0; i < ranges.size(); ++i) {
                 VERIFY_FOR(p, ranges[i].from >= -kPi && ranges[i].from < kPi && ranges[i].from <= ranges[i].to);
                 VERIFY_FOR(p, (i == 0 || ranges[i - 1].to < ranges[i].from) && ranges[i].to <= ranges[0].from + kTurn);
-            }
-        }
-    }
-
-    /// c → -c mirrors the mechanism at the x axis: θ2 → -θ2, and ω2 changes sign. The other branch mirrors it at the y
-    /// axis: θ2 → π - θ2, R4x → -R4x. Lengths are also scaled.
-    void mirrorsAndScalesWithTheMechanism()
-    {
-        struct Image {
-            Parameters parameters;
-            double along; ///< factor of R4x and of the lengths
-            double (*angle)(double);
-            bool exchangesDirections;
-        };
-        for (const Parameters &p : mechanisms()) {
-            const auto same = [](double angle) { return angle; };
-            const MotionLimits limits = motionLimits(Mechanism(p));
-            for (const Image &image :
-                 {Image{{p.a, p.b, -p.c, -p.omega2, p.theta20, p.branch}, 1.0, [](double x) { return -x; }, false},
-                  Image{{p.a, p.b, p.c, p.omega2, p.theta20, oppositeBranch(p.branch)},
-                        -1.0,
-                        [](double x) { return kPi - x; },
-                        true},
-                  Image{{p.a * 0x1p-20, p.b * 0x1p-20, p.c * 0x1p-20, p.omega2, p.theta20, p.branch},
-                        0x1p-20,
-                        same,
-                        false},
-                  Image{{p.a * 8.0, p.b * 8.0, p.c * 8.0, p.omega2, p.theta20, p.branch}, 8.0, same, false}}) {
-                if (findFault(image.parameters) || p.omega2 == 0.0) {
-                    continue;
-                }
-                const MotionLimits other = motionLimits(Mechanism(image.parameters));
-                const double tolerance = kTolerance * characteristicLength(image.parameters);
-                VERIFY_FOR(p, limits.mobility == other.mobility && limits.ranges.size() == other.ranges.size());
-                VERIFY_FOR(p, near(limits.largestPressureAngle, other.largestPressureAngle, kTolerance));
-                VERIFY_FOR(p, near(limits.timeRatio, other.timeRatio, 10.0 * kTolerance));
-                VERIFY_FOR(p, near(limits.angleOutwards,
-                                   image.exchangesDirections ? other.angleInwards : other.angleOutwards, kTolerance));
-                VERIFY_FOR(p, limits.stroke.has_value() == other.stroke.has_value());
-                VERIFY_FOR(p, !limits.stroke || near(std::abs(image.along) * *limits.stroke, *other.stroke, tolerance));
-                for (const auto centre : {&MotionLimits::outer, &MotionLimits::inner}) {
-                    VERIFY_FOR(p, (limits.*centre).has_value() == (other.*centre).has_value());
-                    if (limits.*centre) {
-                        VERIFY_FOR(p, near(image.along * (limits.*centre)->R4x, (other.*centre)->R4x, tolerance));
-                        VERIFY_FOR(p, near(difference(image.angle((limits.*centre)->theta2), (other.*centre)->theta2),
-                                           0.0, kTolerance));
-                    }
-                }
-                for (const CrankRange &range : limits.ranges) { // the same arc, possibly traversed from the other end
-                    const double middle = image.angle(0.5 * (range.from + range.to));
-                    VERIFY_FOR(p, std::ranges::any_of(other.ranges, [&](const CrankRange &found) {
-                                   return near(found.to - found.from, range.to - range.from, kTolerance) &&
-                                          (limits.mobility == Mobility::FullTurn ||
-                                           near(difference(middle, 0.5 * (found.from + found.to)), 0.0, kTolerance));
-                               }));
-                }
             }
         }
     }

@@ -4,12 +4,9 @@
 #include "tests/support/random_mechanisms.h"
 #include "tests/support/suite.h"
 
-#include <boost/multiprecision/cpp_int.hpp>
-
 #include <QTest>
 
 using namespace slidercrank;
-using boost::multiprecision::cpp_rational;
 
 namespace
 {
@@ -42,32 +39,6 @@ class tst_two_part_angle : public QObject
     Q_OBJECT
 
 private slots:
-    void sumIsExact()
-    {
-        RandomMechanisms random(1);
-        for (int i = 0; i < 5000; ++i) {
-            const double x = anyDouble(random, 200.0);
-            const double y = i % 2 == 0 ? anyDouble(random, 200.0) : x * random.uniform(-1.5, 1.5);
-            const TwoPart sum = twoSum(x, y);
-            QVERIFY2(cpp_rational(sum.hi) + cpp_rational(sum.lo) == cpp_rational(x) + cpp_rational(y),
-                     qPrintable(numbers({x, y, sum.hi, sum.lo})));
-            QVERIFY2(isNormalized(sum), qPrintable(numbers({x, y, sum.hi, sum.lo})));
-        }
-    }
-
-    void productIsExact()
-    {
-        RandomMechanisms random(2);
-        for (int i = 0; i < 5000; ++i) {
-            const double x = anyDouble(random, 200.0);
-            const double y = anyDouble(random, 200.0);
-            const TwoPart product = twoProduct(x, y);
-            QVERIFY2(cpp_rational(product.hi) + cpp_rational(product.lo) == cpp_rational(x) * cpp_rational(y),
-                     qPrintable(numbers({x, y, product.hi, product.lo})));
-            QVERIFY2(isNormalized(product), qPrintable(numbers({x, y, product.hi, product.lo})));
-        }
-    }
-
     /// The error is at most 1e-31 (103 bits) of the size of the terms, even if ω2 t and θ20 cancel.
     void crankAngleHasTwiceTheDigits()
     {
@@ -110,22 +81,6 @@ private slots:
                      qPrintable(numbers({omega2, t, theta20, got.sin, got.cos, sinError, cosError})));
         }
         qInfo("worst: %.3g of the tolerance", worst);
-    }
-
-    /// The cosine of the double closest to 90° is 6e-17, and near a toggle all its digits matter.
-    void cosineIsExactNextToNinetyDegrees()
-    {
-        constexpr double kRelative = 4.0 * kUnitRoundoff;
-        for (const double quarter : {0.5 * std::numbers::pi, -0.5 * std::numbers::pi, 1.5 * std::numbers::pi}) {
-            for (const double away : {0.0, 1e-17, -1e-17, 3e-16, -1e-12, 1e-8, -1e-4}) {
-                const SinCos got = sinCos(crankAngle(1.0, away, quarter));
-                const Digits100 angle = Digits100(quarter) + Digits100(away);
-                const double exact = static_cast<double>(cos(angle));
-                const double error = static_cast<double>(abs(Digits100(got.cos) - cos(angle)));
-                QVERIFY2(error <= kRelative * std::abs(exact),
-                         qPrintable(numbers({quarter, away, got.cos, exact, error})));
-            }
-        }
     }
 
     /// Close to every multiple of 90° the result has about 30 significant digits, except for the effect of the angle's

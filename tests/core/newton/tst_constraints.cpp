@@ -5,11 +5,7 @@
 #include "tests/support/mechanism_list.h"
 #include "tests/support/suite.h"
 
-#include <Eigen/LU>
-
 #include <QTest>
-
-Q_DECLARE_METATYPE(slidercrank::Parameters)
 
 using namespace slidercrank;
 
@@ -175,58 +171,6 @@ private slots:
                     tolerance.col(column) = kDifferenceTolerance / unit * rowUnits(parameters);
                 }
                 QCOMPARE(difference(parameters, Cq, expected, tolerance), QString());
-            }
-        }
-    }
-
-    void timeDerivativeIsTheDerivative()
-    {
-        for (const auto &[name, parameters] : mechanismList(40, 11)) {
-            const Mechanism mechanism(parameters);
-            RandomMechanisms random(14);
-            const Vector12 q = anywhere(parameters, random);
-            const Vector12 Ct = constraintTimeDerivative(mechanism);
-            const double turnTime = parameters.omega2 == 0.0 ? 1.0 : 1.0 / std::abs(parameters.omega2);
-            const double step = kStep * turnTime;
-            const double t = 0.3 * turnTime;
-            const Vector12 expected =
-                (constraints(mechanism, q, t + step) - constraints(mechanism, q, t - step)) / (2.0 * step);
-            const Vector12 tolerance = kDifferenceTolerance / turnTime * rowUnits(parameters);
-            QCOMPARE(difference(parameters, Ct, expected, tolerance), QString());
-        }
-    }
-
-    /// Along any motion q(t) with q̈ = 0 the velocity equation's left-hand side C_q q̇ + C_t changes at the rate -Q_d.
-    void quadraticVelocityTermIsTheDerivative()
-    {
-        for (const auto &[name, parameters] : mechanismList(40, 11)) {
-            const Mechanism mechanism(parameters);
-            RandomMechanisms random(15);
-            for (int pose = 0; pose < 8; ++pose) {
-                const Vector12 q = anywhere(parameters, random);
-                const Vector12 qDot = anywhere(parameters, random);
-                const Vector12 Qd = quadraticVelocityTerm(mechanism, q, qDot);
-                const Vector12 later = constraintJacobian(mechanism, q + kStep * qDot) * qDot;
-                const Vector12 earlier = constraintJacobian(mechanism, q - kStep * qDot) * qDot;
-                const Vector12 expected = -(later - earlier) / (2.0 * kStep);
-                // At speeds up to 5 rad/s the third derivative is up to 5⁴ times the length.
-                const Vector12 tolerance = 100.0 * kDifferenceTolerance * rowUnits(parameters);
-                QCOMPARE(difference(parameters, Qd, expected, tolerance), QString());
-            }
-        }
-    }
-
-    void determinantIsMinusBCosTheta3()
-    {
-        for (const auto &[name, parameters] : mechanismList(40, 11)) {
-            const Mechanism mechanism(parameters);
-            RandomMechanisms random(16);
-            for (int pose = 0; pose < 8; ++pose) {
-                const Vector12 q = anywhere(parameters, random);
-                const double determinant = constraintJacobian(mechanism, q).determinant();
-                const double expected = -parameters.b * std::cos(q[Theta3]);
-                const double tolerance = 64.0 * kUnitRoundoff * (parameters.a + parameters.b);
-                QVERIFY2(std::abs(determinant - expected) <= tolerance, describe(parameters).c_str());
             }
         }
     }

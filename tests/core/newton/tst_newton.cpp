@@ -137,41 +137,6 @@ private slots:
         }
     }
 
-    void iterationsDependNeitherOnScaleNorOnTime()
-    {
-        for (const NewtonOptions &options : everyWay(10, 1e-10)) {
-            if (options.toleranceKind == ToleranceKind::Absolute) {
-                continue;
-            }
-            const auto compare = [&](const Parameters &p, const std::vector<double> &times,
-                                     const std::vector<NewtonTimeStep> &expected) {
-                const std::vector<NewtonTimeStep> done = run(p, times, options);
-                for (std::size_t i = 0; i < done.size(); ++i) {
-                    const bool isSame = done[i].iterations == expected[i].iterations &&
-                                        done[i].state.status == expected[i].state.status && done[i].residual <= 1e-10;
-                    QVERIFY2(isSame, qPrintable(described(options) + described(p, done[i])));
-                }
-            };
-            for (const double gap : {1.0 / 3.0, 1e-2, 1e-4}) {
-                const Parameters unit = withCoupler(45.0 * (1.0 + gap));
-                const std::vector<NewtonTimeStep> expected = run(unit, Sampling{}.timeStamps(), options);
-                for (const double factor : {1e-9, 1e-3, 1e6, 1e9}) {
-                    Parameters p = unit;
-                    p.a *= factor;
-                    p.b *= factor;
-                    p.c *= factor;
-                    compare(p, Sampling{}.timeStamps(), expected);
-                }
-            }
-            Parameters p;
-            p.omega2 = 6.25; // few bits, so that the crank angles repeat after whole turns except for rounding
-            const double period = kTurn / p.omega2;
-            const double late = std::round(1e9 / period) * period;
-            compare(p, Sampling{late, period, 200}.timeStamps(),
-                    run(p, Sampling{0.0, period, 200}.timeStamps(), options));
-        }
-    }
-
     /// The iteration limit of the options is for warm starts: a cold start has its own.
     void coldStartConvergesWithinItsLimit()
     {
@@ -387,26 +352,6 @@ private slots:
         QCOMPARE(unreached.positionStatus, Status::IterationLimit);
         QCOMPARE(history.size(), kLongestHistory);
         QVERIFY(history.back().q == unreached.q);
-    }
-
-    /// Newton's law for sin θ3 = h/b: the next error is tan(θ3)/2 times the square of this one.
-    void eachIterationSquaresTheErrorOfTheCouplerAngle()
-    {
-        const double t = 0.75; // the coupler is at its steepest
-        const double exact = exactTheta3({}, t);
-        const double expected = 0.5 * std::abs(std::tan(exact));
-        IterationHistory history;
-        solve(Mechanism(), t, {}, {}, &history);
-        int judged = 0;
-        for (std::size_t k = 0; k + 1 < history.size(); ++k) {
-            const double error = std::abs(history[k].q[Theta3] - exact);
-            const double next = std::abs(history[k + 1].q[Theta3] - exact);
-            if (error < 0.01 && next > 1e-13) {
-                QVERIFY(std::abs(next / (error * error) - expected) <= 0.05 * expected);
-                ++judged;
-            }
-        }
-        QVERIFY(judged >= 2);
     }
 };
 

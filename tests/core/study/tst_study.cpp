@@ -81,19 +81,6 @@ private slots:
         QCOMPARE(names, expected);
     }
 
-    void closedFormIsExactToTheLastDigits()
-    {
-        std::vector<Case> cases(nominalCases().begin(), nominalCases().end());
-        for (const char *name : {"toggle gap 1e-15, c > 0", "exact toggle, crossed", "t near 1e9 s", "b/a = 1e9"}) {
-            cases.push_back(named(name));
-        }
-        for (const Case &which : cases) {
-            const CaseResult result = studied(coarse(which, 24));
-            QCOMPARE_LE(errorOf(result, "closed-form"), 1e-15);
-            QCOMPARE_LE(errorOf(result, "closed-form-batch"), 2e-15);
-        }
-    }
-
     void smallerTolerancesAreNotLessAccurate()
     {
         const CaseResult result = studied(coarse(nominalCases()[0], 50));
