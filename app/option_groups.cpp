@@ -32,7 +32,7 @@ ColumnChoice parseMeaning(const QString &text)
     const QString name = QString::fromStdString(heading.name);
     indexAmong(QStringList{"time", "crank-angle", "ignored"} + channelNames(), name, "column");
     ColumnChoice choice;
-    choice.unit = heading.unit;
+    choice.unit = heading.use.unit;
     readMeaning(name, choice.role, choice.channel);
     if (!choice.unit.empty() && !parseColumnUnit(choice.unit, choice.role, choice.channel)) {
         throw UsageError{

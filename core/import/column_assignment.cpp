@@ -21,16 +21,15 @@ using Values = std::vector<double>;
 void setReasons(RawTable &table)
 {
     for (RawColumn &column : table.columns) {
-        const Heading &heading = column.heading;
-        if (heading.printed.empty()) {
+        if (column.use.heading.empty()) {
             column.setReason(ColumnReason::NoName);
-        } else if (heading.component) {
-            column.setReason(ColumnReason::Magnitude, *heading.component + table.fileOf(column).firstColumn);
-        } else if (heading.meaning.kind == Kind::RowNumber) {
+        } else if (column.component) {
+            column.setReason(ColumnReason::Magnitude, *column.component + table.fileOf(column).firstColumn);
+        } else if (column.meaning.kind == Kind::RowNumber) {
             column.setReason(ColumnReason::RowNumber);
-        } else if (heading.meaning.kind == Kind::AngleOrLength) {
-            column.setReason(heading.unit.empty() ? ColumnReason::AngleOrLength : ColumnReason::UnknownUnit);
-        } else if (heading.meaning.kind == Kind::Nothing && endsInQuantity(heading)) {
+        } else if (column.meaning.kind == Kind::AngleOrLength) {
+            column.setReason(column.use.unit.empty() ? ColumnReason::AngleOrLength : ColumnReason::UnknownUnit);
+        } else if (column.meaning.kind == Kind::Nothing && endsInQuantity(column)) {
             column.setReason(ColumnReason::UnknownBody);
         }
     }
@@ -100,16 +99,16 @@ bool mayBeTime(const RawColumn &column)
 {
     Values values = column.values;
     std::erase_if(values, [](double value) { return std::isinf(value); });
-    return column.isUndecided() && column.heading.meaning.kind == Kind::Nothing &&
-           parseColumnUnit(column.heading.unit, ColumnRole::Time, {}) && values.size() >= 2 &&
+    return column.isUndecided() && column.meaning.kind == Kind::Nothing &&
+           parseColumnUnit(column.use.unit, ColumnRole::Time, {}) && values.size() >= 2 &&
            std::ranges::adjacent_find(values, [](double x, double y) { return !(x < y); }) == values.end();
 }
 
 /// Returns whether the column is an angle of an unnamed body that does not change its direction.
 bool isTurningAngle(const RawColumn &column)
 {
-    const NameMeaning &meaning = column.heading.meaning;
-    const std::optional<Unit> unit = parseColumnUnit(column.heading.unit, ColumnRole::CrankAngle, {});
+    const NameMeaning &meaning = column.meaning;
+    const std::optional<Unit> unit = parseColumnUnit(column.use.unit, ColumnRole::CrankAngle, {});
     return meaning.kind == Kind::Quantity && meaning.channel == Channel{Theta3, Order::Position} && unit &&
            !findReversal(unwrapped(converted(column.values, *unit)));
 }
@@ -127,8 +126,8 @@ void guessAbscissa(RawTable &table, std::size_t file)
     };
     if (const RawColumn *const other = table.abscissa()) {
         if (RawColumn *const same =
-                find([&](const RawColumn &column) { return column.heading.printed == other->heading.printed; })) {
-            setAbscissa(table, *same, other->use.role, ColumnReason::KnownName, same->heading.unit);
+                find([&](const RawColumn &column) { return column.use.heading == other->use.heading; })) {
+            setAbscissa(table, *same, other->use.role, ColumnReason::KnownName, same->use.unit);
         }
         return;
     }
@@ -136,15 +135,15 @@ void guessAbscissa(RawTable &table, std::size_t file)
         return column.use.reason != ColumnReason::NoName && column.use.reason != ColumnReason::RowNumber;
     });
     if (leading && mayBeTime(*leading)) {
-        return setAbscissa(table, *leading, ColumnRole::Time, ColumnReason::RisingValues, leading->heading.unit);
+        return setAbscissa(table, *leading, ColumnRole::Time, ColumnReason::RisingValues, leading->use.unit);
     }
     RawColumn *const named = find([](const RawColumn &column) {
-        return column.heading.meaning.kind > Kind::Quantity && column.heading.meaning.channel == kCrankAngle &&
-               parseColumnUnit(column.heading.unit, ColumnRole::CrankAngle, {});
+        return column.meaning.kind > Kind::Quantity && column.meaning.channel == kCrankAngle &&
+               parseColumnUnit(column.use.unit, ColumnRole::CrankAngle, {});
     });
     RawColumn *const angle = named || !leading || !isTurningAngle(*leading) ? named : leading;
     if (angle) {
-        setAbscissa(table, *angle, ColumnRole::CrankAngle, ColumnReason::AngleForTime, angle->heading.unit);
+        setAbscissa(table, *angle, ColumnRole::CrankAngle, ColumnReason::AngleForTime, angle->use.unit);
     }
 }
 
@@ -158,7 +157,7 @@ void assignAbscissas(RawTable &table)
         }
         std::vector<RawColumn *> times;
         for (RawColumn &column : table.columns) {
-            if (column.use.file == file && column.heading.meaning.kind == Kind::Time && column.isUndecided()) {
+            if (column.use.file == file && column.meaning.kind == Kind::Time && column.isUndecided()) {
                 times.push_back(&column);
             }
         }
@@ -170,7 +169,7 @@ void assignAbscissas(RawTable &table)
             } else if (chosen && chosen->use.file == file) {
                 column->setReason(ColumnReason::LikeOther, chosen->index);
             } else if (!table.abscissa() || table.abscissa()->use.role == ColumnRole::Time) {
-                setAbscissa(table, *column, ColumnRole::Time, ColumnReason::KnownName, column->heading.unit);
+                setAbscissa(table, *column, ColumnRole::Time, ColumnReason::KnownName, column->use.unit);
             }
         }
         if (!hasAbscissa(table, file)) {
@@ -207,7 +206,7 @@ void applyChoices(RawTable &table, std::span<const ColumnChoice> choices)
             continue; // remembered from a file with more columns
         }
         RawColumn &column = table.columns[choice.column];
-        const std::string &unitText = choice.unit.empty() ? column.heading.unit : choice.unit;
+        const std::string &unitText = choice.unit.empty() ? column.use.unit : choice.unit;
         const RawColumn *const other = findChannel(table, choice.channel);
         column.use.channel = choice.channel;
         if (choice.role == ColumnRole::Ignored) {
@@ -235,12 +234,11 @@ std::vector<RawColumn *> findCandidates(RawTable &table)
 {
     std::vector<RawColumn *> candidates;
     for (RawColumn &column : table.columns) {
-        const Heading &heading = column.heading;
-        const NameMeaning &meaning = heading.meaning;
+        const NameMeaning &meaning = column.meaning;
         if (!column.isUndecided() || meaning.kind < Kind::Quantity) {
             continue;
         }
-        const std::optional<Unit> unit = parseColumnUnit(heading.unit, ColumnRole::Channel, meaning.channel);
+        const std::optional<Unit> unit = parseColumnUnit(column.use.unit, ColumnRole::Channel, meaning.channel);
         if (!unit && meaning.kind == Kind::ChannelName) {
             throw faultIn(table, column, {Fault::UnknownUnit, meaning.channel});
         }
@@ -253,7 +251,7 @@ std::vector<RawColumn *> findCandidates(RawTable &table)
         candidates.push_back(&column);
     }
     std::ranges::stable_sort(candidates, std::ranges::greater(),
-                             [](const RawColumn *column) { return column->heading.meaning.kind; });
+                             [](const RawColumn *column) { return column->meaning.kind; });
     return candidates;
 }
 
@@ -265,7 +263,7 @@ void findCrank(std::vector<RawColumn *> &candidates)
     std::vector<RawColumn *> angles;
     std::vector<RawColumn *> derivatives;
     for (RawColumn *const column : candidates) {
-        if (column->heading.meaning.kind == Kind::Quantity && isAngle(column->use.channel.coordinate)) {
+        if (column->meaning.kind == Kind::Quantity && isAngle(column->use.channel.coordinate)) {
             (column->use.channel.order == Order::Position ? angles : derivatives).push_back(column);
         }
     }
@@ -280,7 +278,7 @@ void findCrank(std::vector<RawColumn *> &candidates)
         const RawColumn *crank = nullptr; // whose derivative the column may be
         bool isAmbiguous = false;
         for (const RawColumn *const angle : angles) {
-            if (angle->heading.meaning.owner == column->heading.meaning.owner) {
+            if (angle->meaning.owner == column->meaning.owner) {
                 const bool isCrank = angle->use.channel == kCrankAngle;
                 crank = isCrank ? angle : crank;
                 isAmbiguous = isAmbiguous || !isCrank;
@@ -301,19 +299,17 @@ void assignChannels(RawTable &table)
     std::vector<RawColumn *> candidates = findCandidates(table);
     findCrank(candidates);
     for (RawColumn *const column : candidates) {
-        const Kind evidence = column->heading.meaning.kind;
+        const Kind evidence = column->meaning.kind;
         const RawColumn *const chosen = findChannel(table, column->use.channel);
         const auto rival = std::ranges::find_if(candidates, [&](const RawColumn *other) {
-            return other != column && other->use.channel == column->use.channel &&
-                   other->heading.meaning.kind >= evidence;
+            return other != column && other->use.channel == column->use.channel && other->meaning.kind >= evidence;
         });
         if (chosen) {
             column->setReason(ColumnReason::LikeOther, chosen->index);
         } else if (rival == candidates.end()) {
-            const Heading &heading = column->heading;
             column->use.role = ColumnRole::Channel;
-            column->setReason(heading.meaning.channel != column->use.channel ? ColumnReason::WideAngle
-                              : heading.meaning.isModelica                   ? ColumnReason::ModelicaName
+            column->setReason(column->meaning.channel != column->use.channel ? ColumnReason::WideAngle
+                              : column->meaning.isModelica                   ? ColumnReason::ModelicaName
                               : evidence == Kind::Quantity                   ? ColumnReason::QuantityInName
                                                                              : ColumnReason::KnownName);
         } else if (evidence == Kind::ChannelName) {
@@ -328,10 +324,10 @@ void assignChannels(RawTable &table)
 ReadError findMissing(const RawTable &table, std::size_t file)
 {
     const TableFile &own = table.files[file];
-    const FileLayout &layout = own.form.layout;
+    const FileLayout &layout = own.layout;
     if (layout.headerLine == 0) {
         const Cells cells = splitCells(own.rows.front().text, layout.delimiter);
-        return {own.form.firstDataLine, 1, excerpt(cells.front()), {Fault::NamesMissing}, {}, file};
+        return {own.firstDataLine, 1, excerpt(cells.front()), {Fault::NamesMissing}, {}, file};
     }
     ReadFault fault{hasAbscissa(table, file) ? Fault::NoChannel : Fault::NoTime};
     for (const RawColumn &column : table.columns) {
@@ -343,7 +339,7 @@ ReadError findMissing(const RawTable &table, std::size_t file)
             return conflict(table, column, table.columns[*column.use.otherColumn], Fault::NoChannel);
         }
         if (leavesOpen(reason) || reason == ColumnReason::UnknownUnit) {
-            fault = {Fault::NoCertainChannel, {}, excerpt(column.heading.printed), reason};
+            fault = {Fault::NoCertainChannel, {}, excerpt(column.use.heading), reason};
         }
     }
     return {layout.headerLine, 0, {}, fault, {}, file};

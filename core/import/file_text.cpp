@@ -111,39 +111,38 @@ std::string_view withoutPadding(std::string_view text)
 
 } // namespace
 
-std::string_view FileText::in(std::string_view bytes) const
-{
-    const bool isConverted = encoding != TextEncoding::Utf8;
-    return withoutPadding(isConverted ? converted : bytes.substr(byteOrderMark ? kUtf8Mark.size() : 0));
-}
-
-FileText decodeText(std::string_view bytes)
+std::string_view decodeText(std::string_view bytes, FileLayout &layout, std::string &converted)
 {
     constexpr std::size_t kExamined = std::size_t{1} << 20U; // bytes, for the encoding
     refuseFormats(bytes);
-    FileText text;
+    std::string_view text = bytes;
     const bool isLittleEndian = bytes.starts_with("\xFF\xFE");
-    if (isLittleEndian || bytes.starts_with("\xFE\xFF")) {
-        text = {isLittleEndian ? TextEncoding::Utf16LittleEndian : TextEncoding::Utf16BigEndian, true,
-                fromUtf16(bytes.substr(2), isLittleEndian)};
-    } else if (bytes.starts_with(kUtf8Mark)) {
-        text.byteOrderMark = true;
+    const bool isUtf16 = isLittleEndian || bytes.starts_with("\xFE\xFF");
+    layout.byteOrderMark = isUtf16 || bytes.starts_with(kUtf8Mark);
+    if (isUtf16) {
+        layout.encoding = isLittleEndian ? TextEncoding::Utf16LittleEndian : TextEncoding::Utf16BigEndian;
+        text = converted = fromUtf16(bytes.substr(2), isLittleEndian);
+    } else if (layout.byteOrderMark) {
+        text.remove_prefix(kUtf8Mark.size());
     } else if (!isUtf8(bytes.substr(0, kExamined))) {
-        text = {TextEncoding::Windows1252, false, fromWindows1252(bytes)};
+        layout.encoding = TextEncoding::Windows1252;
+        text = converted = fromWindows1252(bytes);
     }
-    const std::string_view whole = text.in(bytes);
-    if (const std::size_t binary = findBinary(whole); binary != whole.npos) {
-        const auto lines = static_cast<std::size_t>(std::ranges::count(whole.substr(0, binary), '\n'));
+    text = withoutPadding(text);
+    if (const std::size_t binary = findBinary(text); binary != text.npos) {
+        const auto lines = static_cast<std::size_t>(std::ranges::count(text.substr(0, binary), '\n'));
         throw ReadError{.line = lines + 1, .fault = {ReadFault::Kind::NotText}};
     }
-    refuseFormats(whole);
+    refuseFormats(text);
     return text;
 }
 
 std::optional<ReadError> findForeignFormat(std::string_view beginning)
 {
     try {
-        decodeText(beginning);
+        FileLayout layout;
+        std::string converted;
+        decodeText(beginning, layout, converted);
     } catch (ReadError &error) {
         return std::move(error);
     }

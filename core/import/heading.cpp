@@ -228,10 +228,10 @@ NameMeaning meaningOfWords(const CompoundName &name, std::optional<Body> body, c
 
 Heading parseHeading(std::string_view cell)
 {
-    Heading heading{.printed = respelled(cell, "\"\"=\"")};
-    const std::string_view name = heading.printed;
+    Heading heading{.use = {.heading = respelled(cell, "\"\"=\"")}};
+    const std::string_view name = heading.use.heading;
     const auto split = [&](std::size_t end, std::string_view unit) {
-        heading.unit = trimmed(unit);
+        heading.use.unit = trimmed(unit);
         std::string_view rest = trimmed(name.substr(0, end));
         rest.remove_suffix(rest.ends_with(" in") ? 3 : 0); // "Time in s"
         heading.name = trimmed(rest);
@@ -268,7 +268,7 @@ Heading parseHeading(std::string_view cell)
 
 NameMeaning meaningOf(const Heading &heading)
 {
-    const std::optional<Unit> unit = parseUnit(heading.unit);
+    const std::optional<Unit> unit = parseUnit(heading.use.unit);
     if (const std::optional<CompoundName> compound = splitCompound(heading.name)) {
         const std::string_view owner = compound->meaning.owner;
         NameMeaning meaning = meaningOfWords(*compound, findBody(owner.substr(owner.rfind('.') + 1)), unit);
@@ -284,7 +284,7 @@ NameMeaning meaningOf(const Heading &heading)
         return {};
     }
     if (isTime(words)) {
-        return {isAmong(heading.unit, kCountedUnits) ? Kind::RowNumber : Kind::Time};
+        return {isAmong(heading.use.unit, kCountedUnits) ? Kind::RowNumber : Kind::Time};
     }
     if (const std::optional<Channel> channel = channelSpelled(words)) {
         return {Kind::ChannelName, *channel};
@@ -305,11 +305,11 @@ void interpretHeadings(std::vector<Heading> &row, const std::string &unitOfLengt
             Heading &whole = row[*magnitude];
             whole.component = whole.component.value_or(i);
             heading.name = whole.name + (heading.name[0] == 'X' ? " x" : " y");
-            heading.unit = heading.unit.empty() ? whole.unit : heading.unit;
+            heading.use.unit = heading.use.unit.empty() ? whole.use.unit : heading.use.unit;
         }
         heading.meaning = meaningOf(heading);
         NameMeaning &meaning = heading.meaning;
-        meaning.isModelica = meaning.isModelica && heading.unit.empty();
+        meaning.isModelica = meaning.isModelica && heading.use.unit.empty();
         if (!isComponent) {
             magnitude = meaning.kind == Kind::Quantity ? std::optional(i) : std::nullopt;
         }
@@ -317,9 +317,9 @@ void interpretHeadings(std::vector<Heading> &row, const std::string &unitOfLengt
         const std::string base = meaning.isModelica ? (isOfAngle ? "rad" : "m")
                                  : isOfAngle        ? unitOfAngles
                                                     : unitOfLengths;
-        if (meaning.kind >= Kind::Quantity && heading.unit.empty() && !base.empty()) {
+        if (meaning.kind >= Kind::Quantity && heading.use.unit.empty() && !base.empty()) {
             constexpr std::array kPerTime{"", "/s", "/s2"};
-            heading.unit = base + kPerTime[static_cast<std::size_t>(meaning.channel.order)];
+            heading.use.unit = base + kPerTime[static_cast<std::size_t>(meaning.channel.order)];
         }
     }
 }

@@ -3,8 +3,7 @@
 
 // Interprets the heading of a column, as programs and people write it in English or Spanish.
 
-#include "core/import/unit_text.h"
-#include "core/mechanism/channel.h"
+#include "core/import/file_layout.h"
 
 #include <cstddef>
 #include <optional>
@@ -36,9 +35,8 @@ struct NameMeaning {
 
 /// The heading of a column: "theta3_diff [rad/s]" has the name "theta3_diff" and the unit "rad/s".
 struct Heading {
-    std::string printed{};
+    FileColumn use{}; ///< heading and unit; role and reason are set by assignColumns()
     std::string name{};
-    std::string unit{}; ///< empty: none
 
     // Set by interpretHeadings().
     NameMeaning meaning{};

@@ -3,8 +3,6 @@
 
 // Second stage of reading: from text to a table of numbers, whose columns have no meaning yet.
 
-#include "core/import/file_text.h"
-#include "core/import/heading.h"
 #include "core/import/table_form.h"
 
 #include <cstddef>
@@ -19,21 +17,11 @@
 namespace slidercrank
 {
 
-/// One of the files whose columns are side by side in the table.
-struct TableFile {
-    std::string name{};
-    FileText text{};
-    TableForm form{};
-    std::size_t firstColumn = 0;
-    std::vector<Line> rows{}; ///< refer to the bytes or to `text`
-};
-
-struct RawColumn {
-    Heading heading{};
+struct RawColumn : Heading {
     std::size_t index = 0; ///< in the table
-    FileColumn use{};      ///< role and reason are set by assignColumns()
-    std::vector<double>
-        values{}; ///< gap: NaN, unreadable cell: infinity. In the unit of the file until the role is set
+
+    /// Gap: NaN, unreadable cell: infinity. In the unit of the file until the role is set.
+    std::vector<double> values{};
     RoundingObserver rounding{};
     double factor = 1.0; ///< to the default unit
 

@@ -25,8 +25,8 @@ std::size_t findColumn(const RawTable &table, const std::string &name)
     ReadFault fault{Fault::NoSuchColumn, {}, name};
     for (int kind = 0; kind < 3; ++kind) {
         const auto isNamed = [&](const RawColumn &column) {
-            return name == (kind == 0   ? column.heading.printed
-                            : kind == 1 ? column.heading.name
+            return name == (kind == 0   ? column.use.heading
+                            : kind == 1 ? column.name
                                         : '#' + std::to_string(column.index + 1));
         };
         const auto count = std::ranges::count_if(table.columns, isNamed);
@@ -38,7 +38,7 @@ std::size_t findColumn(const RawTable &table, const std::string &name)
             break;
         }
     }
-    throw ReadError{table.files.size() == 1 ? table.files[0].form.layout.headerLine : 0, 0, {}, fault};
+    throw ReadError{table.files.size() == 1 ? table.files[0].layout.headerLine : 0, 0, {}, fault};
 }
 
 /// Returns the choices by column number, and only the last one for a column.
@@ -111,7 +111,7 @@ ReferenceData collect(RawTable &table)
     ReferenceData data;
     const std::vector<std::size_t> rows = findUsedRows(table);
     data.skipped = findSkippedRows(table, rows);
-    const std::size_t firstLine = table.files.front().form.firstDataLine;
+    const std::size_t firstLine = table.files.front().firstDataLine;
     if (rows.empty()) {
         throw data.skipped.empty() ? ReadError{firstLine - 1, 0, {}, {Fault::NoNumbers}}
                                    : errorAt(data.skipped.front(), Fault::NoRow);

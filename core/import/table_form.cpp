@@ -175,25 +175,25 @@ std::string_view unitIn(std::string_view cell)
 }
 
 /// Sets the units of the columns, which are given in that line. Throws if a heading states another unit.
-void setUnits(TableForm &form, const Cells &cells, std::size_t line)
+void setUnits(TableFile &file, const Cells &cells, std::size_t line)
 {
-    for (std::size_t i = 0; i < std::min(cells.size(), form.headings.size()); ++i) {
-        Heading &heading = form.headings[i];
+    for (std::size_t i = 0; i < std::min(cells.size(), file.headings.size()); ++i) {
+        FileColumn &column = file.headings[i].use;
         if (cells[i].empty()) {
             continue;
         }
-        if (!heading.unit.empty() && parseUnit(heading.unit) != parseUnit(cells[i])) {
-            const ReadFault fault{ReadFault::Kind::UnitsContradict, {}, excerpt(heading.printed)};
+        if (!column.unit.empty() && parseUnit(column.unit) != parseUnit(cells[i])) {
+            const ReadFault fault{ReadFault::Kind::UnitsContradict, {}, excerpt(column.heading)};
             throw ReadError{line, i + 1, excerpt(cells[i]), fault};
         }
-        heading.unit = cells[i];
+        column.unit = cells[i];
     }
 }
 
 /// Interprets the lines between the headings and the first number, which may contain units.
-void readAnnotations(TableForm &form, std::string_view delimiters, const std::optional<FirstRow> &row)
+void readAnnotations(TableFile &file, std::string_view delimiters, const std::optional<FirstRow> &row)
 {
-    for (const Line &line : firstLines(form.data, form.firstDataLine)) {
+    for (const Line &line : firstLines(file.data, file.firstDataLine)) {
         Cells cells = row && row->delimiter != ' ' ? splitCells(line.text, row->delimiter)
                                                    : readNames(line.text, delimiters, row).cells;
         if (std::ranges::any_of(cells, [](std::string_view cell) { return looksNumeric(splitUnit(cell).number); })) {
@@ -201,24 +201,24 @@ void readAnnotations(TableForm &form, std::string_view delimiters, const std::op
         }
         std::ranges::transform(cells, cells.begin(), unitIn);
         const bool hasUnit = std::ranges::any_of(cells, [](std::string_view unit) { return !unit.empty(); });
-        form.layout.unitsLine = hasUnit ? line.number : form.layout.unitsLine;
-        form.data = line.below;
-        form.firstDataLine = line.number + 1;
-        setUnits(form, cells, line.number);
+        file.layout.unitsLine = hasUnit ? line.number : file.layout.unitsLine;
+        file.data = line.below;
+        file.firstDataLine = line.number + 1;
+        setUnits(file, cells, line.number);
     }
 }
 
 /// Returns the decimal sign with which most numbers in the first lines can be read: 0,005 and 1.234,5 only with a
 /// comma. Between commas, "1,234" could have a thousands separator and does not count.
-DecimalSign findDecimalSign(const TableForm &form)
+DecimalSign findDecimalSign(const TableFile &file)
 {
     int commas = 0; // more than points
-    for (const Line &line : firstLines(form.data)) {
-        for (const std::string_view cell : splitCells(line.text, form.layout.delimiter)) {
+    for (const Line &line : firstLines(file.data)) {
+        for (const std::string_view cell : splitCells(line.text, file.layout.delimiter)) {
             const std::string text(splitUnit(cell).number);
             const bool isPoint = !parseNumber(text, DecimalSign::Point).fault;
             const bool isComma = !parseNumber(text, DecimalSign::Comma).fault &&
-                                 (form.layout.delimiter != ',' || parseNumber(text + ".0", DecimalSign::Point).fault);
+                                 (file.layout.delimiter != ',' || parseNumber(text + ".0", DecimalSign::Point).fault);
             commas += (isComma ? 1 : 0) - (isPoint ? 1 : 0);
         }
     }
@@ -240,7 +240,7 @@ bool isBlankLine(std::string_view line)
     return line.find_first_not_of(" \t;,") == line.npos;
 }
 
-TableForm findTable(std::string_view text)
+void findTable(std::string_view text, TableFile &file)
 {
     const std::vector<Line> lines = firstLines(text);
     const auto tooLong = std::ranges::find_if(lines, [](const Line &line) { return line.text.size() > kLongestLine; });
@@ -251,40 +251,38 @@ TableForm findTable(std::string_view text)
         throw ReadError{.fault = {ReadFault::Kind::Empty}};
     }
     const std::string_view delimiters = findDelimiters(lines.front().text);
-    TableForm form;
     const std::optional<FirstRow> row = findFirstRow(lines, delimiters);
     const HeaderFound header = findHeader(lines, delimiters, row);
     const Line &line = lines[header.line];
     for (std::size_t i = 0; i < header.line; ++i) {
-        form.layout.preambleLines.push_back(lines[i].number);
+        file.layout.preambleLines.push_back(lines[i].number);
     }
-    form.layout.delimiter = row ? row->delimiter : header.names->delimiter;
-    form.data = header.names ? line.below : text.substr(static_cast<std::size_t>(line.text.data() - text.data()));
-    form.firstDataLine = line.number + (header.names ? 1 : 0);
+    file.layout.delimiter = row ? row->delimiter : header.names->delimiter;
+    file.data = header.names ? line.below : text.substr(static_cast<std::size_t>(line.text.data() - text.data()));
+    file.firstDataLine = line.number + (header.names ? 1 : 0);
     if (header.names) {
-        form.layout.headerLine = line.number;
-        std::ranges::transform(header.names->cells, std::back_inserter(form.headings), parseHeading);
-        if (row && lines[row->line].text.starts_with('"') && row->cells.size() == form.headings.size() + 1) {
-            form.headings.insert(form.headings.begin(), Heading()); // R writes row names without a heading
+        file.layout.headerLine = line.number;
+        std::ranges::transform(header.names->cells, std::back_inserter(file.headings), parseHeading);
+        if (row && lines[row->line].text.starts_with('"') && row->cells.size() == file.headings.size() + 1) {
+            file.headings.insert(file.headings.begin(), Heading()); // R writes row names without a heading
         }
-        readAnnotations(form, delimiters, row);
+        readAnnotations(file, delimiters, row);
     } else {
-        form.headings.resize(row->cells.size());
+        file.headings.resize(row->cells.size());
     }
     if (row) {
-        std::ranges::transform(row->cells, std::back_inserter(form.cellUnits),
+        std::ranges::transform(row->cells, std::back_inserter(file.cellUnits),
                                [](std::string_view cell) { return splitUnit(cell).unit; });
-        setUnits(form, form.cellUnits, lines[row->line].number);
+        setUnits(file, file.cellUnits, lines[row->line].number);
     }
-    form.cellUnits.resize(form.headings.size());
+    file.cellUnits.resize(file.headings.size());
     const auto isAbove = [&](std::string_view beginning) {
         return std::ranges::any_of(std::span(lines).first(header.line),
                                    [&](const Line &above) { return above.text.starts_with(beginning); });
     };
-    interpretHeadings(form.headings, isAbove("Units are S.I. units") ? "m" : "",
+    interpretHeadings(file.headings, isAbove("Units are S.I. units") ? "m" : "",
                       isAbove("inDegrees=no") ? "rad" : ""); // OpenSim
-    form.layout.decimalSign = findDecimalSign(form);
-    return form;
+    file.layout.decimalSign = findDecimalSign(file);
 }
 
 } // namespace slidercrank
