@@ -43,10 +43,7 @@ double nearestTimeAtCrankAngle(const Mechanism &mechanism, const Sampling &sampl
     };
     const double nearest = t + angleTo(t) / omega2;
     const double period = kTurn / std::abs(omega2);
-    const double turns = nearest < first  ? std::ceil((first - nearest) / period)
-                         : nearest > last ? -std::ceil((nearest - last) / period)
-                                          : 0.0;
-    const double inside = nearest + turns * period;
+    const double inside = nearest < first ? nearest + period : nearest > last ? nearest - period : nearest;
     if (inside >= first && inside <= last) {
         return inside;
     }

@@ -164,15 +164,6 @@ void compareAnswers(const Contender &contender, const Judgement &judgement, Meth
     }
 }
 
-/// Returns a quantile of sorted values, interpolated between neighbours.
-double quantile(const std::vector<double> &sorted, double part)
-{
-    const double position = part * static_cast<double>(sorted.size() - 1);
-    const auto below = static_cast<std::size_t>(position);
-    const std::size_t above = std::min(below + 1, sorted.size() - 1);
-    return std::lerp(sorted[below], sorted[above], position - static_cast<double>(below));
-}
-
 /// Adds a method to be run at `times`, unless it does not apply to the mechanism.
 void addContender(const StudyMethod &method, const Mechanism &mechanism, const std::vector<double> &times,
                   std::vector<Contender> &contenders)
@@ -226,10 +217,10 @@ MethodResult resultOf(Contender &contender, const Judgement &judgement)
     result.tolerance = method.tolerance;
     result.channels = method.channels;
     result.states = contender.times.size();
-    std::ranges::sort(contender.nanoseconds);
-    if (!contender.nanoseconds.empty()) {
-        result.nsPerState = quantile(contender.nanoseconds, 0.5);
-        result.spread = quantile(contender.nanoseconds, 0.75) - quantile(contender.nanoseconds, 0.25);
+    if (std::vector<double> &times = contender.nanoseconds; !times.empty()) {
+        std::ranges::sort(times);
+        result.nsPerState = times[times.size() / 2];
+        result.spread = times[3 * times.size() / 4] - times[times.size() / 4];
     }
     if (method.tolerance) {
         const auto states = static_cast<double>(result.states);

@@ -8,55 +8,11 @@
 #include <QTest>
 
 #include <algorithm>
-#include <atomic>
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
-#include <new>
 #include <random>
 
 using namespace slidercrank;
-
-namespace
-{
-
-constexpr int kPlenty = std::numeric_limits<int>::max();
-std::atomic<int> allocationsLeft = kPlenty; // that succeed
-
-void *allocated(std::size_t size)
-{
-    if (allocationsLeft != kPlenty && --allocationsLeft < 0) {
-        allocationsLeft = 0;
-        return nullptr;
-    }
-    return std::malloc(std::max<std::size_t>(size, 1));
-}
-
-} // namespace
-
-void *operator new(std::size_t size)
-{
-    if (void *memory = allocated(size)) {
-        return memory;
-    }
-    throw std::bad_alloc();
-}
-
-void *operator new(std::size_t size, const std::nothrow_t &) noexcept
-{
-    return allocated(size);
-}
-
-// Not inlined: otherwise g++ 14 warns about new paired with free.
-[[gnu::noinline]] void operator delete(void *memory) noexcept
-{
-    std::free(memory);
-}
-
-[[gnu::noinline]] void operator delete(void *memory, std::size_t) noexcept
-{
-    std::free(memory);
-}
 
 namespace
 {
@@ -410,26 +366,6 @@ private slots:
         for (const ReferenceSeries &series : table(false).series) {
             QVERIFY(series.rounding.rule != Rounding::Rule::Multiples);
         }
-    }
-
-    /// Fails after each number of allocations.
-    void reportsMissingMemory()
-    {
-        const QByteArray bytes = under("time,slider x,coupler angle (rad)");
-        const std::string expected = described(read(bytes));
-        int refused = 0;
-        for (int some = 0;; ++some) {
-            allocationsLeft = some;
-            const Outcome outcome = readReferenceData({bytes.constData(), static_cast<std::size_t>(bytes.size())});
-            allocationsLeft = kPlenty;
-            const ReadError *error = std::get_if<ReadError>(&outcome);
-            if (!error || error->fault.kind != Kind::NoMemory) {
-                QCOMPARE(described(outcome), expected);
-                break;
-            }
-            ++refused;
-        }
-        QVERIFY2(refused > 20, qPrintable(QString::number(refused)));
     }
 
     void survivesDamagedFiles()
