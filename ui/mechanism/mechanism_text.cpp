@@ -59,7 +59,7 @@ QStringList crankLines(const MechanismScene &scene)
 
 QStringList couplerLines(const MechanismScene &scene)
 {
-    const Motion motion = ClosedForm(withCrankAt(scene.mechanism(), scene.pose.theta2)).motionAt(0.0);
+    const Motion motion = ClosedForm(scene.mechanism()).motionAt(scene.pose.time);
     const double omega2 = std::abs(scene.mechanism().omega2());
     QStringList lines{QStringLiteral("θ³ = %1°").arg(valueText(kDegreesPerRadian * motion.theta3, 1.0))};
     if (std::isfinite(motion.theta3Dot)) {

@@ -4,11 +4,10 @@
 
 #include "ui/mechanism/mechanism_view.h"
 
-#include "ui/document/with.h"
+#include "ui/document/setting_action.h"
 #include "ui/mechanism/mechanism_text.h"
 #include "ui/text/written_number.h"
 
-#include <QAction>
 #include <QApplication>
 #include <QFontInfo>
 #include <QLabel>
@@ -86,14 +85,8 @@ MechanismView::MechanismView(QWidget *parent)
 void MechanismView::makeChoices()
 {
     const auto addSwitch = [this](const QString &text, const QString &name, bool MechanismSettings::*setting) {
-        auto *action = new QAction(text, this);
-        action->setObjectName(name);
-        action->setCheckable(true);
-        connect(action, &QAction::triggered, this,
-                [this, setting](bool on) { setSettings(with(m_scene.settings, setting, on)); });
-        connect(this, &MechanismView::settingsChanged, action,
-                [action, setting](const MechanismSettings &settings) { action->setChecked(settings.*setting); });
-        m_choices << action;
+        m_choices << makeSettingAction(this, text, setting, true, false);
+        m_choices.back()->setObjectName(name);
     };
     const auto addZoom = [this](const QString &text, const QList<QKeySequence> &keys, const auto &change) {
         auto *action = new QAction(text, this);

@@ -176,8 +176,7 @@ ChartContent chartOf(const CaseResult &result)
 {
     ChartContent chart{{StudyPage::tr("time for one time step [ns]"), {1e1, 1e3}, true},
                        {StudyPage::tr("error / peak"), {1e-17, 1.0}, true},
-                       {},
-                       ChartContent::Legend::Right};
+                       {}};
     const auto include = [](ChartAxis &axis, double value) {
         axis.range = {std::min(axis.range.lower, std::pow(10.0, std::floor(std::log10(value)))),
                       std::max(axis.range.upper, std::pow(10.0, std::ceil(std::log10(value))))};

@@ -57,20 +57,6 @@ void addSeries(PlotDrawing &drawing, const ChartSeries &series, const SeriesColo
     }
 }
 
-/// Hides the legend where there is too little space.
-void placeLegend(PlotDrawing &drawing, bool isRight, const QSize &size)
-{
-    QCPLegend *legend = drawing.legend;
-    const QSize most = isRight ? QSize(size.width() - 200, size.height()) : size / 2; // px
-    const QSize needed = legend->minimumOuterSizeHint();
-    legend->setVisible(legend->itemCount() > 0 && needed.boundedTo(most) == needed);
-    if (legend->visible() && isRight) {
-        drawing.axisRect()->insetLayout()->take(legend);
-        drawing.plotLayout()->addElement(0, 1, legend);
-        drawing.plotLayout()->setColumnStretchFactor(1, 1e-3);
-    }
-}
-
 } // namespace
 
 Chart::Chart(QWidget *parent)
@@ -100,7 +86,15 @@ void Chart::fill(const QSize &size, const QPalette &palette)
     for (const ChartSeries &series : m_content.series) {
         addSeries(*m_drawing, series, colours);
     }
-    placeLegend(*m_drawing, m_content.legend == ChartContent::Legend::Right, size);
+    constexpr int kWidthOfAxes = 200; // px, at least
+    QCPLegend *legend = m_drawing->legend;
+    const QSize needed = legend->minimumOuterSizeHint() + QSize(kWidthOfAxes, 0);
+    legend->setVisible(legend->itemCount() > 0 && needed.boundedTo(size) == needed);
+    if (legend->visible()) {
+        m_drawing->axisRect()->insetLayout()->take(legend);
+        m_drawing->plotLayout()->addElement(0, 1, legend);
+        m_drawing->plotLayout()->setColumnStretchFactor(1, 1e-3);
+    }
     m_drawing->layOut(size);
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A chart of points and lines over two axes, linear or logarithmic, with a legend. It knows no mechanism.
+// A chart of points and lines over two axes, linear or logarithmic. A legend is on the right where there is
+// space for it. It knows no mechanism.
 
 #include "ui/text/interval.h"
 #include "ui/text/theme.h"
@@ -40,12 +41,9 @@ struct ChartAxis {
 };
 
 struct ChartContent {
-    enum class Legend { Above, Right };
-
     ChartAxis x;
     ChartAxis y;
     std::vector<ChartSeries> series = {};
-    Legend legend = Legend::Above; ///< hidden where there is too little space
 };
 
 class Chart : public QWidget

@@ -2,7 +2,6 @@
 #include "ui/plots/motion_curves.h"
 
 #include "core/mechanism/turn.h"
-#include "core/sampling/trajectory.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,17 +13,6 @@ namespace
 {
 
 constexpr double kBeyondAll = 1e300; // replaces ±∞: beyond the end of any axis, but lines to it can be clipped
-/// Returns the time stamps that divide the range into equal pieces, including both ends.
-std::vector<double> evenTime(const Interval &range, std::size_t pieces)
-{
-    std::vector<double> time;
-    time.reserve(pieces + 1);
-    for (std::size_t i = 0; i < pieces; ++i) {
-        time.push_back(range.lower + range.length() * static_cast<double>(i) / static_cast<double>(pieces));
-    }
-    time.push_back(range.upper);
-    return time;
-}
 
 std::optional<Interval> usualExtremes(std::vector<CurvePoint> points)
 {
@@ -62,45 +50,21 @@ std::vector<CurvePoint> strokes(const std::vector<CurvePoint> &turn, const Inter
 
 } // namespace
 
-MotionSamples sampleMotion(const ClosedForm &motion, std::vector<double> time)
-{
-    MotionSamples samples{std::move(time), {}};
-    PlottedColumns columns{};
-    for (std::size_t channel = 0; channel < columns.size(); ++channel) {
-        samples.values[channel].resize(samples.time.size());
-        columns[channel] = samples.values[channel].data();
-    }
-    std::vector<Status> statuses(samples.time.size());
-    motion.evaluate(samples.time, columns, statuses);
-    for (std::size_t channel = 0; channel < columns.size(); ++channel) {
-        toFileUnit(kPlottedChannels[channel], samples.values[channel]);
-    }
-    return samples;
-}
-
 MotionCurves::MotionCurves(const Mechanism &mechanism, const Interval &time)
-    : m_motion(mechanism)
+    : m_mechanism(mechanism)
     , m_time(time)
-    , m_omega2(mechanism.omega2())
-    , m_theta20(mechanism.theta20())
 {
-    if (m_omega2 != 0.0) {
+    if (mechanism.omega2() != 0.0) {
         m_critical = findCriticalPoints(mechanism);
     }
 }
 
 MotionCurves::MotionCurves(const Trajectory &trajectory)
-    : m_samples{trajectory.time, {}}
+    : m_samples(trajectory)
 {
-    const bool isBackwards = !std::ranges::is_sorted(trajectory.time);
-    for (std::size_t channel = 0; channel < m_samples.values.size(); ++channel) {
-        m_samples.values[channel] = trajectory[kPlottedChannels[channel]];
-        if (isBackwards) {
-            std::ranges::reverse(m_samples.values[channel]);
-        }
-    }
-    if (isBackwards) {
+    if (!std::ranges::is_sorted(m_samples.time)) {
         std::ranges::reverse(m_samples.time);
+        std::ranges::for_each(m_samples.values, [](std::vector<double> &values) { std::ranges::reverse(values); });
     }
 }
 
@@ -114,28 +78,30 @@ double MotionCurves::nearestTime(double t) const
 
 double MotionCurves::value(std::size_t channel, double time) const
 {
+    const Channel plotted = kPlottedChannels[channel];
     if (isExact()) {
-        return sampleMotion(*m_motion, {time}).values[channel].front();
+        return sample(*m_mechanism, {time}, plottedChannels(), {})[plotted].front();
     }
-    return m_samples.time.empty() ? kNoValue : m_samples.values[channel][nearestIndex(m_samples.time, time)];
+    return m_samples.time.empty() ? kNoValue : m_samples[plotted][nearestIndex(m_samples.time, time)];
 }
 
 /// Returns the samples and the critical points between them, with a gap beyond each limit of the motion.
-std::vector<CurvePoint> MotionCurves::exactPoints(std::size_t channel, const MotionSamples &samples) const
+std::vector<CurvePoint> MotionCurves::exactPoints(std::size_t channel, const Trajectory &samples) const
 {
     std::vector<CurvePoint> points;
     for (std::size_t i = 0; i < samples.time.size(); ++i) {
-        const double value = samples.values[channel][i];
+        const double value = samples[kPlottedChannels[channel]][i];
         points.push_back({samples.time[i], std::isfinite(value) ? value : kNoValue});
     }
     const Interval range{samples.time.front(), samples.time.back()};
-    const double period = kTurn / std::abs(m_omega2);
+    const double omega2 = m_mechanism->omega2();
+    const double period = kTurn / std::abs(omega2);
     const double turns = std::ceil(range.length() / period);
     for (const CriticalPoint &point : m_critical[channel]) {
-        const double first = (point.theta2 - m_theta20) / m_omega2;
+        const double first = (point.theta2 - m_mechanism->theta20()) / omega2;
         const double passed = std::ceil((range.lower - first) / period);
         const double value = std::clamp(toFileUnit(kPlottedChannels[channel], point.value), -kBeyondAll, kBeyondAll);
-        const bool isLast = (point.kind == CriticalPoint::Kind::End) == (m_omega2 > 0.0);
+        const bool isLast = (point.kind == CriticalPoint::Kind::End) == (omega2 > 0.0);
         for (double turn = 0.0; turn <= turns; ++turn) {
             const double t = first + (passed + turn) * period;
             if (range.contains(t)) {
@@ -152,17 +118,18 @@ std::vector<CurvePoint> MotionCurves::exactPoints(std::size_t channel, const Mot
 
 void MotionCurves::computeExactCurves(const Interval &range)
 {
-    constexpr std::size_t kPerTurn = 400;
+    constexpr int kPerTurn = 400;
     constexpr double kWholeTurn = 1.001 * kTurn; // more than a turn, so that rounding errors lose no critical point
     const Interval shown{std::max(range.lower, m_time.lower), std::min(range.upper, m_time.upper)};
-    const double speed = std::abs(m_omega2);
+    const double speed = std::abs(m_mechanism->omega2());
     const bool isBand = speed * shown.length() >= kTurn * static_cast<double>(m_columns);
-    const Interval sampled{shown.lower, isBand ? shown.lower + kWholeTurn / speed : shown.upper};
+    const Sampling sampling{shown.lower, isBand ? kWholeTurn / speed : shown.length(),
+                            isBand ? kPerTurn : 2 * static_cast<int>(m_columns)};
     m_curves = {};
     if (shown.lower > shown.upper) {
         return;
     }
-    const MotionSamples samples = sampleMotion(*m_motion, evenTime(sampled, isBand ? kPerTurn : 2 * m_columns));
+    const Trajectory samples = sample(*m_mechanism, sampling.timeStamps(), plottedChannels(), {});
     for (std::size_t channel = 0; channel < m_curves.size(); ++channel) {
         std::vector<CurvePoint> points = exactPoints(channel, samples);
         m_curves[channel].extremes = usualExtremes(points);
@@ -182,7 +149,8 @@ const MotionCurves::Curves &MotionCurves::curves(const Interval &range, std::siz
         return m_curves;
     }
     for (std::size_t channel = 0; channel < m_curves.size(); ++channel) {
-        const std::vector<CurvePoint> points = decimate(m_samples.time, m_samples.values[channel], range, columns);
+        const std::vector<CurvePoint> points =
+            decimate(m_samples.time, m_samples[kPlottedChannels[channel]], range, columns);
         m_curves[channel] = {points, extremes(clip(points, range, {-kBeyondAll, kBeyondAll}))};
     }
     return m_curves;

@@ -7,8 +7,8 @@
 // extremes. With Newton-Raphson a curve consists of the samples that were solved. Channels are numbered as in
 // kPlottedChannels; values are in the units of files (mm, °, s).
 
-#include "core/closed_form/closed_form.h"
 #include "core/limits/critical_points.h"
+#include "core/sampling/trajectory.h"
 #include "ui/plots/curve_sampling.h"
 
 #include <array>
@@ -17,16 +17,6 @@
 
 namespace slidercrank
 {
-
-struct Trajectory;
-
-struct MotionSamples {
-    std::vector<double> time; ///< s
-    std::array<std::vector<double>, kPlottedChannels.size()> values;
-};
-
-/// Evaluates the motion at these times. Values are NaN where the mechanism cannot be assembled.
-MotionSamples sampleMotion(const ClosedForm &motion, std::vector<double> time);
 
 class MotionCurves
 {
@@ -37,7 +27,7 @@ public:
     /// Curves of samples, whose time is ascending or descending.
     explicit MotionCurves(const Trajectory &trajectory);
 
-    bool isExact() const { return m_motion.has_value(); }
+    bool isExact() const { return m_mechanism.has_value(); }
 
     /// Returns the time (s) nearest to t at which the curves have values.
     double nearestTime(double t) const;
@@ -58,15 +48,13 @@ public:
     const Curves &curves(const Interval &range, std::size_t columns);
 
 private:
-    std::vector<CurvePoint> exactPoints(std::size_t channel, const MotionSamples &samples) const;
+    std::vector<CurvePoint> exactPoints(std::size_t channel, const Trajectory &samples) const;
     void computeExactCurves(const Interval &range);
 
-    std::optional<ClosedForm> m_motion;
+    std::optional<Mechanism> m_mechanism; ///< nullopt if only samples are known
     Interval m_time;
-    double m_omega2 = 0.0;
-    double m_theta20 = 0.0;
     std::array<CriticalPoints, kPlottedChannels.size()> m_critical;
-    MotionSamples m_samples; ///< empty if the motion is exact
+    Trajectory m_samples; ///< of ascending time; empty if the motion is exact
 
     Curves m_curves; ///< of the last call of curves()
     std::optional<Interval> m_range;

@@ -36,13 +36,14 @@ MotionErrors::MotionErrors(const Result &result, const PlotSettings &settings, c
     : m_settings(settings)
 {
     const Reference *file = result.reference.get();
-    MotionSamples model;
+    Trajectory sampled;
     if (!file) {
         const Mechanism pinned(result.pinned.back());
         const double speed = std::max(std::abs(result.mechanism.omega2()), std::abs(pinned.omega2()));
-        m_pinned = sampleMotion(ClosedForm(pinned), timeStamps(range, speed * range.length() / kTurn, columns));
-        model = sampleMotion(ClosedForm(result.mechanism), m_pinned.time);
+        m_pinned = sample(pinned, timeStamps(range, speed * range.length() / kTurn, columns), plottedChannels(), {});
+        sampled = sample(result.mechanism, m_pinned.time, plottedChannels(), {});
     }
+    const Trajectory &model = file ? result.atReference : sampled;
     m_time = file ? file->data.time : m_pinned.time;
     const std::vector<ChannelComparison> &comparisons = file ? result.comparison : result.difference->channels;
     for (std::size_t channel = 0; channel < m_errors.size(); ++channel) {
@@ -55,12 +56,11 @@ MotionErrors::MotionErrors(const Result &result, const PlotSettings &settings, c
         errors.series = file ? file->data.find(plotted) : nullptr;
         errors.peak = comparison->peak;
         errors.isUnbounded = !std::isfinite(errors.peak) || !std::isfinite(comparison->maxAbs.value_or(0.0));
-        errors.reference = file ? errors.series->values : m_pinned.values[channel];
-        const std::span<const double> modelValues = file ? result.atReference[plotted] : model.values[channel];
+        errors.reference = file ? errors.series->values : m_pinned[plotted];
         for (std::size_t i = 0; i < errors.reference.size(); ++i) {
-            const double value = error(channel, modelValues[i], errors.reference[i]);
+            const double value = error(channel, model[plotted][i], errors.reference[i]);
             errors.values.push_back(value);
-            if (settings.error == ErrorMeasure::Percent && std::isnan(value) && std::isfinite(modelValues[i]) &&
+            if (settings.error == ErrorMeasure::Percent && std::isnan(value) && std::isfinite(model[plotted][i]) &&
                 std::isfinite(errors.reference[i])) {
                 errors.undefined.push_back(m_time[i]);
             }

@@ -41,7 +41,7 @@ private:
     PlotSettings m_settings;
     std::span<const double> m_time;
     std::array<Errors, kPlottedChannels.size()> m_errors;
-    MotionSamples m_pinned;
+    Trajectory m_pinned; ///< empty if there is a file
 };
 
 } // namespace slidercrank

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plots/plot_grid.h"
 
-#include "ui/document/with.h"
+#include "ui/document/setting_action.h"
 #include "ui/text/axis_scale.h"
 #include "ui/text/finding_text.h"
 
-#include <QAction>
 #include <QActionGroup>
 #include <QLabel>
 #include <QPainter>
@@ -45,26 +44,16 @@ PlotGrid::PlotGrid(QWidget *parent)
 
 void PlotGrid::makeChoices()
 {
-    const auto add = [this](const QString &text, auto PlotSettings::*member, auto on, auto off) {
-        auto *action = new QAction(text, this);
-        action->setCheckable(true);
-        action->setChecked(settings().*member == on);
-        m_choices << action;
-        connect(action, &QAction::triggered, this,
-                [this, member, on, off](bool checked) { setSettings(with(settings(), member, checked ? on : off)); });
-        connect(this, &PlotGrid::settingsChanged, action,
-                [action, member, on](const PlotSettings &settings) { action->setChecked(settings.*member == on); });
-        return action;
-    };
     auto *measures = new QActionGroup(this);
     for (const auto &[text, measure] : {std::pair{tr("Error in % of the &peak"), ErrorMeasure::OfPeak},
                                         {tr("Error in &% of the reference"), ErrorMeasure::Percent},
                                         {tr("Error &in ° and mm"), ErrorMeasure::Absolute}}) {
-        measures->addAction(add(text, &PlotSettings::error, measure, measure));
+        m_choices << measures->addAction(makeSettingAction(this, text, &PlotSettings::error, measure, measure));
     }
-    add(tr("&Logarithmic errors"), &PlotSettings::logarithmicError, true, false);
-    add(tr("File's &rounding"), &PlotSettings::roundingBand, true, false);
-    add(tr("Over the crank &angle"), &PlotSettings::abscissa, Abscissa::CrankAngle, Abscissa::Time);
+    m_choices << makeSettingAction(this, tr("&Logarithmic errors"), &PlotSettings::logarithmicError, true, false)
+              << makeSettingAction(this, tr("File's &rounding"), &PlotSettings::roundingBand, true, false)
+              << makeSettingAction(this, tr("Over the crank &angle"), &PlotSettings::abscissa, Abscissa::CrankAngle,
+                                   Abscissa::Time);
 }
 
 QStringList PlotGrid::plotNames()
