@@ -3,7 +3,6 @@
 
 #include "app/output.h"
 #include "ui/text/language.h"
-#include "ui/text/written_number.h"
 
 #include <QLocale>
 
@@ -52,11 +51,6 @@ QString alignedTable(const std::vector<QStringList> &rows)
         table += line.trimmed() + '\n';
     }
     return table;
-}
-
-QString roundedText(std::optional<double> value, int digits)
-{
-    return value ? typedNumberText(QString::number(*value, 'g', digits).toDouble()) : dash();
 }
 
 QJsonValue jsonText(const QString &text)

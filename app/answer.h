@@ -33,9 +33,6 @@ struct Question {
 /// right-aligned unless one of their cells begins with a letter.
 QString alignedTable(const std::vector<QStringList> &rows);
 
-/// Formats a number as one would type it, such as 5.03e-6; a dash if there is none.
-QString roundedText(std::optional<double> value, int digits = 3);
-
 /// Null if the text is empty.
 QJsonValue jsonText(const QString &text);
 

@@ -10,6 +10,7 @@
 #include "ui/text/convention_text.h"
 #include "ui/text/diagnosis_text.h"
 #include "ui/text/finding_text.h"
+#include "ui/text/written_number.h"
 
 #include <QLocale>
 
@@ -39,7 +40,7 @@ const char *nameOf(Outcome outcome)
     return kOutcomeNames[static_cast<std::size_t>(outcome)];
 }
 
-QJsonObject jsonIdentification(const ReferenceData &data, const Diagnosis &diagnosis)
+QJsonObject jsonIdentification(const Diagnosis &diagnosis)
 {
     const Identification &found = diagnosis.identification;
     QJsonObject standardErrors, identifiable, noise;
@@ -71,7 +72,7 @@ QJsonObject jsonIdentification(const ReferenceData &data, const Diagnosis &diagn
             {"iterations", found.iterations},
             {"conditionNumber", found.hasMechanism() ? jsonNumber(found.conditionNumber) : QJsonValue()},
             {"channels", jsonList(diagnosis.identified, jsonComparison)},
-            {"conventions", jsonConventions(diagnosis.conventions, data)},
+            {"conventions", jsonConventions(diagnosis.conventions)},
             {"leftOut", jsonList(found.leftOut, jsonLeftOut)},
             {"excludedRows", jsonList(found.excludedRows, jsonNumber)},
             {"summary", summaryText(diagnosis)}};
@@ -97,15 +98,15 @@ QString identificationText(const Reference &reference, const Diagnosis &diagnosi
     const ReferenceData &data = reference.data;
     QStringList lines{headline(reference).trimmed()};
     for (const ConventionFinding &finding : diagnosis.conventions) {
-        lines += explanationText(finding.convention, data) + ' ' + effectText(finding);
+        lines += findingText(finding);
     }
     lines += summaryText(diagnosis);
     if (found.outcome != Outcome::Approximate) {
         lines += CommandLine::tr("± one standard deviation; %1 iterations, condition number %2.")
-                     .arg(QString::number(found.iterations), roundedText(found.conditionNumber));
+                     .arg(QString::number(found.iterations), numberText(found.conditionNumber, 3));
     }
     const std::optional<ReferenceData> timed = data.crank ? timedBy(Mechanism(found.parameters), data) : std::nullopt;
-    lines += '\n' + comparisonTable(diagnosis.identified, timed ? *timed : data);
+    lines += '\n' + alignedTable(comparisonTable(diagnosis.identified, timed ? &*timed : &data));
     if (found.noise.empty()) { // otherwise the summary reports the noise
         lines += summaryText(diagnosis.identified);
     }
@@ -122,7 +123,7 @@ ReferenceAnswer identifyOne(const ReferenceQuestion &question, const Reference &
     const Diagnosis diagnosis = diagnose(reference.data, question.mechanism);
     const bool isFound = diagnosis.identification.hasMechanism();
     ReferenceAnswer answer;
-    answer.json = jsonIdentification(reference.data, diagnosis);
+    answer.json = jsonIdentification(diagnosis);
     if (isFound) {
         answer.category = CommandLine::tr(nameOf(diagnosis.identification.outcome));
         answer.text = identificationText(reference, diagnosis);

@@ -33,27 +33,6 @@ namespace
 /// Names in JSON, by Mobility.
 constexpr std::array kMobilityNames{"full-turn", "rocker", "locked", "impossible"};
 
-/// The limits in JSON and CSV, in their order.
-struct LimitName {
-    const char *name;
-    const char *unit;
-};
-constexpr LimitName kLimits[] = {{"outer-dead-centre", "mm"},
-                                 {"inner-dead-centre", "mm"},
-                                 {"stroke", "mm"},
-                                 {"forward-angle", "°"},
-                                 {"return-angle", "°"},
-                                 {"forward-time", "s"},
-                                 {"return-time", "s"},
-                                 {"time-ratio", ""},
-                                 {"least-transmission-angle", "°"},
-                                 {"mean-forward-speed", "mm/s"},
-                                 {"mean-return-speed", "mm/s"},
-                                 {"peak-slider-speed", "mm/s"},
-                                 {"peak-slider-acceleration", "mm/s²"},
-                                 {"peak-coupler-speed", "°/s"},
-                                 {"peak-coupler-acceleration", "°/s²"}};
-
 /// Returns the facts of the window's tab "Motion limits" over one revolution.
 std::vector<MotionFact> findFacts(const Mechanism &mechanism, const MotionLimits &limits)
 {
@@ -61,41 +40,29 @@ std::vector<MotionFact> findFacts(const Mechanism &mechanism, const MotionLimits
     if (mechanism.omega2() != 0.0) {
         revolution.duration = kTurn / std::abs(mechanism.omega2());
     }
-    std::vector<MotionFact> facts = positionFacts(mechanism, limits, revolution);
-    std::ranges::move(peakFacts(mechanism, limits, revolution), std::back_inserter(facts));
-    return facts;
+    return motionFacts(mechanism, limits, revolution);
 }
 
 /// Returns a record for each limit and place. A limit that does not exist has one record without a value.
 std::vector<Record> listLimits(const std::vector<MotionFact> &facts)
 {
     std::vector<Record> records;
-    for (const auto &[name, unit] : kLimits) {
+    for (const LimitDescription &limit : limitsInFiles()) {
         std::vector<MotionFact> found;
         std::ranges::copy_if(facts, std::back_inserter(found),
-                             [&name = name](const auto &fact) { return fact.key == name; });
+                             [&limit](const auto &fact) { return fact.key == limit.key; });
         if (found.empty()) {
             found.push_back({.number = std::numeric_limits<double>::quiet_NaN()});
         }
         for (const MotionFact &fact : found) {
-            records.push_back({{"name", name},
+            records.push_back({{"name", limit.key},
                                {"value", jsonNumber(fact.number)},
-                               {"unit", unit},
+                               {"unit", limit.unit},
                                {"theta2", fact.theta2 ? degreesFromZero(*fact.theta2) : QJsonValue()},
                                {"time", jsonNumber(fact.time)}});
         }
     }
     return records;
-}
-
-QString limitTable(const std::vector<MotionFact> &facts)
-{
-    std::vector<QStringList> rows{{CommandLine::tr("limit"), CommandLine::tr("value"), "θ₂ [°]", "t [s]"}};
-    for (const MotionFact &fact : facts) {
-        rows.push_back({fact.name, valueText(fact), fact.theta2 ? crankAngleText(*fact.theta2) : fact.remark,
-                        fact.time ? roundedText(fact.time, 6) : QString()});
-    }
-    return alignedTable(rows);
 }
 
 /// Reads --vary, such as "b=50..120". Returns a row for each value of the parameter: the value, then the limits by
@@ -205,7 +172,7 @@ ExitStatus limitsCommand(const OptionReader &options, const Streams &streams)
     const QString sentence = mobilitySentence(mechanism, limits);
     const std::vector<Record> rows = listLimits(facts);
     const bool isImpossible = limits.mobility == Mobility::Impossible;
-    return moreSevere(question.write(streams, {design + sentence + '\n' + limitTable(facts),
+    return moreSevere(question.write(streams, {design + sentence + '\n' + alignedTable(limitTable(facts)),
                                                rows,
                                                {{"mechanism", toJson(mechanism.parameters())},
                                                 {"mobility", kMobilityNames[static_cast<std::size_t>(limits.mobility)]},

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Writes the result of a command to a file, which is written completely or not at all, to a device or a pipe, or to
-// standard output.
+// Writes the result of a command to standard output, or to a file, which is written completely or not at all.
 
 #include "app/command_line.h"
 #include "ui/document/whole_file.h"
-
-#include <QFile>
 
 namespace slidercrank
 {
@@ -33,8 +30,6 @@ private:
     const Streams &m_streams;
     QString m_path;
     WholeFile m_file;
-    QFile m_direct;      ///< a device or a pipe
-    QIODevice *m_device; ///< standard output or m_direct; null for a file
     bool m_failed = false;
 };
 

@@ -43,39 +43,6 @@ QJsonArray jsonColumns(const FileLayout &layout)
     return columns;
 }
 
-/// Reports rows that were skipped, columns that were not used, and columns whose meaning was guessed.
-void reportDoubts(const Streams &streams, const Reference &reference)
-{
-    const QString name = displayName(reference.paths);
-    const ReferenceData &data = reference.data;
-    const FileLayout &layout = data.layout;
-    if (!data.skipped.empty()) {
-        const SkippedRow &first = data.skipped.front();
-        streams.report(CommandLine::tr("%1: rows that were skipped: %2, the first in line %3, column %4 (\"%5\"): %6.")
-                           .arg(name, QString::number(data.skippedRowCount()), lineText(layout, first),
-                                QString::number(first.column), QString::fromStdString(first.text),
-                                rowFaultText(first)));
-    }
-    QStringList ignored, guesses;
-    for (const std::size_t i : ignoredColumns(layout)) {
-        ignored += headingText(layout, i) + " (" + reasonText(layout, i) + ')';
-    }
-    for (std::size_t i = 0; i < layout.columns.size(); ++i) {
-        const FileColumn &column = layout.columns[i];
-        if (column.role != ColumnRole::Ignored && isGuess(column.reason)) {
-            guesses += CommandLine::tr("\"%1\" as %2 (%3)")
-                           .arg(headingText(layout, i), columnMeaning(column), reasonText(layout, i));
-        }
-    }
-    if (!ignored.isEmpty()) {
-        streams.report(CommandLine::tr("%1: these columns were not used: %2.").arg(name, ignored.join(", ")));
-    }
-    if (!guesses.isEmpty()) {
-        streams.report(CommandLine::tr("%1: the meaning of these columns was guessed: %2. Correct it with --column.")
-                           .arg(name, guesses.join(", ")));
-    }
-}
-
 } // namespace
 
 ReferenceQuestion::ReferenceQuestion(const OptionReader &options)
@@ -154,7 +121,9 @@ std::shared_ptr<const Reference> readTimedReference(const Streams &streams, cons
         return nullptr;
     }
     const auto reference = std::get<std::shared_ptr<const Reference>>(outcome);
-    reportDoubts(streams, *reference);
+    for (const QString &doubt : doubtTexts(reference->data)) {
+        streams.report(displayName(reference->paths) + ": " + doubt);
+    }
     return reference;
 }
 
@@ -177,9 +146,9 @@ QJsonValue jsonMechanism(bool exists, const Parameters &parameters)
     return exists ? QJsonValue(toJson(parameters)) : QJsonValue();
 }
 
-QJsonArray jsonConventions(const std::vector<ConventionFinding> &findings, const ReferenceData &data)
+QJsonArray jsonConventions(const std::vector<ConventionFinding> &findings)
 {
-    return jsonList(findings, [&data](const ConventionFinding &finding) {
+    return jsonList(findings, [](const ConventionFinding &finding) {
         const Convention &convention = finding.convention;
         const char *unit = kAmountUnits[static_cast<std::size_t>(convention.kind)];
         const bool isZeroPoint = convention.kind == Convention::Kind::ZeroPoint;
@@ -191,7 +160,7 @@ QJsonArray jsonConventions(const std::vector<ConventionFinding> &findings, const
                            {"channel", jsonText(channels.join(','))},
                            {"amount", unit ? QJsonValue(convention.amount) : QJsonValue()},
                            {"unit", jsonText(isZeroPoint ? unitText(convention.channels.front()) : QString(unit))},
-                           {"explanation", explanationText(convention, data)},
+                           {"explanation", explanationText(convention)},
                            {"standardError", jsonNumber(finding.standardError)},
                            {"before", jsonNumber(finding.before)},
                            {"after", jsonNumber(finding.after)}};
@@ -221,27 +190,6 @@ Record comparisonRecord(const ChannelComparison &channel)
             {"percentOfPeak", jsonNumber(channel.percentOfPeak)},
             {"roundingStep", jsonNumber(channel.roundingStep)},
             {"verdict", verdictName(channel.verdict)}};
-}
-
-QString comparisonTable(const std::vector<ChannelComparison> &channels, const ReferenceData &data)
-{
-    const auto place = [&crank = data.crank](std::optional<double> value, double time) {
-        const double angle = crank ? (crank->omega2 * time + crank->theta20) * kDegreesPerRadian : time;
-        return value ? roundedText(angle, 6) : dash();
-    };
-    const QString where = data.crank ? CommandLine::tr("at θ₂ [°]") : CommandLine::tr("at t [s]");
-    std::vector<QStringList> rows{
-        {CommandLine::tr("channel"), CommandLine::tr("unit"), CommandLine::tr("largest error"), where,
-         CommandLine::tr("rms"), CommandLine::tr("largest %"), where, CommandLine::tr("zeros"),
-         CommandLine::tr("% of peak"), CommandLine::tr("rounding step"), CommandLine::tr("verdict")}};
-    for (const ChannelComparison &channel : channels) {
-        rows.push_back({columnName(channel.channel), unitText(channel.channel), roundedText(channel.maxAbs),
-                        place(channel.maxAbs, channel.timeOfMaxAbs), roundedText(channel.rms),
-                        roundedText(channel.maxPercent), place(channel.maxPercent, channel.timeOfMaxPercent),
-                        QString::number(channel.zeroReference), roundedText(channel.percentOfPeak),
-                        roundedText(channel.roundingStep), verdictText(channel)});
-    }
-    return alignedTable(rows);
 }
 
 } // namespace slidercrank

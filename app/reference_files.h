@@ -45,10 +45,9 @@ QJsonValue jsonFile(const FileLayout &layout, std::size_t file);
 /// Null unless the mechanism exists.
 QJsonValue jsonMechanism(bool exists, const Parameters &parameters);
 
-QJsonArray jsonConventions(const std::vector<ConventionFinding> &findings, const ReferenceData &data);
+QJsonArray jsonConventions(const std::vector<ConventionFinding> &findings);
 
 Record comparisonRecord(const ChannelComparison &channel);
-QString comparisonTable(const std::vector<ChannelComparison> &channels, const ReferenceData &data);
 
 /// "agrees", "close" or "differs".
 const char *verdictName(Verdict verdict);

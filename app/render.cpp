@@ -14,6 +14,7 @@
 #include "ui/plots/plot_grid.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/theme.h"
+#include "ui/text/written_number.h"
 #include "ui/window/ghost.h"
 
 #include <QFileInfo>
@@ -78,15 +79,18 @@ void readTarget(const OptionReader &options, RenderRequest &request)
 {
     request.output = readOutput(options, options.texts("reference"));
     const std::optional<FigureFormat> format = figureFormat(request.output);
-    if (request.subject == Subject::Frames && (format || request.output.isEmpty())) {
-        throw UsageError{CommandLine::tr("Frames are written to a new folder or as a video: --output must be the name "
-                                         "of a folder, or end in .mp4, .webm or .gif, not \"%1\".")
-                             .arg(request.output)};
-    }
+    const bool isFrames = request.subject == Subject::Frames;
     const bool isReport = request.subject == Subject::Report;
-    if (request.subject != Subject::Frames && (isReport ? format != FigureFormat::Pdf : !format)) {
-        throw UsageError{CommandLine::tr("--output must end in %1, not \"%2\".")
-                             .arg(isReport ? ".pdf" : anyOf({".png", ".svg", ".pdf"}), request.output)};
+    const bool isSuitable = isFrames   ? !format && !request.output.isEmpty()
+                            : isReport ? format == FigureFormat::Pdf
+                                       : format.has_value();
+    if (!isSuitable) {
+        throw UsageError{CommandLine::tr("--output must be the name of %1, not \"%2\".")
+                             .arg(isFrames
+                                      ? CommandLine::tr("a new folder, or of a video that ends in .mp4, .webm or .gif")
+                                  : isReport ? CommandLine::tr("a file that ends in .pdf")
+                                             : CommandLine::tr("a file that ends in .png, .svg or .pdf"),
+                                  request.output)};
     }
 }
 
@@ -117,7 +121,7 @@ void readTime(const OptionReader &options, RenderRequest &request)
     if (request.subject != Subject::Mechanism && (time < sampling.start || time > end)) {
         throw UsageError{CommandLine::tr("t = %1 s lies outside the time range from %2 s to %3 s: choose another time, "
                                          "or another --start or --duration.")
-                             .arg(roundedText(time, 6), roundedText(sampling.start, 6), roundedText(end, 6))};
+                             .arg(numberText(time), numberText(sampling.start), numberText(end))};
     }
 }
 

@@ -8,6 +8,7 @@
 #include "ui/panels/study_page.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/study_text.h"
+#include "ui/text/written_number.h"
 
 #include <QStringList>
 
@@ -54,7 +55,7 @@ QString studyReport(const StudyResult &result)
                                   "over the time steps that a method solves.\n"
                                   "They are measured against a computation with 50 to 100 digits.\n"
                                   "Machine: %1. Time: %2 s.\n")
-                      .arg(machineText(result.machine), roundedText(result.seconds));
+                      .arg(machineText(result.machine), numberText(result.seconds, 3));
 }
 
 enum class CaseChoice { Nominal, Hard, All };

@@ -29,8 +29,6 @@ private:
         double first = 0.0; ///< s
     };
 
-    QString message(Status status, const Mechanism &mechanism, const NewtonOptions &newton) const;
-
     std::array<Steps, kStatusCount> m_steps; ///< by Status
     std::size_t m_total = 0;
 };

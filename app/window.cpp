@@ -63,9 +63,6 @@ ExitStatus windowCommand(const OptionReader &options, const Streams &streams)
         }
         return resetSettings(streams);
     }
-    if (files.contains("-")) {
-        throw UsageError{CommandLine::tr("The window cannot read standard input: save it as a file first.")};
-    }
     QStringList scenes;
     for (const QString &file : options.files()) {
         if (isNamedAsScene(file)) {
@@ -76,7 +73,7 @@ ExitStatus windowCommand(const OptionReader &options, const Streams &streams)
     if (scenes.size() > 1) {
         throw UsageError{CommandLine::tr("The window opens one scene: remove \"%1\".").arg(scenes.last())};
     }
-    std::ranges::for_each(options.files(), requireFile);
+    std::ranges::for_each(options.files() + options.texts("reference"), requireFile);
     if (!qobject_cast<QApplication *>(QCoreApplication::instance())) {
         throw UsageError{CommandLine::tr("There is no display for the window: set DISPLAY, or use a command, such as "
                                          "solve, which needs none.")};

@@ -8,10 +8,6 @@
         <translation>ffmpeg no pudo hacer el vídeo: %1</translation>
     </message>
     <message>
-        <source>More than %1 frames: choose a shorter time range or fewer frames per second.</source>
-        <translation>Más de %1 fotogramas: elija un intervalo más corto o menos fotogramas por segundo.</translation>
-    </message>
-    <message>
         <source>%1: a video needs the program ffmpeg, which is not installed. Install it (Debian, Ubuntu: sudo apt install ffmpeg; Windows: winget install ffmpeg; macOS: brew install ffmpeg), or export the frames to a folder.</source>
         <translation>%1: un vídeo necesita el programa ffmpeg, que no está instalado. Instálelo (Debian, Ubuntu: sudo apt install ffmpeg; Windows: winget install ffmpeg; macOS: brew install ffmpeg) o exporte los fotogramas a una carpeta.</translation>
     </message>
@@ -331,49 +327,25 @@
         <source>central differences</source>
         <translation>diferencias centrales</translation>
     </message>
+    <message>
+        <source>Rows that were skipped: %1, the first in line %2, column %3 (&quot;%4&quot;): %5.</source>
+        <translation>Filas omitidas: %1, la primera en la línea %2, columna %3 («%4»): %5.</translation>
+    </message>
+    <message>
+        <source>“%1” as %2 (%3)</source>
+        <translation>«%1» como %2 (%3)</translation>
+    </message>
+    <message>
+        <source>Columns that were not used: %1.</source>
+        <translation>Columnas que no se usaron: %1.</translation>
+    </message>
+    <message>
+        <source>The meaning of these columns was guessed: %1. Check it, and choose another one if it is wrong.</source>
+        <translation>El significado de estas columnas es una suposición: %1. Compruébelo y elija otro si no es correcto.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::CommandLine</name>
-    <message>
-        <source>channel</source>
-        <translation>canal</translation>
-    </message>
-    <message>
-        <source>unit</source>
-        <translation>unidad</translation>
-    </message>
-    <message>
-        <source>largest error</source>
-        <translation>error máximo</translation>
-    </message>
-    <message>
-        <source>at t [s]</source>
-        <translation>en t [s]</translation>
-    </message>
-    <message>
-        <source>rms</source>
-        <translation>rms</translation>
-    </message>
-    <message>
-        <source>largest %</source>
-        <translation>% máximo</translation>
-    </message>
-    <message>
-        <source>zeros</source>
-        <translation>ceros</translation>
-    </message>
-    <message>
-        <source>% of peak</source>
-        <translation>% del máximo</translation>
-    </message>
-    <message>
-        <source>rounding step</source>
-        <translation>redondeo</translation>
-    </message>
-    <message>
-        <source>verdict</source>
-        <translation>veredicto</translation>
-    </message>
     <message>
         <source>crank speed, constant (2π)</source>
         <translation>velocidad de la manivela, constante (2π)</translation>
@@ -427,10 +399,6 @@
         <translation>Habría más de %1 fotogramas: elija una --duration menor o una --speed mayor.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; as %2 (%3)</source>
-        <translation>&quot;%1&quot; como %2 (%3)</translation>
-    </message>
-    <message>
         <source>There is no file %1.</source>
         <translation>No existe el archivo %1.</translation>
     </message>
@@ -457,14 +425,6 @@
     <message>
         <source>all, or names separated by commas: theta3,R4_x_diff (all)</source>
         <translation>all (todos), o nombres separados por comas: theta3,R4_x_diff (all)</translation>
-    </message>
-    <message>
-        <source>at θ₂ [°]</source>
-        <translation>en θ₂ [°]</translation>
-    </message>
-    <message>
-        <source>%1: these columns were not used: %2.</source>
-        <translation>%1: estas columnas no se usaron: %2.</translation>
     </message>
     <message>
         <source>how the motion is computed (closed-form)</source>
@@ -711,20 +671,12 @@
         <translation>No se puede escribir en la salida estándar: %1.</translation>
     </message>
     <message>
-        <source>Cannot write %1: %2. Choose another file or folder with --output.</source>
-        <translation>No se puede escribir %1: %2. Elija otro archivo u otra carpeta con --output.</translation>
-    </message>
-    <message>
         <source>%1 files: %2.</source>
         <translation>%1 archivos: %2.</translation>
     </message>
     <message>
         <source>could not be read</source>
         <translation>no se pudieron leer</translation>
-    </message>
-    <message>
-        <source>%1: the meaning of these columns was guessed: %2. Correct it with --column.</source>
-        <translation>%1: el significado de estas columnas es una suposición: %2. Corríjalo con --column.</translation>
     </message>
     <message>
         <source>Frames show the whole time range: remove %1, or choose the range with --start and --duration.</source>
@@ -775,18 +727,6 @@
         <translation>El mecanismo no se puede ensamblar en %1: la biela debe medir al menos %2 mm para que la manivela dé vueltas completas (--b).</translation>
     </message>
     <message>
-        <source>use --tolerance-kind relative, because an absolute tolerance cannot be met with lengths of %1 mm</source>
-        <translation>use --tolerance-kind relative, porque con longitudes de %1 mm no se alcanza una tolerancia absoluta</translation>
-    </message>
-    <message>
-        <source>allow more than %1 iterations (--max-iterations) or a larger residual (--tolerance)</source>
-        <translation>permita más de %1 iteraciones (--max-iterations) o un residuo mayor (--tolerance)</translation>
-    </message>
-    <message>
-        <source>Newton-Raphson did not converge at %1: %2.</source>
-        <translation>Newton-Raphson no convergió en %1: %2.</translation>
-    </message>
-    <message>
         <source>The motion is too large to be computed at %1: choose a smaller --omega2, or times nearer to 0.</source>
         <translation>El movimiento es demasiado grande para calcularlo en %1: elija un --omega2 menor, o instantes más cercanos a 0.</translation>
     </message>
@@ -801,10 +741,6 @@
     <message>
         <source>--reset-settings opens no window: remove the other arguments.</source>
         <translation>--reset-settings no abre ninguna ventana: quite los demás argumentos.</translation>
-    </message>
-    <message>
-        <source>The window cannot read standard input: save it as a file first.</source>
-        <translation>La ventana no puede leer la entrada estándar: guárdela antes como archivo.</translation>
     </message>
     <message>
         <source>The window opens one scene: remove &quot;%1&quot;.</source>
@@ -885,14 +821,6 @@ Equipo: %1. Tiempo: %2 s.
         <translation>para frames (30 por segundo): segundos de movimiento por segundo de reproducción (1)</translation>
     </message>
     <message>
-        <source>limit</source>
-        <translation>límite</translation>
-    </message>
-    <message>
-        <source>value</source>
-        <translation>valor</translation>
-    </message>
-    <message>
         <source>--vary must be a parameter and a range of its values, such as b=50..120, not &quot;%1&quot;.</source>
         <translation>--vary debe ser un parámetro y un intervalo de sus valores, como b=50..120, y no «%1».</translation>
     </message>
@@ -903,18 +831,6 @@ Equipo: %1. Tiempo: %2 s.
     <message>
         <source>--%1 must be a whole number, not &quot;%2&quot;.</source>
         <translation>--%1 debe ser un número entero, y no «%2».</translation>
-    </message>
-    <message>
-        <source>%1: rows that were skipped: %2, the first in line %3, column %4 (&quot;%5&quot;): %6.</source>
-        <translation>%1: filas omitidas: %2, la primera en la línea %3, columna %4 («%5»): %6.</translation>
-    </message>
-    <message>
-        <source>Frames are written to a new folder or as a video: --output must be the name of a folder, or end in .mp4, .webm or .gif, not &quot;%1&quot;.</source>
-        <translation>Los fotogramas se escriben en una carpeta nueva o como vídeo: --output debe ser el nombre de una carpeta o terminar en .mp4, .webm o .gif, y no «%1».</translation>
-    </message>
-    <message>
-        <source>--output must end in %1, not &quot;%2&quot;.</source>
-        <translation>--output debe terminar en %1, y no «%2».</translation>
     </message>
     <message>
         <source>%1 belongs to --vary: remove it.</source>
@@ -956,6 +872,26 @@ Equipo: %1. Tiempo: %2 s.
         <source>--%1 needs the name of a file.</source>
         <translation>--%1 necesita el nombre de un archivo.</translation>
     </message>
+    <message>
+        <source>--output must be the name of %1, not &quot;%2&quot;.</source>
+        <translation>--output debe ser el nombre de %1, y no «%2».</translation>
+    </message>
+    <message>
+        <source>a new folder, or of a video that ends in .mp4, .webm or .gif</source>
+        <translation>una carpeta nueva, o de un vídeo que termine en .mp4, .webm o .gif</translation>
+    </message>
+    <message>
+        <source>a file that ends in .pdf</source>
+        <translation>un archivo que termine en .pdf</translation>
+    </message>
+    <message>
+        <source>a file that ends in .png, .svg or .pdf</source>
+        <translation>un archivo que termine en .png, .svg o .pdf</translation>
+    </message>
+    <message>
+        <source>Newton-Raphson did not converge at %1: allow more than %3 iterations (--max-iterations) or a larger residual (--tolerance); very long links need --tolerance-kind relative.</source>
+        <translation>Newton-Raphson no convergió en %1: permita más de %3 iteraciones (--max-iterations) o un residuo mayor (--tolerance); los eslabones muy largos necesitan --tolerance-kind relative.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::ConventionText</name>
@@ -966,10 +902,6 @@ Equipo: %1. Tiempo: %2 s.
     <message>
         <source>radians</source>
         <translation>radianes</translation>
-    </message>
-    <message>
-        <source>turns</source>
-        <translation>vueltas</translation>
     </message>
     <message>
         <source>millimetres</source>
@@ -986,26 +918,6 @@ Equipo: %1. Tiempo: %2 s.
     <message>
         <source>inches</source>
         <translation>pulgadas</translation>
-    </message>
-    <message>
-        <source>Changes the sign of %1</source>
-        <translation>Cambia el signo de %1</translation>
-    </message>
-    <message>
-        <source>Makes %1 continuous</source>
-        <translation>Hace continuo %1</translation>
-    </message>
-    <message>
-        <source>Exchanges %1</source>
-        <translation>Intercambia %1</translation>
-    </message>
-    <message>
-        <source>Leaves %1 out</source>
-        <translation>Deja fuera %1</translation>
-    </message>
-    <message>
-        <source>Turns %1 by 90°, so that y becomes x</source>
-        <translation>Gira %1 90°, de modo que y pasa a ser x</translation>
     </message>
     <message>
         <source>angle unit</source>
@@ -1060,44 +972,8 @@ Equipo: %1. Tiempo: %2 s.
         <translation>%1: tiene saltos de vueltas enteras.</translation>
     </message>
     <message>
-        <source>%1: its largest error is %2 % of peak.</source>
-        <translation>%1: su error máximo es el %2&#xa0;% del máximo.</translation>
-    </message>
-    <message>
-        <source>%1: largest error %2 % of peak instead of %3 %.</source>
-        <translation>%1: error máximo del %2&#xa0;% del máximo en vez del %3&#xa0;%.</translation>
-    </message>
-    <message>
-        <source>Sets the model to the other assembly</source>
-        <translation>Pone el modelo en la otra configuración</translation>
-    </message>
-    <message>
-        <source>%1: in a unit of angle %3 times as large as the one read.</source>
-        <translation>%1: en una unidad de ángulo %3 veces mayor que la leída.</translation>
-    </message>
-    <message>
-        <source>%1: in a unit of length %3 times as large as the one read.</source>
-        <translation>%1: en una unidad de longitud %3 veces mayor que la leída.</translation>
-    </message>
-    <message>
-        <source>The unit of time is %3 times as large as the one read.</source>
-        <translation>La unidad de tiempo es %3 veces mayor que la leída.</translation>
-    </message>
-    <message>
         <source>%1: with the opposite sign.</source>
         <translation>%1: con el signo contrario.</translation>
-    </message>
-    <message>
-        <source>%1: measured from the opposite direction; %4 is %1 %2.</source>
-        <translation>%1: medido desde la dirección opuesta; %4 es %1 %2.</translation>
-    </message>
-    <message>
-        <source>%1: off by whole turns; %4 is %1 %2.</source>
-        <translation>%1: difiere en vueltas enteras; %4 es %1 %2.</translation>
-    </message>
-    <message>
-        <source>%1: measured from another origin; %4 is %1 %2.</source>
-        <translation>%1: medido desde otro origen; %4 es %1 %2.</translation>
     </message>
     <message>
         <source>%1: each has the heading of the other.</source>
@@ -1108,36 +984,12 @@ Equipo: %1. Tiempo: %2 s.
         <translation>El archivo corresponde a la otra configuración: su corredera está al otro lado de A.</translation>
     </message>
     <message>
-        <source>The time stamps of the file are shifted by %3 s.</source>
-        <translation>Los tiempos del archivo están desplazados %3 s.</translation>
-    </message>
-    <message>
         <source>%1: not the time derivative of the position column.</source>
         <translation>%1: no es la derivada temporal de la columna de posición.</translation>
     </message>
     <message>
         <source>The slider moves along y instead of x, as in an upright engine.</source>
         <translation>La corredera se mueve a lo largo de y en lugar de x, como en un motor vertical.</translation>
-    </message>
-    <message>
-        <source>Multiplies %1 by %3</source>
-        <translation>Multiplica %1 por %3</translation>
-    </message>
-    <message>
-        <source>Multiplies the time stamps by %3, and converts derivatives</source>
-        <translation>Multiplica los instantes por %3 y convierte las derivadas</translation>
-    </message>
-    <message>
-        <source>Adds %5 to %1, made continuous</source>
-        <translation>Suma %5 a %1, hecho continuo</translation>
-    </message>
-    <message>
-        <source>Adds %5 to %1</source>
-        <translation>Suma %5 a %1</translation>
-    </message>
-    <message>
-        <source>Adds %5 to the time stamps</source>
-        <translation>Suma %5 a los instantes</translation>
     </message>
     <message>
         <source>milliseconds</source>
@@ -1148,24 +1000,40 @@ Equipo: %1. Tiempo: %2 s.
         <translation>segundos</translation>
     </message>
     <message>
-        <source>minutes</source>
-        <translation>minutos</translation>
-    </message>
-    <message>
         <source>in %1, but read as %2</source>
         <translation>en %1, pero leído como %2</translation>
     </message>
     <message>
-        <source>The time is %1.</source>
-        <translation>El tiempo está %1.</translation>
-    </message>
-    <message>
-        <source>%1: the angle of the coupler seen from B, as textbooks draw θ₃; %4 is %1 %2.</source>
-        <translation>%1: el ángulo de la biela visto desde B, como dibujan θ₃ los libros de texto; %4 es %1 %2.</translation>
-    </message>
-    <message>
         <source>%1: %2, not the time derivative.</source>
         <translation>%1: son %2, no la derivada temporal.</translation>
+    </message>
+    <message>
+        <source>The time is %4.</source>
+        <translation>El tiempo está %4.</translation>
+    </message>
+    <message>
+        <source>%1: measured from the opposite direction; %3 is %1 %2.</source>
+        <translation>%1: medido desde la dirección opuesta; %3 es %1 %2.</translation>
+    </message>
+    <message>
+        <source>%1: off by whole turns; %3 is %1 %2.</source>
+        <translation>%1: difiere en vueltas enteras; %3 es %1 %2.</translation>
+    </message>
+    <message>
+        <source>%1: measured from another origin; %3 is %1 %2.</source>
+        <translation>%1: medido desde otro origen; %3 es %1 %2.</translation>
+    </message>
+    <message>
+        <source>The time stamps are shifted: t is the time in the file %2.</source>
+        <translation>Los instantes están desplazados: t es el tiempo del archivo %2.</translation>
+    </message>
+    <message>
+        <source>%1: the angle of the coupler seen from B, as textbooks draw θ₃; %3 is %1 %2.</source>
+        <translation>%1: el ángulo de la biela visto desde B, como dibujan θ₃ los libros de texto; %3 es %1 %2.</translation>
+    </message>
+    <message>
+        <source>%1 Largest error: %2 → %3 % of peak.</source>
+        <translation>%1 Error máximo: %2 → %3 % del máximo.</translation>
     </message>
 </context>
 <context>
@@ -1261,10 +1129,6 @@ Equipo: %1. Tiempo: %2 s.
         <translation>Muchos mecanismos se mueven casi como estos datos: exporte un movimiento más largo, más cifras, o más columnas.</translation>
     </message>
     <message>
-        <source>%1 a</source>
-        <translation>%1 a</translation>
-    </message>
-    <message>
         <source>The search was stopped.</source>
         <translation>La búsqueda se detuvo.</translation>
     </message>
@@ -1357,10 +1221,6 @@ Equipo: %1. Tiempo: %2 s.
         <translation>La velocidad de la manivela no es constante: %1 rad/s al principio y %2 rad/s al final.</translation>
     </message>
     <message>
-        <source>The coupler angle θ³ alone determines only b/a and c/a; %1 is taken as given.</source>
-        <translation>El ángulo de la biela θ³ por sí solo determina únicamente b/a y c/a; %1 se toma como dato.</translation>
-    </message>
-    <message>
         <source>The file does not give the unit of its lengths, which were read as mm: if they are metres, %1; then write [m] behind the headings.</source>
         <translation>El archivo no indica la unidad de sus longitudes, que se han leído como mm: si son metros, %1; en ese caso escriba [m] detrás de los encabezados.</translation>
     </message>
@@ -1383,6 +1243,10 @@ Equipo: %1. Tiempo: %2 s.
     <message>
         <source>With %1 instead of %2, %3 % of the difference disappears.</source>
         <translation>Con %1 en lugar de %2, desaparece el %3 % de la diferencia.</translation>
+    </message>
+    <message>
+        <source>The coupler angle θ³ alone determines only b/a and c/a.</source>
+        <translation>El ángulo de la biela θ³ por sí solo determina únicamente b/a y c/a.</translation>
     </message>
 </context>
 <context>
@@ -1548,14 +1412,6 @@ Equipo: %1. Tiempo: %2 s.
         <translation>veredicto</translation>
     </message>
     <message>
-        <source>agrees: at least 95 % of the values within the file&apos;s rounding, none beyond ten times that
-close: none beyond a hundred times
-differs: anything else, and errors beyond the rounding by 1 % of half the motion&apos;s range</source>
-        <translation>coincide: al menos el 95 % de los valores dentro del redondeo del archivo, ninguno más allá de diez veces
-próximo: ninguno más allá de cien veces
-difiere: lo demás, y los errores que superan el redondeo en un 1 % de la mitad del recorrido</translation>
-    </message>
-    <message>
         <source>largest error</source>
         <translation>error máximo</translation>
     </message>
@@ -1605,10 +1461,6 @@ difiere: lo demás, y los errores que superan el redondeo en un 1 % de la mitad 
         <translation>El archivo corresponde a %1</translation>
     </message>
     <message>
-        <source>%1 Largest error: %2 → %3 % of peak.</source>
-        <translation>%1 Error máximo: %2 → %3 % del máximo.</translation>
-    </message>
-    <message>
         <source>unchanged</source>
         <translation>sin cambio</translation>
     </message>
@@ -1647,6 +1499,16 @@ difiere: lo demás, y los errores que superan el redondeo en un 1 % de la mitad 
     <message>
         <source>%1 (see Reference).</source>
         <translation>%1 (véase Referencia).</translation>
+    </message>
+    <message>
+        <source>Rounding: half a unit of the last digit of the value, plus the motion during half a unit of the last digit of the time stamp
+agrees: at least 95 % of the values within the rounding, none beyond ten times that, or beyond it by 0.5 % of half the motion&apos;s range
+close: none beyond a hundred times, or by 1 %
+differs: anything else</source>
+        <translation>Redondeo: media unidad de la última cifra del valor, más el movimiento durante media unidad de la última cifra del instante
+coincide: al menos el 95 % de los valores dentro del redondeo, ninguno más allá de diez veces el redondeo, ni más allá de él en un 0,5 % de la mitad del recorrido
+próximo: ninguno más allá de cien veces, ni en un 1 %
+difiere: lo demás</translation>
     </message>
 </context>
 <context>
@@ -1759,12 +1621,8 @@ difiere: lo demás, y los errores que superan el redondeo en un 1 % de la mitad 
         <translation>%1: el nombre de una figura debe terminar en .png, .svg o .pdf.</translation>
     </message>
     <message>
-        <source>There is not enough memory for a figure of that size.</source>
-        <translation>No hay memoria suficiente para una figura de ese tamaño.</translation>
-    </message>
-    <message>
-        <source>A figure of %1 × %2 pixels is too small or too large: choose another size or scale.</source>
-        <translation>Una figura de %1 × %2 píxeles es demasiado pequeña o demasiado grande: elija otro tamaño u otra escala.</translation>
+        <source>A figure of %1 × %2 pixels at scale %3 is too small or too large: choose another size or scale.</source>
+        <translation>Una figura de %1 × %2 píxeles a escala %3 es demasiado pequeña o demasiado grande: elija otro tamaño u otra escala.</translation>
     </message>
 </context>
 <context>
@@ -1882,24 +1740,8 @@ difiere: lo demás, y los errores que superan el redondeo en un 1 % de la mitad 
         <translation>En ningún instante tienen valor tanto el modelo como el archivo.</translation>
     </message>
     <message>
-        <source>Here: %1 of %2 values within the bound, the worst at %3 times the bound, or %4 % of half the range beyond it.</source>
-        <translation>Aquí: %1 de %2 valores dentro de la cota, el peor a %3 veces la cota, o un %4 % del semirrango más allá de ella.</translation>
-    </message>
-    <message>
-        <source>Bound: half a unit of the last digit of the value, plus the motion during half a unit of the last digit of the time stamp. Evenly spaced time stamps count as exact.
-Agrees: at least %1 % of the values within the bound, all within %2 times, none beyond it by more than %3 % of half the range of the motion.
-Close: all within %4 times, none beyond it by more than %5 %.</source>
-        <translation>Cota: media unidad de la última cifra del valor, más el movimiento durante media unidad de la última cifra del instante. Los instantes equiespaciados se toman como exactos.
-Coincide: al menos el %1 % de los valores dentro de la cota, todos dentro de %2 veces, ninguno más allá de ella en más del %3 % del semirrango del movimiento.
-Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</translation>
-    </message>
-    <message>
         <source>Match: %1 of %2 quantities agree within the rounding of the file.</source>
         <translation>Coincide: %1 de %2 magnitudes concuerdan dentro del redondeo del archivo.</translation>
-    </message>
-    <message>
-        <source>Close match, if the time stamps of the file are rounded.</source>
-        <translation>Coincidencia aproximada, si los instantes del archivo están redondeados.</translation>
     </message>
     <message>
         <source>Close match: %1 of %2 quantities agree within the rounding of the file, the others nearly.</source>
@@ -1918,8 +1760,48 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
         <translation>%1 o %2</translation>
     </message>
     <message>
-        <source>Time steps at which the mechanism cannot be assembled, or has no derivatives: %1.</source>
-        <translation>Instantes en los que el mecanismo no puede ensamblarse o no tiene derivadas: %1.</translation>
+        <source>%1 of %2 values are within the rounding, the worst at %3 times the rounding, or %4 % of half the range of the motion beyond it.</source>
+        <translation>%1 de %2 valores están dentro del redondeo, el peor a %3 veces el redondeo, o un %4 % de la mitad del recorrido más allá de él.</translation>
+    </message>
+    <message>
+        <source>channel</source>
+        <translation>canal</translation>
+    </message>
+    <message>
+        <source>largest error</source>
+        <translation>error máximo</translation>
+    </message>
+    <message>
+        <source>largest difference</source>
+        <translation>mayor diferencia</translation>
+    </message>
+    <message>
+        <source>at θ₂ [°]</source>
+        <translation>en θ₂ [°]</translation>
+    </message>
+    <message>
+        <source>at t [s]</source>
+        <translation>en t [s]</translation>
+    </message>
+    <message>
+        <source>rms</source>
+        <translation>rms</translation>
+    </message>
+    <message>
+        <source>% of peak</source>
+        <translation>% del máximo</translation>
+    </message>
+    <message>
+        <source>largest %</source>
+        <translation>% máximo</translation>
+    </message>
+    <message>
+        <source>rounding step</source>
+        <translation>redondeo</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>veredicto</translation>
     </message>
 </context>
 <context>
@@ -2590,10 +2472,6 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
         <translation>Se puede ensamblar si %1.</translation>
     </message>
     <message>
-        <source>only position</source>
-        <translation>única posición</translation>
-    </message>
-    <message>
         <source>crank limit position</source>
         <translation>posición límite de la manivela</translation>
     </message>
@@ -2674,14 +2552,6 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
         <translation>La manivela está en reposo, ω₂ = 0; podría dar vueltas completas: b = %1 ≥ a + |c| = %2.</translation>
     </message>
     <message>
-        <source>The crank just makes full turns: b = a = %1, c = 0, a change point. At θ₂ = %2 the coupler is perpendicular to the slider&apos;s line, and the velocities jump.</source>
-        <translation>La manivela da vueltas completas justo en el límite: b = a = %1, c = 0, un punto de cambio. En θ₂ = %2 la biela es perpendicular a la línea de la corredera y las velocidades dan un salto.</translation>
-    </message>
-    <message>
-        <source>The crank just makes full turns: b = a + |c| = %1. At θ₂ = %2 the coupler is perpendicular to the slider&apos;s line, and the velocities jump.</source>
-        <translation>La manivela da vueltas completas justo en el límite: b = a + |c| = %1. En θ₂ = %2 la biela es perpendicular a la línea de la corredera y las velocidades dan un salto.</translation>
-    </message>
-    <message>
         <source>90° and 270°</source>
         <translation>90° y 270°</translation>
     </message>
@@ -2704,6 +2574,18 @@ Próximo: todos dentro de %4 veces, ninguno más allá en más del %5 %.</transl
     <message>
         <source>The stroke divided by its time</source>
         <translation>La carrera dividida por su tiempo</translation>
+    </message>
+    <message>
+        <source>At θ₂ = %1 the coupler is perpendicular to the slider&apos;s line, and the velocities jump.</source>
+        <translation>En θ₂ = %1 la biela es perpendicular a la línea de la corredera y las velocidades dan un salto.</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>límite</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>valor</translation>
     </message>
 </context>
 <context>
@@ -3620,34 +3502,6 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>configuración</translation>
     </message>
     <message>
-        <source>channel</source>
-        <translation>canal</translation>
-    </message>
-    <message>
-        <source>largest error</source>
-        <translation>error máximo</translation>
-    </message>
-    <message>
-        <source>at [s]</source>
-        <translation>en [s]</translation>
-    </message>
-    <message>
-        <source>rms</source>
-        <translation>rms</translation>
-    </message>
-    <message>
-        <source>largest %</source>
-        <translation>% máximo</translation>
-    </message>
-    <message>
-        <source>% of peak</source>
-        <translation>% del máximo</translation>
-    </message>
-    <message>
-        <source>verdict</source>
-        <translation>veredicto</translation>
-    </message>
-    <message>
         <source>Errors: model against reference</source>
         <translation>Errores: modelo frente a referencia</translation>
     </message>
@@ -3678,18 +3532,6 @@ SHA-256: %2</translation>
         <translation>el ejemplo que viene con el programa</translation>
     </message>
     <message>
-        <source>“%1” as %2 (%3)</source>
-        <translation>«%1» como %2 (%3)</translation>
-    </message>
-    <message>
-        <source>Columns guessed: %1.</source>
-        <translation>Columnas deducidas: %1.</translation>
-    </message>
-    <message>
-        <source>largest difference</source>
-        <translation>mayor diferencia</translation>
-    </message>
-    <message>
         <source>crank speed</source>
         <translation>velocidad de la manivela</translation>
     </message>
@@ -3706,18 +3548,6 @@ SHA-256: %2</translation>
         <translation>uno de los hallados</translation>
     </message>
     <message>
-        <source>motion limit</source>
-        <translation>límite del movimiento</translation>
-    </message>
-    <message>
-        <source>value</source>
-        <translation>valor</translation>
-    </message>
-    <message>
-        <source>at θ₂ [°]</source>
-        <translation>en θ₂ [°]</translation>
-    </message>
-    <message>
         <source>Thin curves: pinned motions, %1.</source>
         <translation>Curvas finas: movimientos fijados, %1.</translation>
     </message>
@@ -3726,28 +3556,12 @@ SHA-256: %2</translation>
         <translation>Este mecanismo − fijado %1</translation>
     </message>
     <message>
-        <source>rounding step</source>
-        <translation>paso de redondeo</translation>
-    </message>
-    <message>
-        <source>t = %1 s to %2 s</source>
-        <translation>t = %1 s a %2 s</translation>
-    </message>
-    <message>
         <source>Reference: %1, %2, %3 rows.</source>
         <translation>Referencia: %1, %2, %3 filas.</translation>
     </message>
     <message>
         <source>unknown: the file cannot be read again, or has changed</source>
         <translation>desconocida: el archivo no se puede volver a leer o ha cambiado</translation>
-    </message>
-    <message>
-        <source>%1 rows were skipped, the first in line %2 (&quot;%3&quot;: %4).</source>
-        <translation>Se omitieron %1 filas, la primera en la línea %2 («%3»: %4).</translation>
-    </message>
-    <message>
-        <source>Columns not used: %1.</source>
-        <translation>Columnas sin usar: %1.</translation>
     </message>
     <message>
         <source>Largest %: max |model − reference| / |reference| · 100 where the reference is not zero. Rounding step: the distance of neighbouring numbers in the file, where it is largest.</source>

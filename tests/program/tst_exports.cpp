@@ -357,7 +357,7 @@ private slots:
                 QVERIFY(!picture.size.isEmpty() && !picture.isBlank());
             }
             const QString text = QString::fromUtf8(outputOf(QStringLiteral("pdftotext"), {report, "-"}));
-            for (const char *word : {"inventor_sample.csv", "θ³ [°]", "a⁴ [mm/s²]", "Method"}) {
+            for (const char *word : {"inventor_sample.csv", "theta3 [°]", "[mm/s²]", "Method"}) {
                 QVERIFY2(text.contains(QString::fromUtf8(word)), qPrintable(QString::fromUtf8(word) + text));
             }
             QVERIFY2(text.contains(checksum), qPrintable(text));

@@ -27,13 +27,9 @@ struct AnimationExport {
 using Problem = std::optional<QString>;
 
 /// Finds the faults that can be found before anything is drawn.
-Problem findFault(const QString &path, const Animation &animation)
+Problem findFault(const QString &path)
 {
     const QFileInfo target(path);
-    if (animation.frameCount() > Animation::kMostFrames) {
-        return AnimationExport::tr("More than %1 frames: choose a shorter time range or fewer frames per second.")
-            .arg(Animation::kMostFrames);
-    }
     if (isVideo(path)) {
         return QStandardPaths::findExecutable("ffmpeg").isEmpty()
                    ? Problem(AnimationExport::tr(
@@ -123,7 +119,7 @@ bool isVideo(const QString &path)
 std::optional<QString> exportAnimation(const QString &path, const Animation &animation, const FrameDrawing &draw,
                                        const AnimationProgress &progress)
 {
-    if (const Problem fault = findFault(path, animation)) {
+    if (const Problem fault = findFault(path)) {
         return fault;
     }
     const QFileInfo target(QDir::cleanPath(path));

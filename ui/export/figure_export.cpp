@@ -27,30 +27,22 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kPointsPerPixel = 0.75;   // 72 / 96
-constexpr double kLargestPixelCount = 2e8; // 800 MB as an image
-constexpr int kLargestSide = 30000;        // QPainter's raster engine stops at 32767
+constexpr double kPointsPerPixel = 0.75; // 72 / 96
 
 struct FigureExportText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::FigureExportText)
 };
 
-std::optional<QString> findFault(const FigureSize &size)
+QString impossibleText(const FigureSize &size)
 {
-    const QSizeF pixels = QSizeF(size.size) * size.scale;
-    const auto isPossible = [](const QSizeF &sides) { // not with a scale that is not a number
-        return sides.width() >= 1.0 && sides.height() >= 1.0 && sides.width() <= kLargestSide &&
-               sides.height() <= kLargestSide && sides.width() * sides.height() <= kLargestPixelCount;
-    };
-    return isPossible(pixels) && isPossible(size.size)
-               ? std::nullopt
-               : std::optional(FigureExportText::tr("A figure of %1 × %2 pixels is too small or too large: choose "
-                                                    "another size or scale.")
-                                   .arg(pixels.width(), 0, 'f', 0)
-                                   .arg(pixels.height(), 0, 'f', 0));
+    return FigureExportText::tr("A figure of %1 × %2 pixels at scale %3 is too small or too large: choose another size "
+                                "or scale.")
+        .arg(size.size.width())
+        .arg(size.size.height())
+        .arg(size.scale);
 }
 
-/// Returns a null image if there is not enough memory.
+/// Returns a null image if the size is impossible, or if there is not enough memory.
 QImage drawImage(const FigureSize &size, const FigureDrawing &draw)
 {
     QImage image(size.size * size.scale, QImage::Format_RGB32);
@@ -64,18 +56,16 @@ QImage drawImage(const FigureSize &size, const FigureDrawing &draw)
     return image;
 }
 
-/// Corrects what Qt's generator writes: millimetres with three decimals, which viewers round up to one pixel too many;
-/// fonts without a fallback for computers on which they are missing; and a title that some versions of Qt escape.
-QByteArray polished(const QByteArray &svg, const QSize &size, const QString &title)
+/// Corrects what Qt's generator writes: millimetres with three decimals, which viewers round up to one pixel too many,
+/// and fonts without a fallback for computers on which they are missing.
+QByteArray polished(const QByteArray &svg, const QSize &size)
 {
     static const QRegularExpression kMillimetres(QStringLiteral(R"re(<svg width="[^"]*" height="[^"]*")re"));
     static const QRegularExpression kFamily(QStringLiteral(R"re(font-family="([^",]*)")re"));
-    static const QString kTitle = "<title>title</title>";
     QString text = QString::fromUtf8(svg);
     text.replace(kMillimetres,
                  QStringLiteral(R"re(<svg width="%1" height="%2")re").arg(size.width()).arg(size.height()));
     text.replace(kFamily, QStringLiteral(R"re(font-family="'\1', sans-serif")re"));
-    text.replace(kTitle, QStringLiteral("<title>%1</title>").arg(title.toHtmlEscaped()));
     return text.toUtf8();
 }
 
@@ -89,11 +79,11 @@ QByteArray makeSvg(const QSize &size, const QString &title, const FigureDrawing 
     generator.setResolution(kDotsPerInch);
     generator.setSize(size);
     generator.setViewBox(QRect(QPoint(), size));
-    generator.setTitle(title.isEmpty() ? title : "title");
+    generator.setTitle(title);
     QPainter painter(&generator);
     draw(painter, size);
     painter.end();
-    return polished(buffer.data(), size, title);
+    return polished(buffer.data(), size);
 }
 
 } // namespace
@@ -142,14 +132,10 @@ std::optional<QString> exportFigure(const QString &path, const FigureSize &size,
         return FigureExportText::tr("%1: a figure's name must end in .png, .svg or .pdf.")
             .arg(QDir::toNativeSeparators(path));
     }
-    const FigureSize wanted{size.size, *format == FigureFormat::Png ? size.scale : 1.0};
-    if (std::optional<QString> fault = findFault(wanted)) {
-        return fault;
-    }
     QByteArray bytes;
     switch (*format) {
     case FigureFormat::Png: {
-        QImage image = drawImage(wanted, draw);
+        QImage image = drawImage(size, draw);
         image.setText("Title", title);
         QBuffer buffer(&bytes);
         image.save(&buffer, "PNG");
@@ -166,18 +152,14 @@ std::optional<QString> exportFigure(const QString &path, const FigureSize &size,
         break;
     }
     }
-    return bytes.isEmpty() ? FigureExportText::tr("There is not enough memory for a figure of that size.")
-                           : writeWhole(path, bytes);
+    return bytes.isEmpty() ? impossibleText(size) : writeWhole(path, bytes);
 }
 
 std::optional<QString> copyFigureToClipboard(const FigureSize &size, const FigureDrawing &draw)
 {
-    if (std::optional<QString> fault = findFault(size)) {
-        return fault;
-    }
     const QImage image = drawImage(size, draw);
     if (image.isNull()) {
-        return FigureExportText::tr("There is not enough memory for a figure of that size.");
+        return impossibleText(size);
     }
     QGuiApplication::clipboard()->setImage(image);
     return std::nullopt;

@@ -2,12 +2,10 @@
 #include "ui/export/report.h"
 
 #include "ui/document/whole_file.h"
-#include "ui/text/axis_scale.h"
 #include "ui/text/column_text.h"
 #include "ui/text/diagnosis_text.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/motion_facts.h"
-#include "ui/text/read_fault_text.h"
 #include "ui/text/written_number.h"
 
 #include <QAbstractTextDocumentLayout>
@@ -40,8 +38,6 @@ public:
     static constexpr const char *kNames[] = {QT_TR_NOOP("crank"), QT_TR_NOOP("coupler"), QT_TR_NOOP("offset"),
                                              QT_TR_NOOP("crank speed"), QT_TR_NOOP("initial angle")};
 };
-
-constexpr int kDigits = 3; // of errors
 
 QString element(const char *tag, const QString &text)
 {
@@ -112,18 +108,6 @@ QString parameterTable(const ReportContent &content)
     return table(rows);
 }
 
-QString limitTable(const Result &result)
-{
-    std::vector<QStringList> rows{{Report::tr("motion limit"), Report::tr("value"), Report::tr("at θ₂ [°]")}};
-    std::vector<MotionFact> facts = positionFacts(result.mechanism, result.limits, result.sampling);
-    const std::vector<MotionFact> peaks = peakFacts(result.mechanism, result.limits, result.sampling);
-    facts.insert(facts.end(), peaks.begin(), peaks.end());
-    for (const MotionFact &fact : facts) {
-        rows.push_back({fact.name, valueText(fact), fact.theta2 ? crankAngleText(*fact.theta2) : fact.remark});
-    }
-    return table(rows);
-}
-
 QString pinnedText(const Result &result)
 {
     QStringList motions;
@@ -133,39 +117,13 @@ QString pinnedText(const Result &result)
     return motions.isEmpty() ? QString() : Report::tr("Thin curves: pinned motions, %1.").arg(motions.join(u", "));
 }
 
-/// Returns a table of the errors against the reference file, or without the columns about the file's rounding of the
-/// differences from a pinned motion.
-QString errorTable(const std::vector<ChannelComparison> &channels, bool isFile)
-{
-    std::vector<QStringList> rows{{Report::tr("channel"),
-                                   isFile ? Report::tr("largest error") : Report::tr("largest difference"),
-                                   Report::tr("at [s]"), Report::tr("rms"), Report::tr("% of peak")}};
-    if (isFile) {
-        rows.front() << Report::tr("largest %") << Report::tr("rounding step") << Report::tr("verdict");
-    }
-    for (const ChannelComparison &channel : channels) {
-        rows.push_back({QStringLiteral("%1 [%2]").arg(symbolText(channel.channel), unitText(channel.channel)),
-                        shortNumber(channel.maxAbs, kDigits),
-                        channel.maxAbs ? numberText(channel.timeOfMaxAbs) : dash(), shortNumber(channel.rms, kDigits),
-                        shortNumber(channel.percentOfPeak, kDigits)});
-        if (isFile) {
-            rows.back() << shortNumber(channel.maxPercent, kDigits) << numberText(channel.roundingStep, kDigits)
-                        << verdictText(channel);
-        }
-    }
-    return table(rows);
-}
-
 /// Returns the description of the reference: the files, their checksums and how their columns were interpreted.
 QString fileText(const ReportContent &content)
 {
     const Reference &reference = *content.result->reference;
     const ReferenceData &data = reference.data;
-    const QString range =
-        data.crank ? abscissaText(data)
-                   : Report::tr("t = %1 s to %2 s").arg(numberText(data.time.front()), numberText(data.time.back()));
-    QString html =
-        paragraph(Report::tr("Reference: %1, %2, %3 rows.").arg(reference.name, range, countText(data.time.size())));
+    QString html = paragraph(Report::tr("Reference: %1, %2, %3 rows.")
+                                 .arg(reference.name, abscissaText(data), QString::number(data.time.size())));
     for (qsizetype i = 0; i < reference.paths.size(); ++i) {
         const QString &path = reference.paths[i];
         const QByteArray checksum = content.checksums.value(i);
@@ -176,28 +134,8 @@ QString fileText(const ReportContent &content)
                               checksum.isEmpty() ? Report::tr("unknown: the file cannot be read again, or has changed")
                                                  : QString::fromLatin1(checksum)));
     }
-    QStringList guessed;
-    for (std::size_t i = 0; i < data.layout.columns.size(); ++i) {
-        const FileColumn &column = data.layout.columns[i];
-        if (isGuess(column.reason)) {
-            const QString meaning = column.role == ColumnRole::Channel
-                                        ? quantityName(column.channel) + u' ' + symbolText(column.channel)
-                                        : meaningText(column);
-            guessed
-                << Report::tr("“%1” as %2 (%3)").arg(headingText(data.layout, i), meaning, reasonText(data.layout, i));
-        }
-    }
-    if (!guessed.isEmpty()) {
-        html += note(Report::tr("Columns guessed: %1.").arg(guessed.join(u"; ")));
-    }
-    if (!data.skipped.empty()) {
-        const SkippedRow &first = data.skipped.front();
-        html += note(Report::tr("%1 rows were skipped, the first in line %2 (\"%3\": %4).")
-                         .arg(countText(data.skippedRowCount()), lineText(data.layout, first),
-                              QString::fromStdString(first.text), rowFaultText(first)));
-    }
-    if (const QStringList ignored = ignoredHeadings(data.layout); !ignored.isEmpty()) {
-        html += note(Report::tr("Columns not used: %1.").arg(ignored.join(u", ")));
+    for (const QString &doubt : doubtTexts(data)) {
+        html += note(doubt);
     }
     return html;
 }
@@ -218,10 +156,10 @@ QString comparisonText(const ReportContent &content)
                 note(Report::tr("Found by weighted least squares (Levenberg-Marquardt, %1 iterations, condition number "
                                 "%2); ± is one standard error. %3 of %4 channels of the file agree with the result.")
                          .arg(QString::number(diagnosis.identification.iterations),
-                              shortNumber(diagnosis.identification.conditionNumber, kDigits), QString::number(agreeing),
+                              shortNumber(diagnosis.identification.conditionNumber, 3), QString::number(agreeing),
                               QString::number(diagnosis.identified.size())));
     }
-    return html + errorTable(result.comparison, true) +
+    return html + table(comparisonTable(result.comparison, &result.reference->data)) +
            note(Report::tr("Largest %: max |model − reference| / |reference| · 100 where the reference is not zero. "
                            "Rounding step: the distance of neighbouring numbers in the file, where it is largest."));
 }
@@ -231,7 +169,7 @@ QString pinnedSection(const Result &result)
 {
     return heading(Report::tr("This mechanism − pinned %1")
                        .arg(pinnedText(result.pinned.back(), result.mechanism.parameters()))) +
-           errorTable(result.difference->channels, false);
+           table(comparisonTable(result.difference->channels, nullptr));
 }
 
 QString methodText(const Result &result)
@@ -313,7 +251,8 @@ QString reportHtml(const ReportContent &content)
            QStringLiteral("<table width=100%><tr><td>%1</td><td align=right>[mechanism]%2</td></tr></table>")
                .arg(parameterTable(content), note(caption)) +
            heading(Report::tr("Motion limits")) + paragraph(mobilitySentence(result.mechanism, result.limits)) +
-           limitTable(result) + newPage(Report::tr("Motion")) + paragraph(pinnedText(result)) + "<p>[figure]</p>" +
+           table(limitTable(motionFacts(result.mechanism, result.limits, result.sampling))) +
+           newPage(Report::tr("Motion")) + paragraph(pinnedText(result)) + "<p>[figure]</p>" +
            (result.reference ? comparisonText(content) : QString()) +
            (result.difference ? pinnedSection(result) : QString()) + heading(Report::tr("Method")) +
            paragraph(methodText(result));

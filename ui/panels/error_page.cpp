@@ -108,7 +108,7 @@ TableRow fileRow(const ChannelComparison &channel)
     row.cells[0].explanation = count;
     row.cells.insert(row.cells.begin() + 1,
                      {.text = look.mark + u' ' + look.word,
-                      .explanation = verdictText(channel) + u'\n' + verdictFormula(channel) + u'\n' + rounding,
+                      .explanation = verdictText(channel) + u'\n' + verdictNumbers(channel) + u'\n' + rounding,
                       .csv = verdictText(channel),
                       .tone = look.tone});
     return row;
@@ -177,9 +177,12 @@ Page filePage(const Result &result, const ReferenceDiagnosis *diagnosis)
     table.columns.insert(
         table.columns.begin() + 1,
         {ErrorPage::tr("verdict"),
-         ErrorPage::tr("agrees: at least 95 % of the values within the file's rounding, none beyond ten times that\n"
-                       "close: none beyond a hundred times\n"
-                       "differs: anything else, and errors beyond the rounding by 1 % of half the motion's range"),
+         ErrorPage::tr("Rounding: half a unit of the last digit of the value, plus the motion during half a unit of "
+                       "the last digit of the time stamp\n"
+                       "agrees: at least 95 % of the values within the rounding, none beyond ten times that, or "
+                       "beyond it by 0.5 % of half the motion's range\n"
+                       "close: none beyond a hundred times, or by 1 %\n"
+                       "differs: anything else"),
          "verdict", false});
     std::ranges::transform(result.comparison, std::back_inserter(table.rows), fileRow);
     page.tables = {table};
@@ -281,17 +284,6 @@ Finding mechanismFinding(const Result &result, const ReferenceDiagnosis &diagnos
     return finding;
 }
 
-/// Returns the explanation of the convention, and the largest error without and with it.
-QString conventionSentence(const ConventionFinding &found, const ReferenceData &data)
-{
-    const QString sentence = explanationText(found.convention, data);
-    if (found.convention.kind == Convention::Kind::NotDerivative) {
-        return sentence; // the column is excluded and has no error
-    }
-    return ErrorPage::tr("%1 Largest error: %2 → %3 % of peak.")
-        .arg(sentence, readout(found.before), readout(found.after));
-}
-
 } // namespace
 
 void offerMechanism(Finding &finding, const Result &result, const Diagnosis &found)
@@ -318,10 +310,9 @@ std::vector<Finding> findingsOf(const Result &result, const ReferenceDiagnosis *
     const Verdict verdict = worstVerdict(result.comparison);
     if (isUpToDate(diagnosis, result) && !result.comparison.empty() && verdict != Verdict::Agrees) {
         for (const ConventionFinding &found : diagnosis->found.conventions) {
-            findings.push_back({conventionSentence(found, result.reference->data), Remedy::Apply,
-                                ErrorPage::tr("Apply"), effectText(found), found.convention});
+            findings.push_back({findingText(found), Remedy::Apply, ErrorPage::tr("Apply"), {}, found.convention});
         }
-        for (const QString &sentence : differenceSentences(result.reference->data, diagnosis->found.conventions)) {
+        for (const QString &sentence : differenceSentences(result.reference->data)) {
             findings.push_back({sentence});
         }
         const Finding mechanism = mechanismFinding(result, *diagnosis);

@@ -27,7 +27,7 @@ std::vector<TableColumn> columnsWith(const QString &first, const QString &explan
             {LimitsPage::tr("t [s]"), LimitsPage::tr("First time at which the crank is there"), "time [s]"}};
 }
 
-std::vector<TableRow> rowsOf(const std::vector<MotionFact> &facts, double duration)
+std::vector<TableRow> rowsOf(const std::vector<MotionFact> &facts)
 {
     std::vector<TableRow> rows;
     for (const MotionFact &fact : facts) {
@@ -42,7 +42,7 @@ std::vector<TableRow> rowsOf(const std::vector<MotionFact> &facts, double durati
                           .csv = fact.unit.isEmpty() ? fact.name : QStringLiteral("%1 [%2]").arg(fact.name, fact.unit)},
                          {.text = valueText(fact, kReadoutDigits), .number = fact.number},
                          angle,
-                         {.text = fact.time ? secondsText(*fact.time, duration) : dash(),
+                         {.text = numberText(fact.time, kReadoutDigits),
                           .number = fact.time,
                           .tone = fact.time ? Tone::Link : Tone::Normal}},
                         fact.time});
@@ -65,13 +65,13 @@ Page limitsPage(const Result &result)
         {"positionTable", LimitsPage::tr("Limits of the motion"),
          columnsWith(LimitsPage::tr("limit"), LimitsPage::tr("Where slider and crank reverse, and the stroke times"),
                      LimitsPage::tr("Positions are those of the slider, Rₓ⁴, measured from O₂")),
-         rowsOf(positionFacts(mechanism, result.limits, result.sampling), result.sampling.duration)},
+         rowsOf(positionFacts(mechanism, result.limits, result.sampling))},
         {"peakTable", LimitsPage::tr("Peak velocities and accelerations"),
          columnsWith(LimitsPage::tr("peak value per revolution"),
                      LimitsPage::tr("Largest velocities and accelerations over a whole revolution of the crank, "
                                     "whatever part of it is simulated"),
                      LimitsPage::tr("With its sign: x to the right, angles counter-clockwise")),
-         rowsOf(peakFacts(mechanism, result.limits, result.sampling), result.sampling.duration)}};
+         rowsOf(peakFacts(mechanism, result.limits, result.sampling))}};
     return page;
 }
 

@@ -2,6 +2,7 @@
 #include "ui/text/column_text.h"
 
 #include "ui/text/finding_text.h"
+#include "ui/text/read_fault_text.h"
 #include "ui/text/written_number.h"
 
 #include <QCoreApplication>
@@ -81,24 +82,47 @@ bool repeatsInstants(const FileLayout &layout, std::size_t column)
     return !layout.files.empty() && layout.columns[column].reason == ColumnReason::SameTimeStamps;
 }
 
-std::vector<std::size_t> ignoredColumns(const FileLayout &layout)
-{
-    std::vector<std::size_t> columns;
-    for (std::size_t i = 0; i < layout.columns.size(); ++i) {
-        if (layout.columns[i].role == ColumnRole::Ignored && !repeatsInstants(layout, i)) {
-            columns.push_back(i);
-        }
-    }
-    return columns;
-}
-
 QStringList ignoredHeadings(const FileLayout &layout)
 {
     QStringList headings;
-    for (const std::size_t column : ignoredColumns(layout)) {
-        headings += headingText(layout, column);
+    for (std::size_t i = 0; i < layout.columns.size(); ++i) {
+        if (layout.columns[i].role == ColumnRole::Ignored && !repeatsInstants(layout, i)) {
+            headings += headingText(layout, i);
+        }
     }
     return headings;
+}
+
+QStringList doubtTexts(const ReferenceData &data)
+{
+    const FileLayout &layout = data.layout;
+    QStringList texts;
+    if (!data.skipped.empty()) {
+        const SkippedRow &first = data.skipped.front();
+        texts << ColumnText::tr("Rows that were skipped: %1, the first in line %2, column %3 (\"%4\"): %5.")
+                     .arg(QString::number(data.skippedRowCount()), lineText(layout, first),
+                          QString::number(first.column), QString::fromStdString(first.text), rowFaultText(first));
+    }
+    QStringList ignored, guesses;
+    for (std::size_t i = 0; i < layout.columns.size(); ++i) {
+        const FileColumn &column = layout.columns[i];
+        if (column.role == ColumnRole::Ignored && !repeatsInstants(layout, i)) {
+            ignored << ColumnText::tr("%1 (%2)").arg(headingText(layout, i), reasonText(layout, i));
+        } else if (isGuess(column.reason)) {
+            const QString meaning =
+                column.role == ColumnRole::Channel ? columnName(column.channel) : meaningText(column);
+            guesses << ColumnText::tr("“%1” as %2 (%3)").arg(headingText(layout, i), meaning, reasonText(layout, i));
+        }
+    }
+    if (!ignored.isEmpty()) {
+        texts << ColumnText::tr("Columns that were not used: %1.").arg(ignored.join(", "));
+    }
+    if (!guesses.isEmpty()) {
+        texts << ColumnText::tr("The meaning of these columns was guessed: %1. Check it, and choose another one if it "
+                                "is wrong.")
+                     .arg(guesses.join(", "));
+    }
+    return texts;
 }
 
 QString meaningText(const FileColumn &column)

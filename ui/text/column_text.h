@@ -27,8 +27,11 @@ bool repeatsInstants(const FileLayout &layout, std::size_t column);
 QString lineText(const FileLayout &layout, const SkippedRow &row);
 
 /// Returns the columns that are not used, except those that repeat the time stamps.
-std::vector<std::size_t> ignoredColumns(const FileLayout &layout);
 QStringList ignoredHeadings(const FileLayout &layout);
+
+/// Returns a sentence each about the rows that were skipped, the columns that are not used, and those whose meaning was
+/// guessed.
+QStringList doubtTexts(const ReferenceData &data);
 
 /// Returns the quantity in a column: "time", "θ³", or a dash if the column is ignored.
 QString meaningText(const FileColumn &column);

@@ -8,7 +8,6 @@
 
 #include <QCoreApplication>
 
-#include <algorithm>
 #include <cmath>
 
 namespace slidercrank
@@ -23,71 +22,55 @@ struct ConventionText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::ConventionText)
 
 public:
-    /// In the explanation and the action, %1 are the columns, %2 "+ 5 mm" or "− 5 mm", %3 "5", %4 the symbol of the
-    /// first column, %5 "-5 mm".
+    /// In the explanation, %1 are the columns, %2 "+ 5 mm" or "− 5 mm", %3 the symbol of the first column, %4 "in
+    /// radians, but read as degrees".
     struct Row {
         const char *name;
         const char *explanation;
-        const char *action;
     };
 
     // In the order of Convention::Kind.
     static constexpr Row kRows[] = {
-        {QT_TR_NOOP("angle unit"), QT_TR_NOOP("%1: in a unit of angle %3 times as large as the one read."),
-         QT_TR_NOOP("Multiplies %1 by %3")},
-        {QT_TR_NOOP("length unit"), QT_TR_NOOP("%1: in a unit of length %3 times as large as the one read."),
-         QT_TR_NOOP("Multiplies %1 by %3")},
-        {QT_TR_NOOP("time unit"), QT_TR_NOOP("The unit of time is %3 times as large as the one read."),
-         QT_TR_NOOP("Multiplies the time stamps by %3, and converts derivatives")},
-        {QT_TR_NOOP("sign"), QT_TR_NOOP("%1: with the opposite sign."), QT_TR_NOOP("Changes the sign of %1")},
-        {QT_TR_NOOP("half a turn"), QT_TR_NOOP("%1: measured from the opposite direction; %4 is %1 %2."),
-         QT_TR_NOOP("Adds %5 to %1, made continuous")},
-        {QT_TR_NOOP("whole turns"), QT_TR_NOOP("%1: off by whole turns; %4 is %1 %2."),
-         QT_TR_NOOP("Adds %5 to %1, made continuous")},
-        {QT_TR_NOOP("origin"), QT_TR_NOOP("%1: measured from another origin; %4 is %1 %2."),
-         QT_TR_NOOP("Adds %5 to %1")},
-        {QT_TR_NOOP("swapped columns"), QT_TR_NOOP("%1: each has the heading of the other."),
-         QT_TR_NOOP("Exchanges %1")},
+        {QT_TR_NOOP("angle unit"), "%1: %4."},
+        {QT_TR_NOOP("length unit"), "%1: %4."},
+        {QT_TR_NOOP("time unit"), QT_TR_NOOP("The time is %4.")},
+        {QT_TR_NOOP("sign"), QT_TR_NOOP("%1: with the opposite sign.")},
+        {QT_TR_NOOP("half a turn"), QT_TR_NOOP("%1: measured from the opposite direction; %3 is %1 %2.")},
+        {QT_TR_NOOP("whole turns"), QT_TR_NOOP("%1: off by whole turns; %3 is %1 %2.")},
+        {QT_TR_NOOP("origin"), QT_TR_NOOP("%1: measured from another origin; %3 is %1 %2.")},
+        {QT_TR_NOOP("swapped columns"), QT_TR_NOOP("%1: each has the heading of the other.")},
         {QT_TR_NOOP("assembly"),
-         QT_TR_NOOP("The file belongs to the other assembly: its slider is on the other side of A."),
-         QT_TR_NOOP("Sets the model to the other assembly")},
-        {QT_TR_NOOP("time shift"), QT_TR_NOOP("The time stamps of the file are shifted by %3 s."),
-         QT_TR_NOOP("Adds %5 to the time stamps")},
-        {QT_TR_NOOP("not a derivative"), QT_TR_NOOP("%1: not the time derivative of the position column."),
-         QT_TR_NOOP("Leaves %1 out")},
-        {QT_TR_NOOP("axis"), QT_TR_NOOP("The slider moves along y instead of x, as in an upright engine."),
-         QT_TR_NOOP("Turns %1 by 90°, so that y becomes x")}};
-    /// A unit and its size relative to the other units of its kind.
-    struct Unit {
+         QT_TR_NOOP("The file belongs to the other assembly: its slider is on the other side of A.")},
+        {QT_TR_NOOP("time shift"), QT_TR_NOOP("The time stamps are shifted: t is the time in the file %2.")},
+        {QT_TR_NOOP("not a derivative"), QT_TR_NOOP("%1: not the time derivative of the position column.")},
+        {QT_TR_NOOP("axis"), QT_TR_NOOP("The slider moves along y instead of x, as in an upright engine.")}};
+
+    /// Two units, one of which is `factor` times as large as the other.
+    struct UnitPair {
         Kind kind;
-        double size;
-        const char *name;
+        double factor;
+        const char *larger;
+        const char *smaller;
     };
-    static constexpr Unit kUnits[] = {{Kind::AngleUnit, 1.0, QT_TR_NOOP("degrees")},
-                                      {Kind::AngleUnit, kDegreesPerRadian, QT_TR_NOOP("radians")},
-                                      {Kind::AngleUnit, 360.0, QT_TR_NOOP("turns")},
-                                      {Kind::LengthUnit, 1.0, QT_TR_NOOP("millimetres")},
-                                      {Kind::LengthUnit, 10.0, QT_TR_NOOP("centimetres")},
-                                      {Kind::LengthUnit, 25.4, QT_TR_NOOP("inches")},
-                                      {Kind::LengthUnit, 1000.0, QT_TR_NOOP("metres")},
-                                      {Kind::TimeUnit, 0.001, QT_TR_NOOP("milliseconds")},
-                                      {Kind::TimeUnit, 1.0, QT_TR_NOOP("seconds")},
-                                      {Kind::TimeUnit, 60.0, QT_TR_NOOP("minutes")}};
+    static constexpr UnitPair kUnits[] = {
+        {Kind::AngleUnit, kDegreesPerRadian, QT_TR_NOOP("radians"), QT_TR_NOOP("degrees")},
+        {Kind::LengthUnit, 10.0, QT_TR_NOOP("centimetres"), QT_TR_NOOP("millimetres")},
+        {Kind::LengthUnit, 25.4, QT_TR_NOOP("inches"), QT_TR_NOOP("millimetres")},
+        {Kind::LengthUnit, 1000.0, QT_TR_NOOP("metres"), QT_TR_NOOP("millimetres")},
+        {Kind::TimeUnit, 1000.0, QT_TR_NOOP("seconds"), QT_TR_NOOP("milliseconds")}};
 };
 
 static_assert(std::size(ConventionText::kRows) == static_cast<std::size_t>(Kind::Axis) + 1);
 
-/// Returns "in radians, but read as degrees" if the factor is the ratio of two known units; otherwise an empty string.
+/// Returns "in radians, but read as degrees". The amount is one of the factors between units (convention.h).
 QString misreadUnitText(const Convention &convention)
 {
     constexpr double kSlack = 1e-9; // relative rounding error of a computed factor
-    for (const ConventionText::Unit &read : ConventionText::kUnits) {
-        for (const ConventionText::Unit &meant : ConventionText::kUnits) {
-            if (read.kind == convention.kind && meant.kind == convention.kind && &meant != &read &&
-                std::abs(convention.amount * read.size - meant.size) <= kSlack * meant.size) {
-                return ConventionText::tr("in %1, but read as %2")
-                    .arg(ConventionText::tr(meant.name), ConventionText::tr(read.name));
-            }
+    for (const auto &[kind, factor, larger, smaller] : ConventionText::kUnits) {
+        const bool isLarger = std::abs(convention.amount / factor - 1.0) < kSlack;
+        if (kind == convention.kind && (isLarger || std::abs(convention.amount * factor - 1.0) < kSlack)) {
+            return ConventionText::tr("in %1, but read as %2")
+                .arg(ConventionText::tr(isLarger ? larger : smaller), ConventionText::tr(isLarger ? smaller : larger));
         }
     }
     return {};
@@ -98,51 +81,13 @@ const ConventionText::Row &row(const Convention &convention)
     return ConventionText::kRows[static_cast<int>(convention.kind)];
 }
 
-/// Inserts the columns and the amount into a text.
-QString filled(QString text, const Convention &convention)
+QString columnNames(const std::vector<Channel> &channels)
 {
     QStringList names;
-    for (const Channel channel : convention.channels) {
+    for (const Channel channel : channels) {
         names << columnName(channel);
     }
-    const bool isTime = convention.kind == Kind::TimeShift;
-    const QString unit = isTime                                            ? " s"
-                         : convention.channels.empty()                     ? QString()
-                         : isAngle(convention.channels.front().coordinate) ? "°"
-                                                                           : " mm";
-    const QString magnitude = numberText(std::abs(convention.amount));
-    const QString sign = convention.amount < 0.0 ? "−" : "+";
-    text.replace("%5", numberText(convention.amount) + unit);
-    text.replace("%2", sign + u' ' + magnitude + unit).replace("%3", magnitude);
-    if (!convention.channels.empty()) {
-        text.replace("%4", symbolText(convention.channels.front()));
-    }
-    return text.replace("%1", listed(names));
-}
-
-bool onlyMakesContinuous(const Convention &convention)
-{
-    return convention.kind == Kind::WholeTurns && convention.amount == 0.0;
-}
-
-/// Returns "%1: forward differences, not the time derivative."
-QString notDerivativeText(Difference difference)
-{
-    return ConventionText::tr("%1: %2, not the time derivative.").arg("%1", differenceText(difference));
-}
-
-/// Returns the kind of differences that all columns contain, or nullopt if they do not agree.
-std::optional<Difference> commonDifference(const Convention &convention, const ReferenceData &data)
-{
-    std::optional<Difference> common;
-    for (const Channel channel : convention.channels) {
-        const std::optional<Difference> found = differenceIn(data, channel);
-        if (!found || (common && common != found)) {
-            return std::nullopt;
-        }
-        common = found;
-    }
-    return common;
+    return listed(names);
 }
 
 } // namespace
@@ -152,50 +97,44 @@ QString conventionName(const Convention &convention)
     return ConventionText::tr(row(convention).name);
 }
 
-QString explanationText(const Convention &convention, const ReferenceData &data)
+QString explanationText(const Convention &convention)
 {
-    if (const QString unit = misreadUnitText(convention); !unit.isEmpty()) {
-        return convention.kind == Kind::TimeUnit ? ConventionText::tr("The time is %1.").arg(unit)
-                                                 : filled("%1: " + unit + u'.', convention);
-    }
-    const std::optional<Difference> difference =
-        convention.kind == Kind::NotDerivative ? commonDifference(convention, data) : std::nullopt;
-    const bool isOfCoupler = convention.kind == Kind::HalfTurn && convention.channels.front().coordinate == Theta3;
-    return filled(difference    ? notDerivativeText(*difference)
-                  : isOfCoupler ? ConventionText::tr("%1: the angle of the coupler seen from B, as textbooks draw θ₃; "
-                                                     "%4 is %1 %2.")
-                  : onlyMakesContinuous(convention) ? ConventionText::tr("%1: jumps by whole turns.")
-                                                    : ConventionText::tr(row(convention).explanation),
-                  convention);
+    const Channel channel = convention.channels.empty() ? Channel() : convention.channels.front();
+    const QString unit = convention.kind == Kind::TimeShift ? " s" : isAngle(channel.coordinate) ? "°" : " mm";
+    const bool isOfCoupler = convention.kind == Kind::HalfTurn && channel.coordinate == Theta3;
+    const bool onlyJumps = convention.kind == Kind::WholeTurns && convention.amount == 0.0;
+    QString text = isOfCoupler ? ConventionText::tr("%1: the angle of the coupler seen from B, as textbooks draw θ₃; "
+                                                    "%3 is %1 %2.")
+                   : onlyJumps ? ConventionText::tr("%1: jumps by whole turns.")
+                               : ConventionText::tr(row(convention).explanation);
+    return text.replace("%4", misreadUnitText(convention))
+        .replace("%3", symbolText(channel))
+        .replace("%2", (convention.amount < 0.0 ? "− " : "+ ") + numberText(std::abs(convention.amount)) + unit)
+        .replace("%1", columnNames(convention.channels));
 }
 
-QString effectText(const ConventionFinding &finding)
+QString findingText(const ConventionFinding &finding)
 {
-    const Convention &convention = finding.convention;
-    const QString action = filled(onlyMakesContinuous(convention) ? ConventionText::tr("Makes %1 continuous")
-                                                                  : ConventionText::tr(row(convention).action),
-                                  convention);
-    return convention.kind == Kind::NotDerivative // then there is no error afterwards
-               ? ConventionText::tr("%1: its largest error is %2 % of peak.").arg(action, errorText(finding.before))
-               : ConventionText::tr("%1: largest error %2 % of peak instead of %3 %.")
-                     .arg(action, errorText(finding.after), errorText(finding.before));
+    const QString explanation = explanationText(finding.convention);
+    return finding.convention.kind == Kind::NotDerivative // the column is left out, and has no error afterwards
+               ? explanation
+               : ConventionText::tr("%1 Largest error: %2 → %3 % of peak.")
+                     .arg(explanation, errorText(finding.before), errorText(finding.after));
 }
 
-QStringList differenceSentences(const ReferenceData &data, std::span<const ConventionFinding> findings)
+QStringList differenceSentences(const ReferenceData &data)
 {
     QStringList sentences;
     for (const Difference kind : {Difference::Forward, Difference::Backward, Difference::Central}) {
-        Convention columns{Kind::NotDerivative, {}, 1.0};
+        std::vector<Channel> channels;
         for (const ReferenceSeries &series : data.series) {
-            const bool isLeftOut = std::ranges::any_of(findings, [&](const ConventionFinding &finding) {
-                return finding.convention.kind == columns.kind && concerns(finding.convention, series.channel);
-            });
-            if (!isLeftOut && differenceIn(data, series.channel) == kind) {
-                columns.channels.push_back(series.channel);
+            if (differenceIn(data, series.channel) == kind) {
+                channels.push_back(series.channel);
             }
         }
-        if (!columns.channels.empty()) {
-            sentences << filled(notDerivativeText(kind), columns);
+        if (!channels.empty()) {
+            sentences << ConventionText::tr("%1: %2, not the time derivative.")
+                             .arg(columnNames(channels), differenceText(kind));
         }
     }
     return sentences;

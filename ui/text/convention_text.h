@@ -9,23 +9,21 @@
 #include <QString>
 #include <QStringList>
 
-#include <span>
-
 namespace slidercrank
 {
 
 /// Returns the name of a convention: "angle unit".
 QString conventionName(const Convention &convention);
 
-/// Explains a convention: "theta3: in radians, but read as degrees." `data` is the file before conventions are applied.
-QString explanationText(const Convention &convention, const ReferenceData &data);
+/// Explains a convention: "theta3: in radians, but read as degrees."
+QString explanationText(const Convention &convention);
 
-/// Describes how a convention changes the data and the error: "Multiplies theta3 by 57.2958: largest error 0.001 % of
-/// peak instead of 98 %."
-QString effectText(const ConventionFinding &finding);
+/// Explains a convention that was found, and describes how it changes the error: "theta3: in radians, but read as
+/// degrees. Largest error: 98.3 → 0.001 % of peak."
+QString findingText(const ConventionFinding &finding);
 
 /// Returns a sentence for each group of columns that contain finite differences instead of derivatives: "R4_x_diff:
-/// forward differences, …". Columns that a finding leaves out are not named.
-QStringList differenceSentences(const ReferenceData &data, std::span<const ConventionFinding> findings);
+/// forward differences, not the time derivative." `data` is the file before conventions are applied.
+QStringList differenceSentences(const ReferenceData &data);
 
 } // namespace slidercrank

@@ -60,30 +60,20 @@ public:
     }
 };
 
-bool isLength(Parameter parameter)
+/// Whether the value of the parameter follows from the data; if they contain only ratios of lengths, from the given a.
+bool isMeasured(Parameter parameter, const Identification &found)
 {
-    return parameter != Parameter::Omega2 && parameter != Parameter::Theta20;
+    return found.identifiable[indexOf(parameter)] ||
+           (found.onlyRatios && (parameter == Parameter::B || parameter == Parameter::C));
 }
 
-/// Returns `factor` times the value of the parameter, rounded to its standard error.
-QString scaledText(Parameter parameter, const Identification &found, double factor)
+/// Returns the number of digits that show how two values differ.
+int digitsToTellApart(double x, double y)
 {
-    const Parameters &p = found.parameters;
-    const double value = factor * valueOf(p, parameter);
-    const double scale = parameter == Parameter::Omega2    ? std::abs(p.omega2)
-                         : parameter == Parameter::Theta20 ? 1.0
-                                                           : characteristicLength(p);
-    return found.outcome == Outcome::Approximate
-               ? numberText(value, kApproximateDigits)
-               : measuredText(value, factor * found.standardError[indexOf(parameter)], factor * scale);
-}
-
-/// Returns the number of digits that show how two values differ, at least `fewest`.
-int digitsToTellApart(double x, double y, int fewest)
-{
+    constexpr int kFewest = 5;
     constexpr int kMost = 12;
     const double digits = 2.0 + std::ceil(std::log10(std::max(std::abs(x), std::abs(y)) / std::abs(x - y)));
-    return static_cast<int>(std::clamp<double>(digits, fewest, kMost));
+    return static_cast<int>(std::clamp<double>(digits, kFewest, kMost));
 }
 
 /// Returns an equation for each identified parameter, and the assembly.
@@ -92,12 +82,7 @@ QStringList foundTexts(const Identification &found)
     const QString equation = found.outcome == Outcome::Approximate ? "%1 ≈ %2" : "%1 = %2";
     QStringList texts;
     for (const Parameter parameter : kParameters) {
-        if (found.onlyRatios && isLength(parameter)) {
-            if (parameter != Parameter::A) {
-                texts << equation.arg(symbolText(parameter) + "/a",
-                                      scaledText(parameter, found, 1.0 / found.parameters.a));
-            }
-        } else if (found.identifiable[indexOf(parameter)]) {
+        if (isMeasured(parameter, found)) {
             texts << equation.arg(symbolText(parameter), measuredText(parameter, found));
         }
     }
@@ -109,21 +94,11 @@ QStringList givenTexts(const Identification &found)
 {
     QStringList texts;
     for (const Parameter parameter : kParameters) {
-        if (!found.identifiable[indexOf(parameter)] && !(found.onlyRatios && isLength(parameter))) {
+        if (!isMeasured(parameter, found)) {
             texts << equationText(parameter, valueOf(found.parameters, parameter));
         }
     }
     return texts;
-}
-
-/// Returns a fraction in percent, with up to four decimals to show the difference from 100 %; never rounded up.
-QString percentText(double part)
-{
-    constexpr double kSlack = 1e-9; // 99.5 equals 995 tenths except for rounding
-    const double missing = std::max(100.0 * (1.0 - part), 1e-4);
-    const int decimals = std::clamp(-static_cast<int>(std::floor(std::log10(missing * (1.0 + kSlack)))), 0, 4);
-    const double unit = std::pow(10.0, decimals);
-    return QLocale().toString(std::floor((100.0 - missing) * unit + kSlack) / unit, 'f', decimals);
 }
 
 /// Returns the channel that differs most from the mechanism that was found, or nullptr if nothing was compared.
@@ -222,7 +197,7 @@ QString notIdentifiedText(const Diagnosis &diagnosis)
 
 QString crankSpeedText(const CrankSpeedChange &speed)
 {
-    const int digits = digitsToTellApart(speed.atStart, speed.atEnd, 4);
+    const int digits = digitsToTellApart(speed.atStart, speed.atEnd);
     return DiagnosisText::tr("The crank speed is not constant: %1 rad/s at the start and %2 rad/s at the end.")
         .arg(numberText(speed.atStart, digits), numberText(speed.atEnd, digits));
 }
@@ -238,12 +213,18 @@ QString noiseText(const Identification::Noise &noise)
 
 QString measuredText(Parameter parameter, const Identification &found)
 {
-    if (found.onlyRatios && isLength(parameter) && parameter != Parameter::A) {
-        return DiagnosisText::tr("%1 a").arg(scaledText(parameter, found, 1.0 / found.parameters.a));
+    if (!isMeasured(parameter, found)) {
+        return dash();
     }
-    return found.identifiable[indexOf(parameter)]
-               ? scaledText(parameter, found, shownFactor(parameter)) + unitBehind(parameter)
-               : dash();
+    const double factor = shownFactor(parameter);
+    const double value = factor * valueOf(found.parameters, parameter);
+    if (found.outcome == Outcome::Approximate) {
+        return numberText(value, kApproximateDigits) + unitBehind(parameter);
+    }
+    const double scale = parameter == Parameter::Omega2    ? std::abs(found.parameters.omega2)
+                         : parameter == Parameter::Theta20 ? factor
+                                                           : characteristicLength(found.parameters);
+    return measuredText(value, factor * found.standardError[indexOf(parameter)], scale) + unitBehind(parameter);
 }
 
 QString caveatText(const Diagnosis &diagnosis)
@@ -251,8 +232,7 @@ QString caveatText(const Diagnosis &diagnosis)
     const Identification &found = diagnosis.identification;
     QStringList sentences;
     if (found.onlyRatios) {
-        sentences << DiagnosisText::tr("The coupler angle θ³ alone determines only b/a and c/a; %1 is taken as given.")
-                         .arg(equationText(Parameter::A, found.parameters.a));
+        sentences << DiagnosisText::tr("The coupler angle θ³ alone determines only b/a and c/a.");
     }
     if (found.hasOneMechanism()) {
         for (const Identification::Alternative &alternative : found.alternatives) {
@@ -309,14 +289,14 @@ QStringList explanationLines(const Diagnosis &diagnosis, const ReferenceData &da
 {
     QStringList lines;
     for (const ConventionFinding &finding : diagnosis.conventions) {
-        lines << explanationText(finding.convention, data) + u' ' + effectText(finding);
+        lines << findingText(finding);
     }
     if (!lines.isEmpty() && diagnosis.agreesWithGiven) {
         lines << DiagnosisText::tr("Read this way, it does not differ from this mechanism.");
     } else if (const QString change = changeText(diagnosis, mechanism); !change.isEmpty()) {
         lines << change;
     }
-    lines << differenceSentences(data, diagnosis.conventions);
+    lines << differenceSentences(data);
     if (!diagnosis.agreesWithGiven) {
         const QString summary = summaryText(diagnosis);
         lines << (diagnosis.identification.hasOneMechanism()
@@ -342,10 +322,12 @@ QString changeText(const Diagnosis &diagnosis, const Mechanism &mechanism)
     }
     const auto [parameter, value, explained] = *diagnosis.change;
     const double given = valueOf(mechanism.parameters(), parameter);
-    const int digits = digitsToTellApart(value, given, 5);
+    const int digits = digitsToTellApart(value, given);
+    constexpr double kNearlyAll = 1.0 - 1e-6; // never 100 %
+    constexpr double kSlack = 1e-3;           // 99.5 % equals 995 tenths except for rounding
     return DiagnosisText::tr("With %1 instead of %2, %3 % of the difference disappears.")
         .arg(equationText(parameter, value, digits), parameterText(parameter, given, digits + 1),
-             percentText(explained));
+             numberText(std::floor(1e6 * std::min(explained, kNearlyAll) + kSlack) / 1e4));
 }
 
 } // namespace slidercrank

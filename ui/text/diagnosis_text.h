@@ -12,9 +12,9 @@
 namespace slidercrank
 {
 
-/// Returns the identified value of a parameter with its standard error and unit: "60.000000 ± 0.000001 mm". If only
-/// ratios of lengths are identifiable, lengths are multiples of a: "3.000000 ± 0.000002 a". Returns a dash if the data
-/// do not determine the parameter.
+/// Returns the identified value of a parameter with its standard error and unit: "60.000000 ± 0.000001 mm". Returns a
+/// dash if the data do not determine the parameter. If they determine only ratios of lengths, b and c are for the given
+/// a.
 QString measuredText(Parameter parameter, const Identification &found);
 
 /// Returns the reservations about an identified mechanism: parameters that the data do not determine, mechanisms that

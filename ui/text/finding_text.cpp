@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/finding_text.h"
 
+#include "core/import/reference_data.h"
 #include "ui/text/written_number.h"
 
 #include <QCoreApplication>
@@ -38,6 +39,8 @@ public:
     }
 };
 
+constexpr int kErrorDigits = 3;
+
 int exponentOf(double magnitude)
 {
     return static_cast<int>(std::floor(std::log10(magnitude)));
@@ -64,7 +67,7 @@ QString anyOf(const QStringList &words)
 
 QString errorText(double value)
 {
-    return shortNumber(value, 3);
+    return shortNumber(value, kErrorDigits);
 }
 
 QString symbolText(Channel channel)
@@ -193,27 +196,38 @@ QString verdictText(const ChannelComparison &channel)
     return channel.count == 0 ? FindingText::tr("differs: nothing to compare with") : FindingText::tr("differs");
 }
 
-QString verdictFormula(const ChannelComparison &channel)
+QString verdictNumbers(const ChannelComparison &channel)
 {
-    const QString counts =
-        channel.count == 0
-            ? FindingText::tr("At no time step do both the model and the file have a value.")
-            : FindingText::tr(
-                  "Here: %1 of %2 values within the bound, the worst at %3 times the bound, or %4 % of half "
-                  "the range beyond it.")
-                  .arg(QString::number(channel.withinBound), QString::number(channel.count),
-                       errorText(channel.worstOver), errorText(100.0 * channel.excess));
-    return FindingText::tr("Bound: half a unit of the last digit of the value, plus the motion during half a unit of "
-                           "the last digit "
-                           "of the time stamp. Evenly spaced time stamps count as exact.\n"
-                           "Agrees: at least %1 % of the values within the bound, all within %2 times, none beyond it "
-                           "by more than %3 "
-                           "% of half the range of the motion.\n"
-                           "Close: all within %4 times, none beyond it by more than %5 %.")
-               .arg(QString::number(kPercentWithinBound), numberText(kBoundsOfAgreement),
-                    numberText(100.0 * kExcessOfAgreement), numberText(kBoundsOfCloseness),
-                    numberText(100.0 * kExcessOfCloseness)) +
-           u'\n' + counts;
+    return channel.count == 0
+               ? FindingText::tr("At no time step do both the model and the file have a value.")
+               : FindingText::tr("%1 of %2 values are within the rounding, the worst at %3 times the rounding, or %4 % "
+                                 "of half the range of the motion beyond it.")
+                     .arg(QString::number(channel.withinBound), QString::number(channel.count),
+                          errorText(channel.worstOver), errorText(100.0 * channel.excess));
+}
+
+std::vector<QStringList> comparisonTable(std::span<const ChannelComparison> channels, const ReferenceData *file)
+{
+    const bool isByAngle = file && file->crank;
+    std::vector<QStringList> rows{{FindingText::tr("channel"),
+                                   file ? FindingText::tr("largest error") : FindingText::tr("largest difference"),
+                                   isByAngle ? FindingText::tr("at θ₂ [°]") : FindingText::tr("at t [s]"),
+                                   FindingText::tr("rms"), FindingText::tr("% of peak")}};
+    if (file) {
+        rows.front() << FindingText::tr("largest %") << FindingText::tr("rounding step") << FindingText::tr("verdict");
+    }
+    for (const ChannelComparison &channel : channels) {
+        const double time = channel.timeOfMaxAbs;
+        const double place = isByAngle ? (file->crank->omega2 * time + file->crank->theta20) * kDegreesPerRadian : time;
+        rows.push_back({QStringLiteral("%1 [%2]").arg(columnName(channel.channel), unitText(channel.channel)),
+                        shortNumber(channel.maxAbs, kErrorDigits), channel.maxAbs ? numberText(place) : dash(),
+                        shortNumber(channel.rms, kErrorDigits), shortNumber(channel.percentOfPeak, kErrorDigits)});
+        if (file) {
+            rows.back() << shortNumber(channel.maxPercent, kErrorDigits)
+                        << numberText(channel.roundingStep, kErrorDigits) << verdictText(channel);
+        }
+    }
+    return rows;
 }
 
 QString summaryText(std::span<const ChannelComparison> channels)
@@ -228,9 +242,6 @@ QString summaryText(std::span<const ChannelComparison> channels)
     if (count(Verdict::Agrees) == all) {
         return FindingText::tr("Match: %1 of %2 quantities agree within the rounding of the file.").arg(all, all);
     }
-    if (std::ranges::all_of(channels, &ChannelComparison::clockIsRounded)) {
-        return FindingText::tr("Close match, if the time stamps of the file are rounded.");
-    }
     const auto worst = std::ranges::max_element(channels, {}, [](const ChannelComparison &channel) {
         return channel.verdict == Verdict::Differs ? channel.percentOfPeak.value_or(0.0) : -1.0;
     });
@@ -240,17 +251,10 @@ QString summaryText(std::span<const ChannelComparison> channels)
             .arg(count(Verdict::Agrees), all);
     }
     const QString differs = count(Verdict::Differs);
-    const QString text =
-        worst->percentOfPeak
-            ? FindingText::tr("No match: %1 of %2 quantities differ, most of all the %3, by %4 % of its peak.")
-                  .arg(differs, all, quantityName(worst->channel), errorText(*worst->percentOfPeak))
-            : FindingText::tr("No match: %1 of %2 quantities differ.").arg(differs, all);
-    const std::size_t missing = std::ranges::max(channels, {}, &ChannelComparison::missingModel).missingModel;
-    return missing == 0 ? text
-                        : text + u' ' +
-                              FindingText::tr(
-                                  "Time steps at which the mechanism cannot be assembled, or has no derivatives: %1.")
-                                  .arg(countText(missing));
+    return worst->percentOfPeak
+               ? FindingText::tr("No match: %1 of %2 quantities differ, most of all the %3, by %4 % of its peak.")
+                     .arg(differs, all, quantityName(worst->channel), errorText(*worst->percentOfPeak))
+               : FindingText::tr("No match: %1 of %2 quantities differ.").arg(differs, all);
 }
 
 } // namespace slidercrank

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <span>
+#include <vector>
 
 namespace slidercrank
 {
@@ -79,8 +80,12 @@ QString measuredText(double value, double standardError, double scale);
 /// "differs".
 QString verdictText(const ChannelComparison &channel);
 
-/// Explains the criteria of the verdict and states the numbers of this channel, in several lines.
-QString verdictFormula(const ChannelComparison &channel);
+/// States the numbers from which the verdict on a channel follows.
+QString verdictNumbers(const ChannelComparison &channel);
+
+/// Returns a table of the errors of each channel against a file or, if that is null, of the differences from a pinned
+/// motion, without the columns about the rounding of the file. The first row contains the headings.
+std::vector<QStringList> comparisonTable(std::span<const ChannelComparison> channels, const ReferenceData *file);
 
 /// Summarizes a comparison: "Match: 6 of 6 quantities agree within the rounding of the file."
 QString summaryText(std::span<const ChannelComparison> channels);

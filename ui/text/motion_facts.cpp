@@ -11,7 +11,6 @@
 #include <QLocale>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <numbers>
@@ -22,10 +21,61 @@ namespace slidercrank
 namespace
 {
 
-/// The context of these texts for translators.
 struct MotionFacts {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::MotionFacts)
+
+public:
+    // In the order of Limit. The name and the explanation of a peak depend on the mechanism.
+    static constexpr LimitDescription kLimits[] = {
+        {"outer-dead-centre", "mm", QT_TR_NOOP("outer dead centre"),
+         QT_TR_NOOP("Slider position Rₓ⁴ at which the slider reverses, crank and coupler extended in one line")},
+        {"inner-dead-centre", "mm", QT_TR_NOOP("inner dead centre"),
+         QT_TR_NOOP("Slider position Rₓ⁴ at which the slider reverses, crank and coupler overlapping in one line")},
+        {"stroke", "mm", QT_TR_NOOP("stroke"),
+         QT_TR_NOOP("Travel of the slider: its largest position minus its smallest")},
+        {"forward-angle", "°", QT_TR_NOOP("forward stroke"),
+         QT_TR_NOOP("Crank rotation from the inner to the outer dead centre")},
+        {"return-angle", "°", QT_TR_NOOP("return stroke"),
+         QT_TR_NOOP("Crank rotation from the outer to the inner dead centre")},
+        {"forward-time", "s", QT_TR_NOOP("forward time"),
+         QT_TR_NOOP("Crank rotation from the inner to the outer dead centre")},
+        {"return-time", "s", QT_TR_NOOP("return time"),
+         QT_TR_NOOP("Crank rotation from the outer to the inner dead centre")},
+        {"time-ratio", "", QT_TR_NOOP("time ratio"),
+         QT_TR_NOOP("Time of the slower stroke divided by the time of the faster one")},
+        {"least-transmission-angle", "°", QT_TR_NOOP("minimum transmission angle"),
+         QT_TR_NOOP("Angle between the coupler and the normal to the slider's line, 90° − |θ³|, at its minimum. "
+                    "Mechanisms with less than about 40° tend to jam.")},
+        {"mean-forward-speed", "mm/s", QT_TR_NOOP("mean forward speed"), QT_TR_NOOP("The stroke divided by its time")},
+        {"mean-return-speed", "mm/s", QT_TR_NOOP("mean return speed"), QT_TR_NOOP("The stroke divided by its time")},
+        {"peak-slider-speed", "mm/s", "", ""},
+        {"peak-slider-acceleration", "mm/s²", "", ""},
+        {"peak-coupler-speed", "°/s", "", ""},
+        {"peak-coupler-acceleration", "°/s²", "", ""},
+        {"", "mm", QT_TR_NOOP("crank limit position"),
+         QT_TR_NOOP("The crank can go no further: the coupler is perpendicular to the slider's line. The value is the "
+                    "slider position Rₓ⁴.")}};
 };
+
+/// Indices of MotionFacts::kLimits. Where there are two strokes, that of the forward stroke; the other one follows.
+enum Limit : std::size_t {
+    kOuter,
+    kInner,
+    kStroke,
+    kStrokeAngle,
+    kStrokeTime = 5,
+    kTimeRatio = 7,
+    kTransmissionAngle,
+    kMeanStrokeSpeed,
+    kFirstPeak = 11,
+    kCrankLimit = 15
+};
+
+MotionFact makeFact(std::size_t limit, double number, std::optional<double> theta2 = {})
+{
+    const auto &[key, unit, name, explanation] = MotionFacts::kLimits[limit];
+    return {key, MotionFacts::tr(name), number, unit, MotionFacts::tr(explanation), theta2};
+}
 
 /// Returns two lengths with at least six digits, and with enough digits to distinguish them.
 QStringList distinctTexts(double x, double y)
@@ -79,20 +129,19 @@ QString helpForAssembly(const Mechanism &mechanism)
 
 QString fullTurnSentence(const Mechanism &mechanism, const MotionLimits &limits, const QStringList &lengths)
 {
-    if (limits.largestPressureAngle < 0.5 * std::numbers::pi) {
-        return (mechanism.omega2() == 0.0
-                    ? MotionFacts::tr("The crank is at rest, ω₂ = 0; it could make full turns: b = %1 ≥ a + |c| = %2.")
-                    : MotionFacts::tr("The crank makes full turns: b = %1 ≥ a + |c| = %2."))
+    const QString text =
+        (mechanism.omega2() == 0.0
+             ? MotionFacts::tr("The crank is at rest, ω₂ = 0; it could make full turns: b = %1 ≥ a + |c| = %2.")
+             : MotionFacts::tr("The crank makes full turns: b = %1 ≥ a + |c| = %2."))
             .arg(lengths[0], lengths[1]);
-    }
-    const bool isInLine = mechanism.c() == 0.0;
-    return (isInLine ? MotionFacts::tr("The crank just makes full turns: b = a = %1, c = 0, a change point. At θ₂ = %2 "
-                                       "the coupler is perpendicular to the slider's line, and the velocities jump.")
-                     : MotionFacts::tr("The crank just makes full turns: b = a + |c| = %1. At θ₂ = %2 the coupler is "
-                                       "perpendicular to the slider's line, and the velocities jump."))
-        .arg(lengths[0], isInLine              ? MotionFacts::tr("90° and 270°")
-                         : mechanism.c() > 0.0 ? QStringLiteral("270°")
-                                               : QStringLiteral("90°"));
+    const bool isSmooth = limits.largestPressureAngle < 0.5 * std::numbers::pi;
+    return isSmooth ? text
+                    : text + u' ' +
+                          MotionFacts::tr("At θ₂ = %1 the coupler is perpendicular to the slider's line, and the "
+                                          "velocities jump.")
+                              .arg(mechanism.c() == 0.0  ? MotionFacts::tr("90° and 270°")
+                                   : mechanism.c() > 0.0 ? QStringLiteral("270°")
+                                                         : QStringLiteral("90°"));
 }
 
 /// Returns the first time within the time range at which the crank has an angle. Limit positions are known only up to a
@@ -118,27 +167,6 @@ double cleaned(double length, const Mechanism &mechanism)
 {
     constexpr double kRounding = 1e-14;
     return std::abs(length) < kRounding * characteristicLength(mechanism.parameters()) ? 0.0 : length;
-}
-
-/// The facts of a mechanism that makes full turns about one stroke. `angle` is the rotation of the crank, rad.
-std::vector<MotionFact> strokeFacts(bool isForward, double angle, double stroke, double speed)
-{
-    const QString explanation = isForward ? MotionFacts::tr("Crank rotation from the inner to the outer dead centre")
-                                          : MotionFacts::tr("Crank rotation from the outer to the inner dead centre");
-    std::vector<MotionFact> facts{{isForward ? "forward-angle" : "return-angle",
-                                   isForward ? MotionFacts::tr("forward stroke") : MotionFacts::tr("return stroke"),
-                                   kDegreesPerRadian * angle, QStringLiteral("°"), explanation}};
-    if (speed > 0.0) {
-        const double time = angle / speed;
-        facts.push_back({isForward ? "forward-time" : "return-time",
-                         isForward ? MotionFacts::tr("forward time") : MotionFacts::tr("return time"), time,
-                         QStringLiteral("s"), explanation});
-        facts.push_back({isForward ? "mean-forward-speed" : "mean-return-speed",
-                         isForward ? MotionFacts::tr("mean forward speed") : MotionFacts::tr("mean return speed"),
-                         stroke / time, unitText({R4x, Order::Velocity}),
-                         MotionFacts::tr("The stroke divided by its time")});
-    }
-    return facts;
 }
 
 /// Fills in the times.
@@ -206,58 +234,53 @@ double degreesFromZero(double theta2)
     return angle < -kRounding ? angle + 360.0 : std::max(angle, 0.0);
 }
 
+std::span<const LimitDescription> limitsInFiles()
+{
+    return std::span(MotionFacts::kLimits).first(kCrankLimit);
+}
+
 std::vector<MotionFact> positionFacts(const Mechanism &mechanism, const MotionLimits &limits, const Sampling &sampling)
 {
-    const QString mm = QStringLiteral("mm");
     const bool isFullTurn = limits.mobility == Mobility::FullTurn;
     std::vector<MotionFact> facts;
-    const auto addPosition = [&](const char *key, const QString &name, double R4x, double theta2,
-                                 const QString &explanation) {
-        facts.push_back({key, name, cleaned(R4x, mechanism), mm, explanation, theta2});
+    const auto add = [&facts](std::size_t limit, double number, std::optional<double> theta2 = {}) {
+        facts.push_back(makeFact(limit, number, theta2));
     };
     if (limits.outer) {
-        addPosition("outer-dead-centre", MotionFacts::tr("outer dead centre"), limits.outer->R4x, limits.outer->theta2,
-                    MotionFacts::tr(
-                        "Slider position Rₓ⁴ at which the slider reverses, crank and coupler extended in one line"));
+        add(kOuter, cleaned(limits.outer->R4x, mechanism), limits.outer->theta2);
     }
     if (limits.inner) {
-        addPosition("inner-dead-centre", MotionFacts::tr("inner dead centre"), limits.inner->R4x, limits.inner->theta2,
-                    MotionFacts::tr(
-                        "Slider position Rₓ⁴ at which the slider reverses, crank and coupler overlapping in one line"));
+        add(kInner, cleaned(limits.inner->R4x, mechanism), limits.inner->theta2);
     }
     for (const CrankRange &range : isFullTurn ? std::vector<CrankRange>() : limits.ranges) {
-        const bool isLocked = limits.mobility == Mobility::Locked;
-        for (const double theta2 : isLocked ? std::vector{range.from} : std::vector{range.from, range.to}) {
-            addPosition("", isLocked ? MotionFacts::tr("only position") : MotionFacts::tr("crank limit position"),
-                        mechanism.a() * std::cos(theta2), theta2,
-                        MotionFacts::tr("The crank can go no further: the coupler is perpendicular to the slider's "
-                                        "line. The value is the slider position Rₓ⁴."));
+        for (const double theta2 : {range.from, range.to}) {
+            add(kCrankLimit, cleaned(mechanism.a() * std::cos(theta2), mechanism), theta2);
         }
     }
+    if (limits.mobility == Mobility::Locked) {
+        facts.pop_back(); // both limits are the only position
+    }
     if (limits.stroke) {
-        facts.push_back({"stroke", MotionFacts::tr("stroke"), cleaned(*limits.stroke, mechanism), mm,
-                         MotionFacts::tr("Travel of the slider: its largest position minus its smallest")});
+        add(kStroke, cleaned(*limits.stroke, mechanism));
     }
     if (isFullTurn) {
-        const double speed = std::abs(mechanism.omega2());
-        std::ranges::move(strokeFacts(true, *limits.angleOutwards, *limits.stroke, speed), std::back_inserter(facts));
-        std::ranges::move(strokeFacts(false, *limits.angleInwards, *limits.stroke, speed), std::back_inserter(facts));
-        facts.push_back({"time-ratio",
-                         MotionFacts::tr("time ratio"),
-                         *limits.timeRatio,
-                         {},
-                         MotionFacts::tr("Time of the slower stroke divided by the time of the faster one")});
+        const double angles[] = {*limits.angleOutwards, *limits.angleInwards}; // of the crank, rad
+        for (std::size_t i = 0; i < std::size(angles); ++i) {
+            add(kStrokeAngle + i, kDegreesPerRadian * angles[i]);
+            if (mechanism.omega2() != 0.0) {
+                const double time = angles[i] / std::abs(mechanism.omega2());
+                add(kStrokeTime + i, time);
+                add(kMeanStrokeSpeed + i, *limits.stroke / time);
+            }
+        }
+        add(kTimeRatio, *limits.timeRatio);
     }
     if (limits.mobility != Mobility::Impossible) {
         const double theta2 = limits.largestPressureAngleAt;
-        const bool isSymmetric = isFullTurn && mechanism.c() == 0.0;
-        for (const double place : isSymmetric ? std::vector{theta2, -theta2} : std::vector{theta2}) {
-            facts.push_back(
-                {"least-transmission-angle", MotionFacts::tr("minimum transmission angle"),
-                 90.0 - kDegreesPerRadian * limits.largestPressureAngle, QStringLiteral("°"),
-                 MotionFacts::tr("Angle between the coupler and the normal to the slider's line, 90° − |θ³|, at its "
-                                 "minimum. Mechanisms with less than about 40° tend to jam."),
-                 place});
+        const double angle = 90.0 - kDegreesPerRadian * limits.largestPressureAngle;
+        add(kTransmissionAngle, angle, theta2);
+        if (isFullTurn && mechanism.c() == 0.0) { // symmetric
+            add(kTransmissionAngle, angle, -theta2);
         }
     }
     return withTimes(facts, mechanism, sampling);
@@ -265,14 +288,12 @@ std::vector<MotionFact> positionFacts(const Mechanism &mechanism, const MotionLi
 
 std::vector<MotionFact> peakFacts(const Mechanism &mechanism, const MotionLimits &limits, const Sampling &sampling)
 {
-    constexpr std::array kKeys{"peak-slider-speed", "peak-slider-acceleration", "peak-coupler-speed",
-                               "peak-coupler-acceleration"}; // in the order of motionPeaks()
     std::vector<MotionFact> facts;
     const std::vector<Peak> peaks = motionPeaks(mechanism);
     for (std::size_t i = 0; i < peaks.size(); ++i) {
         const Peak &peak = peaks[i];
-        MotionFact fact{kKeys[i], quantityName(peak.channel), toFileUnit(peak.channel, peak.magnitude),
-                        unitText(peak.channel)};
+        MotionFact fact = makeFact(kFirstPeak + i, toFileUnit(peak.channel, peak.magnitude));
+        fact.name = quantityName(peak.channel);
         fact.explanation =
             !std::isinf(peak.magnitude)
                 ? MotionFacts::tr("Largest value over one revolution of the crank, where its derivative is zero")
@@ -292,6 +313,23 @@ std::vector<MotionFact> peakFacts(const Mechanism &mechanism, const MotionLimits
         }
     }
     return withTimes(facts, mechanism, sampling);
+}
+
+std::vector<MotionFact> motionFacts(const Mechanism &mechanism, const MotionLimits &limits, const Sampling &sampling)
+{
+    std::vector<MotionFact> facts = positionFacts(mechanism, limits, sampling);
+    std::ranges::move(peakFacts(mechanism, limits, sampling), std::back_inserter(facts));
+    return facts;
+}
+
+std::vector<QStringList> limitTable(const std::vector<MotionFact> &facts)
+{
+    std::vector<QStringList> rows{{MotionFacts::tr("limit"), MotionFacts::tr("value"), "θ₂ [°]", "t [s]"}};
+    for (const MotionFact &fact : facts) {
+        rows.push_back({fact.name, valueText(fact), fact.theta2 ? crankAngleText(*fact.theta2) : fact.remark,
+                        fact.time ? numberText(fact.time) : QString()});
+    }
+    return rows;
 }
 
 QString fewSamplesSentence(const Mechanism &mechanism, const Sampling &sampling)
@@ -321,15 +359,6 @@ QString crankAngleText(double radians)
     double hundredths = std::round(100.0 * kDegreesPerRadian * radians);
     hundredths -= 36000.0 * std::floor(hundredths / 36000.0);
     return QLocale().toString(0.01 * hundredths, 'f', 2);
-}
-
-QString secondsText(double seconds, double length)
-{
-    constexpr int kDigits = 4;
-    const bool isPlain = length >= 1e-3 && length < 1e4;
-    return isPlain ? localeWithoutGroups().toString(seconds, 'f',
-                                                    kDigits - static_cast<int>(std::floor(std::log10(length))))
-                   : numberText(seconds, kDigits);
 }
 
 } // namespace slidercrank

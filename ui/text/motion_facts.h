@@ -8,13 +8,26 @@
 #include "core/sampling/trajectory.h"
 
 #include <QString>
+#include <QStringList>
 
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
 namespace slidercrank
 {
+
+/// A limit that exists for some mechanisms.
+struct LimitDescription {
+    const char *key; ///< name in JSON and CSV
+    const char *unit;
+    const char *name;        ///< untranslated
+    const char *explanation; ///< untranslated
+};
+
+/// The limits in JSON and CSV, in their order.
+std::span<const LimitDescription> limitsInFiles();
 
 /// A row of the table of limits: a value, with the crank angle at which it occurs or with a remark.
 struct MotionFact {
@@ -41,6 +54,12 @@ std::vector<MotionFact> positionFacts(const Mechanism &mechanism, const MotionLi
 /// Returns the peaks of motionPeaks(), one fact for each place.
 std::vector<MotionFact> peakFacts(const Mechanism &mechanism, const MotionLimits &limits, const Sampling &sampling);
 
+/// Returns all facts of both functions.
+std::vector<MotionFact> motionFacts(const Mechanism &mechanism, const MotionLimits &limits, const Sampling &sampling);
+
+/// Returns a table of the facts. The first row contains the headings.
+std::vector<QStringList> limitTable(const std::vector<MotionFact> &facts);
+
 /// Formats the value with its unit.
 QString valueText(const MotionFact &fact, int digits = 6);
 
@@ -57,8 +76,5 @@ QString iterationsText(const SamplingSummary &run, const NewtonOptions &options)
 
 /// Returns the angle in degrees, within [0, 360), without the unit.
 QString crankAngleText(double radians);
-
-/// Returns a time (s) without the unit. All times of a time range of the given length have the same number of decimals.
-QString secondsText(double seconds, double length);
 
 } // namespace slidercrank

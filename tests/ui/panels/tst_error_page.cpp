@@ -121,7 +121,7 @@ private slots:
         QCOMPARE(rows[2].cells[LargestError].number, std::nullopt);
         QVERIFY(explanation(page, 0, LargestError).contains("0.6 s"));   // time of the largest percentage
         QVERIFY(explanation(page, 0, LargestError).contains("0.001 °")); // the rounding step
-        QVERIFY(explanation(page, 1, Outcome).contains("the bound"));
+        QVERIFY(explanation(page, 1, Outcome).contains("times the rounding"));
         QVERIFY(explanation(page, 2, Quantity).contains("201"));
         QVERIFY(explanation(page, 3, LargestError).contains("zero: at 7 time steps"));
     }
@@ -160,7 +160,7 @@ private slots:
         diagnosis.found.conventions = kConventions;
         diagnosis.found.identification.outcome = Identification::Outcome::Nearest;
         QCOMPARE(remediesOf(errorPage(result, &diagnosis)), (std::vector{Remedy::Apply, Remedy::None}));
-        QVERIFY(findings()[0].convention == kDegrees && findings()[0].sentence.contains("98.00 → 0.001000 %"));
+        QVERIFY(findings()[0].convention == kDegrees && findings()[0].sentence.contains("98.0 → 0.00100 %"));
         QCOMPARE(findingsOf(result, &diagnosis)[1].remedy, Remedy::Apply); // offered on the reference page
     }
 

@@ -77,12 +77,12 @@ private slots:
         found.identifiable = {false, false, false, true, true};
         found.standardError = {kNone, 2e-5, kNone, 3e-7, 2.3e-7};
         const QString text = summaryText(diagnosis);
-        QVERIFY2(text.startsWith("b/a = 3.000000 ± 0.000002, c/a = 1.25, ω₂ = "), qPrintable(text));
-        QVERIFY2(text.endsWith("open assembly. The coupler angle θ³ alone determines only b/a and c/a; a = 10 mm is "
-                               "taken as given."),
+        QVERIFY2(text.startsWith("b = 30.00000 ± 0.00002 mm, c = 12.5 mm, ω₂ = "), qPrintable(text));
+        QVERIFY2(text.endsWith("open assembly. The coupler angle θ³ alone determines only b/a and c/a. The data do not "
+                               "determine a = 10 mm: kept as given."),
                  qPrintable(text));
         QCOMPARE(measuredText(Parameter::A, found), QString("–"));
-        QCOMPARE(measuredText(Parameter::B, found), QString("3.000000 ± 0.000002 a"));
+        QCOMPARE(measuredText(Parameter::B, found), QString("30.00000 ± 0.00002 mm"));
     }
 
     void addsEachCaveat()
@@ -138,7 +138,7 @@ private slots:
             {[](Diagnosis &d) {
                  d.unevenCrank = {2.0 * std::numbers::pi, 9.5};
              },
-             "The crank speed is not constant: 6.283 rad/s at the start and 9.5 rad/s at the end."},
+             "The crank speed is not constant: 6.2832 rad/s at the start and 9.5 rad/s at the end."},
         };
         for (const auto &[change, sentence] : rows) {
             Diagnosis found = identified();
@@ -209,7 +209,7 @@ private slots:
         Diagnosis uneven;
         uneven.unevenCrank = {2.0 * std::numbers::pi, 9.5};
         QCOMPARE(summaryText(uneven),
-                 QString("The crank speed is not constant: 6.283 rad/s at the start and 9.5 rad/s at "
+                 QString("The crank speed is not constant: 6.2832 rad/s at the start and 9.5 rad/s at "
                          "the end. No mechanism fits this file."));
     }
 
@@ -221,7 +221,7 @@ private slots:
         given.agreesWithGiven = true;
         const QStringList lines = explanationLines(given, {}, Mechanism());
         QCOMPARE(lines.size(), qsizetype(2));
-        QVERIFY(lines.first().startsWith("theta3: in radians, but read as degrees. Multiplies theta3"));
+        QVERIFY(lines.first().startsWith("theta3: in radians, but read as degrees. Largest error: 98.0 → "));
         QCOMPARE(lines.last(), QString("Read this way, it does not differ from this mechanism."));
 
         Diagnosis none;

@@ -131,15 +131,14 @@ private slots:
         rounded.clockIsRounded = true;
         QCOMPARE(verdictText(rounded), QString("close, if the time stamps of the file are rounded"));
 
-        const QString formula = verdictFormula(compared(Verdict::Agrees, 5.4));
-        for (const char *part : {"at least 95 %", "within 10 times", "than 0.5 %", "within 100 times",
-                                 "150 of 201 values", "5.40 times", "0.123 %"}) {
-            QVERIFY2(formula.contains(QLatin1String(part)), qPrintable(formula));
+        const QString numbers = verdictNumbers(compared(Verdict::Agrees, 5.4));
+        for (const char *part : {"150 of 201 values", "5.40 times", "0.123 %"}) {
+            QVERIFY2(numbers.contains(QLatin1String(part)), qPrintable(numbers));
         }
-        QVERIFY(verdictFormula(compared(Verdict::Differs, std::numeric_limits<double>::infinity())).contains("∞"));
+        QVERIFY(verdictNumbers(compared(Verdict::Differs, std::numeric_limits<double>::infinity())).contains("∞"));
         ChannelComparison missing = compared(Verdict::Differs, 1.0);
         missing.count = 0;
-        QVERIFY(!verdictFormula(missing).contains("Here"));
+        QVERIFY(!verdictNumbers(missing).contains(u'%'));
         QCOMPARE(verdictText(missing), QString("differs: nothing to compare with"));
     }
 
@@ -148,13 +147,9 @@ private slots:
         const ChannelComparison agrees = compared(Verdict::Agrees, 1.0);
         const ChannelComparison close = compared(Verdict::Close, 20.0);
         const ChannelComparison differs = compared(Verdict::Differs, 1e4);
-        ChannelComparison rounded = close;
-        rounded.clockIsRounded = true;
         ChannelComparison coarse = agrees; // whole millimetres: far off, and yet within its rounding
         coarse.channel = {R4x, Order::Position};
         coarse.percentOfPeak = 50.0;
-        ChannelComparison missing = differs;
-        missing.missingModel = 47;
         const QString most = ", most of all the coupler angle, by 9.83 % of its peak.";
         const std::pair<std::vector<ChannelComparison>, QString> rows[] = {
             {{agrees, agrees}, "Match: 2 of 2 quantities agree within the rounding of the file."},
@@ -162,10 +157,6 @@ private slots:
              "Close match: 1 of 2 quantities agree within the rounding of the file, the others nearly."},
             {{agrees, close, differs}, "No match: 1 of 3 quantities differ" + most},
             {{coarse, differs}, "No match: 1 of 2 quantities differ" + most},
-            {{rounded, rounded}, "Close match, if the time stamps of the file are rounded."},
-            {{agrees, missing},
-             "No match: 1 of 2 quantities differ" + most +
-                 " Time steps at which the mechanism cannot be assembled, or has no derivatives: 47."},
             {{}, "The file has no column that this program knows."},
         };
         for (const auto &[channels, text] : rows) {
