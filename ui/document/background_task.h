@@ -7,8 +7,9 @@
 #include <QObject>
 #include <QString>
 
-#include <any>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <stop_token>
 #include <type_traits>
 #include <utility>
@@ -36,11 +37,10 @@ public:
     void start(Work work, Done done, Failed failed)
     {
         using Value = std::decay_t<std::invoke_result_t<Work &, std::stop_token, const Progress &>>;
-        run(
-            [work = std::move(work)](std::stop_token stop, const Progress &progress) mutable -> std::any {
-                return work(std::move(stop), progress);
-            },
-            [done = std::move(done)](const std::any &value) { done(std::any_cast<const Value &>(value)); }, failed);
+        const auto value = std::make_shared<std::optional<Value>>();
+        run([work, value](const std::stop_token &stop,
+                          const Progress &progress) mutable { value->emplace(work(stop, progress)); },
+            [done, value] { done(std::as_const(**value)); }, failed);
     }
 
     bool isRunning() const { return m_watcher; }
@@ -54,15 +54,11 @@ signals:
     void runningChanged(bool running); ///< false after done() or failed(), and when the work is discarded
 
 private:
-    struct Outcome {
-        std::any value;
-        QString problem;
-    };
-    using Work = std::function<std::any(std::stop_token stop, const Progress &progress)>;
-    void run(const Work &work, const std::function<void(const std::any &)> &done, const Failed &failed);
+    using Work = std::function<void(const std::stop_token &stop, const Progress &progress)>;
+    void run(const Work &work, const std::function<void()> &done, const Failed &failed);
     void release();
 
-    QFutureWatcher<Outcome> *m_watcher = nullptr; ///< null: nothing runs
+    QFutureWatcher<QString> *m_watcher = nullptr; ///< null: nothing runs
     std::stop_source m_stop;
 };
 

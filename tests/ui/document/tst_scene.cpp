@@ -12,7 +12,6 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -144,20 +143,6 @@ private slots:
         QVERIFY(is.find(slider)->values.front() > 500.0); // the column is taken as cm
         after.readAsPrinted();
         QCOMPARE(after.reference()->data.time.front(), 0.0);
-    }
-
-    void opensWithoutAMissingReference()
-    {
-        Session session;
-        QSignalSpy refused(&session, &Session::referenceRefused);
-        Choices choices;
-        choices.parameters.b = 70.0;
-        session.open(choices, 0.5, ReferenceSource{{"/nowhere/results.csv"}, {}, {}});
-        QVERIFY(refused.wait(kPatience));
-        QVERIFY(refused.first()[1].toString().contains("results.csv"));
-        QCOMPARE(session.parameters().b, 70.0);
-        QCOMPARE(session.time(), 0.5);
-        QVERIFY(!session.reference());
     }
 
     void ignoresUnknownKeys()
