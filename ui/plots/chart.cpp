@@ -88,9 +88,11 @@ void Chart::fill(const QSize &size, const QPalette &palette)
     }
     constexpr int kWidthOfAxes = 200; // px, at least
     QCPLegend *legend = m_drawing->legend;
-    const QSize needed = legend->minimumOuterSizeHint() + QSize(kWidthOfAxes, 0);
-    legend->setVisible(legend->itemCount() > 0 && needed.boundedTo(size) == needed);
-    if (legend->visible()) {
+    const QSize needed = legend->minimumOuterSizeHint();
+    const auto fits = [&needed](const QSize &space) { return needed.boundedTo(space) == needed; };
+    const bool isBeside = fits(size - QSize(kWidthOfAxes, 0)); // otherwise the legend lies over the axes
+    legend->setVisible(legend->itemCount() > 0 && (isBeside || fits(size / 2)));
+    if (legend->visible() && isBeside) {
         m_drawing->axisRect()->insetLayout()->take(legend);
         m_drawing->plotLayout()->addElement(0, 1, legend);
         m_drawing->plotLayout()->setColumnStretchFactor(1, 1e-3);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A chart of points and lines over two axes, linear or logarithmic. A legend is on the right where there is
-// space for it. It knows no mechanism.
+// A chart of points and lines over two axes, linear or logarithmic. The legend is beside them or, where there is
+// little space, over them or hidden. It knows no mechanism.
 
 #include "ui/text/interval.h"
 #include "ui/text/theme.h"

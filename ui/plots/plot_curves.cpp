@@ -66,14 +66,14 @@ void PlotFigure::setResult(const std::shared_ptr<const Result> &result)
         plot.curves.clear();
     }
     if (sampledRange() != before) {
-        zoom.time.reset();
+        m_zoom.time.reset();
     }
 }
 
 void PlotFigure::setSettings(const PlotSettings &settings)
 {
     for (std::size_t plot = kErrorColumn; plot < kPlotCount; plot += kPlotColumns) {
-        zoom.values[plot].reset(); // the ranges are not valid for another measure
+        m_zoom.values[plot].reset(); // the ranges are not valid for another measure
     }
     m_settings = settings;
     m_errors.reset();
@@ -100,12 +100,12 @@ void PlotFigure::zoomTime(const Interval &range)
     }
     const double largest = std::max(std::abs(outer.lower), std::abs(outer.upper));
     const double length = std::max(range.length(), kSmallestPart * largest);
-    zoom.time.reset();
+    m_zoom.time.reset();
     if (length < outer.length()) {
         const double lower = std::clamp(range.lower, outer.lower, outer.upper - length);
-        zoom.time = {lower, lower + length};
+        m_zoom.time = {lower, lower + length};
     } else if (outer != sampledRange()) {
-        zoom.time = outer;
+        m_zoom.time = outer;
     }
 }
 
@@ -114,7 +114,7 @@ void PlotFigure::zoomValues(std::size_t plot, const Interval &range)
     constexpr double kLargestValue = 1e60;
     const double largest = std::max(std::abs(range.lower), std::abs(range.upper));
     if (range.length() >= kSmallestPart * largest && largest <= kLargestValue) {
-        zoom.values[plot] = range;
+        m_zoom.values[plot] = range;
     }
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The QCustomPlot that draws the figure and the charts. It is never shown as a widget. It lays itself out for a size in
-// pixels and draws with any painter, so that screen, image, SVG and PDF look alike.
+// The QCustomPlot that draws the figure and the charts. It lays itself out for a size in pixels and draws with any
+// painter, so that screen, image, SVG and PDF look alike. QCustomPlot's own painting and interactions are not used.
 
 #include "ui/plots/curve_sampling.h"
 #include "ui/text/theme.h"

@@ -124,7 +124,7 @@ void PlotFigure::setPlots(const std::vector<std::size_t> &plots, const PlotFonts
     m_footer->setTextColor(colours.text);
 }
 
-void PlotFigure::show(const QSize &size, const std::optional<double> &markedTime, const QString &footer)
+void PlotFigure::compose(const QSize &size, const std::optional<double> &markedTime, const QString &footer)
 {
     m_footer->setText(footer);
     m_footer->setVisible(!footer.isEmpty());
@@ -167,7 +167,7 @@ void PlotFigure::fill(const std::optional<double> &markedTime)
         } else {
             computeMotions(plot, channelOf(index));
         }
-        plot.values = plot.values && zoom.values[index] ? zoom.values[index] : plot.values;
+        plot.values = plot.values && m_zoom.values[index] ? m_zoom.values[index] : plot.values;
         setValueScale(index);
         for (PlotCurve &curve : plot.curves) {
             fit(curve, time, plot.values.value_or(Interval()), plot.axes->height());

@@ -69,7 +69,7 @@ class PlotFigure : public PlotDrawing
 public:
     PlotFigure();
 
-    void setResult(const std::shared_ptr<const Result> &result); ///< required before show()
+    void setResult(const std::shared_ptr<const Result> &result); ///< required before compose()
     const std::shared_ptr<const Result> &result() const { return m_result; }
 
     void setSettings(const PlotSettings &settings);
@@ -82,22 +82,24 @@ public:
 
     bool hasErrors() const; ///< whether there are errors to show
 
-    PlotZoom zoom; ///< the time range of all plots and the value range of each
+    /// The time range of all plots and the value range of each.
+    const PlotZoom &zoom() const { return m_zoom; }
+    void setZoom(const PlotZoom &zoom) { m_zoom = zoom; }
 
     /// Zooms to that time range, limited to the time of the motion and of the file.
     void zoomTime(const Interval &range);
     void zoomValues(std::size_t plot, const Interval &range);
-    Interval timeRange() const { return zoom.time.value_or(sampledRange()); }
+    Interval timeRange() const { return m_zoom.time.value_or(sampledRange()); }
 
-    /// Chooses which plots are shown, and their style. Call show() afterwards.
+    /// Chooses which plots are shown, and their style. Call compose() afterwards.
     void setPlots(const std::vector<std::size_t> &plots, const PlotFonts &fonts, const SeriesColours &colours);
     const std::vector<std::size_t> &plots() const { return m_shown; }
 
     /// Lays out all plots for that size (px) and fills them. A marked time (s) is drawn as a line in each plot; the
     /// footer is text below the plots.
-    void show(const QSize &size, const std::optional<double> &markedTime = {}, const QString &footer = {});
+    void compose(const QSize &size, const std::optional<double> &markedTime = {}, const QString &footer = {});
 
-    const Plot &plot(std::size_t index) const { return m_plots[index]; }
+    const Plot &shownPlot(std::size_t plot) const { return m_plots[plot]; }
     QCPAxis &axis(std::size_t plot, QCPAxis::AxisType type) const { return *m_plots[plot].axes->axis(type); }
 
     /// Returns the time nearest to t at which values can be read.
@@ -114,6 +116,9 @@ public:
 
     /// Returns a time difference as "0.25 s" or "90°".
     QString durationText(double seconds) const;
+
+protected:
+    PlotZoom m_zoom;
 
 private:
     Interval sampledRange() const;

@@ -16,13 +16,12 @@
 namespace slidercrank
 {
 
-PlotGrid::PlotGrid(QWidget *parent)
-    : QWidget(parent)
-    , m_hint(new QLabel(tr("To compare with a simulation, <a href=\"open\">open its CSV…</a> or drop it here."), this))
+PlotGrid::PlotGrid()
+    : m_hint(new QLabel(tr("To compare with a simulation, <a href=\"open\">open its CSV…</a> or drop it here."), this))
     , m_rubberBand(new QRubberBand(QRubberBand::Rectangle, this))
 {
     setAttribute(Qt::WA_OpaquePaintEvent);
-    setMouseTracking(true);
+    setFocusPolicy(Qt::NoFocus); // the panes have the focus
     setAccessibleName(tr("Plots of the motion"));
     const std::array errors{tr("Error of the positions"), tr("Error of the velocities"),
                             tr("Error of the accelerations")};
@@ -67,8 +66,8 @@ QStringList PlotGrid::plotNames()
 
 void PlotGrid::setResult(const std::shared_ptr<const Result> &result)
 {
-    m_figure.setResult(result);
-    if (plotsToShow(m_maximized) != m_figure.plots()) {
+    PlotFigure::setResult(result);
+    if (plotsToShow(m_maximized) != plots()) {
         rebuild();
     }
     requestRefresh();
@@ -87,24 +86,24 @@ void PlotGrid::showAll()
 
 void PlotGrid::setZoom(const PlotZoom &zoom)
 {
-    m_figure.zoom = zoom;
+    PlotFigure::setZoom(zoom);
     requestRefresh();
 }
 
 void PlotGrid::showTime(double seconds)
 {
-    const Interval shown = m_figure.timeRange();
+    const Interval shown = timeRange();
     if (zoom().time && !shown.contains(seconds)) {
         const double half = 0.5 * shown.length();
-        m_figure.zoomTime({seconds - half, seconds + half});
+        zoomTime({seconds - half, seconds + half});
         requestRefresh();
     }
 }
 
 void PlotGrid::setSettings(const PlotSettings &settings)
 {
-    if (settings != m_figure.settings()) {
-        m_figure.setSettings(settings);
+    if (settings != this->settings()) {
+        PlotFigure::setSettings(settings);
         emit settingsChanged(settings);
         requestRefresh();
     }
@@ -112,7 +111,7 @@ void PlotGrid::setSettings(const PlotSettings &settings)
 
 void PlotGrid::setPresentation(bool isPresentation)
 {
-    m_figure.setPresentation(isPresentation);
+    PlotFigure::setPresentation(isPresentation);
     rebuild();
 }
 
@@ -120,7 +119,7 @@ std::vector<std::size_t> PlotGrid::plotsToShow(const std::optional<std::size_t> 
 {
     std::vector<std::size_t> plots;
     for (std::size_t plot = 0; plot < kPlotCount; ++plot) {
-        if (maximized ? plot == *maximized : !isErrorPlot(plot) || m_figure.hasErrors()) {
+        if (maximized ? plot == *maximized : !isErrorPlot(plot) || hasErrors()) {
             plots.push_back(plot);
         }
     }
@@ -130,7 +129,7 @@ std::vector<std::size_t> PlotGrid::plotsToShow(const std::optional<std::size_t> 
 void PlotGrid::rebuild()
 {
     const PlotFonts fonts(font());
-    m_figure.setPlots(plotsToShow(m_maximized), fonts, seriesColours(palette()));
+    setPlots(plotsToShow(m_maximized), fonts, seriesColours(palette()));
     for (PlotPane *pane : m_panes) {
         pane->setFont(fonts.tick);
     }
@@ -157,13 +156,13 @@ bool PlotGrid::event(QEvent *event)
         break;
     default: break;
     }
-    return QWidget::event(event);
+    return PlotFigure::event(event);
 }
 
 void PlotGrid::refreshIfStale()
 {
     const bool isOtherScreen = m_picture.devicePixelRatio() != devicePixelRatioF();
-    if (m_figure.result() && (m_isStale || isOtherScreen)) {
+    if (result() && (m_isStale || isOtherScreen)) {
         refresh();
     }
 }
@@ -171,12 +170,12 @@ void PlotGrid::refreshIfStale()
 void PlotGrid::refresh()
 {
     m_isStale = false;
-    m_figure.show(size());
+    compose(size());
     m_picture = QPixmap(size() * devicePixelRatioF());
     m_picture.setDevicePixelRatio(devicePixelRatioF());
-    m_figure.drawInto(m_picture);
+    drawInto(m_picture);
     for (std::size_t index = 0; index < kPlotCount; ++index) {
-        const Plot &plot = m_figure.plot(index);
+        const Plot &plot = shownPlot(index);
         m_panes[index]->setVisible(plot.axes != nullptr);
         if (plot.axes) {
             m_panes[index]->setGeometry(plot.axes->outerRect());
@@ -184,12 +183,12 @@ void PlotGrid::refresh()
             m_panes[index]->update();
         }
     }
-    const bool isAlone = !m_figure.result()->isCompared() && !m_maximized && !m_figure.isPresentation();
+    const bool isAlone = !result()->isCompared() && !m_maximized && !isPresentation();
     constexpr int kGap = 12;
-    const QRect legend = m_figure.legend->outerRect();
+    const QRect names = legend->outerRect();
     const int hintWidth = m_hint->sizeHint().width();
-    m_hint->setGeometry(width() - hintWidth - kGap, 0, hintWidth, legend.height());
-    m_hint->setVisible(isAlone && legend.right() < m_hint->x());
+    m_hint->setGeometry(width() - hintWidth - kGap, 0, hintWidth, names.height());
+    m_hint->setVisible(isAlone && names.right() < m_hint->x());
     moveCursors();
     update();
 }
@@ -198,21 +197,21 @@ void PlotGrid::refresh()
 std::vector<PlotPane::Cursor> PlotGrid::cursors(std::size_t plot)
 {
     constexpr int kDigits = 4;
-    const QCPAxis &timeAxis = m_figure.axis(plot, QCPAxis::atBottom);
-    const QCPAxis &valueAxis = m_figure.axis(plot, QCPAxis::atLeft);
+    const QCPAxis &timeAxis = axis(plot, QCPAxis::atBottom);
+    const QCPAxis &valueAxis = axis(plot, QCPAxis::atLeft);
     const QPoint corner = m_panes[plot]->pos();
     const SeriesColours colours = seriesColours(palette());
     std::vector<PlotPane::Cursor> cursors;
     const auto add = [&](double time, const QStringList &headings, bool isLight = false) {
-        if (!m_figure.plot(plot).values || !m_figure.timeRange().contains(time)) {
+        if (!shownPlot(plot).values || !timeRange().contains(time)) {
             return;
         }
-        const ReadTime read = m_figure.readTime(time);
+        const ReadTime read = readTime(time);
         PlotPane::Cursor cursor{std::round(timeAxis.coordToPixel(time)) - corner.x(), isLight, {}};
         for (const QString &heading : headings) {
             cursor.labels.push_back({heading, colours.text});
         }
-        for (const PlotReading &reading : m_figure.readings(plot, read)) {
+        for (const PlotReading &reading : readings(plot, read)) {
             const QPointF place(timeAxis.coordToPixel(read.t), valueAxis.coordToPixel(reading.value));
             if (QRectF(axes(plot)).adjusted(-1.0, -1.0, 1.0, 1.0).contains(place)) {
                 cursor.labels.push_back({shortNumber(reading.number, kDigits), colours.*reading.ink, place - corner});
@@ -224,12 +223,12 @@ std::vector<PlotPane::Cursor> PlotGrid::cursors(std::size_t plot)
         add(*m_time, {});
     }
     if (m_hovered && !m_drag) {
-        const ReadTime hovered = m_figure.readTime(m_hoverTime);
+        const ReadTime hovered = readTime(m_hoverTime);
         QStringList headings;
         if (plot == *m_hovered) {
-            headings << m_figure.timeText(hovered.t);
+            headings << timeText(hovered.t);
             if (m_time) {
-                headings << QStringLiteral("Δ = %1").arg(m_figure.durationText(hovered.t - *m_time));
+                headings << QStringLiteral("Δ = %1").arg(durationText(hovered.t - *m_time));
             }
         }
         add(hovered.t, headings, true);
@@ -242,7 +241,7 @@ void PlotGrid::moveCursors()
     if (m_isStale) {
         return; // refresh() moves them
     }
-    for (const std::size_t plot : m_figure.plots()) {
+    for (const std::size_t plot : plots()) {
         m_panes[plot]->setCursors(cursors(plot), axes(plot).translated(-m_panes[plot]->pos()));
     }
 }
@@ -257,9 +256,9 @@ void PlotGrid::paintFigure(QPainter &painter, const QString &name, const QSize &
 {
     const qsizetype index = plotNames().indexOf(name);
     const std::optional<std::size_t> plot = name.isEmpty() ? std::nullopt : std::optional<std::size_t>(index);
-    m_figure.setPlots(plotsToShow(plot), PlotFonts(font()), seriesColours(palette));
-    m_figure.show(size, m_markedTime, mechanismText(m_figure.result()->mechanism));
-    m_figure.paint(painter, size);
+    setPlots(plotsToShow(plot), PlotFonts(font()), seriesColours(palette));
+    compose(size, m_markedTime, mechanismText(result()->mechanism));
+    paint(painter, size);
     rebuild(); // restores the figure for the screen
 }
 

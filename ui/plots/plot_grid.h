@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The widget that shows the figure of the reference report: three rows (position, velocity, acceleration) and three
+// The figure of the reference report as a widget: three rows (position, velocity, acceleration) and three
 // columns (θ³, Rₓ⁴, error), with one legend, one time range and one time cursor for all nine plots. Without a reference
 // there are no errors, and the other six plots fill the figure.
 //
@@ -25,12 +25,12 @@ class QRubberBand;
 namespace slidercrank
 {
 
-class PlotGrid : public QWidget
+class PlotGrid : public PlotFigure
 {
     Q_OBJECT
 
 public:
-    explicit PlotGrid(QWidget *parent = nullptr);
+    PlotGrid();
 
     /// Returns the names of the nine plots, row by row: "plot_theta3", "plot_R4_x", "plot_error_position", … The panes
     /// have these object names.
@@ -40,9 +40,6 @@ public:
     /// zoomed as on the screen, and with the mechanism's parameters below. The widget need not be visible.
     void paintFigure(QPainter &painter, const QString &plotName, const QSize &size, const QPalette &palette);
 
-    const PlotSettings &settings() const { return m_figure.settings(); }
-
-    const PlotZoom &zoom() const { return m_figure.zoom; }
     void setZoom(const PlotZoom &zoom);
 
     /// Draws a line at that time (s) in the figures that are painted from now on.
@@ -98,15 +95,14 @@ private:
     void moveCursors();
     std::vector<PlotPane::Cursor> cursors(std::size_t plot);
 
-    QRect axes(std::size_t plot) const { return m_figure.plot(plot).axes->rect(); } ///< px
+    QRect axes(std::size_t plot) const { return shownPlot(plot).axes->rect(); } ///< px
     std::optional<std::size_t> plotAt(const QPointF &place) const;
     QPointF coordinates(std::size_t plot, const QPointF &place) const; ///< px → time (s) and value
     void drag(const QPoint &to);
     void endDrag();
-    void zoomTime(double about, double factor);
+    void zoomAbout(double time, double factor);
     void toggleMaximized(std::size_t plot); ///< fills the figure with that plot, or shows all plots again
 
-    PlotFigure m_figure;
     QPixmap m_picture;
     std::array<PlotPane *, kPlotCount> m_panes{};
     QList<QAction *> m_choices;
@@ -116,7 +112,7 @@ private:
     double m_hoverTime = 0.0;             ///< s
     std::optional<double> m_time;         ///< s, the current time
     std::optional<double> m_markedTime;
-    bool m_isStale = true; ///< m_picture is out of date
+    bool m_isStale = true;     ///< m_picture is out of date
     QRubberBand *m_rubberBand; ///< the box that a drag zooms into
 
     /// A mouse button that is held down over a plot.

@@ -27,7 +27,8 @@ Interval scale(const Interval &range, double about, double factor)
     return {about - (about - range.lower) * factor, about + (range.upper - about) * factor};
 }
 
-/// Returns the box that a drag zooms into. A flat box gets the whole height of the axes, a narrow one their whole width.
+/// Returns the box that a drag zooms into. A flat box gets the whole height of the axes, a narrow one their whole
+/// width.
 QRect draggedBox(const QPoint &from, const QPoint &to, const QRect &axes)
 {
     constexpr int kLeast = 8; // px
@@ -51,13 +52,12 @@ std::optional<std::size_t> PlotGrid::plotAt(const QPointF &place) const
 
 QPointF PlotGrid::coordinates(std::size_t plot, const QPointF &place) const
 {
-    return {m_figure.axis(plot, QCPAxis::atBottom).pixelToCoord(place.x()),
-            m_figure.axis(plot, QCPAxis::atLeft).pixelToCoord(place.y())};
+    return {axis(plot, QCPAxis::atBottom).pixelToCoord(place.x()), axis(plot, QCPAxis::atLeft).pixelToCoord(place.y())};
 }
 
-void PlotGrid::zoomTime(double about, double factor)
+void PlotGrid::zoomAbout(double time, double factor)
 {
-    m_figure.zoomTime(scale(m_figure.timeRange(), about, factor));
+    zoomTime(scale(timeRange(), time, factor));
     requestRefresh();
 }
 
@@ -72,9 +72,9 @@ void PlotGrid::wheelEvent(QWheelEvent *event)
     const double factor = std::pow(0.85, event->angleDelta().y() / kNotch);
     const QPointF about = coordinates(*plot, event->position());
     if (event->position().x() >= axes(*plot).left()) {
-        zoomTime(about.x(), factor);
-    } else if (m_figure.plot(*plot).values) {
-        m_figure.zoomValues(*plot, scale(*m_figure.plot(*plot).values, about.y(), factor));
+        zoomAbout(about.x(), factor);
+    } else if (shownPlot(*plot).values) {
+        zoomValues(*plot, scale(*shownPlot(*plot).values, about.y(), factor));
         requestRefresh();
     }
 }
@@ -118,9 +118,9 @@ void PlotGrid::drag(const QPoint &to)
     m_drag->last = to;
     if (m_drag->isPan) {
         setCursor(Qt::ClosedHandCursor);
-        const Interval time = m_figure.timeRange();
-        m_figure.zoomTime({time.lower + way.x(), time.upper + way.x()});
-        if (std::optional<Interval> &values = m_figure.zoom.values[plot]) {
+        const Interval time = timeRange();
+        zoomTime({time.lower + way.x(), time.upper + way.x()});
+        if (std::optional<Interval> &values = m_zoom.values[plot]) {
             values = Interval{values->lower + way.y(), values->upper + way.y()};
         }
         refresh(); // the next mouse move is relative to the new axes
@@ -144,15 +144,15 @@ void PlotGrid::mouseReleaseEvent(QMouseEvent *event)
         return;
     }
     if (!drag.hasMoved && axes.contains(event->pos())) {
-        emit timeRequested(m_figure.readTime(coordinates(drag.plot, event->pos()).x()).t);
+        emit timeRequested(readTime(coordinates(drag.plot, event->pos()).x()).t);
     } else if (drag.hasMoved && box.isValid()) {
         const QPointF first = coordinates(drag.plot, box.bottomLeft());
         const QPointF last = coordinates(drag.plot, box.topRight());
         if (box.width() < axes.width()) {
-            m_figure.zoomTime({first.x(), last.x()});
+            zoomTime({first.x(), last.x()});
         }
-        if (box.height() < axes.height() && m_figure.plot(drag.plot).values) {
-            m_figure.zoomValues(drag.plot, {first.y(), last.y()});
+        if (box.height() < axes.height() && shownPlot(drag.plot).values) {
+            zoomValues(drag.plot, {first.y(), last.y()});
         }
         requestRefresh();
     }
@@ -193,7 +193,7 @@ void PlotGrid::leaveEvent(QEvent *)
 /// Handles the keys of the plot that has the focus or is being dragged. + and − zoom about the current time.
 void PlotGrid::keyPressEvent(QKeyEvent *event)
 {
-    const Interval shown = m_figure.timeRange();
+    const Interval shown = timeRange();
     const double about = m_time && shown.contains(*m_time) ? *m_time : 0.5 * (shown.lower + shown.upper);
     const auto focused = std::ranges::find(m_panes, focusWidget());
     switch (event->key()) {
@@ -214,12 +214,12 @@ void PlotGrid::keyPressEvent(QKeyEvent *event)
         }
         break;
     case Qt::Key_Plus:
-    case Qt::Key_Equal: return zoomTime(about, 0.7);
-    case Qt::Key_Minus: return zoomTime(about, 1.0 / 0.7);
+    case Qt::Key_Equal: return zoomAbout(about, 0.7);
+    case Qt::Key_Minus: return zoomAbout(about, 1.0 / 0.7);
     case Qt::Key_0: return showAll();
     default: break;
     }
-    QWidget::keyPressEvent(event);
+    PlotFigure::keyPressEvent(event);
 }
 
 void PlotGrid::toggleMaximized(std::size_t plot)
@@ -237,7 +237,7 @@ void PlotGrid::contextMenuEvent(QContextMenuEvent *event)
         return;
     }
     const std::size_t plot = *found;
-    const ReadTime time = m_figure.readTime(m_hovered ? m_hoverTime : m_time.value_or(0.0));
+    const ReadTime time = readTime(m_hovered ? m_hoverTime : m_time.value_or(0.0));
     auto *menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->addAction(m_maximized ? tr("Show all plots agai&n") : tr("&Maximize this plot"), this,
@@ -246,7 +246,7 @@ void PlotGrid::contextMenuEvent(QContextMenuEvent *event)
     menu->addSeparator();
     menu->addAction(tr("Copy the &values here"), this, [this, plot, time] {
         QStringList cells{typedNumberText(time.t)}; // with all digits
-        for (const PlotReading &reading : m_figure.readings(plot, time)) {
+        for (const PlotReading &reading : readings(plot, time)) {
             cells << typedNumberText(reading.number);
         }
         QGuiApplication::clipboard()->setText(cells.join(u'\t'));

@@ -26,8 +26,8 @@ PlotFigure &figureOf(const Shown &shown)
 const Plot &plotOf(PlotFigure &figure, std::size_t plot)
 {
     figure.setPlots({plot}, PlotFonts(QFont()), seriesColours(paletteFor(Theme::Light)));
-    figure.show({360, 200});
-    return figure.plot(plot);
+    figure.compose({360, 200});
+    return figure.shownPlot(plot);
 }
 
 std::vector<PlotReading> readingsOf(PlotFigure &figure, std::size_t plot, double t)
@@ -86,7 +86,7 @@ private slots:
                 PlotFigure &figure = figureOf(shown);
                 figure.setSettings(settings);
                 const std::vector<PlotReading> readings = readingsOf(figure, kPositionErrors, 0.0);
-                const Plot &plot = figure.plot(kPositionErrors);
+                const Plot &plot = figure.shownPlot(kPositionErrors);
                 QCOMPARE(readings.size(), std::size_t(2));
                 for (std::size_t i = 0; i < 2; ++i) {
                     constexpr double kPeakIsSampled = 2e-3; // none of the 41 samples is exactly at the peak
@@ -108,7 +108,7 @@ private slots:
         reference->data.series[0].values[30] = 1e-15; // zero within rounding, since the peak is 40
         PlotFigure &figure = figureOf({.reference = reference});
         QCOMPARE(plotOf(figure, kPositionErrors).curves.size(), std::size_t(2)); // defined in percent of the peak
-        QCOMPARE(gapsIn(figure.plot(kPositionErrors).curves[0].points), 0);
+        QCOMPARE(gapsIn(figure.shownPlot(kPositionErrors).curves[0].points), 0);
         figure.setSettings(settingsWith(ErrorMeasure::Percent));
         const Plot &plot = plotOf(figure, kPositionErrors);
         const std::vector<CurvePoint> &marks = plot.curves[1].dots;
@@ -162,7 +162,7 @@ private slots:
         PlotFigure &figure = figureOf({.reference = referenceOf(65.0, 1)});
         QCOMPARE(plotOf(figure, 0).curves.size(), std::size_t(2));
         const std::vector<PlotReading> readings = readingsOf(figure, 1, 0.0);
-        QCOMPARE(figure.plot(1).note, "not in the file");
+        QCOMPARE(figure.shownPlot(1).note, "not in the file");
         QVERIFY(readings.size() == 1 && isNear(readings[0].number, positionsAt(0.0, 60.0)[1], 1e-9));
     }
 
@@ -259,12 +259,12 @@ private slots:
     void inPresentationModeMotionsAreEquallyThickAndNamedByTheirDifference()
     {
         PlotFigure &figure = figureOf({.model = withCoupler(146.0), .pinned = {withCoupler(65.0), withCoupler(80.0)}});
-        QVERIFY(plotOf(figure, 1).curves.front().width < figure.plot(1).curves.back().width && figure.hasErrors());
+        QVERIFY(plotOf(figure, 1).curves.front().width < figure.shownPlot(1).curves.back().width && figure.hasErrors());
         figure.setPresentation(true);
         QVERIFY(!figure.hasErrors());
         QStringList names;
         for (const PlotCurve &curve : plotOf(figure, 1).curves) {
-            QCOMPARE(curve.width, figure.plot(1).curves.back().width);
+            QCOMPARE(curve.width, figure.shownPlot(1).curves.back().width);
             names << curve.name;
         }
         QCOMPARE(names, (QStringList{"b = 65 mm", "b = 80 mm", "b = 146 mm"}));

@@ -170,10 +170,10 @@ struct BareFigure {
     {
         figure.setPlots({kMotionPlots.begin(), kMotionPlots.end()}, PlotFonts(QFont()), colours);
         figure.setResult(result);
-        figure.zoom = zoom;
-        figure.show({720, 480});
+        figure.setZoom(zoom);
+        figure.compose({720, 480});
         for (const std::size_t plot : kMotionPlots) {
-            for (QCPAxis *axis : figure.plot(plot).axes->axes()) {
+            for (QCPAxis *axis : figure.shownPlot(plot).axes->axes()) {
                 axis->grid()->setVisible(false);
                 axis->setBasePen(Qt::NoPen);
                 axis->setTickPen(Qt::NoPen);
@@ -187,9 +187,9 @@ struct BareFigure {
     /// Returns what is wrong with a plot; empty if nothing is.
     QString fault(std::size_t plot) const
     {
-        const QCPAxisRect &axes = *figure.plot(plot).axes;
+        const QCPAxisRect &axes = *figure.shownPlot(plot).axes;
         const Truth truth(*figure.result(), channelOf(plot), axes);
-        if (!figure.plot(plot).values) {
+        if (!figure.shownPlot(plot).values) {
             return truth.isEmpty() ? QString() : "it is said not to exist";
         }
         const double paper = colours.background.lightnessF();
@@ -271,7 +271,7 @@ private slots:
             shown.show(resultOf({.model = p}));
             for (const Peak &peak : motionPeaks(Mechanism(p))) {
                 const auto channel = std::ranges::find(kPlottedChannels, peak.channel) - kPlottedChannels.begin();
-                const Interval axis = *shown.figure.plot(kMotionPlots[static_cast<std::size_t>(channel)]).values;
+                const Interval axis = *shown.figure.shownPlot(kMotionPlots[static_cast<std::size_t>(channel)]).values;
                 for (const PeakPlace &place : peak.places) {
                     QVERIFY(axis.contains(toFileUnit(peak.channel, place.value)));
                 }
@@ -294,7 +294,7 @@ private slots:
                 resultOf({turningAt(turns), nullptr, {}, {0.0, 1.0, steps}, Method::Newton});
             BareFigure shown;
             shown.show(result);
-            const PlotCurve &curve = shown.figure.plot(0).curves.front();
+            const PlotCurve &curve = shown.figure.shownPlot(0).curves.front();
             QCOMPARE(!curve.points.empty(), isJoined);
             for (std::size_t i = 0; i < curve.dots.size() && !isJoined; ++i) {
                 QCOMPARE(curve.dots[i].value, result->trajectory[kPlottedChannels[0]][i]);
