@@ -2,12 +2,12 @@
 
 // Writes the initial inputs of the fuzz targets, in one folder for each target: make_fuzz_corpus FOLDER
 
-#include "tests/support/simulation_files.h"
 #include "ui/document/scene.h"
 
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -31,15 +31,16 @@ bool writeAll(const std::filesystem::path &folder, const std::vector<std::string
     return written;
 }
 
-/// Returns the headings and a few rows of tables, because small inputs are fuzzed most effectively.
+/// Returns the beginnings of the files of simulation programs, because small inputs are fuzzed most effectively.
 std::vector<std::string> tables()
 {
     std::vector<std::string> texts;
-    for (const SimulationFile &file : simulationFiles()) {
-        texts.push_back(file.bytes.substr(0, 1500));
-    }
-    for (const OtherFile &file : otherFiles()) {
-        texts.push_back(file.bytes.substr(0, 1500));
+    for (const auto &entry :
+         std::filesystem::recursive_directory_iterator(SLIDERCRANK_SOURCE_DIR "/tests/support/simulation_files")) {
+        if (entry.is_regular_file()) {
+            std::ifstream file(entry.path(), std::ios::binary);
+            texts.push_back(std::string(std::istreambuf_iterator<char>(file), {}).substr(0, 1500));
+        }
     }
     return texts;
 }
