@@ -70,11 +70,9 @@ ReferenceAnswer compareOne(const ReferenceQuestion &question, const SolverSettin
     answer.category = verdict == Verdict::Agrees  ? CommandLine::tr("agree")
                       : verdict == Verdict::Close ? CommandLine::tr("close")
                                                   : CommandLine::tr("differ");
-    TimeStepReport steps;
-    steps.add(model);
-    answer.status =
-        moreSevere(steps.finish(streams, question.mechanism, solver.newton, displayName(reference.paths) + ": "),
-                   verdict == Verdict::Differs ? ExitStatus::Differs : ExitStatus::Success);
+    answer.status = moreSevere(
+        reportTimeSteps(streams, model.summary, question.mechanism, solver.newton, displayName(reference.paths) + ": "),
+        verdict == Verdict::Differs ? ExitStatus::Differs : ExitStatus::Success);
     return answer;
 }
 

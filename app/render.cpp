@@ -204,23 +204,6 @@ std::optional<QString> draw(const RenderRequest &request, const std::shared_ptr<
     return std::nullopt;
 }
 
-/// Reports the time steps at which what was drawn does not exist.
-ExitStatus reportTimeSteps(const Streams &streams, const RenderRequest &request, const Result &result)
-{
-    TimeStepReport steps;
-    const auto add = [&steps](const Trajectory &motion) {
-        steps.add(motion);
-        return true;
-    };
-    if (request.subject == Subject::Mechanism) {
-        add(sample(result.mechanism, {request.scene.time}, {}, {}));
-    } else {
-        sampleInPieces(result.mechanism, result.sampling, {}, result.solver, add);
-        add(result.atReference);
-    }
-    return steps.finish(streams, result.mechanism, result.solver.newton);
-}
-
 } // namespace
 
 ExitStatus renderCommand(const OptionReader &options, const Streams &streams)
@@ -246,7 +229,12 @@ ExitStatus renderCommand(const OptionReader &options, const Streams &streams)
         streams.report(*problem);
         return ExitStatus::FileError;
     }
-    return reportTimeSteps(streams, request, *result);
+    SamplingSummary summary = result->summary;
+    summary.add(result->atReference.summary);
+    if (request.subject == Subject::Mechanism) {
+        summary = sample(result->mechanism, {scene.time}, {}, {}).summary;
+    }
+    return reportTimeSteps(streams, summary, result->mechanism, result->solver.newton);
 }
 
 } // namespace slidercrank

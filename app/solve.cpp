@@ -96,9 +96,9 @@ ExitStatus solveCommand(const OptionReader &options, const Streams &streams)
     if (!output.open()) {
         return ExitStatus::FileError;
     }
-    TimeStepReport steps;
+    SamplingSummary summary;
     const auto write = [&](const Trajectory &motion) {
-        steps.add(motion);
+        summary.add(motion.summary);
         if (isJson) {
             return output.write(motionJson(mechanism, solver.method, angleUnit, channels, motion));
         }
@@ -116,7 +116,7 @@ ExitStatus solveCommand(const OptionReader &options, const Streams &streams)
     if (output.finish() != ExitStatus::Success) {
         return ExitStatus::FileError;
     }
-    return steps.finish(streams, mechanism, solver.newton);
+    return reportTimeSteps(streams, summary, mechanism, solver.newton);
 }
 
 } // namespace slidercrank

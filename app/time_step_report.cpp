@@ -31,30 +31,20 @@ static_assert(kMessages.size() == kStatusCount);
 
 } // namespace
 
-void TimeStepReport::add(const Trajectory &motion)
-{
-    m_total += motion.status.size();
-    for (std::size_t i = 0; i < motion.status.size(); ++i) {
-        Steps &steps = m_steps[static_cast<std::size_t>(motion.status[i])];
-        if (steps.count++ == 0) {
-            steps.first = motion.time[i];
-        }
-    }
-}
-
-ExitStatus TimeStepReport::finish(const Streams &streams, const Mechanism &mechanism, const NewtonOptions &newton,
-                                  const QString &prefix) const
+ExitStatus reportTimeSteps(const Streams &streams, const SamplingSummary &summary, const Mechanism &mechanism,
+                           const NewtonOptions &newton, const QString &prefix)
 {
     ExitStatus exitStatus = ExitStatus::Success;
     QStringList messages;
     for (const Status status : {Status::NotAssemblable, Status::IterationLimit, Status::Singular, Status::NotFinite}) {
-        const auto &[count, first] = m_steps[static_cast<std::size_t>(status)];
-        if (count == 0) {
+        if (summary.count(status) == 0) {
             continue;
         }
-        const QString where = CommandLine::tr("%1 of %2 time steps, first at t = %3 s (θ₂ = %4°)")
-                                  .arg(QString::number(count), QString::number(m_total), numberText(first),
-                                       crankAngleText(mechanism.omega2() * first + mechanism.theta20()));
+        const double first = summary.firstTimes[static_cast<std::size_t>(status)];
+        const QString where =
+            CommandLine::tr("%1 of %2 time steps, first at t = %3 s (θ₂ = %4°)")
+                .arg(QString::number(summary.count(status)), QString::number(summary.timeSteps), numberText(first),
+                     crankAngleText(mechanism.omega2() * first + mechanism.theta20()));
         messages += CommandLine::tr(kMessages[static_cast<std::size_t>(status)])
                         .replace("%3", QString::number(newton.maxIterations))
                         .replace("%2", atLeastText(shortestCouplerForFullTurn(mechanism)))

@@ -111,6 +111,7 @@ void SamplingSummary::add(const SamplingSummary &next)
 {
     timeSteps += next.timeSteps;
     for (std::size_t i = 0; i < kStatusCount; ++i) {
+        firstTimes[i] = statusCounts[i] == 0 ? next.firstTimes[i] : firstTimes[i];
         statusCounts[i] += next.statusCounts[i];
     }
     iterations += next.iterations;
@@ -136,9 +137,12 @@ Trajectory sample(const Mechanism &mechanism, std::vector<double> times, const C
         const ClosedForm closedForm(mechanism);
         sampleOneByOne(trajectory, channels, stop, [&](double t) { return closedForm.stateAt(t); });
     }
-    trajectory.summary.timeSteps = trajectory.time.size();
-    for (const Status status : trajectory.status) {
-        ++trajectory.summary.statusCounts[static_cast<std::size_t>(status)];
+    SamplingSummary &summary = trajectory.summary;
+    summary.timeSteps = trajectory.time.size();
+    for (std::size_t i = summary.timeSteps; i-- > 0;) { // backwards, so that the first time remains
+        const auto status = static_cast<std::size_t>(trajectory.status[i]);
+        ++summary.statusCounts[status];
+        summary.firstTimes[status] = trajectory.time[i];
     }
     return trajectory;
 }

@@ -48,6 +48,8 @@ struct SamplingSummary {
     std::size_t timeSteps = 0;
     std::array<std::size_t, kStatusCount> statusCounts{}; ///< number of time steps, indexed by Status
 
+    std::array<double, kStatusCount> firstTimes{}; ///< of each status, s; 0 without such time steps
+
     // Of Newton-Raphson, over the time steps whose position it found; 0 for the closed form.
     long long iterations = 0;     ///< total
     int mostIterations = 0;       ///< of one time step

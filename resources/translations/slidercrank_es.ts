@@ -160,22 +160,6 @@
 <context>
     <name>slidercrank::ColumnText</name>
     <message>
-        <source>columns separated by commas</source>
-        <translation>separado por comas</translation>
-    </message>
-    <message>
-        <source>columns separated by semicolons</source>
-        <translation>separado por punto y coma</translation>
-    </message>
-    <message>
-        <source>columns separated by tabs</source>
-        <translation>separado por tabuladores</translation>
-    </message>
-    <message>
-        <source>columns separated by spaces</source>
-        <translation>separado por espacios</translation>
-    </message>
-    <message>
         <source>columns separated by “%1”</source>
         <translation>separado por «%1»</translation>
     </message>
@@ -282,10 +266,6 @@
     <message>
         <source>significant digits: %1</source>
         <translation>cifras significativas: %1</translation>
-    </message>
-    <message>
-        <source>decimals: %1</source>
-        <translation>decimales: %1</translation>
     </message>
     <message>
         <source>joined files of one motion: %1</source>
@@ -2460,10 +2440,6 @@ difiere: lo demás</translation>
         <translation>carrera</translation>
     </message>
     <message>
-        <source>unbounded</source>
-        <translation>sin límite</translation>
-    </message>
-    <message>
         <source>It would make full turns if %1.</source>
         <translation>Daría vueltas completas si %1.</translation>
     </message>
@@ -4362,32 +4338,8 @@ Tiempos medidos en %2</translation>
         <translation>otra</translation>
     </message>
     <message>
-        <source>Neither the closed form nor dense Newton-Raphson solves a time step here.</source>
-        <translation>Aquí ni la forma cerrada ni el Newton-Raphson denso resuelven ningún instante.</translation>
-    </message>
-    <message>
-        <source>Closed form: %1 times faster than dense Newton-Raphson</source>
-        <translation>Forma cerrada: %1 veces más rápida que el Newton-Raphson denso</translation>
-    </message>
-    <message>
-        <source>Closed form: not faster than dense Newton-Raphson</source>
-        <translation>Forma cerrada: no más rápida que el Newton-Raphson denso</translation>
-    </message>
-    <message>
-        <source>%1; largest error %2 of the peak instead of %3.</source>
-        <translation>%1; error máximo de %2 del máximo en lugar de %3.</translation>
-    </message>
-    <message>
-        <source>Time steps that are solved: %1 instead of %2.</source>
-        <translation>Instantes resueltos: %1 en lugar de %2.</translation>
-    </message>
-    <message>
-        <source>Undetected failures of dense Newton-Raphson: %1.</source>
-        <translation>Fallos no detectados del Newton-Raphson denso: %1.</translation>
-    </message>
-    <message>
-        <source>%1 (± %2 %)</source>
-        <translation>%1 (± %2 %)</translation>
+        <source>Closed form: %1 times as fast as dense Newton-Raphson (± %2 %); largest error %3 of the peak instead of %4; time steps solved: %5 instead of %6; undetected failures of Newton-Raphson: %7.</source>
+        <translation>Forma cerrada: %1 veces la velocidad de Newton-Raphson denso (± %2 %); error máximo %3 del pico en vez de %4; instantes resueltos: %5 en vez de %6; fallos no detectados de Newton-Raphson: %7.</translation>
     </message>
 </context>
 <context>

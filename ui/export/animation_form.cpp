@@ -76,10 +76,10 @@ void AnimationForm::showOutcome()
     const bool fits = chosen.frameCount() <= Animation::kMostFrames;
     m_outcome->setText(
         fits ? tr("%1 frames: %2 s at the playback speed of %3×.")
-                   .arg(countText(static_cast<std::size_t>(chosen.frameCount())),
-                        numberText(std::abs(chosen.duration) / chosen.speed, 3), numberText(chosen.speed, 3))
+                   .arg(QString::number(chosen.frameCount()), numberText(std::abs(chosen.duration) / chosen.speed, 3),
+                        numberText(chosen.speed, 3))
              : tr("More than %1 frames: choose a shorter length, fewer frames per second or a higher playback speed.")
-                   .arg(countText(Animation::kMostFrames)));
+                   .arg(QString::number(Animation::kMostFrames)));
     m_export->setEnabled(fits);
 }
 

@@ -189,9 +189,10 @@ QString methodText(const Result &result)
                      QString::number(newton.maxIterations), iterationsText(summary, newton),
                      numberText(summary.largestResidual, 2));
     }
-    text += u' ' + Report::tr("%1 time steps from t = %2 s to %3 s, %4 of them solved.")
-                       .arg(countText(summary.timeSteps), numberText(sampling.start),
-                            numberText(sampling.start + sampling.duration), countText(summary.count(Status::Solved)));
+    text +=
+        u' ' + Report::tr("%1 time steps from t = %2 s to %3 s, %4 of them solved.")
+                   .arg(QString::number(summary.timeSteps), numberText(sampling.start),
+                        numberText(sampling.start + sampling.duration), QString::number(summary.count(Status::Solved)));
     return text + u' ' + fewSamplesSentence(result.mechanism, sampling);
 }
 

@@ -84,10 +84,10 @@ TableRow fileRow(const ChannelComparison &channel)
     const QString unit = unitText(channel.channel);
     const VerdictLook look = lookOf(channel.verdict);
     QString count = ErrorPage::tr("%1 in the file, %2 time steps compared")
-                        .arg(columnName(channel.channel), countText(channel.count));
+                        .arg(columnName(channel.channel), QString::number(channel.count));
     if (channel.missingModel > 0) {
         count += ErrorPage::tr("; at %1 more time steps the mechanism cannot be assembled")
-                     .arg(countText(channel.missingModel));
+                     .arg(QString::number(channel.missingModel));
     }
     const QString rounding = channel.roundingStep
                                  ? ErrorPage::tr("The file writes this channel in steps of at most %1.")
@@ -101,7 +101,7 @@ TableRow fileRow(const ChannelComparison &channel)
                                            : ErrorPage::tr("Point by point, relative to the reference: undefined."));
     if (channel.zeroReference > 0) {
         details += u' ' + ErrorPage::tr("Undefined where the reference is zero: at %1 time steps.")
-                              .arg(countText(channel.zeroReference));
+                              .arg(QString::number(channel.zeroReference));
     }
     TableRow row =
         rowOf(channel, details + u'\n' + rounding, ErrorPage::tr("max |model − reference| / max |reference| · 100"));
@@ -144,7 +144,7 @@ QString leftOutText(const ReferenceData &data)
     if (const std::size_t skipped = data.skippedRowCount(); skipped == 1) {
         parts << ErrorPage::tr("1 row of the file was skipped (line %1)").arg(lineText(data.layout, data.skipped[0]));
     } else if (skipped > 1) {
-        parts << ErrorPage::tr("%1 rows of the file were skipped").arg(countText(skipped));
+        parts << ErrorPage::tr("%1 rows of the file were skipped").arg(QString::number(skipped));
     }
     if (const qsizetype ignored = ignoredHeadings(data.layout).size(); ignored > 0) {
         parts << (ignored == 1 ? ErrorPage::tr("1 column was ignored")

@@ -36,10 +36,10 @@ QString valueCountText(const ReferenceSeries &series)
 {
     const auto isGap = [](double value) { return std::isnan(value); };
     const auto gaps = static_cast<std::size_t>(std::ranges::count_if(series.values, isGap));
-    const QString values = countText(series.values.size() - gaps);
+    const QString values = QString::number(series.values.size() - gaps);
     return gaps == 0   ? values
            : gaps == 1 ? ReferencePage::tr("%1, 1 gap").arg(values)
-                       : ReferencePage::tr("%1, %2 gaps").arg(values, countText(gaps));
+                       : ReferencePage::tr("%1, %2 gaps").arg(values, QString::number(gaps));
 }
 
 TableRow columnRow(const ReferenceData &data, std::size_t column)
@@ -50,7 +50,7 @@ TableRow columnRow(const ReferenceData &data, std::size_t column)
     TableRow row = textRow({headingAlone(data.layout, column), unitText(read), meaningText(read),
                             series ? roundingText(series->rounding) : dash(),
                             series       ? valueCountText(*series)
-                            : isAbscissa ? countText(data.time.size())
+                            : isAbscissa ? QString::number(data.time.size())
                                          : dash(),
                             reasonText(data.layout, column)});
     for (TableCell &cell : row.cells) {
@@ -130,7 +130,7 @@ Page referencePage(const Result &result, const ReferenceDiagnosis *diagnosis)
     }
     const ReferenceData &data = result.reference->data;
     QString rows = data.time.size() == 1 ? ReferencePage::tr("1 row")
-                                         : ReferencePage::tr("%1 rows").arg(countText(data.time.size()));
+                                         : ReferencePage::tr("%1 rows").arg(QString::number(data.time.size()));
     if (!data.time.empty()) {
         rows += QStringLiteral(", ") + abscissaText(data);
     }

@@ -28,10 +28,10 @@ QString outcomeText(const Result &result)
 {
     const SamplingSummary &run = result.summary;
     const std::size_t solved = run.count(Status::Solved);
-    const QString steps =
-        solved == run.timeSteps
-            ? SolverForm::tr("All %1 time steps are solved.").arg(countText(run.timeSteps))
-            : SolverForm::tr("%1 of %2 time steps are solved.").arg(countText(solved), countText(run.timeSteps));
+    const QString steps = solved == run.timeSteps
+                              ? SolverForm::tr("All %1 time steps are solved.").arg(QString::number(run.timeSteps))
+                              : SolverForm::tr("%1 of %2 time steps are solved.")
+                                    .arg(QString::number(solved), QString::number(run.timeSteps));
     if (result.solver.method == Method::ClosedForm) {
         return SolverForm::tr("The closed form needs no iterations.") + u'\n' + steps;
     }
@@ -47,7 +47,7 @@ QStringList warningsOf(const Result &result)
     QStringList warnings;
     const auto warn = [&](Status status, const QString &sentence) {
         if (run.count(status) > 0) {
-            warnings << sentence.arg(countText(run.count(status)), countText(run.timeSteps));
+            warnings << sentence.arg(QString::number(run.count(status)), QString::number(run.timeSteps));
         }
     };
     warn(Status::IterationLimit,

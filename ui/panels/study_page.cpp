@@ -83,12 +83,12 @@ QString outcomeText(const MethodResult &row)
     QStringList parts;
     for (std::size_t i = 0; i < kStatusCount; ++i) {
         if (row.counts[i] > 0) {
-            parts += QStringLiteral("%1 %2").arg(countText(row.counts[i]), statusText(static_cast<Status>(i)));
+            parts += QStringLiteral("%1 %2").arg(QString::number(row.counts[i]), statusText(static_cast<Status>(i)));
         }
     }
     QString text = parts.size() == 1 ? statusText(row.status) : parts.join(", ");
     if (row.silentFailures.value_or(0) > 0) {
-        text += StudyPage::tr(", %1 wrong but called solved").arg(countText(*row.silentFailures));
+        text += StudyPage::tr(", %1 wrong but called solved").arg(QString::number(*row.silentFailures));
     }
     return text;
 }

@@ -157,7 +157,7 @@ void StudyPanel::showSummary()
     }
     QStringList parts;
     const std::size_t silent = silentFailures(*m_result);
-    parts << (silent == 0 ? tr("No undetected failures") : tr("⚠ %1 undetected failures").arg(countText(silent)))
+    parts << (silent == 0 ? tr("No undetected failures") : tr("⚠ %1 undetected failures").arg(QString::number(silent)))
           << tr("done in %1 s").arg(QLocale().toString(m_result->seconds, 'f', 1));
     if (!m_result->complete) {
         parts << tr("cancelled");

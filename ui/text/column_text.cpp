@@ -17,17 +17,6 @@ struct ColumnText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::ColumnText)
 
 public:
-    static QString delimiter(char delimiter)
-    {
-        switch (delimiter) {
-        case ',': return tr("columns separated by commas");
-        case ';': return tr("columns separated by semicolons");
-        case '\t': return tr("columns separated by tabs");
-        case ' ': return tr("columns separated by spaces");
-        default: return tr("columns separated by “%1”").arg(QLatin1Char(delimiter));
-        }
-    }
-
     // In the order of ColumnReason.
     static constexpr const char *kReasons[] = {
         QT_TR_NOOP("recognized by its heading"),                                                // KnownName
@@ -175,9 +164,7 @@ QString roundingText(const Rounding &rounding)
     switch (rounding.rule) {
     case Rounding::Rule::Unknown: return dash();
     case Rounding::Rule::SignificantDigits: return ColumnText::tr("significant digits: %1").arg(rounding.digits);
-    case Rounding::Rule::Decimals:
-        return rounding.digits < 0 ? ColumnText::tr("multiples of %1").arg(powerOfTen(-rounding.digits))
-                                   : ColumnText::tr("decimals: %1").arg(rounding.digits);
+    case Rounding::Rule::Decimals: return ColumnText::tr("multiples of %1").arg(powerOfTen(-rounding.digits));
     case Rounding::Rule::Multiples:
         return ColumnText::tr("multiples of %1").arg(numberText(rounding.quantum * rounding.unitFactor));
     }
@@ -192,7 +179,8 @@ QString formText(const FileLayout &layout)
     const QString encoding = layout.encoding == TextEncoding::Utf8          ? "UTF-8"
                              : layout.encoding == TextEncoding::Windows1252 ? "Windows-1252 (Latin-1)"
                                                                             : "UTF-16";
-    QStringList parts{encoding, ColumnText::delimiter(layout.delimiter),
+    const QString delimiter = layout.delimiter == '\t' ? "\\t" : QString(QLatin1Char(layout.delimiter));
+    QStringList parts{encoding, ColumnText::tr("columns separated by “%1”").arg(delimiter),
                       layout.decimalSign == DecimalSign::Point ? ColumnText::tr("decimal point")
                                                                : ColumnText::tr("decimal comma"),
                       layout.headerLine == 0 ? ColumnText::tr("no headings")

@@ -214,17 +214,8 @@ QString mobilitySentence(const Mechanism &mechanism, const MotionLimits &limits)
 
 QString valueText(const MotionFact &fact, int digits)
 {
-    if (std::isinf(fact.number)) {
-        return MotionFacts::tr("unbounded");
-    }
-    if (fact.unit == u"°") {
-        return QLocale().toString(fact.number, 'f', 2) + fact.unit;
-    }
-    const double size = std::abs(fact.number);
-    const bool isPlain = digits >= 6 && (fact.number == 0.0 || (size >= 1e-3 && size < 1e7));
-    return QStringLiteral("%1 %2")
-        .arg(isPlain ? numberText(fact.number, digits) : shortNumber(fact.number, digits), fact.unit)
-        .trimmed();
+    const QString text = shortNumber(fact.number, digits);
+    return fact.unit == u"°" ? text + fact.unit : (text + u' ' + fact.unit).trimmed();
 }
 
 double degreesFromZero(double theta2)
@@ -340,7 +331,7 @@ QString fewSamplesSentence(const Mechanism &mechanism, const Sampling &sampling)
     return wanted <= sampling.steps
                ? QString()
                : MotionFacts::tr("%1 samples per revolution are too few for a curve: %2 steps are enough.")
-                     .arg(numberText(perTurn, 2), countText(static_cast<std::size_t>(nextRoundNumber(wanted))));
+                     .arg(numberText(perTurn, 2), QString::number(std::llround(nextRoundNumber(wanted))));
 }
 
 QString iterationsText(const SamplingSummary &run, const NewtonOptions &options)
@@ -350,7 +341,7 @@ QString iterationsText(const SamplingSummary &run, const NewtonOptions &options)
     }
     const bool hasColdStart = run.mostIterations > options.maxIterations && run.mostWarmIterations > 0;
     return MotionFacts::tr("%1 in total, at most %2 at a time step")
-        .arg(countText(static_cast<std::size_t>(run.iterations)))
+        .arg(run.iterations)
         .arg(hasColdStart ? run.mostWarmIterations : run.mostIterations);
 }
 

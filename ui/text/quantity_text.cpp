@@ -2,7 +2,6 @@
 #include "ui/text/quantity_text.h"
 
 #include <QCoreApplication>
-#include <QRegularExpression>
 
 namespace slidercrank
 {
@@ -13,21 +12,6 @@ namespace
 struct QuantityText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::QuantityText)
 };
-
-/// Replaces the digits and signs of a locale by those of the C locale.
-QString withoutLocale(const QString &text, const QLocale &locale)
-{
-    QString plain = text;
-    plain.replace(locale.negativeSign(), "-");
-    plain.replace(locale.exponential(), "e", Qt::CaseInsensitive);
-    plain.replace(locale.decimalPoint(), ".");
-    for (QChar &sign : plain) {
-        if (const int digit = sign.digitValue(); sign.isDigit() && digit >= 0) {
-            sign = QChar(u'0' + digit);
-        }
-    }
-    return plain;
-}
 
 /// Shortens an input for a quotation in a message.
 QString quoted(const QString &text)
@@ -41,15 +25,8 @@ QString quoted(const QString &text)
 
 Quantity readQuantity(const QString &text, const std::optional<Unit> &wanted, const QLocale &locale)
 {
-    const QByteArray bytes = withoutLocale(text.trimmed(), locale).toUtf8();
+    const QByteArray bytes = text.trimmed().replace(locale.decimalPoint(), ".").toUtf8();
     return readQuantity({bytes.constData(), static_cast<std::size_t>(bytes.size())}, wanted);
-}
-
-Quantity readCount(const QString &text)
-{
-    const QString separator = QLocale().groupSeparator();
-    const QRegularExpression groups(QStringLiteral("^\\d{1,3}(%1\\d{3})+$").arg(QRegularExpression::escape(separator)));
-    return readQuantity(groups.match(text).hasMatch() ? QString(text).remove(separator) : text, std::nullopt);
 }
 
 QStringList unitsFor(const Unit &wanted)

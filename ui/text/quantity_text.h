@@ -15,9 +15,6 @@ namespace slidercrank
 /// Reads a number with an optional unit. The decimal sign is that of the locale, or a point.
 Quantity readQuantity(const QString &text, const std::optional<Unit> &wanted, const QLocale &locale = {});
 
-/// Reads a whole number, with or without the group separators that countText() writes.
-Quantity readCount(const QString &text);
-
 QString quantityFaultText(const QString &text, QuantityFault fault, const std::optional<Unit> &wanted);
 
 /// Returns the units that can be entered for a quantity of this dimension.

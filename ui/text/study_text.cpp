@@ -59,14 +59,6 @@ const MethodResult *findRow(const CaseResult &result, MethodName::Kind kind, std
     return row == result.methods.end() ? nullptr : &*row;
 }
 
-/// Returns the ratio of two times with the uncertainty that follows from their spreads: "65 (± 8 %)".
-QString timeRatioText(const MethodResult &slower, const MethodResult &faster)
-{
-    const double uncertainty = 50.0 * (slower.spread / slower.nsPerState + faster.spread / faster.nsPerState);
-    return StudyText::tr("%1 (± %2 %)")
-        .arg(shortNumber(slower.nsPerState / faster.nsPerState, 2), numberText(std::ceil(uncertainty)));
-}
-
 QJsonValue jsonCount(std::size_t count)
 {
     return static_cast<qint64>(count);
@@ -124,28 +116,17 @@ QString closedFormSentence(const CaseResult &result)
     if (!closedForm || !newton || closedForm->nsPerState <= 0.0 || newton->nsPerState <= 0.0) {
         return {};
     }
-    if (!closedForm->maxError && !newton->maxError) {
-        return StudyText::tr("Neither the closed form nor dense Newton-Raphson solves a time step here.");
-    }
-    constexpr double kFaster = 1.05; // smaller ratios are within the measurement error
-    const QString speed = newton->nsPerState >= kFaster * closedForm->nsPerState
-                              ? StudyText::tr("Closed form: %1 times faster than dense Newton-Raphson")
-                                    .arg(timeRatioText(*newton, *closedForm))
-                              : StudyText::tr("Closed form: not faster than dense Newton-Raphson");
-    const auto errorOf = [](const MethodResult &row) { return row.maxError ? errorText(*row.maxError) : dash(); };
+    const double uncertainty = newton->spread / newton->nsPerState + closedForm->spread / closedForm->nsPerState;
+    const auto errorOf = [](const MethodResult &row) { return shortNumber(row.maxError, 3); };
     const auto solvedBy = [](const MethodResult &row) {
         return QString::number(row.counts[static_cast<std::size_t>(Status::Solved)]);
     };
-    QString text = StudyText::tr("%1; largest error %2 of the peak instead of %3.")
-                       .arg(speed, errorOf(*closedForm), errorOf(*newton));
-    if (solvedBy(*closedForm) != solvedBy(*newton)) {
-        text += u' ' + StudyText::tr("Time steps that are solved: %1 instead of %2.")
-                           .arg(solvedBy(*closedForm), solvedBy(*newton));
-    }
-    if (newton->silentFailures.value_or(0) > 0) {
-        text += u' ' + StudyText::tr("Undetected failures of dense Newton-Raphson: %1.").arg(*newton->silentFailures);
-    }
-    return text;
+    return StudyText::tr(
+               "Closed form: %1 times as fast as dense Newton-Raphson (± %2 %); largest error %3 of the peak "
+               "instead of %4; time steps solved: %5 instead of %6; undetected failures of Newton-Raphson: %7.")
+        .arg(shortNumber(newton->nsPerState / closedForm->nsPerState, 2), numberText(std::ceil(50.0 * uncertainty)),
+             errorOf(*closedForm), errorOf(*newton), solvedBy(*closedForm), solvedBy(*newton),
+             QString::number(newton->silentFailures.value_or(0)));
 }
 
 QString caseText(const std::string &name)

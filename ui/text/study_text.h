@@ -17,7 +17,7 @@ namespace slidercrank
 QString caseText(const std::string &name);
 
 /// Compares the closed form with dense Newton-Raphson at the tolerance of the reference report, both computing all
-/// channels: "Closed form: 65 (± 8 %) times faster than dense Newton-Raphson; largest error …". Returns an empty
+/// channels: "Closed form: 65 times as fast as dense Newton-Raphson (± 8 %); largest error …". Returns an empty
 /// string if one of the two was not measured.
 QString closedFormSentence(const CaseResult &result);
 

@@ -75,18 +75,6 @@ QString powerOfTen(int exponent)
     return "10" + text;
 }
 
-QString countText(std::size_t count)
-{
-    const QLocale locale;
-    const QString separator = locale.groupSeparator();
-    QString text = locale.toString(static_cast<qulonglong>(count));
-    constexpr qsizetype kGroup = 3;
-    if (const qsizetype first = text.indexOf(separator); !separator.isEmpty() && first > kGroup) {
-        text.insert(first - kGroup, separator); // in Spanish, Qt writes 1000.000 for a million
-    }
-    return text;
-}
-
 QString dash()
 {
     return "–";

@@ -26,9 +26,6 @@ QString typedNumberText(double value);
 /// Returns a power of ten: "10⁻⁷".
 QString powerOfTen(int exponent);
 
-/// Formats a whole number with group separators.
-QString countText(std::size_t count);
-
 /// Returns the smallest of …, 1, 2, 5, 10, 20, 50, … that is at least `value`. Requires value > 0.
 double nextRoundNumber(double value);
 

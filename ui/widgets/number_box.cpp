@@ -180,7 +180,10 @@ NumberBox::TypedNumber NumberBox::read(const QString &text) const
     if (number.isEmpty() || number == textFromValue(value())) {
         return {value(), {}}; // the exact number instead of the shortened text
     }
-    const Quantity typed = m_range.isWhole ? readCount(number) : readQuantity(number, m_unit);
+    if (m_range.isWhole && number.contains(u'.')) { // may separate thousands
+        return {value(), refusalOf(0.5)};
+    }
+    const Quantity typed = readQuantity(number, m_unit);
     if (typed.fault) {
         return {value(), quantityFaultText(number, *typed.fault, m_unit)};
     }
@@ -190,7 +193,7 @@ NumberBox::TypedNumber NumberBox::read(const QString &text) const
 QString NumberBox::refusalOf(double value) const
 {
     const auto withUnit = [this](double limit) {
-        return (m_range.isWhole ? countText(static_cast<std::size_t>(limit)) : numberText(limit)) + suffix();
+        return (m_range.isWhole ? QString::number(std::llround(limit)) : numberText(limit)) + suffix();
     };
     const bool isOutside = value < m_range.smallest || value > m_range.largest;
     if (m_range.isWhole && (value != std::round(value) || isOutside)) {

@@ -42,16 +42,16 @@ StatusBar::StatusBar(QWidget *parent)
 void StatusBar::showResult(const Result &result)
 {
     const SamplingSummary &summary = result.summary;
-    const QString samples = countText(summary.timeSteps);
+    const QString samples = QString::number(summary.timeSteps);
     QStringList parts;
     if (const std::size_t missing = summary.count(Status::NotAssemblable); missing > 0) {
-        parts << tr("cannot be assembled at %1 of %2 time steps").arg(countText(missing), samples);
+        parts << tr("cannot be assembled at %1 of %2 time steps").arg(QString::number(missing), samples);
     }
     if (result.solver.method == Method::Newton) {
         parts << tr("Newton-Raphson");
         const std::size_t unsolved = summary.count(Status::IterationLimit) + summary.count(Status::NotFinite);
         if (unsolved > 0) {
-            parts << tr("%1 of %2 time steps not solved").arg(countText(unsolved), samples);
+            parts << tr("%1 of %2 time steps not solved").arg(QString::number(unsolved), samples);
         }
         if (summary.found() > 0) {
             parts << tr("iterations: %1").arg(iterationsText(summary, result.solver.newton))

@@ -96,7 +96,9 @@ private slots:
                     const bool isNewton = settings.method == Method::Newton;
                     const State state = isNewton ? instant.state : closedForm.stateAt(times[i]);
                     QCOMPARE(all.status[i], state.status);
-                    ++expected.statusCounts[std::size_t(state.status)];
+                    if (expected.statusCounts[std::size_t(state.status)]++ == 0) {
+                        expected.firstTimes[std::size_t(state.status)] = times[i];
+                    }
                     if (isNewton && instant.positionStatus == Status::Solved) {
                         expected.iterations += instant.iterations;
                         expected.mostIterations = std::max(expected.mostIterations, instant.iterations);

@@ -255,7 +255,7 @@ private slots:
                                    "0,5;oops;60,1;x\n1,0;0,429775;;x\n");
         QVERIFY(page.sentence.contains("results.csv"));
         QCOMPARE(page.findings[0].remedy, Remedy::ChooseColumns);
-        for (const QString part : {"UTF-8", "semicolons", "decimal comma", "headings in line 1", "2 rows", "0 … 1 s"}) {
+        for (const QString part : {"UTF-8", "“;”", "decimal comma", "headings in line 1", "2 rows", "0 … 1 s"}) {
             QVERIFY2(page.findings[0].sentence.contains(part), qPrintable(page.findings[0].sentence));
         }
         const QStringList columns = rowTexts(page.tables[0]);
@@ -272,7 +272,7 @@ private slots:
         for (int i = 0; i < 200; ++i) {
             rounded += QByteArray::number(i) + ',' + QByteArray::number(0.5 + 0.456789 * i, 'f', 3) + '\n';
         }
-        QVERIFY(rowTexts(readPage(rounded).tables[0])[1].contains("|decimals: 3|"));
+        QVERIFY(rowTexts(readPage(rounded).tables[0])[1].contains("|multiples of 10⁻³|"));
     }
 
     void saysWhichMechanismWasFoundInTheFile()

@@ -118,7 +118,7 @@ private slots:
         Shown shown;
         shown.box->setRange({.smallest = 1.0, .largest = 1e6, .isWhole = true});
         shown.box->setValue(100.0);
-        for (const char *typed : {"12.5", "0", "1000001", "1 000 001"}) {
+        for (const char *typed : {"12.5", "10.000", "0", "1000001", "1 000 001"}) {
             typeNumber(shown.box, typed);
             QCOMPARE(shown.box->value(), 100.0);
         }
