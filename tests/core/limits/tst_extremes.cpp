@@ -7,6 +7,7 @@
 #include "tests/support/suite.h"
 
 #include <QTest>
+#include <boost/math/tools/minima.hpp>
 
 #include <set>
 
@@ -73,20 +74,12 @@ ExactPeak scannedPeak(const Parameters &p, Channel channel)
         }
     }
     const Digits50 turn = 4 * quarter;
-    Digits50 low = best > 0 ? angles[best - 1] : Digits50(angles.back() - turn);
-    Digits50 high = best + 1 < angles.size() ? angles[best + 1] : Digits50(angles.front() + turn);
-    const Digits50 golden = (sqrt(Digits50(5)) - 1) / 2;
-    for (int i = 0; i < 110; ++i) {
-        const Digits50 left = high - golden * (high - low);
-        const Digits50 right = low + golden * (high - low);
-        if (abs(valueAt(p, channel, left)) < abs(valueAt(p, channel, right))) {
-            low = left;
-        } else {
-            high = right;
-        }
-    }
-    const Digits50 theta2 = (low + high) / 2;
-    return {theta2, abs(valueAt(p, channel, theta2))};
+    const Digits50 low = best > 0 ? angles[best - 1] : Digits50(angles.back() - turn);
+    const Digits50 high = best + 1 < angles.size() ? angles[best + 1] : Digits50(angles.front() + turn);
+    constexpr int kBits = 80;
+    const auto negative = [&](const Digits50 &theta2) { return Digits50(-abs(valueAt(p, channel, theta2))); };
+    const auto [theta2, least] = boost::math::tools::brent_find_minima(negative, low, high, kBits);
+    return {theta2, -least};
 }
 
 bool turnsRoundFreely(const Parameters &p)

@@ -2,9 +2,8 @@
 #include "core/closed_form/closed_form.h"
 #include "core/limits/mobility.h"
 #include "core/limits/slider_stroke.h"
-#include "core/study/cases.h"
 #include "tests/support/deviation.h"
-#include "tests/support/random_mechanisms.h"
+#include "tests/support/mechanism_list.h"
 #include "tests/support/suite.h"
 
 #include <QTest>
@@ -31,12 +30,8 @@ Parameters anyMechanism(RandomMechanisms &random)
 std::vector<Parameters> mechanisms()
 {
     std::vector<Parameters> all;
-    for (const Case &which : allCases()) {
-        all.push_back(which.parameters);
-    }
-    RandomMechanisms random(31);
-    for (int i = 0; i < 300; ++i) {
-        all.push_back(anyMechanism(random));
+    for (const NamedMechanism &each : mechanismList(300, 31)) {
+        all.push_back(each.parameters);
     }
     return all;
 }
