@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace slidercrank
 {
@@ -73,20 +74,13 @@ double crankAngleAt(const Mechanism &mechanism, const SliderStroke &stroke, doub
     if (R4x <= std::min(stroke.R4xFrom, stroke.R4xTo) || R4x >= std::max(stroke.R4xFrom, stroke.R4xTo)) {
         return std::abs(R4x - stroke.R4xFrom) < std::abs(R4x - stroke.R4xTo) ? stroke.from : stroke.to;
     }
-    // The law of cosines in the triangle O2-A-B: cos α = (a² + r² - b²)/(2 a r) for the angle α between the crank and
-    // O2-B, whose length is r. Half the angle keeps its digits near a dead centre. Between dead centres the crank stays
-    // on one side of O2-B.
-    const double a = mechanism.a();
-    const double b = mechanism.b();
-    const double c = mechanism.c();
-    const double r = std::hypot(R4x, c);
-    const double opposite = (b - (r - a)) * (b + (r - a));
-    const double adjacent = (r + a - b) * (r + a + b);
-    const double alpha = 2.0 * std::atan2(std::sqrt(std::max(opposite, 0.0)), std::sqrt(std::max(adjacent, 0.0)));
-    const double middle = 0.5 * (stroke.from + stroke.to);
-    const double side = std::sin(middle - std::atan2(c, sliderAt(mechanism, middle)));
-    const double theta2 = std::atan2(c, R4x) + std::copysign(alpha, side);
-    return std::clamp(middle + std::remainder(theta2 - middle, kTurn), stroke.from, stroke.to);
+    const bool rises = stroke.R4xFrom < stroke.R4xTo;
+    double low = stroke.from;
+    double high = stroke.to;
+    for (double middle = std::midpoint(low, high); low < middle && middle < high; middle = std::midpoint(low, high)) {
+        ((sliderAt(mechanism, middle) < R4x) == rises ? low : high) = middle;
+    }
+    return low;
 }
 
 } // namespace slidercrank
