@@ -78,12 +78,6 @@ ClosedForm::ClosedForm(const Mechanism &mechanism)
 {
 }
 
-bool isAssemblable(const Mechanism &mechanism, double t)
-{
-    const Status status = ClosedForm(mechanism).motionAt(t).status;
-    return status == Status::Solved || status == Status::Singular;
-}
-
 Motion ClosedForm::motionAt(double t) const
 {
     double hi, lo, x, cosine;

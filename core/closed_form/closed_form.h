@@ -68,7 +68,4 @@ private:
     MotionConstants m_constants;
 };
 
-/// Returns whether the mechanism can be assembled at time t (s). False also if the crank angle is not a finite number.
-bool isAssemblable(const Mechanism &mechanism, double t);
-
 } // namespace slidercrank

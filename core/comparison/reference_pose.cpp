@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace slidercrank
 {
@@ -13,62 +12,27 @@ namespace slidercrank
 namespace
 {
 
-/// Interpolates a column of positions.
-class Curve
+/// Interpolates a column of positions between the rows i and i + 1: by the polynomial through these and those of their
+/// neighbours that have a value. Returns NaN where one of the two has none. Some programs print angles within one turn.
+double interpolated(const ReferenceData &data, const ReferenceSeries &series, double time, std::size_t i)
 {
-public:
-    Curve(const ReferenceData &data, const ReferenceSeries &series)
-        : m_time(data.time)
-        , m_values(series.values)
-        , m_angle(isAngle(series.channel.coordinate))
-    {
-    }
-
-    /// The value at a time between the rows i and i + 1; NaN where either is empty.
-    double operator()(double time, std::size_t i) const
-    {
-        const double length = m_time[i + 1] - m_time[i];
-        const double part = (time - m_time[i]) / length;
-        const double chord = chordAfter(i);
-        double first = slopeAt(i);
-        double last = slopeAt(i + 1);
-        if (std::isnan(first)) {
-            first = std::isnan(last) ? chord : 2.0 * chord - last; // a parabola
+    const std::vector<double> &values = series.values;
+    const auto isUsed = [&](std::size_t row) {
+        return row == i || row == i + 1 || (row < values.size() && std::isfinite(values[row]));
+    };
+    double change = 0.0;                                 // from row i
+    for (std::size_t row = i - 1; row != i + 3; ++row) { // Lagrange's form
+        double term = isUsed(row) ? values[row] - values[i] : 0.0;
+        term = isAngle(series.channel.coordinate) ? std::remainder(term, 360.0) : term;
+        for (std::size_t other = i - 1; other != i + 3 && isUsed(row); ++other) {
+            if (other != row && isUsed(other)) {
+                term *= (time - data.time[other]) / (data.time[row] - data.time[other]);
+            }
         }
-        if (std::isnan(last)) {
-            last = 2.0 * chord - first;
-        }
-        const double rest = 1.0 - part;
-        const double bend = part * rest * (rest * (first - chord) - part * (last - chord));
-        return m_values[i] + length * (chord * part + bend);
+        change += term;
     }
-
-private:
-    /// The mean slope from row i to the next one, per second.
-    double chordAfter(std::size_t i) const
-    {
-        double rise = m_values[i + 1] - m_values[i];
-        if (m_angle) {
-            rise = std::remainder(rise, 360.0); // some programs print angles within one turn
-        }
-        return rise / (m_time[i + 1] - m_time[i]);
-    }
-
-    /// The slope of the parabola through row i and its neighbours; NaN if one of them is missing.
-    double slopeAt(std::size_t i) const
-    {
-        if (i == 0 || i + 1 == m_time.size()) {
-            return std::numeric_limits<double>::quiet_NaN();
-        }
-        const double before = m_time[i] - m_time[i - 1];
-        const double after = m_time[i + 1] - m_time[i];
-        return (chordAfter(i - 1) * after + chordAfter(i) * before) / (before + after);
-    }
-
-    const std::vector<double> &m_time;
-    const std::vector<double> &m_values;
-    bool m_angle;
-};
+    return values[i] + change;
+}
 
 } // namespace
 
@@ -96,10 +60,10 @@ ReferencePose referencePoseAt(const ReferenceData &data, const Mechanism &mechan
         sliderX = motion.R4x;
     }
     if (angle) {
-        theta3 = Curve(data, *angle)(time, before) / kDegreesPerRadian;
+        theta3 = interpolated(data, *angle, time, before) / kDegreesPerRadian;
     }
     if (slider) {
-        sliderX = Curve(data, *slider)(time, before);
+        sliderX = interpolated(data, *slider, time, before);
     }
     ReferencePose pose;
     pose.exists = std::isfinite(theta3) && std::isfinite(sliderX);

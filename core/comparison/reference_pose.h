@@ -2,9 +2,9 @@
 #pragma once
 
 // The pose of the linkage in the reference data at a given time: B from R4x, and the direction of the coupler from θ3.
-// Between two rows, both are interpolated by a cubic with the slopes of the parabolas through each row and its
-// neighbours. The derivative columns are not used, because they may be wrong. Lengths and a missing column come from a
-// mechanism, preferably the one identified from the same data.
+// Between two rows, both are interpolated by the polynomial through these and their neighbours. The derivative columns
+// are not used, because they may be wrong. Lengths and a missing column come from a mechanism, preferably the one
+// identified from the same data.
 
 #include "core/import/reference_data.h"
 #include "core/mechanism/mechanism.h"

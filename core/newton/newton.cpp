@@ -324,14 +324,14 @@ Status statusBeforeIterating(const Mechanism &mechanism, double t)
     const bool isResolved = std::abs(mechanism.omega2() * t) + std::abs(mechanism.theta20()) <= kLargestDrive;
     // Rounding is monotone: if this is true of the rounded difference, it is true of the exact one.
     const bool makesFullTurns = mechanism.b() - mechanism.a() > std::abs(mechanism.c());
-    if (makesFullTurns && isResolved) {
-        return Status::Solved; // the ordinary case, without computing the angle
-    }
-    const TwoPart angle = crankAngle(mechanism.omega2(), t, mechanism.theta20());
-    if (!isResolved || !std::isfinite(angle.hi) || !std::isfinite(angle.lo)) {
+    if (!isResolved) {
         return Status::NotFinite;
     }
-    return isAssemblable(mechanism, t) ? Status::Solved : Status::NotAssemblable;
+    if (makesFullTurns) {
+        return Status::Solved; // the ordinary case, without computing the angle
+    }
+    const Status status = ClosedForm(mechanism).motionAt(t).status;
+    return status == Status::Singular ? Status::Solved : status;
 }
 
 } // namespace
