@@ -4,6 +4,7 @@
 #include "core/import/unit_text.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 
 namespace slidercrank
@@ -12,6 +13,10 @@ namespace slidercrank
 namespace
 {
 
+/// Powers of ten that a double represents exactly.
+constexpr std::array kExactPowers{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+                                  1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+
 constexpr std::string_view kGaps = "nan -nan na n/a #n/a #div/0! #num! null";
 
 constexpr char kApostrophe = '\'';
@@ -19,42 +24,78 @@ constexpr char kApostrophe = '\'';
 /// Minus signs, Fortran's exponents, and the characters that only separate thousands.
 constexpr std::string_view kNumberSpellings = "\u2212=-| ='|\u00A0='|\u2009='|\u202F='|D=e|d=e";
 
-/// Parses an optional minus sign, digits with at most one decimal sign, and an optional exponent.
+/// Parses "e-12" or nothing. Returns false for any other text. An exponent beyond any double is limited, so that no sum
+/// overflows.
+bool parseExponent(std::string_view text, int &exponent)
+{
+    constexpr int kLargest = 100'000;
+    if (text.empty()) {
+        return true;
+    }
+    text.remove_prefix(text.substr(1).starts_with('+') && !text.substr(2).starts_with('-') ? 2 : 1);
+    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), exponent);
+    if (fault == std::errc::result_out_of_range) {
+        exponent = text.starts_with('-') ? -kLargest : kLargest;
+    }
+    exponent = std::clamp(exponent, -kLargest, kLargest);
+    return fault != std::errc::invalid_argument && end == text.data() + text.size();
+}
+
+/// Parses an optional minus sign, digits with at most one decimal sign, and an optional exponent. Large files consist
+/// of such numbers, so that they are parsed without a copy.
 CellNumber parsePlain(std::string_view text, char decimal)
 {
-    CellNumber number{.fault = RowFault::NotANumber};
+    CellNumber number;
+    int count = 0;             // of digits
+    int zeros = 0;             // leading ones
+    int last = 0;              // number of digits up to the last one that is not 0
+    std::optional<int> before; // digits before the decimal sign
     const bool isNegative = text.starts_with('-');
-    text.remove_prefix(isNegative ? 1 : 0);
-    std::string digits(text.substr(0, text.find_first_of("eE")));
-    std::string_view rest = text.substr(digits.size());
-    const std::size_t whole = std::min(digits.find(decimal), digits.size());
-    digits.erase(whole, 1);
-    int exponent = 0;
-    if (!rest.empty()) {
-        rest.remove_prefix(rest.substr(1).starts_with('+') && !rest.substr(2).starts_with('-') ? 2 : 1);
-        const char *const end = rest.data() + rest.size();
-        const auto parsed = std::from_chars(rest.data(), end, exponent);
-        if (parsed.ec != std::errc() || parsed.ptr != end) {
-            return number;
+    std::size_t end = isNegative ? 1 : 0;
+    std::uint64_t digits = 0; // as a whole number
+    for (; end < text.size(); ++end) {
+        if (isDigit(text[end])) {
+            ++count;
+            digits = 10 * digits + static_cast<unsigned>(text[end] - '0');
+            last = text[end] == '0' ? last : count;
+            zeros += last == 0 ? 1 : 0;
+        } else if (text[end] == decimal && !before) {
+            before = count;
+        } else {
+            break;
         }
     }
-    if (digits.empty() || !std::ranges::all_of(digits, isDigit)) {
+    const std::string_view rest = text.substr(end);
+    int exponent = 0;
+    if (count == 0 || !(rest.empty() || rest[0] == 'e' || rest[0] == 'E') || !parseExponent(rest, exponent)) {
+        number.fault = RowFault::NotANumber;
         return number;
     }
-    constexpr int kLargestExponent = 100'000; // far beyond any double, and small enough that no sum overflows
-    const int first = std::clamp(exponent, -kLargestExponent, kLargestExponent) + static_cast<int>(whole) - 1;
-    const auto placeOf = [first](std::size_t digit) { return first - static_cast<int>(digit); };
-    const std::size_t firstNonzero = digits.find_first_not_of('0');
-    number.places = {firstNonzero == digits.npos, placeOf(firstNonzero), placeOf(digits.find_last_not_of('0')),
-                     placeOf(digits.size() - 1)};
-    digits.append("e").append(std::to_string(number.places.printed));
-    double size = 0.0; // of a number that is too small
-    const std::errc fault = std::from_chars(digits.data(), digits.data() + digits.size(), size).ec;
+    const int top = exponent + before.value_or(count); // power of ten one above the first digit
+    number.places = {zeros == count, top - zeros - 1, top - last, top - count};
+    constexpr int kExactDigits = 15; // fit into a double
+    const auto power = static_cast<std::size_t>(std::abs(number.places.printed));
+    if (count - zeros <= kExactDigits && power < kExactPowers.size()) {
+        // Both factors are exact, so that the result is correctly rounded.
+        const auto whole = static_cast<double>(digits);
+        const double size = number.places.printed < 0 ? whole / kExactPowers[power] : whole * kExactPowers[power];
+        number.value = isNegative ? -size : size;
+        return number;
+    }
+    std::string pointed;
+    if (decimal != '.' && before) {
+        pointed = text;
+        std::ranges::replace(pointed, decimal, '.');
+        text = pointed;
+    }
+    double value = 0.0; // of a number that is too small
+    const std::errc fault = std::from_chars(text.data(), text.data() + text.size(), value).ec;
     if (fault == std::errc::result_out_of_range && number.places.first > 0) {
         number.fault = RowFault::TooLarge;
-        return number;
+    } else {
+        number.value = value;
     }
-    return {isNegative ? -size : size, number.places, {}};
+    return number;
 }
 
 /// Returns the number without plus sign and thousands separators, or an empty text where these are ambiguous.
@@ -97,7 +138,9 @@ std::string_view trimmed(std::string_view text)
 
 std::string_view takeLine(std::string_view &rest)
 {
-    const std::string_view line = rest.substr(0, rest.find_first_of("\r\n"));
+    const auto end =
+        std::ranges::find_if(rest, [](char c) { return c == '\n' || c == '\r'; }); // faster than find_first_of()
+    const std::string_view line(rest.begin(), end);
     rest.remove_prefix(line.size());
     rest.remove_prefix(rest.starts_with("\r\n") ? 2 : rest.empty() ? 0 : 1);
     return line;

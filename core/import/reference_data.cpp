@@ -129,7 +129,7 @@ ReferenceData collect(RawTable &table)
         if (column.isAbscissa()) {
             data.time = std::move(values);
             data.timeRounding = rounding;
-        } else if (rangeOf(values).count > 0) {
+        } else if (std::ranges::any_of(values, [](double value) { return std::isfinite(value); })) {
             data.series.push_back({column.use.channel, std::move(values), rounding});
         } else if (column.isUsed()) {
             column.use.role = ColumnRole::Ignored;
