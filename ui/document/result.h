@@ -52,7 +52,8 @@ struct Result {
     Sampling sampling;
     SolverSettings solver;
     SamplingSummary summary;
-    Trajectory trajectory; ///< the six plotted channels; empty if !hasSamples()
+    /// The six plotted channels. Empty for a long motion in closed form: computing it is faster than storing it.
+    Trajectory trajectory;
     MotionLimits limits;
     std::shared_ptr<const Reference> reference; ///< may be null; with the time stamps of this mechanism's crank angles
     std::vector<Parameters> pinned;             ///< pinned motions, the oldest first
@@ -70,9 +71,6 @@ struct Result {
     /// Computing time of the trajectory by Newton-Raphson; nullopt for the closed form, whose curves are computed again
     /// when they are drawn.
     std::optional<double> sampleSeconds;
-
-    /// Whether the trajectory is stored. A long motion in closed form is not: computing it is faster than storing it.
-    bool hasSamples() const { return trajectory.time.size() == summary.timeSteps; }
 };
 
 /// The diagnosis of a reference file: the mechanism that it belongs to, and what explains its difference from the

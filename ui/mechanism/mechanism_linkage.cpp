@@ -46,10 +46,10 @@ void MechanismSketch::addLinkage()
     addModel();
     if (m_exists) {
         if (settings.acceleration) {
-            addMotionArrows(m_scene->acceleration, true);
+            addMotionArrows(m_scene->arrows(&PointMotion::acceleration), true);
         }
         if (settings.showsVelocity()) { // with the instant centre, those of A and B are shown
-            addMotionArrows(m_scene->velocity, settings.velocity);
+            addMotionArrows(m_scene->arrows(&PointMotion::velocity), settings.velocity);
         }
         if (settings.instantCentre) {
             addInstantCentre();

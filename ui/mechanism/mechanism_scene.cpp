@@ -32,45 +32,19 @@ QRectF MechanismScene::inFreeCorner(const QRectF &area, const QSizeF &size) cons
     return box;
 }
 
-void MechanismScene::updateCycle()
+ArrowScale MechanismScene::arrows(PlaneVector PointMotion::*vector) const
 {
-    constexpr int kSteps = 180;
-    cycle.clear();
-    if (!result || !(settings.showsVelocity() || settings.acceleration || settings.path)) {
-        return;
-    }
-    for (const CrankRange &range : result->limits.ranges) {
-        std::vector<LinkageMotion> &arc = cycle.emplace_back();
-        for (const double theta2 : anglesAcross(range, kSteps)) {
-            const LinkageMotion motion = linkageMotion(withCrankAt(mechanism(), theta2), 0.0);
-            if (!std::isnan(motion.front().position.x)) {
-                arc.push_back(motion);
-            }
-        }
-    }
-    updateScale(velocity);
-    updateScale(acceleration);
-}
-
-/// Chooses a round scale with which no arrow of the cycle is longer than a part of the mechanism's extent.
-void MechanismScene::updateScale(ArrowScale &scale)
-{
-    constexpr double kLongest = 0.25; // times the extent
-    constexpr double kLargest = 2.5;  // times that of A, since an unbounded motion would make all other arrows tiny
+    constexpr double kArrowOfA = 0.2; // times the mechanism's extent
+    constexpr double kLargest = 2.5;  // times the arrow of A
+    ArrowScale scale{vector};
     const QRectF bounds = motionBounds(mechanism(), result->limits);
-    const double longest = kLongest * std::max(bounds.width(), bounds.height());
+    const double arrowOfA = kArrowOfA * std::max(bounds.width(), bounds.height());
     const double omega2 = std::abs(mechanism().omega2());
-    scale.largest = kLargest * mechanism().a() * (scale.isOfVelocity() ? omega2 : omega2 * omega2);
-    double largest = 0.0;
-    for (const std::vector<LinkageMotion> &arc : cycle) {
-        for (const LinkageMotion &sample : arc) {
-            for (const PointMotion &motion : sample) {
-                largest = std::fmax(largest, std::min(scale.largest, (motion.*scale.vector).length()));
-            }
-        }
-    }
-    scale.length = largest > 0.0 ? nextRoundNumber(0.4 * longest) : 0.0;
-    scale.amount = largest > 0.0 ? nextRoundNumber(largest / longest * scale.length) : 0.0;
+    const double amountOfA = mechanism().a() * (scale.isOfVelocity() ? omega2 : omega2 * omega2);
+    scale.largest = kLargest * amountOfA;
+    scale.length = nextRoundNumber(0.5 * arrowOfA);
+    scale.amount = amountOfA > 0.0 ? nextRoundNumber(amountOfA / arrowOfA * scale.length) : 0.0;
+    return scale;
 }
 
 } // namespace slidercrank

@@ -3,8 +3,7 @@
 
 // The data that a drawing of the mechanism shows, and the scale of the velocity and acceleration arrows at A, B and G3.
 // The scale is the same for the whole motion, so that arrows can be compared, and it is a round number: "10 mm =
-// 50 mm/s". Arrows of unbounded velocities and accelerations (at the limit of an oscillating crank) are shortened and
-// dashed.
+// 50 mm/s". Much larger arrows than that of A (as at the limit of an oscillating crank) are shortened and dashed.
 
 #include "core/comparison/reference_pose.h"
 #include "core/limits/linkage_point.h"
@@ -14,7 +13,6 @@
 #include <QRectF>
 
 #include <memory>
-#include <vector>
 
 namespace slidercrank
 {
@@ -35,12 +33,6 @@ struct MechanismScene {
     ReferencePose ghost; ///< the linkage of the reference or of the pinned motion
     MechanismSettings settings;
 
-    /// The motion over one revolution, or over each range of an oscillating crank. Empty unless arrows or the path of
-    /// G3 are shown.
-    std::vector<std::vector<LinkageMotion>> cycle;
-    ArrowScale velocity{&PointMotion::velocity};
-    ArrowScale acceleration{&PointMotion::acceleration};
-
     const Mechanism &mechanism() const { return result->mechanism; }
 
     /// Returns A, mm. It exists at every crank angle, even if the mechanism cannot be assembled.
@@ -54,11 +46,8 @@ struct MechanismScene {
     /// Returns a box of that size in the corner of the area that is away from the crank and the slider's line.
     QRectF inFreeCorner(const QRectF &area, const QSizeF &size) const;
 
-    /// Updates the cycle and the scales. Call it when the mechanism or the settings change.
-    void updateCycle();
-
-private:
-    void updateScale(ArrowScale &scale);
+    /// Returns the scale of the velocities or of the accelerations.
+    ArrowScale arrows(PlaneVector PointMotion::*vector) const;
 };
 
 } // namespace slidercrank

@@ -137,12 +137,16 @@ void MechanismSketch::addPath()
     if (!m_scene->settings.path) {
         return;
     }
+    constexpr int kSteps = 180;
     QPainterPath path;
-    for (const std::vector<LinkageMotion> &arc : m_scene->cycle) {
+    for (const CrankRange &range : limits().ranges) {
         QPolygonF points;
-        for (const LinkageMotion &sample : arc) {
-            const PlaneVector &centre = sample[static_cast<std::size_t>(LinkagePoint::G3)].position;
-            points << toPixels({centre.x, centre.y});
+        for (const double theta2 : anglesAcross(range, kSteps)) {
+            const LinkageMotion motion = linkageMotion(withCrankAt(mechanism(), theta2), 0.0);
+            const PlaneVector &centre = motion[static_cast<std::size_t>(LinkagePoint::G3)].position;
+            if (!std::isnan(centre.x)) {
+                points << toPixels({centre.x, centre.y});
+            }
         }
         path.addPolygon(points);
     }
@@ -182,8 +186,8 @@ void MechanismSketch::addDimensionsAndScales()
             addCornerLabel(line++, kSample + 8.0, arrowScaleText(arrows));
         }
     };
-    addScale(settings.showsVelocity(), m_scene->velocity);
-    addScale(settings.acceleration, m_scene->acceleration);
+    addScale(settings.showsVelocity(), m_scene->arrows(&PointMotion::velocity));
+    addScale(settings.acceleration, m_scene->arrows(&PointMotion::acceleration));
 }
 
 /// Returns the vertical line from the height of O2 to the slider's line, beside the crank's circle on the side away

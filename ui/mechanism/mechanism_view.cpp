@@ -266,7 +266,6 @@ MechanismSketch MechanismView::newSketch(const QSizeF &size, const QPalette &pal
 /// Draws everything anew.
 void MechanismView::refresh()
 {
-    m_scene.updateCycle();
     m_scenery = newSketch(size(), palette());
     m_scenery.addScenery();
     m_sceneryPicture = QPixmap();

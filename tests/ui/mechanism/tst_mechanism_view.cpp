@@ -92,7 +92,6 @@ struct Drawn {
         scene.result = session.result();
         scene.pose = poseAt(parameters, time);
         scene.settings = settings;
-        scene.updateCycle();
         MechanismFrame frame;
         frame.fit(motionBounds(scene.mechanism(), scene.result->limits));
         sketch = std::make_unique<MechanismSketch>(scene, frame.projection({800.0, 600.0}), paletteFor(Theme::Light),
@@ -407,12 +406,12 @@ private slots:
                     return shape.brush.color() == colour && (first - tip).manhattanLength() < 0.05;
                 });
             };
-            QVERIFY(hasArrow((at(0.37 + kStep) - at(0.37 - kStep)) / (2.0 * kStep), drawn.scene.velocity,
-                             colours.errorOther));
+            QVERIFY(hasArrow((at(0.37 + kStep) - at(0.37 - kStep)) / (2.0 * kStep),
+                             drawn.scene.arrows(&PointMotion::velocity), colours.errorOther));
             QVERIFY(hasArrow((at(0.37 + kStep) - 2.0 * at(0.37) + at(0.37 - kStep)) / (kStep * kStep),
-                             drawn.scene.acceleration, colours.error));
+                             drawn.scene.arrows(&PointMotion::acceleration), colours.error));
         }
-        QVERIFY(!drawn.label(arrowScaleText(drawn.scene.velocity)).isNull());
+        QVERIFY(!drawn.label(arrowScaleText(drawn.scene.arrows(&PointMotion::velocity))).isNull());
     }
 
     void showsTheInstantCentre()
