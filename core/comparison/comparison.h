@@ -120,7 +120,6 @@ struct MotionDifference {
     std::vector<ChannelComparison> channels;
     bool hasGaps = false; ///< one of the two cannot be assembled at some time stamps
 };
-using ChannelDifference = ChannelComparison;
 
 /// Samples both mechanisms between two times (s) and compares them like a file.
 MotionDifference differenceOf(const Mechanism &mechanism, const Mechanism &other, double from, double to);

@@ -87,7 +87,6 @@ struct FileColumn {
 /// one.
 struct FileLayout {
     TextEncoding encoding = TextEncoding::Utf8;
-    bool byteOrderMark = false;
     char delimiter = ',';
     DecimalSign decimalSign = DecimalSign::Point;
     std::size_t headerLine = 0;                 ///< 0: none, the file begins with numbers

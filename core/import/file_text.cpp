@@ -117,12 +117,10 @@ std::string_view decodeText(std::string_view bytes, FileLayout &layout, std::str
     refuseFormats(bytes);
     std::string_view text = bytes;
     const bool isLittleEndian = bytes.starts_with("\xFF\xFE");
-    const bool isUtf16 = isLittleEndian || bytes.starts_with("\xFE\xFF");
-    layout.byteOrderMark = isUtf16 || bytes.starts_with(kUtf8Mark);
-    if (isUtf16) {
+    if (isLittleEndian || bytes.starts_with("\xFE\xFF")) {
         layout.encoding = isLittleEndian ? TextEncoding::Utf16LittleEndian : TextEncoding::Utf16BigEndian;
         text = converted = fromUtf16(bytes.substr(2), isLittleEndian);
-    } else if (layout.byteOrderMark) {
+    } else if (bytes.starts_with(kUtf8Mark)) {
         text.remove_prefix(kUtf8Mark.size());
     } else if (!isUtf8(bytes.substr(0, kExamined))) {
         layout.encoding = TextEncoding::Windows1252;

@@ -108,11 +108,6 @@ Lengths findLengths(double stroke, double timeRatio, double couplerRatio)
     return {a, couplerRatio * a, timeRatio < 1.0 ? -c : c};
 }
 
-double minimumTransmissionAngle(const Lengths &lengths)
-{
-    return std::acos(std::min(1.0, (lengths.a + std::abs(lengths.c)) / lengths.b));
-}
-
 std::variant<Lengths, DesignFault> design(const DesignRequest &request)
 {
     if (!(request.stroke > 0.0)) {

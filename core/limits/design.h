@@ -24,9 +24,9 @@ inline constexpr double kTimeRatioBound = 3.0;
 
 /// The mechanisms with one time ratio: one degree of freedom is left, the ratio b/a of coupler and crank.
 struct DesignRange {
-    double smallestRatio = 1.0; ///< of b/a; excluded, because the transmission angle is 0 there
-    double largestRatio = 1.0;  ///< of b/a; infinite for the time ratio 1; excluded for the same reason
-    double bestRatio = 1.0;     ///< of b/a: has the largest minimum transmission angle; at most kLongestCoupler
+    double largestRatio = 1.0; ///< of b/a; infinite for the time ratio 1. Like the smallest one, 1, it is excluded,
+                               ///< because the transmission angle is 0 there
+    double bestRatio = 1.0;    ///< of b/a: has the largest minimum transmission angle; at most kLongestCoupler
     double bestTransmissionAngle = 0.0;
 };
 
@@ -41,9 +41,6 @@ std::optional<DesignRange> findDesignRange(double timeRatio);
 /// at least 1, so that the slider moves outwards in less time than back if ω2 > 0; a time ratio below 1 exchanges the
 /// directions by c < 0.
 Lengths findLengths(double stroke, double timeRatio, double couplerRatio);
-
-/// Returns the minimum transmission angle of a full revolution: cos μ = (a + |c|) / b.
-double minimumTransmissionAngle(const Lengths &lengths);
 
 struct DesignRequest {
     double stroke = 0.0;

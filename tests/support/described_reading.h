@@ -78,12 +78,11 @@ inline std::string rolesOf(const FileLayout &layout)
     return roles;
 }
 
-/// Returns encoding, delimiter, decimal sign and lines: "UTF-8 with mark ; comma line 3 units 4".
+/// Returns encoding, delimiter, decimal sign and lines: "UTF-8 ; comma line 3 units 4".
 inline std::string formOf(const FileLayout &layout)
 {
-    constexpr std::array kEncodings{"UTF-8", "UTF-16LE", "UTF-16BE", "Windows-1252"};
+    constexpr std::array kEncodings{"UTF-8 ", "UTF-16LE ", "UTF-16BE ", "Windows-1252 "};
     std::string form = kEncodings[static_cast<std::size_t>(layout.encoding)];
-    form += layout.byteOrderMark ? " with mark " : " ";
     form += layout.delimiter == '\t' ? std::string("tab") : std::string(1, layout.delimiter);
     form += layout.decimalSign == DecimalSign::Comma ? " comma" : " point";
     form += " line " + std::to_string(layout.headerLine);

@@ -308,7 +308,7 @@ private slots:
             const SolverSettings newton = byMethod(Method::Newton);
             const Trajectory first = sample(Mechanism(parameters), sampling.timeStamps(), plottedChannels(), newton);
             const Trajectory second = sample(other, sampling.timeStamps(), plottedChannels(), newton);
-            for (const ChannelDifference &channel : found.channels) {
+            for (const ChannelComparison &channel : found.channels) {
                 double largest = 0.0;
                 for (std::size_t i = 0; i < first.time.size(); ++i) {
                     largest = std::max(largest, std::abs(first[channel.channel][i] - second[channel.channel][i]));

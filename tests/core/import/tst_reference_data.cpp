@@ -101,9 +101,9 @@ const QByteArray kUneven = "\n0,0,0\n1,1,2\n2,4,4\n3,9,6\n4,16,8\n5,25,10\n6,36,
 const QByteArray kSpanish = "Tiempo (s);Posición de la corredera (mm);Ángulo de la biela (°)\n0;1,5;2\n1;2,5;3\n";
 
 const std::vector<NamesRow> kNames{
-    {"\xEF\xBB\xBFtime,R4_x,theta3" + kRows, "time R4_x theta3", "UTF-8 with mark , point line 1"},
-    {utf16Of(kSpanish, true, true), "time R4_x theta3", "UTF-16LE with mark ; comma line 1"},
-    {utf16Of(kSpanish, false, true), "time R4_x theta3", "UTF-16BE with mark ; comma line 1"},
+    {"\xEF\xBB\xBFtime,R4_x,theta3" + kRows, "time R4_x theta3", "UTF-8 , point line 1"},
+    {utf16Of(kSpanish, true, true), "time R4_x theta3", "UTF-16LE ; comma line 1"},
+    {utf16Of(kSpanish, false, true), "time R4_x theta3", "UTF-16BE ; comma line 1"},
     {QString::fromUtf8(kSpanish).toLatin1(), "time R4_x theta3", "Windows-1252 ; comma line 1"},
     {"sep=;\ntime;R4_x\n0;1\n", "time R4_x", "UTF-8 ; point line 2"},
     {"200\nrun 7, 1 s\n# solved\ntime,R4_x\n0,1\n", "time R4_x", "UTF-8 , point line 4"},
