@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/result.h"
 
-#include "core/closed_form/closed_form.h"
-
 #include <QElapsedTimer>
 
 #include <algorithm>
@@ -32,14 +30,7 @@ SamplingSummary summarize(const Choices &choices, std::stop_token stop)
 
 Pose poseAt(const Parameters &parameters, double seconds)
 {
-    const Motion motion = ClosedForm(Mechanism(parameters)).motionAt(seconds);
-    return {.time = seconds,
-            .theta2 = motion.theta2,
-            .theta3 = motion.theta3,
-            .pinX = parameters.a * motion.crank.cos,
-            .pinY = parameters.a * motion.crank.sin,
-            .sliderX = motion.R4x,
-            .status = motion.status};
+    return {ClosedForm(Mechanism(parameters)).motionAt(seconds), seconds};
 }
 
 std::shared_ptr<const Result> compute(const Choices &choices, std::stop_token stop)

@@ -3,6 +3,7 @@
 
 // The immutable data that the views draw. Session computes and publishes it.
 
+#include "core/closed_form/closed_form.h"
 #include "core/comparison/comparison.h"
 #include "core/identification/diagnosis.h"
 #include "core/limits/mobility.h"
@@ -17,14 +18,9 @@
 namespace slidercrank
 {
 
-/// The mechanism at one time, in closed form. Lengths in mm, angles in rad.
-struct Pose {
-    double time = 0.0;
-    double theta2 = 0.0; ///< not wrapped to one turn
-    double theta3 = 0.0;
-    double pinX = 0.0, pinY = 0.0; ///< A
-    double sliderX = 0.0;          ///< B, at y = c
-    Status status = Status::Solved;
+/// The mechanism at one time, in closed form.
+struct Pose : Motion {
+    double time = 0.0; ///< s
 
     /// Whether the mechanism can be assembled at this time.
     bool exists() const { return status == Status::Solved || status == Status::Singular; }

@@ -10,11 +10,6 @@
 namespace slidercrank
 {
 
-QPointF MechanismScene::crankPin() const
-{
-    return mechanism().a() * QPointF(std::cos(pose.theta2), std::sin(pose.theta2));
-}
-
 PointMotion MechanismScene::motion(LinkagePoint point) const
 {
     return linkageMotion(mechanism(), pose.time)[static_cast<std::size_t>(point)];

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/mechanism/mechanism_text.h"
 
-#include "core/closed_form/closed_form.h"
 #include "core/mechanism/turn.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/motion_facts.h"
@@ -59,7 +58,7 @@ QStringList crankLines(const MechanismScene &scene)
 
 QStringList couplerLines(const MechanismScene &scene)
 {
-    const Motion motion = ClosedForm(scene.mechanism()).motionAt(scene.pose.time);
+    const Pose &motion = scene.pose;
     const double omega2 = std::abs(scene.mechanism().omega2());
     QStringList lines{QStringLiteral("θ³ = %1°").arg(valueText(kDegreesPerRadian * motion.theta3, 1.0))};
     if (std::isfinite(motion.theta3Dot)) {
