@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/edit_stack.h"
 
+#include "ui/text/finding_text.h"
+
 #include <algorithm>
+#include <bit>
 #include <chrono>
 
 namespace slidercrank
@@ -12,6 +15,49 @@ namespace
 
 constexpr int kUndoLimit = 200;
 constexpr std::chrono::seconds kSameStepWithin{1}; // longer than the delay before a held key repeats
+
+/// Identities of edits that do not change parameters. An edit of parameters is identified by a bit for each.
+constexpr int kSamplingIdentity = 100;
+constexpr int kSolverIdentity = 101;
+
+struct EditName {
+    QString text;
+    int identity = 0; ///< Identifies the settings that change; 0 if the edit is always a step of its own.
+
+    /// Whether a reference file is opened or closed, which does not modify the scene.
+    bool isOpening = false;
+};
+
+/// Names the edit by what differs. An edit of the reference or of parameters may also change the time range.
+EditName nameEdit(const Choices &before, const Choices &after)
+{
+    if (after.reference != before.reference) {
+        const bool isSame = before.reference && after.reference && before.reference->paths == after.reference->paths;
+        const QString text = isSame            ? EditStack::tr("new interpretation of %1")
+                             : after.reference ? EditStack::tr("opening of %1")
+                                               : EditStack::tr("closing of %1");
+        return {text.arg((after.reference ? after.reference : before.reference)->name), 0, !isSame};
+    }
+    if (after.pinned != before.pinned) {
+        return {after.pinned.empty() ? EditStack::tr("removal of the pinned motions")
+                                     : EditStack::tr("pinning of the motion")};
+    }
+    int changed = before.parameters.branch == after.parameters.branch ? 0 : 1 << kParameterCount; // a bit per parameter
+    QString symbol;
+    for (const Parameter parameter : kParameters) {
+        if (valueOf(before.parameters, parameter) != valueOf(after.parameters, parameter)) {
+            changed |= 1 << indexOf(parameter);
+            symbol = symbolText(parameter);
+        }
+    }
+    if (changed == 0) {
+        return after.sampling == before.sampling
+                   ? EditName{EditStack::tr("change of the method"), kSolverIdentity}
+                   : EditName{EditStack::tr("change of the time range"), kSamplingIdentity};
+    }
+    const bool isOne = !symbol.isEmpty() && std::has_single_bit(static_cast<unsigned>(changed));
+    return {isOne ? EditStack::tr("change of %1").arg(symbol) : EditStack::tr("change of the mechanism"), changed};
+}
 
 /// Restores the choices before or after an edit. Qt merges successive commands with the same id().
 class EditCommand : public QUndoCommand
@@ -59,8 +105,9 @@ EditStack::EditStack(const Apply &apply, QObject *parent)
     m_sameStep.setSingleShot(true);
 }
 
-void EditStack::edit(const Choices &before, const Choices &after, const EditName &name)
+void EditStack::edit(const Choices &before, const Choices &after, const QString &text)
 {
+    const EditName name = text.isEmpty() ? nameEdit(before, after) : EditName{text};
     const bool isRepeated = m_sameStep.isActive() && name.identity == m_identity;
     const bool isMergeable = name.identity != 0 && m_identity != 0;
     if (!isMergeable || !(m_isDragging || isRepeated)) {

@@ -13,17 +13,8 @@
 namespace slidercrank
 {
 
-/// Describes an edit.
-struct EditName {
-    QString text;     ///< "change of b", for the menu
-    int identity = 0; ///< Identifies the settings that change; 0 if the edit is always a step of its own.
-
-    /// Whether a reference file is opened or closed, which does not modify the scene.
-    bool isOpening = false;
-};
-
-/// The undo stack of a session. During a drag, edits with an identity are merged into one step. Otherwise edits of the
-/// same identity are merged if they follow each other within a second, as when a key is held down.
+/// The undo stack of a session. During a drag, edits are merged into one step. Otherwise edits of the same settings are
+/// merged if they follow each other within a second, as when a key is held down.
 class EditStack : public QUndoStack
 {
     Q_OBJECT
@@ -34,8 +25,9 @@ public:
     /// `apply` makes the choices of a command the current ones.
     EditStack(const Apply &apply, QObject *parent);
 
-    /// Makes `after` the current choices, as an edit that can be undone.
-    void edit(const Choices &before, const Choices &after, const EditName &name);
+    /// Makes `after` the current choices, as an edit that can be undone. Without a text, the edit is named by what
+    /// differs, as "change of b".
+    void edit(const Choices &before, const Choices &after, const QString &text = {});
 
     void setDragging(bool isDragging);
 
@@ -44,7 +36,7 @@ public:
 
 private:
     Apply m_apply;
-    int m_identity = 0; ///< of the last edit; 0 if the next edit starts a new step
+    int m_identity = 0; ///< of the settings in the last edit; 0 if the next edit starts a new step
     int m_step = 0;     ///< Edits with the same number are undone together.
     QTimer m_sameStep;  ///< runs for a second after each edit
     bool m_isDragging = false;

@@ -10,7 +10,6 @@
 #include <QLocale>
 
 #include <algorithm>
-#include <bit>
 #include <chrono>
 #include <cmath>
 #include <utility>
@@ -22,10 +21,6 @@ namespace
 {
 
 constexpr std::chrono::milliseconds kSettlingTime{200}; // longer than the time between two edits of a drag
-
-// Identities of edits that do not change parameters. Edits of parameters use sets of bits, see nameEdit().
-constexpr int kSamplingIdentity = 100;
-constexpr int kSolverIdentity = 101;
 
 /// Returns the range from the first of these time stamps to the last, or `sampling` if that is not a valid range.
 Sampling rangeOf(const std::vector<double> &times, const Sampling &sampling)
@@ -64,38 +59,6 @@ QString faultText(const ParameterFault &fault)
         fault.reason == ParameterFault::Reason::NotPositive || fault.reason == ParameterFault::Reason::TooShort;
     return isTooShort ? Session::tr("%1 must be at least %2 mm.").arg(symbol, QLocale().toString(kShortestLink))
                       : Session::tr("%1 must be a number up to %2.").arg(symbol, QLocale().toString(kLargestParameter));
-}
-
-/// Names the edit by what differs.
-EditName nameEdit(const Choices &before, const Choices &after)
-{
-    if (after.reference != before.reference) {
-        const bool isSame = before.reference && after.reference && before.reference->paths == after.reference->paths;
-        const QString text = isSame            ? EditStack::tr("new interpretation of %1")
-                             : after.reference ? EditStack::tr("opening of %1")
-                                               : EditStack::tr("closing of %1");
-        return {text.arg((after.reference ? after.reference : before.reference)->name), 0, !isSame};
-    }
-    if (after.pinned != before.pinned) {
-        return {after.pinned.empty() ? EditStack::tr("removal of the pinned motions")
-                                     : EditStack::tr("pinning of the motion")};
-    }
-    if (after.sampling != before.sampling) {
-        return {EditStack::tr("change of the time range"), kSamplingIdentity};
-    }
-    if (after.solver != before.solver) {
-        return {EditStack::tr("change of the method"), kSolverIdentity};
-    }
-    int changed = before.parameters.branch == after.parameters.branch ? 0 : 1 << kParameterCount; // a bit per parameter
-    QString symbol;
-    for (const Parameter parameter : kParameters) {
-        if (valueOf(before.parameters, parameter) != valueOf(after.parameters, parameter)) {
-            changed |= 1 << indexOf(parameter);
-            symbol = symbolText(parameter);
-        }
-    }
-    const bool isOne = !symbol.isEmpty() && std::has_single_bit(static_cast<unsigned>(changed));
-    return {isOne ? EditStack::tr("change of %1").arg(symbol) : EditStack::tr("change of the mechanism"), changed};
 }
 
 } // namespace
@@ -183,10 +146,9 @@ void Session::edit(const Choices &choices, const QString &name, bool adoptsRange
                               choices.sampling == rangeOf(shown->data.time, choices.sampling);
         const auto &reference = std::get<std::shared_ptr<const Reference>>(timed);
         const Sampling range = rangeOf(reference->data.time, choices.sampling);
-        complete.sampling =
-            isOfFile || (adoptsRange && !contains(choices.sampling, range)) ? range : choices.sampling;
+        complete.sampling = isOfFile || (adoptsRange && !contains(choices.sampling, range)) ? range : choices.sampling;
     }
-    m_edits.edit(m_choices, complete, name.isEmpty() ? nameEdit(m_choices, choices) : EditName{name});
+    m_edits.edit(m_choices, complete, name);
     if (adoptsRange && complete.sampling != choices.sampling) {
         emit timeRangeReplaced(choices.reference, complete.sampling);
     }
