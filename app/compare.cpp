@@ -65,7 +65,7 @@ ReferenceAnswer compareOne(const ReferenceQuestion &question, const SolverSettin
                    {"skipped", jsonSkippedRows(data)},
                    {"ignoredColumns", QJsonArray::fromStringList(ignoredHeadings(data.layout))}};
     const QString text = headline(reference) + CommandLine::tr("Model: %1").arg(mechanismText(question.mechanism, 9)) +
-                         "\n\n" + alignedTable(comparisonTable(comparison, &data)) + '\n' + summaryText(comparison);
+                         "\n\n" + alignedTable(comparisonTable(comparison, data)) + '\n' + summaryText(comparison);
     answer.text = (QStringList(text) + explanation).join('\n') + '\n';
     answer.category = verdict == Verdict::Agrees  ? CommandLine::tr("agree")
                       : verdict == Verdict::Close ? CommandLine::tr("close")

@@ -106,7 +106,7 @@ QString identificationText(const Reference &reference, const Diagnosis &diagnosi
                      .arg(QString::number(found.iterations), numberText(found.conditionNumber, 3));
     }
     const std::optional<ReferenceData> timed = data.crank ? timedBy(Mechanism(found.parameters), data) : std::nullopt;
-    lines += '\n' + alignedTable(comparisonTable(diagnosis.identified, timed ? &*timed : &data));
+    lines += '\n' + alignedTable(comparisonTable(diagnosis.identified, timed ? *timed : data));
     if (found.noise.empty()) { // otherwise the summary reports the noise
         lines += summaryText(diagnosis.identified);
     }

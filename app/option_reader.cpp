@@ -44,18 +44,19 @@ OptionReader::OptionReader(const CommandDescription &command, const QStringList 
 void OptionReader::checkRepetitions() const
 {
     const QStringList repeatable{"column", "reference"};
+    QStringList values = files();
     for (const OptionDescription &option : m_options) {
-        if (texts(option.name).size() > 1 && !repeatable.contains(option.name)) {
+        const QStringList given = texts(option.name);
+        if (given.size() > 1 && !repeatable.contains(option.name)) {
             throw UsageError{CommandLine::tr("--%1 is given more than once: keep one of them.").arg(option.name)};
         }
-    }
-    if ((files() + texts("scene") + texts("reference")).count("-") > 1) {
-        throw UsageError{CommandLine::tr("Standard input can be read only once: give one \"-\".")};
-    }
-    for (const char *name : {"scene", "reference", "output"}) {
-        if (texts(name).contains("")) {
-            throw UsageError{CommandLine::tr("--%1 needs the name of a file.").arg(name)};
+        if (option.value == QLatin1String("FILE") && given.contains("")) {
+            throw UsageError{CommandLine::tr("--%1 needs the name of a file.").arg(option.name)};
         }
+        values += given;
+    }
+    if (values.count("-") > 1) {
+        throw UsageError{CommandLine::tr("Standard input can be read only once: give one \"-\".")};
     }
 }
 

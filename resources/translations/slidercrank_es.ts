@@ -1141,14 +1141,6 @@ Equipo: %1. Tiempo: %2 s.
         <translation>Se ajusta a las demás columnas, pero estas no concuerdan con ellas: %1.</translation>
     </message>
     <message>
-        <source>Too few time steps to find the mechanism: export more of them.</source>
-        <translation>Hay muy pocos instantes para hallar el mecanismo: exporte más.</translation>
-    </message>
-    <message>
-        <source>So few values fit many mechanisms by chance: export more time steps, or more columns.</source>
-        <translation>Tan pocos valores se ajustan por azar a muchos mecanismos: exporte más instantes o más columnas.</translation>
-    </message>
-    <message>
         <source>Too few values of the coupler angle θ³, the slider position Rₓ⁴, the coupler&apos;s centre R³ and their derivatives to find the mechanism: export more time steps, or more columns.</source>
         <translation>Hay muy pocos valores del ángulo de la biela θ³, de la posición de la corredera Rₓ⁴, del centro de la biela R³ y de sus derivadas para hallar el mecanismo: exporte más instantes o más columnas.</translation>
     </message>
@@ -1750,10 +1742,6 @@ difiere: lo demás</translation>
     <message>
         <source>largest error</source>
         <translation>error máximo</translation>
-    </message>
-    <message>
-        <source>largest difference</source>
-        <translation>mayor diferencia</translation>
     </message>
     <message>
         <source>at θ₂ [°]</source>
@@ -3526,10 +3514,6 @@ SHA-256: %2</translation>
     <message>
         <source>Thin curves: pinned motions, %1.</source>
         <translation>Curvas finas: movimientos fijados, %1.</translation>
-    </message>
-    <message>
-        <source>This mechanism − pinned %1</source>
-        <translation>Este mecanismo − fijado %1</translation>
     </message>
     <message>
         <source>Reference: %1, %2, %3 rows.</source>

@@ -159,17 +159,9 @@ QString comparisonText(const ReportContent &content)
                               shortNumber(diagnosis.identification.conditionNumber, 3), QString::number(agreeing),
                               QString::number(diagnosis.identified.size())));
     }
-    return html + table(comparisonTable(result.comparison, &result.reference->data)) +
+    return html + table(comparisonTable(result.comparison, result.reference->data)) +
            note(Report::tr("Largest %: max |model − reference| / |reference| · 100 where the reference is not zero. "
                            "Rounding step: the distance of neighbouring numbers in the file, where it is largest."));
-}
-
-/// Returns the section about the motion that was pinned last.
-QString pinnedSection(const Result &result)
-{
-    return heading(Report::tr("This mechanism − pinned %1")
-                       .arg(pinnedText(result.pinned.back(), result.mechanism.parameters()))) +
-           table(comparisonTable(result.difference->channels, nullptr));
 }
 
 QString methodText(const Result &result)
@@ -254,8 +246,7 @@ QString reportHtml(const ReportContent &content)
            heading(Report::tr("Motion limits")) + paragraph(mobilitySentence(result.mechanism, result.limits)) +
            table(limitTable(motionFacts(result.mechanism, result.limits, result.sampling))) +
            newPage(Report::tr("Motion")) + paragraph(pinnedText(result)) + "<p>[figure]</p>" +
-           (result.reference ? comparisonText(content) : QString()) +
-           (result.difference ? pinnedSection(result) : QString()) + heading(Report::tr("Method")) +
+           (result.reference ? comparisonText(content) : QString()) + heading(Report::tr("Method")) +
            paragraph(methodText(result));
 }
 

@@ -57,9 +57,9 @@ public:
 
 protected:
     double getTickStep(const QCPRange &) override { return scale.step * std::abs(perUnit); }
-    QString getTickLabel(double tick, const QLocale &locale, QChar, int) override
+    QString getTickLabel(double tick, const QLocale &, QChar, int) override
     {
-        return scale.label((tick - mTickOrigin) / perUnit, locale);
+        return scale.label((tick - mTickOrigin) / perUnit);
     }
 };
 
@@ -205,8 +205,7 @@ void PlotFigure::setTimeScale()
     m_timeTicker->scale = scaleFor(std::max(kLeast, labelWidth + kSpace));
     m_timeTicker->perUnit = 1.0 / perSecond();
     m_timeTicker->setTickOrigin(zeroTime());
-    const QString unit = m_timeTicker->scale.unit(isOverAngle() ? "°" : "s");
-    const QString title = QString(isOverAngle() ? "θ₂ [%1]" : "t [%1]").arg(unit);
+    const QString title = isOverAngle() ? "θ₂ [°]" : "t [s]";
     const QMargins least(static_cast<int>(kUsualDigits * digitWidth) + kTickLength + kLabelGap, 0,
                          static_cast<int>(0.5 * labelWidth), 0);
     for (const std::size_t index : m_shown) {
@@ -257,7 +256,6 @@ QStringList PlotFigure::titles(std::size_t index) const
         titles << QStringLiteral("%1 %2").arg(quantityName(channel), symbol) << quantityName(channel)
                << shortNames[order];
     }
-    unit = plot.values ? plot.ticker->scale.unit(unit) : unit;
     for (QString &title : titles) {
         title += QStringLiteral(" [%1]").arg(unit);
     }

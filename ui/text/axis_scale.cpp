@@ -4,7 +4,6 @@
 #include "ui/text/written_number.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace slidercrank
@@ -20,63 +19,51 @@ double largestMagnitude(const Interval &range)
 
 } // namespace
 
-QString AxisScale::label(double value, const QLocale &locale) const
+QString AxisScale::label(double value) const
 {
     if (isLogarithmic) {
         return powerOfTen(static_cast<int>(std::lround(value)));
     }
-    // A tick near zero is shown as 0, not as -0 or as the rounding error of the steps, such as 1e-17.
-    const double shown = std::abs(value) < step * 1e-6 ? 0.0 : value / std::pow(10.0, exponent);
-    return locale.toString(shown, 'f', decimals);
-}
-
-QString AxisScale::unit(const QString &unit) const
-{
-    return exponent == 0 ? unit : QStringLiteral("%1 %2").arg(powerOfTen(exponent), unit);
+    return numberText(std::abs(value) < step * 1e-6 ? 0.0 : value, digits); // 0 instead of the rounding error of a step
 }
 
 int AxisScale::labelLength(const Interval &range) const
 {
-    const auto length = [this](double value) { return static_cast<int>(label(value, QLocale::c()).size()); };
-    return std::max(length(range.lower), length(range.upper));
+    qsizetype length = 0;
+    for (const double value : {range.lower, range.lower + step, range.upper - step, range.upper}) {
+        length = std::max(length, label(std::round(value / step) * step).size());
+    }
+    return static_cast<int>(length);
 }
 
 AxisScale axisScale(const Interval &range, double intervals)
 {
-    AxisScale scale;
-    scale.step = nextRoundNumber(range.length() / std::max(intervals, 1.0));
-    constexpr double kSmallestPlain = 1e-4;
-    constexpr double kLargestPlain = 1e5;
-    const double largest = largestMagnitude(range);
-    if (largest > 0.0 && std::isfinite(largest) && (largest < kSmallestPlain || largest >= kLargestPlain)) {
-        scale.exponent = 3 * static_cast<int>(std::floor(std::log10(largest) / 3.0));
-    }
-    constexpr double kRoundingRoom = 1e-9;
-    constexpr double kMostDecimals = 17.0;
-    const double exponentOfStep = std::log10(scale.step) - scale.exponent; // not finite if the range underflows
-    const double decimals = -std::floor(exponentOfStep + kRoundingRoom);
-    scale.decimals = decimals > 0.0 ? static_cast<int>(std::min(decimals, kMostDecimals)) : 0;
-    return scale;
+    constexpr double kFewest = 6.0;
+    constexpr double kMost = 17.0;
+    const double step = nextRoundNumber(range.length() / std::max(intervals, 1.0));
+    const double places =
+        std::ceil(std::log10(largestMagnitude(range) / step)) + 1.0; // not finite if the range underflows
+    return {.step = step, .digits = static_cast<int>(std::min(std::max(kFewest, places), kMost))};
 }
 
 AxisScale degreeScale(const Interval &range, double intervals)
 {
-    constexpr std::array<double, 6> kPartsOfATurn{10.0, 15.0, 30.0, 45.0, 90.0, 180.0};
-    constexpr double kTurn = 360.0;
     const double wanted = range.length() / std::max(intervals, 1.0);
     AxisScale scale = axisScale(range, intervals);
-    if (wanted <= 0.5 * kPartsOfATurn.front() || scale.exponent != 0) {
-        return scale;
+    for (const double part : {180.0, 90.0, 45.0, 30.0, 15.0, 10.0}) { // of a turn
+        if (wanted <= part && wanted > 5.0) {
+            scale.step = part;
+        }
     }
-    const auto part = std::lower_bound(kPartsOfATurn.begin(), kPartsOfATurn.end(), wanted);
-    scale.step = part != kPartsOfATurn.end() ? *part : kTurn * std::max(1.0, nextRoundNumber(wanted / kTurn));
-    scale.decimals = 0;
+    if (wanted > 180.0) {
+        scale.step = 360.0 * std::max(1.0, nextRoundNumber(wanted / 360.0));
+    }
     return scale;
 }
 
 AxisScale logarithmicScale(const Interval &range, double intervals)
 {
-    return {.step = std::max(1.0, nextRoundNumber(range.length() / std::max(intervals, 1.0))), .isLogarithmic = true};
+    return {.step = std::max(1.0, axisScale(range, intervals).step), .isLogarithmic = true};
 }
 
 Interval roundedOutwards(const Interval &range)

@@ -1,30 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Chooses the ticks of an axis and the format of their labels. Labels of very large and very small values are short,
-// because the axis shows a common power of a thousand beside its unit ("[10⁻³ %]").
+// Chooses the ticks of an axis and the format of their labels.
 
 #include "ui/text/interval.h"
-#include "ui/text/written_number.h"
 
-#include <QLocale>
 #include <QString>
-
-#include <optional>
 
 namespace slidercrank
 {
 
 struct AxisScale {
-    double step = 1.0; ///< distance between ticks: 1, 2 or 5 times a power of ten
-    int exponent = 0;  ///< labels show value / 10^exponent; a multiple of 3
-    int decimals = 0;
+    double step = 1.0;          ///< distance between ticks: 1, 2 or 5 times a power of ten, or a part of a turn
+    int digits = 6;             ///< significant digits of the labels
     bool isLogarithmic = false; ///< values are decimal logarithms; labels are powers of ten
 
-    QString label(double value, const QLocale &locale) const;
-
-    /// Returns the unit with the power of ten: "mm" or "10³ mm".
-    QString unit(const QString &unit) const;
+    QString label(double value) const;
 
     /// Returns the number of characters of the longest label in the range.
     int labelLength(const Interval &range) const;

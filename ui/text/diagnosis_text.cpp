@@ -31,11 +31,10 @@ public:
         using enum Identification::Lack;
         switch (lack) {
         case Nothing:
-        case FewValues: break;
-        case FewTimeStamps: return tr("Too few time steps to find the mechanism: export more of them.");
+        case FewValues:
+        case FewTimeStamps:
+        case NoEvidence: break;
         case NothingMoves: return tr("Nothing moves in these data: export the motion of a turning crank.");
-        case NoEvidence:
-            return tr("So few values fit many mechanisms by chance: export more time steps, or more columns.");
         case OpenParameters:
             return tr("These data do not determine %1: export a longer motion, more digits, or more columns.");
         case NotParabolic:

@@ -206,26 +206,20 @@ QString verdictNumbers(const ChannelComparison &channel)
                           errorText(channel.worstOver), errorText(100.0 * channel.excess));
 }
 
-std::vector<QStringList> comparisonTable(std::span<const ChannelComparison> channels, const ReferenceData *file)
+std::vector<QStringList> comparisonTable(std::span<const ChannelComparison> channels, const ReferenceData &file)
 {
-    const bool isByAngle = file && file->crank;
-    std::vector<QStringList> rows{{FindingText::tr("channel"),
-                                   file ? FindingText::tr("largest error") : FindingText::tr("largest difference"),
-                                   isByAngle ? FindingText::tr("at θ₂ [°]") : FindingText::tr("at t [s]"),
-                                   FindingText::tr("rms"), FindingText::tr("% of peak")}};
-    if (file) {
-        rows.front() << FindingText::tr("largest %") << FindingText::tr("rounding step") << FindingText::tr("verdict");
-    }
+    std::vector<QStringList> rows{{FindingText::tr("channel"), FindingText::tr("largest error"),
+                                   file.crank ? FindingText::tr("at θ₂ [°]") : FindingText::tr("at t [s]"),
+                                   FindingText::tr("rms"), FindingText::tr("% of peak"), FindingText::tr("largest %"),
+                                   FindingText::tr("rounding step"), FindingText::tr("verdict")}};
     for (const ChannelComparison &channel : channels) {
         const double time = channel.timeOfMaxAbs;
-        const double place = isByAngle ? (file->crank->omega2 * time + file->crank->theta20) * kDegreesPerRadian : time;
+        const double place = file.crank ? (file.crank->omega2 * time + file.crank->theta20) * kDegreesPerRadian : time;
         rows.push_back({QStringLiteral("%1 [%2]").arg(columnName(channel.channel), unitText(channel.channel)),
                         shortNumber(channel.maxAbs, kErrorDigits), channel.maxAbs ? numberText(place) : dash(),
-                        shortNumber(channel.rms, kErrorDigits), shortNumber(channel.percentOfPeak, kErrorDigits)});
-        if (file) {
-            rows.back() << shortNumber(channel.maxPercent, kErrorDigits)
-                        << numberText(channel.roundingStep, kErrorDigits) << verdictText(channel);
-        }
+                        shortNumber(channel.rms, kErrorDigits), shortNumber(channel.percentOfPeak, kErrorDigits),
+                        shortNumber(channel.maxPercent, kErrorDigits), numberText(channel.roundingStep, kErrorDigits),
+                        verdictText(channel)});
     }
     return rows;
 }

@@ -83,9 +83,8 @@ QString verdictText(const ChannelComparison &channel);
 /// States the numbers from which the verdict on a channel follows.
 QString verdictNumbers(const ChannelComparison &channel);
 
-/// Returns a table of the errors of each channel against a file or, if that is null, of the differences from a pinned
-/// motion, without the columns about the rounding of the file. The first row contains the headings.
-std::vector<QStringList> comparisonTable(std::span<const ChannelComparison> channels, const ReferenceData *file);
+/// Returns a table of the errors of each channel against a file. The first row contains the headings.
+std::vector<QStringList> comparisonTable(std::span<const ChannelComparison> channels, const ReferenceData &file);
 
 /// Summarizes a comparison: "Match: 6 of 6 quantities agree within the rounding of the file."
 QString summaryText(std::span<const ChannelComparison> channels);

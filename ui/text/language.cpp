@@ -22,22 +22,12 @@ QString codeOf(QLocale::Language language)
     return language == QLocale::Spanish ? "es" : "en";
 }
 
-QLocale::Language systemLanguage()
-{
-    for (const QString &name : QLocale::system().uiLanguages()) {
-        const QLocale::Language language = QLocale(name).language();
-        if (language == QLocale::English || language == QLocale::Spanish) {
-            return language;
-        }
-    }
-    return QLocale::English;
-}
-
-void install(const QString &file, const QString &folder)
+/// Loads the first translation in a language of the locale, such as slidercrank_es.
+void install(const QLocale &locale, const QString &name, const QString &folder)
 {
     auto *translator = new QTranslator(QCoreApplication::instance());
     translator->setObjectName(kTranslator);
-    if (!translator->load(file, folder) || !QCoreApplication::installTranslator(translator)) {
+    if (!translator->load(locale, name, "_", folder) || !QCoreApplication::installTranslator(translator)) {
         delete translator;
     }
 }
@@ -46,16 +36,15 @@ void install(const QString &file, const QString &folder)
 
 void setLanguage(Language language)
 {
-    const QLocale::Language spoken = language == Language::System    ? systemLanguage()
-                                     : language == Language::Spanish ? QLocale::Spanish
-                                                                     : QLocale::English;
-    const bool asSystem = language == Language::System || QLocale::system().language() == spoken;
-    QLocale::setDefault(asSystem ? QLocale::system() : QLocale(spoken));
-
-    const QString code = codeOf(spoken);
+    const QLocale chosen(language == Language::Spanish ? QLocale::Spanish : QLocale::English);
+    const bool isSystem = language == Language::System;
+    const bool asSystem = QLocale::system().zeroDigit() == u"0" && // other digits could not be typed
+                          (isSystem || QLocale::system().language() == chosen.language());
+    QLocale::setDefault(asSystem ? QLocale::system() : chosen);
     qDeleteAll(QCoreApplication::instance()->findChildren<QTranslator *>(kTranslator));
-    install("qtbase_" + code, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
-    install("slidercrank_" + code, ":/translations");
+    const QLocale spoken = isSystem ? QLocale::system() : chosen;
+    install(spoken, "qtbase", QLibraryInfo::path(QLibraryInfo::TranslationsPath));
+    install(spoken, "slidercrank", ":/translations");
 }
 
 Language chosenLanguage()

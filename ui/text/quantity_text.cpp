@@ -25,7 +25,8 @@ QString quoted(const QString &text)
 
 Quantity readQuantity(const QString &text, const std::optional<Unit> &wanted, const QLocale &locale)
 {
-    const QByteArray bytes = text.trimmed().replace(locale.decimalPoint(), ".").toUtf8();
+    const QByteArray bytes =
+        text.trimmed().replace(locale.negativeSign(), "-").replace(locale.decimalPoint(), ".").toUtf8();
     return readQuantity({bytes.constData(), static_cast<std::size_t>(bytes.size())}, wanted);
 }
 

@@ -309,8 +309,8 @@ private slots:
         solver.method = Method::Newton;
         session.setSolver(solver);
         const ReportText pinned({session.result(), {}, true});
-        QVERIFY2(pinned.has({"pinned motions, b = 65 mm", "This mechanism − pinned b = 65 mm", "9.58",
-                             "Thin: the pinned mechanism.", "2.5·10⁻¹² (relative), at most 10 iterations"}),
+        QVERIFY2(pinned.has({"pinned motions, b = 65 mm", "Thin: the pinned mechanism.",
+                             "2.5·10⁻¹² (relative), at most 10 iterations"}),
                  qPrintable(pinned.text));
         session.setSolver({});
         session.unpinMotions();

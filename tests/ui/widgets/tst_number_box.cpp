@@ -242,9 +242,7 @@ private slots:
         const QLocale spanish(QLocale::Spanish);
         const Row rows[] = {{spanish, "61,25", 61.25},
                             {spanish, "1.234", 1.234},
-                            {QLocale(QLocale::Swedish), QLocale(QLocale::Swedish).toString(-1.5e-7, 'g', 6), -1.5e-7},
-                            {QLocale(QLocale::Arabic, QLocale::Egypt),
-                             QLocale(QLocale::Arabic, QLocale::Egypt).toString(-26.5, 'g', 6), -26.5}};
+                            {QLocale(QLocale::Swedish), QLocale(QLocale::Swedish).toString(-1.5e-7, 'g', 6), -1.5e-7}};
         for (const Row &row : rows) {
             QLocale::setDefault(row.locale);
             Shown shown;
