@@ -16,10 +16,10 @@ namespace slidercrank
 namespace HWY_NAMESPACE
 {
 
-/// Computes a block of at most kBlock time stamps; reads and writes whole vectors. All vectors go through one stage
-/// before the next begins: stages are short enough for a processor to overlap several vectors, which it cannot do when
-/// each vector is carried from its time stamp to its last channel. The numbers are valid where `roots` is positive;
-/// returns whether that is everywhere.
+/// Computes a block of at most kBlock time stamps, a multiple of kMostLanes. All vectors go through one stage before the
+/// next begins: stages are short enough for a processor to overlap several vectors, which it cannot do when each vector
+/// is carried from its time stamp to its last channel. The numbers are valid where `roots` is positive; returns whether
+/// that is everywhere.
 bool evaluateBlock(const MotionConstants &constants, const double *times, std::size_t count,
                    const PlottedColumns &columns, double *roots)
 {
@@ -82,29 +82,27 @@ HWY_EXPORT(evaluateBlock);
 void ClosedForm::evaluate(std::span<const double> times, const PlottedColumns &columns,
                           std::span<Status> statuses) const
 {
-    using HWY_NAMESPACE::kBlock;
+    using HWY_NAMESPACE::kBlock, HWY_NAMESPACE::kMostLanes;
     std::fill(statuses.begin(), statuses.end(), Status::Solved);
-    double roots[kBlock];
-    double lastTimes[kBlock];
-    double lastValues[std::tuple_size_v<PlottedColumns>][kBlock];
-    for (std::size_t from = 0; from < times.size(); from += kBlock) {
-        const std::size_t count = std::min(kBlock, times.size() - from);
-        const bool isWhole = count == kBlock;
-        const double *blockTimes = times.data() + from;
+    double roots[kBlock] = {};
+    const std::size_t size = times.size();
+    const bool isShort = size < kMostLanes; // then all time stamps are computed one by one
+    for (std::size_t from = 0, count = size; from < size; from += count) {
+        if (!isShort) { // whole vectors, of which the last one overlaps the one before it
+            count = std::clamp((size - from) / kMostLanes * kMostLanes, kMostLanes, kBlock);
+            from = std::min(from, size - count);
+        }
         PlottedColumns target = columns;
-        for (std::size_t k = 0; k < columns.size(); ++k) {
-            target[k] = columns[k] == nullptr ? nullptr : isWhole ? columns[k] + from : lastValues[k];
+        for (double *&column : target) {
+            column = column == nullptr ? nullptr : column + from;
         }
-        if (!isWhole) { // vectors write beyond the last value
-            std::fill(std::copy_n(blockTimes, count, lastTimes), std::end(lastTimes), 0.0);
-            blockTimes = lastTimes;
-        }
-        const bool allOrdinary = HWY_DYNAMIC_DISPATCH(evaluateBlock)(m_constants, blockTimes, count, target, roots);
+        const bool allOrdinary =
+            !isShort && HWY_DYNAMIC_DISPATCH(evaluateBlock)(m_constants, times.data() + from, count, target, roots);
         for (std::size_t i = 0; i < count && !allOrdinary; ++i) {
             if (roots[i] > 0.0) {
                 continue;
             }
-            const Motion motion = difficultMotionAt(blockTimes[i]);
+            const Motion motion = motionAt(times[from + i]);
             statuses[from + i] = motion.status;
             const double values[] = {motion.theta3, motion.R4x,        motion.theta3Dot,
                                      motion.R4xDot, motion.theta3DDot, motion.R4xDDot};
@@ -112,11 +110,6 @@ void ClosedForm::evaluate(std::span<const double> times, const PlottedColumns &c
                 if (target[k] != nullptr) {
                     target[k][i] = values[k];
                 }
-            }
-        }
-        for (std::size_t k = 0; k < columns.size() && !isWhole; ++k) {
-            if (columns[k] != nullptr) {
-                std::copy_n(lastValues[k], count, columns[k] + from);
             }
         }
     }

@@ -34,12 +34,13 @@ namespace HWY_NAMESPACE
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Time stamps that are evaluated together; no vector has more lanes.
+/// The largest number of time stamps that are evaluated together, and in a vector.
 inline constexpr std::size_t kBlock = 64;
+inline constexpr std::size_t kMostLanes = 8;
 
 /// A vector of doubles with the operators of a number.
 struct Lanes {
-    using Tag = hn::CappedTag<double, kBlock>;
+    using Tag = hn::CappedTag<double, kMostLanes>;
     using Vector = hn::Vec<Tag>;
     using Mask = hn::Mask<Tag>;
 
