@@ -34,9 +34,8 @@ Sampling rangeOf(const std::vector<double> &times, const Sampling &sampling)
 /// Whether the range of `outer` contains the range of `inner`, within rounding errors.
 bool contains(const Sampling &outer, const Sampling &inner)
 {
-    const double slack = 1e-9 * std::abs(outer.duration);
-    const auto [first, last] = std::minmax({outer.start, outer.start + outer.duration});
-    return inner.start >= first - slack && inner.start + inner.duration <= last + slack;
+    const double slack = 1e-9 * outer.duration;
+    return inner.start >= outer.start - slack && inner.start + inner.duration <= outer.start + outer.duration + slack;
 }
 
 /// Returns the choices without the parts that cannot be computed quickly.
@@ -178,8 +177,8 @@ void Session::applyChoices(const Choices &choices)
 
 void Session::setTime(double seconds)
 {
-    const double end = m_choices.sampling.start + m_choices.sampling.duration;
-    m_time = std::clamp(seconds, std::min(m_choices.sampling.start, end), std::max(m_choices.sampling.start, end));
+    const Sampling &sampling = m_choices.sampling;
+    m_time = std::clamp(seconds, sampling.start, sampling.start + sampling.duration);
     emit timeChanged(pose());
 }
 

@@ -59,30 +59,16 @@ MotionCurves::MotionCurves(const Mechanism &mechanism, const Interval &time)
     }
 }
 
-MotionCurves::MotionCurves(const Trajectory &trajectory)
-    : m_samples(trajectory)
-{
-    if (!std::ranges::is_sorted(m_samples.time)) {
-        std::ranges::reverse(m_samples.time);
-        std::ranges::for_each(m_samples.values, [](std::vector<double> &values) { std::ranges::reverse(values); });
-    }
-}
-
 double MotionCurves::nearestTime(double t) const
 {
-    if (isExact()) {
-        return std::clamp(t, m_time.lower, m_time.upper);
-    }
-    return m_samples.time.empty() ? t : m_samples.time[nearestIndex(m_samples.time, t)];
+    return isExact() ? std::clamp(t, m_time.lower, m_time.upper) : m_samples->time[nearestIndex(m_samples->time, t)];
 }
 
 double MotionCurves::value(std::size_t channel, double time) const
 {
     const Channel plotted = kPlottedChannels[channel];
-    if (isExact()) {
-        return sample(*m_mechanism, {time}, plottedChannels(), {})[plotted].front();
-    }
-    return m_samples.time.empty() ? kNoValue : m_samples[plotted][nearestIndex(m_samples.time, time)];
+    return isExact() ? sample(m_mechanism, {time}, plottedChannels(), {})[plotted].front()
+                     : (*m_samples)[plotted][nearestIndex(m_samples->time, time)];
 }
 
 /// Returns the samples and the critical points between them, with a gap beyond each limit of the motion.
@@ -94,11 +80,11 @@ std::vector<CurvePoint> MotionCurves::exactPoints(std::size_t channel, const Tra
         points.push_back({samples.time[i], std::isfinite(value) ? value : kNoValue});
     }
     const Interval range{samples.time.front(), samples.time.back()};
-    const double omega2 = m_mechanism->omega2();
+    const double omega2 = m_mechanism.omega2();
     const double period = kTurn / std::abs(omega2);
     const double turns = std::ceil(range.length() / period);
     for (const CriticalPoint &point : m_critical[channel]) {
-        const double first = (point.theta2 - m_mechanism->theta20()) / omega2;
+        const double first = (point.theta2 - m_mechanism.theta20()) / omega2;
         const double passed = std::ceil((range.lower - first) / period);
         const double value = std::clamp(toFileUnit(kPlottedChannels[channel], point.value), -kBeyondAll, kBeyondAll);
         const bool isLast = (point.kind == CriticalPoint::Kind::End) == (omega2 > 0.0);
@@ -121,7 +107,7 @@ void MotionCurves::computeExactCurves(const Interval &range)
     constexpr int kPerTurn = 400;
     constexpr double kWholeTurn = 1.001 * kTurn; // more than a turn, so that rounding errors lose no critical point
     const Interval shown{std::max(range.lower, m_time.lower), std::min(range.upper, m_time.upper)};
-    const double speed = std::abs(m_mechanism->omega2());
+    const double speed = std::abs(m_mechanism.omega2());
     const bool isBand = speed * shown.length() >= kTurn * static_cast<double>(m_columns);
     const Sampling sampling{shown.lower, isBand ? kWholeTurn / speed : shown.length(),
                             isBand ? kPerTurn : 2 * static_cast<int>(m_columns)};
@@ -129,7 +115,7 @@ void MotionCurves::computeExactCurves(const Interval &range)
     if (shown.lower > shown.upper) {
         return;
     }
-    const Trajectory samples = sample(*m_mechanism, sampling.timeStamps(), plottedChannels(), {});
+    const Trajectory samples = sample(m_mechanism, sampling.timeStamps(), plottedChannels(), {});
     for (std::size_t channel = 0; channel < m_curves.size(); ++channel) {
         std::vector<CurvePoint> points = exactPoints(channel, samples);
         m_curves[channel].extremes = usualExtremes(points);
@@ -150,7 +136,7 @@ const MotionCurves::Curves &MotionCurves::curves(const Interval &range, std::siz
     }
     for (std::size_t channel = 0; channel < m_curves.size(); ++channel) {
         const std::vector<CurvePoint> points =
-            decimate(m_samples.time, m_samples[kPlottedChannels[channel]], range, columns);
+            decimate(m_samples->time, (*m_samples)[kPlottedChannels[channel]], range, columns);
         m_curves[channel] = {points, extremes(clip(points, range, {-kBeyondAll, kBeyondAll}))};
     }
     return m_curves;

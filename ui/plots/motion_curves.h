@@ -24,10 +24,13 @@ public:
     /// Curves of the exact motion during that time (s).
     MotionCurves(const Mechanism &mechanism, const Interval &time);
 
-    /// Curves of samples, whose time is ascending or descending.
-    explicit MotionCurves(const Trajectory &trajectory);
+    /// Curves of samples, which must outlive the object.
+    explicit MotionCurves(const Trajectory &samples)
+        : m_samples(&samples)
+    {
+    }
 
-    bool isExact() const { return m_mechanism.has_value(); }
+    bool isExact() const { return !m_samples; }
 
     /// Returns the time (s) nearest to t at which the curves have values.
     double nearestTime(double t) const;
@@ -51,10 +54,10 @@ private:
     std::vector<CurvePoint> exactPoints(std::size_t channel, const Trajectory &samples) const;
     void computeExactCurves(const Interval &range);
 
-    std::optional<Mechanism> m_mechanism; ///< nullopt if only samples are known
+    const Trajectory *m_samples = nullptr; ///< null if the motion is exact
+    Mechanism m_mechanism;
     Interval m_time;
     std::array<CriticalPoints, kPlottedChannels.size()> m_critical;
-    Trajectory m_samples; ///< of ascending time; empty if the motion is exact
 
     Curves m_curves; ///< of the last call of curves()
     std::optional<Interval> m_range;

@@ -25,14 +25,13 @@ constexpr std::size_t kErrorsPerRow = 2;
 const QVector<double> kReferenceDashes{3.5, 3.0};
 const std::array<QVector<double>, kMaxPinned> kPinnedDashes{{{}, {13.0, 4.0}, {5.0, 4.0}, {2.0, 3.0}}};
 
-Interval unite(const Interval &a, const Interval &b)
-{
-    return {std::min(a.lower, b.lower), std::max(a.upper, b.upper)};
-}
-
 void include(std::optional<Interval> &range, const std::optional<Interval> &added)
 {
-    range = range && added ? unite(*range, *added) : range ? range : added;
+    if (range && added) {
+        range = {std::min(range->lower, added->lower), std::max(range->upper, added->upper)};
+    } else if (added) {
+        range = added;
+    }
 }
 
 std::optional<Interval> extremesWithin(const Interval &time, const std::vector<CurvePoint> &points)
@@ -87,25 +86,19 @@ bool PlotFigure::hasErrors() const
 Interval PlotFigure::sampledRange() const
 {
     const Sampling &sampling = m_result->sampling;
-    const auto [first, last] = std::minmax({sampling.start, sampling.start + sampling.duration});
-    return last > first ? Interval{first, last} : Interval{first - 0.5, last + 0.5};
+    const Interval range{sampling.start, sampling.start + sampling.duration};
+    return range.length() > 0.0 ? range : Interval{range.lower - 0.5, range.upper + 0.5};
 }
 
 void PlotFigure::zoomTime(const Interval &range)
 {
-    Interval outer = sampledRange();
-    if (m_result->reference) {
-        const std::vector<double> &time = m_result->reference->data.time;
-        outer = unite(outer, Interval{time.front(), time.back()});
-    }
+    const Interval outer = sampledRange();
     const double largest = std::max(std::abs(outer.lower), std::abs(outer.upper));
     const double length = std::max(range.length(), kSmallestPart * largest);
     m_zoom.time.reset();
     if (length < outer.length()) {
         const double lower = std::clamp(range.lower, outer.lower, outer.upper - length);
         m_zoom.time = {lower, lower + length};
-    } else if (outer != sampledRange()) {
-        m_zoom.time = outer;
     }
 }
 

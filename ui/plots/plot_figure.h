@@ -86,7 +86,7 @@ public:
     const PlotZoom &zoom() const { return m_zoom; }
     void setZoom(const PlotZoom &zoom) { m_zoom = zoom; }
 
-    /// Zooms to that time range, limited to the time of the motion and of the file.
+    /// Zooms to that time range, limited to the time range of the motion.
     void zoomTime(const Interval &range);
     void zoomValues(std::size_t plot, const Interval &range);
     Interval timeRange() const { return m_zoom.time.value_or(sampledRange()); }

