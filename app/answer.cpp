@@ -13,10 +13,10 @@ namespace slidercrank
 
 Question::Question(const OptionReader &options)
     : mechanism(readMechanism(options))
-    , format(readFormat(options, Format::Text))
+    , format(options.word("format", "text"))
     , output(readOutput(options, options.files()))
 {
-    if (format != Format::Text) {
+    if (format != u"text") {
         setLanguage(Language::English);
         QLocale::setDefault(QLocale::c());
     }
@@ -24,9 +24,9 @@ Question::Question(const OptionReader &options)
 
 ExitStatus Question::write(const Streams &streams, const Answer &answer) const
 {
-    const QByteArray bytes = format == Format::Json  ? jsonDocument(answer.json)
-                             : format == Format::Csv ? csvText(answer.rows)
-                                                     : answer.text.toUtf8();
+    const QByteArray bytes = format == u"json"  ? jsonDocument(answer.json)
+                             : format == u"csv" ? csvText(answer.rows)
+                                                : answer.text.toUtf8();
     return bytes.isEmpty() ? ExitStatus::Success : writeOutput(streams, output, bytes);
 }
 

@@ -18,7 +18,7 @@ struct Answer {
 
 struct Question {
     Mechanism mechanism;
-    Format format = Format::Text;
+    QString format; ///< "text", "csv" or "json"
     QString output; ///< empty: standard output
 
     /// Switches to English for JSON and CSV, which are the same in every language. Messages that follow are in English,

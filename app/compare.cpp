@@ -67,9 +67,6 @@ ReferenceAnswer compareOne(const ReferenceQuestion &question, const SolverSettin
     const QString text = headline(reference) + CommandLine::tr("Model: %1").arg(mechanismText(question.mechanism, 9)) +
                          "\n\n" + alignedTable(comparisonTable(comparison, data)) + '\n' + summaryText(comparison);
     answer.text = (QStringList(text) + explanation).join('\n') + '\n';
-    answer.category = verdict == Verdict::Agrees  ? CommandLine::tr("agree")
-                      : verdict == Verdict::Close ? CommandLine::tr("close")
-                                                  : CommandLine::tr("differ");
     answer.status = moreSevere(
         reportTimeSteps(streams, model.summary, question.mechanism, solver.newton, displayName(reference.paths) + ": "),
         verdict == Verdict::Differs ? ExitStatus::Differs : ExitStatus::Success);

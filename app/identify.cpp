@@ -24,21 +24,11 @@ namespace
 
 using Outcome = Identification::Outcome;
 
-/// Names in JSON, by Identification::Outcome. The first three are outcomes with a mechanism.
-constexpr std::array kOutcomeNames{QT_TRANSLATE_NOOP("slidercrank::CommandLine", "identified"),
-                                   QT_TRANSLATE_NOOP("slidercrank::CommandLine", "ambiguous"),
-                                   QT_TRANSLATE_NOOP("slidercrank::CommandLine", "approximate"),
-                                   "insufficient",
-                                   "nearest",
-                                   "none"};
+/// Names in JSON, by Identification::Outcome.
+constexpr std::array kOutcomeNames{"identified", "ambiguous", "approximate", "insufficient", "nearest", "none"};
 
 /// Names in JSON, by Identification::Alternative::Why.
 constexpr std::array kAlternativeNames{"mirror-image", "reversed", "other-assembly", "alias", "another-mechanism"};
-
-const char *nameOf(Outcome outcome)
-{
-    return kOutcomeNames[static_cast<std::size_t>(outcome)];
-}
 
 QJsonObject jsonIdentification(const Diagnosis &diagnosis)
 {
@@ -62,7 +52,7 @@ QJsonObject jsonIdentification(const Diagnosis &diagnosis)
                            {"percentOfPeak", jsonNumber(column.percentOfPeak)}};
     };
     const auto jsonComparison = [](const ChannelComparison &channel) { return jsonObject(comparisonRecord(channel)); };
-    return {{"outcome", nameOf(found.outcome)},
+    return {{"outcome", kOutcomeNames[static_cast<std::size_t>(found.outcome)]},
             {"mechanism", jsonMechanism(found.hasMechanism() || found.outcome == Outcome::Nearest, found.parameters)},
             {"standardError", standardErrors},
             {"identifiable", identifiable},
@@ -125,10 +115,8 @@ ReferenceAnswer identifyOne(const ReferenceQuestion &question, const Reference &
     ReferenceAnswer answer;
     answer.json = jsonIdentification(diagnosis);
     if (isFound) {
-        answer.category = CommandLine::tr(nameOf(diagnosis.identification.outcome));
         answer.text = identificationText(reference, diagnosis);
     } else {
-        answer.category = CommandLine::tr("not identified");
         answer.status = ExitStatus::NotSolved;
         streams.report(displayName(reference.paths) + ": " + summaryText(diagnosis));
     }

@@ -160,7 +160,7 @@ ExitStatus limitsCommand(const OptionReader &options, const Streams &streams)
         design = mechanismText(mechanism, 9) + '\n';
     }
     if (options.has("vary")) {
-        if (question.format == Format::Text) {
+        if (question.format == u"text") {
             throw UsageError{CommandLine::tr("--vary writes a table: add --format csv or --format json.")};
         }
         const std::vector<Record> rows = varyLimits(options, mechanism.parameters());

@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace slidercrank
 {
@@ -81,10 +80,8 @@ Sampling readSampling(const OptionReader &options)
     sampling.start = options.number("start", sampling.start, kSecond);
     sampling.duration = options.number("duration", sampling.duration, kSecond, kShortestTime);
     sampling.steps = options.integer("steps", sampling.steps, 1, kLargestStepCount);
-    // Doubles are farthest apart at the end of the time range that is farther from 0.
-    const double farthest = std::max(std::abs(sampling.start), std::abs(sampling.start + sampling.duration));
-    const double spacing = std::nextafter(farthest, std::numeric_limits<double>::infinity()) - farthest;
-    if (sampling.duration / sampling.steps < 2.0 * spacing) {
+    constexpr double kSpacing = 4.5e-16; // of doubles, relative to their size, twice
+    if (sampling.duration / sampling.steps < kSpacing * (std::abs(sampling.start) + sampling.duration)) {
         throw UsageError{CommandLine::tr("The time steps are too short to be distinguished: choose fewer --steps, a "
                                          "longer --duration or a --start nearer to 0.")};
     }
@@ -99,15 +96,6 @@ SolverSettings readSolver(const OptionReader &options)
     solver.newton.tolerance = options.number("tolerance", solver.newton.tolerance, {}, 0.0);
     solver.newton.toleranceKind = options.choice("tolerance-kind", solver.newton.toleranceKind);
     return solver;
-}
-
-Format readFormat(const OptionReader &options, Format defaultFormat)
-{
-    if (!options.has("format")) {
-        return defaultFormat;
-    }
-    options.choice("format", defaultFormat); // throws if the command does not support the format
-    return static_cast<Format>(QStringList{"text", "csv", "json"}.indexOf(options.text("format")));
 }
 
 std::optional<double> readTimeStamp(const OptionReader &options, const Mechanism &mechanism, double start)
@@ -133,7 +121,7 @@ std::vector<ColumnChoice> readColumns(const OptionReader &options)
 {
     std::vector<ColumnChoice> choices;
     if (options.has("abscissa")) {
-        const bool isTime = options.choice("abscissa", 0) == 0;
+        const bool isTime = options.word("abscissa", {}) == u"time";
         choices.push_back({.role = isTime ? ColumnRole::Time : ColumnRole::CrankAngle, .heading = "#1"});
     }
     for (const QString &text : options.texts("column")) {

@@ -14,8 +14,6 @@
 namespace slidercrank
 {
 
-enum class Format { Text, Csv, Json };
-
 /// The names of all 36 channels.
 QStringList channelNames();
 
@@ -25,7 +23,6 @@ Unit defaultUnit(Parameter parameter);
 Mechanism readMechanism(const OptionReader &options);
 Sampling readSampling(const OptionReader &options);
 SolverSettings readSolver(const OptionReader &options);
-Format readFormat(const OptionReader &options, Format defaultFormat);
 
 /// The time (s) that --at or --at-angle asks for, if one of them is given. An angle stands for the first time from
 /// `start` on at which the crank has it.

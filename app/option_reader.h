@@ -56,6 +56,13 @@ public:
                          : defaultValue;
     }
 
+    /// The same as the word itself.
+    QString word(const char *name, const QString &defaultWord) const
+    {
+        choice(name, 0); // throws if the word is not among those of the option
+        return has(name) ? text(name) : defaultWord;
+    }
+
     /// Throws if any of these options was given. %1 in the message becomes the name of the option.
     void refuse(const std::vector<const char *> &names, const QString &message) const;
 

@@ -9,7 +9,6 @@
 #include "ui/text/written_number.h"
 
 #include <array>
-#include <map>
 
 namespace slidercrank
 {
@@ -65,7 +64,6 @@ ReferenceQuestion::ReferenceQuestion(const OptionReader &options)
 ExitStatus ReferenceQuestion::answerEach(const Streams &streams, const AnswerOne &answerOne) const
 {
     ExitStatus status = ExitStatus::Success;
-    std::map<QString, int> counts; // of the references in each category
     QStringList texts;
     Answer all;
     QJsonArray json;
@@ -73,13 +71,11 @@ ExitStatus ReferenceQuestion::answerEach(const Streams &streams, const AnswerOne
         const auto reference = readTimedReference(streams, {paths, {}, {}}, columns, mechanism);
         if (!reference) {
             status = moreSevere(status, ExitStatus::FileError);
-            ++counts[CommandLine::tr("could not be read")];
             continue;
         }
         ReferenceAnswer answer = answerOne(*reference);
         const QString file = paths.join(" + ");
         status = moreSevere(status, answer.status);
-        ++counts[answer.category];
         texts += answer.text;
         for (Record &row : answer.rows) {
             row.insert(row.begin(), {"file", file});
@@ -94,13 +90,6 @@ ExitStatus ReferenceQuestion::answerEach(const Streams &streams, const AnswerOne
     }
     if (json.isEmpty()) { // no file could be read: writes no output file
         return status;
-    }
-    if (files.size() > 1) {
-        QStringList parts;
-        for (const auto &[category, count] : counts) {
-            parts += QString::number(count) + ' ' + category;
-        }
-        texts += CommandLine::tr("%1 files: %2.").arg(QString::number(files.size()), parts.join(", ")) + '\n';
     }
     texts.removeAll(QString());
     all.text = texts.join('\n');

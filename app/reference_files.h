@@ -15,7 +15,6 @@ namespace slidercrank
 /// The answer about one reference. Its rows and its JSON do not describe the file.
 struct ReferenceAnswer : Answer {
     ExitStatus status = ExitStatus::Success;
-    QString category; ///< counted in the last line if there are several files: "identified", "differ"
 };
 
 struct ReferenceQuestion : Question {

@@ -137,7 +137,7 @@ RenderRequest readRequest(const OptionReader &options)
     if (const QStringList files = options.texts("reference"); !files.isEmpty()) {
         request.scene.reference = ReferenceSource{files, {}, {}};
     }
-    request.theme = options.choice("theme", 0) == 0 ? Theme::Light : Theme::Dark;
+    request.theme = options.word("theme", "light") == u"light" ? Theme::Light : Theme::Dark;
     if (request.subject == Subject::Report) {
         options.refuse({"size", "scale", "theme"},
                        CommandLine::tr("A report is printed on A4, black on white: remove %1."));

@@ -90,7 +90,7 @@ ExitStatus solveCommand(const OptionReader &options, const Streams &streams)
     const ChannelSet channelSet = readChannels(options);
     const std::vector<Channel> channels = listed(channelSet);
     const AngleUnit angleUnit = options.choice("angle-unit", AngleUnit::Degree);
-    const bool isJson = readFormat(options, Format::Csv) == Format::Json;
+    const bool isJson = options.word("format", "csv") == u"json";
     Output output(streams, readOutput(options));
     options.refuseFiles();
     if (!output.open()) {

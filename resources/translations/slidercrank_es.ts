@@ -415,18 +415,6 @@
         <translation>No hay ayuda sobre «%1»: elija una de %2.</translation>
     </message>
     <message>
-        <source>agree</source>
-        <translation>coinciden</translation>
-    </message>
-    <message>
-        <source>close</source>
-        <translation>próximos</translation>
-    </message>
-    <message>
-        <source>differ</source>
-        <translation>difieren</translation>
-    </message>
-    <message>
         <source>opens the window</source>
         <translation>abre la ventana</translation>
     </message>
@@ -477,22 +465,6 @@
     <message>
         <source>Usage:</source>
         <translation>Uso:</translation>
-    </message>
-    <message>
-        <source>identified</source>
-        <translation>identificados</translation>
-    </message>
-    <message>
-        <source>approximate</source>
-        <translation>aproximados</translation>
-    </message>
-    <message>
-        <source>ambiguous</source>
-        <translation>ambiguos</translation>
-    </message>
-    <message>
-        <source>not identified</source>
-        <translation>sin identificar</translation>
     </message>
     <message>
         <source>Options for the first of them: %1</source>
@@ -649,14 +621,6 @@
     <message>
         <source>Cannot write to standard output: %1.</source>
         <translation>No se puede escribir en la salida estándar: %1.</translation>
-    </message>
-    <message>
-        <source>%1 files: %2.</source>
-        <translation>%1 archivos: %2.</translation>
-    </message>
-    <message>
-        <source>could not be read</source>
-        <translation>no se pudieron leer</translation>
     </message>
     <message>
         <source>Frames show the whole time range: remove %1, or choose the range with --start and --duration.</source>

@@ -233,7 +233,6 @@ void PlotFigure::setValueScale(std::size_t index)
 /// Returns "coupler angular velocity ω³ = dθ³/dt [°/s]" and shorter variants, or "error [%]".
 QStringList PlotFigure::titles(std::size_t index) const
 {
-    const Plot &plot = m_plots[index];
     const bool isError = isErrorPlot(index);
     const Channel channel = kPlottedChannels[isError ? index / kPlotColumns * kErrorColumn : channelOf(index)];
     QString unit = unitText(channel);
