@@ -3,15 +3,13 @@
 
 // Session recovery: while there are unsaved changes, keeps a copy of the scene in the folder of the settings. The copy
 // is written two seconds after the last edit, and removed when the scene is saved or the window is closed. After a
-// crash the next start offers to restore it. Each copy has a lock file that is released when its process ends, so that
-// a window does not offer the copy of another running window.
+// crash the next start offers to restore it. The copy has a lock file that is released when its process ends, so that
+// only one window at a time keeps or offers a copy.
 
 #include <QLockFile>
 #include <QObject>
 #include <QString>
 #include <QTimer>
-
-#include <memory>
 
 namespace slidercrank
 {
@@ -26,26 +24,22 @@ class Recovery : public QObject
 
 public:
     Recovery(Session *session, SceneFile *scene, MessageBar *messages, QObject *parent);
-    ~Recovery() override; ///< removes the copy
+    ~Recovery() override; ///< removes the copy, unless it is still offered
 
 private:
-    /// The lock of a copy, which this window holds. Null if there is no copy.
-    using Copy = std::unique_ptr<QLockFile>;
-    static Copy claim(const QString &path);
-    static QString pathOf(const Copy &copy);
-    static void remove(Copy &copy);
-
+    bool lock();
     void followEdits();
-    void write();
     void showOffer();
     void restore();
+    void removeCopy();
 
     Session *m_session;
     SceneFile *m_scene;
     MessageBar *m_messages;
+    QString m_path;
+    QLockFile m_lock;
     QTimer m_rest{this};
-    Copy m_copy;  ///< of the current scene
-    Copy m_offer; ///< was left by a crash, and can be restored
+    bool m_isOffered = false; ///< the copy was left by a crash and waits for an answer
 };
 
 } // namespace slidercrank

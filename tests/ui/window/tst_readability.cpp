@@ -182,7 +182,7 @@ private slots:
             recovered.parameters.b = 70.0;
             const QDir folder = QFileInfo(QSettings().fileName()).dir();
             QVERIFY(folder.mkpath("."));
-            QCOMPARE(writeScene(recovered, folder.filePath("recovery_left.json")), std::nullopt);
+            QCOMPARE(writeScene(recovered, folder.filePath("recovery.json")), std::nullopt);
             openWindow();
             m_window->messages().greetOnce();
             m_window->resize(kSmall);
