@@ -106,27 +106,22 @@ ParameterPanel::ParameterPanel(Session *session, QWidget *parent)
     : QWidget(parent)
     , m_session(session)
     , m_grid(new QGridLayout(this))
-    , m_chosen(named("parameterBox", new QComboBox(this), tr("Parameter to change")))
 {
     named("parameterPanel", this, tr("Parameters of the mechanism"));
     m_grid->setContentsMargins(6, 4, 6, 4);
     m_grid->setHorizontalSpacing(4);
     m_grid->setVerticalSpacing(3);
     m_grid->setColumnStretch(1, 1);
-    const auto length = [](double range) { return std::vector{ShownUnit{tr("mm"), kMillimetre, 0.0, range}}; };
+    const auto length = [](double range) { return std::vector{ShownUnit{tr("mm"), kMillimetre, range}}; };
     addRow(Parameter::A, tr("crank"), tr("Length of the crank, O₂ to A"), length(100.0));
     addRow(Parameter::B, tr("coupler"), tr("Length of the coupler, A to B"), length(200.0));
     addRow(Parameter::C, tr("offset"), tr("Height of the slider's line above O₂; may be negative"), length(100.0));
     addRow(Parameter::Omega2, tr("crank speed"), tr("Angular velocity of the crank, counter-clockwise positive"),
-           {{tr("rad/s"), kRadianPerSecond, kPi, 20.0},
-            {tr("°/s"), kDegreePerSecond, 180.0, 1000.0},
-            {tr("rpm"), kTurnPerMinute, 30.0, 200.0}});
+           {{tr("rad/s"), kRadianPerSecond, 20.0},
+            {tr("°/s"), kDegreePerSecond, 1000.0},
+            {tr("rpm"), kTurnPerMinute, 200.0}});
     addRow(Parameter::Theta20, tr("initial angle"), tr("Angle of the crank at t = 0"),
-           {{tr("°"), kDegree, 180.0, 180.0}, {tr("rad"), kRadian, kPi, 3.2}});
-    m_chosen->setToolTip(tr("Parameter to change"));
-    m_chosen->setCurrentIndex(static_cast<int>(Parameter::B));
-    m_chosen->hide();
-    connect(m_chosen, &QComboBox::currentIndexChanged, this, &ParameterPanel::arrange);
+           {{tr("°"), kDegree, 180.0}, {tr("rad"), kRadian, 3.2}});
     m_grid->setRowStretch(m_grid->rowCount(), 1);
     connect(session, &Session::parametersChanged, this, &ParameterPanel::showParameters);
     showParameters();
@@ -134,13 +129,13 @@ ParameterPanel::ParameterPanel(Session *session, QWidget *parent)
 
 bool ParameterPanel::ShownUnit::isCoreUnit() const
 {
-    return halfTurn == 0.0 || halfTurn == kPi;
+    return unit.dimension == Dimension::Length || unit.factor == kDegreesPerRadian;
 }
 
 // Dividing by the half turn first converts 360 °/s, 60 rpm and 90° to the doubles nearest to 2π, 2π and π/2.
 double ParameterPanel::ShownUnit::toCore(double value) const
 {
-    return isCoreUnit() ? value : value / halfTurn * kPi;
+    return isCoreUnit() ? value : value / (180.0 / unit.factor) * kPi;
 }
 
 double ParameterPanel::ShownUnit::fromCore(double value) const
@@ -148,7 +143,7 @@ double ParameterPanel::ShownUnit::fromCore(double value) const
     if (isCoreUnit()) {
         return value;
     }
-    const double exact = value / kPi * halfTurn;
+    const double exact = value / kPi * (180.0 / unit.factor);
     const double rounded = QString::number(exact, 'g', 15).toDouble(); // 370, not 370.00000000000006
     return toCore(rounded) == value ? rounded : exact;
 }
@@ -165,7 +160,6 @@ void ParameterPanel::addRow(Parameter parameter, const QString &noun, const QStr
     const QLatin1String key(optionName(parameter));
     const QString symbol = symbolText(parameter);
     const QString name = tr("%1 (%2)").arg(explanation, symbol);
-    m_chosen->addItem(tr("%1 %2").arg(symbol, noun));
     Row &row = m_rows[indexOf(parameter)];
     row.explanation = explanation;
     row.units = units;
@@ -225,26 +219,6 @@ bool ParameterPanel::eventFilter(QObject *watched, QEvent *event)
     return QWidget::eventFilter(watched, event);
 }
 
-void ParameterPanel::setBrief(bool brief)
-{
-    m_isBrief = brief;
-    arrange();
-}
-
-void ParameterPanel::arrange()
-{
-    for (int line = 0; line < m_chosen->count(); ++line) {
-        m_rows[static_cast<std::size_t>(line)].label->setVisible(!m_isBrief);
-        for (int column = 1; column < m_grid->columnCount(); ++column) {
-            m_grid->itemAtPosition(line, column)->widget()->setVisible(!m_isBrief || line == m_chosen->currentIndex());
-        }
-    }
-    m_chosen->setVisible(m_isBrief);
-    if (m_isBrief) {
-        m_grid->addWidget(m_chosen, m_chosen->currentIndex(), 0);
-    }
-}
-
 void ParameterPanel::edit(Parameter parameter, double value)
 {
     m_session->setParameter(parameter, m_rows[indexOf(parameter)].shownUnit().toCore(value));
@@ -265,7 +239,7 @@ void ParameterPanel::showRow(Parameter parameter)
     const double exact = valueOf(parameters, parameter);
     const ShownUnit &unit = row.shownUnit();
     const double value = unit.fromCore(exact);
-    const bool isLength = unit.halfTurn == 0.0;
+    const bool isLength = unit.unit.dimension == Dimension::Length;
 
     // The range of the slider must include the number and must not be much larger than the mechanism.
     constexpr double kMuchTooLong = 50.0;

@@ -31,9 +31,6 @@ class ParameterPanel : public QWidget
 public:
     explicit ParameterPanel(Session *session, QWidget *parent = nullptr);
 
-    /// Shows only the parameter that is chosen in a list instead of all of them.
-    void setBrief(bool brief);
-
 signals:
     /// The user clicked the name of a parameter that affects the limits of the motion.
     void responseRequested(slidercrank::Parameter parameter);
@@ -46,8 +43,7 @@ private:
     struct ShownUnit {
         QString name;
         Unit unit;
-        double halfTurn; ///< π rad in this unit; 0 for a length
-        double range;    ///< initial range of the slider, to both sides of 0
+        double range; ///< initial range of the slider, to both sides of 0
 
         bool isCoreUnit() const;
         double toCore(double value) const;
@@ -71,13 +67,10 @@ private:
     void edit(Parameter parameter, double value); ///< `value` is in the displayed unit
     void showParameters();
     void showRow(Parameter parameter);
-    void arrange();
 
     Session *m_session;
     std::array<Row, kParameterCount> m_rows;
     QGridLayout *m_grid;
-    QComboBox *m_chosen; ///< the row that is shown while the panel is brief
-    bool m_isBrief = false;
 };
 
 } // namespace slidercrank

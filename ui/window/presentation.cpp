@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/presentation.h"
 
-#include "ui/document/with.h"
 #include "ui/mechanism/mechanism_view.h"
-#include "ui/panels/parameter_panel.h"
 #include "ui/plots/plot_grid.h"
 #include "ui/widgets/folding_tabs.h"
 #include "ui/widgets/message_bar.h"
@@ -53,14 +51,10 @@ void Presentation::setOn(bool on)
     }
     m_isOn = on;
     setMechanismAlone(false);
-    const MechanismSettings drawn = m_views.mechanism->settings();
     if (on) {
-        m_hadAngles = drawn.angles;
         m_wasFolded = m_views.tabs->isFolded();
         m_widths = m_views.columns->sizes();
     }
-    m_views.mechanism->setSettings(with(drawn, &MechanismSettings::angles, on || (drawn.angles && m_hadAngles)));
-    m_views.parameters->setBrief(on);
     m_views.plots->setPresentation(on);
     m_messages->setMuted(on);
     m_window->statusBar()->setVisible(!on);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Presentation mode: the mechanism and the plots fill the screen, with a large font and wide lines. The drawing shows θ₂
-// and θ³; below it are the playback and one parameter at a time. The tabs are folded. F11 or Escape ends the mode.
+// Presentation mode: the mechanism and the plots fill the screen, with a large font and wide lines. The tabs are folded.
+// F11 or Escape ends the mode.
 
 #include <QList>
 #include <QObject>
@@ -39,7 +39,6 @@ private:
     MessageBar *m_messages;
     QMainWindow *m_window;
     bool m_isOn = false;
-    bool m_hadAngles = false; ///< whether the drawing showed the angles before
     bool m_wasFolded = false; ///< whether the tabs were folded before
     QList<int> m_widths;      ///< px, of the columns before
 };
