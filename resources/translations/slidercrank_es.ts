@@ -152,10 +152,6 @@
         <source>Choose what each column contains. The choice is remembered for files with the same headings.</source>
         <translation>Elija qué contiene cada columna. La elección se recuerda para los archivos con los mismos encabezados.</translation>
     </message>
-    <message>
-        <source>range</source>
-        <translation>rango</translation>
-    </message>
 </context>
 <context>
     <name>slidercrank::ColumnText</name>
@@ -1335,11 +1331,6 @@ Equipo: %1. Tiempo: %2 s.
         <translation>%1 columnas no se usaron</translation>
     </message>
     <message>
-        <source>errors</source>
-        <comment>name of a file</comment>
-        <translation>errores</translation>
-    </message>
-    <message>
         <source>Errors, a row for each channel</source>
         <translation>Errores, una fila por canal</translation>
     </message>
@@ -1354,11 +1345,6 @@ Equipo: %1. Tiempo: %2 s.
     <message>
         <source>max |model − reference|</source>
         <translation>máx. |modelo − referencia|</translation>
-    </message>
-    <message>
-        <source>differences</source>
-        <comment>name of a file</comment>
-        <translation>diferencias</translation>
     </message>
     <message>
         <source>This mechanism is the pinned one: change it to see the difference.</source>
@@ -1397,18 +1383,6 @@ Equipo: %1. Tiempo: %2 s.
         <translation>El archivo corresponde a %1</translation>
     </message>
     <message>
-        <source>unchanged</source>
-        <translation>sin cambio</translation>
-    </message>
-    <message>
-        <source>assembly</source>
-        <translation>configuración</translation>
-    </message>
-    <message>
-        <source>Now → then (measured ± standard error)</source>
-        <translation>Ahora → después (medido ± error estándar)</translation>
-    </message>
-    <message>
         <source>Apply</source>
         <translation>Aplicar</translation>
     </message>
@@ -1445,6 +1419,10 @@ differs: anything else</source>
 coincide: al menos el 95 % de los valores dentro del redondeo, ninguno más allá de diez veces el redondeo, ni más allá de él en un 0,5 % de la mitad del recorrido
 próximo: ninguno más allá de cien veces, ni en un 1 %
 difiere: lo demás</translation>
+    </message>
+    <message>
+        <source>Sets %1</source>
+        <translation>Establece %1</translation>
     </message>
 </context>
 <context>
@@ -1490,28 +1468,12 @@ difiere: lo demás</translation>
         <translation>Todavía se está escribiendo otro archivo: espere a que termine, o cancélelo abajo.</translation>
     </message>
     <message>
-        <source>figure.png</source>
-        <translation>figura.png</translation>
-    </message>
-    <message>
-        <source>mechanism.png</source>
-        <translation>mecanismo.png</translation>
-    </message>
-    <message>
         <source>The six channels, every so many degrees of the crank (*.csv)</source>
         <translation>Los seis canales, cada cierto número de grados de la manivela (*.csv)</translation>
     </message>
     <message>
-        <source>motion.csv</source>
-        <translation>movimiento.csv</translation>
-    </message>
-    <message>
         <source>Step of the crank angle, in degrees:</source>
         <translation>Paso del ángulo de la manivela, en grados:</translation>
-    </message>
-    <message>
-        <source>report.pdf</source>
-        <translation>informe.pdf</translation>
     </message>
     <message>
         <source>New folder of numbered frames (*)</source>
@@ -1546,8 +1508,16 @@ difiere: lo demás</translation>
         <translation>La imagen está en el portapapeles.</translation>
     </message>
     <message>
-        <source>Exported to %1</source>
-        <translation>Exportado a %1</translation>
+        <source>figure</source>
+        <translation>figura</translation>
+    </message>
+    <message>
+        <source>mechanism</source>
+        <translation>mecanismo</translation>
+    </message>
+    <message>
+        <source>report</source>
+        <translation>informe</translation>
     </message>
 </context>
 <context>
@@ -1778,11 +1748,6 @@ difiere: lo demás</translation>
         <translation>Fuera del intervalo de tiempo simulado</translation>
     </message>
     <message>
-        <source>limits</source>
-        <comment>name of a file</comment>
-        <translation>límites</translation>
-    </message>
-    <message>
         <source>Limits of the motion</source>
         <translation>Límites del movimiento</translation>
     </message>
@@ -1842,10 +1807,6 @@ difiere: lo demás</translation>
         <translation>%1[*] – Biela-manivela</translation>
     </message>
     <message>
-        <source>Cancelled: nothing was written.</source>
-        <translation>Cancelado: no se escribió nada.</translation>
-    </message>
-    <message>
         <source>Simulation results (*.csv *.txt *.tsv *.tab *.dat *.dta *.mot);;All files (*)</source>
         <translation>Resultados de simulación (*.csv *.txt *.tsv *.tab *.dat *.dta *.mot);;Todos los archivos (*)</translation>
     </message>
@@ -1856,14 +1817,6 @@ difiere: lo demás</translation>
     <message>
         <source>Errors against the reference</source>
         <translation>Errores frente a la referencia</translation>
-    </message>
-    <message>
-        <source>Reference: what was read, and how</source>
-        <translation>Referencia: qué se leyó, y cómo</translation>
-    </message>
-    <message>
-        <source>Cancelled: the previous result is still shown.</source>
-        <translation>Cancelado: se sigue mostrando el resultado anterior.</translation>
     </message>
     <message>
         <source>%1 is a scene: open it alone, and the files of one motion together.</source>
@@ -2313,10 +2266,6 @@ difiere: lo demás</translation>
 <context>
     <name>slidercrank::Messages</name>
     <message>
-        <source>Saved: %1</source>
-        <translation>Guardado: %1</translation>
-    </message>
-    <message>
         <source>The scene is open without its reference. %1</source>
         <translation>La escena está abierta sin su referencia. %1</translation>
     </message>
@@ -2343,10 +2292,6 @@ difiere: lo demás</translation>
     <message>
         <source>Drag a slider or a link. Press Space to play.</source>
         <translation>Arrastre un control o un eslabón. Pulse Espacio para reproducir.</translation>
-    </message>
-    <message>
-        <source>Rows copied to the clipboard, as CSV with headings: %1.</source>
-        <translation>Filas copiadas en el portapapeles, como CSV con encabezados: %1.</translation>
     </message>
     <message>
         <source>The time range is now that of %1: %2 s to %3 s.</source>
@@ -2587,11 +2532,6 @@ difiere: lo demás</translation>
         <translation>‖C‖</translation>
     </message>
     <message>
-        <source>equations</source>
-        <comment>name of a file</comment>
-        <translation>ecuaciones</translation>
-    </message>
-    <message>
         <source>Equations, a row for each constraint</source>
         <translation>Ecuaciones, una fila por restricción</translation>
     </message>
@@ -2644,11 +2584,6 @@ difiere: lo demás</translation>
         <translation>De C; la de Cₜ por s, la de Q_d por s²</translation>
     </message>
     <message>
-        <source>jacobian</source>
-        <comment>name of a file</comment>
-        <translation>jacobiano</translation>
-    </message>
-    <message>
         <source>Jacobian C_q, a row for each constraint, a column for each coordinate</source>
         <translation>Jacobiano C_q, una fila por restricción y una columna por coordenada</translation>
     </message>
@@ -2685,11 +2620,6 @@ difiere: lo demás</translation>
         <translation>Desde la posición del instante anterior</translation>
     </message>
     <message>
-        <source>iterations</source>
-        <comment>name of a file</comment>
-        <translation>iteraciones</translation>
-    </message>
-    <message>
         <source>Residual ‖C‖ over the iterations</source>
         <translation>Residuo ‖C‖ a lo largo de las iteraciones</translation>
     </message>
@@ -2724,11 +2654,6 @@ difiere: lo demás</translation>
     <message>
         <source>Near the solution each iteration doubles the number of correct digits: the line bends down.</source>
         <translation>Cerca de la solución cada iteración duplica las cifras correctas: la línea se curva hacia abajo.</translation>
-    </message>
-    <message>
-        <source>coordinates</source>
-        <comment>name of a file</comment>
-        <translation>coordenadas</translation>
     </message>
     <message>
         <source>Coordinates, a row for each</source>
@@ -2883,14 +2808,6 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     <message>
         <source>Back to the initial value</source>
         <translation>Volver al valor inicial</translation>
-    </message>
-    <message>
-        <source>Parameter to change</source>
-        <translation>Parámetro que se cambia</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
     </message>
     <message>
         <source>mm</source>
@@ -3394,11 +3311,6 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>%1 filas</translation>
     </message>
     <message>
-        <source>reference</source>
-        <comment>name of a file</comment>
-        <translation>referencia</translation>
-    </message>
-    <message>
         <source>%1. %2.</source>
         <translation>%1. %2.</translation>
     </message>
@@ -3529,29 +3441,6 @@ SHA-256: %2</translation>
     </message>
 </context>
 <context>
-    <name>slidercrank::ResponseChart</name>
-    <message>
-        <source>stroke [mm]</source>
-        <translation>carrera [mm]</translation>
-    </message>
-    <message>
-        <source>time ratio</source>
-        <translation>relación de tiempos</translation>
-    </message>
-    <message>
-        <source>min. transmission angle [°]</source>
-        <translation>ángulo transm. mín. [°]</translation>
-    </message>
-    <message>
-        <source>peak slider speed [mm/s]</source>
-        <translation>velocidad máx. [mm/s]</translation>
-    </message>
-    <message>
-        <source>peak slider acc. [mm/s²]</source>
-        <translation>aceleración máx. [mm/s²]</translation>
-    </message>
-</context>
-<context>
     <name>slidercrank::ResponseText</name>
     <message>
         <source>The crank makes full turns for no value of %1.</source>
@@ -3625,71 +3514,32 @@ SHA-256: %2</translation>
         <translation>Tablas (*.csv)</translation>
     </message>
     <message>
-        <source>response.png</source>
-        <translation>respuesta.png</translation>
-    </message>
-</context>
-<context>
-    <name>slidercrank::RunForm</name>
-    <message>
-        <source>Start</source>
-        <translation>Inicio</translation>
+        <source>response</source>
+        <translation>respuesta</translation>
     </message>
     <message>
-        <source> s</source>
-        <translation> s</translation>
+        <source>stroke [mm]</source>
+        <translation>carrera [mm]</translation>
     </message>
     <message>
-        <source>Duration</source>
-        <translation>Duración</translation>
+        <source>time ratio</source>
+        <translation>relación de tiempos</translation>
     </message>
     <message>
-        <source>Steps</source>
-        <translation>Pasos</translation>
+        <source>min. transmission angle [°]</source>
+        <translation>ángulo transm. mín. [°]</translation>
     </message>
     <message>
-        <source>×</source>
-        <translation>×</translation>
+        <source>peak slider speed [mm/s]</source>
+        <translation>velocidad máx. [mm/s]</translation>
     </message>
     <message>
-        <source>Time range and speed</source>
-        <translation>Intervalo de tiempo y velocidad</translation>
+        <source>peak slider acc. [mm/s²]</source>
+        <translation>aceleración máx. [mm/s²]</translation>
     </message>
     <message>
-        <source>The first time step</source>
-        <translation>El primer instante</translation>
-    </message>
-    <message>
-        <source>From the first time step to the last</source>
-        <translation>Del primer instante al último</translation>
-    </message>
-    <message>
-        <source>One revolution</source>
-        <translation>Una vuelta</translation>
-    </message>
-    <message>
-        <source>Sets the duration to one revolution of the crank</source>
-        <translation>Fija la duración en una vuelta de la manivela</translation>
-    </message>
-    <message>
-        <source>Intervals; there is one time step more</source>
-        <translation>Intervalos; hay un instante más</translation>
-    </message>
-    <message>
-        <source>Playback speed</source>
-        <translation>Velocidad de reproducción</translation>
-    </message>
-    <message>
-        <source>Seconds of the motion in a second of real time</source>
-        <translation>Segundos del movimiento en un segundo de tiempo real</translation>
-    </message>
-    <message>
-        <source>Playback time per revolution</source>
-        <translation>Tiempo de reproducción por vuelta</translation>
-    </message>
-    <message>
-        <source>Real time in which one revolution of the crank is played</source>
-        <translation>Tiempo real en que se reproduce una vuelta de la manivela</translation>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -3705,6 +3555,10 @@ SHA-256: %2</translation>
     <message>
         <source>PDF documents (*.pdf)</source>
         <translation>Documentos PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>%1 exists. Replace it?</source>
+        <translation>%1 ya existe. ¿Reemplazarlo?</translation>
     </message>
 </context>
 <context>
@@ -3754,8 +3608,12 @@ SHA-256: %2</translation>
         <translation>Otro programa ha cambiado %1 desde que usted lo abrió. ¿Reemplazarlo?</translation>
     </message>
     <message>
-        <source>scene.slidercrank</source>
-        <translation>escena.slidercrank</translation>
+        <source>scene</source>
+        <translation>escena</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Guardado: %1</translation>
     </message>
 </context>
 <context>
@@ -3803,6 +3661,14 @@ SHA-256: %2</translation>
         <source>%1 is a pipe or a device: save the data in a file, and open that.</source>
         <translation>%1 es una tubería o un dispositivo: guarde los datos en un archivo y abra ese archivo.</translation>
     </message>
+    <message>
+        <source>Exported to %1</source>
+        <translation>Exportado a %1</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Cancelado.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::SolverForm</name>
@@ -3843,22 +3709,6 @@ SHA-256: %2</translation>
         <translation>Los %1 instantes están resueltos.</translation>
     </message>
     <message>
-        <source>%1 of %2 time steps are solved.</source>
-        <translation>%1 de %2 instantes están resueltos.</translation>
-    </message>
-    <message>
-        <source>The closed form needs no iterations.</source>
-        <translation>La forma cerrada no necesita iteraciones.</translation>
-    </message>
-    <message>
-        <source>Iterations: %1.</source>
-        <translation>Iteraciones: %1.</translation>
-    </message>
-    <message>
-        <source>Largest residual ‖C‖ of the time steps solved: %1.</source>
-        <translation>Mayor residuo ‖C‖ de los instantes resueltos: %1.</translation>
-    </message>
-    <message>
         <source>%1 of %2 time steps did not converge within %3 iterations: allow more iterations or a larger tolerance.</source>
         <translation>%1 de %2 instantes no convergieron en %3 iteraciones: permita más iteraciones o una tolerancia mayor.</translation>
     </message>
@@ -3894,24 +3744,13 @@ SHA-256: %2</translation>
         <source>Maximum iterations</source>
         <translation>Máximo de iteraciones</translation>
     </message>
-</context>
-<context>
-    <name>slidercrank::StatusBar</name>
     <message>
-        <source>Computing</source>
-        <translation>Calculando</translation>
+        <source>cannot be assembled at %1 of %2 time steps</source>
+        <translation>no se puede ensamblar en %1 de %2 instantes</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Cancelar</translation>
-    </message>
-    <message>
-        <source>%1 samples in %2 ms</source>
-        <translation>%1 muestras en %2 ms</translation>
-    </message>
-    <message>
-        <source>Newton-Raphson</source>
-        <translation>Newton-Raphson</translation>
+        <source>%1 of %2 time steps not solved</source>
+        <translation>%1 de %2 instantes sin resolver</translation>
     </message>
     <message>
         <source>iterations: %1</source>
@@ -3922,12 +3761,19 @@ SHA-256: %2</translation>
         <translation>residuo %1</translation>
     </message>
     <message>
-        <source>cannot be assembled at %1 of %2 time steps</source>
-        <translation>no se puede ensamblar en %1 de %2 instantes</translation>
+        <source>%1 samples in %2 ms</source>
+        <translation>%1 muestras en %2 ms</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::StatusBar</name>
+    <message>
+        <source>Computing</source>
+        <translation>Calculando</translation>
     </message>
     <message>
-        <source>%1 of %2 time steps not solved</source>
-        <translation>%1 de %2 instantes sin resolver</translation>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
     </message>
 </context>
 <context>
@@ -4097,11 +3943,6 @@ SHA-256: %2</translation>
         <translation>efecto de los datos redondeados</translation>
     </message>
     <message>
-        <source>speed</source>
-        <comment>name of a file</comment>
-        <translation>velocidad</translation>
-    </message>
-    <message>
         <source>Error against time for each method</source>
         <translation>Error frente a tiempo de cada método</translation>
     </message>
@@ -4129,26 +3970,6 @@ SHA-256: %2</translation>
         <translation>Medir casos difíciles</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Cancelar</translation>
-    </message>
-    <message>
-        <source>Progress of the study</source>
-        <translation>Progreso del estudio</translation>
-    </message>
-    <message>
-        <source>There is nothing to export yet: run the study first.</source>
-        <translation>Todavía no hay nada que exportar: haga primero la medición.</translation>
-    </message>
-    <message>
-        <source>speed.csv</source>
-        <translation>velocidad.csv</translation>
-    </message>
-    <message>
-        <source>Tables (*.csv)</source>
-        <translation>Tablas (*.csv)</translation>
-    </message>
-    <message>
         <source>Case shown</source>
         <translation>Caso mostrado</translation>
     </message>
@@ -4165,14 +3986,6 @@ SHA-256: %2</translation>
         <translation>Mecanismos que apenas dan vueltas completas o apenas oscilan, eslabones muy largos y muy cortos, instantes muy tardíos: tarda unos diez segundos</translation>
     </message>
     <message>
-        <source>Export all cases…</source>
-        <translation>Exportar los casos…</translation>
-    </message>
-    <message>
-        <source>The numbers of every case as CSV or JSON</source>
-        <translation>Los números de todos los casos, como CSV o JSON</translation>
-    </message>
-    <message>
         <source>No undetected failures</source>
         <translation>Sin fallos inadvertidos</translation>
     </message>
@@ -4183,10 +3996,6 @@ SHA-256: %2</translation>
     <message>
         <source>done in %1 s</source>
         <translation>hecho en %1 s</translation>
-    </message>
-    <message>
-        <source>cancelled</source>
-        <translation>cancelado</translation>
     </message>
     <message>
         <source>the mechanism has changed since: run again</source>
@@ -4320,6 +4129,10 @@ Tiempos medidos en %2</translation>
         <source>Export</source>
         <translation>Exportar</translation>
     </message>
+    <message>
+        <source>Rows copied to the clipboard, as CSV with headings: %1.</source>
+        <translation>Filas copiadas en el portapapeles, como CSV con encabezados: %1.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::Timeline</name>
@@ -4435,6 +4248,58 @@ Tiempos medidos en %2</translation>
         <source>%1 s · %2 ▾</source>
         <comment>duration, playback speed</comment>
         <translation>%1 s · %2 ▾</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Inicio</translation>
+    </message>
+    <message>
+        <source>The first time step</source>
+        <translation>El primer instante</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Duración</translation>
+    </message>
+    <message>
+        <source>From the first time step to the last</source>
+        <translation>Del primer instante al último</translation>
+    </message>
+    <message>
+        <source>One revolution</source>
+        <translation>Una vuelta</translation>
+    </message>
+    <message>
+        <source>Sets the duration to one revolution of the crank</source>
+        <translation>Fija la duración en una vuelta de la manivela</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Pasos</translation>
+    </message>
+    <message>
+        <source>Intervals; there is one time step more</source>
+        <translation>Intervalos; hay un instante más</translation>
+    </message>
+    <message>
+        <source>Playback speed</source>
+        <translation>Velocidad de reproducción</translation>
+    </message>
+    <message>
+        <source>Seconds of the motion in a second of real time</source>
+        <translation>Segundos del movimiento en un segundo de tiempo real</translation>
+    </message>
+    <message>
+        <source>×</source>
+        <translation>×</translation>
+    </message>
+    <message>
+        <source>Playback time per revolution</source>
+        <translation>Tiempo de reproducción por vuelta</translation>
+    </message>
+    <message>
+        <source>Real time in which one revolution of the crank is played</source>
+        <translation>Tiempo real en que se reproduce una vuelta de la manivela</translation>
     </message>
 </context>
 <context>

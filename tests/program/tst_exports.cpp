@@ -7,6 +7,7 @@
 #include "tests/support/study_of_a_turn.h"
 #include "tests/support/suite.h"
 #include "tests/support/waiting.h"
+#include "tests/support/widget_parts.h"
 #include "ui/export/animation_export.h"
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/panels/study_panel.h"
@@ -148,7 +149,7 @@ private slots:
         QSignalSpy steps(m_window->findChild<QProgressBar *>(), &QProgressBar::valueChanged);
         m_window->exports().writeData(path, plottedChannels());
         QCOMPARE(steps.count(), 0); // the call returns before the file is written
-        AWAIT(m_messages->text().startsWith(QStringLiteral("Exported to ")));
+        AWAIT(messageText(*m_messages).startsWith(QStringLiteral("Exported to ")));
         QVERIFY2(steps.count() >= 3, qPrintable(QString::number(steps.count())));
         QCOMPARE(contentOf(path).count('\n'), qsizetype(200002));
     }
@@ -170,10 +171,10 @@ private slots:
         letTimePassIn(*m_window);
         QVERIFY(cancel->isVisible());
         m_window->exports().writeData(m_folder->filePath(QStringLiteral("other.csv")), plottedChannels());
-        QVERIFY2(m_messages->text().contains(QStringLiteral("still being written")), qPrintable(m_messages->text()));
+        QVERIFY2(messageText(*m_messages).contains(QStringLiteral("still being written")), qPrintable(messageText(*m_messages)));
         QTest::mouseClick(cancel, Qt::LeftButton);
         AWAIT(!cancel->isVisible());
-        QVERIFY2(m_messages->text().contains(QStringLiteral("nothing was written")), qPrintable(m_messages->text()));
+        QVERIFY2(messageText(*m_messages).contains(QStringLiteral("Cancelled")), qPrintable(messageText(*m_messages)));
         QCOMPARE(contentOf(path), QByteArray("older"));
         QCOMPARE(QDir(m_folder->path()).entryList(QDir::Files), QStringList(QStringLiteral("long.csv")));
     }
@@ -182,11 +183,11 @@ private slots:
     {
         const QString nowhere = m_folder->filePath(QStringLiteral("missing/file"));
         m_window->exports().writeData(nowhere + QStringLiteral(".csv"), plottedChannels());
-        AWAIT2(m_messages->text().contains(QStringLiteral("file.csv cannot be written")),
-               qPrintable(m_messages->text()));
+        AWAIT2(messageText(*m_messages).contains(QStringLiteral("file.csv cannot be written")),
+               qPrintable(messageText(*m_messages)));
         m_window->exports().writeReport(nowhere + QStringLiteral(".pdf"));
-        AWAIT2(m_messages->text().contains(QStringLiteral("file.pdf cannot be written")),
-               qPrintable(m_messages->text()));
+        AWAIT2(messageText(*m_messages).contains(QStringLiteral("file.pdf cannot be written")),
+               qPrintable(messageText(*m_messages)));
     }
 
     void theReportShowsTheCurrentState_data()
@@ -213,7 +214,7 @@ private slots:
         }
         const QString path = m_folder->filePath(QStringLiteral("report.pdf"));
         m_window->exports().writeReport(path);
-        AWAIT2(m_messages->text().startsWith(QStringLiteral("Exported to ")), qPrintable(m_messages->text()));
+        AWAIT2(messageText(*m_messages).startsWith(QStringLiteral("Exported to ")), qPrintable(messageText(*m_messages)));
         QVERIFY(contentOf(path).startsWith("%PDF"));
         if (!missingProgram({"pdftotext"}).isEmpty()) {
             QSKIP("pdftotext (poppler-utils) is missing: tests/run installs it.");
@@ -234,7 +235,7 @@ private slots:
         const QString path = m_folder->filePath(QStringLiteral("report.pdf"));
         m_window->exports().writeReport(path);
         session.setParameters(withCoupler(63.0));
-        AWAIT2(m_messages->text().contains(QStringLiteral("Export it again")), qPrintable(m_messages->text()));
+        AWAIT2(messageText(*m_messages).contains(QStringLiteral("Export it again")), qPrintable(messageText(*m_messages)));
         QVERIFY(!QFile::exists(path));
     }
 
@@ -275,7 +276,7 @@ private slots:
         switch (subject) {
         case PictureSubject::Figure:
             size = plots->size();
-            m_window->exports().write(m_window->exports().figure(), path);
+            m_window->exports().write(m_window->exports().plot(), path);
             break;
         case PictureSubject::Plot:
         case PictureSubject::Errors:
@@ -342,7 +343,7 @@ private slots:
         AWAIT(m_window->session().diagnosis());
         const QString path = m_folder->filePath(QStringLiteral("report.pdf"));
         m_window->exports().writeReport(path);
-        AWAIT2(m_messages->text().startsWith(QStringLiteral("Exported to ")), qPrintable(m_messages->text()));
+        AWAIT2(messageText(*m_messages).startsWith(QStringLiteral("Exported to ")), qPrintable(messageText(*m_messages)));
         const QString checksum = QString::fromLatin1(outputOf(QStringLiteral("sha256sum"), {kSample}).left(64));
         QCOMPARE(checksum.size(), qsizetype(64));
         const QString rendered = m_folder->filePath(QStringLiteral("rendered.pdf"));
@@ -375,7 +376,7 @@ private slots:
             QVERIFY2(action, name);
             action->trigger();
             QCOMPARE(QGuiApplication::clipboard()->image().size(), size * 2);
-            QVERIFY2(m_messages->text().contains(QStringLiteral("in the clipboard")), qPrintable(m_messages->text()));
+            QVERIFY2(messageText(*m_messages).contains(QStringLiteral("in the clipboard")), qPrintable(messageText(*m_messages)));
         }
         QImage before;
         for (const QString &name : PlotGrid::plotNames()) {
@@ -403,7 +404,7 @@ private:
 
         const QString path = m_folder->filePath(QStringLiteral("motion.csv"));
         m_window->exports().writeData(path, allColumns ? allChannels() : plottedChannels());
-        AWAIT2(m_messages->text().startsWith(QStringLiteral("Exported to ")), qPrintable(m_messages->text()));
+        AWAIT2(messageText(*m_messages).startsWith(QStringLiteral("Exported to ")), qPrintable(messageText(*m_messages)));
         QVERIFY(!contentOf(path).contains('\r'));
 
         QSignalSpy loaded(&session, &Session::referenceLoaded);

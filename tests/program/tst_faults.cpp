@@ -7,12 +7,11 @@
 #include "tests/support/failing_calls.h"
 #include "tests/support/long_tests.h"
 #include "tests/support/place_of_a_save.h"
-#include "tests/support/study_of_a_turn.h"
 #include "tests/support/suite.h"
 #include "tests/support/waiting.h"
+#include "tests/support/widget_parts.h"
 #include "ui/document/whole_file.h"
 #include "ui/export/animation_export.h"
-#include "ui/panels/study_panel.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/window/exports.h"
 #include "ui/window/main_window.h"
@@ -329,10 +328,6 @@ private:
         Sampling sampling;
         sampling.duration = 0.03;
         m_window->session().setSampling(sampling);
-        if (!m_study) {
-            m_study = new StudyPanel(&m_window->session(), m_window.get());
-            m_study->setResult(studyOfATurn());
-        }
         QTest::addColumn<int>("index");
         int index = 0;
         for (const Save &save : savesOfTheWindow()) {
@@ -343,37 +338,28 @@ private:
     QList<Save> savesOfTheWindow()
     {
         Exports &exports = m_window->exports();
-        MessageBar *bar = m_window->findChild<MessageBar *>();
-        const auto picture = [&exports](Exports::Picture (Exports::*subject)() const) {
-            return [&exports, subject](const QString &path) { exports.write((exports.*subject)(), path); };
-        };
-        const auto plot = [&exports](const QString &path) {
-            exports.write(exports.plot(QStringLiteral("plot_theta3")), path);
-        };
-        const auto study = [this, bar](const QString &path) {
-            const std::optional<QString> problem = m_study->exportNumbers(path);
-            bar->showMessage({"study", Message::Kind::Hint, problem.value_or(QStringLiteral("Exported to "))});
+        const auto plot = [&exports](const QString &name) {
+            return [&exports, name](const QString &path) { exports.write(exports.plot(name), path); };
         };
         return {{"scene", "x.json", {}, [this](const QString &path) { m_window->scene().saveTo(path); }},
-                {"figure as PNG", "x.png", {}, picture(&Exports::figure)},
-                {"figure as SVG", "x.svg", {}, picture(&Exports::figure)},
-                {"figure as PDF", "x.pdf", {}, picture(&Exports::figure)},
-                {"mechanism", "x.pdf", {}, picture(&Exports::mechanism)},
-                {"plot", "x.png", {}, plot},
+                {"figure as PNG", "x.png", {}, plot({})},
+                {"figure as SVG", "x.svg", {}, plot({})},
+                {"figure as PDF", "x.pdf", {}, plot({})},
+                {"mechanism", "x.pdf", {}, [&exports](const QString &path) { exports.write(exports.mechanism(), path); }},
+                {"plot", "x.png", {}, plot("plot_theta3")},
                 {"report", "x.pdf", {}, [&exports](const QString &path) { exports.writeReport(path); }},
-                {"data", "x.csv", {}, [&exports](const QString &path) { exports.writeData(path, plottedChannels()); }},
-                {"study as CSV", "x.csv", {}, study},
-                {"study as JSON", "x.json", {}, study}};
+                {"data", "x.csv", {}, [&exports](const QString &path) { exports.writeData(path, plottedChannels()); }}};
     }
 
     Outcome saveInWindow(const Save &save, const QString &path)
     {
         auto *bar = m_window->findChild<MessageBar *>();
-        bar->clear();
+        bar->removeMessage("confirmation");
+        bar->removeMessage("problem");
         save.inWindow(path);
         settle(); // lets answered questions close
-        const bool hasMessage = QTest::qWaitFor([bar] { return !bar->text().isEmpty(); }, kPatience);
-        const QString text = bar->text();
+        const bool hasMessage = QTest::qWaitFor([bar] { return !messageText(*bar).isEmpty(); }, kPatience);
+        const QString text = messageText(*bar);
         const bool isWritten =
             text.startsWith(QLatin1String("Exported to ")) || text.startsWith(QLatin1String("Saved: "));
         const bool isReason =
@@ -429,7 +415,6 @@ private:
     QTemporaryDir m_settings;
     QTemporaryDir m_marks;
     std::unique_ptr<MainWindow> m_window;
-    StudyPanel *m_study = nullptr;
     int m_trials = 0;
     int m_failures = 0;
     QStringList m_faults; ///< of the current test

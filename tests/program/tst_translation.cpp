@@ -166,7 +166,7 @@ QStringList textsOf(const QMainWindow &window)
 void openTabs(MainWindow &window)
 {
     auto *tabs = window.findChild<FoldingTabs *>();
-    tabs->choose(false);
+    tabs->setFolded(false);
     for (int i = window.findChild<QTabBar *>(QStringLiteral("tabBar"))->count() - 1; i >= 0; --i) {
         tabs->setCurrentIndex(i);
         QTest::qWait(150); // tabs are updated ten times a second

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Finds child widgets by object name, and types numbers into them.
+// Finds child widgets by object name, reads messages, and types numbers into boxes.
 
 #include <QAbstractSpinBox>
+#include <QLabel>
+#include <QLayout>
 #include <QTest>
 
 namespace slidercrank
@@ -18,6 +20,16 @@ Widget *child(const QWidget &parent, const QString &name)
         qFatal("no %s", qPrintable(name));
     }
     return widget;
+}
+
+/// Returns the messages of a message bar, one per line, newest first.
+inline QString messageText(const QWidget &bar)
+{
+    QStringList texts;
+    for (int i = 0; i < bar.layout()->count(); ++i) {
+        texts << child<QLabel>(*bar.layout()->itemAt(i)->widget(), "messageText")->text();
+    }
+    return texts.join(u'\n');
 }
 
 /// Types a number and presses Enter. The text may contain characters that no key produces.

@@ -46,8 +46,7 @@ public:
     bool isRunning() const { return m_watcher; }
 
 public slots:
-    void cancel() { m_stop.request_stop(); } ///< stops the work early; done() is called with its value
-    void discard();                          ///< stops the work early; neither done() nor failed() is called
+    void discard(); ///< stops the work early; neither done() nor failed() is called
 
 signals:
     void progressed(double part);

@@ -6,6 +6,7 @@
 #include "ui/document/with.h"
 #include "ui/text/finding_text.h"
 
+#include <QDir>
 #include <QFileInfo>
 #include <QLocale>
 
@@ -69,7 +70,7 @@ Session::Session(QObject *parent)
     m_result = compute(m_choices, {});
     m_settling.setSingleShot(true);
     connect(&m_settling, &QTimer::timeout, this, &Session::startDiagnosis);
-    connect(&m_reading, &BackgroundTask::progressed, this, &Session::readingProgressed);
+    connect(&m_reading, &BackgroundTask::progressed, this, &Session::progressed);
     for (const BackgroundTask *task : {&m_computation, &m_reading, &m_diagnosing}) {
         connect(task, &BackgroundTask::runningChanged, this, &Session::busyChanged);
     }
@@ -335,12 +336,30 @@ void Session::readAsPrinted()
 
 void Session::cancel()
 {
+    emit cancelled();
     m_computation.discard();
     m_reading.discard();
     if (m_choices == m_result->choices) {
         stopDiagnosis();
     } else {
         edit(m_result->choices, EditStack::tr("cancelling"));
+    }
+    emit confirmed(tr("Cancelled."));
+}
+
+void Session::track(BackgroundTask *task)
+{
+    connect(task, &BackgroundTask::progressed, this, &Session::progressed);
+    connect(task, &BackgroundTask::runningChanged, this, &Session::busyChanged);
+    connect(this, &Session::cancelled, task, &BackgroundTask::discard);
+}
+
+void Session::reportWritten(const QString &path, const std::optional<QString> &problem)
+{
+    if (problem) {
+        emit failed(*problem);
+    } else {
+        emit confirmed(tr("Exported to %1").arg(QDir::toNativeSeparators(path)));
     }
 }
 

@@ -89,6 +89,13 @@ public slots:
     /// Stops all background tasks, and restores the choices of the current result.
     void cancel();
 
+    /// Makes a task of another object one of the background tasks: busyChanged() and progressed() report it, and
+    /// cancel() discards it.
+    void track(BackgroundTask *task);
+
+    /// Confirms that a file was written, or says why not.
+    void reportWritten(const QString &path, const std::optional<QString> &problem);
+
 signals:
     void parametersChanged(const slidercrank::Parameters &parameters);
     void settingsChanged(const slidercrank::Sampling &sampling, const slidercrank::SolverSettings &solver);
@@ -101,9 +108,12 @@ signals:
     void timeRangeReplaced(const std::shared_ptr<const slidercrank::Reference> &reference,
                            const slidercrank::Sampling &sampling);
     void referenceRefused(const QStringList &paths, const QString &sentence); ///< nothing has changed
-    void readingProgressed(double part);                                      ///< 0 … 1 of the reference file
     void problemFound(const QString &sentence);                               ///< nothing has changed
-    void busyChanged(bool busy); ///< emitted when a background task starts or ends
+    void failed(const QString &sentence);    ///< a file could not be opened, written or copied
+    void confirmed(const QString &sentence); ///< a file was written or copied
+    void progressed(double part);            ///< 0 … 1 of a background task
+    void busyChanged(bool busy);             ///< emitted when a background task starts or ends
+    void cancelled();                        ///< cancel() was called
 
 private:
     /// Without a name, the edit is named by what it changes. With `adoptsRange`, the time range of the reference

@@ -6,7 +6,6 @@
 #include "ui/text/column_text.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/theme.h"
-#include "ui/text/written_number.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/paragraph.h"
 
@@ -21,7 +20,6 @@
 #include <QSignalBlocker>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace slidercrank
@@ -117,38 +115,17 @@ QString firstValues(const FileLayout &layout, std::size_t column)
     return values.join("  ");
 }
 
-/// Returns the range of the values that were read from a column: "60 … 85 mm".
-QString rangeText(const std::variant<ReferenceData, ReadError> &outcome, const FileColumn &column)
-{
-    const ReferenceData *read = std::get_if<ReferenceData>(&outcome);
-    if (!read || column.role == ColumnRole::Ignored) {
-        return {};
-    }
-    const ReferenceSeries *series = column.role == ColumnRole::Channel ? read->find(column.channel) : nullptr;
-    if (!series) {
-        return abscissaText(*read);
-    }
-    std::vector<double> values = series->values;
-    std::erase_if(values, [](double value) { return std::isnan(value); });
-    const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
-    return values.empty()
-               ? QString()
-               : QStringLiteral("%1 … %2 %3").arg(numberText(*lowest), numberText(*highest), unitText(column.channel));
-}
-
 } // namespace
 
 ColumnMapping::ColumnMapping(const QStringList &paths, const QByteArrayList &beginnings, QWidget *parent)
     : QDialog(parent)
     , m_paths(paths)
     , m_beginnings(beginnings)
-    , m_outcome(readBytes(paths, beginnings, {}))
     , m_problem(named("mappingProblem", plainText()))
 {
     setObjectName("columnMapping");
     setWindowTitle(tr("Columns of %1").arg(fileNames(paths).join(", ")));
-    const ReferenceData *read = std::get_if<ReferenceData>(&m_outcome);
-    m_layout = read ? read->layout : std::get<ReadError>(m_outcome).layout;
+    m_layout = layoutOf(readBytes(paths, beginnings, {}));
     m_rows.resize(m_layout.columns.size());
     setInk(*m_problem, seriesColours(palette()).warning);
     auto *rows = new QVBoxLayout(this);
@@ -198,7 +175,7 @@ QWidget *ColumnMapping::createRows()
     grid->setHorizontalSpacing(14);
     int column = 0;
     for (const QString &heading :
-         {tr("heading"), tr("first values"), tr("read as"), tr("unit"), tr("range"), tr("why")}) {
+         {tr("heading"), tr("first values"), tr("read as"), tr("unit"), tr("why")}) {
         grid->addWidget(boldLabel(heading), 0, column++);
     }
     int line = 1;
@@ -211,7 +188,7 @@ QWidget *ColumnMapping::createRows()
     }
     grid->setColumnMinimumWidth(0, 12 * fontMetrics().averageCharWidth()); // for usual headings
     grid->setColumnStretch(0, 1);
-    grid->setColumnStretch(5, 2);
+    grid->setColumnStretch(4, 2);
     grid->setRowStretch(line, 1);
     auto *scroll = new QScrollArea;
     scroll->setAccessibleName(tr("Columns of the file"));
@@ -228,7 +205,6 @@ void ColumnMapping::addRow(QGridLayout *grid, int line, std::size_t column)
     fillMeanings(*row.meaning);
     row.unit = named(QStringLiteral("unit%1").arg(column), new QComboBox, tr("Unit of %1").arg(heading));
     row.unit->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    row.range = named(QStringLiteral("range%1").arg(column), new QLabel);
     row.why = named(QStringLiteral("why%1").arg(column), plainText());
     for (const QComboBox *combo : {row.meaning, row.unit}) {
         connect(combo, &QComboBox::currentIndexChanged, this, [this, column] { choose(column); });
@@ -237,7 +213,7 @@ void ColumnMapping::addRow(QGridLayout *grid, int line, std::size_t column)
     values->setTextFormat(Qt::PlainText);
     int place = 0;
     for (QWidget *widget : std::initializer_list<QWidget *>{plainText(headingAlone(m_layout, column)), values,
-                                                            row.meaning, row.unit, row.range, row.why}) {
+                                                            row.meaning, row.unit, row.why}) {
         grid->addWidget(widget, line, place++);
     }
 }
@@ -288,14 +264,14 @@ void ColumnMapping::detectAgain()
 
 void ColumnMapping::readAgain()
 {
-    m_outcome = readBytes(m_paths, m_beginnings, {choices(), {}});
-    if (const ReferenceData *read = std::get_if<ReferenceData>(&m_outcome)) {
+    const auto outcome = readBytes(m_paths, m_beginnings, {choices(), {}});
+    if (const ReferenceData *read = std::get_if<ReferenceData>(&outcome)) {
         m_layout = read->layout; // otherwise keep the old layout: the reader may not have reached all columns
     }
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         showRow(i);
     }
-    const ReadError *error = std::get_if<ReadError>(&m_outcome);
+    const ReadError *error = std::get_if<ReadError>(&outcome);
     m_problem->setVisible(error);
     m_problem->setText(error ? readErrorText(*error, fileNames(m_paths)) : QString());
     m_use->setEnabled(!error);
@@ -307,7 +283,6 @@ void ColumnMapping::showRow(std::size_t row)
     if (!m_rows[row].isChosen) {
         showChoice(row, {row, column.role, column.channel, {}});
     }
-    m_rows[row].range->setText(rangeText(m_outcome, column));
     m_rows[row].why->setText(m_rows[row].isChosen ? tr("chosen by hand") : reasonText(m_layout, row));
 }
 

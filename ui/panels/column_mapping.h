@@ -10,7 +10,6 @@
 #include <QDialog>
 #include <QStringList>
 
-#include <variant>
 #include <vector>
 
 class QBoxLayout;
@@ -40,7 +39,6 @@ private:
     struct Row {
         QComboBox *meaning = nullptr;
         QComboBox *unit = nullptr;
-        QLabel *range = nullptr; ///< of the values that were read
         QLabel *why = nullptr;
         bool isChosen = false; ///< by the user; otherwise the row shows the meaning that the reader detected
     };
@@ -59,7 +57,6 @@ private:
     QStringList m_paths;
     QByteArrayList m_beginnings;
     FileLayout m_layout; ///< as read with the choices
-    std::variant<ReferenceData, ReadError> m_outcome;
     std::vector<Row> m_rows;
     QLabel *m_problem;
     QPushButton *m_use = nullptr;

@@ -160,7 +160,6 @@ Page filePage(const Result &result, const ReferenceDiagnosis *diagnosis)
     Page page;
     page.sentence = QStringLiteral("%1 %2: %3").arg(look.mark, result.reference->name, summaryText(result.comparison));
     page.tone = look.tone;
-    page.fileName = ErrorPage::tr("errors", "name of a file");
     page.keepsFindings = verdict != Verdict::Agrees && isOfFile(diagnosis, result) && !isUpToDate(diagnosis, result);
     if (!page.keepsFindings) {
         page.findings = findingsOf(result, diagnosis);
@@ -195,7 +194,6 @@ Page pinnedPage(const Result &result)
     const Parameters &present = result.mechanism.parameters();
     const Parameters &pinned = result.pinned.back();
     Page page;
-    page.fileName = ErrorPage::tr("differences", "name of a file");
     page.sentence = present == pinned
                         ? ErrorPage::tr("This mechanism is the pinned one: change it to see the difference.")
                         : ErrorPage::tr("This mechanism − pinned (%1).").arg(pinnedText(pinned, present));
@@ -236,31 +234,6 @@ bool isBetter(const std::vector<ChannelComparison> &found, const std::vector<Cha
            (after.differing < before.differing || after.percentOfPeak <= kMuchNearer * before.percentOfPeak);
 }
 
-/// Returns a table of the current parameters and those of the mechanism found, as rich text.
-QString changesText(const Parameters &before, const Diagnosis &diagnosis)
-{
-    const Identification &found = diagnosis.identification;
-    constexpr int kDigits = 9;
-    QString rows;
-    for (const Parameter parameter : kParameters) {
-        const std::size_t i = indexOf(parameter);
-        const double factor = shownFactor(parameter);
-        const QString measured = found.identifiable[i] ? measuredText(factor * valueOf(found.parameters, parameter),
-                                                                      factor * found.standardError[i], factor)
-                                                       : ErrorPage::tr("unchanged");
-        rows += QStringLiteral("<tr><td>%1 </td><td align=right>%2</td><td> → </td><td>%3</td><td>  (%4)</td></tr>")
-                    .arg(symbolText(parameter), parameterText(parameter, valueOf(before, parameter)),
-                         parameterText(parameter, valueOf(diagnosis.rounded, parameter), kDigits), measured);
-    }
-    if (before.branch != diagnosis.rounded.branch) {
-        rows +=
-            QStringLiteral("<tr><td>%1 </td><td align=right>%2</td><td> → </td><td>%3</td></tr>")
-                .arg(ErrorPage::tr("assembly"), assemblyText(before.branch), assemblyText(diagnosis.rounded.branch));
-    }
-    return ErrorPage::tr("Now → then (measured ± standard error)") +
-           QStringLiteral("<table style='white-space:pre'>%1</table>").arg(rows);
-}
-
 /// Which mechanism the file belongs to, if it is another one than the model.
 Finding mechanismFinding(const Result &result, const ReferenceDiagnosis &diagnosis)
 {
@@ -276,7 +249,7 @@ Finding mechanismFinding(const Result &result, const ReferenceDiagnosis &diagnos
     }
     const bool takesOver = isBetter(found.identified, result.comparison);
     if (takesOver) {
-        offerMechanism(finding, result, found);
+        offerMechanism(finding, found);
     }
     if (finding.sentence.isEmpty() && (takesOver || !identification.noise.empty())) {
         finding.sentence = ErrorPage::tr("The file fits %1").arg(summary);
@@ -286,12 +259,13 @@ Finding mechanismFinding(const Result &result, const ReferenceDiagnosis &diagnos
 
 } // namespace
 
-void offerMechanism(Finding &finding, const Result &result, const Diagnosis &found)
+void offerMechanism(Finding &finding, const Diagnosis &found)
 {
+    constexpr int kDigits = 9;
     finding.remedy = Remedy::UseFoundMechanism;
     finding.remedyText = found.identification.hasOneMechanism() ? ErrorPage::tr("Use this mechanism")
                                                                 : ErrorPage::tr("Use the first of them");
-    finding.details = changesText(result.mechanism.parameters(), found);
+    finding.details = ErrorPage::tr("Sets %1").arg(mechanismText(Mechanism(found.rounded), kDigits));
 }
 
 bool isOfFile(const ReferenceDiagnosis *diagnosis, const Result &result)

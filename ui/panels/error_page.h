@@ -25,6 +25,6 @@ bool isOfFile(const ReferenceDiagnosis *diagnosis, const Result &result);
 bool isUpToDate(const ReferenceDiagnosis *diagnosis, const Result &result);
 
 /// Adds the remedy to use the mechanism that was found.
-void offerMechanism(Finding &finding, const Result &result, const Diagnosis &found);
+void offerMechanism(Finding &finding, const Diagnosis &found);
 
 } // namespace slidercrank

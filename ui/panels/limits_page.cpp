@@ -60,7 +60,6 @@ Page limitsPage(const Result &result)
     const Mechanism &mechanism = result.mechanism;
     Page page;
     page.sentence = mobilitySentence(mechanism, result.limits);
-    page.fileName = LimitsPage::tr("limits", "name of a file");
     page.tables = {
         {"positionTable", LimitsPage::tr("Limits of the motion"),
          columnsWith(LimitsPage::tr("limit"), LimitsPage::tr("Where slider and crank reverse, and the stroke times"),

@@ -155,7 +155,6 @@ Page NewtonPages::equations(const Result &result, double time)
 {
     const TimeStepEquations equations = solvedEquations(result, time);
     Page page = emptyPage(equations.state.status, result);
-    page.fileName = tr("equations", "name of a file");
     PageTable table{
         "equationTable",
         tr("Equations, a row for each constraint"),
@@ -186,7 +185,6 @@ Page NewtonPages::jacobian(const Result &result, double time)
 {
     const TimeStepEquations equations = solvedEquations(result, time);
     Page page = emptyPage(equations.state.status, result);
-    page.fileName = tr("jacobian", "name of a file");
     PageTable table{
         "jacobianTable",
         tr("Jacobian C_q, a row for each constraint, a column for each coordinate"),
@@ -244,7 +242,6 @@ Page NewtonPages::iterations(const Result &result, double time)
     const QString warmStart = tr("From the position one time step before");
 
     Page page = emptyPage(solvedEquations(result, time).state.status, result);
-    page.fileName = tr("iterations", "name of a file");
     page.chart = PageChart{"iterationPlot", tr("Residual ‖C‖ over the iterations"),
                            residualChart({residualSeries(rough, roughName, &SeriesColours::model, false),
                                           residualSeries(warm, warmName, &SeriesColours::reference, true)},
@@ -285,7 +282,6 @@ Page NewtonPages::coordinates(const Result &result, double time)
 {
     const State state = solvedEquations(result, time).state;
     Page page = emptyPage(state.status, result);
-    page.fileName = tr("coordinates", "name of a file");
     PageTable table{
         "coordinateTable",
         tr("Coordinates, a row for each"),

@@ -54,8 +54,7 @@ struct Page {
     bool keepsFindings = false; ///< new findings are being computed: the previous ones remain visible, but disabled
     std::vector<PageTable> tables{};
     std::optional<PageChart> chart{};
-    QString note{};     ///< below the tables
-    QString fileName{}; ///< default name of an exported file, without a suffix
+    QString note{}; ///< below the tables
 };
 
 } // namespace slidercrank

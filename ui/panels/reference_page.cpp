@@ -116,7 +116,7 @@ Finding mechanismFound(const Result &result, const ReferenceDiagnosis *diagnosis
         finding.sentence += u'\n' + rounded;
     }
     if (found.identification.hasMechanism() && result.mechanism.parameters() != found.rounded) {
-        offerMechanism(finding, result, found);
+        offerMechanism(finding, found);
     }
     return finding;
 }
@@ -136,7 +136,6 @@ Page referencePage(const Result &result, const ReferenceDiagnosis *diagnosis)
     }
     Page page;
     page.sentence = displayName(result.reference->paths);
-    page.fileName = ReferencePage::tr("reference", "name of a file");
     page.findings = {{ReferencePage::tr("%1. %2.").arg(formText(data.layout), rows), Remedy::ChooseColumns,
                       ReferencePage::tr("Choose columns…")}};
     if (data.crank) {

@@ -3,21 +3,23 @@
 
 #include "ui/document/session.h"
 #include "ui/document/whole_file.h"
-#include "ui/panels/response_chart.h"
 #include "ui/panels/table_panel.h"
 #include "ui/text/axis_scale.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/record.h"
+#include "ui/text/written_number.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/paragraph.h"
 #include "ui/widgets/save_dialog.h"
 
 #include <QComboBox>
 #include <QGridLayout>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QToolButton>
 
 #include <algorithm>
+#include <cmath>
 
 namespace slidercrank
 {
@@ -43,6 +45,41 @@ std::vector<Record> recordsOf(const Response &response)
     return records;
 }
 
+/// Returns the range of the finite values of a limit, without the steep rise of a peak towards infinity.
+Interval valueRange(const Response &response, std::size_t limit)
+{
+    constexpr double kSteep = 3.0; // times the median
+    std::vector<double> values;
+    for (const LimitValues &limits : response.limits) {
+        if (const double value = limits[limit]; std::isfinite(value)) {
+            values.push_back(value);
+        }
+    }
+    if (values.empty()) {
+        return {};
+    }
+    std::ranges::sort(values);
+    const double steep = std::max(kSteep * values[values.size() / 2], values.front());
+    return {values.front(), limit >= kFirstPeak ? std::min(values.back(), steep) : values.back()};
+}
+
+/// Returns a dot for each of the mechanisms that has the limit.
+ChartSeries dotsOf(const std::vector<Parameters> &mechanisms, Parameter parameter, std::size_t limit)
+{
+    constexpr double kRadius = 4.5; // px
+    ChartSeries dots;
+    dots.mark.addEllipse(QPointF(), kRadius, kRadius);
+    for (const Parameters &parameters : mechanisms) {
+        dots.points.emplace_back(valueOf(parameters, parameter), limitValues(Mechanism(parameters))[limit]);
+    }
+    std::erase_if(dots.points, [](const QPointF &dot) { return !std::isfinite(dot.y()); });
+    std::ranges::sort(dots.points, {}, &QPointF::x);
+    for (const QPointF &dot : dots.points) {
+        dots.tips << shortNumber(dot.y(), kReadoutDigits);
+    }
+    return dots;
+}
+
 } // namespace
 
 ResponseView::ResponseView(Session *session, QWidget *parent)
@@ -66,23 +103,21 @@ ResponseView::ResponseView(Session *session, QWidget *parent)
         addButton(head, "responseExport", tr("Export…"),
                   tr("Writes the charts to an image file, or the numbers of the curves to a CSV file"));
     connect(exportButton, &QToolButton::clicked, this, [this] {
-        chooseExport(this, figureFilters() + QStringList(tr("Tables (*.csv)")), tr("response.png"),
-                     &ResponseView::exportTo);
+        chooseExport(m_session, this, figureFilters() + QStringList(tr("Tables (*.csv)")), tr("response"),
+                     [this](const QString &path) { return exportTo(path); });
     });
     auto *grid = new QGridLayout;
     grid->setSpacing(2);
     grid->setRowStretch(1, 1);
     for (std::size_t i = 0; i < kLimitCount; ++i) {
-        auto *chart = m_charts[i] = named(QStringLiteral("responseChart%1").arg(i), new ResponseChart(i));
+        auto *chart = m_charts[i] = named(QStringLiteral("responseChart%1").arg(i), new Chart);
         chart->setMinimumSize(kSmallestChart);
+        chart->setCursor(Qt::SizeHorCursor);
+        chart->installEventFilter(this);
+        m_titles[i] = new Paragraph;
         grid->setColumnStretch(static_cast<int>(i), 1);
-        const QString title = chart->title().replace(u'/', "/\u2060"); // no line break within a unit
-        grid->addWidget(new Paragraph(title), 0, static_cast<int>(i));
+        grid->addWidget(m_titles[i], 0, static_cast<int>(i));
         grid->addWidget(chart, 1, static_cast<int>(i));
-        connect(chart, &ResponseChart::requested, this,
-                [this](double value) { m_session->setParameter(m_response.parameter, value); });
-        connect(chart, &ResponseChart::dragBegan, session, &Session::beginDrag);
-        connect(chart, &ResponseChart::dragEnded, session, &Session::endDrag);
     }
     auto *rows = new QVBoxLayout(this);
     rows->setContentsMargins(2, 0, 0, 0);
@@ -112,7 +147,7 @@ void ResponseView::refresh()
     }
     if (m_response.parameter == parameter && m_response.parameters == parameters &&
         m_response.range.assembled.contains(value) && static_cast<int>(m_response.values.size()) >= pixels) {
-        showResponse(false);
+        showResponse();
         return;
     }
     m_task.start(
@@ -121,27 +156,81 @@ void ResponseView::refresh()
         },
         [this](const Response &response) {
             m_response = response;
-            showResponse(true);
+            showResponse();
         },
-        [this](const QString &sentence) { emit problemFound(sentence); });
+        [this](const QString &sentence) { emit m_session->failed(sentence); });
 }
 
-void ResponseView::showResponse(bool isNew)
+void ResponseView::showResponse()
+{
+    const std::array names{tr("stroke [mm]"), tr("time ratio"), tr("min. transmission angle [°]"),
+                           tr("peak slider speed [mm/s]"), tr("peak slider acc. [mm/s²]")};
+    const LimitValues present = limitValues(Mechanism(m_response.parameters));
+    m_sentence->setText(fullTurnText(m_response.parameter, m_response.range) + u' ' +
+                        tr("Drag a dot to change %1.").arg(symbolText(m_response.parameter)));
+    for (std::size_t i = 0; i < kLimitCount; ++i) {
+        const QString title = tr("%1: %2").arg(names[i], shortNumber(present[i], kReadoutDigits));
+        m_titles[i]->setText(QString(title).replace(u'/', "/\u2060")); // no line break within a unit
+        m_charts[i]->setAccessibleName(title);
+        m_charts[i]->setContent(chartOf(i));
+    }
+}
+
+ChartContent ResponseView::chartOf(std::size_t limit) const
 {
     const auto &[parameters, parameter, range, values, limits] = m_response;
-    const QString symbol = symbolText(parameter);
-    const QString title = tr("%1 [%2]").arg(symbol, parameter == Parameter::Omega2 ? tr("rad/s") : tr("mm"));
-    m_sentence->setText(fullTurnText(parameter, range) + u' ' + tr("Drag a dot to change %1.").arg(symbol));
-    ResponseChart::Dots dots{{valueOf(parameters, parameter), limitValues(Mechanism(parameters))}};
-    for (const Parameters &pinned : m_session->result()->pinned) {
-        dots.push_back({valueOf(pinned, parameter), limitValues(Mechanism(pinned))});
+    ChartSeries curve{.line = ChartSeries::Line::Solid};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        curve.points.emplace_back(values[i], limits[i][limit]);
     }
-    for (ResponseChart *chart : m_charts) {
-        if (isNew) {
-            chart->setCurve(m_response, title);
+    ChartSeries pinned = dotsOf(m_session->result()->pinned, parameter, limit);
+    pinned.colour = &SeriesColours::pinned;
+    pinned.isHollow = true;
+    ChartSeries present = dotsOf({parameters}, parameter, limit);
+    present.colour = &SeriesColours::cursor;
+    Interval shown = valueRange(m_response, limit);
+    for (const ChartSeries *dots : {&pinned, &present}) {
+        for (const QPointF &dot : dots->points) {
+            shown = {std::min(shown.lower, dot.y()), std::max(shown.upper, dot.y())};
         }
-        chart->setDots(dots);
     }
+    const QString unit = parameter == Parameter::Omega2 ? tr("rad/s") : tr("mm");
+    return {.x = {tr("%1 [%2]").arg(symbolText(parameter), unit), range.assembled},
+            .y = {{}, roundedOutwards(shown)},
+            .series = {curve, pinned, present},
+            .clear = range.fullTurn};
+}
+
+/// Changes the parameter to the value at that position of a chart, rounded to a small fraction of the range and limited
+/// to the range.
+void ResponseView::requestAt(Chart &chart, double pixel)
+{
+    const auto &[lower, upper] = m_response.range.assembled;
+    const double left = chart.positionOf({Curve, 0}).x();
+    const double right = chart.positionOf({Curve, m_response.values.size() - 1}).x();
+    const double value = std::lerp(lower, upper, (pixel - left) / (right - left));
+    const double step = nextRoundNumber((upper - lower) / 400.0);
+    const double rounded = QString::number(std::round(value / step) * step, 'g', 12).toDouble();
+    m_session->setParameter(m_response.parameter, std::clamp(rounded, lower, upper));
+}
+
+bool ResponseView::eventFilter(QObject *watched, QEvent *event)
+{
+    const bool isPress = event->type() == QEvent::MouseButtonPress;
+    const bool isMouse = isPress || event->type() == QEvent::MouseMove || event->type() == QEvent::MouseButtonRelease;
+    if (!isMouse || m_response.values.empty()) {
+        return false;
+    }
+    const auto &mouse = *static_cast<QMouseEvent *>(event);
+    if (isPress) {
+        m_session->beginDrag();
+    }
+    if (mouse.buttons() & Qt::LeftButton) {
+        requestAt(*static_cast<Chart *>(watched), mouse.position().x());
+        return true;
+    }
+    m_session->endDrag();
+    return false;
 }
 
 FigureDrawing ResponseView::drawing() const
@@ -152,12 +241,14 @@ FigureDrawing ResponseView::drawing() const
         const QSize part(size.width() / static_cast<int>(kLimitCount), size.height() - line);
         painter.fillRect(QRect(QPoint(), size), light.base());
         int left = 0;
-        for (const ResponseChart *chart : m_charts) {
+        for (const Chart *shown : m_charts) {
+            Chart chart;
+            chart.setContent(shown->content());
             painter.save();
             painter.translate(left, 0);
-            painter.drawText(QRect(0, 0, part.width(), line), Qt::AlignCenter, chart->title());
+            painter.drawText(QRect(0, 0, part.width(), line), Qt::AlignCenter, shown->accessibleName());
             painter.translate(0, line);
-            chart->paintAll(painter, part, light);
+            chart.paint(painter, part, light);
             painter.restore();
             left += part.width();
         }
@@ -176,9 +267,9 @@ std::optional<QString> ResponseView::exportTo(const QString &path) const
 void ResponseView::copy()
 {
     if (const std::optional<QString> problem = copyFigureToClipboard({kFigureSize, 2.0}, drawing())) {
-        emit problemFound(*problem);
+        emit m_session->failed(*problem);
     } else {
-        emit copied(tr("The charts are in the clipboard."));
+        emit m_session->confirmed(tr("The charts are in the clipboard."));
     }
 }
 

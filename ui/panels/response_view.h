@@ -8,8 +8,7 @@
 #include "ui/document/background_task.h"
 #include "ui/export/figure_export.h"
 #include "ui/panels/response.h"
-
-#include <QWidget>
+#include "ui/plots/chart.h"
 
 class QComboBox;
 class QLabel;
@@ -17,7 +16,6 @@ class QLabel;
 namespace slidercrank
 {
 
-class ResponseChart;
 class Session;
 
 class ResponseView : public QWidget
@@ -33,21 +31,23 @@ public:
     /// Returns the curves that are displayed.
     const Response &response() const { return m_response; }
 
+    /// The series of each chart.
+    enum Series : std::size_t { Curve, Pinned, Present };
+
     /// Writes the charts (.png, .svg, .pdf) or the numbers of the curves (.csv), depending on the suffix. Returns an
     /// error message if the file cannot be written.
     std::optional<QString> exportTo(const QString &path) const;
 
-signals:
-    void copied(const QString &sentence);
-    void problemFound(const QString &sentence);
-
 protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
     void showEvent(QShowEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
 
 private:
     void refresh();
-    void showResponse(bool isNew); ///< `isNew`: the curves have changed, not only the dots
+    void showResponse();
+    ChartContent chartOf(std::size_t limit) const;
+    void requestAt(Chart &chart, double pixel);
     FigureDrawing drawing() const;
     void copy();
 
@@ -56,7 +56,8 @@ private:
     BackgroundTask m_task;
     QComboBox *m_parameter;
     QLabel *m_sentence;
-    std::array<ResponseChart *, kLimitCount> m_charts;
+    std::array<Chart *, kLimitCount> m_charts;
+    std::array<QLabel *, kLimitCount> m_titles; ///< name and current value of each limit
 };
 
 } // namespace slidercrank

@@ -27,17 +27,8 @@ constexpr double kMaximumIterations = 1000.0; // more iterations change nothing
 QString outcomeText(const Result &result)
 {
     const SamplingSummary &run = result.summary;
-    const std::size_t solved = run.count(Status::Solved);
-    const QString steps = solved == run.timeSteps
-                              ? SolverForm::tr("All %1 time steps are solved.").arg(QString::number(run.timeSteps))
-                              : SolverForm::tr("%1 of %2 time steps are solved.")
-                                    .arg(QString::number(solved), QString::number(run.timeSteps));
-    if (result.solver.method == Method::ClosedForm) {
-        return SolverForm::tr("The closed form needs no iterations.") + u'\n' + steps;
-    }
-    const QString residual = run.found() > 0 ? shortNumber(run.largestResidual, 3) : dash();
-    return SolverForm::tr("Iterations: %1.").arg(iterationsText(run, result.solver.newton)) + u'\n' +
-           SolverForm::tr("Largest residual ‖C‖ of the time steps solved: %1.").arg(residual) + u'\n' + steps;
+    const QString all = SolverForm::tr("All %1 time steps are solved.").arg(QString::number(run.timeSteps));
+    return (run.count(Status::Solved) == run.timeSteps ? all : QString()) + u'\n' + samplingText(result);
 }
 
 QStringList warningsOf(const Result &result)
@@ -68,6 +59,31 @@ QStringList warningsOf(const Result &result)
 }
 
 } // namespace
+
+QString samplingText(const Result &result)
+{
+    const SamplingSummary &summary = result.summary;
+    const QString samples = QString::number(summary.timeSteps);
+    QStringList parts;
+    if (const std::size_t missing = summary.count(Status::NotAssemblable); missing > 0) {
+        parts << SolverForm::tr("cannot be assembled at %1 of %2 time steps").arg(QString::number(missing), samples);
+    }
+    if (result.solver.method == Method::Newton) {
+        parts << SolverForm::tr("Newton-Raphson");
+        const std::size_t unsolved = summary.count(Status::IterationLimit) + summary.count(Status::NotFinite);
+        if (unsolved > 0) {
+            parts << SolverForm::tr("%1 of %2 time steps not solved").arg(QString::number(unsolved), samples);
+        }
+        if (summary.found() > 0) {
+            parts << SolverForm::tr("iterations: %1").arg(iterationsText(summary, result.solver.newton))
+                  << SolverForm::tr("residual %1").arg(numberText(summary.largestResidual, 2));
+        }
+    }
+    if (result.sampleSeconds) {
+        parts << SolverForm::tr("%1 samples in %2 ms").arg(samples, shortNumber(*result.sampleSeconds * 1e3, 2));
+    }
+    return parts.join("  ·  ");
+}
 
 SolverForm::SolverForm(Session *session, QWidget *parent)
     : QWidget(parent)

@@ -9,6 +9,11 @@ namespace slidercrank
 {
 
 class Session;
+struct Result;
+
+/// Returns how the motion was computed, in one line: method, iterations, residual, time steps that are not solved. The
+/// text is empty if there is nothing to say.
+QString samplingText(const Result &result);
 
 class SolverForm : public QWidget
 {

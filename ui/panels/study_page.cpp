@@ -222,7 +222,6 @@ Page studyPage(const CaseResult &result)
 {
     Page page;
     page.sentence = closedFormSentence(result);
-    page.fileName = StudyPage::tr("speed", "name of a file");
     page.chart = PageChart{"studyChart", StudyPage::tr("Error against time for each method"), chartOf(result)};
     page.tables = {tableFor(result, kEveryChannel), tableFor(result, kPlottedChannelsOnly)};
     return page;

@@ -2,7 +2,6 @@
 #include "ui/panels/study_panel.h"
 
 #include "ui/document/session.h"
-#include "ui/document/whole_file.h"
 #include "ui/panels/study_page.h"
 #include "ui/panels/table_panel.h"
 #include "ui/text/finding_text.h"
@@ -14,10 +13,8 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QSignalBlocker>
-#include <QToolButton>
 
 #include <utility>
 
@@ -26,8 +23,6 @@ namespace slidercrank
 
 namespace
 {
-
-constexpr int kProgressSteps = 200;
 
 std::size_t silentFailures(const StudyResult &result)
 {
@@ -45,25 +40,22 @@ std::size_t silentFailures(const StudyResult &result)
 StudyPanel::StudyPanel(Session *session, QWidget *parent)
     : QWidget(parent)
     , m_session(session)
-    , m_runThis(named("runThisButton", new QPushButton))
-    , m_runHard(named("runHardButton", new QPushButton))
-    , m_progress(named("studyProgress", new QProgressBar, tr("Progress of the study")))
     , m_summary(named("studySummary", new QLabel))
     , m_cases(named("caseBox", new QComboBox, tr("Case shown")))
-    , m_page(new TablePanel("studyPage", tr("Error and time of the methods"), [this] {
+    , m_page(new TablePanel(session, "studyPage", tr("Error and time of the methods"), [this] {
         const CaseResult *shown = shownCase();
         return shown ? studyPage(*shown) : emptyStudyPage();
     }))
 {
     named("studyPanel", this, tr("Speed and accuracy of the methods"));
-    m_runThis->setToolTip(tr("Times every method on one revolution of this mechanism"));
-    m_runHard->setToolTip(
-        tr("Mechanisms that only just make full turns or only just oscillate, very long and very short "
-           "links, very late times: takes some ten seconds"));
-    connect(m_runThis, &QPushButton::clicked, this, &StudyPanel::runThisMechanism);
-    connect(m_runHard, &QPushButton::clicked, this, &StudyPanel::runHardCases);
-    m_progress->setRange(0, kProgressSteps);
-    m_progress->setMaximumWidth(140);
+    auto *runThis = named("runThisButton", new QPushButton(tr("Run (this mechanism)")));
+    runThis->setToolTip(tr("Times every method on one revolution of this mechanism"));
+    connect(runThis, &QPushButton::clicked, this, [this] { run({studyCase(m_session->parameters())}); });
+    auto *runHard = named("runHardButton", new QPushButton(tr("Run hard cases")));
+    runHard->setToolTip(tr("Mechanisms that only just make full turns or only just oscillate, very long and very short "
+                           "links, very late times: takes some ten seconds"));
+    connect(runHard, &QPushButton::clicked, this, [this] { run({hardCases().begin(), hardCases().end()}); });
+    session->track(&m_study);
     m_summary->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     m_summary->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_cases->setToolTip(tr("Case shown"));
@@ -76,56 +68,28 @@ StudyPanel::StudyPanel(Session *session, QWidget *parent)
 
     auto *controls = new QHBoxLayout;
     controls->setContentsMargins(6, 4, 6, 0);
-    for (QWidget *widget : std::initializer_list<QWidget *>{m_runThis, m_runHard, m_progress}) {
-        controls->addWidget(widget);
-    }
+    controls->addWidget(runThis);
+    controls->addWidget(runHard);
     controls->addWidget(m_summary, 1);
     controls->addWidget(m_cases);
-    m_export = addButton(controls, "exportStudyButton", tr("Export all cases…"),
-                         tr("The numbers of every case as CSV or JSON"));
-    connect(m_export, &QToolButton::clicked, this, [this] {
-        chooseExport(this, {tr("Tables (*.csv)"), "JSON (*.json)"}, tr("speed.csv"), &StudyPanel::exportNumbers);
-    });
     auto *rows = new QVBoxLayout(this);
     rows->setContentsMargins(0, 0, 0, 0);
     rows->setSpacing(2);
     rows->addLayout(controls);
     rows->addWidget(m_page, 1);
-    connect(&m_study, &BackgroundTask::progressed, this,
-            [this](double part) { m_progress->setValue(static_cast<int>(part * kProgressSteps)); });
-    connect(&m_study, &BackgroundTask::runningChanged, this, &StudyPanel::updateButtons);
     connect(session, &Session::parametersChanged, this, &StudyPanel::showSummary);
-    updateButtons();
+    setResult(nullptr);
 }
 
-void StudyPanel::runThisMechanism()
+/// Starts the study; it replaces one that runs.
+void StudyPanel::run(const std::vector<Case> &cases)
 {
-    run(m_runThis, {.cases = {studyCase(m_session->parameters())}});
-}
-
-void StudyPanel::runHardCases()
-{
-    run(m_runHard, {.cases = {hardCases().begin(), hardCases().end()}});
-}
-
-void StudyPanel::run(QPushButton *button, StudyRequest request)
-{
-    if (m_study.isRunning()) {
-        m_study.cancel();
-        return;
-    }
-    m_pressed = button;
-    m_progress->setValue(0);
     m_study.start(
-        [request = std::move(request)](const std::stop_token &stop, const BackgroundTask::Progress &progress) {
-            return std::make_shared<const StudyResult>(runStudy(request, stop, progress));
+        [cases](const std::stop_token &stop, const BackgroundTask::Progress &progress) {
+            return std::make_shared<const StudyResult>(runStudy({.cases = cases}, stop, progress));
         },
-        [this](const std::shared_ptr<const StudyResult> &result) {
-            if (!result->cases.empty()) {
-                setResult(result);
-            }
-        },
-        [this](const QString &sentence) { emit problemFound(sentence); });
+        [this](const std::shared_ptr<const StudyResult> &result) { setResult(result); },
+        [this](const QString &sentence) { emit m_session->failed(sentence); });
 }
 
 void StudyPanel::setResult(const std::shared_ptr<const StudyResult> &result)
@@ -138,7 +102,7 @@ void StudyPanel::setResult(const std::shared_ptr<const StudyResult> &result)
             m_cases->addItem(caseText(shown.name));
         }
     }
-    updateButtons();
+    m_cases->setVisible(m_cases->count() > 1);
     m_page->refreshNow();
     showSummary();
 }
@@ -159,9 +123,6 @@ void StudyPanel::showSummary()
     const std::size_t silent = silentFailures(*m_result);
     parts << (silent == 0 ? tr("No undetected failures") : tr("⚠ %1 undetected failures").arg(QString::number(silent)))
           << tr("done in %1 s").arg(QLocale().toString(m_result->seconds, 'f', 1));
-    if (!m_result->complete) {
-        parts << tr("cancelled");
-    }
     const bool isOfThisMechanism = shown->name == studyCase(shown->parameters).name;
     if (isOfThisMechanism && shown->parameters != m_session->parameters()) {
         parts << tr("the mechanism has changed since: run again");
@@ -169,30 +130,6 @@ void StudyPanel::showSummary()
     m_summary->setText(parts.join(", "));
     m_summary->setToolTip(tr("%1\nTimes measured on %2")
                               .arg(mechanismText(Mechanism(shown->parameters)), machineText(m_result->machine)));
-}
-
-/// While the study runs, the button that started it cancels it, so that the keyboard focus does not move.
-void StudyPanel::updateButtons()
-{
-    const bool running = m_study.isRunning();
-    const auto show = [&](QPushButton *button, const QString &text) {
-        button->setText(running && button == m_pressed ? tr("Cancel") : text);
-        button->setEnabled(!running || button == m_pressed);
-    };
-    show(m_runThis, tr("Run (this mechanism)"));
-    show(m_runHard, tr("Run hard cases"));
-    m_progress->setVisible(running);
-    m_cases->setVisible(m_result && m_result->cases.size() > 1);
-    m_export->setEnabled(m_result != nullptr);
-}
-
-std::optional<QString> StudyPanel::exportNumbers(const QString &path) const
-{
-    if (!m_result) {
-        return tr("There is nothing to export yet: run the study first.");
-    }
-    const bool json = path.endsWith(".json", Qt::CaseInsensitive);
-    return writeWhole(path, json ? jsonDocument(studyJson(*m_result)) : csvText(studyRecords(*m_result)));
 }
 
 } // namespace slidercrank

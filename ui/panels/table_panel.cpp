@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/table_panel.h"
 
+#include "ui/document/session.h"
 #include "ui/document/whole_file.h"
 #include "ui/export/figure_export.h"
 #include "ui/text/theme.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/paragraph.h"
+#include "ui/widgets/save_dialog.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -31,9 +33,9 @@ constexpr QSize kChartSize(900, 600);            // px, of an exported chart
 
 } // namespace
 
-TablePanel::TablePanel(const QString &name, const QString &title, const std::function<Page()> &makePage,
-                       QWidget *parent)
-    : QWidget(parent)
+TablePanel::TablePanel(Session *session, const QString &name, const QString &title,
+                       const std::function<Page()> &makePage)
+    : m_session(session)
     , m_makePage(makePage)
     , m_sentence(named(name + "Sentence", plainText()))
     , m_findings(named("findings", new QWidget))
@@ -49,8 +51,9 @@ TablePanel::TablePanel(const QString &name, const QString &title, const std::fun
     connect(m_copy, &QToolButton::clicked, this, &TablePanel::copy);
     connect(m_export, &QToolButton::clicked, this, [this] {
         const Page page = m_makePage();
-        chooseExport(this, QStringList(tr("Tables (*.csv)")) + (page.chart ? figureFilters() : QStringList()),
-                     page.fileName + QStringLiteral(".csv"), &TablePanel::exportTo);
+        chooseExport(m_session, this,
+                     QStringList(tr("Tables (*.csv)")) + (page.chart ? figureFilters() : QStringList()),
+                     accessibleName(), [this](const QString &path) { return exportTo(path); });
     });
     auto *grid = new QGridLayout(m_findings);
     grid->setContentsMargins(0, 0, 0, 0);
@@ -165,7 +168,7 @@ NumberTable *TablePanel::tableFor(const PageTable &content)
         m_beside->addWidget(table, 1);
         connect(table, &NumberTable::timeRequested, this, &TablePanel::timeRequested);
         connect(table, &NumberTable::partHovered, this, &TablePanel::partHovered);
-        connect(table, &NumberTable::copied, this, &TablePanel::rowsCopied);
+        connect(table, &NumberTable::copied, this, &TablePanel::confirmCopied);
         connect(table->selectionModel(), &QItemSelectionModel::currentChanged, this,
                 [this, table](const QModelIndex &index) {
                     const QRect row = table->visualRect(index);
@@ -216,12 +219,17 @@ void TablePanel::arrange()
 void TablePanel::copy()
 {
     const Page page = m_makePage();
-    QApplication::clipboard()->setText(csvOf(page));
+    QApplication::clipboard()->setText(QString::fromUtf8(csvOf(page)));
     std::size_t rows = 0;
     for (const PageTable &table : page.tables) {
         rows += table.rows.size();
     }
-    emit rowsCopied(static_cast<int>(rows));
+    confirmCopied(static_cast<int>(rows));
+}
+
+void TablePanel::confirmCopied(int rows)
+{
+    emit m_session->confirmed(tr("Rows copied to the clipboard, as CSV with headings: %1.").arg(rows));
 }
 
 std::optional<QString> TablePanel::exportTo(const QString &path) const
@@ -234,7 +242,7 @@ std::optional<QString> TablePanel::exportTo(const QString &path) const
             chart.paint(painter, size, paletteFor(Theme::Light));
         });
     }
-    return writeWhole(path, csvOf(page).toUtf8());
+    return writeWhole(path, csvOf(page));
 }
 
 void TablePanel::showEvent(QShowEvent *event)
@@ -269,14 +277,22 @@ QToolButton *addButton(QBoxLayout *row, const QString &name, const QString &text
     return button;
 }
 
-QString csvOf(const Page &page)
+void chooseExport(Session *session, QWidget *parent, const QStringList &filters, const QString &name,
+                  const std::function<std::optional<QString>(const QString &path)> &write)
 {
-    QString text;
-    QString headings;
+    chooseFileToSave(parent,
+                     {TablePanel::tr("Export"), filters, lastFolder(QStandardPaths::DocumentsLocation), name,
+                      [=](const QString &path, const QString &) { session->reportWritten(path, write(path)); }});
+}
+
+QByteArray csvOf(const Page &page)
+{
+    QByteArray text;
+    QByteArray headings;
     for (const PageTable &table : page.tables) {
-        const QString csv = csvText(table.columns, table.rows);
-        const QString first = csv.section(u'\n', 0, 0);
-        text += first == headings ? csv.sliced(first.size() + 1) : csv;
+        const QByteArray csv = csvText(table.columns, table.rows);
+        const QByteArray first = csv.left(csv.indexOf('\n') + 1);
+        text += first == headings ? csv.sliced(first.size()) : csv;
         headings = first;
     }
     return text;

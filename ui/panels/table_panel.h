@@ -5,7 +5,6 @@
 // there is space. The page is computed only while the panel is visible, at most ten times a second.
 
 #include "ui/panels/page.h"
-#include "ui/widgets/save_dialog.h"
 
 #include <QTimer>
 #include <QWidget>
@@ -20,14 +19,15 @@ class QToolButton;
 namespace slidercrank
 {
 
+class Session;
+
 class TablePanel : public QWidget
 {
     Q_OBJECT
 
 public:
     /// `name`: the object name; `title`: what a screen reader announces.
-    TablePanel(const QString &name, const QString &title, const std::function<Page()> &makePage,
-               QWidget *parent = nullptr);
+    TablePanel(Session *session, const QString &name, const QString &title, const std::function<Page()> &makePage);
 
     /// Writes the tables with every digit (.csv) or the chart (.png, .svg, .pdf). Returns an error message if the file
     /// cannot be written.
@@ -43,8 +43,6 @@ signals:
     void timeRequested(double seconds);
     void partHovered(slidercrank::MechanismPart part);
     void remedyRequested(const slidercrank::Finding &finding);
-    void rowsCopied(int count);
-    void problemFound(const QString &sentence);
 
 protected:
     void showEvent(QShowEvent *event) override;
@@ -58,7 +56,9 @@ private:
     NumberTable *tableFor(const PageTable &content);
     void arrange();
     void copy();
+    void confirmCopied(int rows);
 
+    Session *m_session; ///< tells the user what was copied or written
     std::function<Page()> m_makePage;
     bool m_stale = true;
     QTimer m_pause{this}; ///< runs for a short time after each update
@@ -78,21 +78,11 @@ private:
 /// Adds a button with that text to a row.
 QToolButton *addButton(QBoxLayout *row, const QString &name, const QString &text, const QString &explanation);
 
-/// Asks for a file name and calls the member `write` of the panel with it. The panel emits problemFound() if that
-/// returns an error message.
-template <typename Panel>
-void chooseExport(Panel *panel, const QStringList &filters, const QString &name,
-                  std::optional<QString> (Panel::*write)(const QString &path) const)
-{
-    chooseFileToSave(panel, {TablePanel::tr("Export"), filters, lastFolder(QStandardPaths::DocumentsLocation), name,
-                             [panel, write](const QString &path, const QString &) {
-                                 if (const std::optional<QString> problem = (panel->*write)(path)) {
-                                     emit panel->problemFound(*problem);
-                                 }
-                             }});
-}
+/// Asks for a file name and calls write(path), which returns an error message if the file cannot be written.
+void chooseExport(Session *session, QWidget *parent, const QStringList &filters, const QString &name,
+                  const std::function<std::optional<QString>(const QString &path)> &write);
 
 /// Returns the tables of a page as CSV, one after the other. Headings that equal those before are not repeated.
-QString csvOf(const Page &page);
+QByteArray csvOf(const Page &page);
 
 } // namespace slidercrank

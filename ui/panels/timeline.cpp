@@ -4,15 +4,17 @@
 #include "core/mechanism/turn.h"
 #include "core/sampling/crank_time.h"
 #include "ui/document/session.h"
-#include "ui/panels/run_form.h"
 #include "ui/text/written_number.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/number_box.h"
 #include "ui/widgets/number_slider.h"
+#include "ui/widgets/popup_position.h"
 
 #include <QAction>
 #include <QActionGroup>
 #include <QEvent>
+#include <QFormLayout>
+#include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
@@ -27,12 +29,19 @@
 #include <chrono>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 namespace slidercrank
 {
 
 namespace
 {
+
+constexpr double kMaximumSteps = 1e6;
+
+// Playback speed: seconds of the motion in a second of real time.
+constexpr double kSlowestPlayback = 1e-9;
+constexpr double kFastestPlayback = 1e9;
 
 double steadySeconds()
 {
@@ -62,24 +71,22 @@ Timeline::Timeline(Session *session, QWidget *parent)
     , m_session(session)
     , m_clock(steadySeconds)
     , m_speeds(new QActionGroup(this))
-    , m_runForm(new RunForm(session, this))
 {
     named("timeline", this, tr("Timeline"));
     m_frames.setInterval(16);
     m_frames.setTimerType(Qt::PreciseTimer);
     connect(&m_frames, &QTimer::timeout, this, &Timeline::nextFrame);
-    connect(m_runForm, &RunForm::speedEdited, this, &Timeline::setSpeed);
     createActions();
     auto *rows = new QVBoxLayout(this);
     rows->setContentsMargins(6, 4, 6, 4);
     rows->setSpacing(3);
     rows->addLayout(createScrubbing());
     rows->addLayout(createButtons());
+    createForm();
     colourIcons();
-    connect(session, &Session::parametersChanged, this, &Timeline::showTime);
-    connect(session, &Session::settingsChanged, this, &Timeline::showSampling);
+    connect(session, &Session::parametersChanged, this, &Timeline::showSettings);
+    connect(session, &Session::settingsChanged, this, &Timeline::showSettings);
     connect(session, &Session::timeChanged, this, &Timeline::showTime);
-    showSampling();
     setSpeed(m_speed);
 }
 
@@ -202,6 +209,46 @@ QLayout *Timeline::createButtons()
     return row;
 }
 
+/// Creates the form of the time range and the speed, which opens below its button.
+void Timeline::createForm()
+{
+    m_form = named("runForm", new QFrame(this, Qt::Popup), tr("Time range and speed"));
+    m_form->setFrameShape(QFrame::StyledPanel);
+    auto *form = new QFormLayout(m_form);
+    form->setVerticalSpacing(4);
+    m_start = addField(form, "startBox", tr("Start"), new NumberBox, tr("The first time step"));
+    m_duration =
+        addField(form, "durationBox", tr("Duration"), new NumberBox, tr("From the first time step to the last"));
+    m_duration->setRange({.smallest = 0.0, .isOpen = true});
+    m_oneTurn = named("oneTurnButton", new QToolButton);
+    m_oneTurn->setText(tr("One revolution"));
+    m_oneTurn->setToolTip(tr("Sets the duration to one revolution of the crank"));
+    form->addRow(QString(), m_oneTurn);
+    m_steps = addField(form, "stepsBox", tr("Steps"), new NumberBox, tr("Intervals; there is one time step more"));
+    m_steps->setRange({.smallest = 1.0, .largest = kMaximumSteps, .isWhole = true});
+    m_steps->setFixedDecimals(0);
+    m_steps->setStep(1.0);
+    m_speedBox = addField(form, "speedBox", tr("Playback speed"), new NumberBox,
+                          tr("Seconds of the motion in a second of real time"));
+    m_speedBox->setSuffix(tr("×"));
+    m_speedBox->setRange({.smallest = kSlowestPlayback, .largest = kFastestPlayback});
+    m_revolution = addField(form, "turnBox", tr("Playback time per revolution"), new NumberBox,
+                            tr("Real time in which one revolution of the crank is played"));
+    for (NumberBox *box : {m_start, m_duration, m_revolution}) {
+        box->setSuffix(tr(" s"));
+        box->setUnit(kSecond);
+    }
+    for (const NumberBox *box : {m_start, m_duration, m_steps}) {
+        connect(box, &NumberBox::edited, this, &Timeline::editSampling);
+    }
+    connect(m_oneTurn, &QToolButton::clicked, this, [this] {
+        m_duration->setValue(revolution());
+        editSampling();
+    });
+    connect(m_speedBox, &NumberBox::edited, this, &Timeline::setSpeed);
+    connect(m_revolution, &NumberBox::edited, this, [this](double seconds) { setSpeed(revolution() / seconds); });
+}
+
 void Timeline::colourIcons()
 {
     using enum QStyle::StandardPixmap;
@@ -232,10 +279,15 @@ double Timeline::last() const
     return first() + m_session->sampling().duration;
 }
 
-void Timeline::showSampling()
+double Timeline::revolution() const
 {
-    const Sampling &sampling = m_session->sampling();
-    const double step = sampling.duration / sampling.steps;
+    return kTurn / std::abs(m_session->parameters().omega2);
+}
+
+void Timeline::showSettings()
+{
+    const auto &[start, duration, steps] = m_session->sampling();
+    const double step = duration / steps;
     const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(step))), 3, 9);
     m_timeBox->setFixedDecimals(decimals);
     m_timeBox->setStep(step);
@@ -243,20 +295,43 @@ void Timeline::showSampling()
     m_timeBox->setWidestText(QLocale().toString(-largest, 'f', decimals));
     {
         const QSignalBlocker quiet(m_slider);
-        m_slider->setScale(first(), step);
-        m_slider->setRange(0, sampling.steps);
-        m_slider->setPageStep(std::max(1, sampling.steps / 20));
+        m_slider->setScale(start, step);
+        m_slider->setRange(0, steps);
+        m_slider->setPageStep(std::max(1, steps / 20));
     }
-    if (isPlaying()) {
-        restartClock(std::clamp(m_requested, first(), last()));
+    m_start->setValue(start);
+    m_duration->setValue(duration);
+    m_steps->setValue(steps);
+    m_speedBox->setValue(m_speed);
+    const bool turns = m_session->parameters().omega2 != 0.0;
+    m_angleBox->setEnabled(turns);
+    m_oneTurn->setEnabled(revolution() <= kLargestParameter);
+    m_revolution->setEnabled(turns);
+    if (turns) {
+        m_revolution->setRange(
+            {.smallest = revolution() / kFastestPlayback, .largest = revolution() / kSlowestPlayback});
+        m_revolution->setValue(
+            QString::number(revolution() / m_speed, 'g', 15).toDouble()); // 3500, not 3499.9999999999995
     }
+    constexpr int kDigits = 3;
+    m_run->setText(
+        tr("%1 s · %2 ▾", "duration, playback speed").arg(numberText(duration, kDigits), speedText(m_speed)));
     showTime();
+}
+
+void Timeline::editSampling()
+{
+    m_session->setSampling({m_start->value(), m_duration->value(), static_cast<int>(m_steps->value())});
+    showSettings(); // also if nothing has changed
 }
 
 void Timeline::play()
 {
     if (!isPlaying()) {
-        restartClock(m_session->time() < last() ? m_session->time() : first());
+        if (m_session->time() >= last()) {
+            m_session->setTime(first());
+        }
+        m_lastFrame = m_clock();
         m_frames.start();
         colourIcons();
     }
@@ -271,19 +346,19 @@ void Timeline::pause()
 void Timeline::setSpeed(double speed)
 {
     m_speed = std::clamp(speed, kSlowestPlayback, kFastestPlayback);
-    m_runForm->setSpeed(m_speed);
     for (std::size_t i = 0; i < kSpeeds.size(); ++i) {
         m_speeds->actions()[static_cast<int>(i)]->setChecked(kSpeeds[i] == m_speed);
     }
-    if (isPlaying()) {
-        restartClock(m_requested);
-    }
-    showTime();
+    showSettings();
 }
 
 void Timeline::openRun()
 {
-    m_runForm->openAt(*m_run);
+    m_form->adjustSize();
+    m_form->move(popupPosition(*m_run, m_form->size()));
+    m_form->show();
+    m_start->setFocus(Qt::PopupFocusReason);
+    m_start->selectAll();
 }
 
 bool Timeline::isLooping() const
@@ -291,19 +366,12 @@ bool Timeline::isLooping() const
     return m_actions[Loop]->isChecked();
 }
 
-void Timeline::restartClock(double from)
-{
-    m_playedFrom = from;
-    m_requested = from;
-    m_playedSince = m_clock();
-}
-
 void Timeline::nextFrame()
 {
-    const double time = m_playedFrom + m_speed * (m_clock() - m_playedSince);
+    const double now = m_clock();
+    const double time = m_session->time() + m_speed * (now - std::exchange(m_lastFrame, now));
     const bool isOver = time >= last() && !isLooping();
-    m_requested = time < last() ? time : isOver ? last() : first() + std::fmod(time - first(), last() - first());
-    m_session->setTime(m_requested);
+    m_session->setTime(time < last() || isOver ? time : first() + std::fmod(time - first(), last() - first()));
     if (isOver) {
         pause();
     }
@@ -343,17 +411,10 @@ void Timeline::goToAngle(double degrees)
 void Timeline::showTime()
 {
     const Pose pose = m_session->pose();
-    if (isPlaying() && pose.time != m_requested) {
-        restartClock(pose.time); // the time was changed during playback
-    }
     m_timeBox->setValue(pose.time);
     m_angleBox->setValue(pose.theta2 * kDegreesPerRadian);
-    m_angleBox->setEnabled(m_session->parameters().omega2 != 0.0);
     const QSignalBlocker quiet(m_slider);
     m_slider->setValue(static_cast<int>(std::lround(currentStep())));
-    constexpr int kDigits = 3;
-    m_run->setText(
-        tr("%1 s · %2 ▾", "duration, playback speed").arg(numberText(last() - first(), kDigits), speedText(m_speed)));
 }
 
 } // namespace slidercrank

@@ -12,6 +12,7 @@
 
 class QAction;
 class QActionGroup;
+class QFrame;
 class QLayout;
 class QMenu;
 class QToolButton;
@@ -21,7 +22,6 @@ namespace slidercrank
 
 class NumberBox;
 class NumberSlider;
-class RunForm;
 class Session;
 
 /// Playback speeds in the menu: seconds of the motion per second of real time.
@@ -40,6 +40,8 @@ public:
 
     /// `clock` returns the seconds since an arbitrary moment.
     void setClock(const std::function<double()> &clock) { m_clock = clock; }
+
+    QFrame *form() const { return m_form; } ///< of the time range and the speed
 
     /// Adds the playback actions to the menu; the buttons use the same actions.
     void fillMenu(QMenu *menu);
@@ -62,35 +64,41 @@ private:
     void createActions();
     QLayout *createScrubbing();
     QLayout *createButtons();
+    void createForm();
     void colourIcons();
     double first() const; ///< start of the time range, s
     double last() const;  ///< end of the time range, s
+    double revolution() const; ///< time of one revolution, s; infinite if the crank is at rest
     void nextFrame();
-    void restartClock(double from);
     double currentStep() const; ///< time steps since the start
     void stepTo(double step);
     void goToAngle(double degrees);
-    void showSampling();
+    void editSampling();
+    void showSettings();
     void showTime();
 
     Session *m_session;
 
-    // While playing, the time is m_playedFrom + m_speed · (m_clock() - m_playedSince).
-    QTimer m_frames{this};
+    QTimer m_frames{this}; ///< runs while playing
     std::function<double()> m_clock;
-    double m_playedFrom = 0.0;
-    double m_playedSince = 0.0;
-    double m_requested = 0.0;
+    double m_lastFrame = 0.0; ///< m_clock() when the last frame was shown
     double m_speed = 1.0;
 
     std::array<QAction *, CommandCount> m_actions{};
     QActionGroup *m_speeds; ///< one action for each of kSpeeds
     QToolButton *m_playButton;
     QToolButton *m_run;
-    RunForm *m_runForm;
     NumberSlider *m_slider;
     NumberBox *m_timeBox;
     NumberBox *m_angleBox;
+
+    QFrame *m_form;
+    NumberBox *m_start;
+    NumberBox *m_duration;
+    QToolButton *m_oneTurn;
+    NumberBox *m_steps;
+    NumberBox *m_speedBox;
+    NumberBox *m_revolution;
 };
 
 } // namespace slidercrank

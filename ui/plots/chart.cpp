@@ -57,6 +57,26 @@ void addSeries(PlotDrawing &drawing, const ChartSeries &series, const SeriesColo
     }
 }
 
+/// Shades the axes outside the range.
+void addShade(PlotDrawing &drawing, const Interval &clear, QColor colour)
+{
+    constexpr float kOpacity = 0.16F;
+    colour.setAlphaF(kOpacity);
+    const QCPRange all = drawing.xAxis->range();
+    const double from = std::min(clear.lower, all.upper);
+    const double to = std::clamp(clear.upper, from, all.upper); // reversed: the shaded parts meet
+    for (const auto &[left, right] : {std::pair{all.lower, from}, std::pair{to, all.upper}}) {
+        auto *shade = new QCPItemRect(&drawing);
+        shade->setLayer("background");
+        shade->setPen(Qt::NoPen);
+        shade->setBrush(colour);
+        shade->topLeft->setTypeY(QCPItemPosition::ptAxisRectRatio);
+        shade->bottomRight->setTypeY(QCPItemPosition::ptAxisRectRatio);
+        shade->topLeft->setCoords(left, 0.0);
+        shade->bottomRight->setCoords(right, 1.0);
+    }
+}
+
 } // namespace
 
 Chart::Chart(QWidget *parent)
@@ -83,6 +103,9 @@ void Chart::fill(const QSize &size, const QPalette &palette)
     m_drawing->layOut(size);
     setAxis(*m_drawing->xAxis, m_content.x, m_drawing->axisRect()->width(), 44);
     setAxis(*m_drawing->yAxis, m_content.y, m_drawing->axisRect()->height(), 22);
+    if (m_content.clear) {
+        addShade(*m_drawing, *m_content.clear, colours.warning);
+    }
     for (const ChartSeries &series : m_content.series) {
         addSeries(*m_drawing, series, colours);
     }

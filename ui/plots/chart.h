@@ -44,6 +44,7 @@ struct ChartContent {
     ChartAxis x;
     ChartAxis y;
     std::vector<ChartSeries> series = {};
+    std::optional<Interval> clear = {}; ///< the chart is shaded outside this range of x; everywhere if it is reversed
 };
 
 class Chart : public QWidget

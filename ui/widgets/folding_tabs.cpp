@@ -19,8 +19,8 @@ FoldingTabs::FoldingTabs(QWidget *parent)
     tabBar()->setAccessibleName(tr("Panels"));
     tabBar()->setToolTip(tr("F9 hides and shows the panels"));
     connect(this, &QTabWidget::tabBarClicked, this, [this](int index) {
-        if (index >= 0 && isFolded()) {
-            choose(false);
+        if (index >= 0) {
+            setFolded(false);
         }
     });
     connect(this, &QTabWidget::currentChanged, this, &FoldingTabs::makeContent);
@@ -44,20 +44,7 @@ void FoldingTabs::makeContent(int index)
 void FoldingTabs::showPage(QWidget *page)
 {
     setCurrentWidget(page);
-    if (isFolded()) {
-        choose(false);
-    }
-}
-
-void FoldingTabs::choose(bool folded)
-{
-    m_chosen = folded;
-    setFolded(folded);
-}
-
-void FoldingTabs::suggest(bool folded)
-{
-    setFolded(m_chosen.value_or(folded));
+    setFolded(false);
 }
 
 void FoldingTabs::setFolded(bool folded)

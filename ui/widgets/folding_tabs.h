@@ -7,7 +7,6 @@
 #include <QTabWidget>
 
 #include <functional>
-#include <optional>
 
 namespace slidercrank
 {
@@ -26,15 +25,6 @@ public:
     void showPage(QWidget *page);
 
     bool isFolded() const { return m_isFolded; }
-
-    /// Returns whether the user folded the tabs; nullopt if the user has not chosen yet.
-    const std::optional<bool> &chosen() const { return m_chosen; }
-    void choose(bool folded);
-
-    /// Folds or unfolds the tabs, unless the user has chosen.
-    void suggest(bool folded);
-
-    /// Folds or unfolds them; this does not count as the user's choice.
     void setFolded(bool folded);
 
 signals:
@@ -44,7 +34,6 @@ private:
     void makeContent(int index);
 
     QHash<int, std::function<QWidget *()>> m_unmade; ///< functions that create the missing contents, by index
-    std::optional<bool> m_chosen;
     bool m_isFolded = false;
 };
 

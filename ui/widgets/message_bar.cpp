@@ -90,22 +90,10 @@ void MessageBar::showMessage(const Message &message)
     place();
 }
 
-QFrame *MessageBar::row(int index) const
-{
-    return static_cast<QFrame *>(m_rows->itemAt(index)->widget());
-}
-
 void MessageBar::removeMessage(const QString &id)
 {
     if (auto *row = findChild<QFrame *>(id, Qt::FindDirectChildrenOnly)) {
         remove(row);
-    }
-}
-
-void MessageBar::clear()
-{
-    while (m_rows->count() > 0) {
-        remove(row(0));
     }
 }
 
@@ -117,15 +105,6 @@ void MessageBar::remove(QFrame *row)
     row->setObjectName(QString());
     row->deleteLater();
     place();
-}
-
-QString MessageBar::text() const
-{
-    QStringList texts;
-    for (int i = 0; i < m_rows->count(); ++i) {
-        texts << row(i)->findChild<QLabel *>("messageText")->text();
-    }
-    return texts.join(u'\n');
 }
 
 void MessageBar::setMuted(bool muted)

@@ -35,9 +35,6 @@ public:
 
     void showMessage(const Message &message);
     void removeMessage(const QString &id);
-    void clear();
-
-    QString text() const; ///< all messages, one per line, newest first
 
     /// Hides all messages while muted.
     void setMuted(bool muted);
@@ -46,7 +43,6 @@ protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
-    QFrame *row(int index) const;
     void remove(QFrame *row);
     void place();
 

@@ -170,24 +170,25 @@ QString NumberBox::textFromValue(double value) const
     return numberText(value, digits);
 }
 
-NumberBox::TypedNumber NumberBox::read(const QString &text) const
+/// Returns the number in the text, or the current number if the text is refused.
+double NumberBox::valueFromText(const QString &text) const
 {
+    m_refusal.clear();
     QString number = text;
     while (!suffix().isEmpty() && number.endsWith(suffix())) { // the displayed unit remains in the text while typing
         number.chop(suffix().size());
     }
     number = number.trimmed();
     if (number.isEmpty() || number == textFromValue(value())) {
-        return {value(), {}}; // the exact number instead of the shortened text
+        return value(); // the exact number instead of the shortened text
     }
     if (m_range.isWhole && number.contains(u'.')) { // may separate thousands
-        return {value(), refusalOf(0.5)};
+        m_refusal = refusalOf(0.5);
+        return value();
     }
     const Quantity typed = readQuantity(number, m_unit);
-    if (typed.fault) {
-        return {value(), quantityFaultText(number, *typed.fault, m_unit)};
-    }
-    return {typed.value, refusalOf(typed.value)};
+    m_refusal = typed.fault ? quantityFaultText(number, *typed.fault, m_unit) : refusalOf(typed.value);
+    return m_refusal.isEmpty() ? typed.value : value();
 }
 
 QString NumberBox::refusalOf(double value) const
@@ -217,12 +218,7 @@ QValidator::State NumberBox::validate(QString &text, int &) const
             text = typed;
         }
     }
-    return read(text).refusal.isEmpty() ? QValidator::Acceptable : QValidator::Intermediate;
-}
-
-void NumberBox::fixup(QString &text) const
-{
-    m_refusal = read(text).refusal;
+    return QValidator::Acceptable; // valueFromText() checks the number once it is complete
 }
 
 void NumberBox::showValue()

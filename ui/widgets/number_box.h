@@ -57,9 +57,8 @@ public:
     QSize minimumSizeHint() const override { return sizeHint(); }
     void stepBy(int steps) override;
     QString textFromValue(double value) const override;
-    double valueFromText(const QString &text) const override { return read(text).value; }
+    double valueFromText(const QString &text) const override;
     QValidator::State validate(QString &text, int &position) const override;
-    void fixup(QString &text) const override;
 
 signals:
     void edited(double value); ///< the user entered a number or pressed an arrow key
@@ -73,12 +72,7 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
-    struct TypedNumber {
-        double value;
-        QString refusal; ///< why the number is refused; empty if it is accepted
-    };
     void take(double value);
-    TypedNumber read(const QString &text) const;
     QString refusalOf(double value) const;
     QString shownText() const { return textFromValue(value()) + suffix(); }
     void showValue();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/number_table.h"
 
+#include "ui/text/record.h"
 #include "ui/text/theme.h"
 #include "ui/text/written_number.h"
 #include "ui/widgets/named.h"
@@ -23,21 +24,10 @@ namespace
 constexpr int kCellMargin = 14;   // px, left and right of a text together
 constexpr int kLargestSpare = 28; // px, added to a column if there is space
 
-QString csvField(const QString &text)
+QJsonValue csvValue(const TableCell &cell)
 {
-    if (!text.contains(u',') && !text.contains(u'"') && !text.contains(u'\n')) {
-        return text;
-    }
-    return u'"' + QString(text).replace("\"", "\"\"") + u'"';
-}
-
-QString csvText(const TableCell &cell)
-{
-    if (cell.number) {
-        return QLocale::c().toString(*cell.number, 'g', QLocale::FloatingPointShortest);
-    }
     const QString &text = cell.csv.isEmpty() ? cell.text : cell.csv;
-    return text == dash() ? QString() : text;
+    return cell.number ? jsonNumber(cell.number) : text == dash() ? QJsonValue() : QJsonValue(text);
 }
 
 int alignmentOf(const TableColumn &column)
@@ -47,36 +37,29 @@ int alignmentOf(const TableColumn &column)
 
 } // namespace
 
-QString csvText(const std::vector<TableColumn> &columns, const std::vector<TableRow> &rows)
+QByteArray csvText(const std::vector<TableColumn> &columns, const std::vector<TableRow> &rows)
 {
-    QStringList fields;
-    for (const TableColumn &column : columns) {
-        fields << csvField(column.csvName);
-    }
-    QString text = fields.join(u',') + u'\n';
+    std::vector<Record> records;
     for (const TableRow &row : rows) {
-        fields.clear();
-        for (const TableCell &cell : row.cells) {
-            fields << csvField(csvText(cell));
+        Record &record = records.emplace_back();
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            record.emplace_back(columns[i].csvName, csvValue(row.cells[i]));
         }
-        text += fields.join(u',') + u'\n';
     }
-    return text;
+    return csvText(records);
 }
 
 QColor toneColour(Tone tone, const QPalette &palette)
 {
     const SeriesColours colours = seriesColours(palette);
-    switch (tone) {
-    case Tone::Normal: return palette.color(QPalette::Text);
-    case Tone::Muted: return palette.color(QPalette::PlaceholderText);
-    case Tone::Link: return palette.color(QPalette::Link);
-    case Tone::Model: return colours.model;
-    case Tone::Good: return colours.errorOther;
-    case Tone::Fair: return colours.reference;
-    case Tone::Bad: return colours.warning;
-    }
-    return {};
+    const QColor all[] = {palette.color(QPalette::Text), // in the order of Tone
+                          palette.color(QPalette::PlaceholderText),
+                          palette.color(QPalette::Link),
+                          colours.model,
+                          colours.errorOther,
+                          colours.reference,
+                          colours.warning};
+    return all[static_cast<std::size_t>(tone)];
 }
 
 NumberTable::NumberTable(const QString &name, const QString &title, std::vector<TableColumn> columns)
@@ -109,6 +92,9 @@ NumberTable::NumberTable(const QString &name, const QString &title, std::vector<
     horizontalHeader()->setHighlightSections(false);
     horizontalHeader()->setMinimumSectionSize(1);
     connect(this, &QTableView::clicked, this, [this](const QModelIndex &index) { goToRow(index.row()); });
+    connect(this, &QTableView::entered, this, [this](const QModelIndex &index) {
+        emit partHovered(m_rows[static_cast<std::size_t>(index.row())].part);
+    });
     fitColumns();
 }
 
@@ -118,13 +104,11 @@ void NumberTable::setRows(std::vector<TableRow> rows)
     if (!std::ranges::equal(rows, m_rows, {}, name, name)) { // other rows
         m_model->setRowCount(0);
         m_widths.clear();
-        m_hoveredRow = -1;
     }
     m_rows = std::move(rows);
     m_model->setRowCount(static_cast<int>(m_rows.size()));
     fillCells();
     fitColumns();
-    reportPart();
 }
 
 /// Writes the rows into the model, which reports only the cells that change.
@@ -161,7 +145,7 @@ void NumberTable::copy()
             rows.push_back(m_rows[static_cast<std::size_t>(index.row())]);
         }
     }
-    QApplication::clipboard()->setText(csvText(m_columns, rows));
+    QApplication::clipboard()->setText(QString::fromUtf8(csvText(m_columns, rows)));
     emit copied(static_cast<int>(rows.size()));
 }
 
@@ -208,16 +192,12 @@ bool NumberTable::event(QEvent *event)
         return true;
     }
     const bool isHandled = QTableView::event(event);
-    switch (event->type()) {
-    case QEvent::FontChange:
+    if (event->type() == QEvent::FontChange) {
         horizontalHeader()->setFont(font()); // a hidden header would keep the old font
         m_widths.clear();
         fitColumns();
-        break;
-    case QEvent::PaletteChange: fillCells(); break;
-    case QEvent::FocusIn:
-    case QEvent::FocusOut: reportPart(); break;
-    default: break;
+    } else if (event->type() == QEvent::Leave || event->type() == QEvent::Hide) {
+        emit partHovered(MechanismPart::None);
     }
     return isHandled;
 }
@@ -237,38 +217,6 @@ void NumberTable::goToRow(int row)
 {
     if (row >= 0 && m_rows[static_cast<std::size_t>(row)].time) {
         emit timeRequested(*m_rows[static_cast<std::size_t>(row)].time);
-    }
-}
-
-bool NumberTable::viewportEvent(QEvent *event)
-{
-    if (event->type() == QEvent::MouseMove) {
-        setHoveredRow(indexAt(static_cast<QMouseEvent *>(event)->pos()).row());
-    } else if (event->type() == QEvent::Leave || event->type() == QEvent::Hide) {
-        setHoveredRow(-1);
-    }
-    return QTableView::viewportEvent(event);
-}
-
-void NumberTable::setHoveredRow(int row)
-{
-    m_hoveredRow = row;
-    reportPart();
-}
-
-void NumberTable::currentChanged(const QModelIndex &current, const QModelIndex &previous)
-{
-    QTableView::currentChanged(current, previous);
-    reportPart();
-}
-
-void NumberTable::reportPart()
-{
-    const int row = m_hoveredRow >= 0 ? m_hoveredRow : hasFocus() ? currentIndex().row() : -1;
-    const bool exists = row >= 0 && row < m_model->rowCount();
-    const MechanismPart part = exists ? m_rows[static_cast<std::size_t>(row)].part : MechanismPart::None;
-    if (std::exchange(m_reported, part) != part) {
-        emit partHovered(part);
     }
 }
 

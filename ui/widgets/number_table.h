@@ -2,8 +2,8 @@
 #pragma once
 
 // A read-only table of names and numbers. It shows four significant digits and copies every digit, as CSV with a
-// decimal point. It reports the part of the mechanism that the row under the mouse, or the current row, describes, and
-// the time that a row leads to.
+// decimal point. It reports the part of the mechanism that the row under the mouse describes, and the time that a row
+// leads to.
 
 #include "core/mechanism/mechanism_part.h"
 
@@ -44,8 +44,9 @@ struct TableRow {
     MechanismPart part = MechanismPart::None; ///< that the row describes
 };
 
-/// Returns a line of headings and a line for each row; numbers have every digit and a decimal point.
-QString csvText(const std::vector<TableColumn> &columns, const std::vector<TableRow> &rows);
+/// Returns a line of headings and a line for each row; numbers have every digit and a decimal point. Returns an empty
+/// text without rows.
+QByteArray csvText(const std::vector<TableColumn> &columns, const std::vector<TableRow> &rows);
 
 class NumberTable : public QTableView
 {
@@ -65,29 +66,23 @@ public slots:
 
 signals:
     void copied(int rows);
-    void partHovered(slidercrank::MechanismPart part); ///< None: no row is under the mouse or current
+    void partHovered(slidercrank::MechanismPart part); ///< None: no row is under the mouse
     void timeRequested(double seconds);
 
 protected:
     bool event(QEvent *event) override;
-    bool viewportEvent(QEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
-    void currentChanged(const QModelIndex &current, const QModelIndex &previous) override;
 
 private:
     void goToRow(int row);
     void fillCells();
     void fitColumns();
-    void setHoveredRow(int row);
-    void reportPart();
 
     std::vector<TableColumn> m_columns;
     std::vector<TableRow> m_rows{};
     QStandardItemModel *m_model;
     std::vector<int> m_widths; ///< px; columns do not become narrower while the numbers change
-    int m_hoveredRow = -1;
-    MechanismPart m_reported = MechanismPart::None;
 };
 
 } // namespace slidercrank

@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QMessageBox>
 #include <QSettings>
 
 #include <algorithm>
@@ -35,30 +36,18 @@ void chooseFileToSave(QWidget *parent, const SaveRequest &request)
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setNameFilters(request.filters);
     dialog->selectFile(request.name);
-    const auto followFilter = [dialog, request](const QString &filter) {
-        const QString suffix = suffixOf(filter);
-        dialog->setDefaultSuffix(suffix);
-        const QFileInfo file(dialog->selectedFiles().value(0));
-        const auto isSuffix = [&file](const QString &other) { return suffixOf(other) == file.suffix(); };
-        if (!file.suffix().isEmpty() && std::ranges::any_of(request.filters, isSuffix)) {
-            dialog->selectFile(file.completeBaseName() + (suffix.isEmpty() ? QString() : u'.' + suffix));
-        }
-    };
+    const auto followFilter = [dialog](const QString &filter) { dialog->setDefaultSuffix(suffixOf(filter)); };
     followFilter(request.filters.first());
     QObject::connect(dialog, &QFileDialog::filterSelected, dialog, followFilter);
     QObject::connect(dialog, &QFileDialog::fileSelected, parent, [parent, request, dialog](const QString &path) {
         const QString filter = dialog->selectedNameFilter();
         const QString completed = completedName(path, filter, request.filters);
-        QSettings().setValue(kLastFolder, QFileInfo(completed).absolutePath());
-        if (completed == path || !QFileInfo::exists(completed)) {
+        const bool isReplaced = completed != path && QFileInfo::exists(completed); // the dialog has not asked about it
+        const QString question = SaveDialogText::tr("%1 exists. Replace it?").arg(QFileInfo(completed).fileName());
+        if (!isReplaced || QMessageBox::question(parent, request.title, question) == QMessageBox::Yes) {
+            QSettings().setValue(kLastFolder, QFileInfo(completed).absolutePath());
             request.save(completed, filter);
-            return;
         }
-        SaveRequest again = request; // the dialog has not asked whether to replace this file
-        again.filters.move(again.filters.indexOf(filter), 0);
-        again.folder = QFileInfo(completed).absolutePath();
-        again.name = QFileInfo(completed).fileName();
-        chooseFileToSave(parent, again);
     });
     dialog->open();
 }

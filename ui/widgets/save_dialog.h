@@ -19,7 +19,7 @@ struct SaveRequest {
     QString title;
     QStringList filters; ///< "SVG drawings (*.svg)", with one suffix each, or "(*)" for any name
     QString folder;
-    QString name; ///< default name
+    QString name; ///< default name, without the suffix
     std::function<void(const QString &path, const QString &filter)> save;
 };
 

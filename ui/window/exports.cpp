@@ -13,7 +13,6 @@
 #include "ui/widgets/save_dialog.h"
 #include "ui/window/ghost.h"
 
-#include <QDir>
 #include <QInputDialog>
 #include <QProgressDialog>
 
@@ -35,22 +34,7 @@ Exports::Exports(Session *session, const Views &views, QWidget *window)
     , m_window(window)
     , m_task(new BackgroundTask(this))
 {
-    connect(m_task, &BackgroundTask::progressed, this, &Exports::progressed);
-    connect(m_task, &BackgroundTask::runningChanged, this, &Exports::busyChanged);
-}
-
-bool Exports::cancel()
-{
-    const bool wasWriting = isWriting();
-    m_task->discard();
-    return wasWriting;
-}
-
-FigureDrawing Exports::drawFigure() const
-{
-    return [this](QPainter &painter, const QSize &size) {
-        m_views.plots->paintFigure(painter, {}, size, paletteFor(Theme::Light));
-    };
+    session->track(m_task);
 }
 
 FigureDrawing Exports::drawMechanism() const
@@ -60,22 +44,17 @@ FigureDrawing Exports::drawMechanism() const
     };
 }
 
-Exports::Picture Exports::figure() const
-{
-    return {tr("figure.png"), m_views.plots->size(), drawFigure()};
-}
-
 Exports::Picture Exports::plot(const QString &name) const
 {
     const auto draw = [this, name](QPainter &painter, const QSize &size) {
         m_views.plots->paintFigure(painter, name, size, paletteFor(Theme::Light));
     };
-    return {name + ".png", kPlotSize, draw};
+    return name.isEmpty() ? Picture{tr("figure"), m_views.plots->size(), draw} : Picture{name, kPlotSize, draw};
 }
 
 Exports::Picture Exports::mechanism() const
 {
-    return {tr("mechanism.png"), m_views.mechanism->pictureSize(),
+    return {tr("mechanism"), m_views.mechanism->pictureSize(),
             withParameters(drawMechanism(), m_session->result()->mechanism, paletteFor(Theme::Light))};
 }
 
@@ -89,15 +68,15 @@ void Exports::choose(const Picture &picture)
 void Exports::write(const Picture &picture, const QString &path)
 {
     const QString title = tr("Motion of an offset slider-crank");
-    tellOutcome(path, exportFigure(path, {picture.size, kScale}, title, picture.draw));
+    m_session->reportWritten(path, exportFigure(path, {picture.size, kScale}, title, picture.draw));
 }
 
 void Exports::copy(const Picture &picture)
 {
     if (const Problem problem = copyFigureToClipboard({picture.size, kScale}, picture.draw)) {
-        emit problemFound(*problem);
+        emit m_session->failed(*problem);
     } else {
-        emit exported(tr("The picture is in the clipboard."));
+        emit m_session->confirmed(tr("The picture is in the clipboard."));
     }
 }
 
@@ -120,7 +99,7 @@ void Exports::chooseData()
     chooseFileToSave(m_window, {tr("Export data"),
                                 {plotted, tr("All 36 channels (*.csv)"), byAngle},
                                 lastFolder(QStandardPaths::DocumentsLocation),
-                                tr("motion.csv"),
+                                tr("motion"),
                                 write});
 }
 
@@ -137,7 +116,7 @@ void Exports::chooseReport()
     chooseFileToSave(m_window, {tr("Export report"),
                                 {tr("Reports (*.pdf)")},
                                 lastFolder(QStandardPaths::DocumentsLocation),
-                                tr("report.pdf"),
+                                tr("report"),
                                 [this](const QString &path, const QString &) { writeReport(path); }});
 }
 
@@ -150,10 +129,10 @@ void Exports::writeReport(const QString &path)
             return tr("No report was written: the mechanism was changed meanwhile. Export it again.");
         }
         content->hasGhost = m_views.mechanism->hasGhost();
-        return exportReport(path, *content, {drawMechanism(), drawFigure()});
+        return exportReport(path, *content, {drawMechanism(), plot().draw});
     };
     if (!content->result->reference) {
-        tellOutcome(path, write());
+        m_session->reportWritten(path, write());
         return;
     }
     const auto diagnosis = m_session->diagnosis(); // may belong to another file or to other parameters
@@ -219,29 +198,20 @@ void Exports::writeAnimation(const QString &path, const Animation &animation)
     };
     const Problem problem = exportAnimation(path, animation, draw, progress);
     if (!problem || !problem->isEmpty()) { // an empty text means that the user cancelled
-        tellOutcome(path, problem);
+        m_session->reportWritten(path, problem);
     }
 }
 
 void Exports::writeInBackground(const QString &path, const Work &work, const std::function<Problem()> &finish)
 {
     if (isWriting()) {
-        emit problemFound(tr("Another file is still being written: wait for it, or cancel it below."));
+        emit m_session->failed(tr("Another file is still being written: wait for it, or cancel it below."));
         return;
     }
     const auto done = [this, path, finish](const Problem &problem) {
-        tellOutcome(path, problem || !finish ? problem : finish());
+        m_session->reportWritten(path, problem || !finish ? problem : finish());
     };
-    m_task->start(work, done, [this](const QString &problem) { emit problemFound(problem); });
-}
-
-void Exports::tellOutcome(const QString &path, const Problem &problem)
-{
-    if (problem) {
-        emit problemFound(*problem);
-    } else {
-        emit exported(tr("Exported to %1").arg(QDir::toNativeSeparators(path)));
-    }
+    m_task->start(work, done, [this](const QString &problem) { emit m_session->failed(problem); });
 }
 
 } // namespace slidercrank

@@ -29,7 +29,6 @@ public:
     Exports(Session *session, const Views &views, QWidget *window);
 
     bool isWriting() const { return m_task->isRunning(); }
-    bool cancel(); ///< returns false if nothing is being written
 
     /// A picture that can be exported or copied.
     struct Picture {
@@ -37,8 +36,7 @@ public:
         QSize size;
         FigureDrawing draw;
     };
-    Picture figure() const;
-    Picture plot(const QString &name) const;
+    Picture plot(const QString &name = {}) const; ///< the whole figure if there is no name
     Picture mechanism() const;
 
     void choose(const Picture &picture);
@@ -63,21 +61,13 @@ public:
     /// Returns the animation of the current time range at the playback speed.
     Animation animationShown() const;
 
-signals:
-    void exported(const QString &sentence);
-    void problemFound(const QString &sentence);
-    void busyChanged(bool busy);
-    void progressed(double part);
-
 private:
     FigureDrawing drawMechanism() const;
-    FigureDrawing drawFigure() const;
 
     /// Runs work() in another thread, then finish() in this thread. Each returns a sentence if it fails.
     using Problem = std::optional<QString>;
     using Work = std::function<Problem(const std::stop_token &, const BackgroundTask::Progress &)>;
     void writeInBackground(const QString &path, const Work &work, const std::function<Problem()> &finish = {});
-    void tellOutcome(const QString &path, const Problem &problem);
 
     Session *m_session;
     const Views &m_views;

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/key_filter.h"
 
-#include "ui/panels/run_form.h"
-
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
+#include <QDialog>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMenuBar>
@@ -52,9 +51,8 @@ bool changesWithWheel(const QWidget &widget)
 
 } // namespace
 
-KeyFilter::KeyFilter(QWidget *window)
-    : QObject(window)
-    , m_window(window)
+KeyFilter::KeyFilter(QObject *parent)
+    : QObject(parent)
 {
     qApp->installEventFilter(this);
 }
@@ -79,8 +77,8 @@ bool KeyFilter::eventFilter(QObject *watched, QEvent *event)
         event->setAccepted(!changesWithWheel(*widget) || widget->hasFocus());
         return !event->isAccepted();
     }
-    if (widget->window() != m_window && !qobject_cast<RunForm *>(widget->window())) {
-        return false; // dialogs and open lists handle their own keys
+    if (qobject_cast<QDialog *>(widget->window())) {
+        return false; // dialogs handle their own keys
     }
     const auto &key = *static_cast<QKeyEvent *>(event);
     if (type == QEvent::ShortcutOverride && uses(*widget, key)) {

@@ -7,8 +7,6 @@
 
 #include <QObject>
 
-class QWidget;
-
 namespace slidercrank
 {
 
@@ -17,13 +15,10 @@ class KeyFilter : public QObject
     Q_OBJECT
 
 public:
-    explicit KeyFilter(QWidget *window);
+    explicit KeyFilter(QObject *parent);
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
-
-private:
-    QWidget *m_window;
 };
 
 } // namespace slidercrank

@@ -11,7 +11,6 @@
 #include "ui/panels/parameter_panel.h"
 #include "ui/panels/reference_page.h"
 #include "ui/panels/response_view.h"
-#include "ui/panels/run_form.h"
 #include "ui/panels/segmented_pages.h"
 #include "ui/panels/solver_form.h"
 #include "ui/panels/study_panel.h"
@@ -38,6 +37,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFontMetrics>
+#include <QFrame>
 #include <QMimeData>
 #include <QScreen>
 #include <QSplitter>
@@ -135,7 +135,7 @@ MainWindow::MainWindow(QWidget *parent)
     setStatusBar(m_status);
     setMenuBar(new Menus(*this, m_views));
     // The shortcuts of the window also work in the form of the time range.
-    m_views.timeline->findChild<RunForm *>()->addActions(menuBar()->findChildren<QAction *>());
+    m_views.timeline->form()->addActions(menuBar()->findChildren<QAction *>());
     connectDocument();
     showTitle();
     showResult(m_session->result());
@@ -159,21 +159,10 @@ void MainWindow::connectDocument()
     connect(m_session, &Session::resultChanged, this, &MainWindow::showResult);
     connect(m_session, &Session::referenceLoaded, this, &MainWindow::followReference);
     connect(m_scene, &SceneFile::changed, this, &MainWindow::showTitle);
-    connect(m_exports, &Exports::exported, m_messages, &Messages::confirm);
-    connect(m_exports, &Exports::problemFound, m_messages, &Messages::showProblem);
     connect(m_session, &Session::busyChanged, m_status, &StatusBar::setBusy);
-    connect(m_session, &Session::readingProgressed, m_status, &StatusBar::setProgress);
+    connect(m_session, &Session::progressed, m_status, &StatusBar::setProgress);
     connect(m_session, &Session::referenceLoaded, m_status, [this] { m_status->setProgress(-1.0); });
-    connect(m_exports, &Exports::busyChanged, m_status, &StatusBar::setBusy);
-    connect(m_exports, &Exports::progressed, m_status, &StatusBar::setProgress);
-    connect(m_status, &StatusBar::cancelled, this, [this] {
-        m_session->cancel();
-        if (m_exports->cancel()) {
-            m_messages->confirm(tr("Cancelled: nothing was written."));
-        } else {
-            m_messages->showAboutResult(Message::Kind::Hint, tr("Cancelled: the previous result is still shown."));
-        }
-    });
+    connect(m_status, &StatusBar::cancelled, m_session, &Session::cancel);
 }
 
 void MainWindow::makeViews()
@@ -197,11 +186,11 @@ void MainWindow::makeTabs()
     m_views.tabs->addTab(makeLimitsPanel(), tr("Motion limits"));
     m_views.tabs->addTab(m_views.errors, QString());
     m_views.tabs->addTab(
-        makePanel("referencePanel", tr("Reference: what was read, and how"),
+        makePanel("referencePanel", tr("Reference"),
                   [this] { return referencePage(*m_session->result(), m_session->diagnosis().get()); }),
         tr("Reference"));
     m_views.tabs->addPage(tr("Newton-Raphson"), [this] { return makeNewtonPanel(); });
-    m_views.tabs->addPage(tr("Speed and accuracy"), [this] { return makeStudyPanel(); });
+    m_views.tabs->addPage(tr("Speed and accuracy"), [this] { return new StudyPanel(m_session); });
 }
 
 void MainWindow::connectMechanism()
@@ -239,20 +228,13 @@ void MainWindow::connectPlots()
 /// Creates a panel whose page is updated with every change of the session.
 TablePanel *MainWindow::makePanel(const QString &name, const QString &title, const std::function<Page()> &makePage)
 {
-    auto *panel = new TablePanel(name, title, makePage);
+    auto *panel = new TablePanel(m_session, name, title, makePage);
     connect(m_session, &Session::resultChanged, panel, &TablePanel::refresh);
     connect(m_session, &Session::diagnosisChanged, panel, &TablePanel::refresh);
     connect(panel, &TablePanel::timeRequested, m_session, &Session::setTime);
     connect(panel, &TablePanel::timeRequested, m_views.plots, &PlotGrid::showTime);
     connect(panel, &TablePanel::remedyRequested, this, &MainWindow::applyRemedy);
-    connectReports(panel);
     return panel;
-}
-
-void MainWindow::connectReports(const TablePanel *panel)
-{
-    connect(panel, &TablePanel::rowsCopied, m_messages, &Messages::confirmCopiedRows);
-    connect(panel, &TablePanel::problemFound, m_messages, &Messages::showProblem);
 }
 
 QWidget *MainWindow::makeLimitsPanel()
@@ -263,8 +245,6 @@ QWidget *MainWindow::makeLimitsPanel()
     auto *response = new ResponseView(m_session);
     panel->addPage(tr("Response"), response);
     panel->addPage(tr("Design"), new DesignForm(m_session));
-    connect(response, &ResponseView::copied, m_messages, &Messages::confirm);
-    connect(response, &ResponseView::problemFound, m_messages, &Messages::showProblem);
     connect(m_views.parameters, &ParameterPanel::responseRequested, panel,
             [this, panel, response](Parameter parameter) {
                 response->setParameter(parameter);
@@ -290,14 +270,6 @@ QWidget *MainWindow::makeNewtonPanel()
     addPage("jacobianPanel", tr("Jacobian"), NewtonPages::jacobian);
     addPage("iterationPanel", tr("Iterations"), NewtonPages::iterations);
     addPage("coordinatePanel", tr("Coordinates"), NewtonPages::coordinates);
-    return panel;
-}
-
-QWidget *MainWindow::makeStudyPanel()
-{
-    auto *panel = new StudyPanel(m_session);
-    connect(panel, &StudyPanel::problemFound, m_messages, &Messages::showProblem);
-    connectReports(panel->findChild<TablePanel *>());
     return panel;
 }
 
@@ -332,7 +304,7 @@ void MainWindow::openFiles(const QStringList &paths)
     } else if (paths.size() == 1) {
         m_scene->open(*scene);
     } else {
-        m_messages->showProblem(tr("%1 is a scene: open it alone, and the files of one motion together.")
+        emit m_session->failed(tr("%1 is a scene: open it alone, and the files of one motion together.")
                                     .arg(QFileInfo(*scene).fileName()));
     }
 }
@@ -408,7 +380,7 @@ void MainWindow::showResult(const std::shared_ptr<const Result> &result)
         title != m_views.tabs->tabText(tab)) { // setting the text lays out the window again
         m_views.tabs->setTabText(tab, title);
     }
-    m_status->showResult(*result);
+    m_status->showMessage(samplingText(*result)); // unlike a label, this does not lay out the window
 }
 
 void MainWindow::setTheme(Theme theme)
@@ -422,7 +394,7 @@ void MainWindow::closeEvent(QCloseEvent *event)
     m_scene->enterTypedNumber();
     if (m_exports->isWriting()) {
         event->ignore();
-        m_messages->showProblem(tr("A file is still being written. Close the window when it is done, or cancel it "
+        emit m_session->failed(tr("A file is still being written. Close the window when it is done, or cancel it "
                                    "below."));
         return;
     }
@@ -451,16 +423,6 @@ void MainWindow::dropEvent(QDropEvent *event)
     if (const QStringList paths = droppedFiles(*event); !paths.isEmpty()) {
         event->acceptProposedAction();
         openFiles(paths);
-    }
-}
-
-/// Folds the tabs of a low window, unless the user has chosen otherwise.
-void MainWindow::resizeEvent(QResizeEvent *event)
-{
-    constexpr int kLow = 800; // px: below this the nine plots need all the space
-    QMainWindow::resizeEvent(event);
-    if (!m_presentation->isOn()) {
-        m_views.tabs->suggest(height() < kLow);
     }
 }
 

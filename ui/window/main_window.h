@@ -56,7 +56,6 @@ protected:
     void closeEvent(QCloseEvent *event) override;
     void dragEnterEvent(QDragEnterEvent *event) override;
     void dropEvent(QDropEvent *event) override;
-    void resizeEvent(QResizeEvent *event) override;
     bool event(QEvent *event) override;
 
 private:
@@ -67,10 +66,8 @@ private:
     void connectPlots();
 
     TablePanel *makePanel(const QString &name, const QString &title, const std::function<Page()> &makePage);
-    void connectReports(const TablePanel *panel);
     QWidget *makeLimitsPanel();
     QWidget *makeNewtonPanel();
-    QWidget *makeStudyPanel();
 
     void followReference(const std::shared_ptr<const Reference> &reference);
     void applyRemedy(const Finding &finding);

@@ -12,7 +12,6 @@
 #include "ui/window/exports.h"
 #include "ui/window/ghost.h"
 #include "ui/window/main_window.h"
-#include "ui/window/messages.h"
 #include "ui/window/presentation.h"
 #include "ui/window/scene_file.h"
 #include "ui/window/window_settings.h"
@@ -123,7 +122,7 @@ void Menus::addFile()
 void Menus::addExport(QMenu *menu)
 {
     Exports *exports = &m_window.exports();
-    menu->addAction(tr("&Figure…"), Qt::CTRL | Qt::Key_E, exports, [exports] { exports->choose(exports->figure()); });
+    menu->addAction(tr("&Figure…"), Qt::CTRL | Qt::Key_E, exports, [exports] { exports->choose(exports->plot()); });
     menu->addAction(tr("&Mechanism…"), exports, [exports] { exports->choose(exports->mechanism()); });
     menu->addAction(tr("&Data…"), exports, &Exports::chooseData);
     menu->addAction(tr("&Report…"), exports, &Exports::chooseReport);
@@ -154,7 +153,7 @@ void Menus::addEdit()
     redo->setShortcuts({Qt::CTRL | Qt::SHIFT | Qt::Key_Z, Qt::CTRL | Qt::Key_Y});
     menu->addActions({undo, redo});
     menu->addSeparator();
-    menu->addAction(tr("&Copy figure"), QKeySequence::Copy, exports, [exports] { exports->copy(exports->figure()); });
+    menu->addAction(tr("&Copy figure"), QKeySequence::Copy, exports, [exports] { exports->copy(exports->plot()); });
     menu->addAction(tr("Copy &mechanism"), exports, [exports] { exports->copy(exports->mechanism()); });
     menu->addSeparator();
     menu->addAction(tr("P&in this motion"), Qt::CTRL | Qt::Key_K, session, &Session::pinMotion);
@@ -181,13 +180,7 @@ void Menus::addView()
     connect(present, &QAction::triggered, presentation, &Presentation::setOn);
     connect(presentation, &Presentation::changed, present, &QAction::setChecked);
     QAction *fold = addSwitch(menu, tr("Show the &panels below"), true, Qt::Key_F9);
-    connect(fold, &QAction::triggered, tabs, [tabs, presentation](bool shown) {
-        if (presentation->isOn()) {
-            tabs->setFolded(!shown); // does not affect the usual window
-        } else {
-            tabs->choose(!shown);
-        }
-    });
+    connect(fold, &QAction::triggered, tabs, [tabs](bool shown) { tabs->setFolded(!shown); });
     connect(tabs, &FoldingTabs::foldedChanged, fold, [fold](bool folded) { fold->setChecked(!folded); });
     QAction *ghost = addSwitch(menu, tr("Show the mo&tion of the file or pinned"), m_views.ghost->isWanted());
     connect(ghost, &QAction::triggered, m_views.ghost, &Ghost::setWanted);
@@ -197,7 +190,7 @@ void Menus::addView()
                       [this](Theme theme) { m_window.setTheme(theme); });
     const auto setLanguage = [this](Language language) {
         rememberLanguage(language);
-        m_window.messages().confirm(tr("The language changes when you start the program again."));
+        emit m_window.session().confirmed(tr("The language changes when you start the program again."));
     };
     addChoices<Language>(menu->addMenu(tr("Lan&guage")), {tr("&System"), "&English", "Es&pañol"}, chosenLanguage(),
                          setLanguage);

@@ -5,7 +5,6 @@
 #include "ui/window/main_window.h"
 #include "ui/window/scene_file.h"
 
-#include <QDir>
 #include <QSettings>
 
 #include <algorithm>
@@ -30,16 +29,20 @@ Messages::Messages(MainWindow *window, MessageBar *bar)
     , m_bar(bar)
 {
     const Session *session = &window->session();
-    connect(session, &Session::problemFound, this,
-            [this](const QString &sentence) { showAboutResult(Message::Kind::Problem, sentence); });
+    connect(session, &Session::confirmed, this, [this](const QString &sentence) {
+        m_bar->showMessage({"confirmation", Message::Kind::Hint, sentence});
+    });
+    connect(session, &Session::failed, this, [this](const QString &sentence) {
+        m_bar->showMessage({"problem", Message::Kind::Problem, sentence});
+    });
+    connect(session, &Session::problemFound, this, [this](const QString &sentence) {
+        m_bar->showMessage({kResult, Message::Kind::Problem, sentence});
+    });
     connect(session, &Session::resultChanged, this, [this] { m_bar->removeMessage(kResult); });
     connect(session, &Session::settingsChanged, this, [this] { m_bar->removeMessage(kTimeRange); });
     connect(session, &Session::timeRangeReplaced, this, &Messages::showTimeRange);
     connect(session, &Session::referenceRefused, this, &Messages::showRefused);
     connect(session, &Session::referenceLoaded, this, &Messages::showReading);
-    connect(&window->scene(), &SceneFile::problemFound, this, &Messages::showProblem);
-    connect(&window->scene(), &SceneFile::saved, this,
-            [this](const QString &path) { confirm(tr("Saved: %1").arg(QDir::toNativeSeparators(path))); });
 }
 
 void Messages::greetOnce()
@@ -51,26 +54,6 @@ void Messages::greetOnce()
         m_bar->showMessage({"greeting", Message::Kind::Hint, tr("Drag a slider or a link. Press Space to play."),
                             tr("Open the sample"), [this] { m_window->openSample(); }});
     }
-}
-
-void Messages::confirm(const QString &sentence)
-{
-    m_bar->showMessage({"confirmation", Message::Kind::Hint, sentence});
-}
-
-void Messages::confirmCopiedRows(int count)
-{
-    confirm(tr("Rows copied to the clipboard, as CSV with headings: %1.").arg(count));
-}
-
-void Messages::showProblem(const QString &sentence)
-{
-    m_bar->showMessage({"problem", Message::Kind::Problem, sentence});
-}
-
-void Messages::showAboutResult(Message::Kind kind, const QString &sentence)
-{
-    m_bar->showMessage({kResult, kind, sentence});
 }
 
 /// Offers to choose the columns if the files have any; otherwise another file.

@@ -26,14 +26,6 @@ public:
 
     void greetOnce(); ///< greets when the program is started for the first time
 
-    /// Shows a message about the current result; it is removed with the next result.
-    void showAboutResult(Message::Kind kind, const QString &sentence);
-
-public slots:
-    void confirm(const QString &sentence);
-    void confirmCopiedRows(int count);
-    void showProblem(const QString &sentence);
-
 private:
     void showRefused(const QStringList &paths, const QString &sentence);
     void showReading(const std::shared_ptr<const Reference> &reference);

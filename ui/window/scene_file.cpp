@@ -3,18 +3,28 @@
 
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/plots/plot_grid.h"
+#include "ui/widgets/named.h"
 #include "ui/widgets/number_box.h"
 #include "ui/widgets/save_dialog.h"
 #include "ui/window/views.h"
 #include "ui/window/window_settings.h"
 
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QMessageBox>
 
 #include <variant>
 
 namespace slidercrank
 {
+
+namespace
+{
+
+const QString kQuestion = "unsavedQuestion";
+
+} // namespace
 
 SceneFile::SceneFile(Session *session, const Views &views, QWidget *window)
     : QObject(window)
@@ -48,21 +58,6 @@ Scene SceneFile::scene() const
             .mechanismFrame = m_views.mechanism->zoom()};
 }
 
-/// Opens a question. It replaces an open question of the same name.
-QMessageBox *SceneFile::ask(const char *name, const QString &title, const QString &text,
-                            QMessageBox::StandardButtons buttons, const std::function<void(int button)> &answered)
-{
-    if (auto *unanswered = m_window->findChild<QMessageBox *>(name)) {
-        unanswered->reject();
-    }
-    auto *question = new QMessageBox(QMessageBox::Question, title, text, buttons, m_window);
-    question->setObjectName(name);
-    question->setAttribute(Qt::WA_DeleteOnClose);
-    connect(question, &QMessageBox::finished, this, answered);
-    question->open();
-    return question;
-}
-
 void SceneFile::askThen(const std::function<void()> &proceed)
 {
     enterTypedNumber();
@@ -70,18 +65,25 @@ void SceneFile::askThen(const std::function<void()> &proceed)
         proceed();
         return;
     }
+    if (auto *unanswered = m_window->findChild<QMessageBox *>(kQuestion)) {
+        unanswered->reject();
+    }
     const QString name = QFileInfo(m_path).fileName();
-    QMessageBox *question =
-        ask("unsavedQuestion", tr("Unsaved changes"),
-            name.isEmpty() ? tr("Save your changes as a scene?") : tr("Save your changes to %1?").arg(name),
-            QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, [this, proceed](int answer) {
-                if (answer == QMessageBox::Save) {
-                    save(proceed);
-                } else if (answer == QMessageBox::Discard) {
-                    proceed();
-                }
-            });
+    auto *question = named(
+        kQuestion, new QMessageBox(QMessageBox::Question, tr("Unsaved changes"),
+                                   name.isEmpty() ? tr("Save your changes as a scene?")
+                                                  : tr("Save your changes to %1?").arg(name),
+                                   QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, m_window));
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    connect(question, &QMessageBox::finished, this, [this, proceed](int answer) {
+        if (answer == QMessageBox::Save) {
+            save(proceed);
+        } else if (answer == QMessageBox::Discard) {
+            proceed();
+        }
+    });
     question->setInformativeText(tr("They will be lost if you don't."));
+    question->open();
 }
 
 void SceneFile::open(const QString &path, const QStringList &reference)
@@ -90,7 +92,7 @@ void SceneFile::open(const QString &path, const QStringList &reference)
     const FileState state = fileState(absolute);
     const std::variant<Scene, QString> outcome = readScene(absolute);
     if (const QString *sentence = std::get_if<QString>(&outcome)) {
-        emit problemFound(*sentence);
+        emit m_session->failed(*sentence);
         return;
     }
     Scene scene = std::get<Scene>(outcome);
@@ -143,16 +145,15 @@ void SceneFile::save(const std::function<void()> &proceed)
     enterTypedNumber();
     if (m_path.isEmpty()) {
         saveAs(proceed);
-    } else if (QFileInfo::exists(m_path) && fileState(m_path) != m_state) {
-        const QString text = tr("%1 has been changed by another program since you opened it. Replace it?");
-        QMessageBox *question = ask("changedQuestion", tr("Changed elsewhere"), text.arg(QFileInfo(m_path).fileName()),
-                                    QMessageBox::Yes | QMessageBox::Cancel, [this, proceed](int answer) {
-                                        if (answer == QMessageBox::Yes) {
-                                            saveTo(m_path, proceed);
-                                        }
-                                    });
-        question->setDefaultButton(QMessageBox::Cancel);
-    } else {
+        return;
+    }
+    const QString text = tr("%1 has been changed by another program since you opened it. Replace it?");
+    const auto mayReplace = [&] {
+        return QMessageBox::question(m_window, tr("Changed elsewhere"), text.arg(QFileInfo(m_path).fileName()),
+                                     QMessageBox::Yes | QMessageBox::Cancel,
+                                     QMessageBox::Cancel) == QMessageBox::Yes;
+    };
+    if (!QFileInfo::exists(m_path) || fileState(m_path) == m_state || mayReplace()) {
         saveTo(m_path, proceed);
     }
 }
@@ -163,7 +164,7 @@ void SceneFile::saveAs(const std::function<void()> &proceed)
     chooseFileToSave(m_window, {tr("Save scene"),
                                 {tr("Scenes (*.slidercrank)"), tr("Scenes (*.json)")},
                                 m_path.isEmpty() ? lastFolder(QStandardPaths::DocumentsLocation) : file.absolutePath(),
-                                m_path.isEmpty() ? tr("scene.slidercrank") : file.fileName(),
+                                m_path.isEmpty() ? tr("scene") : file.completeBaseName(),
                                 [this, proceed](const QString &path, const QString &) { saveTo(path, proceed); }});
 }
 
@@ -171,7 +172,7 @@ bool SceneFile::saveTo(const QString &path, const std::function<void()> &proceed
 {
     const QString absolute = QFileInfo(path).absoluteFilePath();
     if (const std::optional<QString> sentence = writeScene(scene(), absolute)) {
-        emit problemFound(*sentence);
+        emit m_session->failed(*sentence);
         return false;
     }
     m_path = absolute;
@@ -179,7 +180,7 @@ bool SceneFile::saveTo(const QString &path, const std::function<void()> &proceed
     m_session->undoStack().setClean();
     rememberFiles({m_path});
     emit changed();
-    emit saved(m_path);
+    emit m_session->confirmed(tr("Saved: %1").arg(QDir::toNativeSeparators(m_path)));
     if (proceed) {
         proceed();
     }

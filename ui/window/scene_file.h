@@ -7,7 +7,6 @@
 #include "ui/document/scene.h"
 #include "ui/document/session.h"
 
-#include <QMessageBox>
 #include <QObject>
 #include <QString>
 
@@ -55,20 +54,15 @@ public slots:
     void save(const std::function<void()> &proceed = {});
     void saveAs(const std::function<void()> &proceed = {});
 
-    /// Saves the scene and calls proceed(). Returns false if the scene cannot be written; problemFound then says why.
+    /// Saves the scene and calls proceed(). Returns false if the scene cannot be written; the session then says why.
     bool saveTo(const QString &path, const std::function<void()> &proceed = {});
 
 signals:
     void changed(); ///< the path, or whether the scene is modified
-    void saved(const QString &path);
-    void problemFound(const QString &sentence);
 
 private:
     /// Shows the scene of that file, or of none if the path is empty.
     void show(const Scene &scene, const QString &path, const FileState &state);
-
-    QMessageBox *ask(const char *name, const QString &title, const QString &text, QMessageBox::StandardButtons buttons,
-                     const std::function<void(int button)> &answered);
 
     Session *m_session;
     const Views &m_views;

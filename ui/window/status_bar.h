@@ -13,16 +13,12 @@ class QToolButton;
 namespace slidercrank
 {
 
-struct Result;
-
 class StatusBar : public QStatusBar
 {
     Q_OBJECT
 
 public:
     explicit StatusBar(QWidget *parent);
-
-    void showResult(const Result &result);
 
 public slots:
     void setBusy(bool busy);       ///< called once for each start and each end of a task

@@ -9,6 +9,7 @@
 #include <QComboBox>
 #include <QFileInfo>
 #include <QMainWindow>
+#include <QScreen>
 #include <QSettings>
 #include <QSplitter>
 #include <QStandardPaths>
@@ -83,9 +84,7 @@ void saveLayout(const QMainWindow &window)
     settings.setValue(kWindow, window.saveGeometry());
     settings.setValue(kTab, tabs.currentIndex());
     settings.setValue(kSpeed, window.findChild<Timeline *>()->speed());
-    if (tabs.chosen()) {
-        settings.setValue(kFolded, *tabs.chosen());
-    }
+    settings.setValue(kFolded, tabs.isFolded());
     for (const auto *splitter : window.findChildren<QSplitter *>()) {
         if (splitter != tabs.parentWidget() || !tabs.isFolded()) { // while folded, its state contains no height
             settings.setValue(kSplitterState + splitter->objectName(), splitter->saveState());
@@ -109,9 +108,8 @@ void restoreLayout(QMainWindow &window)
     for (auto *splitter : window.findChildren<QSplitter *>()) {
         splitter->restoreState(settings.value(kSplitterState + splitter->objectName()).toByteArray());
     }
-    if (settings.contains(kFolded)) {
-        tabs.choose(settings.value(kFolded).toBool());
-    }
+    constexpr int kLow = 800; // px: on a lower screen the nine plots need all the space
+    tabs.setFolded(settings.value(kFolded, window.screen()->availableSize().height() < kLow).toBool());
     for (QAction *choice : window.findChild<MechanismView *>()->choices()) {
         if (choice->isChecked() != settings.value(kChoice + choice->objectName()).toBool()) {
             choice->trigger();

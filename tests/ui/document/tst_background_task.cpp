@@ -96,25 +96,6 @@ private slots:
         QVERIFY(std::ranges::count(parts, 0.5) == 1 && parts.back() <= 1.0);
     }
 
-    void returnsItsValueWhenCancelled()
-    {
-        BackgroundTask task;
-        task.cancel(); // allowed at any time
-        int value = 0;
-        const auto done = [&value](int result) { value = result; };
-        const WaitingWork waiting;
-        task.start(waiting, done, kFail);
-        waiting.started->acquire();
-        task.cancel();
-        QVERIFY(task.isRunning());
-        AWAIT(!task.isRunning());
-        QCOMPARE(value, -1);
-        const WaitingWork next; // is not stopped
-        task.start(next, done, kFail);
-        next.released->release();
-        AWAIT_COMPARE(value, 1);
-    }
-
     void callsNothingAfterBeingDiscarded()
     {
         BackgroundTask task;

@@ -210,7 +210,7 @@ private slots:
         }
         const QTemporaryDir folder;
         Session session;
-        QSignalSpy parts(&session, &Session::readingProgressed);
+        QSignalSpy parts(&session, &Session::progressed);
         session.loadReference(writeFile(folder, "x.csv", bytes));
         AWAIT(session.reference());
         QVERIFY(parts.count() > 1);

@@ -7,7 +7,6 @@
 #include "tests/support/suite.h"
 #include "ui/panels/design_form.h"
 #include "ui/panels/parameter_panel.h"
-#include "ui/panels/response_chart.h"
 #include "ui/panels/response_view.h"
 #include "ui/widgets/number_box.h"
 #include "ui/widgets/number_slider.h"
@@ -80,9 +79,12 @@ struct ShownResponse {
         finishAside();
     }
 
-    ResponseChart *chart(std::size_t limit) const
+    Chart *chart(std::size_t limit) const { return child<Chart>(view, QStringLiteral("responseChart%1").arg(limit)); }
+
+    /// Returns the value of the parameter and of the limit at the first of the dots.
+    QPointF dot(std::size_t limit, ResponseView::Series dots = ResponseView::Present) const
     {
-        return child<ResponseChart>(view, QStringLiteral("responseChart%1").arg(limit));
+        return chart(limit)->content().series[dots].points.at(0);
     }
 };
 
@@ -199,9 +201,11 @@ private slots:
     {
         ShownResponse shown(Parameter::B);
         const Response before = shown.view.response();
-        ResponseChart *chart = shown.chart(kSpeed);
+        Chart *chart = shown.chart(kSpeed);
         QVERIFY(static_cast<int>(before.values.size()) >= chart->width());
-        const QPoint from = chart->positionOf(chart->dots()[0]).toPoint();
+        const QPoint from = chart->positionOf({ResponseView::Present, 0}).toPoint();
+        const double width = chart->positionOf({ResponseView::Curve, before.values.size() - 1}).x() -
+                             chart->positionOf({ResponseView::Curve, 0}).x();
         const auto dragTo = [&](int x) {
             const QPointF to = from + QPoint(x, 0);
             QMouseEvent move(QEvent::MouseMove, to, chart->mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
@@ -212,13 +216,10 @@ private slots:
             dragTo(x);
         }
         const double b = shown.session.parameters().b;
-        const double pixel =
-            before.range.assembled.length() / (chart->positionOf({135.0, {}}) - chart->positionOf({5.0, {}})).x();
+        const double pixel = before.range.assembled.length() / width;
         QVERIFY2(std::abs(b - (65.0 + 20.0 * pixel)) <= 1.1 * pixel, qPrintable(QString::number(b)));
         for (const std::size_t limit : {kStroke, kAcceleration}) {
-            const ResponseChart::Dot &dot = shown.chart(limit)->dots()[0];
-            QCOMPARE(dot.value, b);
-            QVERIFY(isSame(dot.limits, expectedLimits(shown.session.parameters())));
+            QCOMPARE(shown.dot(limit), QPointF(b, expectedLimits(shown.session.parameters())[limit]));
         }
         QCOMPARE(shown.view.response().values, before.values); // the curves do not depend on this value
         dragTo(-1000);
@@ -235,11 +236,9 @@ private slots:
         shown.finish();
         const Response &response = shown.view.response();
         QCOMPARE(response.parameters.a, 30.0);
-        const QPointF &point = shown.chart(kRatio)->content().series[1].points.back();
+        const QPointF &point = shown.chart(kRatio)->content().series[ResponseView::Curve].points.back();
         QCOMPARE(point, QPointF(response.values.back(), response.limits.back()[kRatio]));
-        const ResponseChart::Dot &pinned = shown.chart(kRatio)->dots()[1];
-        QCOMPARE(pinned.value, 65.0);
-        QVERIFY(isSame(pinned.limits, expectedLimits({})));
+        QCOMPARE(shown.dot(kRatio, ResponseView::Pinned), QPointF(65.0, expectedLimits({})[kRatio]));
     }
 
     void exportsTheChartsAndTheNumbersOfTheCurves()

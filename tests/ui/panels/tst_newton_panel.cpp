@@ -182,7 +182,7 @@ private slots:
 
         summary = run({Method::Newton, {1, 1e-8}}, 65.0, 20); // counts only the solved time steps
         QCOMPARE(text("outcomeLabel").contains("All 21"), summary.count(Status::Solved) == 21);
-        QCOMPARE(text("outcomeLabel").contains("Iterations: –"), summary.found() == 0);
+        QCOMPARE(text("outcomeLabel").contains("iterations: "), summary.found() > 0);
     }
 };
 

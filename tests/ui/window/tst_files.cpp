@@ -137,18 +137,17 @@ private slots:
         AWAIT(session().reference());
         session().setParameter(Parameter::A, 13.0);
         m_window->scene().save(); // does not ask about its own changes of the file
-        QVERIFY(!question("changedQuestion"));
         QCOMPARE(savedIn("rig.json").a, 13.0);
         Scene other;
         other.parameters.a = 14.5;
         QCOMPARE(writeScene(other, path("rig.json")), std::nullopt);
         session().setParameter(Parameter::A, 15.0);
+        answerWith(QMessageBox::Cancel);
         m_window->scene().save();
-        question("changedQuestion")->button(QMessageBox::Cancel)->click();
         QCOMPARE(savedIn("rig.json").a, 14.5);
         QVERIFY(m_window->isWindowModified());
+        answerWith(QMessageBox::Yes);
         m_window->scene().save();
-        question("changedQuestion")->button(QMessageBox::Yes)->click();
         QCOMPARE(savedIn("rig.json").a, 15.0);
     }
 
@@ -209,16 +208,13 @@ private slots:
         QCOMPARE(writeScene(scene, path("long.json")), std::nullopt);
         m_window->scene().open(path("long.json"));
         cancel();
-        QVERIFY2(said().contains("previous result"), qPrintable(said())); // of the simplified scene
+        QCOMPARE(said(), "Cancelled."); // the result is that of the simplified scene
         QCOMPARE(session().result()->choices.solver.method, Method::ClosedForm);
         session().setParameter(Parameter::A, 21.0);
-        QVERIFY(said().isEmpty());
         session().setSolver(scene.solver);
         session().setSampling(scene.sampling);
         cancel();
-        QVERIFY2(said().contains("previous result"), qPrintable(said()));
-        session().setParameter(Parameter::A, 22.0);
-        QVERIFY(said().isEmpty());
+        QCOMPARE(said(), "Cancelled.");
     }
 
     void theWindowStaysOpenWhileAFileIsWritten()
@@ -299,17 +295,6 @@ private slots:
         QCOMPARE(frame("frame_0001.png"), frame("frame_0009.png")); // one revolution later
     }
 
-    void theNameFollowsTheFilter()
-    {
-        action("Figure…")->trigger();
-        QCOMPARE(name()->text(), "figure.png");
-        chooseFilter(1);
-        QCOMPARE(name()->text(), "figure.svg");
-        name()->setText("b = 67.5");
-        chooseFilter(2);
-        QCOMPARE(name()->text(), "b = 67.5");
-    }
-
     void asksForANameAndBeforeReplacingAFile()
     {
         setB(70.0);
@@ -326,9 +311,9 @@ private slots:
 
         writeFile(*m_folder, "a.html.pdf", "older");
         action("Report…")->trigger();
+        answerWith(QMessageBox::No);
         choose("a.html"); // the dialog checked this name, not that of the file that exists
         QCOMPARE(contentOf(path("a.html.pdf")), QByteArray("older"));
-        QCOMPARE(name()->text(), "a.html.pdf");
     }
 
 private:

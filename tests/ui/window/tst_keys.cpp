@@ -281,8 +281,8 @@ private slots:
         openSample();
         for (const Row &row :
              {Row{1, "errorTable", "channel,verdict,max_error,percent_of_peak,max_error_at [s]",
-                  "R4_x_diff [mm/s],differs,9.46935096"},
-              Row{0, "peakTable", "limit,value,theta2 [°],time [s]", "slider acceleration [mm/s²],-1109.55770"}}) {
+                  "\"R4_x_diff [mm/s]\",differs,9.46935096"},
+              Row{0, "peakTable", "limit,value,theta2 [°],time [s]", "\"slider acceleration [mm/s²]\",-1109.55770"}}) {
             showTab(row.tab);
             auto *table = part<QTableView>(row.table);
             table->setFocus();

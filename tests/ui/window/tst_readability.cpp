@@ -194,8 +194,10 @@ private slots:
                 QVERIFY(messages()->parentWidget()->rect().contains(messages()->geometry()));
             };
             QCOMPARE(messages()->findChildren<QLabel *>("messageText").size(), 2);
-            fits("folded");
-            m_window->findChild<FoldingTabs *>()->choose(false);
+            for (const bool isFolded : {true, false}) {
+                m_window->findChild<FoldingTabs *>()->setFolded(isFolded);
+                fits("a page");
+            }
             onEveryPage(*m_window, fits);
             const QString file =
                 writeFile(m_settings, QString(240, u'x') + ".csv", contentOf(kSample)); // a name without spaces

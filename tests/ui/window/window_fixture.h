@@ -74,7 +74,7 @@ protected:
     }
 
     MessageBar *messages() const { return view<MessageBar>(); }
-    QString said() const { return messages()->text(); }
+    QString said() const { return messageText(*messages()); }
 
     template <typename Widget = QWidget>
     Widget *part(const QString &name) const
