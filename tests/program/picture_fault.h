@@ -58,17 +58,17 @@ inline PlotZoom closeZoom()
 }
 
 /// Whether two colours are the same, except for the smoothing of edges.
-inline bool isSimilar(const PrintedPicture::Colour &pixel, const QColor &colour)
+inline bool isSimilar(QRgb pixel, const QColor &colour)
 {
     constexpr int kTolerance = 70;
-    return std::abs(pixel.red - colour.red()) + std::abs(pixel.green - colour.green()) +
-               std::abs(pixel.blue - colour.blue()) <
+    return std::abs(qRed(pixel) - colour.red()) + std::abs(qGreen(pixel) - colour.green()) +
+               std::abs(qBlue(pixel) - colour.blue()) <
            kTolerance;
 }
 
 /// Describes what is wrong with the curves. Returns an empty text if each plot has curves and all curves are within
 /// their axes. `scale`: pixels of the picture per logical pixel.
-inline QString curveFault(const PrintedPicture &picture, PictureSubject subject, double scale)
+inline QString curveFault(const QImage &picture, PictureSubject subject, double scale)
 {
     const int plots = describe(subject).plots;
     const std::vector<QRect> axes = axesIn(picture, plots == 9 ? 3 : 1);
@@ -81,11 +81,11 @@ inline QString curveFault(const PrintedPicture &picture, PictureSubject subject,
     const std::array<QColor, 4> curves{colours.model, colours.reference, colours.error, colours.errorOther};
     std::vector<int> pixelsWithin(axes.size(), 0);
     const int legend = static_cast<int>(25.0 * scale); // height of the legend above the title
-    for (int y = std::max(legend, axes.front().top() - title); y < picture.size.height(); ++y) {
-        for (int x = 0; x < picture.size.width(); ++x) {
-            const PrintedPicture::Colour colour = picture.at(x, y);
+    for (int y = std::max(legend, axes.front().top() - title); y < picture.height(); ++y) {
+        for (int x = 0; x < picture.width(); ++x) {
+            const QRgb colour = picture.pixel(x, y);
             const auto isDrawn = [&](const QColor &curve) { return isSimilar(colour, curve); };
-            if (colour.isGrey() || std::none_of(curves.begin(), curves.end(), isDrawn)) {
+            if (isGrey(colour) || std::none_of(curves.begin(), curves.end(), isDrawn)) {
                 continue;
             }
             bool isExpected = false;
@@ -113,15 +113,15 @@ inline QString curveFault(const PrintedPicture &picture, PictureSubject subject,
 inline QString pictureFault(const QString &path, PictureSubject subject, const QSize &size, double scale)
 {
     const QString suffix = QFileInfo(path).suffix();
-    const PrintedPicture picture = printedPicture(path);
+    const QImage picture = printedPicture(path);
     const bool isPdf = suffix == QLatin1String("pdf");
     const double pixels = isPdf ? 2.0 : suffix == QLatin1String("png") ? scale : 1.0;
-    const QSize difference = picture.size - size * pixels;
+    const QSize difference = picture.size() - size * pixels;
     const int rounding = isPdf ? 2 : 0; // because PDF pages are rounded to whole points
     if (std::max(std::abs(difference.width()), std::abs(difference.height())) > rounding) {
-        return QStringLiteral("%1 x %2 pixels").arg(picture.size.width()).arg(picture.size.height());
+        return QStringLiteral("%1 x %2 pixels").arg(picture.width()).arg(picture.height());
     }
-    if (picture.isBlank()) {
+    if (isBlank(picture)) {
         return QStringLiteral("blank");
     }
     if (describe(subject).plots > 0) {

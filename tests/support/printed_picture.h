@@ -5,16 +5,15 @@
 
 #include <QByteArray>
 #include <QFileInfo>
+#include <QImage>
 #include <QProcess>
 #include <QRect>
-#include <QSize>
 #include <QStandardPaths>
 #include <QString>
 #include <QStringList>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
+#include <utility>
 #include <vector>
 
 /// Returns the standard output of a program, or nothing if the program is missing or fails.
@@ -28,63 +27,36 @@ inline QByteArray outputOf(const QString &program, const QStringList &arguments,
     return done && process.exitCode() == 0 ? process.readAllStandardOutput() : QByteArray();
 }
 
-struct PrintedPicture {
-    QSize size;
-    QByteArray rgb; ///< three bytes per pixel, row by row
-
-    struct Colour {
-        int red, green, blue;
-        bool isGrey() const { return std::max({red, green, blue}) - std::min({red, green, blue}) < 12; }
-    };
-
-    Colour at(int x, int y) const
-    {
-        const char *const pixel = rgb.constData() + 3 * (static_cast<qsizetype>(y) * size.width() + x);
-        const auto part = [&](int i) { return static_cast<int>(static_cast<unsigned char>(pixel[i])); };
-        return {part(0), part(1), part(2)};
-    }
-
-    bool isBlank() const
-    {
-        for (qsizetype i = 3; i < rgb.size(); ++i) {
-            if (rgb[i] != rgb[i % 3]) {
-                return false;
-            }
-        }
-        return true;
-    }
-};
-
-/// Parses a binary PPM with 8 bits per colour, the output format of all these programs. Returns an empty size on
-/// failure.
-inline PrintedPicture pictureInPpm(const QByteArray &ppm)
+inline bool isGrey(QRgb colour)
 {
-    PrintedPicture picture;
-    const QByteArrayList words = ppm.left(60).simplified().split(' '); // none of the programs writes comments
-    if (words.size() < 4 || words[0] != "P6" || words[3].left(3) != "255") {
-        return picture;
-    }
-    const QSize size(words[1].toInt(), words[2].toInt());
-    const qsizetype bytes = qsizetype{3} * size.width() * size.height();
-    if (bytes > 0 && ppm.size() > bytes) {
-        picture.size = size;
-        picture.rgb = ppm.last(bytes);
-    }
-    return picture;
+    constexpr int kTolerance = 12;
+    return std::max({qRed(colour), qGreen(colour), qBlue(colour)}) -
+               std::min({qRed(colour), qGreen(colour), qBlue(colour)}) <
+           kTolerance;
+}
+
+inline bool isBlank(const QImage &picture)
+{
+    QImage plain = picture;
+    plain.fill(picture.pixel(0, 0));
+    return plain == picture;
+}
+
+/// Reads a picture in the portable pixmap format, the output of all these programs. Returns a null image on failure.
+inline QImage imageIn(const QByteArray &pixmap)
+{
+    return QImage::fromData(pixmap, "PPM").convertToFormat(QImage::Format_RGB32);
 }
 
 /// Reads an image file. A PDF is rendered at 192 dots per inch, because poppler draws thin lines too faint at 96.
-inline PrintedPicture printedPicture(const QString &path)
+inline QImage printedPicture(const QString &path)
 {
     const QString suffix = QFileInfo(path).suffix();
-    if (suffix == QLatin1String("pdf")) {
-        return pictureInPpm(outputOf(QStringLiteral("pdftoppm"), {"-r", "192", "-singlefile", path}));
-    }
-    if (suffix == QLatin1String("svg")) {
-        const QByteArray png = outputOf(QStringLiteral("rsvg-convert"), {path});
-        return pictureInPpm(outputOf(QStringLiteral("pngtopnm"), {}, png));
-    }
-    return pictureInPpm(outputOf(QStringLiteral("pngtopnm"), {path}));
+    return imageIn(suffix == QLatin1String("pdf")
+                       ? outputOf(QStringLiteral("pdftoppm"), {"-r", "192", "-singlefile", path})
+                   : suffix == QLatin1String("svg")
+                       ? outputOf(QStringLiteral("pngtopnm"), {}, outputOf(QStringLiteral("rsvg-convert"), {path}))
+                       : outputOf(QStringLiteral("pngtopnm"), {path}));
 }
 
 /// Returns the first of the programs that is not installed, or an empty string.
@@ -96,66 +68,49 @@ inline QString missingProgram(const QStringList &programs)
     return missing == programs.end() ? QString() : *missing;
 }
 
-/// Returns the rectangles of the plot axes, left to right and top to bottom. They are found by their grid lines, which
-/// are grey on white and longer than half of a plot's share of the picture. The picture has `across` rows and columns
-/// of plots.
-inline std::vector<QRect> axesIn(const PrintedPicture &picture, int across)
+/// Returns the first and last numbers of the stretches of `length` that contain lines of at least `shortest` px.
+/// isDrawn(line, i) tells whether a pixel is not white.
+template <class IsDrawn>
+std::vector<std::pair<int, int>> stretchesWithLines(int lines, int length, int shortest, const IsDrawn &isDrawn)
 {
-    struct Run {
-        int first, last;
-    };
-    const auto isGrey = [&](int x, int y) {
-        const PrintedPicture::Colour colour = picture.at(x, y);
-        return colour.isGrey() && colour.red < 0xf4;
-    };
-    // Finds the grey lines in one direction. Curves that cross a line interrupt it; grey runs within text are short.
-    const auto runs = [across](int lines, int length, const auto &isGreyAt) {
-        const int shortest = length / across / 2;
-        constexpr int kLettering = 10; // px
-        constexpr int kCrossing = 24;  // px
-        std::vector<Run> found;
-        const auto add = [&](const Run &run) {
-            const auto known = std::find_if(found.begin(), found.end(), [&](const Run &other) {
-                return run.first <= other.last && other.first <= run.last;
-            });
-            if (run.last - run.first < shortest) {
-                return;
-            }
-            if (known == found.end()) {
-                found.push_back(run);
-            } else {
-                *known = {std::min(known->first, run.first), std::max(known->last, run.last)};
-            }
-        };
-        for (int line = 0; line < lines; ++line) {
-            Run run{0, 0};
-            for (int i = 0; i < length; ++i) {
-                const int first = i;
-                while (i < length && isGreyAt(line, i)) {
-                    ++i;
+    std::vector<char> isCovered(static_cast<std::size_t>(length));
+    for (int line = 0; line < lines; ++line) {
+        for (int first = 0, i = 0; i <= length; ++i) {
+            if (i == length || !isDrawn(line, i)) {
+                if (i - first >= shortest) {
+                    std::fill(isCovered.begin() + first, isCovered.begin() + i, 1);
                 }
-                if (i - first < kLettering) {
-                    continue;
-                }
-                if (first - run.last > kCrossing) {
-                    add(run);
-                    run.first = first;
-                }
-                run.last = i - 1;
+                first = i + 1;
             }
-            add(run);
         }
-        std::sort(found.begin(), found.end(), [](const Run &one, const Run &other) { return one.first < other.first; });
-        return found;
+    }
+    std::vector<std::pair<int, int>> stretches;
+    for (auto end = isCovered.begin(); end != isCovered.end();) {
+        const auto begin = std::find(end, isCovered.end(), 1);
+        end = std::find(begin, isCovered.end(), 0);
+        if (begin != end) {
+            stretches.emplace_back(begin - isCovered.begin(), end - isCovered.begin() - 1);
+        }
+    }
+    return stretches;
+}
+
+/// Returns the rectangles of the plot axes, left to right and top to bottom. They are found by their grid lines, which
+/// are longer than half of a plot's share of the picture. The picture has `across` rows and columns of plots.
+inline std::vector<QRect> axesIn(const QImage &picture, int across)
+{
+    const int width = picture.width();
+    const int height = picture.height();
+    const auto isDrawn = [&](int x, int y) {
+        const QRgb colour = picture.pixel(x, y);
+        return !isGrey(colour) || qRed(colour) < 0xf4;
     };
-    const int width = picture.size.width();
-    const int height = picture.size.height();
-    const std::vector<Run> columns = runs(height, width, [&](int y, int x) { return isGrey(x, y); });
-    const std::vector<Run> rows = runs(width, height, [&](int x, int y) { return isGrey(x, y); });
+    const auto columns =
+        stretchesWithLines(height, width, width / across / 2, [&](int y, int x) { return isDrawn(x, y); });
     std::vector<QRect> axes;
-    for (const Run &row : rows) {
-        for (const Run &column : columns) {
-            axes.emplace_back(QPoint(column.first, row.first), QPoint(column.last, row.last));
+    for (const auto &[top, bottom] : stretchesWithLines(width, height, height / across / 2, isDrawn)) {
+        for (const auto &[left, right] : columns) {
+            axes.emplace_back(QPoint(left, top), QPoint(right, bottom));
         }
     }
     return axes;
