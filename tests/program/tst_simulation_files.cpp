@@ -2,9 +2,9 @@
 
 // The program reads the files of simulation programs correctly, or refuses them with advice. It refuses other files.
 
-#include "core/closed_form/textbook_motion.h"
 #include "core/import/reference_data.h"
 #include "tests/support/files.h"
+#include "tests/support/printed_motion.h"
 #include "tests/support/suite.h"
 #include "ui/document/reference_file.h"
 
@@ -62,9 +62,7 @@ std::variant<ReferenceData, ReadError> readSample(const QStringList &files)
 double exactValue(Channel channel, double time)
 {
     const Parameters p = writtenParameters();
-    TextbookMotion<double> motion;
-    motion.compute({p.a, p.b, p.c, p.omega2}, p.theta20 + p.omega2 * time, 1.0);
-    return toFileUnit(channel, motion.valueAt(channel));
+    return static_cast<double>(textbookValue(p, channel, p.omega2 * time + p.theta20));
 }
 
 /// Describes the role and the unit of each column, and whether its values are those of the motion.

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Files of known origin, which test what the program claims about a file. A file is built from a mechanism, a sampling
-// and a list of steps, each of which distorts the motion and states what may then be claimed. It depends only on a seed
-// and is the same on every machine. Lengths are in mm, angles in rad and times in s. Columns are in the units of the
-// files (mm, °, s).
+// Files of known origin, which test what the program claims about a file. A file is a table of columns with the motion
+// of a mechanism, which the steps of its kind change one after the other (claim_kinds.txt). It depends only on the
+// kind, a seed and a number. Lengths are in mm, angles in rad and times in s. Columns are in the units of the files
+// (mm, °, s).
 
-#include "core/identification/convention.h"
 #include "core/mechanism/channel.h"
 #include "core/mechanism/mechanism.h"
 
 #include <Eigen/Core>
 
-#include <array>
-#include <cstdint>
 #include <functional>
 #include <optional>
 #include <random>
@@ -24,169 +21,93 @@
 namespace slidercrank
 {
 
-inline constexpr Channel kX{R4x, Order::Position};
-inline constexpr Channel kY{R4y, Order::Position};
-inline constexpr Channel kTheta{Theta3, Order::Position};
-inline constexpr Channel kCrank{Theta2, Order::Position};
-
-using Channels = std::vector<Channel>;
-
 using Eigen::Index;
 using Values = Eigen::ArrayXd;
 
-/// The values of the 36 channels at one time, indexed by indexOf(), in the units of the files; NaN where the mechanism
-/// cannot be assembled.
-using Pose = Eigen::Array<long double, 1, kChannelCount>;
+/// Computes a channel by the textbook's formulas. Returns NaN where the mechanism cannot be assembled.
+double valueAt(const Parameters &p, Channel channel, long double crankAngle);
+Values valuesOf(const Parameters &p, Channel channel, const Values &times);
 
-/// The poses at several times, a row for each time.
-using Poses = Eigen::Array<long double, Eigen::Dynamic, kChannelCount>;
-
-/// The index of a channel in a pose or motion.
-inline Index columnOf(Channel channel)
-{
-    return static_cast<Index>(indexOf(channel));
-}
-
-/// Evaluates the textbook's formulas for a crank that turns at constant speed and has the given angle (rad).
-Pose poseAt(const Parameters &parameters, long double theta2);
-
-/// Evaluates the textbook's formulas at the given times.
-Poses motionOf(const Parameters &parameters, const Values &times);
-
-/// The format in which a program prints a number.
-struct NumberForm {
-    int digits = 6;            ///< significant digits
-    int decimals = -1;         ///< number of decimals that are printed; -1: as many as the digits need
-    bool isScientific = false; ///< prints the rounded number with 19 digits and an exponent
-    double quantum = 0.0;      ///< step of an encoder or converter, applied before printing; 0: none
-    bool isTruncated = false;  ///< rounds down to the next printable value instead of to the nearest
-
-    double stepAt(double value) const; ///< distance between neighbouring printable values
-    Values stepsAt(const Values &values) const;
-    std::string print(double value) const;
-};
-
-inline NumberForm decimals(int count)
-{
-    return {17, count};
-}
-
-/// Generates random numbers that are the same with every standard library.
-class Random
-{
-public:
-    explicit Random(std::uint64_t seed)
-        : m_engine(seed)
-    {
-    }
-    double in(double low, double high); ///< on a logarithmic scale if `high` is more than 5 times a positive `low`
-    int whole(int from, int to);        ///< from `from` to `to` inclusive
-    Values normal(Index count);
-    bool chance(double probability) { return in(0.0, 1.0) < probability; }
-    double sign() { return chance(0.5) ? 1.0 : -1.0; }
-
-private:
-    std::mt19937_64 m_engine;
-};
-
-/// One column and how its values were made: values = `shown` channel · factor + origin + noise.
 struct ClaimColumn {
     enum class Content {
-        Motion,     ///< the motion with the factor, origin and noise below
+        Motion,     ///< the motion, perhaps in another unit, from another origin, or with white noise
         Systematic, ///< with a small deviation that is not white: filtered, interpolated, integrated
         Foreign     ///< another motion, or errors that hide the motion
     };
-    Channel named; ///< channel that the heading names
-    Channel shown; ///< channel whose values the column contains
-    NumberForm form{};
-    double factor = 1.0;
-    double origin = 0.0;
-    double noise = 0.0; ///< rms of white noise, in the unit of the column
+    std::string heading;
+    Channel shown{}; ///< the channel whose values the column contains; not used for the time
+    std::string format{};
+    std::string reprint{}; ///< format in which another program printed the rounded numbers again; empty: none did
+    double quantum = 0.0;  ///< distance between neighbouring values; 0: that of the format
+    double factor = 1.0;   ///< of the values, in addition to the unit of the heading
+    double noise = 0.0;    ///< rms of white noise
+    bool hasOrigin = false;
     Content content = Content::Motion;
-    Values values{}; ///< before rounding; NaN for an empty cell
-};
+    Values values{}; ///< before they are printed; NaN for an empty cell
 
-/// A convention that the program has to report. The amount 0 stands for any.
-struct Finding {
-    Convention::Kind kind;
-    Channels channels{};
-    double amount = 0.0;
-    bool isOptional = false; ///< true in whole or in part, but need not be reported
-};
-
-/// One true interpretation of a file.
-struct TrueInterpretation {
-    Parameters mechanism;
-    std::vector<Finding> findings{};
+    double stepAt(double value) const; ///< distance between neighbouring printable values
+    Values stepsAt(const Values &numbers) const;
+    std::string print(double value) const;
 };
 
 struct ClaimFile {
-    ClaimFile(std::uint64_t seed, int fileIndex);
+    explicit ClaimFile(const std::string &seed);
 
-    Random random;
-    int index = 0; ///< of the file within its kind, for kinds that iterate over a list
+    /// Returns a random number, on a logarithmic scale if `high` is more than 5 times a positive `low`.
+    double random(double low, double high);
+    Values normal(Index count);
 
     /// The mechanism: a is 5 … 100 mm, b is 1.05 … 6 times a + |c|, |c| is at most 1.2 a, and |ω2| is 0.5 … 100 rad/s.
     /// It makes full turns. A quarter of the mechanisms are crossed; half of them have round lengths. nullopt if no
     /// slider-crank produces the motion.
     std::optional<Parameters> truth;
-    Parameters given{}; ///< the mechanism that is passed to the program
+    Parameters given{};               ///< the mechanism that is passed to the program
+    std::vector<Parameters> others{}; ///< other mechanisms that explain the file equally well
 
     // What may be claimed.
-    std::vector<Finding> findings{}; ///< of the truth
-    std::vector<TrueInterpretation>
-        interpretations{};         ///< other true ones; print() inserts that of the truth as the first
+    std::size_t fewestConventions = 0; ///< with a mechanism
+    std::size_t mostConventions = 0;
+    double tolerance = 2e-3;       ///< relative tolerance of the claimed parameters, or 5 standard errors if larger
     bool hasTooFewValues = false;  ///< too few values to identify a mechanism reliably
     bool mayBeMissed = false;      ///< may be refused although the linearized fit determines the mechanism
     bool mayBeApproximate = false; ///< has systematic deviations: `approximate` is as good as `identified`
     bool hasSaturation = false;    ///< the program need not name the bad rows
-    double tolerance = 2e-3;       ///< relative tolerance of the claimed parameters, or 5 standard errors if larger
-    std::set<Index> badRows{};     ///< rows with wrong readings; no other row may be excluded
-    std::optional<std::array<double, 2>> crankSpeeds{}; ///< first and last speed (rad/s) of a crank that turns unevenly
-    std::optional<Parameter> wrongGiven{};              ///< the only parameter in which `given` differs from the truth
+    bool isCrankUneven = false;    ///< θ2 shows that the speed is not constant
+    std::optional<Parameter> wrongGiven{}; ///< the only parameter in which `given` differs from the truth
 
     // The rows.
     bool isLong = false; ///< the default sampling has 100 … 400 rows in 1 … 3 turns, not 60 … 400 in 0.6 … 3
-    Values instants{};   ///< s
-    NumberForm timeForm{15};
-    double timeStep = 0.0;     ///< rounding step of the time stamps, s; 0: printed exactly
-    bool isByAngle = false;    ///< the first column contains θ2 (°) instead of the time
-    bool isWithinTurn = false; ///< θ2 is printed in the range 0 … 360°
-    double timeFactor = 1.0;   ///< the first column contains its value · timeFactor + timeOrigin
-    double timeOrigin = 0.0;
     bool keepsEmptyRows = false;
-    std::multiset<Index> repeatedRows{}; ///< rows that are printed again
+    bool isByAngle = false; ///< there is no time; the first column is θ2
+    Values times{};
+    double delay = 0.0;       ///< s, of all values, by a filter
+    ClaimColumn time{"time"}; ///< its values are those of `times`, perhaps in another unit
     std::vector<ClaimColumn> columns{};
-    std::function<Pose(long double)> pose{}; ///< the motion as a function of time; if empty, that of the truth
+    std::set<Index> badRows{};           ///< rows with wrong readings; no other row may be excluded
+    std::multiset<Index> repeatedRows{}; ///< rows that are printed again
+
+    /// The motion as a function of time; if empty, that of the truth.
+    std::function<double(Channel channel, double time)> motion{};
 
     // Filled in by print().
     std::string text;
-    std::vector<std::size_t> lines{}; ///< line of each row, counted from 1; 0: not printed
+    std::set<std::size_t> badLines{};
+    std::size_t lineCount = 1;
 
     /// Samples the motion. The time step either has three digits and is printed exactly, or is arbitrary and its time
     /// stamps are printed with nine digits.
-    void sample(double turnCount, int rowCount, double start = 0.0);
-    void sampleOnce(); ///< samples at random, unless the motion has been sampled
-    double timeBetweenRows() const { return instants[1] - instants[0]; }
-
-    void add(const Channels &channels, const NumberForm &form = {});
-    template <class Value>
-    void setForms(Value NumberForm::*property, Value value)
-    {
-        for (ClaimColumn &column : columns) {
-            column.form.*property = value;
-        }
-    }
-    ClaimColumn &at(Channel named);
-    bool has(Channel named) const;
-
-    Poses motionAt(const Values &times) const;
-    Values exactValues(Channel channel, const Values &times) const;
-    Values exactValues(Channel channel) const { return exactValues(channel, instants); }
-    double swing(Channel channel); ///< half the difference between the largest and the smallest value
-
+    void sample(double turns, double rows, double start = 0.0);
     void compute(); ///< samples the motion if necessary, and computes the values of the columns that have none
-    void print();   ///< computes what is missing and writes `text` and `lines`
+    void print();
+
+    double timeBetweenRows() const { return times[1] - times[0]; }
+    double timeStep() const; ///< rounding step of the time stamps, s
+    ClaimColumn *find(const std::string &heading);
+    Values exact(Channel channel, const Values &at) const;
+    double swing(Channel channel) const; ///< half the difference between the largest and the smallest value
+
+private:
+    std::mt19937_64 m_engine;
 };
 
 /// A kind of files, as claim_kinds.txt describes it.
@@ -198,7 +119,6 @@ struct ClaimKind {
 
 std::vector<ClaimKind> claimKinds();
 
-/// Generates a file. Repeats this while its systematic deviation is too small to be visible.
-ClaimFile claimFile(const ClaimKind &kind, std::uint64_t suiteSeed, int number);
+ClaimFile claimFile(const ClaimKind &kind, std::uint64_t seed, int number);
 
 } // namespace slidercrank

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The steps that choose mechanism, sampling, columns, conventions and expectations.
-#include "tests/support/claim_steps.h"
-
+// The vocabulary of claim_kinds.txt. A step has up to four numbers x; those that the table omits are 0.
 #include "core/mechanism/turn.h"
-#include "core/study/cases.h"
-#include "tests/support/claim_precision.h"
+#include "tests/support/claim_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstdio>
 #include <fstream>
 #include <iterator>
+#include <limits>
+#include <map>
 #include <sstream>
 
 namespace slidercrank
@@ -19,7 +18,337 @@ namespace slidercrank
 namespace
 {
 
-using enum Convention::Kind;
+using Content = ClaimColumn::Content;
+using Numbers = std::array<double, 4>;
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+void enlarge(Parameters &p, double factor)
+{
+    p.a *= factor;
+    p.b *= factor;
+    p.c *= factor;
+}
+
+/// Multiplies a column. If it is a time or a length, another mechanism makes the file in the stated unit.
+void multiply(ClaimFile &f, ClaimColumn &column, const Numbers &x)
+{
+    column.values *= x[0];
+    column.factor *= x[0];
+    column.noise *= std::abs(x[0]);
+    Parameters p = *f.truth;
+    p.omega2 /= &column == &f.time ? x[0] : 1.0;
+    enlarge(p, &column == &f.time || isAngle(column.shown.coordinate) ? 1.0 : std::abs(x[0]));
+    f.others.push_back(p);
+}
+
+/// Measures a column from another origin.
+void setOrigin(ClaimFile &, ClaimColumn &column, double origin)
+{
+    column.values += origin;
+    column.hasOrigin = true;
+}
+
+/// Adds noise of a size relative to the swing, whose neighbouring values are correlated by x[1], and which grows with
+/// the reading by x[2].
+void addNoise(ClaimFile &f, ClaimColumn &column, const Numbers &x)
+{
+    Values noise = f.normal(f.times.size());
+    for (Index row = 1; row < noise.size(); ++row) {
+        noise[row] = x[1] * noise[row - 1] + std::sqrt(1.0 - x[1] * x[1]) * noise[row];
+    }
+    column.noise = x[0] * f.swing(column.shown) * std::abs(column.factor);
+    column.values += column.noise * noise * (1.0 + x[2] * column.values.abs() / column.values.abs().maxCoeff());
+}
+
+/// Replaces a velocity or acceleration by the slope or the curvature of a parabola through x[0] positions on either
+/// side (Savitzky-Golay; 1: central differences). Both ends are empty.
+void differentiate(ClaimFile &f, ClaimColumn &column, const Numbers &x)
+{
+    const Values &positions = f.find(std::string(nameOf({column.shown.coordinate, Order::Position})))->values;
+    const auto margin = static_cast<Index>(x[0]);
+    const Values rows = Values::LinSpaced(2 * margin + 1, -x[0], x[0]);
+    const Values squares = rows.square() - rows.square().mean();
+    const double step = f.timeBetweenRows();
+    const Values weights = column.shown.order == Order::Velocity
+                               ? Values(rows / rows.square().sum() / step)
+                               : Values(2.0 * squares / squares.square().sum() / step / step);
+    column.values.setConstant(kNone);
+    column.noise = 0.0;
+    for (Index row = margin; row + margin < positions.size(); ++row) {
+        column.values[row] = (weights * positions.segment(row - margin, rows.size())).sum();
+    }
+}
+
+/// A change of one column, whose content is then at least `content`.
+struct ColumnStep {
+    Content content;
+    void (*apply)(ClaimFile &f, ClaimColumn &column, const Numbers &x);
+};
+
+const std::map<std::string, ColumnStep> kColumnSteps{
+    // Conventions.
+    {"reprint", {Content::Motion, [](auto &, auto &column, auto &) { column.reprint = "%.18e"; }}},
+    {"multiply", {Content::Motion, multiply}},
+    {"add", {Content::Motion, [](auto &f, auto &column, auto &x) { setOrigin(f, column, x[0]); }}},
+    {"from-start", {Content::Motion, [](auto &f, auto &column, auto &) { setOrigin(f, column, -column.values[0]); }}},
+    {"within-a-turn",
+     {Content::Motion, [](auto &, auto &column, auto &) { column.values -= 360.0 * (column.values / 360.0).floor(); }}},
+
+    // Errors of sensors.
+    {"noise", {Content::Motion, addNoise}},
+    {"uneven-noise", {Content::Systematic, addNoise}},
+    {"quantize", // by steps of x[0], to the nearest value or (1) downwards
+     {Content::Motion,
+      [](auto &, auto &column, auto &x) {
+          column.quantum = x[0];
+          column.values = x[0] * (column.values / x[0] + (x[1] > 0.0 ? 0.0 : 0.5)).floor();
+      }}},
+    {"tone", // an oscillation: amplitude relative to the swing, oscillations per turn
+     {Content::Systematic,
+      [](auto &f, auto &column, auto &x) {
+          column.values +=
+              x[0] * f.swing(column.shown) * (x[1] * f.truth->omega2 * f.times + f.random(0.0, kTurn)).sin();
+      }}},
+    {"backlash", // relative to the swing
+     {Content::Systematic,
+      [](auto &f, auto &column, auto &x) {
+          column.values += x[0] * f.swing(column.shown) * f.exact({R4x, Order::Velocity}, f.times).sign();
+      }}},
+    {"misread", // at most 3 % of the rows: x[0] times the reading plus x[1]
+     {Content::Motion,
+      [](auto &f, auto &column, auto &x) {
+          const auto rows = static_cast<double>(f.times.size());
+          for (int count = static_cast<int>(f.random(1.0, 0.03 * rows)); count > 0; --count) {
+              const auto row = static_cast<Index>(f.random(1.0, rows - 1.0));
+              const double wrong = x[0] * column.values[row] + x[1];
+              if (std::abs(wrong - column.values[row]) > 0.05 * f.swing(column.shown)) {
+                  column.values[row] = wrong;
+                  f.badRows.insert(row);
+              }
+          }
+      }}},
+    {"freeze", // repeats one reading in at most 2.5 % of the rows
+     {Content::Motion,
+      [](auto &f, auto &column, auto &) {
+          const auto rows = static_cast<double>(f.times.size());
+          const auto first = static_cast<Index>(f.random(0.1 * rows, 0.8 * rows));
+          for (Index row = first + static_cast<Index>(f.random(1.0, 0.025 * rows)); row > first; --row) {
+              column.values[row] = column.values[first];
+              f.badRows.insert(row);
+          }
+      }}},
+    {"saturate", // at so much of the range from its upper end
+     {Content::Motion,
+      [](auto &f, auto &column, auto &x) {
+          const double limit = column.values.maxCoeff() - 2.0 * x[0] * f.swing(column.shown);
+          f.hasSaturation = true;
+          for (Index row = 0; row < f.times.size(); ++row) {
+              if (column.values[row] > limit) {
+                  column.values[row] = limit;
+                  f.badRows.insert(row);
+              }
+          }
+      }}},
+    {"lose", // so much of the cells
+     {Content::Motion,
+      [](auto &f, auto &column, auto &x) {
+          for (Index row = 1; row < f.times.size(); ++row) {
+              column.values[row] = f.random(0.0, 1.0) < x[0] ? kNone : column.values[row];
+          }
+      }}},
+    {"lose-block", // a fifth of the rows
+     {Content::Motion,
+      [](auto &f, auto &column, auto &) {
+          const Index rows = f.times.size();
+          column.values.segment(rows / 4, rows / 5).setConstant(kNone);
+      }}},
+
+    // Filters and clocks.
+    {"smooth", // weighted mean over x[0] rows before and x[1] after, whose weights decrease by exp(-x[2]) from row to
+               // row
+     {Content::Systematic,
+      [](auto &f, auto &column, auto &x) {
+          const Values lags = Values::LinSpaced(static_cast<Index>(x[0] + x[1]) + 1, -x[1], x[0]);
+          const Values weights = (-x[2] * lags.abs()).exp();
+          column.values.setZero();
+          for (Index k = 0; k < lags.size(); ++k) {
+              column.values += weights[k] * f.exact(column.shown, f.times - lags[k] * f.timeBetweenRows());
+          }
+          column.values /= weights.sum();
+          f.delay = (weights * lags).sum() / weights.sum() * f.timeBetweenRows();
+      }}},
+    {"interpolate", // between samples x[0] rows apart, linearly, or (1) repeats the last sample
+     {Content::Systematic,
+      [](auto &f, auto &column, auto &x) {
+          const double coarse = x[0] * f.timeBetweenRows();
+          const Values before = f.times[0] + coarse * ((f.times - f.times[0]) / coarse).floor();
+          const Values part = (1.0 - x[1]) * (f.times - before) / coarse;
+          column.values = (1.0 - part) * f.exact(column.shown, before) + part * f.exact(column.shown, before + coarse);
+      }}},
+    {"jitter", // of the clock, relative to the time step
+     {Content::Systematic,
+      [](auto &f, auto &column, auto &x) {
+          column.values = f.exact(column.shown, f.times + x[0] * f.timeBetweenRows() * f.normal(f.times.size()));
+      }}},
+
+    // Values that do not belong to the motion.
+    {"delay", // by so many rows
+     {Content::Foreign, [](auto &f, auto &column,
+                           auto &x) { column.values = f.exact(column.shown, f.times - x[0] * f.timeBetweenRows()); }}},
+    {"amplify", {Content::Foreign, [](auto &, auto &column, auto &x) { column.values *= x[0]; }}},
+    {"longer-coupler", // so many times
+     {Content::Foreign,
+      [](auto &f, auto &column, auto &x) {
+          Parameters p = *f.truth;
+          p.b *= x[0];
+          column.values = valuesOf(p, column.shown, f.times);
+      }}},
+    {"differentiate", {Content::Foreign, differentiate}},
+    {"random", // between two numbers
+     {Content::Foreign,
+      [](auto &f, auto &column, auto &x) {
+          column.values = column.values.unaryExpr([&](double) { return f.random(x[0], x[1]); });
+      }}},
+};
+
+/// Replaces the motion by one whose positions are a function of time. Its derivatives are computed numerically.
+template <class Positions>
+void setPositions(ClaimFile &f, const Positions &positions)
+{
+    f.motion = [=, step = 1e-3 / std::abs(f.truth->omega2)](Channel channel, double t) {
+        const Channel position{channel.coordinate, Order::Position};
+        const double before = positions(position, t - step);
+        const double after = positions(position, t + step);
+        return channel.order == Order::Position   ? positions(position, t)
+               : channel.order == Order::Velocity ? (after - before) / (2.0 * step)
+                                                  : (after - 2.0 * positions(position, t) + before) / (step * step);
+    };
+}
+
+/// Lets the crank turn by law(angle) where a crank with constant speed turns by `angle`, both without their signs.
+template <class Law>
+void turn(ClaimFile &f, const Law &law)
+{
+    f.isCrankUneven = f.find("theta2") != nullptr;
+    setPositions(f, [=, p = *f.truth](Channel channel, double t) {
+        return valueAt(p, channel, p.theta20 + std::copysign(1.0, p.omega2) * law(std::abs(p.omega2) * t));
+    });
+}
+
+using FileStep = void (*)(ClaimFile &f, const Numbers &x);
+
+const std::map<std::string, FileStep> kFileSteps{
+    // The mechanism.
+    {"lengths",
+     [](auto &f, auto &x) {
+         f.truth->a = x[0];
+         f.truth->b = x[1];
+         f.truth->c = x[2];
+     }},
+    {"enlarge", [](auto &f, auto &x) { enlarge(*f.truth, x[0]); }},
+    {"offset", [](auto &f, auto &x) { f.truth->c = f.truth->a * x[0]; }},
+    {"coupler", [](auto &f, auto &x) { f.truth->b = f.truth->a * x[0]; }},
+    {"margin", // b / (a + |c|) - 1; negative for a rocker
+     [](auto &f, auto &x) { f.truth->b = (f.truth->a + std::abs(f.truth->c)) * (1.0 + x[0]); }},
+    {"crossed", [](auto &f, auto &) { f.truth->branch = Branch::Crossed; }},
+    {"speed", [](auto &f, auto &x) { f.truth->omega2 = x[0]; }},
+    {"start", [](auto &f, auto &x) { f.truth->theta20 = x[0]; }},
+
+    // The mechanism that is given to the program.
+    {"given", [](auto &f, auto &) { f.given = *f.truth; }},
+    {"start-later",
+     [](auto &f, auto &x) {
+         f.others.push_back(f.given);
+         f.truth->theta20 += x[0];
+     }},
+    {"other-assembly", [](auto &f, auto &) { f.given.branch = oppositeBranch(f.given.branch); }},
+    {"spoil-given", // in one parameter
+     [](auto &f, auto &) {
+         f.wrongGiven = static_cast<Parameter>(f.random(0.0, 5.0));
+         valueOf(f.given, *f.wrongGiven) *= f.random(1.02, 1.05);
+         if (f.wrongGiven == Parameter::Theta20) {
+             f.given.theta20 = f.truth->theta20 + 0.1;
+             f.others.push_back(f.given); // with another start of the clock
+         }
+     }},
+
+    // The rows.
+    {"sample", [](auto &f, auto &x) { f.sample(x[0], x[1], x[2]); }}, // turns, rows, first time
+    {"slow-down",                                                     // larger time steps in the second half
+     [](auto &f, auto &x) {
+         f.compute();
+         const Index half = f.times.size() / 2;
+         const double last = f.times.reverse()[half];
+         f.times.tail(half) = last + x[0] * (f.times.tail(half) - last);
+         f.time.values.resize(0);
+         f.time.format = "%.9g";
+         for (ClaimColumn &column : f.columns) {
+             column.values.resize(0);
+         }
+     }},
+    {"repeat", // so many rows
+     [](auto &f, auto &x) {
+         f.compute();
+         for (double count = x[0]; count > 0.0; --count) {
+             f.repeatedRows.insert(static_cast<Index>(f.random(1.0, static_cast<double>(f.times.size()))));
+         }
+     }},
+    {"keep-empty-rows", [](auto &f, auto &) { f.keepsEmptyRows = true; }},
+    {"by-angle", // so many turns in steps of so many degrees
+     [](auto &f, auto &x) {
+         f.isByAngle = true;
+         f.truth->omega2 = f.given.omega2 = kTurn;
+         f.truth->theta20 = f.given.theta20 = 0.0;
+         const double last = std::floor(360.0 * x[0] / x[1]);
+         f.times = x[1] * Values::LinSpaced(static_cast<Index>(last) + 1, 0.0, last) / 360.0;
+     }},
+
+    // Other motions.
+    {"ramp", // the speed grows by x[0] per turn
+     [](auto &f, auto &x) {
+         turn(f, [part = x[0]](double angle) { return angle * (1.0 + 0.5 * part / kTurn * angle); });
+     }},
+    {"ripple", // the speed swings by x[0], x[1] times per turn
+     [](auto &f, auto &x) {
+         turn(f, [=](double angle) { return angle + x[0] / x[1] * (1.0 - std::cos(x[1] * angle)); });
+     }},
+    {"jump", // by x[0] at x[1]: two recordings that are joined
+     [](auto &f, auto &x) { turn(f, [=](double angle) { return angle < x[1] ? angle : angle + x[0]; }); }},
+    {"stop", [](auto &f, auto &x) { turn(f, [=](double angle) { return std::min(angle, x[0]); }); }},
+    {"yoke", // a Scotch yoke with a damping and a third harmonic
+     [](auto &f, auto &x) {
+         setPositions(f, [=, size = f.truth->a, p = *f.truth](Channel channel, double t) {
+             const double angle = p.omega2 * t + p.theta20;
+             return channel.coordinate == Theta2 ? toFileUnit(channel, angle)
+                                                 : 3.0 * size + size * std::exp(-x[0] * std::abs(p.omega2) * t) *
+                                                                    (std::cos(angle) + x[1] * std::cos(3.0 * angle));
+         });
+     }},
+    {"no-mechanism", // makes this motion
+     [](auto &f, auto &) {
+         f.compute();
+         f.truth = std::nullopt;
+     }},
+
+    // Expectations.
+    {"conventions", // number, or smallest and largest number
+     [](auto &f, auto &x) {
+         f.fewestConventions = static_cast<std::size_t>(x[0]);
+         f.mostConventions = static_cast<std::size_t>(std::max(x[0], x[1]));
+     }},
+    {"tolerance", [](auto &f, auto &x) { f.tolerance = x[0]; }},
+    {"may-be-missed", [](auto &f, auto &) { f.mayBeMissed = true; }},
+    {"too-few-values", [](auto &f, auto &) { f.hasTooFewValues = true; }},
+    {"approximate", // the motion of the mechanism with systematic deviations
+     [](auto &f, auto &) {
+         f.compute();
+         f.mayBeApproximate = true;
+         for (ClaimColumn &column : f.columns) {
+             column.content = std::max(column.content, Content::Systematic);
+         }
+     }},
+};
 
 std::vector<std::string> split(const std::string &text, char separator)
 {
@@ -31,345 +360,75 @@ std::vector<std::string> split(const std::string &text, char separator)
     return parts;
 }
 
-/// Measures a column from another origin. A small one need not be found.
-void setOrigin(ClaimFile &f, Channel channel, double origin)
+/// Returns one of the parts of a text at random.
+std::string choose(ClaimFile &f, const std::string &text, char separator)
 {
-    const double part = std::abs(origin) / (channel == kY ? f.truth->a : f.swing(channel));
-    f.at(channel).origin = origin;
-    if (part > 5e-4) {
-        f.findings.push_back({ZeroPoint, {channel}, -origin, part < 5e-3});
-    }
+    const std::vector<std::string> parts = split(text, separator);
+    return parts[static_cast<std::size_t>(f.random(0.0, static_cast<double>(parts.size())))];
 }
 
-/// Multiplies columns by a factor.
-void scale(ClaimFile &f, Convention::Kind kind, const Channels &channels, double factor)
+/// Returns the headings of a list; "slider" and "coupler" are R4_x and theta3 with their derivatives, "six" both, and
+/// "all" the columns of the file.
+std::vector<std::string> headingsIn(ClaimFile &f, const std::string &list)
 {
-    for (const Channel channel : channels) {
-        f.at(channel).factor = factor;
-        f.at(channel).noise *= std::abs(factor);
-    }
-    f.findings.push_back({kind, channels, 1.0 / factor});
-}
-
-void enlarge(Parameters &p, double factor)
-{
-    p.a *= factor;
-    p.b *= factor;
-    p.c *= factor;
-}
-
-} // namespace
-
-const std::map<std::string, Step> kSteps{
-    // Columns: channels and the format of their numbers.
-    {"columns",
-     [](ClaimBuilder &f) {
-         const Channels channels = f.channels();
-         int count = 6;
-         char type = 'g';
-         std::sscanf(f.word().c_str(), "%%.%d%c", &count, &type);
-         f.add(channels, type == 'f' ? NumberForm{17, count} : NumberForm{count});
-     }},
-    {"decimals", [](ClaimBuilder &f) { f.setForms(&NumberForm::decimals, f.whole()); }},
-    {"scientific", [](ClaimBuilder &f) { f.setForms(&NumberForm::isScientific, true); }},
-    {"truncated", [](ClaimBuilder &f) { f.setForms(&NumberForm::isTruncated, true); }},
-    {"converter", // of so many bits
-     [](ClaimBuilder &f) {
-         const Channel channel = f.channels().front();
-         f.at(channel).form.quantum = 2.0 * f.swing(channel) / (1 << f.whole());
-     }},
-    {"encoder", // of so many bits; if it truncates, its angles are half a step too small, which the file does not show
-     [](ClaimBuilder &f) {
-         NumberForm &form = f.at(kCrank).form;
-         form.quantum = 360.0 / (1 << f.whole());
-         form.isTruncated = f.random.chance(0.5);
-         f.tolerance = std::max(2e-3, form.isTruncated ? form.quantum / kDegreesPerRadian : 0.0);
-     }},
-    {"noise", // relative to the swing of each column
-     [](ClaimBuilder &f) {
-         const double part = f.number();
-         for (ClaimColumn &column : f.columns) {
-             column.noise = part * f.swing(column.shown);
-         }
-     }},
-    {"noise-of-crank", [](ClaimBuilder &f) { f.at(kCrank).noise = f.number(); }},
-
-    // Mechanism.
-    {"margin", // b / (a + |c|) - 1; negative for a rocker
-     [](ClaimBuilder &f) { f.truth->b = (f.truth->a + std::abs(f.truth->c)) * (1.0 + f.number()); }},
-    {"offset", [](ClaimBuilder &f) { f.truth->c = f.truth->a * f.number() * f.random.sign(); }}, // |c| / a
-    {"coupler", [](ClaimBuilder &f) { f.truth->b = f.truth->a * f.number(); }},                  // b / a
-    {"lengths",
-     [](ClaimBuilder &f) {
-         f.truth->a = f.number();
-         f.truth->b = f.number();
-         f.truth->c = f.number();
-     }},
-    {"crossed", [](ClaimBuilder &f) { f.truth->branch = Branch::Crossed; }},
-    {"enlarge", [](ClaimBuilder &f) { enlarge(*f.truth, f.number()); }},
-    {"speed", [](ClaimBuilder &f) { f.truth->omega2 = f.number() * f.random.sign(); }},
-    {"start-degrees", [](ClaimBuilder &f) { f.truth->theta20 = f.whole() / kDegreesPerRadian; }},
-    {"start-at-toggle", [](ClaimBuilder &f) { f.truth->theta20 = -std::copysign(kQuarterTurn, f.truth->c); }},
-    {"start-between-limits",
-     [](ClaimBuilder &f) {
-         f.truth->theta20 = std::copysign(kQuarterTurn, f.truth->c) - std::copysign(0.9, f.truth->omega2);
-     }},
-    {"hard-case", // of the study; some do not move or cannot be assembled
-     [](ClaimBuilder &f) {
-         const Case &hardCase = hardCases()[static_cast<std::size_t>(f.index) * 11 % hardCases().size()];
-         const std::vector<double> times = hardCase.sampling.timeStamps();
-         f.truth = hardCase.parameters;
-         f.instants = Values::Map(times.data(), static_cast<Index>(times.size()));
-         f.timeForm.digits = 17;
-     }},
-
-    // Rows.
-    {"sample", // turns, rows, first time
-     [](ClaimBuilder &f) {
-         const double turns = f.number();
-         const int rows = f.whole();
-         f.sample(turns, rows, f.number());
-     }},
-    {"time-decimals",
-     [](ClaimBuilder &f) {
-         f.timeForm = {17, f.whole()};
-         f.timeStep = f.timeForm.stepAt(0.0);
-     }},
-    {"start-late", // at 1e9 s
-     [](ClaimBuilder &f) {
-         f.sampleOnce();
-         f.instants = 1e9 + (f.instants * 1e4).round() / 1e4;
-         f.timeForm = {17, 4};
-         f.timeStep = 0.0;
-     }},
-    {"slow-down", // larger time steps in the second half
-     [](ClaimBuilder &f) {
-         f.sampleOnce();
-         const Index half = f.instants.size() / 2;
-         const double coarse = f.number() * f.timeBetweenRows();
-         f.instants.tail(half) =
-             f.instants.reverse()[half] + coarse * Values::LinSpaced(half, 1.0, static_cast<double>(half));
-         f.timeForm.digits = 9;
-         f.timeStep = f.timeForm.stepAt(f.instants.maxCoeff());
-     }},
-    {"repeat", // prints so many rows again
-     [](ClaimBuilder &f) {
-         f.sampleOnce();
-         for (int count = f.whole(); count > 0; --count) {
-             f.repeatedRows.insert(f.random.whole(1, static_cast<int>(f.instants.size()) - 1));
-         }
-     }},
-    {"keep-empty-rows", [](ClaimBuilder &f) { f.keepsEmptyRows = true; }},
-    {"by-angle", // so many turns
-     [](ClaimBuilder &f) {
-         f.isByAngle = true;
-         f.truth->omega2 = f.given.omega2 = kTurn;
-         f.truth->theta20 = f.given.theta20 = 0.0;
-         const int step = std::array{1, 2, 3, 5}[static_cast<std::size_t>(f.random.whole(0, 3))]; // degrees
-         const double last = std::floor(360.0 * f.number() / step);
-         f.instants = step * Values::LinSpaced(static_cast<Index>(last) + 1, 0.0, last) / 360.0;
-         f.timeForm.digits = 9;
-     }},
-    {"within-a-turn", [](ClaimBuilder &f) { f.isWithinTurn = true; }},
-    {"crank-origin",
-     [](ClaimBuilder &f) {
-         f.timeOrigin = f.number() * f.random.sign();
-         f.findings = {{ZeroPoint, {kCrank}, -f.timeOrigin}};
-     }},
-    {"crank-in-radians", // the reader may recognize the unit itself
-     [](ClaimBuilder &f) {
-         f.timeFactor = 1.0 / kDegreesPerRadian;
-         f.findings = {{AngleUnit, {kCrank}, kDegreesPerRadian, true}};
-     }},
-    {"count-clockwise", // the positions are also those of the mirror image
-     [](ClaimBuilder &f) {
-         f.timeFactor = -1.0;
-         f.findings = {{Sign, {kCrank}, -1.0}};
-         f.interpretations = {{*f.truth}};
-         f.interpretations[0].mechanism.c *= -1.0;
-         if (f.has(kTheta)) {
-             f.interpretations[0].findings = {{Sign, {kTheta}, -1.0}};
-         }
-     }},
-
-    // Conventions, which have to be reported.
-    {"origin", // angles are never close to half a turn
-     [](ClaimBuilder &f) {
-         for (const Channel channel : f.channels()) {
-             const double size =
-                 isAngle(channel.coordinate) ? f.random.in(5.0, 170.0) : f.truth->a * f.random.in(0.2, 9.0);
-             setOrigin(f, channel, size * f.random.sign());
-         }
-     }},
-    {"from-start", // measures from the first row
-     [](ClaimBuilder &f) {
-         f.sampleOnce();
-         for (const Channel channel : f.channels()) {
-             setOrigin(f, channel, -f.exactValues(channel)[0]);
-         }
-     }},
-    {"turn-coupler", [](ClaimBuilder &f) { setOrigin(f, kTheta, f.number()); }},
-    {"radians", [](ClaimBuilder &f) { scale(f, AngleUnit, f.channels(), 1.0 / kDegreesPerRadian); }},
-    {"opposite", [](ClaimBuilder &f) { scale(f, Sign, f.channels(), -1.0); }},
-    {"length-unit", // so many mm
-     [](ClaimBuilder &f) {
-         const Channels channels = f.channels();
-         scale(f, LengthUnit, channels, 1.0 / f.number());
-     }},
-    {"one-length-unit", // equally true: the other two columns have another unit, with another mechanism
-     [](ClaimBuilder &f) {
-         const Channels channels = f.channels();
-         const double unit = f.number();
-         Channels others{kPlottedChannels[1], kPlottedChannels[3], kPlottedChannels[5]};
-         std::erase(others, channels.front());
-         f.interpretations = {{*f.truth, f.findings}};
-         f.interpretations[0].findings.push_back({LengthUnit, others, 1.0 / unit});
-         enlarge(f.interpretations[0].mechanism, 1.0 / unit);
-         scale(f, LengthUnit, channels, 1.0 / unit);
-     }},
-    {"milliseconds",
-     [](ClaimBuilder &f) {
-         f.timeFactor = 1e3;
-         f.findings.push_back({TimeUnit, {}, 1e-3});
-     }},
-    {"half-turn", // of θ3, at its other end
-     [](ClaimBuilder &f) {
-         f.at(kTheta).origin = 180.0 * f.random.sign();
-         f.findings.push_back({HalfTurn, {kTheta}});
-     }},
-    {"swap",
-     [](ClaimBuilder &f) {
-         const int first = f.random.whole(0, 5);
-         ClaimColumn &one = f.columns[static_cast<std::size_t>(first)];
-         ClaimColumn &other = f.columns[static_cast<std::size_t>(first + f.random.whole(1, 5)) % 6];
-         std::swap(one.shown, other.shown);
-         f.findings = {{SwappedColumns, {one.named, other.named}}};
-     }},
-    {"along-y", // after turning the axes
-     [](ClaimBuilder &f) {
-         f.mayBeMissed = true;
-         f.findings = {{Axis}};
-         for (ClaimColumn &column : f.columns) {
-             column.content = ClaimColumn::Content::Foreign;
-         }
-     }},
-
-    // Other true interpretations.
-    {"or-half-turn", // x → -x and θ → θ + 180° correspond to -c, θ20 + 180° and the other branch
-     [](ClaimBuilder &f) {
-         f.interpretations = {{mirrorImages(*f.truth)[7], {{HalfTurn, {kTheta}}}}};
-     }},
-    {"or-opposite-height", // the sign of a small height cannot be found
-     [](ClaimBuilder &f) {
-         f.interpretations = {{mirrorImages(*f.truth)[2], {{Sign, {kY}, -1.0, std::abs(f.truth->c) < 4.0}}}};
-     }},
-    {"or-slower",
-     [](ClaimBuilder &f) {
-         f.interpretations = {{*f.truth}};
-         f.interpretations[0].mechanism.omega2 *= 1e-3;
-     }},
-
-    // The mechanism that is given to the program.
-    {"given", [](ClaimBuilder &f) { f.given = *f.truth; }},
-    {"other-assembly",
-     [](ClaimBuilder &f) {
-         f.given.branch = oppositeBranch(f.given.branch);
-         f.findings = {{Convention::Kind::Branch, {}, 0.0, true}};
-     }},
-    {"late-start", // of the truth, after the given mechanism
-     [](ClaimBuilder &f) {
-         f.truth->theta20 += f.number();
-         f.interpretations = {{f.given, {{TimeShift}}}};
-     }},
-    {"spoil-given", // in one parameter
-     [](ClaimBuilder &f) {
-         f.wrongGiven = static_cast<Parameter>(f.random.whole(0, 4));
-         valueOf(f.given, *f.wrongGiven) *= f.random.in(1.02, 1.05);
-         if (f.wrongGiven == Parameter::Theta20) {
-             f.given.theta20 = f.truth->theta20 + 0.1;
-             f.interpretations = {{f.given, {{TimeShift}}}}; // the same deviation under another name
-         }
-     }},
-    {"give-another",
-     [](ClaimBuilder &f) {
-         f.given.a *= std::pow(f.random.in(1.03, 1.3), f.random.sign());
-         f.given.b *= f.random.in(1.1, 1.3);
-     }},
-
-    // Expectations.
-    {"tolerance", [](ClaimBuilder &f) { f.tolerance = f.number(); }},
-    {"may-be-missed", [](ClaimBuilder &f) { f.mayBeMissed = true; }},
-    {"too-few-values", [](ClaimBuilder &f) { f.hasTooFewValues = true; }},
-};
-
-std::string ClaimBuilder::word()
-{
-    arguments.push_back({});
-    const std::string first = arguments.front();
-    arguments.pop_front();
-    return first;
-}
-
-std::string ClaimBuilder::choice()
-{
-    const std::vector<std::string> choices = split(word(), '|');
-    return choices.empty() ? "0"
-                           : choices[static_cast<std::size_t>(random.whole(0, static_cast<int>(choices.size()) - 1))];
-}
-
-double ClaimBuilder::number()
-{
-    const std::vector<std::string> bounds = split(choice(), ':');
-    return random.in(std::stod(bounds.front()), std::stod(bounds.back()));
-}
-
-int ClaimBuilder::whole()
-{
-    return static_cast<int>(std::lround(number()));
-}
-
-Channels ClaimBuilder::channels()
-{
-    Channels channels;
-    for (const std::string &name : split(choice(), ',')) {
-        if (const auto channel = channelNamed(name)) {
-            channels.push_back(*channel);
+    std::vector<std::string> headings;
+    for (const std::string &name : split(choose(f, list, '|'), ',')) {
+        const std::size_t known = headings.size();
+        for (const Channel channel : kPlottedChannels) {
+            if (name == "six" || name == (channel.coordinate == R4x ? "slider" : "coupler")) {
+                headings.emplace_back(nameOf(channel));
+            }
         }
-        std::ranges::copy_if(kPlottedChannels, std::back_inserter(channels), [&](Channel channel) {
-            return name == "six" || name == (channel.coordinate == R4x ? "slider" : "coupler");
-        });
+        if (name == "all") {
+            std::ranges::transform(f.columns, std::back_inserter(headings), &ClaimColumn::heading);
+        } else if (headings.size() == known) {
+            headings.push_back(name);
+        }
     }
-    return channels;
+    return headings;
 }
 
-namespace
+/// Adds columns, or changes the format of those that the file contains.
+void addColumns(ClaimFile &f, const std::vector<std::string> &headings, const std::string &format)
 {
-
-/// Hashes the name of a kind, the seed of the suite and the number of the file to 64 bits (FNV-1a, then splitmix64).
-std::uint64_t seedFor(std::string_view kind, std::uint64_t suiteSeed, int number)
-{
-    std::uint64_t bits = 0xcbf29ce484222325ULL;
-    for (const char c : kind) {
-        bits = (bits ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
+    for (const std::string &heading : headings) {
+        if (ClaimColumn *column = f.find(heading)) {
+            column->format = format;
+        } else {
+            const std::vector<std::string> names = split(heading, '='); // of the heading and of the values
+            f.columns.push_back({names.front(), *channelNamed(names.back()), format});
+        }
     }
-    bits ^= suiteSeed * 0x9e3779b97f4a7c15ULL + static_cast<std::uint64_t>(number) * 0xd1342543de82ef95ULL;
-    bits = (bits ^ (bits >> 30U)) * 0xbf58476d1ce4e5b9ULL;
-    bits = (bits ^ (bits >> 27U)) * 0x94d049bb133111ebULL;
-    return bits ^ (bits >> 31U);
 }
 
-/// Runs one of the alternatives of a line of steps.
-void run(const std::string &line, ClaimBuilder &f)
+void run(ClaimFile &f, const std::string &step)
 {
-    const std::vector<std::string> alternatives = split(line + ' ', '/');
-    const auto chosen = static_cast<std::size_t>(f.random.whole(0, static_cast<int>(alternatives.size()) - 1));
-    for (const std::string &step : split(alternatives[chosen], ';')) {
-        std::istringstream words(step);
-        std::string name;
-        words >> name;
-        f.arguments.assign(std::istream_iterator<std::string>(words), {});
-        if (!name.empty()) {
-            (kSteps.contains(name) ? kSteps : kMotionSteps).at(name)(f);
+    std::istringstream stream(step);
+    std::vector<std::string> words{std::istream_iterator<std::string>(stream), {}};
+    if (words.empty()) {
+        return;
+    }
+    const std::string name = words.front();
+    const bool isForColumns = name == "columns" || kColumnSteps.contains(name);
+    const std::vector<std::string> headings = isForColumns ? headingsIn(f, words[1]) : std::vector<std::string>();
+    if (name == "columns") {
+        addColumns(f, headings, words.size() > 2 ? words[2] : "%.6g");
+        return;
+    }
+    Numbers x{};
+    for (std::size_t first = isForColumns ? 2 : 1, i = first; i < words.size(); ++i) {
+        const std::vector<std::string> bounds = split(choose(f, words[i], '|'), ':');
+        x[i - first] = f.random(std::stod(bounds.front()), std::stod(bounds.back()));
+    }
+    if (!isForColumns) {
+        kFileSteps.at(name)(f, x);
+        return;
+    }
+    f.compute();
+    for (const std::string &heading : headings) {
+        if (ClaimColumn *column = f.find(heading)) {
+            kColumnSteps.at(name).apply(f, *column, x);
+            column->content = std::max(column->content, kColumnSteps.at(name).content);
         }
     }
 }
@@ -391,21 +450,18 @@ std::vector<ClaimKind> claimKinds()
     return kinds;
 }
 
-ClaimFile claimFile(const ClaimKind &kind, std::uint64_t suiteSeed, int number)
+ClaimFile claimFile(const ClaimKind &kind, std::uint64_t seed, int number)
 {
-    constexpr std::uint64_t kMostDraws = 20;
-    for (std::uint64_t draw = 0;; ++draw) {
-        ClaimBuilder file(seedFor(kind.name, suiteSeed, number) + draw, number);
-        file.isLong = kind.isFault;
-        file.tolerance = kind.isFault ? 1e-5 : 2e-3; // faults: accurate within their standard errors
-        for (const std::string &line : kind.lines) {
-            run(line, file);
-        }
-        file.print();
-        if (draw == kMostDraws || areDeviationsVisible(file)) {
-            return file;
+    ClaimFile file(kind.name + std::to_string(seed) + '/' + std::to_string(number));
+    file.isLong = kind.isFault;
+    file.tolerance = kind.isFault ? 1e-5 : 2e-3; // faults: accurate within their standard errors
+    for (const std::string &line : kind.lines) {
+        for (const std::string &step : split(choose(file, line + ' ', '/'), ';')) {
+            run(file, step);
         }
     }
+    file.print();
+    return file;
 }
 
 } // namespace slidercrank

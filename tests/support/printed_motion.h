@@ -2,8 +2,9 @@
 #pragma once
 
 // Prints the motion of a slider-crank as a simulation program would: the textbook's formulas in long double, rounded by
-// printf. It shares no code with the core that it judges.
+// printf. The closed form, which they judge, shares no formula with them.
 
+#include "core/closed_form/textbook_motion.h"
 #include "core/import/reference_data.h"
 #include "core/mechanism/mechanism.h"
 
@@ -13,6 +14,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <variant>
@@ -20,30 +22,29 @@
 namespace slidercrank
 {
 
+/// Returns a channel at a crank angle (rad), in the unit of files (mm, °, s). Returns NaN where the mechanism cannot be
+/// assembled.
+inline long double textbookValue(const Parameters &p, Channel channel, long double theta2)
+{
+    constexpr auto kPi = std::numbers::pi_v<long double>;
+    TextbookMotion<long double> motion;
+    return motion.compute({p.a, p.b, p.c, p.omega2}, theta2, p.branch == Branch::Open ? 1.0 : -1.0, kPi)
+               ? motion.valueAt(channel) * (isAngle(channel.coordinate) ? 180.0L / kPi : 1.0L)
+               : std::numeric_limits<long double>::quiet_NaN();
+}
+
 /// In the order of kPlottedChannels, in the default units (mm, °, s).
-inline constexpr std::size_t kPrintedChannels = 6;
+inline constexpr std::size_t kPrintedChannels = kPlottedChannels.size();
 using PrintedRow = std::array<long double, kPrintedChannels>;
 
-/// Computes the motion at time t (Norton, "Design of Machinery", eq. 4.16, 6.22, 7.15). Returns NaN where the mechanism
-/// cannot be assembled.
+/// Returns the plotted channels at time t.
 inline PrintedRow textbookMotion(const Parameters &p, long double t)
 {
-    const long double pi = std::acos(-1.0L);
-    const long double degree = pi / 180.0L;
-    const long double a = p.a;
-    const long double b = p.b;
-    const long double w = p.omega2;
-    const long double theta2 = w * t + static_cast<long double>(p.theta20);
-    const long double sine = (p.c - a * std::sin(theta2)) / b;
-    const long double steepness = std::asin(sine);
-    const long double theta3 = p.branch == Branch::Open ? steepness : pi - steepness;
-    const long double bCos = b * std::cos(theta3);
-    const long double bSin = b * std::sin(theta3);
-    const long double w3 = -a * w * std::cos(theta2) / bCos;
-    const long double alpha3 = (a * w * w * std::sin(theta2) + bSin * w3 * w3) / bCos;
-    return {theta3 / degree, a * std::cos(theta2) + bCos,
-            w3 / degree,     -a * w * std::sin(theta2) - bSin * w3,
-            alpha3 / degree, -a * w * w * std::cos(theta2) - bCos * w3 * w3 - bSin * alpha3};
+    PrintedRow row{};
+    for (std::size_t k = 0; k < kPrintedChannels; ++k) {
+        row[k] = textbookValue(p, kPlottedChannels[k], p.omega2 * t + p.theta20);
+    }
+    return row;
 }
 
 struct Printing {
@@ -59,12 +60,10 @@ struct Printing {
 template <typename IsGap>
 std::string printedMotion(const Parameters &parameters, const Printing &printing, IsGap isGap)
 {
-    static constexpr std::array<const char *, kPrintedChannels> kHeadings{"theta3",    "R4_x",         "theta3_diff",
-                                                                          "R4_x_diff", "theta3_diff2", "R4_x_diff2"};
     std::string text = "time";
     for (std::size_t k = 0; k < kPrintedChannels; ++k) {
         if (printing.channels[k] == '1') {
-            text += std::string(",") + kHeadings[k];
+            text += ',' + std::string(nameOf(kPlottedChannels[k]));
         }
     }
     std::array<char, 64> cell{};

@@ -4,6 +4,7 @@
 // verdict `differs`. A file whose error exceeds half a rounding step plus 2 % of its peak never gets a better verdict.
 
 #include "core/comparison/comparison.h"
+#include "core/import/reference_data.h"
 #include "tests/support/claim_file.h"
 #include "tests/support/long_tests.h"
 #include "tests/support/random_mechanisms.h"
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <vector>
 
 using namespace slidercrank;
@@ -28,10 +30,11 @@ enum class File { True, OtherMechanism, ShortCrank };
 struct Kind {
     const char *name = "";
     File file = File::True;
-    Channels channels{};
-    NumberForm form{};
-    NumberForm timeForm{9};
-    double rate = 30.0; ///< rows per second
+    std::vector<Channel> channels{};
+    std::string format = "%.6g";
+    std::string timeFormat = "%.9g";
+    std::string reprint{}; ///< as ClaimColumn::reprint
+    double rate = 30.0;    ///< rows per second
     int rows = 61;
     bool rocks = false;                ///< rocker: the file has gaps
     bool chosenAngles = false;         ///< the crank advances by whole degrees
@@ -39,89 +42,91 @@ struct Kind {
     Verdict atLeast = Verdict::Agrees; ///< required verdict in 95 % of the true files
 };
 
-const Channels kSix(kPlottedChannels.begin(), kPlottedChannels.end());
+const std::vector<Channel> kSix(kPlottedChannels.begin(), kPlottedChannels.end());
+constexpr Channel kX{R4x, Order::Position};
+constexpr Channel kCrank{Theta2, Order::Position};
 constexpr Channel kSliderSpeed{R4x, Order::Velocity};
-const NumberForm kWhole = decimals(0);
-const NumberForm kSixDecimals{6, 6}; ///< of values with six digits
 
 std::vector<Kind> kinds()
 {
-    const Channels constants{kX, kY, {R4y, Order::Velocity}, {Theta2, Order::Velocity}};
-    const NumberForm four = decimals(4);
+    const std::vector<Channel> constants{kX, {R4y, Order::Position}, {R4y, Order::Velocity}, {Theta2, Order::Velocity}};
     return {
         {.name = "six columns of six digits", .channels = kSix, .rate = 100.0, .rows = 201},
-        {.name = "time stamps of 4 decimals", .channels = kSix, .timeForm = four},
-        {.name = "time stamps of 2 decimals", .channels = kSix, .timeForm = decimals(2)},
-        {.name = "time stamps of 9 digits, values of 9", .channels = kSix, .form = {9}},
+        {.name = "time stamps of 4 decimals", .channels = kSix, .timeFormat = "%.4f"},
+        {.name = "time stamps of 2 decimals", .channels = kSix, .timeFormat = "%.2f"},
+        {.name = "time stamps of 9 digits, values of 9", .channels = kSix, .format = "%.9g"},
         {.name = "time stamps of 4 decimals, evenly spaced all the same",
          .channels = kSix,
-         .timeForm = four,
+         .timeFormat = "%.4f",
          .rate = 1.0 / 0.0133,
          .clockError = 0.45,
          .atLeast = Verdict::Close},
-        {.name = "a double's own digits", .channels = kSix, .form = {17}, .timeForm = {17}},
-        {.name = "six digits printed with 19", .channels = kSix, .form = {6, -1, true}, .timeForm = {17, -1, true}},
-        {.name = "six digits printed with six decimals", .channels = kSix, .form = kSixDecimals},
+        {.name = "a double's own digits", .channels = kSix, .format = "%.17g", .timeFormat = "%.17g"},
+        {.name = "six digits printed with 19", .channels = kSix, .timeFormat = "%.17g", .reprint = "%.18e"},
+        {.name = "six digits printed with six decimals", .channels = kSix, .reprint = "%.6f"},
         {.name = "constants", .channels = constants},
-        {.name = "constants of six digits printed with six decimals", .channels = constants, .form = kSixDecimals},
-        {.name = "whole millimetres", .channels = {kX}, .form = kWhole, .rate = 100.0, .rows = 201},
+        {.name = "constants of six digits printed with six decimals", .channels = constants, .reprint = "%.6f"},
+        {.name = "whole millimetres", .channels = {kX}, .format = "%.0f", .rate = 100.0, .rows = 201},
         {.name = "rockers", .channels = kSix, .rate = 100.0, .rows = 201, .rocks = true},
-        {.name = "rockers, time stamps of 4 decimals", .channels = kSix, .timeForm = four, .rocks = true},
-        {.name = "rockers, time stamps of 2 decimals", .channels = kSix, .timeForm = decimals(2), .rocks = true},
-        {.name = "chosen angles", .channels = {kCrank, kX}, .form = kWhole, .rate = 100.0, .chosenAngles = true},
-        {.name = "two rows", .channels = kSix, .timeForm = decimals(1), .rate = 10.0, .rows = 2},
+        {.name = "rockers, time stamps of 4 decimals", .channels = kSix, .timeFormat = "%.4f", .rocks = true},
+        {.name = "rockers, time stamps of 2 decimals", .channels = kSix, .timeFormat = "%.2f", .rocks = true},
+        {.name = "chosen angles", .channels = {kCrank, kX}, .format = "%.0f", .rate = 100.0, .chosenAngles = true},
+        {.name = "two rows", .channels = kSix, .timeFormat = "%.1f", .rate = 10.0, .rows = 2},
         {.name = "whole millimetres of another mechanism",
          .file = File::OtherMechanism,
          .channels = {kX},
-         .form = kWhole,
+         .format = "%.0f",
          .rate = 100.0,
          .rows = 201},
         {.name = "whole millimetres and 4 decimals of time, of another mechanism",
          .file = File::OtherMechanism,
          .channels = {kX},
-         .form = kWhole,
-         .timeForm = four},
-        {.name = "six columns of another mechanism", .file = File::OtherMechanism, .channels = kSix, .timeForm = four},
+         .format = "%.0f",
+         .timeFormat = "%.4f"},
+        {.name = "six columns of another mechanism",
+         .file = File::OtherMechanism,
+         .channels = kSix,
+         .timeFormat = "%.4f"},
         {.name = "constants of another mechanism",
          .file = File::OtherMechanism,
          .channels = constants,
-         .form = kSixDecimals},
+         .reprint = "%.6f"},
         {.name = "two rows of another mechanism",
          .file = File::OtherMechanism,
          .channels = {kX},
-         .form = kWhole,
-         .timeForm = decimals(1),
+         .format = "%.0f",
+         .timeFormat = "%.1f",
          .rate = 2.0,
          .rows = 2},
         {.name = "three rows of another mechanism, a tenth of a second apart",
          .file = File::OtherMechanism,
          .channels = kSix,
-         .timeForm = decimals(1),
+         .timeFormat = "%.1f",
          .rate = 10.0,
          .rows = 3},
         {.name = "few time stamps of another mechanism, unevenly chosen",
          .file = File::OtherMechanism,
          .channels = kSix,
-         .timeForm = decimals(1),
+         .timeFormat = "%.1f",
          .rate = 7.0,
          .rows = 8},
         {.name = "chosen angles of another mechanism",
          .file = File::OtherMechanism,
          .channels = {kCrank, kX},
-         .form = kWhole,
+         .format = "%.0f",
          .rate = 100.0,
          .rows = 101},
         {.name = "a 3 % short, whole millimetres",
          .file = File::ShortCrank,
          .channels = {kX, kSliderSpeed},
-         .form = kWhole,
+         .format = "%.0f",
          .rate = 100.0,
          .rows = 201},
         {.name = "a 3 % short, six digits", .file = File::ShortCrank, .channels = kSix, .rate = 100.0, .rows = 201},
         {.name = "a 3 % short, time stamps of 4 decimals",
          .file = File::ShortCrank,
          .channels = kSix,
-         .timeForm = four},
+         .timeFormat = "%.4f"},
     };
 }
 
@@ -135,13 +140,15 @@ Parameters slow(Parameters p, RandomMechanisms &random)
 /// Prints the file of the mechanism `of`.
 ClaimFile printed(const Kind &kind, const Parameters &of)
 {
-    ClaimFile file(1, 0);
+    ClaimFile file("verdicts");
     file.truth = of;
     const double spacing = 1.0 / kind.rate + kind.clockError * 0.5e-4 / kind.rows;
-    file.instants = spacing * Values::LinSpaced(kind.rows, 0.0, kind.rows - 1);
-    file.timeForm = kind.timeForm;
+    file.times = spacing * Values::LinSpaced(kind.rows, 0.0, kind.rows - 1);
+    file.time.format = kind.timeFormat;
     file.keepsEmptyRows = true;
-    file.add(kind.channels, kind.form);
+    for (const Channel channel : kind.channels) {
+        file.columns.push_back({std::string(nameOf(channel)), channel, kind.format, kind.reprint});
+    }
     file.print();
     return file;
 }
@@ -154,8 +161,8 @@ double errorOf(const ClaimColumn &column, const Values &model)
     double farthest = 0.0;
     for (Index row = 0; row < model.size(); ++row) {
         const double value = column.values[row];
-        const double printed = std::strtod(column.form.print(value).c_str(), nullptr);
-        const double half = column.form.decimals == 0 ? 0.5 : std::abs(printed - value);
+        const double printed = std::stod(column.print(value));
+        const double half = column.format == "%.0f" ? 0.5 : std::abs(printed - value);
         if (!std::isnan(value)) {
             peak = std::max(peak, std::abs(value));
             farthest = std::max(farthest, std::abs(model[row] - value) - half);
@@ -206,7 +213,6 @@ private slots:
                 of.a *= 0.97;
             }
             const ClaimFile file = printed(kind, of);
-            const Poses motion = motionOf(model, file.instants);
             auto outcome = readReferenceData(file.text);
             QVERIFY2(std::holds_alternative<ReferenceData>(outcome), file.text.c_str());
             const ReferenceData &data = std::get<ReferenceData>(outcome);
@@ -215,8 +221,7 @@ private slots:
             Verdict worst = Verdict::Agrees;
             for (std::size_t k = 0; k < found.size(); ++k) {
                 worst = std::max(worst, found[k].verdict);
-                const Values exact = motion.col(columnOf(kind.channels[k])).cast<double>();
-                const double error = errorOf(file.columns[k], exact);
+                const double error = errorOf(file.columns[k], valuesOf(model, kind.channels[k], file.times));
                 const QString what = QStringLiteral("file %1, %2: %3 of the peak too far, %4 of %5 within, worst %6, "
                                                     "excess %7\n%8")
                                          .arg(i)
