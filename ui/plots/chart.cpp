@@ -125,8 +125,11 @@ void Chart::fill(const QSize &size, const QPalette &palette)
 
 void Chart::paintEvent(QPaintEvent *)
 {
-    QPainter painter(this);
-    paint(painter, size(), palette());
+    QPixmap pixmap(size() * devicePixelRatio());
+    pixmap.setDevicePixelRatio(devicePixelRatio());
+    fill(size(), palette());
+    m_drawing->drawInto(pixmap); // faster than paint(), which records the drawing first
+    QPainter(this).drawPixmap(0, 0, pixmap);
 }
 
 void Chart::paint(QPainter &painter, const QSize &size, const QPalette &palette)
