@@ -16,10 +16,10 @@ namespace slidercrank
 namespace HWY_NAMESPACE
 {
 
-/// Computes a block of at most kBlock time stamps, a multiple of kMostLanes. All vectors go through one stage before the
-/// next begins: stages are short enough for a processor to overlap several vectors, which it cannot do when each vector
-/// is carried from its time stamp to its last channel. The numbers are valid where `roots` is positive; returns whether
-/// that is everywhere.
+/// Computes a block of at most kBlock time stamps, a multiple of kMostLanes. All vectors go through one stage before
+/// the next begins: stages are short enough for a processor to overlap several vectors, which it cannot do when each
+/// vector is carried from its time stamp to its last channel. The numbers are valid where `roots` is positive; returns
+/// whether that is everywhere.
 bool evaluateBlock(const MotionConstants &constants, const double *times, std::size_t count,
                    const PlottedColumns &columns, double *roots)
 {

@@ -44,7 +44,7 @@ std::vector<Peak> motionPeaks(const Mechanism &mechanism)
     std::vector<Peak> peaks;
     std::array<CriticalPoints, kPlottedChannels.size()> points = findCriticalPoints(mechanism);
     const bool turnsUniformly = mechanism.a() == mechanism.b() && mechanism.c() == 0.0; // θ3 is ±θ2 or differs by π/2
-    for (const std::size_t index : {3, 5, 2, 4}) {
+    for (const std::size_t index : {3U, 5U, 2U, 4U}) {
         if (points[index].empty()) {
             return {};
         }

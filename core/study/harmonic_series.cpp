@@ -43,7 +43,7 @@ HarmonicSeries::HarmonicSeries(const Mechanism &mechanism, int harmonics)
             }
             return (n == 0 ? 1.0 : 2.0) * (sum.hi + sum.lo) / kAngles;
         };
-        for (const std::size_t channel : {0, 1}) {
+        for (const std::size_t channel : {0U, 1U}) {
             m_terms[n][channel] = {coefficient(channel, &SinCos::cos), coefficient(channel, &SinCos::sin)};
         }
     }
