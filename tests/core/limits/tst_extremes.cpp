@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/limits/extremes.h"
 #include "core/limits/mobility.h"
+#include "core/mechanism/turn.h"
 #include "core/study/cases.h"
 #include "tests/support/deviation.h"
 #include "tests/support/random_mechanisms.h"
@@ -17,7 +18,6 @@ namespace
 {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kTurn = 2.0 * kPi;
 
 /// Returns the approximate width in crank angle of the minimum of b cos θ3 at the steepest coupler. The peaks are about
 /// as narrow.

@@ -2,6 +2,7 @@
 #include "core/closed_form/closed_form.h"
 #include "core/limits/mobility.h"
 #include "core/limits/slider_stroke.h"
+#include "core/mechanism/turn.h"
 #include "tests/support/deviation.h"
 #include "tests/support/mechanism_list.h"
 #include "tests/support/suite.h"
@@ -14,7 +15,6 @@ namespace
 {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kTurn = 2.0 * kPi;
 
 /// Tolerance relative to a + b + |c|, or in rad: a few rounding errors. Square roots of small differences need more.
 constexpr double kTolerance = 1e-12;

@@ -4,6 +4,7 @@
 // Helpers that run Newton-Raphson and compare the results with the exact motion.
 
 #include "core/closed_form/state_at.h"
+#include "core/mechanism/turn.h"
 #include "core/newton/constraints.h"
 #include "core/newton/newton.h"
 #include "core/study/cases.h"
@@ -16,7 +17,6 @@
 namespace slidercrank
 {
 
-inline constexpr double kTurn = 2.0 * std::numbers::pi;
 inline constexpr NewtonOptions kReport;            ///< Table 2 of the reference report
 inline constexpr NewtonOptions kToTheEnd{50, 0.0}; ///< iterates until the residual no longer decreases
 
