@@ -67,9 +67,8 @@ QString roff(QString text)
     return text.replace('\\', "\\e").replace('-', "\\-");
 }
 
-} // namespace
-
-QString helpText(const CommandDescription &command)
+/// Returns the usage, the description and the options of a command.
+QString describe(const CommandDescription &command)
 {
     QString text = CommandLine::tr("Usage:") + ' ' + usage(command) + "\n\n" + wrapped(CommandLine::tr(command.text));
     if (isWindow(command)) {
@@ -86,23 +85,24 @@ QString helpText(const CommandDescription &command)
         }
         text += entry(optionSyntax(option), CommandLine::tr(option.text));
     }
-    return text + '\n' + wrapped(unitsText()) + '\n' + wrapped(exitStatusText());
+    return text + '\n';
+}
+
+} // namespace
+
+QString helpText(const CommandDescription &command)
+{
+    return describe(command) + wrapped(unitsText()) + '\n' + wrapped(exitStatusText());
 }
 
 QString manualPage()
 {
     QString text =
         ".\\\" SPDX-License-Identifier: GPL-3.0-or-later\n.TH SLIDERCRANK 1 \"\" \"slidercrank " SLIDERCRANK_VERSION
-        "\" \"User Commands\"\n.SH NAME\nslidercrank \\- motion of an offset slider\\-crank\n.SH SYNOPSIS\n";
+        "\" \"User Commands\"\n.SH NAME\nslidercrank \\- motion of an offset slider\\-crank\n";
     for (const CommandDescription &command : allCommands()) {
-        text += roff(usage(command)) + "\n.br\n";
-    }
-    for (const CommandDescription &command : allCommands()) {
-        text += ".SH " + (isWindow(command) ? "DESCRIPTION" : QString(command.name).toUpper()) + '\n' +
-                roff(CommandLine::tr(command.text)) + '\n';
-        for (const OptionDescription &option : optionsOf(command)) {
-            text += ".TP\n.B " + roff(optionSyntax(option)) + '\n' + roff(CommandLine::tr(option.text)) + '\n';
-        }
+        text += ".SH " + (isWindow(command) ? "DESCRIPTION" : QString(command.name).toUpper()) + "\n.nf\n" +
+                roff(describe(command)) + ".fi\n";
     }
     return text + ".SH UNITS\n" + roff(unitsText()) + "\n.SH EXIT STATUS\n" + roff(exitStatusText()) + '\n';
 }

@@ -11,7 +11,6 @@
 #include <QLocale>
 #include <QLoggingCategory>
 
-#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <new>
@@ -21,18 +20,13 @@ using namespace slidercrank;
 namespace
 {
 
-/// Whether a window can open. On X11 and Wayland, Qt would abort without one of these options and variables.
-bool hasDisplay(int argc, char *argv[])
+/// Whether a window can open. On X11 and Wayland, Qt would abort without one of these variables.
+bool hasDisplay()
 {
 #if defined(Q_OS_UNIX) && !defined(Q_OS_DARWIN)
     const auto isSet = [](const char *variable) { return !qEnvironmentVariableIsEmpty(variable); };
-    return isSet("DISPLAY") || isSet("WAYLAND_DISPLAY") || isSet("QT_QPA_PLATFORM") ||
-           std::any_of(argv, argv + argc, [](const QByteArray &argument) {
-               return argument.endsWith("-platform") || argument.endsWith("-display");
-           });
+    return isSet("DISPLAY") || isSet("WAYLAND_DISPLAY") || isSet("QT_QPA_PLATFORM");
 #else
-    Q_UNUSED(argc)
-    Q_UNUSED(argv)
     return true;
 #endif
 }
@@ -63,7 +57,7 @@ int main(int argc, char *argv[])
         useConsole();
     }
     Platform platform = platformFor(argc > 1 ? QString::fromLocal8Bit(argv[1]) : QString());
-    if (platform == Platform::Window && !hasDisplay(argc, argv)) {
+    if (platform == Platform::Window && !hasDisplay()) {
         platform = Platform::None; // reports wrong arguments, or that there is no display
     }
     if (platform != Platform::Window) {

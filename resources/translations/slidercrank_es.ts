@@ -860,54 +860,6 @@ Equipo: %1. Tiempo: %2 s.
         <translation>pulgadas</translation>
     </message>
     <message>
-        <source>angle unit</source>
-        <translation>unidad de ángulo</translation>
-    </message>
-    <message>
-        <source>length unit</source>
-        <translation>unidad de longitud</translation>
-    </message>
-    <message>
-        <source>time unit</source>
-        <translation>unidad de tiempo</translation>
-    </message>
-    <message>
-        <source>sign</source>
-        <translation>signo</translation>
-    </message>
-    <message>
-        <source>half a turn</source>
-        <translation>media vuelta</translation>
-    </message>
-    <message>
-        <source>whole turns</source>
-        <translation>vueltas enteras</translation>
-    </message>
-    <message>
-        <source>origin</source>
-        <translation>origen</translation>
-    </message>
-    <message>
-        <source>swapped columns</source>
-        <translation>columnas intercambiadas</translation>
-    </message>
-    <message>
-        <source>assembly</source>
-        <translation>configuración</translation>
-    </message>
-    <message>
-        <source>time shift</source>
-        <translation>desfase de tiempo</translation>
-    </message>
-    <message>
-        <source>not a derivative</source>
-        <translation>no es una derivada</translation>
-    </message>
-    <message>
-        <source>axis</source>
-        <translation>eje</translation>
-    </message>
-    <message>
         <source>%1: jumps by whole turns.</source>
         <translation>%1: tiene saltos de vueltas enteras.</translation>
     </message>
@@ -1387,10 +1339,6 @@ Equipo: %1. Tiempo: %2 s.
         <translation>Aplicar</translation>
     </message>
     <message>
-        <source>The file is read differently from how it is written: %1.</source>
-        <translation>El archivo se lee de otro modo que como está escrito: %1.</translation>
-    </message>
-    <message>
         <source>Read as written</source>
         <translation>Leer como está escrito</translation>
     </message>
@@ -1423,6 +1371,10 @@ difiere: lo demás</translation>
     <message>
         <source>Sets %1</source>
         <translation>Establece %1</translation>
+    </message>
+    <message>
+        <source>The file is read differently from how it is written. %1</source>
+        <translation>El archivo se lee de forma distinta a como está escrito. %1</translation>
     </message>
 </context>
 <context>
@@ -3366,10 +3318,6 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
 SHA-256: %2</source>
         <translation>Archivo: %1
 SHA-256: %2</translation>
-    </message>
-    <message>
-        <source>the sample that comes with the program</source>
-        <translation>el ejemplo que viene con el programa</translation>
     </message>
     <message>
         <source>crank speed</source>

@@ -10,8 +10,6 @@
 
 #include <QAbstractTextDocumentLayout>
 #include <QCoreApplication>
-#include <QDir>
-#include <QFileInfo>
 #include <QGuiApplication>
 #include <QLocale>
 #include <QPageSize>
@@ -128,9 +126,7 @@ QString fileText(const ReportContent &content)
         const QString &path = reference.paths[i];
         const QByteArray checksum = content.checksums.value(i);
         html += note(Report::tr("File: %1\nSHA-256: %2")
-                         .arg(path.startsWith(u':')   ? Report::tr("the sample that comes with the program")
-                              : isStandardInput(path) ? displayName(path)
-                                                      : QDir::toNativeSeparators(QFileInfo(path).absoluteFilePath()),
+                         .arg(displayName(path),
                               checksum.isEmpty() ? Report::tr("unknown: the file cannot be read again, or has changed")
                                                  : QString::fromLatin1(checksum)));
     }

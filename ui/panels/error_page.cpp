@@ -296,12 +296,12 @@ std::vector<Finding> findingsOf(const Result &result, const ReferenceDiagnosis *
         }
     }
     if (!result.reference->conventions.empty()) {
-        QStringList names;
+        QStringList sentences;
         for (const Convention &convention : result.reference->conventions) {
-            names << conventionName(convention);
+            sentences << explanationText(convention);
         }
         findings.push_back(
-            {ErrorPage::tr("The file is read differently from how it is written: %1.").arg(listed(names)),
+            {ErrorPage::tr("The file is read differently from how it is written. %1").arg(sentences.join(u' ')),
              Remedy::ReadAsPrinted, ErrorPage::tr("Read as written")});
     }
     return findings;

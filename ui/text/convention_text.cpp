@@ -22,28 +22,21 @@ struct ConventionText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::ConventionText)
 
 public:
-    /// In the explanation, %1 are the columns, %2 "+ 5 mm" or "− 5 mm", %3 the symbol of the first column, %4 "in
-    /// radians, but read as degrees".
-    struct Row {
-        const char *name;
-        const char *explanation;
-    };
-
-    // In the order of Convention::Kind.
-    static constexpr Row kRows[] = {
-        {QT_TR_NOOP("angle unit"), "%1: %4."},
-        {QT_TR_NOOP("length unit"), "%1: %4."},
-        {QT_TR_NOOP("time unit"), QT_TR_NOOP("The time is %4.")},
-        {QT_TR_NOOP("sign"), QT_TR_NOOP("%1: with the opposite sign.")},
-        {QT_TR_NOOP("half a turn"), QT_TR_NOOP("%1: measured from the opposite direction; %3 is %1 %2.")},
-        {QT_TR_NOOP("whole turns"), QT_TR_NOOP("%1: off by whole turns; %3 is %1 %2.")},
-        {QT_TR_NOOP("origin"), QT_TR_NOOP("%1: measured from another origin; %3 is %1 %2.")},
-        {QT_TR_NOOP("swapped columns"), QT_TR_NOOP("%1: each has the heading of the other.")},
-        {QT_TR_NOOP("assembly"),
-         QT_TR_NOOP("The file belongs to the other assembly: its slider is on the other side of A.")},
-        {QT_TR_NOOP("time shift"), QT_TR_NOOP("The time stamps are shifted: t is the time in the file %2.")},
-        {QT_TR_NOOP("not a derivative"), QT_TR_NOOP("%1: not the time derivative of the position column.")},
-        {QT_TR_NOOP("axis"), QT_TR_NOOP("The slider moves along y instead of x, as in an upright engine.")}};
+    // In the order of Convention::Kind. %1 are the columns, %2 "+ 5 mm" or "− 5 mm", %3 the symbol of the first column,
+    // %4 "in radians, but read as degrees".
+    static constexpr const char *kExplanations[] = {
+        "%1: %4.", // AngleUnit
+        "%1: %4.", // LengthUnit
+        QT_TR_NOOP("The time is %4."),
+        QT_TR_NOOP("%1: with the opposite sign."),
+        QT_TR_NOOP("%1: measured from the opposite direction; %3 is %1 %2."),
+        QT_TR_NOOP("%1: off by whole turns; %3 is %1 %2."),
+        QT_TR_NOOP("%1: measured from another origin; %3 is %1 %2."),
+        QT_TR_NOOP("%1: each has the heading of the other."),
+        QT_TR_NOOP("The file belongs to the other assembly: its slider is on the other side of A."),
+        QT_TR_NOOP("The time stamps are shifted: t is the time in the file %2."),
+        QT_TR_NOOP("%1: not the time derivative of the position column."),
+        QT_TR_NOOP("The slider moves along y instead of x, as in an upright engine.")};
 
     /// Two units, one of which is `factor` times as large as the other.
     struct UnitPair {
@@ -60,7 +53,7 @@ public:
         {Kind::TimeUnit, 1000.0, QT_TR_NOOP("seconds"), QT_TR_NOOP("milliseconds")}};
 };
 
-static_assert(std::size(ConventionText::kRows) == static_cast<std::size_t>(Kind::Axis) + 1);
+static_assert(std::size(ConventionText::kExplanations) == static_cast<std::size_t>(Kind::Axis) + 1);
 
 /// Returns "in radians, but read as degrees". The amount is one of the factors between units (convention.h).
 QString misreadUnitText(const Convention &convention)
@@ -76,11 +69,6 @@ QString misreadUnitText(const Convention &convention)
     return {};
 }
 
-const ConventionText::Row &row(const Convention &convention)
-{
-    return ConventionText::kRows[static_cast<int>(convention.kind)];
-}
-
 QString columnNames(const std::vector<Channel> &channels)
 {
     QStringList names;
@@ -92,11 +80,6 @@ QString columnNames(const std::vector<Channel> &channels)
 
 } // namespace
 
-QString conventionName(const Convention &convention)
-{
-    return ConventionText::tr(row(convention).name);
-}
-
 QString explanationText(const Convention &convention)
 {
     const Channel channel = convention.channels.empty() ? Channel() : convention.channels.front();
@@ -106,7 +89,7 @@ QString explanationText(const Convention &convention)
     QString text = isOfCoupler ? ConventionText::tr("%1: the angle of the coupler seen from B, as textbooks draw θ₃; "
                                                     "%3 is %1 %2.")
                    : onlyJumps ? ConventionText::tr("%1: jumps by whole turns.")
-                               : ConventionText::tr(row(convention).explanation);
+                               : ConventionText::tr(ConventionText::kExplanations[static_cast<int>(convention.kind)]);
     return text.replace("%4", misreadUnitText(convention))
         .replace("%3", symbolText(channel))
         .replace("%2", (convention.amount < 0.0 ? "− " : "+ ") + numberText(std::abs(convention.amount)) + unit)

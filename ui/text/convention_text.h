@@ -12,9 +12,6 @@
 namespace slidercrank
 {
 
-/// Returns the name of a convention: "angle unit".
-QString conventionName(const Convention &convention);
-
 /// Explains a convention: "theta3: in radians, but read as degrees."
 QString explanationText(const Convention &convention);
 

@@ -209,7 +209,7 @@ private slots:
         const Result result = resultWith({compared(Verdict::Agrees)}, reference);
         for (const Page &page : {errorPage(result, nullptr), referencePage(result, nullptr)}) {
             QCOMPARE(page.findings.back().remedy, Remedy::ReadAsPrinted);
-            QVERIFY(page.findings.back().sentence.contains("time shift"));
+            QVERIFY(page.findings.back().sentence.contains("are shifted"));
         }
     }
 
