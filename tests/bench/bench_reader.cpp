@@ -6,58 +6,25 @@
 // `bench_reader --write FILE` writes the bytes to a file, to measure the whole program with it.
 
 #include "core/import/reference_data.h"
-#include "core/sampling/trajectory.h"
+#include "tests/support/printed_motion.h"
 
 #include <benchmark/benchmark.h>
 
-#include <array>
 #include <charconv>
 #include <cstddef>
 #include <cstdio>
-#include <cstdlib>
 #include <string>
-#include <vector>
 
 using namespace slidercrank;
 
 namespace
 {
 
-constexpr std::size_t kRows = 1'000'000;
-
-/// Appends a number with six significant digits, padded with zeros to six decimals.
-void append(std::string &text, double value)
-{
-    std::array<char, 64> cell;
-    std::snprintf(cell.data(), cell.size(), "%.6g", value);
-    const double rounded = std::strtod(cell.data(), nullptr);
-    const int length = std::snprintf(cell.data(), cell.size(), "%.6f", rounded);
-    text.append(cell.data(), static_cast<std::size_t>(length));
-}
-
 const std::string &largeFile()
 {
-    static const std::string text = [] {
-        std::vector<double> time(kRows);
-        for (std::size_t i = 0; i < kRows; ++i) {
-            time[i] = static_cast<double>(i) * 1e-6;
-        }
-        const Trajectory motion = sample(Mechanism(Parameters()), time, plottedChannels(), {});
-        std::string rows = "time";
-        for (const Channel channel : kPlottedChannels) {
-            rows += ',' + std::string(nameOf(channel));
-        }
-        rows += '\n';
-        for (std::size_t i = 0; i < kRows; ++i) {
-            append(rows, time[i]);
-            for (const Channel channel : kPlottedChannels) {
-                rows += ',';
-                append(rows, motion[channel][i]);
-            }
-            rows += '\n';
-        }
-        return rows;
-    }();
+    static const std::string text =
+        printedMotion(Parameters(), {.to = 0.999999, .rows = 1'000'000, .format = "%.6f", .timeFormat = "%.6f"},
+                      [](int, std::size_t) { return false; });
     return text;
 }
 

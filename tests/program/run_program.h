@@ -4,6 +4,7 @@
 // Runs commands in the process of the test or in a separate process, and reads their output.
 
 #include "app/command_line.h"
+#include "tests/support/files.h"
 #include "tests/support/waiting.h"
 
 #include <QBuffer>
@@ -18,9 +19,6 @@
 
 namespace slidercrank
 {
-
-/// A file from a simulation of the default mechanism with b = 60 mm.
-inline const QString kSample = QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv");
 
 /// The exit status and the output of a command.
 struct RunResult {
@@ -80,12 +78,6 @@ inline RunResult start(const QStringList &arguments, const QByteArray &input = {
     process.write(input);
     process.closeWriteChannel();
     return resultOf(process);
-}
-
-inline QByteArray contentOf(const QString &path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
 /// A table in CSV.

@@ -51,8 +51,6 @@ using namespace slidercrank;
 namespace
 {
 
-const QString kSample = QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv"); // b = 60 mm
-
 Parameters withCoupler(double b)
 {
     Parameters parameters;
@@ -171,7 +169,8 @@ private slots:
         letTimePassIn(*m_window);
         QVERIFY(cancel->isVisible());
         m_window->exports().writeData(m_folder->filePath(QStringLiteral("other.csv")), plottedChannels());
-        QVERIFY2(messageText(*m_messages).contains(QStringLiteral("still being written")), qPrintable(messageText(*m_messages)));
+        QVERIFY2(messageText(*m_messages).contains(QStringLiteral("still being written")),
+                 qPrintable(messageText(*m_messages)));
         QTest::mouseClick(cancel, Qt::LeftButton);
         AWAIT(!cancel->isVisible());
         QVERIFY2(messageText(*m_messages).contains(QStringLiteral("Cancelled")), qPrintable(messageText(*m_messages)));
@@ -214,7 +213,8 @@ private slots:
         }
         const QString path = m_folder->filePath(QStringLiteral("report.pdf"));
         m_window->exports().writeReport(path);
-        AWAIT2(messageText(*m_messages).startsWith(QStringLiteral("Exported to ")), qPrintable(messageText(*m_messages)));
+        AWAIT2(messageText(*m_messages).startsWith(QStringLiteral("Exported to ")),
+               qPrintable(messageText(*m_messages)));
         QVERIFY(contentOf(path).startsWith("%PDF"));
         if (!missingProgram({"pdftotext"}).isEmpty()) {
             QSKIP("pdftotext (poppler-utils) is missing: tests/run installs it.");
@@ -235,7 +235,8 @@ private slots:
         const QString path = m_folder->filePath(QStringLiteral("report.pdf"));
         m_window->exports().writeReport(path);
         session.setParameters(withCoupler(63.0));
-        AWAIT2(messageText(*m_messages).contains(QStringLiteral("Export it again")), qPrintable(messageText(*m_messages)));
+        AWAIT2(messageText(*m_messages).contains(QStringLiteral("Export it again")),
+               qPrintable(messageText(*m_messages)));
         QVERIFY(!QFile::exists(path));
     }
 
@@ -343,7 +344,8 @@ private slots:
         AWAIT(m_window->session().diagnosis());
         const QString path = m_folder->filePath(QStringLiteral("report.pdf"));
         m_window->exports().writeReport(path);
-        AWAIT2(messageText(*m_messages).startsWith(QStringLiteral("Exported to ")), qPrintable(messageText(*m_messages)));
+        AWAIT2(messageText(*m_messages).startsWith(QStringLiteral("Exported to ")),
+               qPrintable(messageText(*m_messages)));
         const QString checksum = QString::fromLatin1(outputOf(QStringLiteral("sha256sum"), {kSample}).left(64));
         QCOMPARE(checksum.size(), qsizetype(64));
         const QString rendered = m_folder->filePath(QStringLiteral("rendered.pdf"));
@@ -376,7 +378,8 @@ private slots:
             QVERIFY2(action, name);
             action->trigger();
             QCOMPARE(QGuiApplication::clipboard()->image().size(), size * 2);
-            QVERIFY2(messageText(*m_messages).contains(QStringLiteral("in the clipboard")), qPrintable(messageText(*m_messages)));
+            QVERIFY2(messageText(*m_messages).contains(QStringLiteral("in the clipboard")),
+                     qPrintable(messageText(*m_messages)));
         }
         QImage before;
         for (const QString &name : PlotGrid::plotNames()) {
@@ -404,7 +407,8 @@ private:
 
         const QString path = m_folder->filePath(QStringLiteral("motion.csv"));
         m_window->exports().writeData(path, allColumns ? allChannels() : plottedChannels());
-        AWAIT2(messageText(*m_messages).startsWith(QStringLiteral("Exported to ")), qPrintable(messageText(*m_messages)));
+        AWAIT2(messageText(*m_messages).startsWith(QStringLiteral("Exported to ")),
+               qPrintable(messageText(*m_messages)));
         QVERIFY(!contentOf(path).contains('\r'));
 
         QSignalSpy loaded(&session, &Session::referenceLoaded);

@@ -45,8 +45,6 @@ using namespace slidercrank;
 namespace
 {
 
-const QString kSample = QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv");
-
 /// Limits the size of files during its lifetime, as if the disk were full.
 class FileSizeLimit
 {
@@ -341,14 +339,15 @@ private:
         const auto plot = [&exports](const QString &name) {
             return [&exports, name](const QString &path) { exports.write(exports.plot(name), path); };
         };
-        return {{"scene", "x.json", {}, [this](const QString &path) { m_window->scene().saveTo(path); }},
-                {"figure as PNG", "x.png", {}, plot({})},
-                {"figure as SVG", "x.svg", {}, plot({})},
-                {"figure as PDF", "x.pdf", {}, plot({})},
-                {"mechanism", "x.pdf", {}, [&exports](const QString &path) { exports.write(exports.mechanism(), path); }},
-                {"plot", "x.png", {}, plot("plot_theta3")},
-                {"report", "x.pdf", {}, [&exports](const QString &path) { exports.writeReport(path); }},
-                {"data", "x.csv", {}, [&exports](const QString &path) { exports.writeData(path, plottedChannels()); }}};
+        return {
+            {"scene", "x.json", {}, [this](const QString &path) { m_window->scene().saveTo(path); }},
+            {"figure as PNG", "x.png", {}, plot({})},
+            {"figure as SVG", "x.svg", {}, plot({})},
+            {"figure as PDF", "x.pdf", {}, plot({})},
+            {"mechanism", "x.pdf", {}, [&exports](const QString &path) { exports.write(exports.mechanism(), path); }},
+            {"plot", "x.png", {}, plot("plot_theta3")},
+            {"report", "x.pdf", {}, [&exports](const QString &path) { exports.writeReport(path); }},
+            {"data", "x.csv", {}, [&exports](const QString &path) { exports.writeData(path, plottedChannels()); }}};
     }
 
     Outcome saveInWindow(const Save &save, const QString &path)

@@ -85,13 +85,14 @@ Deviation worstDeviation(const State &got, const ExactState<Real> &exact, double
         if (channel.order > last || (channel.order != Order::Position && exact.status != Status::Solved)) {
             continue;
         }
-        Deviation one{channel,          t, valueOf(got, channel), static_cast<double>(exact.values[index]), 0.0,
-                      tolerances[index]};
-        one.error = std::isfinite(one.got) ? static_cast<double>(abs(Real(one.got) - exact.values[index]))
-                                           : std::numeric_limits<double>::infinity();
-        if (one.ratio() > worstRatio) {
-            worstRatio = one.ratio();
-            worst = one;
+        Deviation deviation{channel,          t, valueOf(got, channel), static_cast<double>(exact.values[index]), 0.0,
+                            tolerances[index]};
+        deviation.error = std::isfinite(deviation.got)
+                              ? static_cast<double>(abs(Real(deviation.got) - exact.values[index]))
+                              : std::numeric_limits<double>::infinity();
+        if (deviation.ratio() > worstRatio) {
+            worstRatio = deviation.ratio();
+            worst = deviation;
         }
     }
     return worst;

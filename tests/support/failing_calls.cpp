@@ -25,7 +25,7 @@ constexpr std::size_t kLongestPath = 4096;
 char folder[kLongestPath];
 char mark[kLongestPath];
 bool kills = false;
-std::atomic<int> left = 0; ///< remaining calls up to and including the one that fails; 0: none fails
+std::atomic<int> remaining = 0; ///< calls up to and including the one that fails; 0: none fails
 std::atomic<bool> failed = false;
 
 void copy(char (&to)[kLongestPath], const char *from)
@@ -36,22 +36,22 @@ void copy(char (&to)[kLongestPath], const char *from)
 [[gnu::constructor]] void readEnvironment()
 {
     const char *where = std::getenv(slidercrank::kFailingFolder);
-    const char *which = std::getenv(slidercrank::kFailingCall);
+    const char *number = std::getenv(slidercrank::kFailingCall);
     const char *end = std::getenv(slidercrank::kFailingEnd);
-    if (where && which && end) {
+    if (where && number && end) {
         kills = std::strcmp(end, "kill") == 0;
         copy(mark, end);
-        failCall(where, std::atoi(which));
+        failCall(where, std::atoi(number));
     }
 }
 
 /// Counts a call that would change the file at this path. Returns whether the call must fail.
 bool fails(const char *path)
 {
-    if (left == 0 || std::strncmp(path, folder, std::strlen(folder)) != 0) {
+    if (remaining == 0 || std::strncmp(path, folder, std::strlen(folder)) != 0) {
         return false;
     }
-    if (--left != 0) {
+    if (--remaining != 0) {
         return false;
     }
     failed = true;
@@ -67,7 +67,7 @@ bool fails(const char *path)
 bool fails(int descriptor)
 {
     struct stat status = {};
-    if (left == 0 || fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) {
+    if (remaining == 0 || fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) {
         return false;
     }
     char link[64];
@@ -105,12 +105,12 @@ mode_t modeOf(int flags, va_list arguments)
 // NOLINTBEGIN: the C library defines these names and arguments
 extern "C" {
 
-void failCall(const char *where, int which)
+void failCall(const char *where, int number)
 {
-    left = 0;
+    remaining = 0;
     copy(folder, where);
     failed = false;
-    left = which;
+    remaining = number;
 }
 
 bool hasFailed()

@@ -17,8 +17,8 @@ inline constexpr char kFailingEnd[] = "SLIDERCRANK_FAILING_END";
 } // namespace slidercrank
 
 extern "C" {
-/// Makes the call with number `which` fail, counted from now on. With 0, no call fails.
-void failCall(const char *folder, int which);
+/// Makes call `number` fail, counted from now on. With 0, no call fails.
+void failCall(const char *folder, int number);
 /// Returns whether the selected call has failed.
 bool hasFailed();
 }

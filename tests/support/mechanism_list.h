@@ -44,8 +44,8 @@ inline std::vector<NamedMechanism> difficultRockers()
 inline std::vector<NamedMechanism> mechanismList(int random, std::uint64_t seed = 1)
 {
     std::vector<NamedMechanism> list;
-    for (const Case &which : allCases()) {
-        list.push_back({std::string(which.name), which.parameters});
+    for (const Case &namedCase : allCases()) {
+        list.push_back({std::string(namedCase.name), namedCase.parameters});
     }
     for (const NamedMechanism &rocker : difficultRockers()) {
         list.push_back(rocker);

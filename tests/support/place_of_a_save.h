@@ -4,6 +4,8 @@
 // A folder with an older file at the path to be saved. Checks that after saving it contains either the complete older
 // file or the complete new file, and nothing else.
 
+#include "tests/support/files.h"
+
 #include <QByteArray>
 #include <QDir>
 #include <QFile>
@@ -28,12 +30,6 @@ struct Save {
     QStringList arguments = {};                             ///< arguments of the program, without --output
     std::function<void(const QString &path)> inWindow = {}; ///< saves by the window, which reports in its message bar
 };
-
-inline QByteArray contentOf(const QString &path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
 
 /// Returns whether the file is complete according to its format. `lines` is the expected number of lines of a table.
 inline bool isWhole(const QString &path, qsizetype lines)
