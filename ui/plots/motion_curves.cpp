@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plots/motion_curves.h"
 
+#include "core/closed_form/closed_form.h"
 #include "core/mechanism/turn.h"
 
 #include <algorithm>
@@ -67,8 +68,15 @@ double MotionCurves::nearestTime(double t) const
 double MotionCurves::value(std::size_t channel, double time) const
 {
     const Channel plotted = kPlottedChannels[channel];
-    return isExact() ? sample(m_mechanism, {time}, plottedChannels(), {})[plotted].front()
-                     : (*m_samples)[plotted][nearestIndex(m_samples->time, time)];
+    if (!isExact()) {
+        return (*m_samples)[plotted][nearestIndex(m_samples->time, time)];
+    }
+    double value = kNoValue;
+    Status status = Status::Solved;
+    PlottedColumns columns{};
+    columns[channel] = &value;
+    ClosedForm(m_mechanism).evaluate({&time, 1}, columns, {&status, 1}); // faster than sample() for a single time
+    return toFileUnit(plotted, value);
 }
 
 /// Returns the samples and the critical points between them, with a gap beyond each limit of the motion.
