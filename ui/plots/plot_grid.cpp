@@ -197,6 +197,7 @@ void PlotGrid::refresh()
 std::vector<PlotPane::Cursor> PlotGrid::cursors(std::size_t plot)
 {
     constexpr int kDigits = 4;
+    constexpr double kRoundingError = 1e-9; // of the axis
     const QCPAxis &timeAxis = axis(plot, QCPAxis::atBottom);
     const QCPAxis &valueAxis = axis(plot, QCPAxis::atLeft);
     const QPoint corner = m_panes[plot]->pos();
@@ -214,7 +215,11 @@ std::vector<PlotPane::Cursor> PlotGrid::cursors(std::size_t plot)
         for (const PlotReading &reading : readings(plot, read)) {
             const QPointF place(timeAxis.coordToPixel(read.t), valueAxis.coordToPixel(reading.value));
             if (QRectF(axes(plot)).adjusted(-1.0, -1.0, 1.0, 1.0).contains(place)) {
-                cursor.labels.push_back({shortNumber(reading.number, kDigits), colours.*reading.ink, place - corner});
+                // On a linear axis, a value that is far below a pixel is the rounding error of zero.
+                const bool isZero = reading.value == reading.number &&
+                                    std::abs(reading.number) < kRoundingError * valueAxis.range().size();
+                cursor.labels.push_back(
+                    {shortNumber(isZero ? 0.0 : reading.number, kDigits), colours.*reading.ink, place - corner});
             }
         }
         cursors.push_back(cursor);

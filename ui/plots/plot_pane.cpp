@@ -35,6 +35,13 @@ void PlotPane::setCursors(std::vector<Cursor> cursors, const QRect &axes)
     QRectF painted;
     for (Cursor &cursor : m_cursors) {
         placeLabels(cursor);
+        for (Label &covered : m_cursors.front().labels) {
+            const auto covers = [&](const Label &label) { return label.place.intersects(covered.place); };
+            if (&cursor != &m_cursors.front() && std::ranges::any_of(cursor.labels, covers)) {
+                covered.text.clear(); // only the dot remains
+                covered.place = QRectF();
+            }
+        }
         painted |= QRectF(cursor.x, m_axes.top(), 1.0, m_axes.height());
         for (const Label &label : cursor.labels) {
             painted |= label.place;
