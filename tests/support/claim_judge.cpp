@@ -92,6 +92,9 @@ std::string falseConvention(const Claim &claim)
         if (isOrigin && claim.found.outcome == Outcome::Approximate) {
             return "an origin of an approximate mechanism";
         }
+        if (isOrigin && isAngle(channels.front().coordinate) && std::abs(std::remainder(amount, 360.0)) > 179.995) {
+            return "an origin that is a half turn";
+        }
         const bool mayBeFitted = claim.found.outcome == Outcome::Nearest || claim.file.mayBeApproximate;
         count += kind != WholeTurns && kind != NotDerivative && !(isOrigin && mayBeFitted);
         for (const ClaimColumn &column : claim.file.columns) {
