@@ -50,8 +50,8 @@ QString readout(std::optional<double> value, const QString &unit = {})
     if (value && std::isinf(*value)) {
         return QStringLiteral("∞");
     }
-    const QString text = shortNumber(value, kReadoutDigits);
-    return value && !unit.isEmpty() ? text + u' ' + unit : text;
+    const QString space = unit.isEmpty() || unit == u"°" ? QString() : " ";
+    return shortNumber(value, kReadoutDigits) + (value ? space + unit : QString());
 }
 
 TableCell numberCell(std::optional<double> value, const QString &unit, const QString &explanation)

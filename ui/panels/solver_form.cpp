@@ -12,9 +12,9 @@
 
 #include <QComboBox>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
+#include <QVBoxLayout>
 
 namespace slidercrank
 {
@@ -91,6 +91,7 @@ SolverForm::SolverForm(Session *session, QWidget *parent)
     named("solverForm", this, tr("Settings and outcome"));
     auto *form = new QFormLayout;
     form->setVerticalSpacing(4);
+    form->setFieldGrowthPolicy(QFormLayout::FieldsStayAtSizeHint);
     form->setRowWrapPolicy(QFormLayout::WrapLongRows); // on small screens
     auto *method = addField(form, "methodBox", tr("Method"), new QComboBox, tr("How the curves are computed"));
     method->addItems({tr("Newton-Raphson"), tr("closed form, exact")}); // in the order of Method
@@ -111,15 +112,12 @@ SolverForm::SolverForm(Session *session, QWidget *parent)
 
     auto *outcome = named("outcomeLabel", plainText());
     auto *warnings = named("warningLabel", plainText());
-    auto *texts = new QVBoxLayout;
-    texts->addWidget(outcome);
-    texts->addWidget(warnings);
-    texts->addStretch(1);
-    auto *columns = new QHBoxLayout(this);
-    columns->setContentsMargins(4, 0, 0, 0);
-    columns->setSpacing(20);
-    columns->addLayout(form);
-    columns->addLayout(texts, 1);
+    auto *rows = new QVBoxLayout(this);
+    rows->setContentsMargins(4, 0, 0, 0);
+    rows->addLayout(form);
+    rows->addWidget(outcome);
+    rows->addWidget(warnings);
+    rows->addStretch(1);
 
     const auto show = [=] {
         const auto &[shownMethod, newton] = session->solver();

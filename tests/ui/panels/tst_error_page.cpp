@@ -110,7 +110,7 @@ private slots:
                                   compared(Verdict::Close, 14.2345, {R4x, Order::Velocity}), missing, zeros}),
                       nullptr);
         QCOMPARE(rowTexts(page.tables.at(0)),
-                 (QStringList{"θ³ coupler angle|✓ agrees|0.001235 °|0.006173|0.5",
+                 (QStringList{"θ³ coupler angle|✓ agrees|0.001235°|0.006173|0.5",
                               "v⁴ slider velocity|≈ close|14.23 mm/s|71.17|0.5", "θ³ coupler angle|✗ differs|–|–|–",
                               "Rₓ⁴ slider position|✗ differs|1.000 mm|5.000|0.5"}));
         const std::vector<TableRow> &rows = page.tables[0].rows;
@@ -241,7 +241,7 @@ private slots:
         QCOMPARE(page.tone, Tone::Normal);
         QCOMPARE(page.tables[0].rows.size(), 6u);
         // At θ₂ = 270°, where the offset counts most: asin(45/65) − asin(45/80).
-        QCOMPARE(page.tables[0].rows[0].cells[1].text, "9.584 °");
+        QCOMPARE(page.tables[0].rows[0].cells[1].text, "9.584°");
         QVERIFY(std::abs(page.tables[0].rows[0].time.value() - 0.75) < 1e-6);
         page = pin(40.0);
         QVERIFY(page.sentence.contains("cannot be assembled"));
