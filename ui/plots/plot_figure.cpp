@@ -105,6 +105,7 @@ void PlotFigure::setPlots(const std::vector<std::size_t> &plots, const PlotFonts
     for (const std::size_t index : plots) {
         Plot &plot = m_plots[index];
         plot.axes = new QCPAxisRect(this);
+        plot.axes->setMinimumSize(50, 20); // low enough for the legend to keep its height in a small window
         plot.axes->setMarginGroup(QCP::msLeft | QCP::msRight, m_margins);
         plot.axes->setMargins(QMargins(0, lineHeight(fonts.title) + kLabelGap, 0, line));
         plot.axes->setAutoMargins(QCP::msLeft | QCP::msRight);
