@@ -26,7 +26,7 @@ void inParallel(std::size_t count, const Work &work, bool worthIt = true)
             work(i);
         }
     };
-    const std::size_t threads = worthIt ? std::max(1U, std::thread::hardware_concurrency()) : 1;
+    const std::size_t threads = worthIt && count > 1 ? std::max(1U, std::thread::hardware_concurrency()) : 1;
     std::vector<std::future<void>> others; // their destructors wait for the threads, also after an exception
     try {
         for (std::size_t i = 1; i < std::min(threads, count); ++i) {
