@@ -3,12 +3,9 @@
 
 #include "core/identification/interpretation.h"
 #include "core/identification/least_squares.h"
-#include "core/mechanism/turn.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
 
 namespace slidercrank
 {
@@ -21,27 +18,6 @@ constexpr double kLargestNoisePart = 0.15;   // of the spread
 
 /// The largest deviation of a mechanism that explains a file approximately, relative to a column's range.
 constexpr double kLargestSystematicPart = 0.01;
-
-constexpr Eigen::Index kHarmonics = 8;
-
-/// The autocorrelation at `lag`, in standard deviations of that of independent values. `rows` are the row numbers of
-/// the values, `stride` apart; pairs across a gap are skipped. If `rows` is empty, there are no gaps.
-double correlation(const std::vector<double> &values, std::size_t lag, const std::vector<std::size_t> &rows = {},
-                   std::size_t stride = 1)
-{
-    double squares = 0.0;
-    double products = 0.0;
-    double pairs = 0.0;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        squares += values[i] * values[i];
-        if (i >= lag && (rows.empty() || rows[i] - rows[i - lag] == lag * stride)) {
-            products += values[i] * values[i - lag];
-            pairs += 1.0;
-        }
-    }
-    return squares > 0.0 && pairs > 0.0 ? products / squares * static_cast<double>(values.size()) / std::sqrt(pairs)
-                                        : 0.0;
-}
 
 /// The mean fourth power divided by the squared mean square: 3 for normally distributed values.
 double kurtosis(const std::vector<double> &values)
@@ -56,45 +32,18 @@ double kurtosis(const std::vector<double> &values)
 }
 
 /// Whether the values, in the order of time, look like independent noise of one distribution: tests the sum of eight
-/// squared autocorrelations (Ljung-Box), the first autocorrelation, and the kurtosis, which single bad readings raise.
-bool isWhiteInTime(const std::vector<double> &values, const std::vector<std::size_t> &rows)
+/// squared autocorrelations (Ljung-Box), and the kurtosis, which single bad readings raise.
+bool isWhite(const std::vector<double> &values)
 {
     constexpr std::size_t kLags = 8;
     constexpr double kLargestSum = 30.0; // 99.98 % point of chi-square with 8 degrees of freedom
-    constexpr double kSigmas = 3.7;
     constexpr double kLargestKurtosis = 9.0;
-    std::size_t stride = std::numeric_limits<std::size_t>::max();
-    for (std::size_t i = 1; i < rows.size(); ++i) {
-        stride = std::min(stride, rows[i] - rows[i - 1]);
-    }
     double sum = 0.0;
     for (std::size_t lag = 1; lag <= std::min(kLags, values.size() / 5); ++lag) {
-        const double deviations = correlation(values, lag, rows, stride);
+        const double deviations = autocorrelation(values, lag);
         sum += deviations * deviations;
-        if (lag == 1 && std::abs(deviations) > kSigmas) {
-            return false;
-        }
     }
     return sum <= kLargestSum && kurtosis(values) <= kLargestKurtosis;
-}
-
-/// Whether the values, in the order of the crank angle, are not correlated with their neighbours and are no function of
-/// the angle.
-bool isWhiteInAngle(const std::vector<double> &values, const std::vector<double> &angles)
-{
-    constexpr double kSigmas = 3.7;
-    constexpr double kDegreesOfFreedom = 2.0 * kHarmonics + 1.0;
-    std::vector<std::size_t> order(values.size());
-    std::iota(order.begin(), order.end(), 0U);
-    std::ranges::sort(order, {}, [&](std::size_t i) { return wrapToPi(angles[i]); });
-    std::vector<double> sorted;
-    for (const std::size_t i : order) {
-        sorted.push_back(values[i]);
-    }
-    const auto n = static_cast<double>(values.size());
-    const double explained = n * explainedPart(harmonicBasis(angles, kHarmonics), values, 0.0);
-    return correlation(sorted, 1) <= kSigmas &&
-           explained <= kDegreesOfFreedom + 4.0 * std::sqrt(2.0 * kDegreesOfFreedom);
 }
 
 Residual judgeColumn(const Observations &data, const Fit &fit, std::size_t j)
@@ -107,14 +56,10 @@ Residual judgeColumn(const Observations &data, const Fit &fit, std::size_t j)
         return Residual::Rounding;
     }
     std::vector<double> values;
-    std::vector<double> angles;
-    std::vector<std::size_t> rows;
     double largest = 0.0;
     for (std::size_t i = 0; i < data.abscissa.size(); ++i) {
         if (const double residual = fit.residuals[j][i]; !std::isnan(residual)) {
             values.push_back(residual / std::sqrt(fit.variances[j][i]));
-            angles.push_back(crankAngle(data, hypothesis, i));
-            rows.push_back(data.rows[i]);
             largest = std::max(largest, std::abs(residual));
         }
     }
@@ -129,7 +74,7 @@ Residual judgeColumn(const Observations &data, const Fit &fit, std::size_t j)
         return Residual::Unexplained;
     }
     const bool isSmall = std::sqrt(fit.noiseVariances[j]) <= kLargestNoisePart * spread;
-    if (isSmall && isWhiteInTime(values, rows) && isWhiteInAngle(values, angles)) {
+    if (isSmall && isWhite(values)) {
         return Residual::White;
     }
     return largest <= kLargestSystematicPart * range ? Residual::Systematic : Residual::Unexplained;
@@ -145,6 +90,7 @@ double Candidate::pricedScore() const
 
 bool isLikeDifferences(const Observations &data, const Hypothesis &hypothesis, std::size_t column)
 {
+    constexpr Eigen::Index kHarmonics = 8;
     constexpr double kLargestPart = 0.03;        // of the spread
     constexpr double kLargestHarmonicPart = 0.6; // smoothed differences have systematic errors, too
     constexpr double kSmooth = 0.92;             // correlation of neighbouring rows of a smooth signal
@@ -166,8 +112,8 @@ bool isLikeDifferences(const Observations &data, const Hypothesis &hypothesis, s
     }
     const double largest = std::min(kLargestHarmonicPart + (2.0 * kHarmonics + 1.0) / count, 0.95);
     return data.columns[column].channel.order != Order::Position &&
-           explainedPart(harmonicBasis(angles, kHarmonics), residuals, 0.0) <= largest &&
-           correlation(residuals, 1) <= kSmooth * std::sqrt(count);
+           fitLinear(harmonicBasis(angles, kHarmonics), residuals).explained <= largest &&
+           autocorrelation(residuals, 1) <= kSmooth * std::sqrt(count);
 }
 
 Candidate judgedCandidate(const Observations &data, Fit fit)

@@ -52,23 +52,17 @@ void turn(ReferenceSeries &series)
     }
 }
 
-/// Changes the crank angles of a file by crank angle, and its time stamps with them.
-void applyToAngles(const Convention &convention, ReferenceData &data)
+/// Changes the angles of a file by crank angle. timedBy() computes the time stamps from them.
+void applyToAngles(const Convention &convention, CrankAngles &crank)
 {
-    CrankAngles &crank = *data.crank;
+    const bool isShift = convention.kind == Kind::ZeroPoint;
     for (double &angle : crank.degrees) {
-        angle = convention.kind == Kind::ZeroPoint ? angle + convention.amount : angle * convention.amount;
+        angle = isShift ? angle + convention.amount : angle * convention.amount;
     }
-    if (convention.kind == Kind::ZeroPoint) {
+    if (isShift) {
         crank.rounding = crank.rounding.withDecimalsAt(rangeOf(crank.degrees).size());
     } else {
         crank.rounding.unitFactor *= std::abs(convention.amount);
-    }
-    Parameters drive;
-    drive.omega2 = crank.omega2;
-    drive.theta20 = crank.theta20;
-    if (std::optional<ReferenceData> timed = timedBy(Mechanism(drive), data)) {
-        data = *std::move(timed);
     }
 }
 
@@ -126,8 +120,8 @@ std::optional<Convention> axisAlongY(const ReferenceData &data, bool withAngles)
 
 ReferenceData applied(const Convention &convention, ReferenceData data)
 {
-    if (data.crank && concerns(convention, {Theta2, Order::Position})) {
-        applyToAngles(convention, data);
+    if (data.crank && concerns(convention, kCrankAngle)) {
+        applyToAngles(convention, *data.crank);
     }
     for (ReferenceSeries &series : data.series) {
         if (!concerns(convention, series.channel)) {

@@ -85,7 +85,7 @@ struct Convention {
 /// The exchange of axes if the slider moves along y and not along x, with or without the angles; nullopt otherwise.
 std::optional<Convention> axisAlongY(const ReferenceData &data, bool withAngles);
 
-/// Applies a convention to the data. Branch changes nothing.
+/// Applies a convention to the data. Branch changes nothing. Crank angles are changed without their time stamps.
 ReferenceData applied(const Convention &convention, ReferenceData data);
 
 /// A convention that was found in a file.

@@ -2,13 +2,16 @@
 #include "core/identification/crank_speed.h"
 
 #include "core/identification/least_squares.h"
+#include "core/import/crank_angles.h"
 #include "core/mechanism/turn.h"
+
+#include <boost/math/tools/minima.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <span>
-#include <utility>
 
 namespace slidercrank
 {
@@ -34,7 +37,7 @@ double harmonicMisfit(const Observations &data, double omega)
     double sum = 0.0;
     for (const ObservedColumn &column : data.columns) {
         if (tellsShape(column)) {
-            const double unexplained = 1.0 - explainedPart(basis, column.values, column.mean);
+            const double unexplained = 1.0 - fitLinear(basis, column.values, column.mean).explained;
             sum += column.count * std::log(unexplained + kLeastPart);
         }
     }
@@ -60,68 +63,40 @@ double meanCrossings(const Observations &data)
     return most;
 }
 
-/// θ2 by time, continued by whole turns so that its speed is near `speed`; unchanged if that is 0.
-std::vector<Point> crankAngleByTime(const Observations &data, double speed)
-{
-    std::vector<Point> points;
-    const ObservedColumn *const column = findColumn(data, {Theta2, Order::Position});
-    for (std::size_t i = 0; column && i < data.abscissa.size(); ++i) {
-        Point point{data.abscissa[i], column->values[i]};
-        if (std::isnan(point.y)) {
-            continue;
-        }
-        if (!points.empty() && speed != 0.0) {
-            const double expected = points.back().y + speed * (point.t - points.back().t);
-            point.y += kTurn * std::round((expected - point.y) / kTurn);
-        }
-        points.push_back(point);
-    }
-    return points;
-}
-
 /// The mean speed of the crank by θ2 or its derivative; 0 if the file has neither.
 double givenCrankSpeed(const Observations &data)
 {
-    const ObservedColumn *const speedColumn = findColumn(data, {Theta2, Order::Velocity});
-    const double speed = speedColumn ? speedColumn->mean : 0.0;
-    const std::vector<Point> points = crankAngleByTime(data, speed);
-    return points.size() < 2 ? speed : fitPolynomial(points, 0.0, 2).coefficients[1];
+    if (const ObservedColumn *const angle = findColumn(data, kCrankAngle)) {
+        return fitLinear(powerBasis(data.abscissa, 2), angle->values).coefficients[1];
+    }
+    const ObservedColumn *const speed = findColumn(data, {Theta2, Order::Velocity});
+    return speed ? speed->mean : 0.0;
 }
 
-/// The lowest minima of the periodogram, refined by bisection, from the lowest.
+/// The lowest minima of the periodogram, from the lowest.
 std::vector<double> periodogramMinima(const Observations &data, double low, double high, double step)
 {
     constexpr std::size_t kMost = 4;
-    constexpr double kFinest = 0.02; // of a step
-    std::vector<double> speeds;
+    constexpr int kBits = 12; // accuracy of a speed
+    const auto misfitAt = [&](double speed) { return harmonicMisfit(data, speed); };
     std::vector<double> misfits;
     for (double speed = low; speed < high + step; speed += step) {
-        speeds.push_back(speed);
-        misfits.push_back(harmonicMisfit(data, speed));
+        misfits.push_back(misfitAt(speed));
     }
-    std::vector<std::pair<double, double>> minima;
-    for (std::size_t i = 0; i < speeds.size(); ++i) {
-        if ((i > 0 && misfits[i] > misfits[i - 1]) || (i + 1 < speeds.size() && misfits[i] > misfits[i + 1])) {
-            continue;
+    std::map<double, double> minima; // speeds by misfit
+    for (std::size_t i = 0; i < misfits.size(); ++i) {
+        if ((i == 0 || misfits[i] <= misfits[i - 1]) && (i + 1 == misfits.size() || misfits[i] <= misfits[i + 1])) {
+            const double speed = low + static_cast<double>(i) * step;
+            const auto [refined, misfit] =
+                boost::math::tools::brent_find_minima(misfitAt, speed - step, speed + step, kBits);
+            minima.emplace(misfit, refined);
         }
-        double speed = speeds[i];
-        double misfit = misfits[i];
-        for (double half = 0.5 * step; half > kFinest * step; half *= 0.5) {
-            for (const double other : {speed - half, speed + half}) {
-                if (const double tried = harmonicMisfit(data, other); tried < misfit) {
-                    misfit = tried;
-                    speed = other;
-                    break;
-                }
-            }
-        }
-        minima.emplace_back(misfit, speed);
     }
-    std::ranges::sort(minima);
     std::vector<double> best;
-    for (std::size_t i = 0; i < std::min(minima.size(), kMost); ++i) {
-        best.push_back(minima[i].second);
+    for (const auto &[misfit, speed] : minima) {
+        best.push_back(speed);
     }
+    best.resize(std::min(best.size(), kMost));
     return best;
 }
 
@@ -164,44 +139,41 @@ SpeedCandidates speedCandidates(const Observations &data)
 
 std::optional<CrankSpeedChange> crankSpeedChange(const Observations &data)
 {
-    constexpr std::size_t kFewestRows = 8;
+    constexpr double kFewestRows = 8.0;
     constexpr double kErrors = 4.0;     // standard errors between two speeds that differ
     constexpr double kLeastPart = 5e-3; // of the speed: less may be an error of the file's integrator or filter
-    const double speed = data.isByCrankAngle ? 0.0 : givenCrankSpeed(data);
-    const std::vector<Point> points = speed == 0.0 ? std::vector<Point>() : crankAngleByTime(data, speed);
-    if (points.size() < kFewestRows) {
+    const ObservedColumn *const angle = findColumn(data, kCrankAngle);
+    if (!angle || angle->count < kFewestRows) {
         return std::nullopt;
     }
-    const ObservedColumn &column = *findColumn(data, {Theta2, Order::Position});
-    const double step = std::abs(speed) * data.printedStep + column.step;
-    const Eigen::VectorXd line = fitPolynomial(points, 0.0, 2).coefficients;
-    double squares = 0.0;
-    double products = 0.0;
-    double before = 0.0;
-    double largest = 0.0;
-    for (const Point &point : points) {
-        const double residual = point.y - line[0] - line[1] * point.t;
-        squares += residual * residual;
-        products += residual * before;
-        before = residual;
-        largest = std::max(largest, std::abs(residual));
+    const std::span<const double> times = data.abscissa;
+    const std::span<const double> angles = angle->values;
+    const Eigen::VectorXd line = fitLinear(powerBasis(times, 2), angles).coefficients;
+    std::vector<double> residuals;
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        if (!std::isnan(angles[i])) {
+            residuals.push_back(angles[i] - line[0] - line[1] * times[i]);
+        }
     }
-    const auto n = static_cast<double>(points.size());
-    if (largest <= 2.0 * step + 1e-4 || products <= 3.0 / std::sqrt(n) * squares) { // rounding, or white noise
+    if (autocorrelation(residuals, 1) <= 3.0) { // white noise
         return std::nullopt;
     }
-    const double interval = data.span() / (n - 1.0);
-    std::size_t rows = 4; // as few as determine the speed to 1 %, a tenth of all at most
-    while (static_cast<double>(rows) < n / 10.0 &&
-           4.0 * step / (std::pow(static_cast<double>(rows), 1.5) * interval) > 0.01 * std::abs(speed)) {
-        ++rows;
-    }
-    const std::span<const Point> all = points;
-    const Polynomial start = fitPolynomial(all.first(rows), all.front().t, 3);
-    const Polynomial end = fitPolynomial(all.last(rows), all.back().t, 3);
-    const CrankSpeedChange change{start.coefficients[1], end.coefficients[1]};
-    const double error = step / std::sqrt(12.0) * std::hypot(start.standardErrors[1], end.standardErrors[1]);
-    const double least = std::max(kErrors * error, kLeastPart * std::abs(speed));
+    // As few rows as determine the speed to about 1 %, a tenth of all at most.
+    const auto n = static_cast<double>(times.size());
+    const double speed = std::abs(line[1]);
+    const double step = speed * data.printedStep + angle->step;
+    const double enough = std::pow(400.0 * step * n / (speed * data.span()), 2.0 / 3.0);
+    const auto rows = static_cast<std::size_t>(std::max(4.0, std::min(enough, n / 10.0)));
+    const auto speedAt = [&](std::size_t first, double end) { // by a parabola
+        const Eigen::VectorXd coefficients =
+            fitLinear(powerBasis(times.subspan(first, rows), 3), angles.subspan(first, rows)).coefficients;
+        return coefficients[1] + 2.0 * coefficients[2] * end;
+    };
+    const CrankSpeedChange change{speedAt(0, times.front()), speedAt(times.size() - rows, times.back())};
+    // The slope at the end of a parabola through n values in a time T has a standard error of σ √(192/n) / T.
+    const double time = data.span() * static_cast<double>(rows) / n;
+    const double errorOfChange = step * std::sqrt(2.0 * 192.0 / 12.0 / static_cast<double>(rows)) / time;
+    const double least = std::max(kErrors * errorOfChange, kLeastPart * speed);
     return std::abs(change.atEnd - change.atStart) > least ? std::optional(change) : std::nullopt;
 }
 

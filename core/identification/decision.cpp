@@ -69,7 +69,8 @@ bool isParabolic(const Observations &data, const Fit &fit, const Eigen::MatrixXd
     constexpr double kErrors = 3.0;
     constexpr double kArithmetic = 1e-12;
     const double least = chiSquareOf(data, fit, fit.hypothesis);
-    const Eigen::VectorXd arithmetic = kArithmetic * fit.hypothesis.unknowns.cwiseAbs();
+    Eigen::VectorXd arithmetic = kArithmetic * fit.hypothesis.unknowns.cwiseAbs();
+    arithmetic[4] += kArithmetic * std::abs(fit.hypothesis.phaseRate(data)) * (data.span() + std::abs(data.origin));
     for (Eigen::Index k = 0; k < covariance.cols(); ++k) {
         const Eigen::VectorXd step = kErrors / std::sqrt(covariance(k, k)) * covariance.col(k);
         const bool isResolved = (step.cwiseAbs().array() > arithmetic.array()).any(); // by double precision
@@ -100,15 +101,7 @@ double aliasDistance(const Observations &data, double speed)
     if (data.isByCrankAngle || !positionsOnly) {
         return 0.0;
     }
-    constexpr double kOffGrid = 0.02;
-    const double interval = data.interval();
-    for (const double at : data.abscissa) {
-        const double steps = (at - data.abscissa.front()) / interval;
-        if (std::abs(steps - std::round(steps)) > kOffGrid + data.printedStep / interval) {
-            return 0.0;
-        }
-    }
-    const double difference = kTurn / interval;
+    const double difference = kTurn / data.interval();
     return std::abs(speed) * kFewestRowsPerTurn > difference ? difference : 0.0;
 }
 
@@ -159,7 +152,7 @@ Uncertainty computeUncertainty(const Observations &data, const Candidate &candid
     Uncertainty result;
     const Eigen::MatrixXd matrix = normalEquations(data, candidate).matrix;
     const Eigen::MatrixXd covariance = solveSymmetric(matrix, Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols()));
-    result.conditionNumber = conditionNumber(matrix, covariance);
+    result.conditionNumber = conditionNumber(matrix);
     const double count = candidate.valueCount;
     const double spare = std::max(count - candidate.freeCount, 0.0);
     const double information = -0.5 * (candidate.logVariance + count * std::log(kTurn * std::numbers::e));
@@ -214,69 +207,61 @@ void describePrecision(const Observations &data, const Decision &decision, Ident
 std::optional<Lack> findLack(const Observations &data)
 {
     constexpr double kFewestValues = 6.0;
-    constexpr std::ptrdiff_t kFewestRows = 4;
+    constexpr std::size_t kFewestRows = 4;
     double values = 0.0;
     bool moves = false;
-    std::vector<bool> hasValue(data.abscissa.size());
     for (const ObservedColumn &column : data.columns) {
         if (column.channel.coordinate != Theta2 && column.channel.coordinate != R4y) {
             values += column.count;
             moves = moves || column.spread > column.step;
-            for (std::size_t i = 0; i < hasValue.size(); ++i) {
-                hasValue[i] = hasValue[i] || !std::isnan(column.values[i]);
-            }
         }
     }
-    if (data.isEmpty()) {
-        return Lack::FewTimeStamps;
-    }
-    if (values < kFewestValues) {
+    if (!data.isEmpty() && values < kFewestValues) {
         return Lack::FewValues;
     }
-    return std::ranges::count(hasValue, true) < kFewestRows ? std::optional(Lack::FewTimeStamps)
-           : moves                                          ? std::nullopt
-                                                            : std::optional(Lack::NothingMoves);
+    return data.abscissa.size() < kFewestRows ? std::optional(Lack::FewTimeStamps)
+           : moves                            ? std::nullopt
+                                              : std::optional(Lack::NothingMoves);
 }
 
-Decision decideNearest(const Observations &data, std::span<const Candidate> candidates, const Parameters &given)
+Identification decideNearest(const Observations &data, std::span<const Candidate> candidates, const Parameters &given)
 {
     constexpr double kFarthest =
         0.45; // largest Candidate::distance: more than half of the variance has to be explained
-    Decision decision;
-    Identification &result = decision.identification;
+    Identification result;
     result.parameters = given;
-    result.claimNothing();
+    Candidate nearest;
     for (const Candidate &candidate : candidates) { // no column may deviate more than from a constant
         if (isAsWritten(data, candidate.hypothesis) && largestNoisePart(data, candidate) <= 1.0 &&
-            candidate.distance < std::min(kFarthest, decision.candidate.distance)) {
-            decision.candidate = candidate;
+            candidate.distance < std::min(kFarthest, nearest.distance) &&
+            !findFault(parametersOf(data, candidate.hypothesis))) {
+            nearest = candidate;
         }
     }
-    if (decision.candidate.exists()) {
-        std::vector<Image> images = remainingImages(data, decision.candidate);
-        chooseImageLike(given, decision.candidate, images);
+    if (nearest.exists()) {
+        std::vector<Image> images = remainingImages(data, nearest);
+        chooseImageLike(given, nearest, images);
         result.outcome = Outcome::Nearest;
-        result.iterations = decision.candidate.iterations;
-        result.parameters = foundParameters(data, decision.candidate, given);
+        result.iterations = nearest.iterations;
+        result.parameters = foundParameters(data, nearest, given);
     }
-    return decision;
+    return result;
 }
 
 Decision decide(const Observations &data, std::span<const Candidate> candidates, const Parameters &given)
 {
     constexpr double kLeastEvidence = 30.0; // nats
     constexpr double kLargestPart = 0.2;    // of a parameter's size, for its standard error
-    if (candidates.empty() || candidates.front().acceptance == Acceptance::Rejected) {
-        return decideNearest(data, candidates, given);
-    }
-    Decision decision{{}, candidates.front(), {}};
+    Decision decision;
     Identification &result = decision.identification;
-    Candidate &best = decision.candidate;
+    result.parameters = given;
+    if (candidates.empty() || candidates.front().acceptance == Acceptance::Rejected) {
+        return decision;
+    }
+    Candidate &best = decision.candidate = candidates.front();
     std::vector<Image> images = remainingImages(data, best);
     chooseImageLike(given, best, images);
     const Uncertainty &uncertainty = decision.uncertainty = computeUncertainty(data, best);
-    result.parameters = given;
-    result.claimNothing();
     result.iterations = best.iterations;
     result.conditionNumber = uncertainty.conditionNumber;
     const std::array<double, kParameterCount> sizes = comparisonSizes(middleParameters(best.hypothesis));
@@ -300,6 +285,10 @@ Decision decide(const Observations &data, std::span<const Candidate> candidates,
     if (result.outcome == Outcome::Identified) {
         addAlternatives(data, candidates.subspan(1), best, uncertainty, result);
     }
+    if (findFault(result.parameters)) {
+        return {};
+    }
+    std::erase_if(result.alternatives, [](const auto &other) { return findFault(other.parameters).has_value(); });
     return decision;
 }
 

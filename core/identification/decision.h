@@ -28,17 +28,17 @@ struct Uncertainty {
     bool isParabolic = true; ///< chi-square is a parabola within three standard errors, up to a factor of 2
 };
 
-/// The answer, and the hypothesis to which it belongs.
+/// The answer, and the candidate to which it belongs: that of the images that is most like the given mechanism.
 struct Decision {
     Identification identification;
-    Candidate candidate;     ///< the image most like the given mechanism; not a fit if no mechanism is near
-    Uncertainty uncertainty; ///< only if a mechanism is accepted
+    Candidate candidate;
+    Uncertainty uncertainty;
 };
 
 /// Chooses the nearest of the candidates that interpret the file as its headings say. The outcome is Nearest or None.
-Decision decideNearest(const Observations &data, std::span<const Candidate> candidates, const Parameters &given);
+Identification decideNearest(const Observations &data, std::span<const Candidate> candidates, const Parameters &given);
 
-/// Decides between candidates that are sorted from best to worst.
+/// Decides between candidates that are sorted from best to worst. The outcome is None if no candidate is accepted.
 Decision decide(const Observations &data, std::span<const Candidate> candidates, const Parameters &given);
 
 } // namespace slidercrank

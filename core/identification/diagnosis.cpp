@@ -70,36 +70,26 @@ bool isOfTwoMechanisms(const FileSearch &search, const Candidate &found, const P
                     {scale * p.a, scale * p.b, scale * std::abs(p.c), std::abs(p.omega2)});
 }
 
-/// Lists the columns that the fit does not use, with their deviations. `data`: after the conventions are applied to all
-/// columns.
-void nameLeftOut(const FileSearch &search, const Candidate &candidate, const ReferenceData &data, Identification &found)
-{
-    const std::vector<ChannelComparison> channels = compareTimed(found.parameters, data);
-    for (std::size_t j = 0; j < search.data.columns.size(); ++j) {
-        const auto channel = std::ranges::find(channels, search.data.columns[j].channel, &ChannelComparison::channel);
-        if (candidate.judgements[j] == Residual::NotUsed && channel != channels.end()) {
-            const double ofZeros = channel->maxAbs.value_or(0.0) > 0.0 ? 100.0 : 0.0; // percent of the motion's peak
-            found.leftOut.push_back({channel->channel, channel->percentOfPeak.value_or(ofZeros)});
-        }
-    }
-}
-
-/// Whether conventions convert numbers and do not only shift or leave out a column.
-bool convertNumbers(const std::vector<ConventionFinding> &conventions)
-{
-    return std::ranges::any_of(conventions, [](const ConventionFinding &finding) {
-        const Kind kind = finding.convention.kind;
-        return kind != Kind::ZeroPoint && kind != Kind::HalfTurn && kind != Kind::WholeTurns &&
-               kind != Kind::NotDerivative;
-    });
-}
-
-/// Compares the interpreted data with the mechanism found, its round numbers and the given mechanism.
-void compareInterpreted(const ReferenceData &data, const Parameters &given, const std::stop_token &stop,
-                        Diagnosis &result)
+/// Compares the data after the conventions are applied with the mechanism found, its round numbers and the given
+/// mechanism. Lists the columns that the fit does not use.
+void compareInterpreted(const ReferenceData &good, const FileSearch &search, const Candidate &candidate,
+                        const Parameters &given, const std::stop_token &stop, Diagnosis &result)
 {
     Identification &found = result.identification;
-    result.identified = compareTimed(found.parameters, data, stop);
+    std::vector<ConventionFinding> ofUsed = result.conventions;
+    std::erase_if(ofUsed, [](const ConventionFinding &one) { return one.convention.kind == Kind::NotDerivative; });
+    const ReferenceData data = allApplied(result.conventions, good);
+    for (ChannelComparison &channel : compareTimed(found.parameters, allApplied(ofUsed, good), stop)) {
+        const auto column = std::ranges::find(search.data.columns, channel.channel, &ObservedColumn::channel);
+        const auto j = static_cast<std::size_t>(column - search.data.columns.begin());
+        if (j < candidate.judgements.size() && candidate.judgements[j] == Residual::NotUsed) {
+            const double ofZeros = channel.maxAbs.value_or(0.0) > 0.0 ? 100.0 : 0.0; // percent of the motion's peak
+            found.leftOut.push_back({channel.channel, channel.percentOfPeak.value_or(ofZeros)});
+        }
+        if (data.find(channel.channel)) {
+            result.identified.push_back(std::move(channel));
+        }
+    }
     result.rounded =
         found.outcome == Outcome::Ambiguous ? found.parameters : inRoundNumbers(found, data, result.identified);
     if (!result.conventions.empty()) {
@@ -117,56 +107,26 @@ void compareInterpreted(const ReferenceData &data, const Parameters &given, cons
 bool interpret(const ReferenceData &data, const Observations &all, const FileSearch &search, const Parameters &given,
                const std::stop_token &stop, Diagnosis &result)
 {
-    constexpr double kLargestCondition = 1e5; // above this, different motions are nearly equal
-    Identification &found = result.identification;
     const Decision decision = decide(search.data, search.candidates, given);
-    found = decision.identification;
-    found.rejectImpossible(given);
-    result.rounded = found.parameters;
+    Identification &found = result.identification = decision.identification;
     if (!found.hasMechanism()) {
-        return found.outcome != Outcome::Nearest;
+        return found.outcome == Outcome::Insufficient;
     }
     result.conventions = findConventions(search.data, decision.candidate, decision.uncertainty);
-    if (convertNumbers(result.conventions) && found.conditionNumber > kLargestCondition) {
-        return false;
-    }
     const ReferenceData good = withoutExcluded(data, all, search.excluded);
     if (!found.onlyRatios) {
         std::ranges::copy(findFaultsOfWholeFile(good, given, found), std::back_inserter(result.conventions));
-    }
-    found.rejectImpossible(given);
-    if (!found.hasMechanism()) {
-        result.conventions.clear();
-        return true;
     }
     if (!measureFindings(good, found.parameters, result.conventions) ||
         isOfTwoMechanisms(search, decision.candidate, given, stop)) {
         return false;
     }
-    std::vector<ConventionFinding> ofUsed = result.conventions;
-    std::erase_if(ofUsed, [](const ConventionFinding &one) { return one.convention.kind == Kind::NotDerivative; });
-    nameLeftOut(search, decision.candidate, allApplied(ofUsed, good), found);
     for (const std::size_t row : search.excluded) {
         found.excludedRows.push_back(data.lineOfRow(row));
     }
     result.isSpeedOfDerivatives = all.isByCrankAngle && found.identifiable[indexOf(Parameter::Omega2)];
-    compareInterpreted(allApplied(result.conventions, good), given, stop, result);
+    compareInterpreted(good, search, decision.candidate, given, stop, result);
     return true;
-}
-
-/// Makes no claim. Reports the nearest mechanism that was fitted to the columns as their headings say, and its
-/// deviation.
-void keepNearest(const ReferenceData &data, const FileSearch &search, const Parameters &given,
-                 const std::stop_token &stop, Diagnosis &result)
-{
-    Identification &found = result.identification;
-    found = decideNearest(search.data, search.candidates, given).identification;
-    found.rejectImpossible(given);
-    result.conventions.clear();
-    result.rounded = found.parameters;
-    if (found.outcome == Outcome::Nearest) {
-        result.identified = compareTimed(found.parameters, data, stop);
-    }
 }
 
 /// Diagnoses one file without exchanging its axes.
@@ -175,7 +135,6 @@ Diagnosis diagnoseAxes(const ReferenceData &data, const Parameters &given, const
     Diagnosis result;
     Identification &found = result.identification;
     found.parameters = result.rounded = given;
-    found.claimNothing();
     result.agreesWithGiven = !data.series.empty() && !differs(compareTimed(given, data, stop));
     const Observations all = observe(data);
     if (const std::optional<Identification::Lack> lack = findLack(all)) {
@@ -185,8 +144,13 @@ Diagnosis diagnoseAxes(const ReferenceData &data, const Parameters &given, const
     }
     result.unevenCrank = crankSpeedChange(all);
     const FileSearch search = searchFile(all, given, stop);
-    if (!interpret(data, all, search, given, stop, result)) {
-        keepNearest(data, search, given, stop, result);
+    if (!interpret(data, all, search, given, stop, result)) { // makes no claim
+        result.conventions.clear();
+        found = decideNearest(search.data, search.candidates, given);
+        result.rounded = found.parameters;
+        if (found.outcome == Outcome::Nearest) {
+            result.identified = compareTimed(found.parameters, data, stop);
+        }
     }
     found.stopped = stop.stop_requested();
     return result;

@@ -41,7 +41,7 @@ struct Diagnosis {
     Parameters rounded; ///< Identified: in round numbers, as inRoundNumbers(); else identification.parameters
 
     /// The parameter that explains at least 99 % of the difference to the given mechanism. Set only if the file differs
-    /// from it, a mechanism explains the file, and no length becomes more than a hundred times another one.
+    /// from it and a mechanism explains the file.
     std::optional<ParameterChange> change;
 
     /// The file has no unit of length, and the crank is shorter than 1 mm.

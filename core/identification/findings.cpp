@@ -199,8 +199,7 @@ bool measureFindings(const ReferenceData &data, const Parameters &found, std::ve
 std::optional<ParameterChange> findParameterChange(const ReferenceData &data, const Parameters &given,
                                                    const Parameters &found)
 {
-    constexpr double kNearlyAll = 0.99;  // of the squares: a tenth of the error remains
-    constexpr double kMostRatio = 100.0; // between the lengths of a realistic mechanism
+    constexpr double kNearlyAll = 0.99; // of the squares: a tenth of the error remains
     const ReferenceData some = thinnedData(data, kFewRows);
     const auto squaresOf = [&](const Parameters &p) {
         double sum = 0.0;
@@ -218,8 +217,7 @@ std::optional<ParameterChange> findParameterChange(const ReferenceData &data, co
         valueOf(changed, parameter) = parameter == Parameter::Theta20
                                           ? given.theta20 + std::remainder(found.theta20 - given.theta20, kTurn)
                                           : valueOf(found, parameter);
-        const auto [shorter, longer] = std::minmax(changed.a, changed.b);
-        if (findFault(changed) || longer > kMostRatio * shorter || std::abs(changed.c) > kMostRatio * longer) {
+        if (findFault(changed)) {
             continue;
         }
         const double explained = before > 0.0 ? 1.0 - squaresOf(changed) / before : 0.0;
@@ -239,19 +237,12 @@ ReferenceData thinnedData(const ReferenceData &data, std::size_t count)
     some.timeRounding = data.timeRounding;
     some.crank = data.crank;
     const std::vector<std::size_t> rows = spreadRows(data.time.size(), count);
-    const auto thin = [&](const std::vector<double> &values) {
-        std::vector<double> result;
-        for (const std::size_t row : rows) {
-            result.push_back(values[row]);
-        }
-        return result;
-    };
-    some.time = thin(data.time);
+    some.time = valuesAt(data.time, rows);
     if (some.crank) {
-        some.crank->degrees = thin(data.crank->degrees);
+        some.crank->degrees = valuesAt(data.crank->degrees, rows);
     }
     for (const ReferenceSeries &series : data.series) {
-        some.series.push_back({series.channel, thin(series.values), series.rounding});
+        some.series.push_back({series.channel, valuesAt(series.values, rows), series.rounding});
     }
     return some;
 }

@@ -41,7 +41,7 @@ struct Identification {
 
     /// Standard errors by indexOf(Parameter). NaN for parameters that are not identifiable (but see onlyRatios), and
     /// unless the outcome is Identified or Ambiguous.
-    std::array<double, kParameterCount> standardError{};
+    std::array<double, kParameterCount> standardError{kNone, kNone, kNone, kNone, kNone};
 
     /// Whether the file determines the parameter. All false unless hasMechanism().
     std::array<bool, kParameterCount> identifiable{};
@@ -95,12 +95,6 @@ struct Identification {
 
     int iterations = 0;           ///< of Levenberg-Marquardt, from the start that led here
     double conditionNumber = 0.0; ///< of the weighted Jacobian, columns scaled to length 1, identifiable parameters
-
-    /// Removes everything that is known about the parameters, except their values.
-    void claimNothing();
-
-    /// Becomes None with the given parameters if a parameter is outside the limits of a mechanism.
-    void rejectImpossible(const Parameters &given);
 };
 
 } // namespace slidercrank

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -143,29 +142,26 @@ std::optional<Hypothesis> continued(const Observations &data, Hypothesis hypothe
     constexpr int kRounds = 3;
     constexpr double kLargestTurn = 1.5; // rad: largest offset from which continuation is tried
     hypothesis.unknowns.head(3) *= size;
-    std::vector<double> factors;
-    std::vector<double> offsets;
+    std::vector<ColumnUse> first = hypothesis.columns;
     for (std::size_t j = 0; j < regressions.size(); ++j) {
-        const ObservedColumn &column = data.columns[j];
-        const double columnSize = isLength(column.channel) ? size : 1.0;
-        const bool counts = tellsShape(column);
-        if (counts && !(regressions[j].slope() > 0.0)) {
-            return std::nullopt;
+        if (!tellsShape(data.columns[j])) {
+            continue;
         }
-        factors.push_back(counts ? columnSize / regressions[j].slope() : 1.0);
-        offsets.push_back(
-            counts && column.channel.order == Order::Position ? regressions[j].offset(factors[j], columnSize) : 0.0);
-        if (!isLength(column.channel) && std::abs(offsets[j]) > kLargestTurn) {
+        ColumnUse &use = first[j];
+        const double columnSize = isLength(use.channel) ? size : 1.0;
+        use.unit = columnSize / regressions[j].slope();
+        use.turn = use.channel.order == Order::Position ? regressions[j].offset(use.unit, columnSize) : 0.0;
+        if (!(use.unit > 0.0) || (!isLength(use.channel) && std::abs(use.turn) > kLargestTurn)) {
             return std::nullopt;
         }
     }
     for (int k = 1; k <= kSteps; ++k) {
         const double left = 1.0 - static_cast<double>(k) / kSteps;
-        for (std::size_t j = 0; j < regressions.size(); ++j) {
-            hypothesis.columns[j].unit = std::pow(factors[j], left);
-            hypothesis.columns[j].turn = offsets[j] * left;
+        for (std::size_t j = 0; j < first.size(); ++j) {
+            hypothesis.columns[j].unit = std::pow(first[j].unit, left);
+            hypothesis.columns[j].turn = first[j].turn * left;
         }
-        Fit fit = fitHypothesis(data, hypothesis, kRounds);
+        const Fit fit = fitHypothesis(data, hypothesis, kRounds);
         if (!fit.exists()) {
             return std::nullopt;
         }
@@ -286,11 +282,10 @@ void addOfImage(const Observations &data, Hypothesis hypothesis, const Interpret
             }
             hypothesis.timeUnit = timeUnit;
             std::optional<Interpretation> result = interpret(data, hypothesis, regressions, size, options.isPlain);
-            const bool isPoor = result && result->misfit > kHardlyExplained;
-            if (options.isPlain && options.isShortArc && isPoor) {
+            if (options.isShortArc && options.isPlain && result && result->misfit > kHardlyExplained) {
                 if (const auto better = continued(thinned(data, kValleyRows), hypothesis, regressions, size)) {
                     if (const auto again = columnRegressions(data, *better); !again.empty()) {
-                        result = interpret(data, *better, again, 1.0, options.isPlain);
+                        result = interpret(data, *better, again, 1.0, true);
                     }
                 }
             }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/least_squares.h"
 
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,85 +13,35 @@ namespace slidercrank
 namespace
 {
 
-/// By power iteration.
-double largestEigenvalue(const Eigen::MatrixXd &matrix)
+constexpr double kSmallestPivot = 1e-17;
+
+/// The factors that scale a matrix to a unit diagonal.
+Eigen::VectorXd scalesOf(const Eigen::MatrixXd &matrix)
 {
-    constexpr int kIterations = 60;
-    Eigen::VectorXd vector = Eigen::VectorXd::LinSpaced(matrix.rows(), 1.0, 2.0).normalized();
-    double eigenvalue = 0.0;
-    for (int i = 0; i < kIterations; ++i) {
-        const Eigen::VectorXd product = matrix.lazyProduct(vector);
-        eigenvalue = product.norm();
-        vector = product / eigenvalue;
-    }
-    return eigenvalue;
+    return matrix.diagonal().cwiseSqrt().cwiseInverse();
 }
-
-/// The lower half of Σ basis basisᵀ, and Σ value · basis: the normal equations of a linear fit.
-struct LinearSystem {
-    Eigen::MatrixXd matrix;
-    Eigen::VectorXd right;
-
-    explicit LinearSystem(Eigen::Index terms)
-        : matrix(Eigen::MatrixXd::Zero(terms, terms))
-        , right(Eigen::VectorXd::Zero(terms))
-    {
-    }
-
-    void add(const double *basis, double value)
-    {
-        const Eigen::Index terms = right.size();
-        for (Eigen::Index k = 0; k < terms; ++k) {
-            for (Eigen::Index l = k; l < terms; ++l) {
-                matrix(l, k) += basis[l] * basis[k];
-            }
-            right[k] += value * basis[k];
-        }
-    }
-};
 
 } // namespace
 
-Eigen::MatrixXd solveSymmetric(Eigen::MatrixXd matrix, Eigen::MatrixXd right, double damping)
+Eigen::MatrixXd solveSymmetric(const Eigen::MatrixXd &matrix, const Eigen::MatrixXd &right, double damping)
 {
-    constexpr double kSmallestPivot = 1e-17;
-    const Eigen::Index n = matrix.rows();
-    const Eigen::VectorXd scale = matrix.diagonal().cwiseSqrt().cwiseInverse();
-    Eigen::VectorXd pivots(n);
-    for (Eigen::Index k = 0; k < n; ++k) {
-        right.row(k) *= scale[k];
-        for (Eigen::Index i = k; i < n; ++i) {
-            matrix(i, k) *= scale[i] * scale[k];
-        }
-        matrix(k, k) += damping;
-    }
-    for (Eigen::Index k = 0; k < n; ++k) { // matrix = L D Lᵀ, right = L⁻¹ right
-        pivots[k] = std::max(matrix(k, k), kSmallestPivot);
-        for (Eigen::Index i = k + 1; i < n; ++i) {
-            const double factor = matrix(i, k) / pivots[k];
-            for (Eigen::Index j = i; j < n; ++j) {
-                matrix(j, i) -= factor * matrix(j, k);
-            }
-            right.row(i) -= factor * right.row(k);
-        }
-    }
-    for (Eigen::Index k = n - 1; k >= 0; --k) {
-        for (Eigen::Index i = k + 1; i < n; ++i) {
-            right.row(k) -= matrix(i, k) * right.row(i);
-        }
-        right.row(k) /= pivots[k];
-    }
-    for (Eigen::Index k = 0; k < n; ++k) {
-        right.row(k) *= scale[k];
-    }
-    return right;
+    const Eigen::VectorXd scales = scalesOf(matrix);
+    Eigen::MatrixXd scaled = scales.asDiagonal() * matrix * scales.asDiagonal();
+    scaled.diagonal().array() += damping;
+    const Eigen::LDLT<Eigen::MatrixXd> factors(scaled);
+    Eigen::MatrixXd solution = factors.transpositionsP() * (scales.asDiagonal() * right);
+    factors.matrixL().solveInPlace(solution);
+    solution = factors.vectorD().cwiseMax(kSmallestPivot).cwiseInverse().asDiagonal() * solution;
+    factors.matrixU().solveInPlace(solution);
+    return scales.asDiagonal() * (factors.transpositionsP().transpose() * solution);
 }
 
-double conditionNumber(const Eigen::MatrixXd &matrix, const Eigen::MatrixXd &inverse)
+double conditionNumber(const Eigen::MatrixXd &matrix)
 {
-    const Eigen::VectorXd scale = matrix.diagonal().cwiseSqrt();
-    const Eigen::MatrixXd scales = scale.lazyProduct(scale.transpose());
-    return std::sqrt(largestEigenvalue(matrix.cwiseQuotient(scales)) * largestEigenvalue(inverse.cwiseProduct(scales)));
+    const Eigen::VectorXd scales = scalesOf(matrix);
+    const Eigen::MatrixXd scaled = scales.asDiagonal() * matrix * scales.asDiagonal();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scaled, Eigen::EigenvaluesOnly);
+    return std::sqrt(solver.eigenvalues().maxCoeff() / std::max(solver.eigenvalues().minCoeff(), kSmallestPivot));
 }
 
 Eigen::MatrixXd harmonicBasis(std::span<const double> angles, Eigen::Index harmonics)
@@ -108,37 +61,42 @@ Eigen::MatrixXd harmonicBasis(std::span<const double> angles, Eigen::Index harmo
     return basis;
 }
 
-double explainedPart(const Eigen::MatrixXd &basis, std::span<const double> values, double center)
+Eigen::MatrixXd powerBasis(std::span<const double> times, Eigen::Index terms)
 {
-    constexpr double kRegularization = 1e-9;
-    LinearSystem equations(basis.rows());
-    double squares = 0.0;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        if (!std::isnan(values[i])) {
-            const double value = values[i] - center;
-            equations.add(basis.data() + basis.rows() * static_cast<Eigen::Index>(i), value);
-            squares += value * value;
-        }
+    const Eigen::Map<const Eigen::RowVectorXd> t(times.data(), static_cast<Eigen::Index>(times.size()));
+    Eigen::MatrixXd basis(terms, t.cols());
+    for (Eigen::Index k = 0; k < terms; ++k) {
+        basis.row(k) = t.array().pow(static_cast<double>(k));
     }
-    if (!(squares > 0.0)) {
-        return 0.0;
-    }
-    const Eigen::MatrixXd solution = solveSymmetric(equations.matrix, equations.right, kRegularization);
-    return std::clamp(solution.col(0).dot(equations.right) / squares, 0.0, 1.0);
+    return basis;
 }
 
-Polynomial fitPolynomial(std::span<const Point> points, double origin, Eigen::Index terms)
+LinearFit fitLinear(Eigen::MatrixXd basis, std::span<const double> values, double center)
 {
-    LinearSystem equations(terms);
-    Eigen::VectorXd powers(terms);
-    for (const Point &point : points) {
-        for (Eigen::Index k = 0; k < terms; ++k) {
-            powers[k] = k == 0 ? 1.0 : powers[k - 1] * (point.t - origin);
+    constexpr double kRegularization = 1e-15;
+    Eigen::VectorXd known(basis.cols());
+    for (Eigen::Index i = 0; i < known.size(); ++i) {
+        const double value = values[static_cast<std::size_t>(i)];
+        known[i] = std::isnan(value) ? 0.0 : value - center;
+        if (std::isnan(value)) {
+            basis.col(i).setZero();
         }
-        equations.add(powers.data(), point.y);
     }
-    const Eigen::MatrixXd inverse = solveSymmetric(equations.matrix, Eigen::MatrixXd::Identity(terms, terms));
-    return {solveSymmetric(equations.matrix, equations.right).col(0), inverse.diagonal().cwiseMax(0.0).cwiseSqrt()};
+    const Eigen::VectorXd right = basis * known;
+    const Eigen::VectorXd coefficients = solveSymmetric(basis * basis.transpose(), right, kRegularization);
+    return {coefficients, std::clamp(coefficients.dot(right) / known.squaredNorm(), 0.0, 1.0)};
+}
+
+double autocorrelation(std::span<const double> values, std::size_t lag)
+{
+    double squares = 0.0;
+    double products = 0.0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        squares += values[i] * values[i];
+        products += i >= lag ? values[i] * values[i - lag] : 0.0;
+    }
+    const auto n = static_cast<double>(values.size());
+    return squares > 0.0 ? products / squares * n / std::sqrt(n - static_cast<double>(lag)) : 0.0;
 }
 
 } // namespace slidercrank

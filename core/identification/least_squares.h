@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Linear least squares with a few unknowns. Written out, because the decompositions of Eigen take longer to compile
-// than all other code of this module.
+// Linear least squares with a few unknowns.
 
 #include <Eigen/Core>
 
@@ -14,30 +13,28 @@ namespace slidercrank
 /// Solves A X = B for a symmetric positive definite A by Cholesky's method (G. Golub, C. Van Loan, "Matrix
 /// Computations", 4th ed., ch. 4.2). A is first scaled to a unit diagonal, to which `damping` is then added. Pivots of
 /// a singular matrix are replaced by 1e-17.
-Eigen::MatrixXd solveSymmetric(Eigen::MatrixXd matrix, Eigen::MatrixXd right, double damping = 0.0);
+Eigen::MatrixXd solveSymmetric(const Eigen::MatrixXd &matrix, const Eigen::MatrixXd &right, double damping = 0.0);
 
-/// The square root of the ratio of the largest to the smallest eigenvalue of a symmetric positive definite matrix, and
-/// of its inverse, both scaled to a unit diagonal of the matrix.
-double conditionNumber(const Eigen::MatrixXd &matrix, const Eigen::MatrixXd &inverse);
+/// The square root of the ratio of the largest to the smallest eigenvalue of a symmetric positive definite matrix,
+/// scaled to a unit diagonal.
+double conditionNumber(const Eigen::MatrixXd &matrix);
 
 /// One column for each angle (rad): 1, then cosine and sine of each harmonic.
 Eigen::MatrixXd harmonicBasis(std::span<const double> angles, Eigen::Index harmonics);
 
-/// The part of the sum of squares of (values - center) that a linear combination of the rows of `basis` explains, from
-/// 0 to 1. `basis` has one column for each value; NaN values are skipped.
-double explainedPart(const Eigen::MatrixXd &basis, std::span<const double> values, double center);
+/// One column for each time: its powers 0, 1, …
+Eigen::MatrixXd powerBasis(std::span<const double> times, Eigen::Index terms);
 
-/// A polynomial fitted to points, in powers of (t - origin).
-struct Polynomial {
+/// A linear combination of the rows of a basis.
+struct LinearFit {
     Eigen::VectorXd coefficients;
-    Eigen::VectorXd standardErrors; ///< for points with a standard error of 1
+    double explained = 0.0; ///< part of the sum of squares of the values, from 0 to 1
 };
 
-struct Point {
-    double t = 0.0;
-    double y = 0.0;
-};
+/// Fits (values - center) by a basis with one column for each value. NaN values are skipped.
+LinearFit fitLinear(Eigen::MatrixXd basis, std::span<const double> values, double center = 0.0);
 
-Polynomial fitPolynomial(std::span<const Point> points, double origin, Eigen::Index terms);
+/// The autocorrelation at `lag`, in standard deviations of that of independent values.
+double autocorrelation(std::span<const double> values, std::size_t lag);
 
 } // namespace slidercrank

@@ -30,27 +30,16 @@ bool isAnglePosition(Channel channel)
     return isAngle(channel.coordinate) && channel.order == Order::Position;
 }
 
-/// The number of rows for each independent observation. Rounding errors of equal values, or of values with equal
-/// differences, are not independent.
+/// The number of rows for each independent observation. Rounding errors of equal values are not independent.
 double repetitionOf(const ObservedColumn &column)
 {
-    constexpr double kSamePart = 1e-3; // of a step: closer differences are equal
-    double runs = 1.0;                 // groups of consecutive equal values
-    double stretches = 0.0;            // groups of consecutive equal differences
+    double runs = 1.0; // groups of consecutive equal values
     double last = kNone;
-    double difference = kNone;
     for (const double value : column.values) {
-        if (std::isnan(value)) {
-            continue;
-        }
-        if (!std::isnan(last)) {
-            runs += value != last ? 1.0 : 0.0;
-            stretches += std::abs(value - last - difference) <= kSamePart * column.step ? 0.0 : 1.0;
-            difference = value - last;
-        }
-        last = value;
+        runs += std::abs(value - last) > 0.0 ? 1.0 : 0.0;
+        last = std::isnan(value) ? last : value;
     }
-    return column.count / (runs > 1.0 ? std::min({runs, 2.0 * stretches, column.count}) : 1.0);
+    return column.count / runs;
 }
 
 /// Replaces the values of a saturated sensor by gaps. Such a value is an extreme that repeats much more often than
@@ -243,18 +232,15 @@ Observations selection(const Observations &all, std::span<const std::size_t> row
     some.isByCrankAngle = all.isByCrankAngle;
     some.step = all.step;
     some.printedStep = all.printedStep;
-    for (const std::size_t row : rows) {
-        some.rows.push_back(all.rows[row]);
-        some.abscissa.push_back(all.abscissa[row]);
-    }
+    some.rows = valuesAt(all.rows, rows);
+    some.abscissa = valuesAt(all.abscissa, rows);
     for (const ObservedColumn &whole : all.columns) {
         ObservedColumn &column = some.columns.emplace_back();
         static_cast<ColumnStatistics &>(column) = whole;
-        for (const std::size_t row : rows) {
-            column.values.push_back(whole.values[row]);
-            column.variances.push_back(whole.variances[row]);
-            column.count += std::isnan(column.values.back()) ? 0.0 : 1.0;
-        }
+        column.values = valuesAt(whole.values, rows);
+        column.variances = valuesAt(whole.variances, rows);
+        column.count =
+            static_cast<double>(std::ranges::count_if(column.values, [](double value) { return !std::isnan(value); }));
     }
     return some;
 }

@@ -68,6 +68,17 @@ struct Observations {
 /// equal extreme values with a sudden edge) become gaps.
 Observations observe(const ReferenceData &data);
 
+/// The values at some indices.
+template <class T>
+std::vector<T> valuesAt(const std::vector<T> &values, std::span<const std::size_t> indices)
+{
+    std::vector<T> chosen;
+    for (const std::size_t index : indices) {
+        chosen.push_back(values[index]);
+    }
+    return chosen;
+}
+
 /// Takes some rows only. `rows` must be increasing.
 Observations selection(const Observations &all, std::span<const std::size_t> rows);
 
