@@ -10,11 +10,48 @@
 #include <QTest>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <cstdlib>
+#include <new>
 #include <numbers>
 #include <numeric>
 
 using namespace slidercrank;
+
+namespace
+{
+
+std::atomic<std::size_t> largestAllocation =
+    0; // bytes, since the last reset to 0; atomic, because QtTest's watchdog thread allocates, too
+
+} // namespace
+
+void *operator new(std::size_t size)
+{
+    largestAllocation = std::max(largestAllocation.load(), size);
+    if (void *memory = std::malloc(std::max<std::size_t>(size, 1))) {
+        return memory;
+    }
+    throw std::bad_alloc();
+}
+
+void *operator new(std::size_t size, const std::nothrow_t &) noexcept
+{
+    largestAllocation = std::max(largestAllocation.load(), size);
+    return std::malloc(std::max<std::size_t>(size, 1));
+}
+
+// Not inlined, because g++ 14 would otherwise warn of a mismatch of new and free.
+[[gnu::noinline]] void operator delete(void *memory) noexcept
+{
+    std::free(memory);
+}
+
+[[gnu::noinline]] void operator delete(void *memory, std::size_t) noexcept
+{
+    std::free(memory);
+}
 
 namespace
 {
@@ -202,6 +239,35 @@ private slots:
         QCOMPARE(result.outcome, Outcome::Identified);
         QVERIFY2(distance(result.parameters, truth) < 1e-5, described(result.parameters));
         QCOMPARE(result.excludedRows, std::vector<std::size_t>{30002}); // the heading is line 1
+    }
+
+    void usesOnlySomeOfAMillionRows()
+    {
+        for (const double turns : {1.0, 1e4}) {
+            const Parameters p;
+            ReferenceData data;
+            for (const Channel channel : kPlottedChannels) {
+                data.series.push_back({channel, {}, {Rounding::Rule::SignificantDigits, 17}});
+            }
+            for (int i = 0; i < 1000000; ++i) {
+                data.time.push_back(turns * i * 1e-6);
+                const PrintedRow row = textbookMotion(p, data.time.back());
+                for (std::size_t k = 0; k < row.size(); ++k) {
+                    data.series[k].values.push_back(static_cast<double>(row[k]));
+                }
+            }
+            const std::vector<Channel> angles{kTheta, {Theta3, Order::Velocity}, {Theta3, Order::Acceleration}};
+            data = applied({Convention::Kind::AngleUnit, angles, 1.0 / kDegreesPerRadian}, std::move(data));
+            largestAllocation = 0;
+            const Diagnosis found = diagnose(data, Mechanism(p));
+            const std::size_t largest = largestAllocation;
+            QCOMPARE(found.conventions.size(), std::size_t{1});
+            QVERIFY(found.conventions[0].convention ==
+                    (Convention{Convention::Kind::AngleUnit, angles, kDegreesPerRadian}));
+            QVERIFY(found.conventions[0].before > 1.0 && found.conventions[0].after < 0.1);
+            // Applying a convention copies the file column by column, so no allocation exceeds one column.
+            QVERIFY2(largest <= sizeof(double) * data.time.size(), QByteArray::number(largest));
+        }
     }
 
     void isOnlyApproximateWhereTheResidualIsSystematic()
