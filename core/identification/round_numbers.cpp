@@ -25,6 +25,9 @@ constexpr double kLeastSpacing = 2.0 * kStandardErrors / 0.1;
 /// Smallest standard error, relative to the size of the parameter: the accuracy of the computation.
 constexpr double kArithmetic = 1e-13;
 
+/// Largest growth of chi-square: its 99.9 % point with five degrees of freedom.
+constexpr double kMostGrowth = 20.5;
+
 int powerOfTenBelow(double magnitude)
 {
     return static_cast<int>(std::floor(std::log10(magnitude)));
@@ -62,17 +65,9 @@ std::optional<double> roundNumber(std::span<const double> units, double value, d
     return best;
 }
 
-/// Whether a rounded mechanism agrees with the data as well as the identified one: the growth of chi-square, with the
-/// errors of the identified mechanism as standard errors, is at most its 99.9 % point with five degrees of freedom. If
-/// the errors are systematic, those of no channel may grow by more than a tenth.
-bool agreesAsWell(const Parameters &rounded, const ReferenceData &data, std::span<const ChannelComparison> identified,
-                  bool areSystematic)
+/// Whether the rounded mechanism agrees with the data as well as the fitted one.
+bool agreesAsWell(const Parameters &rounded, const ReferenceData &data, std::span<const ChannelComparison> identified)
 {
-    constexpr double kMostGrowth = 20.5;
-    constexpr double kLargestRatio = 1.1;
-    if (findFault(rounded)) {
-        return false;
-    }
     const std::vector<ChannelComparison> channels = compareTimed(rounded, data);
     double growth = 0.0;
     for (std::size_t i = 0; i < channels.size(); ++i) {
@@ -80,11 +75,26 @@ bool agreesAsWell(const Parameters &rounded, const ReferenceData &data, std::spa
         const double before = std::max(identified[i].rms.value_or(0.0), kArithmeticStep * natural);
         const double ratio = channels[i].rms.value_or(0.0) / before;
         growth += static_cast<double>(channels[i].count) * (ratio * ratio - 1.0);
-        if (areSystematic ? ratio > kLargestRatio : channels[i].verdict > identified[i].verdict) {
+        if (channels[i].verdict > identified[i].verdict) {
             return false;
         }
     }
-    return areSystematic || growth <= kMostGrowth;
+    return growth <= kMostGrowth;
+}
+
+/// The largest rms deviation of the used columns, relative to the column's range.
+double largestDeviation(const Parameters &parameters, const Identification &found, const ReferenceData &data)
+{
+    double largest = 0.0;
+    for (const ChannelComparison &channel : compareTimed(parameters, data)) {
+        const double range = rangeOf(data.find(channel.channel)->values).width();
+        const bool isLeftOut =
+            std::ranges::count(found.leftOut, channel.channel, &Identification::LeftOut::channel) > 0;
+        if (range > 0.0 && !isLeftOut) {
+            largest = std::max(largest, channel.rms.value_or(0.0) / range);
+        }
+    }
+    return largest;
 }
 
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -113,9 +123,10 @@ constexpr std::array kAllParameters{Parameter::A, Parameter::B, Parameter::C, Pa
 
 /// Nominal values of an approximate mechanism: the roundest values that explain the file equally well. They may be many
 /// standard errors away, because a filter changes the parameters by more than that.
-Parameters nominalParameters(const Identification &found, const ReferenceData &data,
-                             std::span<const ChannelComparison> identified)
+Parameters nominalParameters(const Identification &found, const ReferenceData &data)
 {
+    constexpr double kEqually = 1.1;
+    const double most = kEqually * largestDeviation(found.parameters, found, data);
     Parameters nominal = found.parameters;
     const auto tryRounding = [&](std::span<const Parameter> parameters) {
         for (const double errorFactor : {1000.0, 300.0, 100.0, 30.0, 10.0, 3.0, 1.0}) {
@@ -125,10 +136,13 @@ Parameters nominalParameters(const Identification &found, const ReferenceData &d
                 double &value = valueOf(tried, parameter);
                 value = std::isnan(error) ? value : roundNumber(unitsOf(parameter), value, error).value_or(value);
             }
-            nominal = agreesAsWell(tried, data, identified, true) ? tried : nominal;
+            if (!findFault(tried) && largestDeviation(tried, found, data) <= most) {
+                nominal = tried;
+            }
         }
     };
     tryRounding(kAllParameters);
+    tryRounding(std::span(kAllParameters).first(3));
     for (const Parameter parameter : kAllParameters) {
         tryRounding(std::array{parameter});
     }
@@ -146,7 +160,7 @@ Parameters inRoundNumbers(const Identification &found, const ReferenceData &data
                           std::span<const ChannelComparison> identified)
 {
     if (found.outcome == Identification::Outcome::Approximate) {
-        return nominalParameters(found, data, identified);
+        return nominalParameters(found, data);
     }
     Parameters rounded = found.parameters;
     for (const Parameter parameter : kAllParameters) {
@@ -154,7 +168,8 @@ Parameters inRoundNumbers(const Identification &found, const ReferenceData &data
             valueOf(rounded, parameter) = roundest(valueOf(rounded, parameter), error, unitsOf(parameter));
         }
     }
-    return agreesAsWell(rounded, data, identified, false) ? rounded : found.parameters;
+    const bool isGood = !findFault(rounded) && agreesAsWell(rounded, data, identified);
+    return isGood ? rounded : found.parameters;
 }
 
 } // namespace slidercrank
