@@ -43,6 +43,33 @@ ReferenceData withoutExcluded(ReferenceData data, const Observations &all, const
     return data;
 }
 
+/// Whether the columns that a candidate does not explain are the motion of another mechanism.
+bool isOfTwoMechanisms(const FileSearch &search, const Candidate &found, const Parameters &given,
+                       const std::stop_token &stop)
+{
+    Observations rest = search.data;
+    rest.columns.clear();
+    for (std::size_t j = 0; j < search.data.columns.size(); ++j) {
+        if (found.judgements[j] != Residual::Rounding && found.judgements[j] != Residual::White) {
+            rest.columns.push_back(search.data.columns[j]);
+        }
+    }
+    if (rest.columns.size() < 2 || rest.columns.size() == search.data.columns.size() || findLack(rest)) {
+        return false;
+    }
+    const std::vector<Candidate> candidates = searchCandidates(rest, given, stop);
+    if (candidates.empty() || candidates.front().acceptance != Acceptance::Identified ||
+        !isAsWritten(rest, candidates.front().hypothesis)) {
+        return false;
+    }
+    const Parameters p = middleParameters(found.hypothesis);
+    const Parameters q = middleParameters(candidates.front().hypothesis);
+    const double scale = found.hypothesis.isFree[indexOf(Parameter::A)] ? 1.0 : q.a / p.a;
+    // Images have the same magnitudes.
+    return !areNear({q.a, q.b, std::abs(q.c), std::abs(q.omega2)},
+                    {scale * p.a, scale * p.b, scale * std::abs(p.c), std::abs(p.omega2)});
+}
+
 /// Compares the data after the conventions are applied with the mechanism found, its round numbers and the given
 /// mechanism. Lists the columns that the fit does not use.
 void compareInterpreted(const ReferenceData &good, const FileSearch &search, const Candidate &candidate,
@@ -90,7 +117,8 @@ bool interpret(const ReferenceData &data, const Observations &all, const FileSea
     if (!found.onlyRatios) {
         std::ranges::copy(findFaultsOfWholeFile(good, given, found), std::back_inserter(result.conventions));
     }
-    if (!measureFindings(good, found.parameters, result.conventions)) {
+    if (!measureFindings(good, found.parameters, result.conventions) ||
+        isOfTwoMechanisms(search, decision.candidate, given, stop)) {
         return false;
     }
     for (const std::size_t row : search.excluded) {
