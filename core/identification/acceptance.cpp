@@ -3,9 +3,11 @@
 
 #include "core/identification/interpretation.h"
 #include "core/identification/least_squares.h"
+#include "core/mechanism/turn.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace slidercrank
 {
@@ -18,6 +20,8 @@ constexpr double kLargestNoisePart = 0.15;   // of the spread
 
 /// The largest deviation of a mechanism that explains a file approximately, relative to a column's range.
 constexpr double kLargestSystematicPart = 0.01;
+
+constexpr Eigen::Index kHarmonics = 8;
 
 /// The mean fourth power divided by the squared mean square: 3 for normally distributed values.
 double kurtosis(const std::vector<double> &values)
@@ -33,7 +37,7 @@ double kurtosis(const std::vector<double> &values)
 
 /// Whether the values, in the order of time, look like independent noise of one distribution: tests the sum of eight
 /// squared autocorrelations (Ljung-Box), and the kurtosis, which single bad readings raise.
-bool isWhite(const std::vector<double> &values)
+bool isWhiteInTime(const std::vector<double> &values)
 {
     constexpr std::size_t kLags = 8;
     constexpr double kLargestSum = 30.0; // 99.98 % point of chi-square with 8 degrees of freedom
@@ -46,6 +50,25 @@ bool isWhite(const std::vector<double> &values)
     return sum <= kLargestSum && kurtosis(values) <= kLargestKurtosis;
 }
 
+/// Whether the values, in the order of the crank angle, are not correlated with their neighbours and are no function of
+/// the angle.
+bool isWhiteInAngle(const std::vector<double> &values, const std::vector<double> &angles)
+{
+    constexpr double kSigmas = 3.7;
+    constexpr double kDegreesOfFreedom = 2.0 * kHarmonics + 1.0;
+    std::vector<std::pair<double, double>> pairs; // angle and value
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        pairs.emplace_back(wrapToPi(angles[i]), values[i]);
+    }
+    std::ranges::stable_sort(pairs, {}, &std::pair<double, double>::first);
+    std::vector<double> sorted(values.size());
+    std::ranges::transform(pairs, sorted.begin(), [](const auto &pair) { return pair.second; });
+    const double explained =
+        fitLinear(harmonicBasis(angles, kHarmonics), values).explained * static_cast<double>(values.size());
+    return autocorrelation(sorted, 1) <= kSigmas &&
+           explained <= kDegreesOfFreedom + 4.0 * std::sqrt(2.0 * kDegreesOfFreedom);
+}
+
 Residual judgeColumn(const Observations &data, const Fit &fit, std::size_t j)
 {
     const Hypothesis &hypothesis = fit.hypothesis;
@@ -56,10 +79,12 @@ Residual judgeColumn(const Observations &data, const Fit &fit, std::size_t j)
         return Residual::Rounding;
     }
     std::vector<double> values;
+    std::vector<double> angles;
     double largest = 0.0;
     for (std::size_t i = 0; i < data.abscissa.size(); ++i) {
         if (const double residual = fit.residuals[j][i]; !std::isnan(residual)) {
             values.push_back(residual / std::sqrt(fit.variances[j][i]));
+            angles.push_back(crankAngle(data, hypothesis, i));
             largest = std::max(largest, std::abs(residual));
         }
     }
@@ -74,7 +99,7 @@ Residual judgeColumn(const Observations &data, const Fit &fit, std::size_t j)
         return Residual::Unexplained;
     }
     const bool isSmall = std::sqrt(fit.noiseVariances[j]) <= kLargestNoisePart * spread;
-    if (isSmall && isWhite(values)) {
+    if (isSmall && isWhiteInTime(values) && isWhiteInAngle(values, angles)) {
         return Residual::White;
     }
     return largest <= kLargestSystematicPart * range ? Residual::Systematic : Residual::Unexplained;
@@ -90,7 +115,6 @@ double Candidate::pricedScore() const
 
 bool isLikeDifferences(const Observations &data, const Hypothesis &hypothesis, std::size_t column)
 {
-    constexpr Eigen::Index kHarmonics = 8;
     constexpr double kLargestPart = 0.03;        // of the spread
     constexpr double kLargestHarmonicPart = 0.6; // smoothed differences have systematic errors, too
     constexpr double kSmooth = 0.92;             // correlation of neighbouring rows of a smooth signal

@@ -84,7 +84,8 @@ LinearFit fitLinear(Eigen::MatrixXd basis, std::span<const double> values, doubl
     }
     const Eigen::VectorXd right = basis * known;
     const Eigen::VectorXd coefficients = solveSymmetric(basis * basis.transpose(), right, kRegularization);
-    return {coefficients, std::clamp(coefficients.dot(right) / known.squaredNorm(), 0.0, 1.0)};
+    const double squares = known.squaredNorm();
+    return {coefficients, squares > 0.0 ? std::clamp(coefficients.dot(right) / squares, 0.0, 1.0) : 0.0};
 }
 
 double autocorrelation(std::span<const double> values, std::size_t lag)

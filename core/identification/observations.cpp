@@ -30,16 +30,27 @@ bool isAnglePosition(Channel channel)
     return isAngle(channel.coordinate) && channel.order == Order::Position;
 }
 
-/// The number of rows for each independent observation. Rounding errors of equal values are not independent.
+/// The number of rows for each independent observation. Rounding errors of equal values, or of values with equal
+/// differences, are not independent.
 double repetitionOf(const ObservedColumn &column)
 {
-    double runs = 1.0; // groups of consecutive equal values
+    constexpr double kSamePart = 1e-3; // of a step: closer differences are equal
+    double runs = 1.0;                 // groups of consecutive equal values
+    double stretches = 0.0;            // groups of consecutive equal differences
     double last = kNone;
+    double difference = kNone;
     for (const double value : column.values) {
-        runs += std::abs(value - last) > 0.0 ? 1.0 : 0.0;
-        last = std::isnan(value) ? last : value;
+        if (std::isnan(value)) {
+            continue;
+        }
+        if (!std::isnan(last)) {
+            runs += value != last ? 1.0 : 0.0;
+            stretches += std::abs(value - last - difference) <= kSamePart * column.step ? 0.0 : 1.0;
+            difference = value - last;
+        }
+        last = value;
     }
-    return column.count / runs;
+    return column.count / (runs > 1.0 ? std::min({runs, 2.0 * stretches, column.count}) : 1.0);
 }
 
 /// Replaces the values of a saturated sensor by gaps. Such a value is an extreme that repeats much more often than

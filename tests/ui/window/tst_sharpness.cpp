@@ -6,6 +6,7 @@
 
 #include "tests/support/suite.h"
 #include "tests/ui/window/window_fixture.h"
+#include "ui/widgets/folding_tabs.h"
 
 #include <QAbstractButton>
 #include <QDir>
@@ -91,6 +92,7 @@ private slots:
         openWindow();
         m_window->resize(1900, 1100); // large enough for many numbers on each edge
         openSample();
+        m_window->findChild<FoldingTabs *>()->setFolded(false);
         showTab(3);
         part<QAbstractButton>("segment3")->click();
         settle(*m_window);
