@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Judges whether a fitted hypothesis explains the file. For `identified`, the residuals must be rounding errors or white
-// noise. A small residual is not enough: a filter or an interpolation leaves a smooth residual, and changes the
+// Judges whether a fitted hypothesis explains the file. For `identified`, the residuals must be rounding errors or
+// white noise. A small residual is not enough: a filter or an interpolation leaves a smooth residual, and changes the
 // parameters by much more than that.
 
 #include "core/identification/fit.h"

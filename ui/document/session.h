@@ -49,8 +49,8 @@ public:
     /// Whether anything was edited since the undo stack was clean. Opening a reference file is not an edit.
     bool isModified() const { return m_edits.isModified(); }
 
-    /// Replaces all choices and the time, which cannot be undone. If they take long to compute, the result is first that
-    /// of simpler choices. Reads the reference from `source` in the background; the time range remains that of the
+    /// Replaces all choices and the time, which cannot be undone. If they take long to compute, the result is first
+    /// that of simpler choices. Reads the reference from `source` in the background; the time range remains that of the
     /// choices.
     void open(const Choices &choices, double seconds, const std::optional<ReferenceSource> &source);
 

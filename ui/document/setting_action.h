@@ -16,9 +16,8 @@ QAction *makeSettingAction(View *view, const QString &text, Value Settings::*mem
     auto *action = new QAction(text, view);
     action->setCheckable(true);
     action->setChecked(view->settings().*member == on);
-    QObject::connect(action, &QAction::triggered, view, [=](bool checked) {
-        view->setSettings(with(view->settings(), member, checked ? on : off));
-    });
+    QObject::connect(action, &QAction::triggered, view,
+                     [=](bool checked) { view->setSettings(with(view->settings(), member, checked ? on : off)); });
     QObject::connect(view, &View::settingsChanged, action,
                      [=](const Settings &settings) { action->setChecked(settings.*member == on); });
     return action;

@@ -174,8 +174,7 @@ QWidget *ColumnMapping::createRows()
     auto *grid = new QGridLayout(page);
     grid->setHorizontalSpacing(14);
     int column = 0;
-    for (const QString &heading :
-         {tr("heading"), tr("first values"), tr("read as"), tr("unit"), tr("why")}) {
+    for (const QString &heading : {tr("heading"), tr("first values"), tr("read as"), tr("unit"), tr("why")}) {
         grid->addWidget(boldLabel(heading), 0, column++);
     }
     int line = 1;

@@ -66,8 +66,8 @@ private:
     QLayout *createButtons();
     void createForm();
     void colourIcons();
-    double first() const; ///< start of the time range, s
-    double last() const;  ///< end of the time range, s
+    double first() const;      ///< start of the time range, s
+    double last() const;       ///< end of the time range, s
     double revolution() const; ///< time of one revolution, s; infinite if the crank is at rest
     void nextFrame();
     double currentStep() const; ///< time steps since the start

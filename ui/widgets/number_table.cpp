@@ -92,9 +92,8 @@ NumberTable::NumberTable(const QString &name, const QString &title, std::vector<
     horizontalHeader()->setHighlightSections(false);
     horizontalHeader()->setMinimumSectionSize(1);
     connect(this, &QTableView::clicked, this, [this](const QModelIndex &index) { goToRow(index.row()); });
-    connect(this, &QTableView::entered, this, [this](const QModelIndex &index) {
-        emit partHovered(m_rows[static_cast<std::size_t>(index.row())].part);
-    });
+    connect(this, &QTableView::entered, this,
+            [this](const QModelIndex &index) { emit partHovered(m_rows[static_cast<std::size_t>(index.row())].part); });
     fitColumns();
 }
 

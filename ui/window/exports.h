@@ -45,7 +45,8 @@ public:
     /// Writes a PNG, SVG or PDF file, according to the suffix.
     void write(const Picture &picture, const QString &path);
 
-    /// Write the motion as CSV in the background. `crankStep` (°) is the step of the crank angle; 0 means the time steps.
+    /// Write the motion as CSV in the background. `crankStep` (°) is the step of the crank angle; 0 means the time
+    /// steps.
     void chooseData();
     void writeData(const QString &path, const ChannelSet &channels, double crankStep = 0.0);
 

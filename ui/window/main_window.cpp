@@ -305,7 +305,7 @@ void MainWindow::openFiles(const QStringList &paths)
         m_scene->open(*scene);
     } else {
         emit m_session->failed(tr("%1 is a scene: open it alone, and the files of one motion together.")
-                                    .arg(QFileInfo(*scene).fileName()));
+                                   .arg(QFileInfo(*scene).fileName()));
     }
 }
 
@@ -395,7 +395,7 @@ void MainWindow::closeEvent(QCloseEvent *event)
     if (m_exports->isWriting()) {
         event->ignore();
         emit m_session->failed(tr("A file is still being written. Close the window when it is done, or cancel it "
-                                   "below."));
+                                  "below."));
         return;
     }
     if (m_session->isModified()) {

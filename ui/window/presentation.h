@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Presentation mode: the mechanism and the plots fill the screen, with a large font and wide lines. The tabs are folded.
-// F11 or Escape ends the mode.
+// Presentation mode: the mechanism and the plots fill the screen, with a large font and wide lines. The tabs are
+// folded. F11 or Escape ends the mode.
 
 #include <QList>
 #include <QObject>

@@ -69,11 +69,11 @@ void SceneFile::askThen(const std::function<void()> &proceed)
         unanswered->reject();
     }
     const QString name = QFileInfo(m_path).fileName();
-    auto *question = named(
-        kQuestion, new QMessageBox(QMessageBox::Question, tr("Unsaved changes"),
-                                   name.isEmpty() ? tr("Save your changes as a scene?")
-                                                  : tr("Save your changes to %1?").arg(name),
-                                   QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, m_window));
+    auto *question =
+        named(kQuestion, new QMessageBox(QMessageBox::Question, tr("Unsaved changes"),
+                                         name.isEmpty() ? tr("Save your changes as a scene?")
+                                                        : tr("Save your changes to %1?").arg(name),
+                                         QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, m_window));
     question->setAttribute(Qt::WA_DeleteOnClose);
     connect(question, &QMessageBox::finished, this, [this, proceed](int answer) {
         if (answer == QMessageBox::Save) {
@@ -150,8 +150,7 @@ void SceneFile::save(const std::function<void()> &proceed)
     const QString text = tr("%1 has been changed by another program since you opened it. Replace it?");
     const auto mayReplace = [&] {
         return QMessageBox::question(m_window, tr("Changed elsewhere"), text.arg(QFileInfo(m_path).fileName()),
-                                     QMessageBox::Yes | QMessageBox::Cancel,
-                                     QMessageBox::Cancel) == QMessageBox::Yes;
+                                     QMessageBox::Yes | QMessageBox::Cancel, QMessageBox::Cancel) == QMessageBox::Yes;
     };
     if (!QFileInfo::exists(m_path) || fileState(m_path) == m_state || mayReplace()) {
         saveTo(m_path, proceed);
