@@ -2,7 +2,7 @@
 #include "ui/mechanism/mechanism_sketch.h"
 
 #include "core/limits/instant_centre.h"
-#include "ui/text/axis_scale.h"
+#include "ui/text/written_number.h"
 
 #include <QLocale>
 

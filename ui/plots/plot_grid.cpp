@@ -2,8 +2,8 @@
 #include "ui/plots/plot_grid.h"
 
 #include "ui/document/setting_action.h"
-#include "ui/text/axis_scale.h"
 #include "ui/text/finding_text.h"
+#include "ui/text/written_number.h"
 
 #include <QActionGroup>
 #include <QLabel>
