@@ -77,6 +77,7 @@ void Presentation::setOn(bool on)
 void Presentation::setMechanismAlone(bool alone)
 {
     m_views.plots->parentWidget()->setVisible(!alone);
+    m_views.columns->refresh(); // so that its sizes are valid at once
 }
 
 bool Presentation::eventFilter(QObject *watched, QEvent *event)

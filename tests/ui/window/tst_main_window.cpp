@@ -415,6 +415,11 @@ private slots:
         mechanism->setFocus();
         press(Qt::Key_Escape);
         QVERIFY(part("plot_R4_x")->isVisible());
+        emit mechanism->enlarged();
+        settle(*m_window);
+        press(Qt::Key_F11);
+        press(Qt::Key_F11);
+        AWAIT_COMPARE(mechanism->width(), width);
     }
 
     void restoresItsLayout()
