@@ -253,6 +253,12 @@ void TablePanel::showEvent(QShowEvent *event)
     QWidget::showEvent(event);
 }
 
+void TablePanel::hideEvent(QHideEvent *event)
+{
+    QWidget::hideEvent(event);
+    emit partHovered(MechanismPart::None);
+}
+
 void TablePanel::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);

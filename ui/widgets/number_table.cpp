@@ -195,7 +195,7 @@ bool NumberTable::event(QEvent *event)
         horizontalHeader()->setFont(font()); // a hidden header would keep the old font
         m_widths.clear();
         fitColumns();
-    } else if (event->type() == QEvent::Leave || event->type() == QEvent::Hide) {
+    } else if (event->type() == QEvent::Leave) {
         emit partHovered(MechanismPart::None);
     }
     return isHandled;
