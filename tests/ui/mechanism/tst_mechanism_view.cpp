@@ -28,16 +28,6 @@ constexpr double kNotAssembled = 0.75; // s; θ2 = 270°, where b has to be 45 m
 
 const Parameters kOscillating{.b = 40.0};
 
-QPointF pinA(const Pose &pose, const Parameters &parameters = {})
-{
-    return parameters.a * QPointF(pose.crank.cos, pose.crank.sin);
-}
-
-QPointF pinB(const Pose &pose, const Parameters &parameters = {})
-{
-    return {pose.R4x, parameters.c};
-}
-
 /// A view connected with a session.
 struct Bench {
     Session session;
@@ -59,8 +49,8 @@ struct Bench {
     }
 
     QImage picture() { return view.grab().toImage(); }
-    QPointF A() const { return pinA(session.pose(), session.parameters()); }
-    QPointF B() const { return pinB(session.pose(), session.parameters()); }
+    QPointF A() const { return session.parameters().a * QPointF(session.pose().crank.cos, session.pose().crank.sin); }
+    QPointF B() const { return {session.pose().R4x, session.parameters().c}; }
 
     void press(QPointF model, Qt::KeyboardModifiers keys = {})
     {
@@ -405,8 +395,9 @@ private slots:
         for (const LinkagePoint point : kLinkagePoints) {
             const auto at = [&](double time) -> QPointF {
                 const Pose pose = poseAt(Parameters(), time);
-                const QPointF middle = 0.5 * (pinA(pose) + pinB(pose));
-                return point == LinkagePoint::A ? pinA(pose) : point == LinkagePoint::B ? pinB(pose) : middle;
+                const QPointF A = Parameters().a * QPointF(pose.crank.cos, pose.crank.sin);
+                const QPointF B(pose.R4x, Parameters().c);
+                return point == LinkagePoint::A ? A : point == LinkagePoint::B ? B : 0.5 * (A + B);
             };
             const auto hasArrow = [&](QPointF derivative, const ArrowScale &scale, const QColor &colour) {
                 const QPointF tip = drawn.sketch->toPixels(at(0.37) + derivative * (scale.length / scale.amount));
