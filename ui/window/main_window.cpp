@@ -36,7 +36,6 @@
 #include <QDropEvent>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QFontMetrics>
 #include <QFrame>
 #include <QMimeData>
 #include <QScreen>
@@ -54,11 +53,11 @@ namespace
 const QString kSamplePath = ":/data/inventor_sample.csv";
 
 /// Returns a height (px) at which the error table and its text are visible, also with a large font.
-int panelHeight()
+int panelHeight(const QWidget &tabs)
 {
     constexpr int kUsual = 230; // px
     constexpr int kLines = 15;
-    return std::max(kUsual, kLines * QFontMetrics(QApplication::font()).height());
+    return std::max(kUsual, kLines * tabs.fontMetrics().height());
 }
 
 QStringList droppedFiles(const QDropEvent &event)
@@ -95,10 +94,11 @@ QSplitter *layOut(const Views &views)
     QSplitter *right = makeSplitter("plotsAndTabs", Qt::Vertical, views.plots, views.tabs);
     right->setStretchFactor(0, 1);
     right->setStretchFactor(1, 0);
-    right->setSizes({600, panelHeight()});
+    right->setSizes({600, panelHeight(*views.tabs)});
     QObject::connect(views.tabs, &FoldingTabs::foldedChanged, right, [right](bool folded) {
         const int height = right->sizes().value(0) + right->sizes().value(1);
-        right->setSizes(folded ? QList<int>{height, 0} : QList<int>{height - panelHeight(), panelHeight()});
+        const int tabs = folded ? 0 : panelHeight(*right->widget(1));
+        right->setSizes({height - tabs, tabs});
     });
 
     QSplitter *columns = makeSplitter("columns", Qt::Horizontal, left, right);

@@ -59,8 +59,9 @@ void Presentation::setOn(bool on)
     m_messages->setMuted(on);
     m_window->statusBar()->setVisible(!on);
     m_window->menuBar()->setMaximumHeight(on ? 0 : QWIDGETSIZE_MAX); // the shortcuts of a hidden menu bar do not work
-    m_views.tabs->setFolded(false); // the height of the folded tabs depends on the font
+    m_views.tabs->setFolded(true);
     m_window->centralWidget()->setFont(on ? largeFont(*m_window) : QFont());
+    m_views.tabs->setFolded(false); // sets the height for the font, and so does folding
     m_views.tabs->setFolded(on || m_wasFolded);
     m_views.columns->setStretchFactor(0, on ? kMechanismShare : 0);
     m_views.columns->setStretchFactor(1, on ? 100 - kMechanismShare : 1);
