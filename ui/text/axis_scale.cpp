@@ -76,13 +76,13 @@ Interval roundedOutwards(const Interval &range)
         const double middle = 0.5 * range.lower + 0.5 * range.upper;
         return roundedOutwards({middle - half, middle + half});
     }
-    constexpr double kRoom = 0.03;
+    constexpr double kMargin = 0.03;
     constexpr double kParts = 16.0;
     const double step = nextRoundNumber(range.length() / kParts);
-    const double room = kRoom * range.length();
+    const double margin = kMargin * range.length();
     // A margin below zero would suggest negative values.
-    const double lower = range.lower == 0.0 ? 0.0 : std::floor((range.lower - room) / step) * step;
-    return {lower, std::ceil((range.upper + room) / step) * step};
+    const double lower = range.lower == 0.0 ? 0.0 : std::floor((range.lower - margin) / step) * step;
+    return {lower, std::ceil((range.upper + margin) / step) * step};
 }
 
 } // namespace slidercrank
