@@ -58,11 +58,11 @@ void MechanismSketch::addGrid()
         return box;
     };
     const QRectF corner = addNumber({1.0, size.height()}, tr("mm"));
-    QPainterPath grid;
+    QPainterPath grid; // filled rectangles: painting smooth lines of width 1 takes ten times as long
+    grid.setFillRule(Qt::WindingFill);
     for (double i = std::ceil(shown.left() / step); i <= std::floor(shown.right() / step); i += 1.0) {
-        const double x = std::floor(toPixels({i * step, 0.0}).x()) + 0.5; // in the middle of a pixel
-        grid.moveTo(x, 0.0);
-        grid.lineTo(x, size.height());
+        const double x = std::floor(toPixels({i * step, 0.0}).x());
+        grid.addRect(x, 0.0, 1.0, size.height());
         const QString text = numberText(i * step);
         if (x > corner.right() && x + textSize(text, true).width() < size.width()) {
             addNumber({x, size.height()}, text);
@@ -70,14 +70,13 @@ void MechanismSketch::addGrid()
     }
     const double top = cornerLineCount() > 0 ? cornerLineTop(cornerLineCount()) : 0.0;
     for (double i = std::ceil(shown.top() / step); i <= std::floor(shown.bottom() / step); i += 1.0) {
-        const double y = std::floor(toPixels({0.0, i * step}).y()) + 0.5;
-        grid.moveTo(0.0, y);
-        grid.lineTo(size.width(), y);
+        const double y = std::floor(toPixels({0.0, i * step}).y());
+        grid.addRect(0.0, y, size.width(), 1.0);
         if (y - corner.height() > top && y < corner.top()) {
             addNumber({1.0, y}, numberText(i * step));
         }
     }
-    add(grid, QPen(m_colours.grid, 1.0));
+    add(grid, Qt::NoPen, m_colours.grid);
 }
 
 /// Adds a line of ground, with hatching below it.
