@@ -8,6 +8,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
+#include <numbers>
+#include <span>
 #include <utility>
 
 namespace slidercrank
@@ -22,40 +25,43 @@ constexpr double kUlpSlack = 4.0 * std::numeric_limits<double>::epsilon();
 
 constexpr std::size_t kFewestForThreads = 50000; // time stamps: below, threads cost more than they save
 
-/// One column of the reference and the model at the same time stamps.
-struct Column {
-    std::span<const double> time;
-    std::span<const double> model;
-    const ReferenceSeries &reference;
-};
-
 /// The sizes with which the errors of a column are compared, in its unit.
 struct Scale {
     double peak = 0.0; ///< largest magnitude of the reference
     double size = 0.0; ///< the larger of the peak and the channel's natural size
     double smallestStep = 0.0;
-    double halfRange = 0.0; ///< of the model's motion
+    double halfRange = 0.0; ///< of the model's motion; of a constant channel: a or 1 rad, times |ω2|^k
 };
 
-Scale scaleOf(const Column &column, const ChannelSize &channelSize)
+Scale scaleOf(const Mechanism &mechanism, const ReferenceSeries &reference, std::span<const double> model)
 {
+    const auto [coordinate, order] = reference.channel;
+    const auto inFileUnit = [&](double size) { return toFileUnit(reference.channel, size); };
     Scale scale;
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
-    for (std::size_t i = 0; i < column.time.size(); ++i) {
-        const double value = column.reference.values[i];
+    for (std::size_t i = 0; i < model.size(); ++i) {
+        const double value = reference.values[i];
         if (std::isfinite(value)) {
             scale.peak = std::max(scale.peak, std::abs(value));
-            if (std::isfinite(column.model[i])) {
-                low = std::min(low, column.model[i]);
-                high = std::max(high, column.model[i]);
+            if (std::isfinite(model[i])) {
+                low = std::min(low, model[i]);
+                high = std::max(high, model[i]);
             }
         }
     }
-    scale.size = std::max(scale.peak, channelSize.natural);
+    scale.size = std::max(scale.peak, inFileUnit(naturalSize(mechanism.parameters(), reference.channel)));
     scale.smallestStep = std::max(kArithmeticStep * scale.size,
-                                  kSmallestPartOfLargestStep * column.reference.rounding.stepAt(scale.peak));
-    scale.halfRange = channelSize.still > 0.0 ? channelSize.still : std::min(0.5 * high - 0.5 * low, channelSize.most);
+                                  kSmallestPartOfLargestStep * reference.rounding.stepAt(scale.peak));
+    scale.halfRange = 0.5 * high - 0.5 * low;
+    const bool belongsToGround = coordinate == R1x || coordinate == R1y || coordinate == Theta1;
+    const bool belongsToLine = coordinate == R4y || coordinate == Theta4;
+    if (coordinate == Theta2 && order == Order::Position) {
+        scale.halfRange = std::min(scale.halfRange, inFileUnit(std::numbers::pi));
+    } else if (belongsToGround || belongsToLine || coordinate == Theta2) {
+        scale.halfRange = inFileUnit(isAngle(coordinate) ? 1.0 : mechanism.a()) *
+                          std::pow(std::abs(mechanism.omega2()), static_cast<int>(order));
+    }
     return scale;
 }
 
@@ -105,23 +111,28 @@ void measure(ChannelComparison &result, double time, double error, double magnit
     }
 }
 
-/// `effect`: null if the time stamps are exact.
-ChannelComparison compareColumn(const Column &column, const Scale &scale, const RoundedTimeEffect *effect)
+/// Compares the column `series` of the reference. `effect`: null if the time stamps are exact.
+ChannelComparison compareSeries(const Mechanism &mechanism, const Trajectory &trajectory,
+                                const ReferenceData &reference, const ReferenceSeries &series,
+                                const RoundedTimeEffect *effect)
 {
-    const Channel channel = column.reference.channel;
+    const Channel channel = series.channel;
+    const std::vector<double> &models = trajectory[channel];
+    assert(models.size() == reference.time.size() && series.values.size() == models.size());
+    const Scale scale = scaleOf(mechanism, series, models);
     ChannelComparison result;
     result.channel = channel;
     result.peak = scale.peak;
     const double unit = scale.size > 0.0 ? scale.size : 1.0; // in this unit no square overflows or underflows
     double squares = 0.0;
     double largestStep = 0.0;
-    for (std::size_t i = 0; i < column.time.size(); ++i) {
-        const double value = column.reference.values[i];
-        const double model = column.model[i];
+    for (std::size_t i = 0; i < models.size(); ++i) {
+        const double value = series.values[i];
+        const double model = models[i];
         if (!std::isfinite(value)) {
             continue;
         }
-        const double step = column.reference.rounding.stepAt(value);
+        const double step = series.rounding.stepAt(value);
         largestStep = std::max(largestStep, step);
         if (!std::isfinite(model)) {
             result.missingModel += effect != nullptr && effect->isMotionPossible(channel, i) ? 0 : 1;
@@ -132,7 +143,7 @@ ChannelComparison compareColumn(const Column &column, const Scale &scale, const 
         const double error = std::abs(model - value);
         const double halfStep = 0.5 * std::max(step, scale.smallestStep);
         squares += (error / unit) * (error / unit);
-        measure(result, column.time[i], error, magnitude, magnitude <= halfStep);
+        measure(result, reference.time[i], error, magnitude, magnitude <= halfStep);
         double bound = halfStep + kUlpSlack * magnitude;
         if (effect != nullptr && error > bound) {
             bound += effect->drift(channel, i, model, scale.halfRange);
@@ -146,7 +157,7 @@ ChannelComparison compareColumn(const Column &column, const Scale &scale, const 
         }
     }
     result.verdict = judge(result);
-    if (column.reference.rounding.rule != Rounding::Rule::Unknown && largestStep > 0.0) {
+    if (series.rounding.rule != Rounding::Rule::Unknown && largestStep > 0.0) {
         result.roundingStep = largestStep;
     }
     if (result.count > 0) {
@@ -164,16 +175,18 @@ Trajectory exactMotion(const Mechanism &mechanism, std::vector<double> times, co
     return sample(mechanism, std::move(times), channels, {.method = Method::ClosedForm, .newton = {}}, std::move(stop));
 }
 
-/// The effect of time stamps that were rounded to step(time), in s; nullopt if the crank does not move in that time.
-template <class Step>
+/// The effect of time stamps that were rounded, or that are exact in double precision; nullopt if the crank does not
+/// move in that time.
 std::optional<RoundedTimeEffect> effectOfRoundedTime(const Mechanism &mechanism, const ReferenceData &reference,
-                                                     const Step &step)
+                                                     const Clock &clock, bool areRounded)
 {
     std::vector<double> early = reference.time;
     std::vector<double> late = reference.time;
     double largest = 0.0;
     for (std::size_t i = 0; i < reference.time.size(); ++i) {
-        const double half = 0.5 * std::max(step(reference.time[i]), kUlpSlack * std::abs(reference.time[i]));
+        const double time = reference.time[i];
+        const double step = clock.even ? clock.printedStep : reference.timeRounding.stepAt(time);
+        const double half = 0.5 * std::max(areRounded ? step : 0.0, kUlpSlack * std::abs(time));
         early[i] -= half;
         late[i] += half;
         largest = std::max(largest, half);
@@ -188,49 +201,17 @@ std::optional<RoundedTimeEffect> effectOfRoundedTime(const Mechanism &mechanism,
 
 } // namespace
 
-ChannelSize sizeOf(const Mechanism &mechanism, Channel channel)
-{
-    ChannelSize size;
-    size.natural = toFileUnit(channel, naturalSize(mechanism.parameters(), channel));
-    const Coordinate coordinate = channel.coordinate;
-    const bool belongsToGround = coordinate == R1x || coordinate == R1y || coordinate == Theta1;
-    const bool belongsToLine = coordinate == R4y || coordinate == Theta4;
-    const bool belongsToDrive = coordinate == Theta2 && channel.order != Order::Position;
-    if (belongsToGround || belongsToLine || belongsToDrive) {
-        const double position = toFileUnit(channel, isAngle(coordinate) ? 1.0 : mechanism.a());
-        size.still = position * std::pow(std::abs(mechanism.omega2()), static_cast<int>(channel.order));
-    } else if (coordinate == Theta2) {
-        size.most = toFileUnit(channel, std::numbers::pi);
-    }
-    return size;
-}
-
-ChannelComparison compareChannel(std::span<const double> time, std::span<const double> model,
-                                 const ReferenceSeries &reference, const ChannelSize &size)
-{
-    assert(model.size() == time.size() && reference.values.size() == time.size());
-    const Column column{time, model, reference};
-    return compareColumn(column, scaleOf(column, size), nullptr);
-}
-
 std::vector<ChannelComparison> compare(const Mechanism &mechanism, const Trajectory &model,
                                        const ReferenceData &reference)
 {
     const Clock clock = clockOf(reference);
-    const auto roundedStep = [&](double time) { return reference.timeRounding.stepAt(time); };
-    const std::optional<RoundedTimeEffect> effect =
-        effectOfRoundedTime(mechanism, reference, [&](double time) { return clock.rounded ? roundedStep(time) : 0.0; });
-    std::vector<Scale> scales(reference.series.size());
+    std::optional<RoundedTimeEffect> effect = effectOfRoundedTime(mechanism, reference, clock, clock.rounded);
     std::vector<ChannelComparison> result(reference.series.size());
-    const auto columnAt = [&](std::size_t i) {
-        return Column{reference.time, model[reference.series[i].channel], reference.series[i]};
-    };
     const bool isLong = reference.time.size() > kFewestForThreads;
-    const auto compareSeries = [&](std::size_t i) {
-        scales[i] = scaleOf(columnAt(i), sizeOf(mechanism, reference.series[i].channel));
-        result[i] = compareColumn(columnAt(i), scales[i], effect ? &*effect : nullptr);
+    const auto comparisonOf = [&](std::size_t i) {
+        return compareSeries(mechanism, model, reference, reference.series[i], effect ? &*effect : nullptr);
     };
-    inParallel(result.size(), compareSeries, isLong);
+    inParallel(result.size(), [&](std::size_t i) { result[i] = comparisonOf(i); }, isLong);
 
     // Time stamps that do not show it may nevertheless have been rounded. The effect must be small compared with the
     // motion, and with evenly spaced time stamps the best verdict is `close`.
@@ -240,21 +221,20 @@ std::vector<ChannelComparison> compare(const Mechanism &mechanism, const Traject
     if (clock.rounded || std::ranges::none_of(result, mayRise)) {
         return result;
     }
-    std::optional<RoundedTimeEffect> possible = effectOfRoundedTime(
-        mechanism, reference, [&](double time) { return clock.even ? clock.printedStep : roundedStep(time); });
-    if (!possible) {
+    effect = effectOfRoundedTime(mechanism, reference, clock, true);
+    if (!effect) {
         return result;
     }
-    possible->largestDrift = kExcessOfCloseness;
+    effect->largestDrift = kExcessOfCloseness;
     const auto compareAgain = [&](std::size_t i) {
         if (!mayRise(result[i])) {
             return;
         }
-        ChannelComparison again = compareColumn(columnAt(i), scales[i], &*possible);
+        const ChannelComparison again = comparisonOf(i);
         if (again.verdict != Verdict::Differs) {
-            again.clockIsRounded = clock.even;
-            again.verdict = clock.even ? Verdict::Close : again.verdict;
             result[i] = again;
+            result[i].clockIsRounded = clock.even;
+            result[i].verdict = clock.even ? Verdict::Close : again.verdict;
         }
     };
     inParallel(result.size(), compareAgain, isLong);
@@ -276,17 +256,16 @@ MotionDifference differenceOf(const Mechanism &mechanism, const Mechanism &other
     if (mechanism.omega2() == other.omega2() && mechanism.omega2() != 0.0) {
         duration = std::min(duration, kTurn / std::abs(mechanism.omega2())); // all turns are equal
     }
-    const std::vector<double> times = Sampling{std::min(from, to), duration, kSteps}.timeStamps();
-    const Trajectory model = exactMotion(mechanism, times, plottedChannels());
-    Trajectory pinned = exactMotion(other, times, plottedChannels());
-    MotionDifference difference;
+    ReferenceData pinned;
+    pinned.time = Sampling{std::min(from, to), duration, kSteps}.timeStamps();
+    Trajectory motion = exactMotion(other, pinned.time, plottedChannels());
     for (const Channel channel : kPlottedChannels) {
-        const ReferenceSeries series{channel, std::move(pinned.values[indexOf(channel)]), Rounding()};
-        const ChannelComparison comparison = compareChannel(times, model[channel], series, sizeOf(mechanism, channel));
-        difference.hasGaps =
-            difference.hasGaps || (channel.order == Order::Position && comparison.count < times.size());
-        difference.channels.push_back(comparison);
+        pinned.series.push_back({channel, std::move(motion.values[indexOf(channel)]), Rounding()});
     }
+    MotionDifference difference{compareExactly(mechanism, pinned).channels};
+    difference.hasGaps = std::ranges::any_of(difference.channels, [](const ChannelComparison &channel) {
+        return channel.channel.order == Order::Position && channel.count <= kSteps;
+    });
     return difference;
 }
 

@@ -20,9 +20,7 @@
 #include "core/mechanism/channel.h"
 #include "core/sampling/trajectory.h"
 
-#include <limits>
 #include <optional>
-#include <span>
 #include <stop_token>
 #include <vector>
 
@@ -83,24 +81,6 @@ inline constexpr double kArithmeticStep = 1e-12;
 /// The smallest rounding step, relative to the largest one of the column: the digits of a value of -7.4e-15 next to
 /// values near 100 have no meaning.
 inline constexpr double kSmallestPartOfLargestStep = 0.01;
-
-/// The size with which the errors of a channel are compared, in the unit of files.
-struct ChannelSize {
-    double natural = 1.0; ///< naturalSize()
-
-    // Half the motion's range: `still` if the channel is constant; otherwise that of the model, at most `most`.
-    double still = 0.0;
-    double most = std::numeric_limits<double>::infinity();
-};
-
-/// The size of a channel. A constant channel has the size of a moving one: a or 1 rad, times |ω2|^k for the k-th
-/// derivative. The half range of θ2 is at most π.
-ChannelSize sizeOf(const Mechanism &mechanism, Channel channel);
-
-/// Compares one channel, with exact time stamps. `time`, `model` and `reference.values` have one value per time stamp;
-/// NaN means none.
-ChannelComparison compareChannel(std::span<const double> time, std::span<const double> model,
-                                 const ReferenceSeries &reference, const ChannelSize &size);
 
 /// Compares every column of the file with a trajectory sampled at the file's own time stamps, by any method. The effect
 /// of rounded time stamps is computed from the exact motion.
