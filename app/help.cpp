@@ -61,50 +61,56 @@ QString optionSyntax(const OptionDescription &option)
     return QString("--") + option.name + shortName + (option.value ? QString(" ") + option.value : QString());
 }
 
-/// Escapes text for the manual page.
-QString roff(QString text)
-{
-    return text.replace('\\', "\\e").replace('-', "\\-");
-}
+using WriteEntry = QString (*)(const QString &name, const QString &description);
 
-/// Returns the usage, the description and the options of a command.
-QString describe(const CommandDescription &command)
+/// Returns the options of a command below their headings; for the window, the commands come first.
+QString listOptions(const CommandDescription &command, const QString &headingMark, WriteEntry writeEntry)
 {
-    QString text = CommandLine::tr("Usage:") + ' ' + usage(command) + "\n\n" + wrapped(CommandLine::tr(command.text));
+    QString text;
     if (isWindow(command)) {
-        text += '\n';
+        text += headingMark + CommandLine::tr("Commands") + '\n';
         for (const CommandDescription &each : allCommands()) {
-            text += entry(usage(each), CommandLine::tr(each.summary));
+            text += writeEntry(usage(each), CommandLine::tr(each.summary));
         }
     }
     const char *group = nullptr;
     for (const OptionDescription &option : optionsOf(command)) {
         if (option.group != group) {
             group = option.group;
-            text += '\n' + CommandLine::tr(group) + '\n';
+            text += headingMark + CommandLine::tr(group) + '\n';
         }
-        text += entry(optionSyntax(option), CommandLine::tr(option.text));
+        text += writeEntry(optionSyntax(option), CommandLine::tr(option.text));
     }
-    return text + '\n';
+    return text;
+}
+
+QString manualEntry(const QString &name, const QString &description)
+{
+    return QString(".TP\n.B %1\n%2\n").arg(name, description);
 }
 
 } // namespace
 
 QString helpText(const CommandDescription &command)
 {
-    return describe(command) + wrapped(unitsText()) + '\n' + wrapped(exitStatusText());
+    return CommandLine::tr("Usage:") + ' ' + usage(command) + "\n\n" + wrapped(CommandLine::tr(command.text)) +
+           listOptions(command, "\n", entry) + '\n' + wrapped(unitsText()) + '\n' + wrapped(exitStatusText());
 }
 
 QString manualPage()
 {
-    QString text =
-        ".\\\" SPDX-License-Identifier: GPL-3.0-or-later\n.TH SLIDERCRANK 1 \"\" \"slidercrank " SLIDERCRANK_VERSION
-        "\" \"User Commands\"\n.SH NAME\nslidercrank \\- motion of an offset slider\\-crank\n";
+    QString synopsis, sections;
     for (const CommandDescription &command : allCommands()) {
-        text += ".SH " + (isWindow(command) ? "DESCRIPTION" : QString(command.name).toUpper()) + "\n.nf\n" +
-                roff(describe(command)) + ".fi\n";
+        synopsis += usage(command) + "\n.br\n";
+        sections += QString(".SH %1\n%2\n%3")
+                        .arg(isWindow(command) ? "DESCRIPTION" : QString(command.name).toUpper(),
+                             CommandLine::tr(command.text), listOptions(command, ".SS ", manualEntry));
     }
-    return text + ".SH UNITS\n" + roff(unitsText()) + "\n.SH EXIT STATUS\n" + roff(exitStatusText()) + '\n';
+    QString text = ".TH SLIDERCRANK 1 \"\" \"slidercrank " SLIDERCRANK_VERSION
+                   "\" \"User Commands\"\n.SH NAME\nslidercrank - motion of an offset slider-crank\n"
+                   ".SH SYNOPSIS\n" +
+                   synopsis + sections + ".SH UNITS\n" + unitsText() + "\n.SH EXIT STATUS\n" + exitStatusText();
+    return ".\\\" SPDX-License-Identifier: GPL-3.0-or-later\n" + text.replace('-', "\\-") + '\n';
 }
 
 } // namespace slidercrank
