@@ -27,7 +27,7 @@ ExitStatus Question::write(const Streams &streams, const Answer &answer) const
     const QByteArray bytes = format == u"json"  ? jsonDocument(answer.json)
                              : format == u"csv" ? csvText(answer.rows)
                                                 : answer.text.toUtf8();
-    return bytes.isEmpty() ? ExitStatus::Success : writeOutput(streams, output, bytes);
+    return bytes.isEmpty() ? answer.status : moreSevere(answer.status, writeOutput(streams, output, bytes));
 }
 
 QString alignedTable(const std::vector<QStringList> &rows)
@@ -35,15 +35,12 @@ QString alignedTable(const std::vector<QStringList> &rows)
     std::vector<QString> lines(rows.size());
     for (qsizetype column = 0; column < rows[0].size(); ++column) {
         qsizetype width = 0;
-        bool isText = false;
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            const QString &cell = rows[i][column];
-            width = std::max(width, cell.size());
-            isText = isText || (i > 0 && !cell.isEmpty() && cell[0].isLetter());
+        for (const QStringList &row : rows) {
+            width = std::max(width, row[column].size());
         }
         for (std::size_t i = 0; i < rows.size(); ++i) {
             const QString &cell = rows[i][column];
-            lines[i] += (isText ? cell.leftJustified(width) : cell.rightJustified(width)) + "  ";
+            lines[i] += (column == 0 ? cell.leftJustified(width) : cell.rightJustified(width)) + "  ";
         }
     }
     QString table;

@@ -11,9 +11,10 @@ namespace slidercrank
 
 /// The same answer in every format.
 struct Answer {
-    QString text;
-    std::vector<Record> rows;
-    QJsonObject json;
+    QString text = {};
+    std::vector<Record> rows = {};
+    QJsonObject json = {};
+    ExitStatus status = ExitStatus::Success;
 };
 
 struct Question {
@@ -25,12 +26,12 @@ struct Question {
     /// too.
     explicit Question(const OptionReader &options);
 
-    /// Writes the answer in the format that was asked for, unless that is empty.
+    /// Writes the answer in the format that was asked for, unless that is empty. Returns the status of the answer, or a
+    /// more severe one if it cannot be written.
     ExitStatus write(const Streams &streams, const Answer &answer) const;
 };
 
-/// Returns the cells in columns that are as wide as their widest cell. The first row contains the headings. Columns are
-/// right-aligned unless one of their cells begins with a letter.
+/// Returns the cells in columns that are as wide as their widest cell. All columns but the first are right-aligned.
 QString alignedTable(const std::vector<QStringList> &rows);
 
 /// Null if the text is empty.

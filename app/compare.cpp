@@ -31,8 +31,8 @@ QJsonArray jsonSkippedRows(const ReferenceData &data)
     });
 }
 
-ReferenceAnswer compareOne(const ReferenceQuestion &question, const SolverSettings &solver, const Reference &reference,
-                           const Streams &streams)
+Answer compareOne(const ReferenceQuestion &question, const SolverSettings &solver, const Reference &reference,
+                  const Streams &streams)
 {
     const ReferenceData &data = reference.data;
     const Trajectory model = sample(question.mechanism, data.time, channelsOf(data), solver);
@@ -40,7 +40,7 @@ ReferenceAnswer compareOne(const ReferenceQuestion &question, const SolverSettin
     const auto worst = std::ranges::max_element(comparison, {}, &ChannelComparison::verdict);
     const Verdict verdict = worst == comparison.end() ? Verdict::Differs : worst->verdict;
 
-    ReferenceAnswer answer;
+    Answer answer;
     QStringList explanation;
     QJsonValue jsonExplanation;
     if (verdict == Verdict::Differs) {

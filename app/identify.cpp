@@ -10,7 +10,6 @@
 #include "ui/text/convention_text.h"
 #include "ui/text/diagnosis_text.h"
 #include "ui/text/finding_text.h"
-#include "ui/text/written_number.h"
 
 #include <QLocale>
 
@@ -92,8 +91,7 @@ QString identificationText(const Reference &reference, const Diagnosis &diagnosi
     }
     lines += summaryText(diagnosis);
     if (found.outcome != Outcome::Approximate) {
-        lines += CommandLine::tr("± one standard deviation; %1 iterations, condition number %2.")
-                     .arg(QString::number(found.iterations), numberText(found.conditionNumber, 3));
+        lines += CommandLine::tr("± is one standard error.");
     }
     const std::optional<ReferenceData> timed = data.crank ? timedBy(Mechanism(found.parameters), data) : std::nullopt;
     lines += '\n' + alignedTable(comparisonTable(diagnosis.identified, timed ? *timed : data));
@@ -108,11 +106,11 @@ QString identificationText(const Reference &reference, const Diagnosis &diagnosi
     return lines.join('\n') + '\n';
 }
 
-ReferenceAnswer identifyOne(const ReferenceQuestion &question, const Reference &reference, const Streams &streams)
+Answer identifyOne(const ReferenceQuestion &question, const Reference &reference, const Streams &streams)
 {
     const Diagnosis diagnosis = diagnose(reference.data, question.mechanism);
     const bool isFound = diagnosis.identification.hasMechanism();
-    ReferenceAnswer answer;
+    Answer answer;
     answer.json = jsonIdentification(diagnosis);
     if (isFound) {
         answer.text = identificationText(reference, diagnosis);

@@ -13,7 +13,6 @@
 #include "ui/text/design_text.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/motion_facts.h"
-#include "ui/text/quantity_text.h"
 
 #include <QJsonArray>
 #include <QRegularExpression>
@@ -73,22 +72,17 @@ std::vector<Record> varyLimits(const OptionReader &options, Parameters parameter
     const QRegularExpressionMatch match = syntax.match(options.text("vary"));
     const auto parameter =
         std::ranges::find(kParameters, match.captured(1), [](Parameter each) { return QString(optionName(each)); });
-    bool isValid = parameter != kParameters.end();
-    std::array<double, 2> ends{};
-    for (int i = 0; isValid && i < 2; ++i) {
-        const Quantity end = readQuantity(match.captured(2 + i), defaultUnit(*parameter), QLocale::c());
-        valueOf(parameters, *parameter) = ends[static_cast<std::size_t>(i)] = end.value;
-        isValid = !end.fault && !findFault(parameters);
-    }
-    if (!isValid) {
+    if (parameter == kParameters.end()) {
         throw UsageError{CommandLine::tr("--vary must be a parameter and a range of its values, such as b=50..120, not "
                                          "\"%1\".")
                              .arg(options.text("vary"))};
     }
+    const double first = parseParameter("vary", match.captured(2), *parameter);
+    const double last = parseParameter("vary", match.captured(3), *parameter);
     const int count = options.integer("count", 100, 1, 1'000'000);
     std::vector<Record> rows;
     for (int i = 0; i < count; ++i) {
-        const double value = ends[0] + (count > 1 ? static_cast<double>(i) / (count - 1) : 0.0) * (ends[1] - ends[0]);
+        const double value = first + (count > 1 ? static_cast<double>(i) / (count - 1) : 0.0) * (last - first);
         valueOf(parameters, *parameter) = value;
         const Mechanism varied(parameters);
         Record row{{match.captured(1), value}};
@@ -107,24 +101,21 @@ std::vector<Record> varyLimits(const OptionReader &options, Parameters parameter
 DesignRequest readDesign(const OptionReader &options)
 {
     DesignRequest request;
-    bool isValid = true;
+    bool isKnown = true;
     for (const QString &part : options.text("design").split(',')) {
         const QString key = part.section('=', 0, 0).trimmed();
-        const QString text = part.section('=', 1);
-        Quantity quantity;
+        const QString value = part.section('=', 1);
         if (key == u"stroke") {
-            quantity = readQuantity(text, kMillimetre, QLocale::c());
-            request.stroke = quantity.value;
+            request.stroke = parseNumber("design", value, kMillimetre, kShortestLink);
         } else if (key == u"time-ratio") {
-            quantity = readQuantity(text, {}, QLocale::c());
-            request.timeRatio = quantity.value;
+            request.timeRatio = parseNumber("design", value, {}, kShortestLink);
         } else if (key == u"transmission-angle") {
-            quantity = readQuantity(text, kDegree, QLocale::c());
-            request.transmissionAngle = quantity.value / kDegreesPerRadian;
+            request.transmissionAngle = parseNumber("design", value, kDegree, kShortestLink) / kDegreesPerRadian;
+        } else {
+            isKnown = false;
         }
-        isValid = isValid && !quantity.fault && quantity.value > 0.0;
     }
-    if (!isValid || !(request.stroke > 0.0)) {
+    if (!isKnown || !(request.stroke > 0.0)) {
         throw UsageError{
             CommandLine::tr("--design must be such as stroke=80,time-ratio=1.2,transmission-angle=40, not \"%1\".")
                 .arg(options.text("design"))};
@@ -164,21 +155,21 @@ ExitStatus limitsCommand(const OptionReader &options, const Streams &streams)
             throw UsageError{CommandLine::tr("--vary writes a table: add --format csv or --format json.")};
         }
         const std::vector<Record> rows = varyLimits(options, mechanism.parameters());
-        return question.write(streams, {{}, rows, {{"rows", jsonList(rows, jsonObject)}}});
+        return question.write(streams, {.rows = rows, .json = {{"rows", jsonList(rows, jsonObject)}}});
     }
     options.refuse({"count"}, CommandLine::tr("%1 belongs to --vary: remove it."));
     const MotionLimits limits = motionLimits(mechanism);
     const std::vector<MotionFact> facts = findFacts(mechanism, limits);
     const QString sentence = mobilitySentence(mechanism, limits);
     const std::vector<Record> rows = listLimits(facts);
-    const bool isImpossible = limits.mobility == Mobility::Impossible;
-    return moreSevere(question.write(streams, {design + sentence + '\n' + alignedTable(limitTable(facts)),
-                                               rows,
-                                               {{"mechanism", toJson(mechanism.parameters())},
-                                                {"mobility", kMobilityNames[static_cast<std::size_t>(limits.mobility)]},
-                                                {"reason", sentence},
-                                                {"limits", jsonList(rows, jsonObject)}}}),
-                      isImpossible ? ExitStatus::NotAssemblable : ExitStatus::Success);
+    return question.write(streams, {.text = design + sentence + '\n' + alignedTable(limitTable(facts)),
+                                    .rows = rows,
+                                    .json = {{"mechanism", toJson(mechanism.parameters())},
+                                             {"mobility", kMobilityNames[static_cast<std::size_t>(limits.mobility)]},
+                                             {"reason", sentence},
+                                             {"limits", jsonList(rows, jsonObject)}},
+                                    .status = limits.mobility == Mobility::Impossible ? ExitStatus::NotAssemblable
+                                                                                      : ExitStatus::Success});
 }
 
 } // namespace slidercrank

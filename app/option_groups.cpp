@@ -42,9 +42,13 @@ ColumnChoice parseMeaning(const QString &text)
 
 } // namespace
 
-Unit defaultUnit(Parameter parameter)
+double parseParameter(const char *option, const QString &text, Parameter parameter)
 {
-    return parameter == Parameter::Omega2 ? kRadianPerSecond : parameter == Parameter::Theta20 ? kRadian : kMillimetre;
+    const bool isLink = parameter == Parameter::A || parameter == Parameter::B;
+    const Unit unit = parameter == Parameter::Omega2    ? kRadianPerSecond
+                      : parameter == Parameter::Theta20 ? kRadian
+                                                        : kMillimetre;
+    return parseNumber(option, text, unit, isLink ? kShortestLink : -kLargestParameter);
 }
 
 QStringList channelNames()
@@ -65,10 +69,10 @@ Mechanism readMechanism(const OptionReader &options)
     }
     Parameters parameters = options.scene().parameters;
     for (const Parameter parameter : kParameters) {
-        const bool isLink = parameter == Parameter::A || parameter == Parameter::B;
-        double &value = valueOf(parameters, parameter);
-        value = options.number(optionName(parameter), value, defaultUnit(parameter),
-                               isLink ? kShortestLink : -kLargestParameter);
+        const char *name = optionName(parameter);
+        if (options.has(name)) {
+            valueOf(parameters, parameter) = parseParameter(name, options.text(name), parameter);
+        }
     }
     parameters.branch = options.choice("branch", parameters.branch);
     return Mechanism(parameters);

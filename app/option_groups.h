@@ -17,8 +17,8 @@ namespace slidercrank
 /// The names of all 36 channels.
 QStringList channelNames();
 
-/// The unit of a parameter that is given without a unit.
-Unit defaultUnit(Parameter parameter);
+/// Parses the value of a parameter in an option. A number without a unit is in mm, rad/s or rad.
+double parseParameter(const char *option, const QString &text, Parameter parameter);
 
 Mechanism readMechanism(const OptionReader &options);
 Sampling readSampling(const OptionReader &options);

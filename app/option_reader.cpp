@@ -21,6 +21,20 @@ qsizetype indexAmong(const QStringList &words, const QString &word, const char *
     return index;
 }
 
+double parseNumber(const char *option, const QString &text, const std::optional<Unit> &unit, double smallest,
+                   double largest)
+{
+    const auto &[value, fault] = readQuantity(text, unit, QLocale::c());
+    if (fault) {
+        throw UsageError{QString("--%1: %2").arg(option, quantityFaultText(text, *fault, unit))};
+    }
+    if (value < smallest || value > largest) {
+        throw UsageError{CommandLine::tr("--%1 must be from %2 to %3, not \"%4\".")
+                             .arg(option, typedNumberText(smallest), typedNumberText(largest), text)};
+    }
+    return value;
+}
+
 OptionReader::OptionReader(const CommandDescription &command, const QStringList &arguments)
     : m_command(command)
     , m_options(optionsOf(command))
@@ -37,27 +51,7 @@ OptionReader::OptionReader(const CommandDescription &command, const QStringList 
     if (!m_parser.errorText().isEmpty() && !has("help")) {
         throw UsageError{CommandLine::tr("%1 --help describes the options.").arg(m_parser.errorText())};
     }
-    checkRepetitions();
     m_scene.solver.newton.elimination = Elimination::Structured; // the same iterates as Dense, ten times faster
-}
-
-void OptionReader::checkRepetitions() const
-{
-    const QStringList repeatable{"column", "reference"};
-    QStringList values = files();
-    for (const OptionDescription &option : m_options) {
-        const QStringList given = texts(option.name);
-        if (given.size() > 1 && !repeatable.contains(option.name)) {
-            throw UsageError{CommandLine::tr("--%1 is given more than once: keep one of them.").arg(option.name)};
-        }
-        if (option.value == QLatin1String("FILE") && given.contains("")) {
-            throw UsageError{CommandLine::tr("--%1 needs the name of a file.").arg(option.name)};
-        }
-        values += given;
-    }
-    if (values.count("-") > 1) {
-        throw UsageError{CommandLine::tr("Standard input can be read only once: give one \"-\".")};
-    }
 }
 
 void OptionReader::readScene()
@@ -101,18 +95,7 @@ QStringList OptionReader::texts(const char *name) const
 double OptionReader::number(const char *name, double defaultValue, const std::optional<Unit> &unit, double smallest,
                             double largest) const
 {
-    if (!has(name)) {
-        return defaultValue;
-    }
-    const auto &[value, fault] = readQuantity(text(name), unit, QLocale::c());
-    if (fault) {
-        throw UsageError{QString("--%1: %2").arg(name, quantityFaultText(text(name), *fault, unit))};
-    }
-    if (value < smallest || value > largest) {
-        throw UsageError{CommandLine::tr("--%1 must be from %2 to %3, not \"%4\".")
-                             .arg(name, typedNumberText(smallest), typedNumberText(largest), text(name))};
-    }
-    return value;
+    return has(name) ? parseNumber(name, text(name), unit, smallest, largest) : defaultValue;
 }
 
 int OptionReader::integer(const char *name, int defaultValue, int smallest, int largest) const

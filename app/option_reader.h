@@ -22,6 +22,11 @@ namespace slidercrank
 /// Returns the position of the value of an option in the list of its possible values. Throws if it is not among them.
 qsizetype indexAmong(const QStringList &words, const QString &word, const char *option);
 
+/// Returns the value in `unit`. The text may contain another unit of the same dimension, or no unit. With nullopt, it
+/// must be a number without a unit.
+double parseNumber(const char *option, const QString &text, const std::optional<Unit> &unit,
+                   double smallest = -kLargestParameter, double largest = kLargestParameter);
+
 class OptionReader
 {
 public:
@@ -41,8 +46,7 @@ public:
     QStringList files() const { return m_parser.positionalArguments(); } ///< the arguments that are not options
     void refuseFiles() const;                                            ///< throws if there are any
 
-    /// The value in `unit`. The text may contain another unit of the same dimension, or no unit. With nullopt, the text
-    /// must be a number without a unit.
+    /// The number that parseNumber() finds in the option.
     double number(const char *name, double defaultValue, const std::optional<Unit> &unit = {},
                   double smallest = -kLargestParameter, double largest = kLargestParameter) const;
     int integer(const char *name, int defaultValue, int smallest, int largest) const;
@@ -68,7 +72,6 @@ public:
 
 private:
     const OptionDescription *find(const char *name) const; ///< null if the command does not take the option
-    void checkRepetitions() const; ///< throws if an option or standard input is given twice, or a file has no name
 
     const CommandDescription &m_command;
     std::vector<OptionDescription> m_options;

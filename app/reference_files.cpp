@@ -63,19 +63,18 @@ ReferenceQuestion::ReferenceQuestion(const OptionReader &options)
 
 ExitStatus ReferenceQuestion::answerEach(const Streams &streams, const AnswerOne &answerOne) const
 {
-    ExitStatus status = ExitStatus::Success;
     QStringList texts;
     Answer all;
     QJsonArray json;
     for (const QStringList &paths : files) {
         const auto reference = readTimedReference(streams, {paths, {}, {}}, columns, mechanism);
         if (!reference) {
-            status = moreSevere(status, ExitStatus::FileError);
+            all.status = moreSevere(all.status, ExitStatus::FileError);
             continue;
         }
-        ReferenceAnswer answer = answerOne(*reference);
+        Answer answer = answerOne(*reference);
         const QString file = paths.join(" + ");
-        status = moreSevere(status, answer.status);
+        all.status = moreSevere(all.status, answer.status);
         texts += answer.text;
         for (Record &row : answer.rows) {
             row.insert(row.begin(), {"file", file});
@@ -89,12 +88,12 @@ ExitStatus ReferenceQuestion::answerEach(const Streams &streams, const AnswerOne
         json += answer.json;
     }
     if (json.isEmpty()) { // no file could be read: writes no output file
-        return status;
+        return all.status;
     }
     texts.removeAll(QString());
     all.text = texts.join('\n');
     all.json.insert("files", json);
-    return moreSevere(status, write(streams, all));
+    return write(streams, all);
 }
 
 std::shared_ptr<const Reference> readTimedReference(const Streams &streams, const ReferenceSource &source,

@@ -12,11 +12,6 @@
 namespace slidercrank
 {
 
-/// The answer about one reference. Its rows and its JSON do not describe the file.
-struct ReferenceAnswer : Answer {
-    ExitStatus status = ExitStatus::Success;
-};
-
 struct ReferenceQuestion : Question {
     QList<QStringList> files; ///< each element is one reference: a file, or several files that are joined
     std::vector<ColumnChoice> columns;
@@ -24,8 +19,9 @@ struct ReferenceQuestion : Question {
     explicit ReferenceQuestion(const OptionReader &options);
 
     /// Reads each reference, writes the answers about all of them, and returns the most severe status. A file that
-    /// cannot be read is reported, and the others are still answered.
-    using AnswerOne = std::function<ReferenceAnswer(const Reference &)>;
+    /// cannot be read is reported, and the others are still answered. The rows and the JSON of the answer about one
+    /// reference do not describe the file.
+    using AnswerOne = std::function<Answer(const Reference &)>;
     ExitStatus answerEach(const Streams &streams, const AnswerOne &answerOne) const;
 };
 

@@ -85,12 +85,10 @@ void readTarget(const OptionReader &options, RenderRequest &request)
                             : isReport ? format == FigureFormat::Pdf
                                        : format.has_value();
     if (!isSuitable) {
-        throw UsageError{CommandLine::tr("--output must be the name of %1, not \"%2\".")
-                             .arg(isFrames
-                                      ? CommandLine::tr("a new folder, or of a video that ends in .mp4, .webm or .gif")
-                                  : isReport ? CommandLine::tr("a file that ends in .pdf")
-                                             : CommandLine::tr("a file that ends in .png, .svg or .pdf"),
-                                  request.output)};
+        throw UsageError{
+            CommandLine::tr("--output must be a name that ends in .png, .svg or .pdf (report: .pdf; frames: a "
+                            "new folder, .mp4, .webm or .gif), not \"%1\".")
+                .arg(request.output)};
     }
 }
 

@@ -6,7 +6,6 @@
 #include "app/console.h"
 #include "app/option_reader.h"
 #include "app/output.h"
-#include "ui/document/scene.h"
 #include "ui/window/main_window.h"
 
 #include <QApplication>
@@ -36,19 +35,16 @@ ExitStatus resetSettings(const Streams &streams)
         CommandLine::tr("Removed: layout, recent files, language, theme, meanings of columns.").toUtf8() + '\n');
 }
 
-/// Throws unless the file exists. An argument that cannot be the name of a file may be a misspelt command.
+/// Throws unless the file exists. An argument without a dot may be a misspelt command.
 void requireFile(const QString &argument)
 {
     const QString name = QDir::toNativeSeparators(argument);
-    if (findCommand(argument)) {
-        throw UsageError{CommandLine::tr("The command must come first: slidercrank %1 …").arg(argument)};
-    }
-    if (!QFileInfo::exists(argument) && !argument.contains('.')) {
-        throw UsageError{CommandLine::tr("There is no command and no file \"%1\": choose one of %2.")
-                             .arg(name, commandNames().join(", "))};
+    if (!QFileInfo::exists(argument) && argument.contains('.')) {
+        throw UsageError{CommandLine::tr("There is no file %1.").arg(name), ExitStatus::FileError};
     }
     if (!QFileInfo::exists(argument)) {
-        throw UsageError{CommandLine::tr("There is no file %1.").arg(name), ExitStatus::FileError};
+        throw UsageError{CommandLine::tr("There is no file \"%1\". A command must come first: choose one of %2.")
+                             .arg(name, commandNames().join(", "))};
     }
 }
 
@@ -56,31 +52,21 @@ void requireFile(const QString &argument)
 
 ExitStatus windowCommand(const OptionReader &options, const Streams &streams)
 {
-    QStringList files = options.texts("reference") + options.files();
+    const QStringList files = options.files() + options.texts("reference");
     if (options.has("reset-settings")) {
         if (!files.isEmpty()) {
             throw UsageError{CommandLine::tr("--reset-settings opens no window: remove the other arguments.")};
         }
         return resetSettings(streams);
     }
-    QStringList scenes;
-    for (const QString &file : options.files()) {
-        if (isNamedAsScene(file)) {
-            scenes += file;
-            files.removeAll(file);
-        }
-    }
-    if (scenes.size() > 1) {
-        throw UsageError{CommandLine::tr("The window opens one scene: remove \"%1\".").arg(scenes.last())};
-    }
-    std::ranges::for_each(options.files() + options.texts("reference"), requireFile);
+    std::ranges::for_each(files, requireFile);
     if (!qobject_cast<QApplication *>(QCoreApplication::instance())) {
         throw UsageError{CommandLine::tr("There is no display for the window: set DISPLAY, or use a command, such as "
                                          "solve, which needs none.")};
     }
     leaveConsole();
     MainWindow window;
-    window.start(scenes.value(0), files);
+    window.start(files);
     return static_cast<ExitStatus>(QApplication::exec());
 }
 

@@ -273,15 +273,13 @@ QWidget *MainWindow::makeNewtonPanel()
     return panel;
 }
 
-void MainWindow::start(const QString &scene, const QStringList &reference)
+void MainWindow::start(const QStringList &files)
 {
     showWithinScreen();
-    if (!scene.isEmpty()) {
-        m_scene->open(scene, reference);
-    } else if (!reference.isEmpty()) {
-        openReference(reference);
-    } else {
+    if (files.isEmpty()) {
         m_messages->greetOnce();
+    } else {
+        openFiles(files);
     }
 }
 

@@ -35,8 +35,8 @@ public:
     Presentation &presentation() { return *m_presentation; }
     Messages &messages() { return *m_messages; }
 
-    /// Shows the window with the scene and the reference of the command line. Without these, greets a new user.
-    void start(const QString &scene, const QStringList &reference);
+    /// Shows the window with the files of the command line. Without these, greets a new user.
+    void start(const QStringList &files);
 
     /// Shows the window; maximized if the screen is too small for it.
     void showWithinScreen();

@@ -86,7 +86,7 @@ void SceneFile::askThen(const std::function<void()> &proceed)
     question->open();
 }
 
-void SceneFile::open(const QString &path, const QStringList &reference)
+void SceneFile::open(const QString &path)
 {
     const QString absolute = QFileInfo(path).absoluteFilePath();
     const FileState state = fileState(absolute);
@@ -95,16 +95,9 @@ void SceneFile::open(const QString &path, const QStringList &reference)
         emit m_session->failed(*sentence);
         return;
     }
-    Scene scene = std::get<Scene>(outcome);
-    if (!reference.isEmpty()) {
-        scene.reference.reset();
-    }
-    askThen([this, absolute, state, scene, reference] {
+    askThen([this, absolute, state, scene = std::get<Scene>(outcome)] {
         show(scene, absolute, state);
         rememberFiles({absolute});
-        if (!reference.isEmpty()) {
-            m_session->loadReference(reference);
-        }
     });
 }
 

@@ -44,9 +44,8 @@ public:
     void restore(const Scene &scene, const std::function<void()> &proceed);
 
 public slots:
-    /// Asks about unsaved changes, then opens the scene. If `reference` is not empty, these files replace the scene's
-    /// own reference.
-    void open(const QString &path, const QStringList &reference = {});
+    /// Asks about unsaved changes, then opens the scene.
+    void open(const QString &path);
     void chooseAndOpen();
 
     /// Saves the scene and calls proceed(). Asks for a name if the scene has none, and before it replaces a file that
