@@ -124,7 +124,6 @@ bool interpret(const ReferenceData &data, const Observations &all, const FileSea
     for (const std::size_t row : search.excluded) {
         found.excludedRows.push_back(data.lineOfRow(row));
     }
-    result.isSpeedOfDerivatives = all.isByCrankAngle && found.identifiable[indexOf(Parameter::Omega2)];
     compareInterpreted(good, search, decision.candidate, given, stop, result);
     return true;
 }

@@ -47,9 +47,6 @@ struct Diagnosis {
     /// The file has no unit of length, and the crank is shorter than 1 mm.
     bool mayBeInMetres = false;
 
-    /// The file is by crank angle, and ω2 follows from its time derivatives.
-    bool isSpeedOfDerivatives = false;
-
     std::optional<CrankSpeedChange> unevenCrank; ///< set if the file contains θ2 and the speed is not constant
 };
 

@@ -90,7 +90,6 @@ struct FileLayout {
     char delimiter = ',';
     DecimalSign decimalSign = DecimalSign::Point;
     std::size_t headerLine = 0;                 ///< 0: none, the file begins with numbers
-    std::vector<std::size_t> preambleLines;     ///< above the headings: titles, comments, an announced delimiter
     std::size_t unitsLine = 0;                  ///< 0: none
     std::vector<FileColumn> columns;            ///< all of them, in the order of the file
     std::vector<std::vector<std::string>> rows; ///< the first few rows of cells as printed, for a preview

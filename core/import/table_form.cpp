@@ -254,9 +254,6 @@ void findTable(std::string_view text, TableFile &file)
     const std::optional<FirstRow> row = findFirstRow(lines, delimiters);
     const HeaderFound header = findHeader(lines, delimiters, row);
     const Line &line = lines[header.line];
-    for (std::size_t i = 0; i < header.line; ++i) {
-        file.layout.preambleLines.push_back(lines[i].number);
-    }
     file.layout.delimiter = row ? row->delimiter : header.names->delimiter;
     file.data = header.names ? line.below : text.substr(static_cast<std::size_t>(line.text.data() - text.data()));
     file.firstDataLine = line.number + (header.names ? 1 : 0);

@@ -176,20 +176,12 @@
         <translation>elegido a mano</translation>
     </message>
     <message>
-        <source>ignored: “%1” could be the same quantity</source>
-        <translation>sin usar: «%1» podría ser la misma magnitud</translation>
-    </message>
-    <message>
         <source>decimal point</source>
         <translation>punto decimal</translation>
     </message>
     <message>
         <source>decimal comma</source>
         <translation>coma decimal</translation>
-    </message>
-    <message>
-        <source>units in line %1</source>
-        <translation>unidades en la línea %1</translation>
     </message>
     <message>
         <source>crank angle</source>
@@ -220,42 +212,6 @@
         <translation>supuesta: ninguna columna es el tiempo, y esta es el ángulo de la manivela</translation>
     </message>
     <message>
-        <source>ignored: unknown heading</source>
-        <translation>no se usa: encabezado desconocido</translation>
-    </message>
-    <message>
-        <source>ignored: the heading does not name the body</source>
-        <translation>no se usa: el encabezado no indica el cuerpo</translation>
-    </message>
-    <message>
-        <source>ignored: it numbers the rows</source>
-        <translation>no se usa: numera las filas</translation>
-    </message>
-    <message>
-        <source>ignored: a magnitude, of which “%1” is a component</source>
-        <translation>no se usa: es un módulo, del que «%1» es una componente</translation>
-    </message>
-    <message>
-        <source>ignored: the same time stamps as “%1”</source>
-        <translation>no se usa: los mismos instantes que «%1»</translation>
-    </message>
-    <message>
-        <source>ignored: no heading</source>
-        <translation>no se usa: sin encabezado</translation>
-    </message>
-    <message>
-        <source>ignored: it contains no number</source>
-        <translation>no se usa: no contiene ningún número</translation>
-    </message>
-    <message>
-        <source>ignored: its unit is unknown, or does not suit the quantity</source>
-        <translation>no se usa: su unidad es desconocida o no corresponde a la magnitud</translation>
-    </message>
-    <message>
-        <source>ignored: neither unit nor values tell whether it is an angle or a length</source>
-        <translation>no se usa: ni la unidad ni los valores dicen si es un ángulo o una longitud</translation>
-    </message>
-    <message>
         <source>the time stamps, the same in all files</source>
         <translation>los instantes, los mismos en todos los archivos</translation>
     </message>
@@ -274,10 +230,6 @@
     <message>
         <source>headings in line %1</source>
         <translation>encabezados en la línea %1</translation>
-    </message>
-    <message>
-        <source>lines skipped above them: %1</source>
-        <translation>líneas omitidas antes de ellos: %1</translation>
     </message>
     <message>
         <source>assumed from its values: an angle beyond half a turn, or its derivative</source>
@@ -319,6 +271,46 @@
         <source>The meaning of these columns was guessed: %1. Check it, and choose another one if it is wrong.</source>
         <translation>El significado de estas columnas es una suposición: %1. Compruébelo y elija otro si no es correcto.</translation>
     </message>
+    <message>
+        <source>unknown heading</source>
+        <translation>encabezado desconocido</translation>
+    </message>
+    <message>
+        <source>its heading does not name the body</source>
+        <translation>su encabezado no indica el cuerpo</translation>
+    </message>
+    <message>
+        <source>it numbers the rows</source>
+        <translation>numera las filas</translation>
+    </message>
+    <message>
+        <source>a magnitude, of which “%1” is a component</source>
+        <translation>es un módulo, del que «%1» es una componente</translation>
+    </message>
+    <message>
+        <source>the same time stamps as “%1”</source>
+        <translation>los mismos instantes que «%1»</translation>
+    </message>
+    <message>
+        <source>no heading</source>
+        <translation>sin encabezado</translation>
+    </message>
+    <message>
+        <source>it contains no number</source>
+        <translation>no contiene ningún número</translation>
+    </message>
+    <message>
+        <source>its unit is unknown, or does not suit the quantity</source>
+        <translation>su unidad es desconocida o no corresponde a la magnitud</translation>
+    </message>
+    <message>
+        <source>another column could be the same quantity</source>
+        <translation>otra columna podría ser la misma magnitud</translation>
+    </message>
+    <message>
+        <source>neither unit nor values tell whether it is an angle or a length</source>
+        <translation>ni la unidad ni los valores dicen si es un ángulo o una longitud</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::CommandLine</name>
@@ -347,20 +339,12 @@
         <translation>Otras</translation>
     </message>
     <message>
-        <source>± one standard deviation; %1 iterations, condition number %2.</source>
-        <translation>± una desviación estándar; %1 iteraciones, número de condición %2.</translation>
-    </message>
-    <message>
         <source>--%1 must be %2, not &quot;%3&quot;.</source>
         <translation>--%1 debe ser %2, y no «%3».</translation>
     </message>
     <message>
         <source>&quot;slidercrank %1&quot; takes options only: remove &quot;%2&quot;.</source>
         <translation>«slidercrank %1» solo admite opciones: quite «%2».</translation>
-    </message>
-    <message>
-        <source>The command must come first: slidercrank %1 …</source>
-        <translation>La orden debe ir primero: slidercrank %1 …</translation>
     </message>
     <message>
         <source>Motion of an offset slider-crank</source>
@@ -591,10 +575,6 @@
         <translation>píxeles de un PNG por píxel de --size, de 0.1 a 10 (1)</translation>
     </message>
     <message>
-        <source>time at which the mechanism is drawn, marked in the plots (--start)</source>
-        <translation>instante en que se dibuja el mecanismo, marcado en las gráficas (--start)</translation>
-    </message>
-    <message>
         <source>required: a name that ends in .png, .svg or .pdf; for frames the name of a new folder, or of a video that ends in .mp4, .webm or .gif (needs ffmpeg)</source>
         <translation>necesario: un nombre que termine en .png, .svg o .pdf; para frames el nombre de una carpeta nueva, o de un vídeo que termine en .mp4, .webm o .gif (necesita ffmpeg)</translation>
     </message>
@@ -683,10 +663,6 @@
         <translation>--reset-settings no abre ninguna ventana: quite los demás argumentos.</translation>
     </message>
     <message>
-        <source>The window opens one scene: remove &quot;%1&quot;.</source>
-        <translation>La ventana abre una escena: quite «%1».</translation>
-    </message>
-    <message>
         <source>Errors are the largest of the six plotted channels, relative to the channel&apos;s peak, over the time steps that a method solves.
 They are measured against a computation with 50 to 100 digits.
 Machine: %1. Time: %2 s.
@@ -727,14 +703,6 @@ Equipo: %1. Tiempo: %2 s.
     <message>
         <source>instead: a row for each step of this crank angle, over one revolution</source>
         <translation>en su lugar: una fila por cada paso de este ángulo de la manivela, durante una vuelta</translation>
-    </message>
-    <message>
-        <source>instead: only this time stamp</source>
-        <translation>en su lugar: solo este instante</translation>
-    </message>
-    <message>
-        <source>instead: the first time from --start on at which the crank has this angle</source>
-        <translation>en su lugar: el primer instante desde --start en que la manivela tiene este ángulo</translation>
     </message>
     <message>
         <source>read the files as parts of one motion; columns are numbered on from file to file</source>
@@ -789,10 +757,6 @@ Equipo: %1. Tiempo: %2 s.
         <translation>--size debe ser ancho x alto en píxeles, como 900x600, cada uno de al menos 100 y, multiplicado por --scale, de %1 como máximo, y no «%2».</translation>
     </message>
     <message>
-        <source>There is no command and no file &quot;%1&quot;: choose one of %2.</source>
-        <translation>No existe ninguna orden ni archivo «%1»: elija una de %2.</translation>
-    </message>
-    <message>
         <source>--column: &quot;%1&quot; is not a unit of %2.</source>
         <translation>--column: «%1» no es una unidad de %2.</translation>
     </message>
@@ -801,36 +765,28 @@ Equipo: %1. Tiempo: %2 s.
         <translation>--column da dos significados a «%1»: deje uno.</translation>
     </message>
     <message>
-        <source>--%1 is given more than once: keep one of them.</source>
-        <translation>--%1 se da más de una vez: deje una sola.</translation>
-    </message>
-    <message>
-        <source>Standard input can be read only once: give one &quot;-&quot;.</source>
-        <translation>La entrada estándar solo se puede leer una vez: ponga un solo «-».</translation>
-    </message>
-    <message>
-        <source>--%1 needs the name of a file.</source>
-        <translation>--%1 necesita el nombre de un archivo.</translation>
-    </message>
-    <message>
-        <source>--output must be the name of %1, not &quot;%2&quot;.</source>
-        <translation>--output debe ser el nombre de %1, y no «%2».</translation>
-    </message>
-    <message>
-        <source>a new folder, or of a video that ends in .mp4, .webm or .gif</source>
-        <translation>una carpeta nueva, o de un vídeo que termine en .mp4, .webm o .gif</translation>
-    </message>
-    <message>
-        <source>a file that ends in .pdf</source>
-        <translation>un archivo que termine en .pdf</translation>
-    </message>
-    <message>
-        <source>a file that ends in .png, .svg or .pdf</source>
-        <translation>un archivo que termine en .png, .svg o .pdf</translation>
-    </message>
-    <message>
         <source>Newton-Raphson did not converge at %1: allow more than %3 iterations (--max-iterations) or a larger residual (--tolerance); very long links need --tolerance-kind relative.</source>
         <translation>Newton-Raphson no convergió en %1: permita más de %3 iteraciones (--max-iterations) o un residuo mayor (--tolerance); los eslabones muy largos necesitan --tolerance-kind relative.</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Órdenes</translation>
+    </message>
+    <message>
+        <source>± is one standard error.</source>
+        <translation>± es un error estándar.</translation>
+    </message>
+    <message>
+        <source>solve: only this time stamp; render: the time that is drawn, and marked in the plots (--start)</source>
+        <translation>solve: solo este instante; render: el instante que se dibuja, marcado en las gráficas (--start)</translation>
+    </message>
+    <message>
+        <source>--output must be a name that ends in .png, .svg or .pdf (report: .pdf; frames: a new folder, .mp4, .webm or .gif), not &quot;%1&quot;.</source>
+        <translation>--output debe ser un nombre que termine en .png, .svg o .pdf (report: .pdf; frames: una carpeta nueva, .mp4, .webm o .gif), y no «%1».</translation>
+    </message>
+    <message>
+        <source>There is no file &quot;%1&quot;. A command must come first: choose one of %2.</source>
+        <translation>No existe el archivo «%1». Una orden debe ir primero: elija una de %2.</translation>
     </message>
 </context>
 <context>
@@ -1041,10 +997,6 @@ Equipo: %1. Tiempo: %2 s.
         <translation>Leído así, no difiere de este mecanismo.</translation>
     </message>
     <message>
-        <source>The file is a table by crank angle: ω₂ follows from its derivatives.</source>
-        <translation>El archivo es una tabla por ángulo de la manivela: ω₂ resulta de sus derivadas.</translation>
-    </message>
-    <message>
         <source>%1 (%2 % of its peak)</source>
         <translation>%1 (%2 % de su máximo)</translation>
     </message>
@@ -1067,10 +1019,6 @@ Equipo: %1. Tiempo: %2 s.
     <message>
         <source>the other assembly, with c negated and θ₂₀ increased by 180°</source>
         <translation>la otra configuración, con c de signo contrario y θ₂₀ aumentado en 180°</translation>
-    </message>
-    <message>
-        <source>another crank speed with the same values at these time steps</source>
-        <translation>otra velocidad de la manivela con los mismos valores en estos instantes</translation>
     </message>
     <message>
         <source>%1 mechanisms fit this file equally well: %2.</source>
@@ -1113,10 +1061,6 @@ Equipo: %1. Tiempo: %2 s.
         <translation>Columnas excluidas porque se desvían del movimiento de las demás: %1.</translation>
     </message>
     <message>
-        <source>Rows left out, because they are far off the motion: line %1.</source>
-        <translation>Filas excluidas porque están muy lejos del movimiento: línea %1.</translation>
-    </message>
-    <message>
         <source>Mechanism found in this file: %1</source>
         <translation>Mecanismo hallado en este archivo: %1</translation>
     </message>
@@ -1131,6 +1075,10 @@ Equipo: %1. Tiempo: %2 s.
     <message>
         <source>The coupler angle θ³ alone determines only b/a and c/a.</source>
         <translation>El ángulo de la biela θ³ por sí solo determina únicamente b/a y c/a.</translation>
+    </message>
+    <message>
+        <source>Rows left out, because they are far off the motion: %1, the first in line %2.</source>
+        <translation>Filas excluidas porque están muy lejos del movimiento: %1, la primera en la línea %2.</translation>
     </message>
 </context>
 <context>
@@ -1590,10 +1538,6 @@ difiere: lo demás</translation>
         <translation>próximo, si los instantes del archivo están redondeados</translation>
     </message>
     <message>
-        <source>close: within %1 times the rounding of the file</source>
-        <translation>próximo: dentro de %1 veces el redondeo del archivo</translation>
-    </message>
-    <message>
         <source>At no time step do both the model and the file have a value.</source>
         <translation>En ningún instante tienen valor tanto el modelo como el archivo.</translation>
     </message>
@@ -1656,6 +1600,10 @@ difiere: lo demás</translation>
     <message>
         <source>verdict</source>
         <translation>veredicto</translation>
+    </message>
+    <message>
+        <source>close: at most %1 times the rounding of the file</source>
+        <translation>próximo: como máximo %1 veces el redondeo del archivo</translation>
     </message>
 </context>
 <context>
@@ -2281,20 +2229,12 @@ difiere: lo demás</translation>
         <translation>manivela en reposo</translation>
     </message>
     <message>
-        <source>It cannot be assembled: b = %1 &lt; |c| − a = %2. %3 %4</source>
-        <translation>No se puede ensamblar: b = %1 &lt; |c| − a = %2. %3 %4</translation>
-    </message>
-    <message>
         <source>stroke</source>
         <translation>carrera</translation>
     </message>
     <message>
         <source>It would make full turns if %1.</source>
         <translation>Daría vueltas completas si %1.</translation>
-    </message>
-    <message>
-        <source>It can be assembled if %1.</source>
-        <translation>Se puede ensamblar si %1.</translation>
     </message>
     <message>
         <source>crank limit position</source>
@@ -2311,10 +2251,6 @@ difiere: lo demás</translation>
     <message>
         <source>Time of the slower stroke divided by the time of the faster one</source>
         <translation>El tiempo de la carrera más lenta dividido por el de la más rápida</translation>
-    </message>
-    <message>
-        <source>The crank makes full turns: b = %1 ≥ a + |c| = %2.</source>
-        <translation>La manivela da vueltas completas: b = %1 ≥ a + |c| = %2.</translation>
     </message>
     <message>
         <source>The crank oscillates within one of two arcs and cannot make a full turn: b = %1 &lt; a + |c| = %2, and also less than a − |c| = %3 mm. %4</source>
@@ -2341,10 +2277,6 @@ difiere: lo demás</translation>
         <translation>Ángulo entre la biela y la normal a la línea de la corredera, 90° − |θ³|, en su mínimo. Los mecanismos con menos de unos 40° tienden a trabarse.</translation>
     </message>
     <message>
-        <source>The velocities grow without bound as the crank approaches its limit position</source>
-        <translation>Las velocidades crecen sin límite cuando la manivela se acerca a su posición límite</translation>
-    </message>
-    <message>
         <source>mean forward speed</source>
         <translation>velocidad media de ida</translation>
     </message>
@@ -2369,18 +2301,6 @@ difiere: lo demás</translation>
         <translation>El mayor valor en una vuelta de la manivela, donde su derivada es cero</translation>
     </message>
     <message>
-        <source>The coupler is perpendicular to the slider&apos;s line, and the velocities jump</source>
-        <translation>La biela es perpendicular a la línea de la corredera, y las velocidades dan un salto</translation>
-    </message>
-    <message>
-        <source>The crank is at rest, ω₂ = 0; it could make full turns: b = %1 ≥ a + |c| = %2.</source>
-        <translation>La manivela está en reposo, ω₂ = 0; podría dar vueltas completas: b = %1 ≥ a + |c| = %2.</translation>
-    </message>
-    <message>
-        <source>90° and 270°</source>
-        <translation>90° y 270°</translation>
-    </message>
-    <message>
         <source>%1 samples per revolution are too few for a curve: %2 steps are enough.</source>
         <translation>%1 muestras por vuelta son muy pocas para una curva: bastan %2 pasos.</translation>
     </message>
@@ -2401,16 +2321,28 @@ difiere: lo demás</translation>
         <translation>La carrera dividida por su tiempo</translation>
     </message>
     <message>
-        <source>At θ₂ = %1 the coupler is perpendicular to the slider&apos;s line, and the velocities jump.</source>
-        <translation>En θ₂ = %1 la biela es perpendicular a la línea de la corredera y las velocidades dan un salto.</translation>
-    </message>
-    <message>
         <source>limit</source>
         <translation>límite</translation>
     </message>
     <message>
         <source>value</source>
         <translation>valor</translation>
+    </message>
+    <message>
+        <source>Unbounded where the coupler is perpendicular to the slider&apos;s line</source>
+        <translation>No acotado donde la biela es perpendicular a la línea de la corredera</translation>
+    </message>
+    <message>
+        <source>The crank can make full turns: b = %1 ≥ a + |c| = %2.</source>
+        <translation>La manivela puede dar vueltas completas: b = %1 ≥ a + |c| = %2.</translation>
+    </message>
+    <message>
+        <source>Where the coupler is perpendicular to the slider&apos;s line, the velocities jump.</source>
+        <translation>Donde la biela es perpendicular a la línea de la corredera, las velocidades dan un salto.</translation>
+    </message>
+    <message>
+        <source>It cannot be assembled: b = %1 &lt; |c| − a = %2. %3</source>
+        <translation>No se puede ensamblar: b = %1 &lt; |c| − a = %2. %3</translation>
     </message>
 </context>
 <context>
@@ -2986,10 +2918,6 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>no es un número</translation>
     </message>
     <message>
-        <source>another column could be the same quantity</source>
-        <translation>otra columna podría ser la misma magnitud</translation>
-    </message>
-    <message>
         <source>too many cells</source>
         <translation>demasiadas celdas</translation>
     </message>
@@ -3048,18 +2976,6 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     <message>
         <source>The file is larger than 2 GB: export fewer rows or columns.</source>
         <translation>El archivo ocupa más de 2 GB: exporte menos filas o columnas.</translation>
-    </message>
-    <message>
-        <source>neither unit nor values tell whether it is an angle or a length</source>
-        <translation>ni la unidad ni los valores dicen si es un ángulo o una longitud</translation>
-    </message>
-    <message>
-        <source>its heading does not name the body</source>
-        <translation>su encabezado no indica el cuerpo</translation>
-    </message>
-    <message>
-        <source>its unit is unknown, or does not suit the quantity</source>
-        <translation>su unidad es desconocida o no corresponde a la magnitud</translation>
     </message>
     <message>
         <source>The file is empty: it needs a line of headings, and numbers below it.</source>
@@ -4043,8 +3959,8 @@ Tiempos medidos en %2</translation>
         <translation>otra</translation>
     </message>
     <message>
-        <source>Closed form: %1 times as fast as dense Newton-Raphson (± %2 %); largest error %3 of the peak instead of %4; time steps solved: %5 instead of %6; undetected failures of Newton-Raphson: %7.</source>
-        <translation>Forma cerrada: %1 veces la velocidad de Newton-Raphson denso (± %2 %); error máximo %3 del pico en vez de %4; instantes resueltos: %5 en vez de %6; fallos no detectados de Newton-Raphson: %7.</translation>
+        <source>The closed form is %1 times as fast as dense Newton-Raphson with the tolerance of the reference report (± %2 %).</source>
+        <translation>La forma cerrada es %1 veces más rápida que Newton-Raphson denso con la tolerancia del informe de referencia (± %2 %).</translation>
     </message>
 </context>
 <context>

@@ -7,7 +7,7 @@
 
 #include <QCoreApplication>
 
-#include <cmath>
+#include <algorithm>
 
 namespace slidercrank
 {
@@ -58,19 +58,21 @@ std::vector<TableRow> rowsOf(const std::vector<MotionFact> &facts)
 Page limitsPage(const Result &result)
 {
     const Mechanism &mechanism = result.mechanism;
+    const std::vector<MotionFact> facts = motionFacts(mechanism, result.limits, result.sampling);
+    const auto peaks = std::ranges::find_if(facts, [](const auto &fact) { return fact.key.starts_with("peak"); });
     Page page;
     page.sentence = mobilitySentence(mechanism, result.limits);
     page.tables = {
         {"positionTable", LimitsPage::tr("Limits of the motion"),
          columnsWith(LimitsPage::tr("limit"), LimitsPage::tr("Where slider and crank reverse, and the stroke times"),
                      LimitsPage::tr("Positions are those of the slider, Rₓ⁴, measured from O₂")),
-         rowsOf(positionFacts(mechanism, result.limits, result.sampling))},
+         rowsOf({facts.begin(), peaks})},
         {"peakTable", LimitsPage::tr("Peak velocities and accelerations"),
          columnsWith(LimitsPage::tr("peak value per revolution"),
                      LimitsPage::tr("Largest velocities and accelerations over a whole revolution of the crank, "
                                     "whatever part of it is simulated"),
                      LimitsPage::tr("With its sign: x to the right, angles counter-clockwise")),
-         rowsOf(peakFacts(mechanism, result.limits, result.sampling))}};
+         rowsOf({peaks, facts.end()})}};
     return page;
 }
 

@@ -19,23 +19,23 @@ struct ColumnText {
 public:
     // In the order of ColumnReason.
     static constexpr const char *kReasons[] = {
-        QT_TR_NOOP("recognized by its heading"),                                                // KnownName
-        QT_TR_NOOP("chosen by hand"),                                                           // Chosen
-        QT_TR_NOOP("assumed: the heading names the quantity, but not the body"),                // QuantityInName
-        QT_TR_NOOP("assumed from its values: an angle beyond half a turn, or its derivative"),  // WideAngle
-        QT_TR_NOOP("assumed: the first column, whose values only increase"),                    // RisingValues
-        QT_TR_NOOP("assumed from the heading: named as in Modelica, in m, rad and s"),          // ModelicaName
-        QT_TR_NOOP("assumed: no column is the time, and this is the angle of the crank"),       // AngleForTime
-        QT_TR_NOOP("ignored: unknown heading"),                                                 // UnknownName
-        QT_TR_NOOP("ignored: the heading does not name the body"),                              // UnknownBody
-        QT_TR_NOOP("ignored: it numbers the rows"),                                             // RowNumber
-        QT_TR_NOOP("ignored: a magnitude, of which “%1” is a component"),                       // Magnitude
-        QT_TR_NOOP("ignored: the same time stamps as “%1”"),                                    // SameTimeStamps
-        QT_TR_NOOP("ignored: no heading"),                                                      // NoName
-        QT_TR_NOOP("ignored: it contains no number"),                                           // NoNumber
-        QT_TR_NOOP("ignored: its unit is unknown, or does not suit the quantity"),              // UnknownUnit
-        QT_TR_NOOP("ignored: “%1” could be the same quantity"),                                 // LikeOther
-        QT_TR_NOOP("ignored: neither unit nor values tell whether it is an angle or a length"), // AngleOrLength
+        QT_TR_NOOP("recognized by its heading"),                                               // KnownName
+        QT_TR_NOOP("chosen by hand"),                                                          // Chosen
+        QT_TR_NOOP("assumed: the heading names the quantity, but not the body"),               // QuantityInName
+        QT_TR_NOOP("assumed from its values: an angle beyond half a turn, or its derivative"), // WideAngle
+        QT_TR_NOOP("assumed: the first column, whose values only increase"),                   // RisingValues
+        QT_TR_NOOP("assumed from the heading: named as in Modelica, in m, rad and s"),         // ModelicaName
+        QT_TR_NOOP("assumed: no column is the time, and this is the angle of the crank"),      // AngleForTime
+        QT_TR_NOOP("unknown heading"),                                                         // UnknownName
+        QT_TR_NOOP("its heading does not name the body"),                                      // UnknownBody
+        QT_TR_NOOP("it numbers the rows"),                                                     // RowNumber
+        QT_TR_NOOP("a magnitude, of which “%1” is a component"),                               // Magnitude
+        QT_TR_NOOP("the same time stamps as “%1”"),                                            // SameTimeStamps
+        QT_TR_NOOP("no heading"),                                                              // NoName
+        QT_TR_NOOP("it contains no number"),                                                   // NoNumber
+        QT_TR_NOOP("its unit is unknown, or does not suit the quantity"),                      // UnknownUnit
+        QT_TR_NOOP("another column could be the same quantity"),                               // LikeOther
+        QT_TR_NOOP("neither unit nor values tell whether it is an angle or a length"),         // AngleOrLength
     };
 };
 
@@ -136,12 +136,16 @@ QString unitText(const FileColumn &column)
     return column.role == ColumnRole::Ignored ? dash() : ColumnText::tr("%1 (none given)").arg(unit);
 }
 
+QString reasonText(ColumnReason reason)
+{
+    return ColumnText::tr(ColumnText::kReasons[static_cast<int>(reason)]);
+}
+
 QString reasonText(const FileLayout &layout, std::size_t column)
 {
     const FileColumn &read = layout.columns[column];
-    QString reason = repeatsInstants(layout, column)
-                         ? ColumnText::tr("the time stamps, the same in all files")
-                         : ColumnText::tr(ColumnText::kReasons[static_cast<int>(read.reason)]);
+    QString reason = repeatsInstants(layout, column) ? ColumnText::tr("the time stamps, the same in all files")
+                                                     : reasonText(read.reason);
     if (read.otherColumn && *read.otherColumn < layout.columns.size() && reason.contains(u"%1")) {
         reason = reason.arg(headingText(layout, *read.otherColumn));
     }
@@ -151,12 +155,9 @@ QString reasonText(const FileLayout &layout, std::size_t column)
 
 QString differenceText(Difference difference)
 {
-    switch (difference) {
-    case Difference::Forward: return ColumnText::tr("forward differences");
-    case Difference::Backward: return ColumnText::tr("backward differences");
-    case Difference::Central: return ColumnText::tr("central differences");
-    }
-    return {};
+    const QString texts[] = {ColumnText::tr("forward differences"), ColumnText::tr("backward differences"),
+                             ColumnText::tr("central differences")}; // in the order of Difference
+    return texts[static_cast<std::size_t>(difference)];
 }
 
 QString roundingText(const Rounding &rounding)
@@ -176,22 +177,13 @@ QString formText(const FileLayout &layout)
     if (!layout.files.empty()) {
         return ColumnText::tr("joined files of one motion: %1").arg(layout.files.size());
     }
-    const QString encoding = layout.encoding == TextEncoding::Utf8          ? "UTF-8"
-                             : layout.encoding == TextEncoding::Windows1252 ? "Windows-1252 (Latin-1)"
-                                                                            : "UTF-16";
     const QString delimiter = layout.delimiter == '\t' ? "\\t" : QString(QLatin1Char(layout.delimiter));
-    QStringList parts{encoding, ColumnText::tr("columns separated by “%1”").arg(delimiter),
-                      layout.decimalSign == DecimalSign::Point ? ColumnText::tr("decimal point")
-                                                               : ColumnText::tr("decimal comma"),
-                      layout.headerLine == 0 ? ColumnText::tr("no headings")
-                                             : ColumnText::tr("headings in line %1").arg(layout.headerLine)};
-    if (layout.unitsLine != 0) {
-        parts << ColumnText::tr("units in line %1").arg(layout.unitsLine);
-    }
-    if (!layout.preambleLines.empty()) {
-        parts << ColumnText::tr("lines skipped above them: %1").arg(layout.preambleLines.size());
-    }
-    return parts.join(", ");
+    return QStringList{ColumnText::tr("columns separated by “%1”").arg(delimiter),
+                       layout.decimalSign == DecimalSign::Point ? ColumnText::tr("decimal point")
+                                                                : ColumnText::tr("decimal comma"),
+                       layout.headerLine == 0 ? ColumnText::tr("no headings")
+                                              : ColumnText::tr("headings in line %1").arg(layout.headerLine)}
+        .join(", ");
 }
 
 QString abscissaText(const ReferenceData &data)

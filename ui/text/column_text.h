@@ -39,7 +39,8 @@ QString meaningText(const FileColumn &column);
 /// Returns the unit of a column: "rad/s", or "° (none given)" if the file does not state it.
 QString unitText(const FileColumn &column);
 
-/// Returns the reason for the meaning of a column, as a clause.
+/// Returns the reason for the meaning of a column, as a clause. The first function does not name other columns.
+QString reasonText(ColumnReason reason);
 QString reasonText(const FileLayout &layout, std::size_t column);
 
 /// Returns "forward differences", "backward differences" or "central differences".
@@ -48,7 +49,7 @@ QString differenceText(Difference difference);
 /// Describes how values are rounded: "significant digits: 6", or a dash if that is unknown.
 QString roundingText(const Rounding &rounding);
 
-/// Describes the format: "UTF-8, columns separated by commas, decimal point, headings in line 1".
+/// Describes the format: "columns separated by “,”, decimal point, headings in line 1".
 QString formText(const FileLayout &layout);
 
 /// Returns the range of the abscissa: "t = 0 … 1 s" or "θ₂ = 0 … 360°".

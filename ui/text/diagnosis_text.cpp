@@ -26,37 +26,25 @@ struct DiagnosisText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::DiagnosisText)
 
 public:
-    static QString lack(Identification::Lack lack)
-    {
-        using enum Identification::Lack;
-        switch (lack) {
-        case Nothing:
-        case FewValues:
-        case FewTimeStamps:
-        case NoEvidence: break;
-        case NothingMoves: return tr("Nothing moves in these data: export the motion of a turning crank.");
-        case OpenParameters:
-            return tr("These data do not determine %1: export a longer motion, more digits, or more columns.");
-        case NotParabolic:
-            return tr("Many mechanisms move nearly as these data do: export a longer motion, more digits, or more "
-                      "columns.");
-        }
-        return tr("Too few values of the coupler angle θ³, the slider position Rₓ⁴, the coupler's centre R³ and their "
-                  "derivatives to find the mechanism: export more time steps, or more columns.");
-    }
+    // In the order of Identification::Lack. %1 are the open parameters.
+    static constexpr const char *kFewValues =
+        QT_TR_NOOP("Too few values of the coupler angle θ³, the slider position Rₓ⁴, the coupler's centre R³ and their "
+                   "derivatives to find the mechanism: export more time steps, or more columns.");
+    static constexpr const char *kLacks[] = {
+        kFewValues,
+        kFewValues,
+        kFewValues,
+        QT_TR_NOOP("Nothing moves in these data: export the motion of a turning crank."),
+        kFewValues,
+        QT_TR_NOOP("These data do not determine %1: export a longer motion, more digits, or more columns."),
+        QT_TR_NOOP("Many mechanisms move nearly as these data do: export a longer motion, more digits, or more "
+                   "columns.")};
 
-    /// Describes how an alternative is related to the mechanism that was found.
-    static QString why(Why why)
-    {
-        switch (why) {
-        case Why::MirrorImage: return tr("its mirror image, with c, ω₂ and θ₂₀ negated");
-        case Why::Reversed: return tr("one that rotates in the opposite direction, from 180° − θ₂₀");
-        case Why::OtherAssembly: return tr("the other assembly, with c negated and θ₂₀ increased by 180°");
-        case Why::Alias: return tr("another crank speed with the same values at these time steps");
-        case Why::AnotherMechanism: break;
-        }
-        return {};
-    }
+    // How an alternative is related to the mechanism that was found, for the first Identification::Alternative::Why.
+    static constexpr const char *kImages[] = {
+        QT_TR_NOOP("its mirror image, with c, ω₂ and θ₂₀ negated"),
+        QT_TR_NOOP("one that rotates in the opposite direction, from 180° − θ₂₀"),
+        QT_TR_NOOP("the other assembly, with c negated and θ₂₀ increased by 180°")};
 };
 
 /// Whether the value of the parameter follows from the data; if they contain only ratios of lengths, from the given a.
@@ -64,15 +52,6 @@ bool isMeasured(Parameter parameter, const Identification &found)
 {
     return found.identifiable[indexOf(parameter)] ||
            (found.onlyRatios && (parameter == Parameter::B || parameter == Parameter::C));
-}
-
-/// Returns the number of digits that show how two values differ.
-int digitsToTellApart(double x, double y)
-{
-    constexpr int kFewest = 5;
-    constexpr int kMost = 12;
-    const double digits = 2.0 + std::ceil(std::log10(std::max(std::abs(x), std::abs(y)) / std::abs(x - y)));
-    return static_cast<int>(std::clamp<double>(digits, kFewest, kMost));
 }
 
 /// Returns an equation for each identified parameter, and the assembly.
@@ -120,18 +99,11 @@ QString leftOutText(const Identification &found)
     return columns.join(", ");
 }
 
-QString excludedRowsText(const Identification &found)
+QString alternativeText(const Identification::Alternative &alternative)
 {
-    constexpr qsizetype kMostListed = 10;
-    QStringList lines;
-    for (const std::size_t line : found.excludedRows) {
-        if (lines.size() == kMostListed) {
-            lines << "…";
-            break;
-        }
-        lines << QString::number(line);
-    }
-    return lines.join(", ");
+    return alternative.why < Why::Alias
+               ? DiagnosisText::tr(DiagnosisText::kImages[static_cast<std::size_t>(alternative.why)])
+               : mechanismText(Mechanism(alternative.parameters));
 }
 
 QString ambiguousText(const Identification &found)
@@ -139,9 +111,7 @@ QString ambiguousText(const Identification &found)
     QStringList mechanisms{foundTexts(found).join(", ")};
     bool hasAlias = false;
     for (const Identification::Alternative &alternative : found.alternatives) {
-        const QString why = DiagnosisText::why(alternative.why);
-        mechanisms << mechanismText(Mechanism(alternative.parameters)) +
-                          (why.isEmpty() ? why : QStringLiteral(" (%1)").arg(why));
+        mechanisms << alternativeText(alternative);
         hasAlias = hasAlias || alternative.why == Why::Alias;
     }
     const QString text = DiagnosisText::tr("%1 mechanisms fit this file equally well: %2.")
@@ -175,7 +145,8 @@ QString notIdentifiedText(const Diagnosis &diagnosis)
                 open << symbolText(parameter);
             }
         }
-        return DiagnosisText::lack(found.lack).replace("%1", listed(open));
+        return DiagnosisText::tr(DiagnosisText::kLacks[static_cast<std::size_t>(found.lack)])
+            .replace("%1", listed(open));
     }
     if (found.outcome != Outcome::Nearest) {
         return diagnosis.unevenCrank
@@ -235,13 +206,8 @@ QString caveatText(const Diagnosis &diagnosis)
     }
     if (found.hasOneMechanism()) {
         for (const Identification::Alternative &alternative : found.alternatives) {
-            const QString why = DiagnosisText::why(alternative.why);
-            sentences << DiagnosisText::tr("These columns cannot tell it from %1.")
-                             .arg(why.isEmpty() ? mechanismText(Mechanism(alternative.parameters)) : why);
+            sentences << DiagnosisText::tr("These columns cannot tell it from %1.").arg(alternativeText(alternative));
         }
-    }
-    if (diagnosis.isSpeedOfDerivatives) {
-        sentences << DiagnosisText::tr("The file is a table by crank angle: ω₂ follows from its derivatives.");
     }
     if (const QStringList given = givenTexts(found); !given.isEmpty()) {
         sentences << DiagnosisText::tr("The data do not determine %1: kept as given.").arg(listed(given));
@@ -256,8 +222,9 @@ QString caveatText(const Diagnosis &diagnosis)
                          .arg(leftOutText(found));
     }
     if (!found.excludedRows.empty()) {
-        sentences << DiagnosisText::tr("Rows left out, because they are far off the motion: line %1.")
-                         .arg(excludedRowsText(found));
+        sentences << DiagnosisText::tr("Rows left out, because they are far off the motion: %1, the first in line %2.")
+                         .arg(found.excludedRows.size())
+                         .arg(found.excludedRows.front());
     }
     if (!found.noise.empty()) {
         QStringList columns;
@@ -325,7 +292,7 @@ QString changeText(const Diagnosis &diagnosis, const Mechanism &mechanism)
     constexpr double kNearlyAll = 1.0 - 1e-6; // never 100 %
     constexpr double kSlack = 1e-3;           // 99.5 % equals 995 tenths except for rounding
     return DiagnosisText::tr("With %1 instead of %2, %3 % of the difference disappears.")
-        .arg(equationText(parameter, value, digits), parameterText(parameter, given, digits + 1),
+        .arg(equationText(parameter, value, digits), parameterText(parameter, given, digits),
              numberText(std::floor(1e6 * std::min(explained, kNearlyAll) + kSlack) / 1e4));
 }
 

@@ -39,8 +39,6 @@ public:
     }
 };
 
-constexpr int kErrorDigits = 3;
-
 int exponentOf(double magnitude)
 {
     return static_cast<int>(std::floor(std::log10(magnitude)));
@@ -65,9 +63,10 @@ QString anyOf(const QStringList &words)
     return joined(words, FindingText::tr("%1 or %2"));
 }
 
-QString errorText(double value)
+QString errorText(std::optional<double> value)
 {
-    return shortNumber(value, kErrorDigits);
+    constexpr int kDigits = 3;
+    return shortNumber(value, kDigits);
 }
 
 QString symbolText(Channel channel)
@@ -171,27 +170,19 @@ QString measuredText(double value, double standardError, double scale)
     const double unit = std::pow(10.0, place);
     const double rounded = std::round(value / unit) * unit + 0.0; // never -0
     const double roundedError = std::round(standardError / unit) * unit;
-    const QString text = "%1 ± %2";
-    if (place >= -9 && std::abs(rounded) < 1e6) {
-        const int decimals = std::max(0, -place);
-        return text.arg(QLocale().toString(rounded, 'f', decimals), QLocale().toString(roundedError, 'f', decimals));
-    }
     const int digits = rounded == 0.0 ? 1 : std::max(1, exponentOf(std::abs(rounded)) - place + 1);
-    return text.arg(shortNumber(rounded, digits), shortNumber(roundedError, 1));
+    return QStringLiteral("%1 ± %2").arg(shortNumber(rounded, digits), shortNumber(roundedError, 1));
 }
 
 QString verdictText(const ChannelComparison &channel)
 {
-    switch (channel.verdict) {
-    case Verdict::Agrees: return FindingText::tr("agrees within the rounding of the file");
-    case Verdict::Close: {
-        const double factor = channel.worstOver < kBoundsOfAgreement ? 10.0 : 1.0;
-        const double worst = std::ceil(factor * channel.worstOver) / factor; // no value exceeds it
-        return channel.clockIsRounded
-                   ? FindingText::tr("close, if the time stamps of the file are rounded")
-                   : FindingText::tr("close: within %1 times the rounding of the file").arg(numberText(worst));
+    if (channel.verdict == Verdict::Agrees) {
+        return FindingText::tr("agrees within the rounding of the file");
     }
-    case Verdict::Differs: break;
+    if (channel.verdict == Verdict::Close) {
+        return channel.clockIsRounded ? FindingText::tr("close, if the time stamps of the file are rounded")
+                                      : FindingText::tr("close: at most %1 times the rounding of the file")
+                                            .arg(errorText(channel.worstOver));
     }
     return channel.count == 0 ? FindingText::tr("differs: nothing to compare with") : FindingText::tr("differs");
 }
@@ -216,10 +207,9 @@ std::vector<QStringList> comparisonTable(std::span<const ChannelComparison> chan
         const double time = channel.timeOfMaxAbs;
         const double place = file.crank ? (file.crank->omega2 * time + file.crank->theta20) * kDegreesPerRadian : time;
         rows.push_back({QStringLiteral("%1 [%2]").arg(columnName(channel.channel), unitText(channel.channel)),
-                        shortNumber(channel.maxAbs, kErrorDigits), channel.maxAbs ? numberText(place) : dash(),
-                        shortNumber(channel.rms, kErrorDigits), shortNumber(channel.percentOfPeak, kErrorDigits),
-                        shortNumber(channel.maxPercent, kErrorDigits), numberText(channel.roundingStep, kErrorDigits),
-                        verdictText(channel)});
+                        errorText(channel.maxAbs), channel.maxAbs ? numberText(place) : dash(), errorText(channel.rms),
+                        errorText(channel.percentOfPeak), errorText(channel.maxPercent),
+                        errorText(channel.roundingStep), verdictText(channel)});
     }
     return rows;
 }

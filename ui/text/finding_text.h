@@ -10,6 +10,7 @@
 #include <QStringList>
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,8 +23,8 @@ QString listed(const QStringList &words);
 /// Joins words to a choice: "x", "x or y", "x, y or z".
 QString anyOf(const QStringList &words);
 
-/// Returns an error with three significant digits, or "∞".
-QString errorText(double value);
+/// Returns an error with three significant digits, "∞", or a dash for nullopt.
+QString errorText(std::optional<double> value);
 
 /// Returns the symbol of a channel: "θ³", "ω³", "Rₓ⁴", "v⁴". The crank angle is "θ₂", as in the controls. Derivatives
 /// have their own letters because fonts misplace the dot of θ̇, and the superscript of d²θ³/dt² looks like a cube.
@@ -76,7 +77,7 @@ QString pinnedText(const Parameters &pinned, const Parameters &present);
 /// if it is NaN, infinite, or no larger than the rounding error of numbers of size `scale`.
 QString measuredText(double value, double standardError, double scale);
 
-/// Describes a verdict: "agrees within the rounding of the file", "close: within 12 times the rounding of the file",
+/// Describes a verdict: "agrees within the rounding of the file", "close: at most 12.3 times the rounding of the file",
 /// "differs".
 QString verdictText(const ChannelComparison &channel);
 

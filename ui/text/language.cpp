@@ -17,11 +17,6 @@ namespace
 const QString kKey = "language";
 const QString kTranslator = "translator"; // object name of the installed translators
 
-QString codeOf(QLocale::Language language)
-{
-    return language == QLocale::Spanish ? "es" : "en";
-}
-
 /// Loads the first translation in a language of the locale, such as slidercrank_es.
 void install(const QLocale &locale, const QString &name, const QString &folder)
 {
@@ -49,16 +44,12 @@ void setLanguage(Language language)
 
 Language chosenLanguage()
 {
-    const QString code = QSettings().value(kKey).toString();
-    return code == codeOf(QLocale::Spanish)   ? Language::Spanish
-           : code == codeOf(QLocale::English) ? Language::English
-                                              : Language::System;
+    return static_cast<Language>(QSettings().value(kKey).toInt());
 }
 
 void rememberLanguage(Language language)
 {
-    const QString code = codeOf(language == Language::Spanish ? QLocale::Spanish : QLocale::English);
-    QSettings().setValue(kKey, language == Language::System ? QString() : code);
+    QSettings().setValue(kKey, static_cast<int>(language));
 }
 
 } // namespace slidercrank

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numbers>
 
 namespace slidercrank
@@ -77,15 +76,11 @@ MotionFact makeFact(std::size_t limit, double number, std::optional<double> thet
     return {key, MotionFacts::tr(name), number, unit, MotionFacts::tr(explanation), theta2};
 }
 
-/// Returns two lengths with at least six digits, and with enough digits to distinguish them.
+/// Returns two lengths with enough digits to distinguish them.
 QStringList distinctTexts(double x, double y)
 {
-    constexpr int kMostDigits = 17;
-    int digits = 6;
-    while (x != y && digits < kMostDigits && numberText(x, digits) == numberText(y, digits)) {
-        ++digits;
-    }
-    return {numberText(x, digits) + QStringLiteral(" mm"), numberText(y, digits) + QStringLiteral(" mm")};
+    const int digits = digitsToTellApart(x, y);
+    return {parameterText(Parameter::B, x, digits), parameterText(Parameter::B, y, digits)};
 }
 
 /// Returns a limit (mm) with six digits, rounded up if it is a lower limit and down if it is an upper limit.
@@ -119,31 +114,6 @@ QString helpForFullTurn(const Mechanism &mechanism)
     return MotionFacts::tr("It would make full turns if %1.").arg(anyOf(bounds));
 }
 
-QString helpForAssembly(const Mechanism &mechanism)
-{
-    return MotionFacts::tr("It can be assembled if %1.")
-        .arg(anyOf({atLeast("b", shortestCouplerForAnyPose(mechanism)),
-                    atLeast("a", std::abs(mechanism.c()) - mechanism.b()),
-                    atMost("|c|", mechanism.a() + mechanism.b())}));
-}
-
-QString fullTurnSentence(const Mechanism &mechanism, const MotionLimits &limits, const QStringList &lengths)
-{
-    const QString text =
-        (mechanism.omega2() == 0.0
-             ? MotionFacts::tr("The crank is at rest, ω₂ = 0; it could make full turns: b = %1 ≥ a + |c| = %2.")
-             : MotionFacts::tr("The crank makes full turns: b = %1 ≥ a + |c| = %2."))
-            .arg(lengths[0], lengths[1]);
-    const bool isSmooth = limits.largestPressureAngle < 0.5 * std::numbers::pi;
-    return isSmooth ? text
-                    : text + u' ' +
-                          MotionFacts::tr("At θ₂ = %1 the coupler is perpendicular to the slider's line, and the "
-                                          "velocities jump.")
-                              .arg(mechanism.c() == 0.0  ? MotionFacts::tr("90° and 270°")
-                                   : mechanism.c() > 0.0 ? QStringLiteral("270°")
-                                                         : QStringLiteral("90°"));
-}
-
 /// Returns the first time within the time range at which the crank has an angle. Limit positions are known only up to a
 /// rounding error; there, the time is one at which the mechanism can be assembled.
 std::optional<double> firstTimeAt(double theta2, const Mechanism &mechanism, const Sampling &sampling)
@@ -169,15 +139,30 @@ double cleaned(double length, const Mechanism &mechanism)
     return std::abs(length) < kRounding * characteristicLength(mechanism.parameters()) ? 0.0 : length;
 }
 
-/// Fills in the times.
-std::vector<MotionFact> withTimes(std::vector<MotionFact> facts, const Mechanism &mechanism, const Sampling &sampling)
+/// Appends a fact for each place of each peak.
+void addPeaks(std::vector<MotionFact> &facts, const Mechanism &mechanism)
 {
-    for (MotionFact &fact : facts) {
-        if (fact.theta2) {
-            fact.time = firstTimeAt(*fact.theta2, mechanism, sampling);
+    const std::vector<Peak> peaks = motionPeaks(mechanism);
+    for (std::size_t i = 0; i < peaks.size(); ++i) {
+        const Peak &peak = peaks[i];
+        MotionFact fact = makeFact(kFirstPeak + i, toFileUnit(peak.channel, peak.magnitude));
+        fact.name = quantityName(peak.channel);
+        fact.explanation =
+            std::isinf(peak.magnitude)
+                ? MotionFacts::tr("Unbounded where the coupler is perpendicular to the slider's line")
+                : MotionFacts::tr("Largest value over one revolution of the crank, where its derivative is zero");
+        if (peak.places.empty()) {
+            fact.remark = peak.magnitude > 0.0 ? MotionFacts::tr("throughout") : MotionFacts::tr("crank at rest");
+            facts.push_back(fact);
+        }
+        std::vector<PeakPlace> places = peak.places;
+        std::ranges::sort(places, {}, [](const PeakPlace &place) { return degreesFromZero(place.theta2); });
+        for (const PeakPlace &place : places) {
+            fact.number = toFileUnit(peak.channel, place.value);
+            fact.theta2 = place.theta2;
+            facts.push_back(fact);
         }
     }
-    return facts;
 }
 
 } // namespace
@@ -192,7 +177,15 @@ QString mobilitySentence(const Mechanism &mechanism, const MotionLimits &limits)
     const QStringList turning = distinctTexts(mechanism.b(), shortestCouplerForFullTurn(mechanism));
     const QString help = helpForFullTurn(mechanism);
     switch (limits.mobility) {
-    case Mobility::FullTurn: return fullTurnSentence(mechanism, limits, turning);
+    case Mobility::FullTurn: {
+        const QString text =
+            MotionFacts::tr("The crank can make full turns: b = %1 ≥ a + |c| = %2.").arg(turning[0], turning[1]);
+        return limits.largestPressureAngle < 0.5 * std::numbers::pi
+                   ? text
+                   : text + u' ' +
+                         MotionFacts::tr(
+                             "Where the coupler is perpendicular to the slider's line, the velocities jump.");
+    }
     case Mobility::Rocker:
         return limits.ranges.size() > 1
                    ? MotionFacts::tr(
@@ -205,8 +198,7 @@ QString mobilitySentence(const Mechanism &mechanism, const MotionLimits &limits)
         return MotionFacts::tr("The crank is locked in a single position: b = |c| − a = %1. %2").arg(turning[0], help);
     case Mobility::Impossible: {
         const QStringList reaching = distinctTexts(mechanism.b(), shortestCouplerForAnyPose(mechanism));
-        return MotionFacts::tr("It cannot be assembled: b = %1 < |c| − a = %2. %3 %4")
-            .arg(reaching[0], reaching[1], helpForAssembly(mechanism), help);
+        return MotionFacts::tr("It cannot be assembled: b = %1 < |c| − a = %2. %3").arg(reaching[0], reaching[1], help);
     }
     }
     return {};
@@ -222,7 +214,7 @@ double degreesFromZero(double theta2)
 {
     constexpr double kRounding = 1e-9; // 0 may have been computed as slightly less
     const double angle = kDegreesPerRadian * theta2;
-    return angle < -kRounding ? angle + 360.0 : std::max(angle, 0.0);
+    return std::max(0.0, angle - 360.0 * std::floor((angle + kRounding) / 360.0));
 }
 
 std::span<const LimitDescription> limitsInFiles()
@@ -230,7 +222,7 @@ std::span<const LimitDescription> limitsInFiles()
     return std::span(MotionFacts::kLimits).first(kCrankLimit);
 }
 
-std::vector<MotionFact> positionFacts(const Mechanism &mechanism, const MotionLimits &limits, const Sampling &sampling)
+std::vector<MotionFact> motionFacts(const Mechanism &mechanism, const MotionLimits &limits, const Sampling &sampling)
 {
     const bool isFullTurn = limits.mobility == Mobility::FullTurn;
     std::vector<MotionFact> facts;
@@ -274,42 +266,10 @@ std::vector<MotionFact> positionFacts(const Mechanism &mechanism, const MotionLi
             add(kTransmissionAngle, angle, -theta2);
         }
     }
-    return withTimes(facts, mechanism, sampling);
-}
-
-std::vector<MotionFact> peakFacts(const Mechanism &mechanism, const MotionLimits &limits, const Sampling &sampling)
-{
-    std::vector<MotionFact> facts;
-    const std::vector<Peak> peaks = motionPeaks(mechanism);
-    for (std::size_t i = 0; i < peaks.size(); ++i) {
-        const Peak &peak = peaks[i];
-        MotionFact fact = makeFact(kFirstPeak + i, toFileUnit(peak.channel, peak.magnitude));
-        fact.name = quantityName(peak.channel);
-        fact.explanation =
-            !std::isinf(peak.magnitude)
-                ? MotionFacts::tr("Largest value over one revolution of the crank, where its derivative is zero")
-            : limits.mobility == Mobility::FullTurn
-                ? MotionFacts::tr("The coupler is perpendicular to the slider's line, and the velocities jump")
-                : MotionFacts::tr("The velocities grow without bound as the crank approaches its limit position");
-        if (peak.places.empty()) {
-            fact.remark = peak.magnitude > 0.0 ? MotionFacts::tr("throughout") : MotionFacts::tr("crank at rest");
-            facts.push_back(fact);
-        }
-        std::vector<PeakPlace> places = peak.places;
-        std::ranges::sort(places, {}, [](const PeakPlace &place) { return degreesFromZero(place.theta2); });
-        for (const PeakPlace &place : places) {
-            fact.number = toFileUnit(peak.channel, place.value);
-            fact.theta2 = place.theta2;
-            facts.push_back(fact);
-        }
+    addPeaks(facts, mechanism);
+    for (MotionFact &fact : facts) {
+        fact.time = fact.theta2 ? firstTimeAt(*fact.theta2, mechanism, sampling) : std::nullopt;
     }
-    return withTimes(facts, mechanism, sampling);
-}
-
-std::vector<MotionFact> motionFacts(const Mechanism &mechanism, const MotionLimits &limits, const Sampling &sampling)
-{
-    std::vector<MotionFact> facts = positionFacts(mechanism, limits, sampling);
-    std::ranges::move(peakFacts(mechanism, limits, sampling), std::back_inserter(facts));
     return facts;
 }
 
@@ -345,11 +305,9 @@ QString iterationsText(const SamplingSummary &run, const NewtonOptions &options)
         .arg(hasColdStart ? run.mostWarmIterations : run.mostIterations);
 }
 
-QString crankAngleText(double radians)
+QString crankAngleText(double theta2)
 {
-    double hundredths = std::round(100.0 * kDegreesPerRadian * radians);
-    hundredths -= 36000.0 * std::floor(hundredths / 36000.0);
-    return QLocale().toString(0.01 * hundredths, 'f', 2);
+    return QLocale().toString(degreesFromZero(theta2), 'f', 2);
 }
 
 } // namespace slidercrank

@@ -48,13 +48,8 @@ QString mobilitySentence(const Mechanism &mechanism, const MotionLimits &limits)
 /// text contains no unit.
 QString atLeastText(double limit);
 
-/// Returns the dead centres, the limit positions of the crank, the stroke, its times and the transmission angle.
-std::vector<MotionFact> positionFacts(const Mechanism &mechanism, const MotionLimits &limits, const Sampling &sampling);
-
-/// Returns the peaks of motionPeaks(), one fact for each place.
-std::vector<MotionFact> peakFacts(const Mechanism &mechanism, const MotionLimits &limits, const Sampling &sampling);
-
-/// Returns all facts of both functions.
+/// Returns the dead centres, the limit positions of the crank, the stroke, its times and the transmission angle; then
+/// the peaks of motionPeaks(), whose keys begin with "peak", one fact for each place.
 std::vector<MotionFact> motionFacts(const Mechanism &mechanism, const MotionLimits &limits, const Sampling &sampling);
 
 /// Returns a table of the facts. The first row contains the headings.
@@ -63,8 +58,9 @@ std::vector<QStringList> limitTable(const std::vector<MotionFact> &facts);
 /// Formats the value with its unit.
 QString valueText(const MotionFact &fact, int digits = 6);
 
-/// Returns the crank angle in degrees, within [0, 360).
+/// Return the crank angle in degrees, from 0 to 360, and its text without the unit.
 double degreesFromZero(double theta2);
+QString crankAngleText(double theta2);
 
 /// Returns a warning if the samples are too few to draw the motion, with a sufficient number of steps; otherwise an
 /// empty string.
@@ -73,8 +69,5 @@ QString fewSamplesSentence(const Mechanism &mechanism, const Sampling &sampling)
 /// Returns "95 in total, at most 4 at a time step", over the time steps that Newton-Raphson solved, or a dash if it
 /// solved none.
 QString iterationsText(const SamplingSummary &run, const NewtonOptions &options);
-
-/// Returns the angle in degrees, within [0, 360), without the unit.
-QString crankAngleText(double radians);
 
 } // namespace slidercrank

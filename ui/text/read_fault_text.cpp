@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/read_fault_text.h"
 
+#include "ui/text/column_text.h"
+
 #include <QCoreApplication>
 
 namespace slidercrank
@@ -13,19 +15,8 @@ struct ReadFaultText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::ReadFaultText)
 
 public:
-    /// Explains why a column is ignored although its heading suggests a channel.
-    static QString clause(ColumnReason reason)
-    {
-        switch (reason) {
-        case ColumnReason::LikeOther: return tr("another column could be the same quantity");
-        case ColumnReason::AngleOrLength: return tr("neither unit nor values tell whether it is an angle or a length");
-        case ColumnReason::UnknownBody: return tr("its heading does not name the body");
-        default: return tr("its unit is unknown, or does not suit the quantity");
-        }
-    }
-
     // In the order of ReadFault::Kind. %1 is the heading or the file, %2 the channel or its unit, %3 the fault of a
-    // row, %4 that of a column.
+    // row, %4 why a column is ignored.
     static constexpr const char *kFaults[] = {
         QT_TR_NOOP("The file is empty: it needs a line of headings, and numbers below it."),     // Empty
         QT_TR_NOOP("The file is a spreadsheet or an archive, not text: save the table as CSV."), // Spreadsheet
@@ -100,7 +91,7 @@ QString faultText(const ReadFault &fault)
 {
     const bool namesUnit = fault.kind == ReadFault::Kind::UnknownUnit;
     return ReadFaultText::tr(ReadFaultText::kFaults[static_cast<int>(fault.kind)])
-        .replace("%4", ReadFaultText::clause(fault.column))
+        .replace("%4", reasonText(fault.column))
         .replace("%3", ReadFaultText::row(fault.row))
         .replace("%2", QString::fromUtf8(namesUnit ? fileUnit(fault.channel) : nameOf(fault.channel)))
         .replace("%1", QString::fromUtf8(fault.heading));

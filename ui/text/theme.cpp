@@ -16,39 +16,29 @@ struct RoleColours {
 };
 
 constexpr RoleColours kRoles[] = {
-    {QPalette::Window, 0xf3f3f3, 0x2b2d30},     {QPalette::Button, 0xf3f3f3, 0x393b40},
-    {QPalette::Base, 0xffffff, 0x1e1f22},       {QPalette::AlternateBase, 0xf7f7f7, 0x25272a},
-    {QPalette::Text, 0x1c1c1c, 0xe6e6e6},       {QPalette::WindowText, 0x1c1c1c, 0xe6e6e6},
-    {QPalette::ButtonText, 0x1c1c1c, 0xe6e6e6}, {QPalette::PlaceholderText, 0x6a6a6a, 0x9a9a9a},
-    {QPalette::Highlight, 0x005fa3, 0x2a76b8},  {QPalette::HighlightedText, 0xffffff, 0xffffff},
-    {QPalette::Link, 0x005fa3, 0x6cb6f5},       {QPalette::ToolTipBase, 0xffffff, 0x393b40},
-    {QPalette::ToolTipText, 0x1c1c1c, 0xe6e6e6}};
-
-QPalette paletteOf(bool dark)
-{
-    QPalette palette(QColor(dark ? 0x2b2d30 : 0xf3f3f3)); // Qt derives the other shades from it
-    for (const RoleColours &colours : kRoles) {
-        palette.setColor(colours.role, QColor(dark ? colours.dark : colours.light));
-    }
-    if (dark) {
-        palette.setColor(QPalette::BrightText, Qt::white);
-    }
-    for (const QPalette::ColorRole role : {QPalette::Text, QPalette::WindowText, QPalette::ButtonText}) {
-        palette.setColor(QPalette::Disabled, role, QColor(dark ? 0x7d7f84 : 0xa0a0a0));
-    }
-    return palette;
-}
+    {QPalette::Button, 0xf3f3f3, 0x393b40},          {QPalette::Base, 0xffffff, 0x1e1f22},
+    {QPalette::AlternateBase, 0xf7f7f7, 0x25272a},   {QPalette::Text, 0x1c1c1c, 0xe6e6e6},
+    {QPalette::WindowText, 0x1c1c1c, 0xe6e6e6},      {QPalette::ButtonText, 0x1c1c1c, 0xe6e6e6},
+    {QPalette::PlaceholderText, 0x6a6a6a, 0x9a9a9a}, {QPalette::Highlight, 0x005fa3, 0x2a76b8},
+    {QPalette::HighlightedText, 0xffffff, 0xffffff}, {QPalette::Link, 0x005fa3, 0x6cb6f5},
+    {QPalette::ToolTipBase, 0xffffff, 0x393b40},     {QPalette::ToolTipText, 0x1c1c1c, 0xe6e6e6}};
 
 } // namespace
 
 QPalette paletteFor(Theme theme)
 {
-    switch (theme) {
-    case Theme::System: return QPalette();
-    case Theme::Light: return paletteOf(false);
-    case Theme::Dark: return paletteOf(true);
+    if (theme == Theme::System) {
+        return {};
     }
-    return {};
+    const bool isDark = theme == Theme::Dark;
+    QPalette palette(QColor(isDark ? 0x2b2d30 : 0xf3f3f3)); // Qt derives the other shades from it
+    for (const RoleColours &colours : kRoles) {
+        palette.setColor(colours.role, QColor(isDark ? colours.dark : colours.light));
+    }
+    for (const QPalette::ColorRole role : {QPalette::Text, QPalette::WindowText, QPalette::ButtonText}) {
+        palette.setColor(QPalette::Disabled, role, QColor(isDark ? 0x7d7f84 : 0xa0a0a0));
+    }
+    return palette;
 }
 
 SeriesColours seriesColours(const QPalette &palette)

@@ -42,6 +42,14 @@ QString numberText(std::optional<double> value, int significantDigits)
     return value ? formatted(*value, 'g', significantDigits, withPowerOfTen) : dash();
 }
 
+int digitsToTellApart(double x, double y)
+{
+    constexpr double kFewest = 6.0;
+    constexpr double kMost = 17.0;
+    const double digits = 2.0 + std::ceil(std::log10(std::max(std::abs(x), std::abs(y)) / std::abs(x - y)));
+    return static_cast<int>(x == y ? kFewest : std::clamp(digits, kFewest, kMost));
+}
+
 QString typedNumberText(double value)
 {
     return formatted(value, 'g', QLocale::FloatingPointShortest, [](const QString &mantissa, int exponent) {

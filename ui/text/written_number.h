@@ -20,6 +20,9 @@ QString numberText(std::optional<double> value, int significantDigits = 6);
 QString shortNumber(std::optional<double> value, int digits);
 QString dash();
 
+/// Returns the number of digits, 6 to 17, that show how two values differ.
+int digitsToTellApart(double x, double y);
+
 /// Formats a value at full precision, as it can be entered: "1.5e-8".
 QString typedNumberText(double value);
 

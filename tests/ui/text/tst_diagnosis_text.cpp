@@ -54,7 +54,7 @@ private slots:
     {
         QCOMPARE(summaryText(identified()),
                  QString("a = 20.000001 ± 0.000003 mm, b = 60.00000 ± 0.00001 mm, c = 24.999974 ± 0.000008 mm, "
-                         "ω₂ = 6.2831856 ± 0.0000003 rad/s, θ₂₀ = -0.00002 ± 0.00001°, open assembly."));
+                         "ω₂ = 6.2831856 ± 3·10⁻⁷ rad/s, θ₂₀ = -0.00002 ± 0.00001°, open assembly."));
         Diagnosis approximate = identified();
         approximate.identification.outcome = Outcome::Approximate;
         ChannelComparison channel;
@@ -119,8 +119,6 @@ private slots:
              "The file does not give the unit of its lengths, which were read as mm: if they are metres, a = 40 mm; "
              "then "
              "write [m] behind the headings."},
-            {[](Diagnosis &d) { d.isSpeedOfDerivatives = true; },
-             "The file is a table by crank angle: ω₂ follows from its derivatives."},
             {[](Diagnosis &d) {
                  d.identification.leftOut = {{kTheta3, 1.25}, {kSlider, 3.0}};
              },
@@ -130,7 +128,7 @@ private slots:
             {[](Diagnosis &d) {
                  d.identification.excludedRows = {3, 17};
              },
-             "Rows left out, because they are far off the motion: line 3, 17."},
+             "Rows left out, because they are far off the motion: 2, the first in line 3."},
             {[](Diagnosis &d) {
                  d.identification.noise = {{kTheta3, 0.0512}, {kSlider, 0.1234}};
              },
@@ -138,7 +136,7 @@ private slots:
             {[](Diagnosis &d) {
                  d.unevenCrank = {2.0 * std::numbers::pi, 9.5};
              },
-             "The crank speed is not constant: 6.2832 rad/s at the start and 9.5 rad/s at the end."},
+             "The crank speed is not constant: 6.28319 rad/s at the start and 9.5 rad/s at the end."},
         };
         for (const auto &[change, sentence] : rows) {
             Diagnosis found = identified();
@@ -146,10 +144,6 @@ private slots:
             QCOMPARE(caveatText(found), QString::fromUtf8(sentence));
             QVERIFY(summaryText(found).endsWith(u' ' + QString::fromUtf8(sentence)));
         }
-        Diagnosis many = identified();
-        many.identification.excludedRows = std::vector<std::size_t>(30, 7);
-        QCOMPARE(caveatText(many).count(u'7'), 10);
-        QVERIFY(caveatText(many).endsWith(", …."));
     }
 
     void listsEachMechanismThatFits()
@@ -160,8 +154,7 @@ private slots:
         const QString text = summaryText(found);
         const QString table1 = mechanismText(Mechanism());
         QVERIFY2(text.startsWith("3 mechanisms fit this file equally well: a = 20.000001 ± 0.000003 mm, ") &&
-                     text.endsWith("open assembly; " + table1 +
-                                   " (another crank speed with the same values at these time steps); " + table1 +
+                     text.endsWith("open assembly; " + table1 + "; " + table1 +
                                    ". More time steps per revolution, derivatives or θ₂ would tell them apart."),
                  qPrintable(text));
         QCOMPARE(roundNumbersText(found), QString());
@@ -208,7 +201,7 @@ private slots:
         Diagnosis uneven;
         uneven.unevenCrank = {2.0 * std::numbers::pi, 9.5};
         QCOMPARE(summaryText(uneven),
-                 QString("The crank speed is not constant: 6.2832 rad/s at the start and 9.5 rad/s at "
+                 QString("The crank speed is not constant: 6.28319 rad/s at the start and 9.5 rad/s at "
                          "the end. No mechanism fits this file."));
     }
 

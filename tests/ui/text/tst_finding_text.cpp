@@ -108,7 +108,7 @@ private slots:
             {60.04, 0.96, 100.0, "60 ± 1"},
             {60.0, 0.002, 100.0, "60.000 ± 0.002"},
             {9.99996, 1e-4, 100.0, "10.0000 ± 0.0001"},
-            {-2e-6, 1.3e-5, 1.0, "0.00000 ± 0.00001"},
+            {-2e-6, 1.3e-5, 1.0, "0 ± 0.00001"},
             {312.0, 4012.0, 1.0, "0 ± 4000"},
             {2.0000004e-8, 1.1e-14, 1e-7, "2.000000·10⁻⁸ ± 10⁻¹⁴"},
             {20.0, std::numeric_limits<double>::quiet_NaN(), 100.0, "20"},
@@ -122,10 +122,8 @@ private slots:
     void writesVerdictsWithTheirNumbers()
     {
         QCOMPARE(verdictText(compared(Verdict::Agrees, 5.4)), QString("agrees within the rounding of the file"));
-        QCOMPARE(verdictText(compared(Verdict::Close, 3.21)),
-                 QString("close: within 3.3 times the rounding of the file")); // rounded up
-        QCOMPARE(verdictText(compared(Verdict::Close, 41.01)),
-                 QString("close: within 42 times the rounding of the file"));
+        QCOMPARE(verdictText(compared(Verdict::Close, 3.214)),
+                 QString("close: at most 3.21 times the rounding of the file"));
         QCOMPARE(verdictText(compared(Verdict::Differs, 4e5)), QString("differs"));
         ChannelComparison rounded = compared(Verdict::Close, 0.8);
         rounded.clockIsRounded = true;
