@@ -146,23 +146,6 @@ void addPoints(const SteepPlace &place, double reach, AllPoints &points)
     }
 }
 
-/// Sorts by crank angle and removes points that were found twice.
-void sortPoints(CriticalPoints &points)
-{
-    constexpr double kSamePlace = 1e-10; // rad
-    std::ranges::sort(points, [](const CriticalPoint &a, const CriticalPoint &b) {
-        return a.theta2 != b.theta2 ? a.theta2 < b.theta2 : a.kind < b.kind;
-    });
-    const auto isSame = [](const CriticalPoint &a, const CriticalPoint &b) {
-        return a.kind == CriticalPoint::Kind::Extremum && b.kind == a.kind &&
-               std::abs(std::remainder(b.theta2 - a.theta2, kTurn)) < kSamePlace;
-    };
-    points.erase(std::unique(points.begin(), points.end(), isSame), points.end());
-    if (points.size() > 1 && isSame(points.front(), points.back())) {
-        points.pop_back();
-    }
-}
-
 } // namespace
 
 AllPoints findCriticalPoints(const Mechanism &mechanism)
@@ -172,7 +155,7 @@ AllPoints findCriticalPoints(const Mechanism &mechanism)
     const double below = -k.side * kQuarterTurn; // p = ε there, and m = β opposite (motion_constants.h)
     const SteepPlace placeBelow(mechanism, below, k.epsilon / k.a);
     const SteepPlace placeAbove(mechanism, -below, k.beta / k.a);
-    // The two searches meet half way and overlap a little, so that no extremum is missed.
+    // The two searches meet half way and overlap a little, so that no extremum is missed, although some are found twice.
     const double half = 0.5 * (0.5 * kTurn - placeBelow.nearest() - placeAbove.nearest());
     if (!(half > 0.0)) {
         return points; // cannot be assembled, or locked
@@ -181,7 +164,7 @@ AllPoints findCriticalPoints(const Mechanism &mechanism)
     addPoints(placeBelow, placeBelow.nearest() + half + overlap, points);
     addPoints(placeAbove, placeAbove.nearest() + half + overlap, points);
     for (std::size_t i = 0; i < kCount; ++i) {
-        sortPoints(points[i]);
+        std::ranges::stable_sort(points[i], {}, &CriticalPoint::theta2);
         for (CriticalPoint &point : points[i]) {
             for (int order = 0; order < static_cast<int>(kPlottedChannels[i].order); ++order) {
                 point.value *= mechanism.omega2();

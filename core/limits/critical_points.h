@@ -26,7 +26,8 @@ struct CriticalPoint {
     Kind kind = Kind::Extremum;
 };
 
-/// In ascending order of the crank angle; empty if there is no motion.
+/// In ascending order of the crank angle; empty if there is no motion. The same extremum can occur twice, with angles
+/// that differ by rounding only.
 using CriticalPoints = std::vector<CriticalPoint>;
 
 /// Returns the critical points of each channel, in the order of kPlottedChannels.

@@ -43,17 +43,11 @@ double halfDeadCentreAngle(double timeRatio)
     return 0.5 * std::numbers::pi * std::abs(timeRatio - 1.0) / (timeRatio + 1.0);
 }
 
-/// Returns the largest r = b/a, cot² p.
-double ratioLimit(double p)
-{
-    return 1.0 / (std::tan(p) * std::tan(p));
-}
-
-/// Returns cos μ as a function of r = b/a.
-double cosineOfTransmissionAngle(double p, double r)
+/// Returns the minimum transmission angle μ as a function of r = b/a.
+double transmissionAngle(double p, double r)
 {
     const double k = std::tan(p);
-    return (1.0 + std::sin(p) * (r * r - 1.0) / std::sqrt(1.0 + k * k * r * r)) / r;
+    return std::acos(std::min(1.0, (1.0 + std::sin(p) * (r * r - 1.0) / std::sqrt(1.0 + k * k * r * r)) / r));
 }
 
 /// Returns the ratio b/a with the largest minimum transmission angle; infinite for p = 0.
@@ -66,7 +60,7 @@ double findBestRatio(double p)
 /// Returns the largest minimum transmission angle of any ratio b/a; for p = 0 long couplers approach 90°.
 double transmissionAngleBound(double p)
 {
-    return p > 0.0 ? std::acos(std::min(1.0, cosineOfTransmissionAngle(p, findBestRatio(p)))) : 0.5 * std::numbers::pi;
+    return p > 0.0 ? transmissionAngle(p, findBestRatio(p)) : 0.5 * std::numbers::pi;
 }
 
 /// Returns the largest time ratio with this minimum transmission angle, by bisection: the bound decreases with the
@@ -91,12 +85,12 @@ std::optional<DesignRange> findDesignRange(double timeRatio)
     }
     const double p = halfDeadCentreAngle(timeRatio);
     DesignRange range;
-    range.largestRatio = ratioLimit(p);
+    range.largestRatio = 1.0 / (std::tan(p) * std::tan(p));
     if (!(range.largestRatio > 1.0)) { // so near to 3 that rounding decides
         return std::nullopt;
     }
     range.bestRatio = std::min(findBestRatio(p), kLongestCoupler);
-    range.bestTransmissionAngle = std::acos(std::min(1.0, cosineOfTransmissionAngle(p, range.bestRatio)));
+    range.bestTransmissionAngle = transmissionAngle(p, range.bestRatio);
     return range;
 }
 

@@ -11,15 +11,14 @@ namespace slidercrank
 namespace
 {
 
-PlaneVector of(LinkagePoint point, const Vector12 &q)
-{
-    switch (point) {
-    case LinkagePoint::A: return {2.0 * q[R2x], 2.0 * q[R2y]}; // the crank's centre of mass is the midpoint of O2-A
-    case LinkagePoint::B: return {q[R4x], q[R4y]};
-    case LinkagePoint::G3: return {q[R3x], q[R3y]};
-    }
-    return {};
-}
+/// The coordinate that is proportional to x of a point; the next one is to y.
+struct PointCoordinates {
+    Coordinate x;
+    double factor;
+};
+
+/// In the order of kLinkagePoints. The crank's centre of mass is the midpoint of O2-A.
+constexpr std::array<PointCoordinates, kLinkagePoints.size()> kCoordinates{{{R2x, 2.0}, {R4x, 1.0}, {R3x, 1.0}}};
 
 } // namespace
 
@@ -27,8 +26,11 @@ LinkageMotion linkageMotion(const Mechanism &mechanism, double t)
 {
     const State state = ClosedForm(mechanism).stateAt(t);
     LinkageMotion motion;
-    std::ranges::transform(kLinkagePoints, motion.begin(), [&state](LinkagePoint point) {
-        return PointMotion{of(point, state.q), of(point, state.qDot), of(point, state.qDDot)};
+    std::ranges::transform(kCoordinates, motion.begin(), [&state](PointCoordinates point) {
+        const auto vectorOf = [point](const Vector12 &q) {
+            return PlaneVector{point.factor * q[point.x], point.factor * q[point.x + 1]};
+        };
+        return PointMotion{vectorOf(state.q), vectorOf(state.qDot), vectorOf(state.qDDot)};
     });
     return motion;
 }

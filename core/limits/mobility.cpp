@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/limits/mobility.h"
 
-#include "core/closed_form/motion_constants.h"
+#include "core/closed_form/closed_form.h"
 #include "core/mechanism/turn.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace slidercrank
 {
@@ -37,32 +38,28 @@ CrankRange normalized(double from, double to)
 /// if that is below 1. Mirrored for c < 0.
 std::vector<CrankRange> findRanges(Mobility mobility, const MotionConstants &k)
 {
-    std::vector<CrankRange> ranges;
-    switch (mobility) {
-    case Mobility::Impossible: return ranges;
-    case Mobility::FullTurn: return {{-std::numbers::pi, std::numbers::pi}};
-    case Mobility::Locked: ranges = {{kQuarterTurn, kQuarterTurn}}; break;
-    case Mobility::Rocker: {
-        // asin((C - b)/a) from 1 + sin = -ε/a and 1 - sin = γ/a; asin((C + b)/a) likewise
-        const double lowest = std::atan2(k.C - k.b, std::sqrt(-k.epsilon * k.gamma));
-        if (k.beta < 0.0) {
-            const double highest = std::atan2(k.C + k.b, std::sqrt(-k.beta * k.reach));
-            ranges = {{lowest, highest}, {std::numbers::pi - highest, std::numbers::pi - lowest}};
-        } else {
-            ranges = {{lowest, std::numbers::pi - lowest}};
-        }
-        break;
+    if (mobility == Mobility::Impossible) {
+        return {};
     }
+    if (mobility == Mobility::FullTurn) {
+        return {{-std::numbers::pi, std::numbers::pi}};
+    }
+    // asin((C - b)/a) from 1 + sin = -ε/a and 1 - sin = γ/a; asin((C + b)/a) likewise
+    const double lowest = std::atan2(k.C - k.b, std::sqrt(-k.epsilon * k.gamma));
+    std::vector<CrankRange> ranges{{lowest, std::numbers::pi - lowest}};
+    if (k.beta < 0.0) {
+        const double highest = std::atan2(k.C + k.b, std::sqrt(-k.beta * k.reach));
+        ranges = {{lowest, highest}, {std::numbers::pi - highest, std::numbers::pi - lowest}};
     }
     for (CrankRange &range : ranges) {
         range = k.side > 0.0 ? normalized(range.from, range.to) : normalized(-range.to, -range.from);
     }
-    std::sort(ranges.begin(), ranges.end(), [](const CrankRange &x, const CrankRange &y) { return x.from < y.from; });
+    std::ranges::sort(ranges, {}, &CrankRange::from);
     return ranges;
 }
 
 /// Returns a dead centre. `distance`: |R4x|, which is √(L γ) at the outer and √(ε β) at the inner dead centre.
-DeadCentre deadCentre(const Mechanism &mechanism, double distance, bool isOuter)
+SliderPosition deadCentre(const Mechanism &mechanism, double distance, bool isOuter)
 {
     // If b >= a, the inner dead centre is on the same side of O2 as the outer one, and the crank points away from B.
     const bool pointsAway = !isOuter && mechanism.b() >= mechanism.a();
@@ -72,23 +69,32 @@ DeadCentre deadCentre(const Mechanism &mechanism, double distance, bool isOuter)
     return {wrapToPi(theta2), R4x};
 }
 
-/// Returns the stroke within a range. R4x is extreme at dead centres and at the ends of the arc of a rocker, where the
-/// coupler is perpendicular to the slider's line, so that R4x = a cos θ2.
-double strokeWithin(const CrankRange &range, const Mechanism &mechanism, const MotionLimits &limits)
+/// Returns the positions at which the slider reverses: the dead centres and, of a rocker, the ends of its arcs. There
+/// the coupler is perpendicular to the slider's line, so that R4x = a cos θ2.
+std::vector<SliderPosition> findReversals(const Mechanism &mechanism, const MotionLimits &limits)
 {
-    double smallest = mechanism.a() * std::cos(range.from);
-    double largest = smallest;
-    const auto include = [&](double R4x) {
-        smallest = std::min(smallest, R4x);
-        largest = std::max(largest, R4x);
-    };
-    include(mechanism.a() * std::cos(range.to));
-    for (const std::optional<DeadCentre> &centre : {limits.outer, limits.inner}) {
-        if (centre && contains(range, centre->theta2)) {
-            include(centre->R4x);
+    std::vector<SliderPosition> reversals;
+    for (const std::optional<SliderPosition> &centre : {limits.outer, limits.inner}) {
+        if (centre) {
+            reversals.push_back(*centre);
         }
     }
-    return largest - smallest;
+    for (const CrankRange &range : limits.ranges) {
+        for (const double end : {range.from, range.to}) {
+            if (limits.mobility != Mobility::FullTurn) {
+                reversals.push_back({end, mechanism.a() * std::cos(end)});
+            }
+        }
+    }
+    return reversals;
+}
+
+/// Returns the stroke within a range.
+double strokeWithin(const CrankRange &range, std::vector<SliderPosition> reversals)
+{
+    std::erase_if(reversals, [&range](const SliderPosition &place) { return !contains(range, place.theta2); });
+    const auto [least, most] = std::ranges::minmax(reversals, {}, &SliderPosition::R4x);
+    return most.R4x - least.R4x;
 }
 
 } // namespace
@@ -106,8 +112,11 @@ MotionLimits motionLimits(const Mechanism &mechanism)
     if (k.epsilon * k.beta >= 0.0) {
         limits.inner = deadCentre(mechanism, std::sqrt(k.epsilon * k.beta), false);
     }
+    const std::vector<SliderPosition> reversals = findReversals(mechanism, limits);
+    for (const CrankRange &range : limits.ranges) {
+        limits.stroke = std::max(limits.stroke.value_or(0.0), strokeWithin(range, reversals));
+    }
     if (limits.mobility == Mobility::FullTurn) {
-        limits.stroke = std::abs(limits.outer->R4x - limits.inner->R4x);
         const double counterClockwise = wrapToTwoPi(limits.outer->theta2 - limits.inner->theta2);
         const double outwards = mechanism.omega2() < 0.0 ? kTurn - counterClockwise : counterClockwise;
         limits.angleOutwards = outwards;
@@ -115,29 +124,25 @@ MotionLimits motionLimits(const Mechanism &mechanism)
         limits.timeRatio = std::max(outwards, kTurn - outwards) / std::min(outwards, kTurn - outwards);
         limits.largestPressureAngle = std::atan2(k.a + k.C, std::sqrt(k.epsilon * k.reach));
         limits.largestPressureAngleAt = -k.side * kQuarterTurn;
-        return limits;
+    } else {
+        limits.largestPressureAngle = kQuarterTurn;
+        limits.largestPressureAngleAt = limits.ranges.front().from;
     }
-    for (const CrankRange &range : limits.ranges) {
-        limits.stroke = std::max(limits.stroke.value_or(0.0), strokeWithin(range, mechanism, limits));
-    }
-    limits.largestPressureAngle = kQuarterTurn;
-    limits.largestPressureAngleAt = limits.ranges.front().from;
     return limits;
 }
 
 std::vector<CrankRange> forbiddenRanges(const MotionLimits &limits)
 {
-    switch (limits.mobility) {
-    case Mobility::FullTurn: return {};
-    case Mobility::Impossible: return {{-std::numbers::pi, std::numbers::pi}};
-    case Mobility::Rocker:
-    case Mobility::Locked: break;
+    const std::vector<CrankRange> &ranges = limits.ranges;
+    if (ranges.empty()) {
+        return {{-std::numbers::pi, std::numbers::pi}};
     }
     std::vector<CrankRange> forbidden;
-    for (std::size_t i = 0; i < limits.ranges.size(); ++i) { // from the end of each to the start of the next
-        const bool last = i + 1 == limits.ranges.size();
-        forbidden.push_back(
-            normalized(limits.ranges[i].to, last ? limits.ranges[0].from + kTurn : limits.ranges[i + 1].from));
+    for (std::size_t i = 0; i < ranges.size(); ++i) { // from the end of each to the start of the next
+        const double next = i + 1 < ranges.size() ? ranges[i + 1].from : ranges[0].from + kTurn;
+        if (ranges[i].to < next) {
+            forbidden.push_back(normalized(ranges[i].to, next));
+        }
     }
     return forbidden;
 }
@@ -153,24 +158,39 @@ std::vector<double> anglesAcross(const CrankRange &range, int steps)
     return angles;
 }
 
-double shortestCouplerForAnyPose(const Mechanism &mechanism)
+std::optional<SliderStroke> strokeAround(const Mechanism &mechanism, const MotionLimits &limits, double theta2,
+                                         int sense)
 {
-    return std::abs(mechanism.c()) - mechanism.a();
+    constexpr double kAtAnEnd = 1e-9; // rad: an angle nearer than this to the end of a stroke is considered to be there
+    const double inside = theta2 + sense * kAtAnEnd;
+    std::vector<SliderPosition> ends = findReversals(mechanism, limits);
+    if (ends.empty()) {
+        return std::nullopt;
+    }
+    for (SliderPosition &end : ends) { // the next time that the crank passes it
+        end.theta2 = inside + wrapToTwoPi(end.theta2 - inside);
+    }
+    auto [to, from] = std::ranges::minmax(ends, {}, &SliderPosition::theta2);
+    from.theta2 -= kTurn;
+    const auto containsMiddle = [middle = 0.5 * (from.theta2 + to.theta2)](const CrankRange &range) {
+        return contains(range, middle);
+    };
+    return std::ranges::any_of(limits.ranges, containsMiddle) ? std::optional(SliderStroke{from, to}) : std::nullopt;
 }
 
-double shortestCouplerForFullTurn(const Mechanism &mechanism)
+double crankAngleAt(const Mechanism &mechanism, const SliderStroke &stroke, double R4x)
 {
-    return mechanism.a() + std::abs(mechanism.c());
-}
-
-double longestCrankForFullTurn(const Mechanism &mechanism)
-{
-    return mechanism.b() - std::abs(mechanism.c());
-}
-
-double largestOffsetForFullTurn(const Mechanism &mechanism)
-{
-    return mechanism.b() - mechanism.a();
+    const auto &[from, to] = stroke;
+    if (R4x <= std::min(from.R4x, to.R4x) || R4x >= std::max(from.R4x, to.R4x)) {
+        return std::abs(R4x - from.R4x) < std::abs(R4x - to.R4x) ? from.theta2 : to.theta2;
+    }
+    double low = from.theta2;
+    double high = to.theta2;
+    for (double middle = std::midpoint(low, high); low < middle && middle < high; middle = std::midpoint(low, high)) {
+        const Motion motion = ClosedForm(withCrankAt(mechanism, middle)).motionAt(0.0);
+        ((motion.R4x < R4x) == (from.R4x < to.R4x) ? low : high) = middle;
+    }
+    return low;
 }
 
 } // namespace slidercrank

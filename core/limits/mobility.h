@@ -2,7 +2,8 @@
 #pragma once
 
 // Computes the mobility of the mechanism: whether the crank makes full turns, between which crank angles the mechanism
-// can be assembled, its dead centres and its stroke. Lengths in mm, angles in rad.
+// can be assembled, its dead centres and its stroke; and the crank angle from the position of the slider. Lengths in mm,
+// angles in rad.
 //
 // Source: Grashof's condition for the slider-crank and the dead centres, Norton, "Design of
 // Machinery", 2.13, 3.8, 4.10.
@@ -29,9 +30,9 @@ struct CrankRange {
     double to = 0.0;
 };
 
-/// A dead centre: crank and coupler are collinear, and the velocity of the slider is zero.
-struct DeadCentre {
-    double theta2 = 0.0; ///< within [-π, π)
+/// A crank angle and the position of the slider there.
+struct SliderPosition {
+    double theta2 = 0.0;
     double R4x = 0.0;
 };
 
@@ -41,9 +42,10 @@ struct MotionLimits {
     /// The crank angles at which the mechanism can be assembled; disjoint, ascending.
     std::vector<CrankRange> ranges;
 
-    /// The dead centres of this branch with B farthest from O2 (extended, b + a) and nearest to it (folded, |b - a|).
-    std::optional<DeadCentre> outer;
-    std::optional<DeadCentre> inner;
+    /// The dead centres of this branch, where crank and coupler are collinear and the velocity of the slider is zero: B
+    /// farthest from O2 (extended, b + a) and nearest to it (folded, |b - a|). θ2 is within [-π, π).
+    std::optional<SliderPosition> outer;
+    std::optional<SliderPosition> inner;
 
     /// Largest minus smallest R4x that the slider reaches (in the arc with the larger stroke); nullopt if Impossible.
     std::optional<double> stroke;
@@ -72,14 +74,42 @@ std::vector<CrankRange> forbiddenRanges(const MotionLimits &limits);
 /// coupler of a rocker rotates fastest.
 std::vector<double> anglesAcross(const CrankRange &range, int steps);
 
+/// A range of crank angles between two successive dead centres or ends of the arc of a rocker, in which the slider moves
+/// in one direction only. The angles are not wrapped.
+struct SliderStroke {
+    SliderPosition from; ///< has the smaller crank angle
+    SliderPosition to;
+};
+
+/// Returns the stroke that contains the crank angle; at the end of a stroke, the one that follows in the direction
+/// `sense` (+1 or -1). Returns nullopt if the mechanism cannot be assembled there.
+std::optional<SliderStroke> strokeAround(const Mechanism &mechanism, const MotionLimits &limits, double theta2,
+                                         int sense);
+
+/// Returns the crank angle within the stroke at which the slider is at R4x; for R4x beyond the stroke, that of the
+/// nearer end.
+double crankAngleAt(const Mechanism &mechanism, const SliderStroke &stroke, double R4x);
+
 /// Returns the shortest coupler with which the mechanism can be assembled, |c| - a (any length suffices if this is
 /// negative), and with which the crank makes full turns, a + |c| (mm).
-double shortestCouplerForAnyPose(const Mechanism &mechanism);
-double shortestCouplerForFullTurn(const Mechanism &mechanism);
+inline double shortestCouplerForAnyPose(const Mechanism &mechanism)
+{
+    return std::abs(mechanism.c()) - mechanism.a();
+}
+inline double shortestCouplerForFullTurn(const Mechanism &mechanism)
+{
+    return mechanism.a() + std::abs(mechanism.c());
+}
 
 /// Returns the longest crank, b - |c|, and the largest offset |c|, b - a, with which the crank makes full turns (mm).
 /// There is none if the former is not positive, or the latter is negative.
-double longestCrankForFullTurn(const Mechanism &mechanism);
-double largestOffsetForFullTurn(const Mechanism &mechanism);
+inline double longestCrankForFullTurn(const Mechanism &mechanism)
+{
+    return mechanism.b() - std::abs(mechanism.c());
+}
+inline double largestOffsetForFullTurn(const Mechanism &mechanism)
+{
+    return mechanism.b() - mechanism.a();
+}
 
 } // namespace slidercrank

@@ -90,19 +90,18 @@ double MechanismDrag::crankAngleOfSlider(double R4x)
 {
     if (m_pushedAgainst != 0) {
         const bool isAtEnd = m_pushedAgainst > 0;
-        const double end = isAtEnd ? m_stroke->to : m_stroke->from;
-        const double R4xHere = isAtEnd ? m_stroke->R4xTo : m_stroke->R4xFrom;
-        const double R4xThere = isAtEnd ? m_stroke->R4xFrom : m_stroke->R4xTo;
-        if ((R4x - R4xHere) * (R4xThere - R4xHere) <= 0.0) {
-            return end; // the pointer is still beyond the end
+        const SliderPosition end = isAtEnd ? m_stroke->to : m_stroke->from;
+        const SliderPosition start = isAtEnd ? m_stroke->from : m_stroke->to;
+        if ((R4x - end.R4x) * (start.R4x - end.R4x) <= 0.0) {
+            return end.theta2; // the pointer is still beyond the end
         }
         // Where an oscillating crank reverses there is no next stroke; the slider returns on the same one.
-        if (const std::optional<SliderStroke> next = strokeAround(m_mechanism, m_limits, end, m_pushedAgainst)) {
+        if (const std::optional<SliderStroke> next = strokeAround(m_mechanism, m_limits, end.theta2, m_pushedAgainst)) {
             m_stroke = next;
         }
     }
     const double theta2 = slidercrank::crankAngleAt(m_mechanism, *m_stroke, R4x);
-    m_pushedAgainst = theta2 == m_stroke->to ? 1 : theta2 == m_stroke->from ? -1 : 0;
+    m_pushedAgainst = theta2 == m_stroke->to.theta2 ? 1 : theta2 == m_stroke->from.theta2 ? -1 : 0;
     return theta2;
 }
 

@@ -4,7 +4,7 @@
 // Converts positions of the pointer to crank angles or lengths while a part of the mechanism is dragged. The point at
 // which the part was grasped stays under the pointer. Lengths and points are in mm, angles in rad.
 
-#include "core/limits/slider_stroke.h"
+#include "core/limits/mobility.h"
 #include "ui/mechanism/mechanism_drawing.h"
 #include "ui/mechanism/mechanism_scene.h"
 

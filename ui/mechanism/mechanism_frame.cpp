@@ -46,7 +46,7 @@ QRectF motionBounds(const Mechanism &mechanism, const MotionLimits &limits)
     double left = -a;
     double right = a;
     // Where an oscillating crank turns back, the slider is at a cos θ2, within the width of the crank's circle.
-    for (const std::optional<DeadCentre> &centre : {limits.outer, limits.inner}) {
+    for (const std::optional<SliderPosition> &centre : {limits.outer, limits.inner}) {
         if (centre) {
             left = std::min(left, centre->R4x);
             right = std::max(right, centre->R4x);

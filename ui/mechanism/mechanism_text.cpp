@@ -68,7 +68,7 @@ QStringList couplerLines(const MechanismScene &scene)
     return lines;
 }
 
-QStringList deadCentreLines(const QString &name, const std::optional<DeadCentre> &centre)
+QStringList deadCentreLines(const QString &name, const std::optional<SliderPosition> &centre)
 {
     return {MechanismText::tr("%1: the slider reverses. Click to go there.").arg(name),
             QStringLiteral("θ₂ = %1°").arg(crankAngleText(centre->theta2)),

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/closed_form/closed_form.h"
 #include "core/limits/mobility.h"
-#include "core/limits/slider_stroke.h"
 #include "core/mechanism/turn.h"
 #include "tests/support/deviation.h"
 #include "tests/support/mechanism_list.h"
@@ -207,7 +206,7 @@ private slots:
             outer += limits.outer ? 1 : 0;
             inner += limits.inner ? 1 : 0;
             for (const bool stretched : {true, false}) {
-                const std::optional<DeadCentre> &centre = stretched ? limits.outer : limits.inner;
+                const std::optional<SliderPosition> &centre = stretched ? limits.outer : limits.inner;
                 if (!centre) {
                     continue;
                 }
@@ -362,13 +361,13 @@ private slots:
             }
             ++checked;
             const auto stroke = strokeAround(mechanism, motionLimits(mechanism), motion.theta2, i % 2 == 0 ? 1 : -1);
-            VERIFY_FOR(p, stroke && stroke->from < stroke->to);
+            VERIFY_FOR(p, stroke && stroke->from.theta2 < stroke->to.theta2);
             const double found = crankAngleAt(mechanism, *stroke, motion.R4x);
             VERIFY_FOR(p, near(motionAt(found).R4x, motion.R4x, 1e-12 * characteristicLength(p)));
             const double beyond = 2.0 * characteristicLength(p);
-            const bool grows = stroke->R4xFrom < stroke->R4xTo;
-            VERIFY_FOR(p, crankAngleAt(mechanism, *stroke, beyond) == (grows ? stroke->to : stroke->from));
-            VERIFY_FOR(p, crankAngleAt(mechanism, *stroke, -beyond) == (grows ? stroke->from : stroke->to));
+            const bool grows = stroke->from.R4x < stroke->to.R4x;
+            VERIFY_FOR(p, crankAngleAt(mechanism, *stroke, beyond) == (grows ? stroke->to : stroke->from).theta2);
+            VERIFY_FOR(p, crankAngleAt(mechanism, *stroke, -beyond) == (grows ? stroke->from : stroke->to).theta2);
         }
         QVERIFY(checked > 500);
     }
