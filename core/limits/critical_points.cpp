@@ -155,7 +155,8 @@ AllPoints findCriticalPoints(const Mechanism &mechanism)
     const double below = -k.side * kQuarterTurn; // p = ε there, and m = β opposite (motion_constants.h)
     const SteepPlace placeBelow(mechanism, below, k.epsilon / k.a);
     const SteepPlace placeAbove(mechanism, -below, k.beta / k.a);
-    // The two searches meet half way and overlap a little, so that no extremum is missed, although some are found twice.
+    // The two searches meet half way and overlap a little, so that no extremum is missed, although some are found
+    // twice.
     const double half = 0.5 * (0.5 * kTurn - placeBelow.nearest() - placeAbove.nearest());
     if (!(half > 0.0)) {
         return points; // cannot be assembled, or locked

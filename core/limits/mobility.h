@@ -2,8 +2,8 @@
 #pragma once
 
 // Computes the mobility of the mechanism: whether the crank makes full turns, between which crank angles the mechanism
-// can be assembled, its dead centres and its stroke; and the crank angle from the position of the slider. Lengths in mm,
-// angles in rad.
+// can be assembled, its dead centres and its stroke; and the crank angle from the position of the slider. Lengths in
+// mm, angles in rad.
 //
 // Source: Grashof's condition for the slider-crank and the dead centres, Norton, "Design of
 // Machinery", 2.13, 3.8, 4.10.
@@ -74,8 +74,8 @@ std::vector<CrankRange> forbiddenRanges(const MotionLimits &limits);
 /// coupler of a rocker rotates fastest.
 std::vector<double> anglesAcross(const CrankRange &range, int steps);
 
-/// A range of crank angles between two successive dead centres or ends of the arc of a rocker, in which the slider moves
-/// in one direction only. The angles are not wrapped.
+/// A range of crank angles between two successive dead centres or ends of the arc of a rocker, in which the slider
+/// moves in one direction only. The angles are not wrapped.
 struct SliderStroke {
     SliderPosition from; ///< has the smaller crank angle
     SliderPosition to;

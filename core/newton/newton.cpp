@@ -254,10 +254,7 @@ private:
                 m_system.moveTo(next);
             }
             const double nextResidual = m_system.residual(limit.perLength);
-            // If the coupler is long, the rounding of its rows can hide those of a short crank. Two or three steps
-            // solve these.
-            const bool isHidden = residual > limit.crank && iteration < 2;
-            if (toTheEnd && !(nextResidual < residual) && residual <= limit.rounding && !isHidden) {
+            if (toTheEnd && !(nextResidual < residual) && residual <= limit.rounding) {
                 m_system.moveTo(m_q); // the previous iterate is at least as good
                 return Ending::Converged;
             }
@@ -278,8 +275,7 @@ private:
     // For kResolvedPart, the terms of θ̈3
     //     b cos θ3 θ̈3 = a ω² sin θ2 + b sin θ3 θ̇3²
     // are compared with θ̈3 itself (the two terms nearly cancel at an exact toggle), or with its ordinary magnitude.
-    // sin θ3 is uncertain by the residual or its rounding and, like cos θ2, by δ = ε/2 (|ω t| + |θ2|), which θ2 lost
-    // when ω t and θ20 were rounded: by (a/b) |cos θ2| δ, R2x being (a/2) cos θ2.
+    // sin θ3 is uncertain by the residual or its rounding.
     void differentiate()
     {
         State &state = m_timeStep.state;
@@ -287,11 +283,9 @@ private:
         const double a = m_mechanism.a();
         const double b = m_mechanism.b();
         const double cosine = std::abs(m_system.cosTheta3());
-        const double angles = std::abs(state.q[Theta2] - m_mechanism.theta20()) + std::abs(state.q[Theta2]);
         const double rounding = kEpsilon * std::max(b, a + std::abs(m_mechanism.c()));
         const double residual = m_timeStep.residual / m_thresholds.perLength;
-        const double ofTheta2 = kEpsilon * angles * (std::abs(state.q[R2x]) + 0.5 * a * cosine);
-        const double uncertainty = (std::max(residual, rounding) + ofTheta2) / b;
+        const double uncertainty = std::max(residual, rounding) / b;
         const double crankTerm = a * m_mechanism.omega2() * m_mechanism.omega2();
         const double couplerTerm = b * state.qDot[Theta3] * state.qDot[Theta3];
         const double uncertain = uncertainty * (crankTerm + couplerTerm);
