@@ -5,8 +5,8 @@
 #include "core/sampling/crank_time.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 namespace slidercrank
@@ -61,11 +61,9 @@ const std::vector<Row> kHard{
 /// Adds mechanisms with relative gaps of 1e-1 … 1e-15 to a toggle.
 void addToggles(const char *suffix, double c, std::initializer_list<int> exponents, std::vector<Case> &cases)
 {
-    constexpr std::array kGaps{1.0,  1e-1, 1e-2,  1e-3,  1e-4,  1e-5,  1e-6,  1e-7,
-                               1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15};
     for (const int exponent : exponents) {
-        const double b = toggle(kGaps[static_cast<std::size_t>(exponent)], c);
-        cases.push_back({"toggle gap 1e-" + std::to_string(exponent) + suffix, {20.0, b, c}});
+        const std::string gap = "1e-" + std::to_string(exponent);
+        cases.push_back({"toggle gap " + gap + suffix, {20.0, toggle(std::stod(gap), c), c}});
     }
 }
 
@@ -83,86 +81,77 @@ Parameters scaled(double factor)
 
 } // namespace
 
-std::span<const Case> nominalCases()
+std::vector<Case> nominalCases()
 {
-    static const std::vector<Case> kCases = [] {
-        std::vector<Case> cases;
-        add(kNominal, cases);
-        cases.push_back({"omega2 < 0", {20.0, 60.0, 25.0, -kTurn}});
-        cases.push_back({"theta20 = 1 rad", {20.0, 60.0, 25.0, kTurn, 1.0}});
-        return cases;
-    }();
-    return kCases;
+    std::vector<Case> cases;
+    add(kNominal, cases);
+    cases.push_back({"omega2 < 0", {20.0, 60.0, 25.0, -kTurn}});
+    cases.push_back({"theta20 = 1 rad", {20.0, 60.0, 25.0, kTurn, 1.0}});
+    return cases;
 }
 
-std::span<const Case> hardCases()
+std::vector<Case> hardCases()
 {
-    static const std::vector<Case> kCases = [] {
-        std::vector<Case> cases;
-        addToggles(", c > 0", 25.0, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15}, cases);
-        addToggles(", c = 0", 0.0, {1, 2, 3, 4, 6, 8, 12, 15}, cases);
-        addToggles(", c < 0", -25.0, {1, 2, 3, 4, 6, 8, 12, 15}, cases);
-        add(kHard, cases);
-        for (const int steps : {2, 3, 4, 5, 8}) {
-            cases.push_back(
-                {std::to_string(steps) + " steps a turn, gap 1e-1", {20.0, toggle(1e-1), 25.0}, {0.0, 1.0, steps}});
-        }
-        cases.push_back({"5 steps a turn, gap 1e-2", {20.0, toggle(1e-2), 25.0}, {0.0, 1.0, 5}});
-        cases.push_back({"8 steps a turn, gap 1e-3", {20.0, toggle(1e-3), 25.0}, {0.0, 1.0, 8}});
-        cases.push_back({"lengths x 1e-9", scaled(1e-9)});
-        cases.push_back({"lengths x 1e9", scaled(1e9)});
-        cases.push_back({"t near 1e9 s", scaled(1.0), {1e9, 1.0, 200}});
-        cases.push_back({"omega2 = 0", {20.0, 60.0, 25.0, 0.0, 1.0}});
-        cases.push_back({"omega2 = 1e6 rad/s", {20.0, 60.0, 25.0, 1e6}, {0.0, 6.25e-6, 200}});
-        return cases;
-    }();
-    return kCases;
+    std::vector<Case> cases;
+    addToggles(", c > 0", 25.0, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15}, cases);
+    addToggles(", c = 0", 0.0, {1, 2, 3, 4, 6, 8, 12, 15}, cases);
+    addToggles(", c < 0", -25.0, {1, 2, 3, 4, 6, 8, 12, 15}, cases);
+    add(kHard, cases);
+    for (const int steps : {2, 3, 4, 5, 8}) {
+        cases.push_back(
+            {std::to_string(steps) + " steps a turn, gap 1e-1", {20.0, toggle(1e-1), 25.0}, {0.0, 1.0, steps}});
+    }
+    cases.push_back({"5 steps a turn, gap 1e-2", {20.0, toggle(1e-2), 25.0}, {0.0, 1.0, 5}});
+    cases.push_back({"8 steps a turn, gap 1e-3", {20.0, toggle(1e-3), 25.0}, {0.0, 1.0, 8}});
+    cases.push_back({"lengths x 1e-9", scaled(1e-9)});
+    cases.push_back({"lengths x 1e9", scaled(1e9)});
+    cases.push_back({"t near 1e9 s", scaled(1.0), {1e9, 1.0, 200}});
+    cases.push_back({"omega2 = 0", {20.0, 60.0, 25.0, 0.0, 1.0}});
+    cases.push_back({"omega2 = 1e6 rad/s", {20.0, 60.0, 25.0, 1e6}, {0.0, 6.25e-6, 200}});
+    return cases;
 }
 
 std::vector<Case> allCases()
 {
-    std::vector<Case> cases(nominalCases().begin(), nominalCases().end());
-    cases.insert(cases.end(), hardCases().begin(), hardCases().end());
+    std::vector<Case> cases = nominalCases();
+    std::ranges::copy(hardCases(), std::back_inserter(cases));
     return cases;
 }
 
 std::vector<double> perpendicularTimes(const Case &which)
 {
-    const Parameters &parameters = which.parameters;
-    if (parameters.omega2 == 0.0) {
+    const Mechanism mechanism(which.parameters);
+    if (mechanism.omega2() == 0.0) {
         return {};
     }
-
     // |c - a sin θ2| is stationary at ±90°, and b where sin θ2 = (c ± b)/a.
-    std::vector<double> angles{0.5 * std::numbers::pi, -0.5 * std::numbers::pi};
-    for (const double height : {parameters.b, -parameters.b}) {
-        const double sine = (parameters.c + height) / parameters.a;
-        if (std::abs(sine) < 1.0) {
-            angles.push_back(std::asin(sine));
-            angles.push_back(std::numbers::pi - std::asin(sine));
+    std::vector<double> angles{kQuarterTurn, -kQuarterTurn};
+    for (const double height : {mechanism.b(), -mechanism.b()}) {
+        const double angle = std::asin((mechanism.c() + height) / mechanism.a());
+        if (!std::isnan(angle)) {
+            angles.insert(angles.end(), {angle, 2.0 * kQuarterTurn - angle});
         }
     }
 
     constexpr int kMostTurns = 10;
     const double start = which.sampling.start;
-    const double turnTime = kTurn / std::abs(parameters.omega2);
+    const double turnTime = kTurn / std::abs(mechanism.omega2());
     std::vector<double> result;
     for (const double angle : angles) {
-        const std::optional<double> first = timeAtCrankAngle(Mechanism(parameters), angle, start);
+        const std::optional<double> first = timeAtCrankAngle(mechanism, angle, start);
         for (int k = 0; first && k < kMostTurns && *first + turnTime * k <= start + which.sampling.duration; ++k) {
             result.push_back(*first + turnTime * k);
         }
     }
-    std::sort(result.begin(), result.end());
+    std::ranges::sort(result);
     return result;
 }
 
 std::vector<double> timeStampsOf(const Case &which)
 {
     std::vector<double> result = which.sampling.timeStamps();
-    const std::vector<double> square = perpendicularTimes(which);
-    result.insert(result.end(), square.begin(), square.end());
-    std::sort(result.begin(), result.end());
+    std::ranges::copy(perpendicularTimes(which), std::back_inserter(result));
+    std::ranges::sort(result);
     result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
 }

@@ -9,7 +9,6 @@
 #include "core/mechanism/mechanism.h"
 #include "core/sampling/trajectory.h"
 
-#include <span>
 #include <string>
 #include <vector>
 
@@ -23,10 +22,10 @@ struct Case {
 };
 
 /// Returns the cases in which every method has to be accurate to the last digits.
-std::span<const Case> nominalCases();
+std::vector<Case> nominalCases();
 
 /// Returns the cases in which a method may fail, but has to report it.
-std::span<const Case> hardCases();
+std::vector<Case> hardCases();
 
 /// Returns nominalCases() followed by hardCases().
 std::vector<Case> allCases();

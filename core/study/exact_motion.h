@@ -33,17 +33,12 @@ inline constexpr double kUnitRoundoff = 0.5 * std::numeric_limits<double>::epsil
 /// The input of the motion, converted without rounding.
 template <class Real>
 struct ExactInput {
-    Real a, b, c, omega2, theta20, t;
+    std::array<Real, 6> numbers; ///< a, b, c, ω2, θ20 and t
     Branch branch;
 
-    ExactInput(const Parameters &parameters, double time)
-        : a(parameters.a)
-        , b(parameters.b)
-        , c(parameters.c)
-        , omega2(parameters.omega2)
-        , theta20(parameters.theta20)
-        , t(time)
-        , branch(parameters.branch)
+    ExactInput(const Parameters &p, double t)
+        : numbers{p.a, p.b, p.c, p.omega2, p.theta20, t}
+        , branch(p.branch)
     {
     }
 };
@@ -60,17 +55,18 @@ template <class Real>
 ExactState<Real> exactState(const ExactInput<Real> &in)
 {
     using std::abs;
+    const auto &[a, b, c, omega2, theta20, t] = in.numbers;
     ExactState<Real> out;
     out.values.fill(Real(0));
     TextbookMotion<Real> motion;
-    const bool isSolved = motion.compute({in.a, in.b, in.c, in.omega2, 0}, in.omega2 * in.t + in.theta20,
+    const bool isSolved = motion.compute({a, b, c, omega2, 0}, omega2 * t + theta20,
                                          in.branch == Branch::Open ? 1.0 : -1.0, boost::math::constants::pi<Real>());
-    out.clearance = (in.b - abs(Real(in.c - motion.pinY[0]))) / in.b;
+    out.clearance = (b - abs(Real(c - motion.pinY[0]))) / b;
     out.status = isSolved ? Status::Solved : out.clearance < 0 ? Status::NotAssemblable : Status::Singular;
     if (out.status == Status::NotAssemblable) {
         return out;
     }
-    out.cosTheta3 = (motion.sliderX[0] - motion.pinX[0]) / in.b;
+    out.cosTheta3 = (motion.sliderX[0] - motion.pinX[0]) / b;
     for (std::size_t index = 0; index < (isSolved ? kChannelCount : kCoordinateCount); ++index) {
         out.values[index] = motion.valueAt(channelAt(index));
     }
@@ -92,13 +88,11 @@ std::array<double, kChannelCount> conditioning(const Parameters &parameters, dou
     const Real step = 1e-25;
     const ExactInput<Real> in(parameters, t);
     std::array<double, kChannelCount> kappa{};
-    for (Real ExactInput<Real>::*member :
-         {&ExactInput<Real>::a, &ExactInput<Real>::b, &ExactInput<Real>::c, &ExactInput<Real>::omega2,
-          &ExactInput<Real>::theta20, &ExactInput<Real>::t}) {
+    for (std::size_t i = 0; i < in.numbers.size(); ++i) {
         ExactInput<Real> more = in;
         ExactInput<Real> less = in;
-        more.*member *= 1 + step;
-        less.*member *= 1 - step;
+        more.numbers[i] *= 1 + step;
+        less.numbers[i] *= 1 - step;
         const ExactState<Real> above = exactState(more);
         const ExactState<Real> below = exactState(less);
         const bool exists = above.status == Status::Solved && below.status == Status::Solved;

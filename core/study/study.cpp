@@ -20,6 +20,9 @@ namespace
 
 using Clock = std::chrono::steady_clock;
 
+/// Receives the completed fraction of a piece of work.
+using Progress = std::function<void(double)>;
+
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kChannels = kPlottedChannels.size();
 
@@ -70,9 +73,8 @@ Judged judge(const Parameters &parameters, double t)
 }
 
 /// Computes the exact motion at the times, or fewer if stopped.
-template <class Reach>
 Judgement judgeAll(const Parameters &parameters, const std::vector<double> &times, const std::stop_token &stop,
-                   const Reach &reach)
+                   const Progress &reach)
 {
     Judgement judgement{times, {}, {}};
     for (std::size_t i = 0; i < times.size() && !stop.stop_requested(); ++i) {
@@ -109,17 +111,7 @@ struct Contender {
 /// Returns |got - exact|, or infinity if `got` is not finite.
 double deviation(double got, TwoPart exact)
 {
-    const long double value = got;
-    const auto error =
-        static_cast<double>((value - static_cast<long double>(exact.hi)) - static_cast<long double>(exact.lo));
-    return std::isfinite(got) ? std::abs(error) : kInfinity;
-}
-
-/// Orders statuses by severity. NotAssemblable is a property of the mechanism, the others are failures of the method.
-int severity(Status status)
-{
-    constexpr std::array<int, kStatusCount> kByStatus{0, 2, 3, 1, 4};
-    return kByStatus[static_cast<std::size_t>(status)];
+    return std::isfinite(got) ? std::abs((got - exact.hi) - exact.lo) : kInfinity;
 }
 
 /// Sets the errors and statuses of the result from the answers at the times of the judgement.
@@ -135,9 +127,6 @@ void compareAnswers(const Contender &contender, const Judgement &judgement, Meth
         }
         const Status status = contender.answers.status[i];
         ++result.counts[static_cast<std::size_t>(status)];
-        if (severity(status) > severity(result.status)) {
-            result.status = status;
-        }
         if (status != Status::Solved) {
             continue;
         }
@@ -156,6 +145,10 @@ void compareAnswers(const Contender &contender, const Judgement &judgement, Meth
             isWrong = isWrong || error > kSilentPart;
         }
         silent += isWrong ? 1 : 0;
+    }
+    // The worst last. NotAssemblable is a property of the mechanism, the others are failures of the method.
+    for (const Status status : {Status::NotAssemblable, Status::Singular, Status::IterationLimit, Status::NotFinite}) {
+        result.status = result.counts[static_cast<std::size_t>(status)] > 0 ? status : result.status;
     }
     if (result.counts[static_cast<std::size_t>(Status::Solved)] > 0) {
         result.maxError = worst;
@@ -178,9 +171,8 @@ void addContender(const StudyMethod &method, const Mechanism &mechanism, const s
 }
 
 /// Runs each method once to obtain the answers and to warm up, then in rounds. Returns false if stopped.
-template <class Reach>
 bool timeAll(std::vector<Contender> &contenders, const StudyRequest &request, const std::stop_token &stop,
-             const Reach &reach)
+             const Progress &reach)
 {
     for (Contender &contender : contenders) {
         contender.run(contender.answers);
@@ -235,10 +227,9 @@ MethodResult resultOf(Contender &contender, const Judgement &judgement)
 
 /// Times the contenders, and compares their answers with the exact motion at the times `judged`. Returns no rows if
 /// stopped.
-template <class Reach>
 std::vector<MethodResult> measure(std::vector<Contender> contenders, const Parameters &parameters,
                                   const std::vector<double> &judged, const StudyRequest &request,
-                                  const std::stop_token &stop, const Reach &reach)
+                                  const std::stop_token &stop, const Progress &reach)
 {
     constexpr double kJudgeShare = 0.6; // of the exact motion in the duration, approximately
     const Judgement judgement = judgeAll(parameters, judged, stop, [&](double part) { reach(kJudgeShare * part); });

@@ -7,6 +7,7 @@
 #include "core/newton/newton.h"
 #include "core/study/harmonic_series.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -70,11 +71,9 @@ StudyMethod closedFormBatch()
     StudyMethod method{.name = {MethodName::Kind::ClosedFormBatch}, .dependsOnStep = false};
     method.prepare = [](const Mechanism &mechanism, std::span<const double> timeStamps) -> StudyRun {
         return [batch = ClosedForm(mechanism), timeStamps](StudyAnswers &answers) {
-            auto &values = answers.values;
-            batch.evaluate(timeStamps,
-                           {values[0].data(), values[1].data(), values[2].data(), values[3].data(), values[4].data(),
-                            values[5].data()},
-                           answers.status);
+            PlottedColumns columns{};
+            std::ranges::transform(answers.values, columns.begin(), [](auto &values) { return values.data(); });
+            batch.evaluate(timeStamps, columns, answers.status);
         };
     };
     return method;
@@ -144,26 +143,19 @@ std::vector<StudyMethod> makeMethods()
 
     // NewtonDense has the residual and the iteration limit of the reference report. The others have a residual that is
     // independent of scale, and an iteration limit that suffices at a toggle.
-    struct Variant {
-        MethodName::Kind kind;
-        WarmStart warmStart;
-        Elimination elimination;
-    };
-    constexpr std::array kVariants{
-        Variant{MethodName::Kind::NewtonDenseTaylor, WarmStart::Taylor, Elimination::Dense},
-        Variant{MethodName::Kind::NewtonStructured, WarmStart::Previous, Elimination::Structured},
-        Variant{MethodName::Kind::NewtonStructuredTaylor, WarmStart::Taylor, Elimination::Structured},
-    };
+    constexpr int kLimit = kColdStartIterations;
+    constexpr ToleranceKind kRelative = ToleranceKind::Relative;
+    constexpr std::pair<MethodName::Kind, NewtonOptions> kVariants[]{
+        {MethodName::Kind::NewtonDense, {}},
+        {MethodName::Kind::NewtonDenseTaylor, {kLimit, 0.0, kRelative, WarmStart::Taylor}},
+        {MethodName::Kind::NewtonStructured, {kLimit, 0.0, kRelative, WarmStart::Previous, Elimination::Structured}},
+        {MethodName::Kind::NewtonStructuredTaylor,
+         {kLimit, 0.0, kRelative, WarmStart::Taylor, Elimination::Structured}}};
     std::vector<StudyMethod> methods;
-    for (const double tolerance : kTolerances) {
-        NewtonOptions report;
-        report.tolerance = tolerance;
-        methods.push_back(newton(MethodName::Kind::NewtonDense, report));
-    }
-    for (const Variant &variant : kVariants) {
+    for (auto [kind, options] : kVariants) {
         for (const double tolerance : kTolerances) {
-            methods.push_back(newton(variant.kind, {kColdStartIterations, tolerance, ToleranceKind::Relative,
-                                                    variant.warmStart, variant.elimination}));
+            options.tolerance = tolerance;
+            methods.push_back(newton(kind, options));
         }
     }
     methods.push_back(closedForm());

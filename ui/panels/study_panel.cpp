@@ -54,7 +54,7 @@ StudyPanel::StudyPanel(Session *session, QWidget *parent)
     auto *runHard = named("runHardButton", new QPushButton(tr("Run hard cases")));
     runHard->setToolTip(tr("Mechanisms that only just make full turns or only just oscillate, very long and very short "
                            "links, very late times: takes some ten seconds"));
-    connect(runHard, &QPushButton::clicked, this, [this] { run({hardCases().begin(), hardCases().end()}); });
+    connect(runHard, &QPushButton::clicked, this, [this] { run(hardCases()); });
     session->track(&m_study);
     m_summary->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     m_summary->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);

@@ -98,8 +98,7 @@ QString differenceFromOne(const Parameters &parameters, std::span<const double> 
         for (std::size_t i = 0; i < times.size() + kRoomBehind; ++i) {
             const bool isBehind = i >= times.size();
             const Motion motion = isBehind ? Motion() : closedForm.motionAt(times[i]);
-            const double expected[] = {motion.theta3, motion.R4x,        motion.theta3Dot,
-                                       motion.R4xDot, motion.theta3DDot, motion.R4xDDot};
+            const auto expected = motion.plotted();
             bool isSame = isBehind || statuses[i] == motion.status;
             for (std::size_t k = 0; k < columns.size(); ++k) {
                 const double value = columns[k] && !isBehind ? expected[k] : kNotWritten;
@@ -134,8 +133,8 @@ private slots:
             p.branch = branch;
             ExactInput<Digits50> before(p, 0.3);
             ExactInput<Digits50> after(p, 0.3);
-            before.t -= kStep;
-            after.t += kStep;
+            before.numbers[5] -= kStep;
+            after.numbers[5] += kStep;
             const ExactState<Digits50> here = exactState<Digits50>(p, 0.3);
             for (std::size_t index = 0; index < 2 * kCoordinateCount; ++index) {
                 const Digits50 slope =
