@@ -104,8 +104,7 @@ void ClosedForm::evaluate(std::span<const double> times, const PlottedColumns &c
             }
             const Motion motion = motionAt(times[from + i]);
             statuses[from + i] = motion.status;
-            const double values[] = {motion.theta3, motion.R4x,        motion.theta3Dot,
-                                     motion.R4xDot, motion.theta3DDot, motion.R4xDDot};
+            const auto values = motion.plotted();
             for (std::size_t k = 0; k < columns.size(); ++k) {
                 if (target[k] != nullptr) {
                     target[k][i] = values[k];

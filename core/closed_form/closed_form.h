@@ -37,6 +37,12 @@ struct Motion {
     double theta3 = kNone, theta3Dot = kNone, theta3DDot = kNone; ///< rad
     double R4x = kNone, R4xDot = kNone, R4xDDot = kNone;          ///< mm
     Status status = Status::Solved; ///< Solved, Singular (no derivatives), NotAssemblable or NotFinite (no motion)
+
+    /// Returns the values of kPlottedChannels.
+    std::array<double, kPlottedChannels.size()> plotted() const
+    {
+        return {theta3, R4x, theta3Dot, R4xDot, theta3DDot, R4xDDot};
+    }
 };
 
 /// One output array for each of kPlottedChannels, in that order (mm, rad, s). Channels with a null pointer are not

@@ -68,7 +68,7 @@ public:
         const double sJerk = (aCos * (4.0 * aSin - m_c) - 3.0 * motion.sDot * motion.sDDot) / motion.s;
         const double theta3Jerk =
             (aCos - motion.sDDot * motion.theta3Dot - 2.0 * motion.sDot * motion.theta3DDot) / motion.s;
-        return {{motion.theta3, motion.R4x, motion.theta3Dot, motion.R4xDot, motion.theta3DDot, motion.R4xDDot},
+        return {motion.plotted(),
                 {motion.theta3Dot, motion.R4xDot, motion.theta3DDot, motion.R4xDDot, theta3Jerk, aSin + sJerk}};
     }
 
