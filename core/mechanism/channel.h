@@ -10,7 +10,6 @@
 #include <bitset>
 #include <cstddef>
 #include <optional>
-#include <span>
 #include <string_view>
 
 namespace slidercrank
@@ -71,14 +70,6 @@ inline constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
 constexpr double toFileUnit(Channel channel, double value)
 {
     return isAngle(channel.coordinate) ? value * kDegreesPerRadian : value;
-}
-
-/// Converts all values of a column in place.
-inline void toFileUnit(Channel channel, std::span<double> values)
-{
-    for (double &value : values) {
-        value = toFileUnit(channel, value);
-    }
 }
 
 /// Returns the order of magnitude of a channel (mm, rad, s): (1 rad or a + b + |c|)·|ω2|^k for the k-th derivative.

@@ -5,6 +5,8 @@
 
 #include "core/mechanism/mechanism.h"
 
+#include <array>
+
 namespace slidercrank
 {
 
@@ -21,7 +23,17 @@ enum class MechanismPart {
     Drive    ///< the drive of the crank
 };
 
-MechanismPart partOf(Constraint row);
-MechanismPart partOf(Coordinate coordinate);
+constexpr MechanismPart partOf(Constraint row)
+{
+    using enum MechanismPart;
+    constexpr std::array kParts{Ground, Ground, Ground, Pivot, Pivot, PinA, PinA, PinB, PinB, Guide, Guide, Drive};
+    return kParts[static_cast<std::size_t>(row)];
+}
+
+/// Returns the body: Ground, Crank, Coupler or Slider.
+constexpr MechanismPart partOf(Coordinate coordinate)
+{
+    return static_cast<MechanismPart>(coordinate / 3 + static_cast<int>(MechanismPart::Ground));
+}
 
 } // namespace slidercrank

@@ -72,14 +72,9 @@ SinCos sinCos(TwoPart angle)
 {
     const double s = std::sin(angle.hi);
     const double c = std::cos(angle.hi);
-    double sinLo = angle.lo;
-    double versineLo = 0.5 * angle.lo * angle.lo; // 1 - cos
-    constexpr double kSecondOrder = 5e-6;         // rad: below this the next term, lo³/6, is under half an ulp of 1
-    if (std::abs(angle.lo) > kSecondOrder) {
-        const double sinHalf = std::sin(0.5 * angle.lo);
-        sinLo = std::sin(angle.lo);
-        versineLo = 2.0 * sinHalf * sinHalf;
-    }
+    const double sinLo = std::sin(angle.lo);
+    const double sinHalfLo = std::sin(0.5 * angle.lo);
+    const double versineLo = 2.0 * sinHalfLo * sinHalfLo; // 1 - cos
     return {s + (c * sinLo - s * versineLo), c - (s * sinLo + c * versineLo)};
 }
 

@@ -69,25 +69,26 @@ void samplePlotted(const Mechanism &mechanism, Trajectory &trajectory, const std
     const ClosedForm closedForm(mechanism);
     const std::span<const double> times(trajectory.time);
     const std::span<Status> statuses(trajectory.status);
-    const auto evaluate = [&](std::size_t first, std::size_t end) {
-        for (std::size_t i = first; i < end && !stop.stop_requested(); i += kStopInterval) {
-            const std::size_t count = std::min(kStopInterval, end - i);
-            PlottedColumns columns{};
-            for (std::size_t k = 0; k < columns.size(); ++k) {
-                std::vector<double> &values = trajectory.values[indexOf(kPlottedChannels[k])];
-                columns[k] = values.empty() ? nullptr : values.data() + i;
-            }
-            closedForm.evaluate(times.subspan(i, count), columns, statuses.subspan(i, count));
-            for (std::size_t k = 0; k < columns.size(); ++k) {
-                if (columns[k] != nullptr) {
-                    toFileUnit(kPlottedChannels[k], {columns[k], count});
-                }
+    const auto evaluate = [&](std::size_t block) {
+        const std::size_t first = block * kStopInterval;
+        const std::size_t count = std::min(kStopInterval, times.size() - first);
+        if (stop.stop_requested()) {
+            return;
+        }
+        PlottedColumns columns{};
+        for (std::size_t k = 0; k < columns.size(); ++k) {
+            std::vector<double> &values = trajectory.values[indexOf(kPlottedChannels[k])];
+            columns[k] = values.empty() ? nullptr : values.data() + first;
+        }
+        closedForm.evaluate(times.subspan(first, count), columns, statuses.subspan(first, count));
+        for (std::size_t k = 0; k < columns.size(); ++k) {
+            for (double &value : std::span(columns[k], columns[k] == nullptr ? 0 : count)) {
+                value = toFileUnit(kPlottedChannels[k], value);
             }
         }
     };
-    constexpr std::size_t kPiece = 1U << 15U; // time stamps, which is enough work for one thread
-    const std::size_t pieces = (times.size() + kPiece - 1) / kPiece;
-    inParallel(pieces, [&](std::size_t i) { evaluate(i * kPiece, std::min((i + 1) * kPiece, times.size())); });
+    constexpr std::size_t kWorthThreads = 1U << 15U; // time stamps: starting a thread takes as long as a few thousand
+    inParallel((times.size() + kStopInterval - 1) / kStopInterval, evaluate, times.size() > kWorthThreads);
     trajectory.complete = !stop.stop_requested();
 }
 
