@@ -82,9 +82,9 @@ private slots:
         }
     }
 
-    /// In-line mechanism: the crank is half the stroke. The dead centres of a = 20, b = 65, c = 25 (Norton, "Design of
-    /// Machinery", section 3.8) reproduce that mechanism.
-    void agreesWithPublishedDesigns()
+    /// In-line mechanism: the crank is half the stroke. The stroke and the angle α of a = 20, b = 65, c = 25, computed
+    /// from its dead centres by hand, lead back to that mechanism.
+    void leadsBackToKnownMechanisms()
     {
         const Lengths inLine = findLengths(80.0, 1.0, 4.0);
         QCOMPARE(inLine.a, 40.0);

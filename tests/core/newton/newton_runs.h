@@ -68,12 +68,13 @@ inline std::vector<double> turn(const Parameters &parameters, int steps, double 
     return Sampling{0.0, turns * kTurn / std::abs(parameters.omega2), steps}.timeStamps();
 }
 
+/// Describes the options by the values of their enumerators.
 inline QString described(const NewtonOptions &options)
 {
-    return QStringLiteral("%1, %2, %3 tolerance %4")
-        .arg(options.elimination == Elimination::Dense ? QStringLiteral("dense") : QStringLiteral("structured"),
-             options.warmStart == WarmStart::Previous ? QStringLiteral("previous") : QStringLiteral("Taylor"),
-             options.toleranceKind == ToleranceKind::Absolute ? QStringLiteral("absolute") : QStringLiteral("relative"))
+    return QStringLiteral("elimination %1, warm start %2, tolerance kind %3, tolerance %4; ")
+        .arg(int(options.elimination))
+        .arg(int(options.warmStart))
+        .arg(int(options.toleranceKind))
         .arg(options.tolerance);
 }
 

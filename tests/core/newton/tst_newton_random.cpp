@@ -109,7 +109,7 @@ private slots:
                 Parameters p = random.next();
                 const double sign = random.uniform(-1.0, 1.0) < 0.0 ? -1.0 : 1.0;
                 kKinds[kind].change(p, sign * std::pow(10.0, random.uniform(-16.0, -1.0)), random);
-                if (findFault(p)) { // e.g. a coupler shorter than the program accepts
+                if (findFault(p)) { // a coupler shorter than the program accepts
                     continue;
                 }
                 const Mechanism mechanism(p);
