@@ -13,10 +13,6 @@ namespace slidercrank
 namespace
 {
 
-/// Powers of ten that a double represents exactly.
-constexpr std::array kExactPowers{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
-                                  1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-
 constexpr std::string_view kGaps = "nan -nan na n/a #n/a #div/0! #num! null";
 
 constexpr char kApostrophe = '\'';
@@ -74,11 +70,12 @@ CellNumber parsePlain(std::string_view text, char decimal)
     const int top = exponent + before.value_or(count); // power of ten one above the first digit
     number.places = {zeros == count, top - zeros - 1, top - last, top - count};
     constexpr int kExactDigits = 15; // fit into a double
-    const auto power = static_cast<std::size_t>(std::abs(number.places.printed));
-    if (count - zeros <= kExactDigits && power < kExactPowers.size()) {
+    constexpr int kExactPower = 22;  // the same of a power of ten
+    const int power = number.places.printed;
+    if (count - zeros <= kExactDigits && std::abs(power) <= kExactPower) {
         // Both factors are exact, so that the result is correctly rounded.
         const auto whole = static_cast<double>(digits);
-        const double size = number.places.printed < 0 ? whole / kExactPowers[power] : whole * kExactPowers[power];
+        const double size = power < 0 ? whole / powerOfTen(-power) : whole * powerOfTen(power);
         number.value = isNegative ? -size : size;
         return number;
     }
@@ -134,16 +131,6 @@ std::string_view trimmed(std::string_view text)
         text.remove_suffix(1);
     }
     return text;
-}
-
-std::string_view takeLine(std::string_view &rest)
-{
-    const auto end =
-        std::ranges::find_if(rest, [](char c) { return c == '\n' || c == '\r'; }); // faster than find_first_of()
-    const std::string_view line(rest.begin(), end);
-    rest.remove_prefix(line.size());
-    rest.remove_prefix(rest.starts_with("\r\n") ? 2 : rest.empty() ? 0 : 1);
-    return line;
 }
 
 std::string_view takeCell(std::string_view &rest, char delimiter)
@@ -213,12 +200,13 @@ CellNumber parseNumber(std::string_view text, DecimalSign decimalSign)
     const bool isComma = decimalSign == DecimalSign::Comma;
     const char decimal = isComma ? ',' : '.';
     const char separator = isComma ? '.' : ',';
-    CellNumber number = parsePlain(text, decimal);
+    CellNumber number = parsePlain(text, decimal); // the only object to be returned, so that none is copied
     if (number.fault != RowFault::NotANumber) {
         return number;
     }
     if (text.empty() || isAmong(lowered(text), kGaps)) {
-        return {};
+        number.fault.reset();
+        return number;
     }
     number = parsePlain(withoutSeparators(text, decimal, separator), decimal);
     if (number.fault == RowFault::NotANumber && looksNumeric(text) && text.find(separator) != text.npos) {

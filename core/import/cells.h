@@ -28,9 +28,6 @@ inline bool isDigit(char c)
 /// Returns the text without leading and trailing blanks.
 std::string_view trimmed(std::string_view text);
 
-/// Removes the first line from `rest` and returns it without its line ending (LF, CR LF or CR).
-std::string_view takeLine(std::string_view &rest);
-
 /// Removes the first cell from the rest of a line and returns it without surrounding blanks and quotation marks.
 /// Doubled quotation marks stay doubled. If a quotation mark is not closed, or text follows the closing one, the cell
 /// includes them. If the delimiter is a space, any run of blanks separates two cells. After the last cell,

@@ -326,8 +326,9 @@ ReadError findMissing(const RawTable &table, std::size_t file)
     const TableFile &own = table.files[file];
     const FileLayout &layout = own.layout;
     if (layout.headerLine == 0) {
-        const Cells cells = splitCells(own.rows.front().text, layout.delimiter);
-        return {own.firstDataLine, 1, excerpt(cells.front()), {Fault::NamesMissing}, {}, file};
+        const Line &row = own.rows.front();
+        const Cells cells = splitCells(row.text, layout.delimiter);
+        return {row.number, 1, excerpt(cells.front()), {Fault::NamesMissing}, {}, file};
     }
     ReadFault fault{hasAbscissa(table, file) ? Fault::NoChannel : Fault::NoTime};
     for (const RawColumn &column : table.columns) {

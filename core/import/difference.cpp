@@ -50,12 +50,13 @@ std::optional<Difference> differenceIn(const ReferenceData &data, Channel channe
     const auto best = static_cast<std::size_t>(std::ranges::min_element(squares) - squares.begin());
     const double least = squares[best];
     squares[best] = std::numeric_limits<double>::infinity();
+    if (best == 3 || count < kFewestRows / 2 || !(*std::ranges::min_element(squares) > kBetter * least)) {
+        return std::nullopt;
+    }
     const double peak = rangeOf(rate->values).size();
     const double allowed =
         base->rounding.stepAt(rangeOf(x).size()) / step + rate->rounding.stepAt(peak) + kArithmeticError * peak;
-    const bool matches = count >= kFewestRows / 2 && least <= allowed * allowed * count &&
-                         *std::ranges::min_element(squares) > kBetter * least;
-    return matches && best < 3 ? std::optional(static_cast<Difference>(best)) : std::nullopt;
+    return least <= allowed * allowed * count ? std::optional(static_cast<Difference>(best)) : std::nullopt;
 }
 
 } // namespace slidercrank

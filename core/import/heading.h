@@ -37,6 +37,7 @@ struct NameMeaning {
 struct Heading {
     FileColumn use{}; ///< heading and unit; role and reason are set by assignColumns()
     std::string name{};
+    std::string_view cellUnit{}; ///< after the number in each cell
 
     // Set by interpretHeadings().
     NameMeaning meaning{};

@@ -16,48 +16,48 @@ namespace
 constexpr double kUnreadable = std::numeric_limits<double>::infinity();
 constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
 
-CellNumber parseCell(const TableFile &file, std::size_t column, std::string_view cell)
+CellNumber parseCell(const RawColumn &column, std::string_view cell, DecimalSign decimalSign)
 {
-    const std::string_view unit = file.cellUnits[column];
+    const std::string_view unit = column.cellUnit;
     if (!unit.empty() && cell.ends_with(unit)) {
         cell = trimmed(cell.substr(0, cell.size() - unit.size()));
     }
-    return parseNumber(cell, file.layout.decimalSign);
+    return parseNumber(cell, decimalSign);
 }
 
 /// Calls `visit(column, cell)` for each cell of a row, and returns the cell that makes all of the row unreadable:
 /// an additional one, or the last one of a row with fewer than two. Other missing cells at the end are gaps.
 template <typename Visit>
-std::optional<SkippedRow> visitCells(const TableFile &file, const Line &row, const Visit &visit)
+std::optional<SkippedRow> visitCells(RawTable &table, const TableFile &file, std::size_t row, const Visit &visit)
 {
-    const std::size_t width = file.headings.size();
+    const Line &line = file.rows[row];
     std::optional<SkippedRow> fault;
     std::size_t cells = 0;
-    for (std::string_view rest = row.text; rest.data() != nullptr; ++cells) {
+    for (std::string_view rest = line.text; rest.data() != nullptr; ++cells) {
         const std::string_view cell = takeCell(rest, file.layout.delimiter);
-        if (cells < width) {
-            visit(cells, cell);
+        if (cells < file.width) {
+            visit(table.columns[file.firstColumn + cells], cell);
         } else if (!cell.empty() && !fault) {
-            fault = {row.number, cells + 1, excerpt(cell), RowFault::TooManyCells};
+            fault = {line.number, cells + 1, excerpt(cell), RowFault::TooManyCells};
         }
     }
-    return cells < std::min<std::size_t>(width, 2) ? SkippedRow{row.number, cells, {}, RowFault::TooFewCells} : fault;
+    return cells < std::min<std::size_t>(file.width, 2) ? SkippedRow{line.number, cells, {}, RowFault::TooFewCells}
+                                                        : fault;
 }
 
-void readRow(const TableFile &file, const Line &row, std::span<RawColumn> columns)
+void readRow(RawTable &table, const TableFile &file, std::size_t row)
 {
-    const std::size_t before = columns[0].values.size();
-    const auto read = [&](std::size_t i, std::string_view cell) {
-        const CellNumber number = parseCell(file, i, cell);
-        columns[i].values.push_back(number.fault ? kUnreadable : number.value);
+    const auto read = [&](RawColumn &column, std::string_view cell) {
+        const CellNumber number = parseCell(column, cell, file.layout.decimalSign);
+        column.values[row] = number.fault ? kUnreadable : number.value;
         if (!std::isnan(number.value)) {
-            columns[i].rounding.observe(number.places, number.value);
+            column.rounding.observe(number.places, number.value);
         }
     };
-    const bool isUnreadable = visitCells(file, row, read).has_value();
-    for (RawColumn &column : columns) {
-        column.values.resize(before + 1, kGap);
-        column.values.back() = isUnreadable ? kUnreadable : column.values.back();
+    if (visitCells(table, file, row, read)) {
+        for (std::size_t i = 0; i < file.width; ++i) {
+            table.columns[file.firstColumn + i].values[row] = kUnreadable;
+        }
     }
 }
 
@@ -95,23 +95,22 @@ void readTable(const FileBytes &bytes, const std::stop_token &stop, const std::f
     TableFile &file = table.files.emplace_back();
     file.name = bytes.name;
     file.firstColumn = table.columns.size();
-    const std::string_view text = decodeText(bytes.bytes, file.layout, file.converted);
-    findTable(text, file);
-    for (const Heading &heading : file.headings) {
-        table.columns.push_back({heading, table.columns.size()});
-        table.columns.back().use.file = table.files.size() - 1;
+    std::vector<Line> lines = splitLines(decodeText(bytes.bytes, file.layout, file.converted));
+    const std::vector<Heading> headings = takeHeadings(lines, file.layout);
+    file.rows = std::move(lines);
+    for (const Heading &heading : headings) {
+        RawColumn &column = table.columns.emplace_back(RawColumn{heading, table.columns.size()});
+        column.use.file = table.files.size() - 1;
+        column.values.assign(file.rows.size(), kGap);
     }
-    std::size_t number = file.firstDataLine;
-    for (std::string_view rest = file.data; !rest.empty(); ++number) {
-        if (number % kReportEvery == 0) {
-            progress(1.0 - static_cast<double>(rest.size()) / static_cast<double>(text.size()));
+    file.width = table.columns.size() - file.firstColumn;
+    for (std::size_t row = 0; row < file.rows.size(); ++row) {
+        readRow(table, file, row);
+        if (row % kReportEvery == 0) {
+            progress(static_cast<double>(row) / static_cast<double>(file.rows.size()));
             if (stop.stop_requested()) {
                 throw ReadError{.fault = {ReadFault::Kind::Stopped}};
             }
-        }
-        if (const std::string_view line = takeLine(rest); !isBlankLine(line)) {
-            file.rows.push_back({number, line, rest});
-            readRow(file, file.rows.back(), std::span(table.columns).subspan(file.firstColumn));
         }
     }
     progress(1.0);
@@ -123,13 +122,13 @@ SkippedRow findRowFault(RawTable &table, std::size_t row)
         const TableFile &own = table.files[file];
         const Line &line = own.rows[row];
         std::optional<SkippedRow> first;
-        const auto check = [&](std::size_t i, std::string_view cell) {
-            const std::optional<RowFault> fault = parseCell(own, i, cell).fault;
-            if (fault && !first && table.columns[own.firstColumn + i].isUsed()) {
-                first = {line.number, i + 1, excerpt(cell), *fault};
+        const auto check = [&](const RawColumn &column, std::string_view cell) {
+            const std::optional<RowFault> fault = parseCell(column, cell, own.layout.decimalSign).fault;
+            if (fault && !first && column.isUsed()) {
+                first = {line.number, column.index - own.firstColumn + 1, excerpt(cell), *fault};
             }
         };
-        const std::optional<SkippedRow> last = visitCells(own, line, check);
+        const std::optional<SkippedRow> last = visitCells(table, own, row, check);
         if (first || last) {
             SkippedRow fault = first.value_or(last.value_or(SkippedRow()));
             fault.file = file;

@@ -3,6 +3,7 @@
 
 // Second stage of reading: from text to a table of numbers, whose columns have no meaning yet.
 
+#include "core/import/reference_data.h"
 #include "core/import/table_form.h"
 
 #include <cstddef>
@@ -33,6 +34,16 @@ struct RawColumn : Heading {
     bool isUnreadable(std::size_t row) const;
 
     void setReason(ColumnReason reason, std::optional<std::size_t> otherColumn = {});
+};
+
+/// One of the files whose columns are side by side in a table.
+struct TableFile {
+    std::string name{};
+    std::string converted{};     ///< the text if the bytes are not UTF-8
+    FileLayout layout{};         ///< without columns and rows
+    std::vector<Line> rows{};    ///< refer to the bytes or to `converted`
+    std::size_t firstColumn = 0; ///< in the table
+    std::size_t width = 0;       ///< number of columns
 };
 
 struct RawTable {

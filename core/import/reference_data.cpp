@@ -111,33 +111,35 @@ ReferenceData collect(RawTable &table)
     ReferenceData data;
     const std::vector<std::size_t> rows = findUsedRows(table);
     data.skipped = findSkippedRows(table, rows);
-    const std::size_t firstLine = table.files.front().firstDataLine;
+    const TableFile &file = table.files.front();
     if (rows.empty()) {
-        throw data.skipped.empty() ? ReadError{firstLine - 1, 0, {}, {Fault::NoNumbers}}
+        throw data.skipped.empty() ? ReadError{file.layout.headerLine, 0, {}, {Fault::NoNumbers}}
                                    : errorAt(data.skipped.front(), Fault::NoRow);
     }
-    for (const std::size_t row : rows) {
-        data.lines.push_back(table.files.front().rows[row].number);
-    }
+    data.lines = rows;
+    std::ranges::for_each(data.lines, [&file](std::size_t &row) { row = file.rows[row].number; });
     for (RawColumn &column : table.columns) {
-        std::vector<double> values;
-        for (std::size_t i = 0; i < rows.size() && column.isUsed(); ++i) {
-            values.push_back(column.values[rows[i]]);
+        if (!column.isUsed()) {
+            continue;
         }
-        column.values.clear();
+        std::vector<double> &values = column.values;
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            values[i] = values[rows[i]];
+        }
+        values.resize(rows.size());
         const Rounding rounding = column.rounding.infer(column.factor, column.isAbscissa());
         if (column.isAbscissa()) {
             data.time = std::move(values);
             data.timeRounding = rounding;
         } else if (std::ranges::any_of(values, [](double value) { return std::isfinite(value); })) {
             data.series.push_back({column.use.channel, std::move(values), rounding});
-        } else if (column.isUsed()) {
+        } else {
             column.use.role = ColumnRole::Ignored;
             column.setReason(ColumnReason::NoNumber);
         }
     }
     if (data.series.empty()) {
-        throw ReadError{firstLine, 0, {}, {Fault::NoValues}};
+        throw ReadError{file.rows.front().number, 0, {}, {Fault::NoValues}};
     }
     return data;
 }

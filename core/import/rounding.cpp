@@ -17,21 +17,6 @@ namespace slidercrank
 namespace
 {
 
-/// Returns 10^exponent; 0 or infinity outside the range of a double.
-double powerOfTen(int exponent)
-{
-    constexpr int kLargest = 330;
-    static const std::vector<double> powers = [] {
-        std::vector<double> all(kLargest + 1);
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            all[i] = std::pow(10.0, i); // exact as far as a double is
-        }
-        return all;
-    }();
-    const double power = powers[static_cast<std::size_t>(std::min(std::abs(exponent), kLargest))];
-    return exponent < 0 ? 1.0 / power : power;
-}
-
 /// Returns the power of ten of the first digit of a positive number. A unit conversion and its inverse may turn a
 /// printed 10 into 9.99…9, which still counts as 10.
 int decadeOf(double magnitude)
@@ -73,6 +58,19 @@ PrintedPlaces shortestPlaces(PrintedPlaces places, double value)
 
 } // namespace
 
+double powerOfTen(int exponent)
+{
+    static const auto powers = [] {
+        std::array<double, 330> all{};
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            all[i] = std::pow(10.0, i); // exact as far as a double is
+        }
+        return all;
+    }();
+    const double power = powers[std::min<std::size_t>(static_cast<std::size_t>(std::abs(exponent)), powers.size() - 1)];
+    return exponent < 0 ? 1.0 / power : power;
+}
+
 double Rounding::stepAt(double value) const
 {
     switch (rule) {
@@ -107,7 +105,6 @@ double Rounding::finestStep() const
 void RoundingObserver::observe(PrintedPlaces places, double value)
 {
     constexpr int kDigitsOfADouble = 16;
-    constexpr int kLargestExponent = 48; // values beyond mark missing numbers
     m_finestPlace = std::min(m_finestPlace, places.printed);
     if (places.zero) {
         return;
@@ -129,7 +126,7 @@ void RoundingObserver::observe(PrintedPlaces places, double value)
         return;
     }
     const auto length = static_cast<std::size_t>(places.first - places.last);
-    ++m_decades[places.first][std::min(length, kMostDigits - 1)];
+    ++m_decades[static_cast<std::size_t>(places.first + kLargestExponent)][std::min(length, kMostDigits - 1)];
 }
 
 Rounding RoundingObserver::infer(double unitFactor, bool areTimeStamps) const
@@ -147,7 +144,8 @@ Rounding RoundingObserver::infer(double unitFactor, bool areTimeStamps) const
         return rounding;
     }
     std::vector<RoundedDecade> decades;
-    for (const auto &[exponent, counts] : m_decades) {
+    for (int exponent = -kLargestExponent; exponent <= kLargestExponent; ++exponent) {
+        const auto &counts = m_decades[static_cast<std::size_t>(exponent + kLargestExponent)];
         const double total = std::accumulate(counts.begin(), counts.end(), 0.0);
         const double needed = std::min(total, areTimeStamps ? 0.9 * total : 0.25 * (total + 8.0)); // to have ended
         double ended = 0.0;
@@ -156,7 +154,9 @@ Rounding RoundingObserver::infer(double unitFactor, bool areTimeStamps) const
             ended += counts[i];
             --place;
         }
-        decades.push_back({exponent, place, total});
+        if (total > 0.0) {
+            decades.push_back({exponent, place, total});
+        }
     }
     // Weighted distance of a rule from the places of the decades; among equal ones, the coarser rule is better.
     std::pair<double, double> least{std::numeric_limits<double>::infinity(), 0.0};

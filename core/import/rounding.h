@@ -10,7 +10,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <map>
 #include <optional>
 #include <span>
 
@@ -53,6 +52,9 @@ struct Rounding {
     friend bool operator==(const Rounding &, const Rounding &) = default;
 };
 
+/// Returns 10^exponent; 0 or infinity outside the range of a double.
+double powerOfTen(int exponent);
+
 /// Positions of the digits of a printed number, as powers of ten. For 0.0120, the first non-zero digit is at -2, the
 /// last one at -3, and the last printed digit at -4.
 struct PrintedPlaces {
@@ -84,11 +86,13 @@ public:
 
 private:
     static constexpr std::size_t kMostDigits = 17; ///< in the shortest text of a double
+    static constexpr int kLargestExponent = 48;    ///< values beyond mark missing numbers
 
     int coarsestPlace(const Rounding &rounding) const;
 
-    /// By power of ten: how many values have each number of digits from the first to the last non-zero one, less 1.
-    std::map<int, std::array<std::uint32_t, kMostDigits>> m_decades;
+    /// By power of ten from -kLargestExponent: how many values have each number of digits from the first to the last
+    /// non-zero one, less 1.
+    std::array<std::array<std::uint32_t, kMostDigits>, 2 * kLargestExponent + 1> m_decades{};
 
     std::uint64_t m_values = 0;        ///< number of values that are not zero
     std::uint64_t m_trailingZeros = 0; ///< number of zeros printed after the last non-zero decimal of these values

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/import/table_form.h"
 
-#include "core/import/unit_text.h"
+#include "core/import/reference_data.h"
 
 #include <algorithm>
 #include <optional>
@@ -20,16 +20,11 @@ constexpr std::size_t kExaminedLines = 200; // that are not blank
 constexpr std::size_t kLongestLine = std::size_t{1} << 20U;
 constexpr std::string_view kDelimiters = "\t;,|";
 
-std::vector<Line> firstLines(std::string_view text, std::size_t number = 1)
+using Lines = std::span<const Line>;
+
+Lines firstLines(Lines lines)
 {
-    std::vector<Line> lines;
-    for (; !text.empty() && lines.size() < kExaminedLines; ++number) {
-        const std::string_view line = takeLine(text);
-        if (!isBlankLine(line)) {
-            lines.push_back({number, line, text});
-        }
-    }
-    return lines;
+    return lines.first(std::min(lines.size(), kExaminedLines));
 }
 
 /// The first row of numbers.
@@ -51,7 +46,7 @@ bool isRow(const Cells &cells)
 }
 
 /// Cells are separated by spaces only if no other delimiter makes a row of any line.
-std::optional<FirstRow> findFirstRow(std::span<const Line> lines, std::string_view delimiters)
+std::optional<FirstRow> findFirstRow(Lines lines, std::string_view delimiters)
 {
     for (const std::string_view tried : {delimiters, std::string_view(delimiters == kDelimiters ? " " : "")}) {
         for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -135,7 +130,7 @@ struct HeaderFound {
 
 /// Returns the first line that names a time and a quantity; else the line above the numbers with most names of either;
 /// else the one directly above the numbers and units, if it has as many words; else, without numbers, the first line.
-HeaderFound findHeader(const std::vector<Line> &lines, std::string_view delimiters, const std::optional<FirstRow> &row)
+HeaderFound findHeader(Lines lines, std::string_view delimiters, const std::optional<FirstRow> &row)
 {
     const auto isUnit = [](std::string_view cell) { return cell.empty() || parseUnit(cell); };
     HeaderFound best{row ? row->line : 0};
@@ -175,10 +170,10 @@ std::string_view unitIn(std::string_view cell)
 }
 
 /// Sets the units of the columns, which are given in that line. Throws if a heading states another unit.
-void setUnits(TableFile &file, const Cells &cells, std::size_t line)
+void setUnits(std::vector<Heading> &headings, const Cells &cells, std::size_t line)
 {
-    for (std::size_t i = 0; i < std::min(cells.size(), file.headings.size()); ++i) {
-        FileColumn &column = file.headings[i].use;
+    for (std::size_t i = 0; i < std::min(cells.size(), headings.size()); ++i) {
+        FileColumn &column = headings[i].use;
         if (cells[i].empty()) {
             continue;
         }
@@ -190,35 +185,37 @@ void setUnits(TableFile &file, const Cells &cells, std::size_t line)
     }
 }
 
-/// Interprets the lines between the headings and the first number, which may contain units.
-void readAnnotations(TableFile &file, std::string_view delimiters, const std::optional<FirstRow> &row)
+/// Interprets the lines between the headings and the first number, which may contain units. Returns how many there are.
+std::size_t readAnnotations(Lines lines, std::string_view delimiters, const std::optional<FirstRow> &row,
+                            std::vector<Heading> &headings, FileLayout &layout)
 {
-    for (const Line &line : firstLines(file.data, file.firstDataLine)) {
+    std::size_t count = 0;
+    for (const Line &line : lines) {
         Cells cells = row && row->delimiter != ' ' ? splitCells(line.text, row->delimiter)
                                                    : readNames(line.text, delimiters, row).cells;
         if (std::ranges::any_of(cells, [](std::string_view cell) { return looksNumeric(splitUnit(cell).number); })) {
-            return;
+            break;
         }
         std::ranges::transform(cells, cells.begin(), unitIn);
         const bool hasUnit = std::ranges::any_of(cells, [](std::string_view unit) { return !unit.empty(); });
-        file.layout.unitsLine = hasUnit ? line.number : file.layout.unitsLine;
-        file.data = line.below;
-        file.firstDataLine = line.number + 1;
-        setUnits(file, cells, line.number);
+        layout.unitsLine = hasUnit ? line.number : layout.unitsLine;
+        setUnits(headings, cells, line.number);
+        ++count;
     }
+    return count;
 }
 
 /// Returns the decimal sign with which most numbers in the first lines can be read: 0,005 and 1.234,5 only with a
 /// comma. Between commas, "1,234" could have a thousands separator and does not count.
-DecimalSign findDecimalSign(const TableFile &file)
+DecimalSign findDecimalSign(Lines lines, char delimiter)
 {
     int commas = 0; // more than points
-    for (const Line &line : firstLines(file.data)) {
-        for (const std::string_view cell : splitCells(line.text, file.layout.delimiter)) {
+    for (const Line &line : lines) {
+        for (const std::string_view cell : splitCells(line.text, delimiter)) {
             const std::string text(splitUnit(cell).number);
             const bool isPoint = !parseNumber(text, DecimalSign::Point).fault;
             const bool isComma = !parseNumber(text, DecimalSign::Comma).fault &&
-                                 (file.layout.delimiter != ',' || parseNumber(text + ".0", DecimalSign::Point).fault);
+                                 (delimiter != ',' || parseNumber(text + ".0", DecimalSign::Point).fault);
             commas += (isComma ? 1 : 0) - (isPoint ? 1 : 0);
         }
     }
@@ -235,51 +232,66 @@ std::string_view findDelimiters(std::string_view firstLine)
 
 } // namespace
 
-bool isBlankLine(std::string_view line)
+std::vector<Line> splitLines(std::string_view text)
 {
-    return line.find_first_not_of(" \t;,") == line.npos;
+    std::vector<Line> lines;
+    std::size_t number = 0;
+    while (!text.empty()) {
+        std::string_view rest = takeUntil('\n', text);
+        do {
+            ++number;
+            const std::string_view line = takeUntil('\r', rest);
+            if (line.find_first_not_of(" \t;,") != line.npos) {
+                lines.push_back({number, line});
+            }
+        } while (!rest.empty());
+    }
+    return lines;
 }
 
-void findTable(std::string_view text, TableFile &file)
+std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout)
 {
-    const std::vector<Line> lines = firstLines(text);
-    const auto tooLong = std::ranges::find_if(lines, [](const Line &line) { return line.text.size() > kLongestLine; });
-    if (tooLong != lines.end()) {
+    const Lines examined = firstLines(lines);
+    const auto tooLong =
+        std::ranges::find_if(examined, [](const Line &line) { return line.text.size() > kLongestLine; });
+    if (tooLong != examined.end()) {
         throw ReadError{.line = tooLong->number, .fault = {ReadFault::Kind::LineTooLong}};
     }
     if (lines.empty()) {
         throw ReadError{.fault = {ReadFault::Kind::Empty}};
     }
     const std::string_view delimiters = findDelimiters(lines.front().text);
-    const std::optional<FirstRow> row = findFirstRow(lines, delimiters);
-    const HeaderFound header = findHeader(lines, delimiters, row);
-    const Line &line = lines[header.line];
-    file.layout.delimiter = row ? row->delimiter : header.names->delimiter;
-    file.data = header.names ? line.below : text.substr(static_cast<std::size_t>(line.text.data() - text.data()));
-    file.firstDataLine = line.number + (header.names ? 1 : 0);
+    const std::optional<FirstRow> row = findFirstRow(examined, delimiters);
+    const HeaderFound header = findHeader(examined, delimiters, row);
+    const Lines preamble = examined.first(header.line);
+    layout.delimiter = row ? row->delimiter : header.names->delimiter;
+    Lines rows = Lines(lines).subspan(header.line + (header.names ? 1 : 0));
+    std::vector<Heading> headings(header.names ? 0 : row->cells.size());
     if (header.names) {
-        file.layout.headerLine = line.number;
-        std::ranges::transform(header.names->cells, std::back_inserter(file.headings), parseHeading);
-        if (row && lines[row->line].text.starts_with('"') && row->cells.size() == file.headings.size() + 1) {
-            file.headings.insert(file.headings.begin(), Heading()); // R writes row names without a heading
+        layout.headerLine = lines[header.line].number;
+        std::ranges::transform(header.names->cells, std::back_inserter(headings), parseHeading);
+        if (row && lines[row->line].text.starts_with('"') && row->cells.size() == headings.size() + 1) {
+            headings.insert(headings.begin(), Heading()); // R writes row names without a heading
         }
-        readAnnotations(file, delimiters, row);
-    } else {
-        file.headings.resize(row->cells.size());
+        rows = rows.subspan(readAnnotations(firstLines(rows), delimiters, row, headings, layout));
     }
     if (row) {
-        std::ranges::transform(row->cells, std::back_inserter(file.cellUnits),
+        Cells units;
+        std::ranges::transform(row->cells, std::back_inserter(units),
                                [](std::string_view cell) { return splitUnit(cell).unit; });
-        setUnits(file, file.cellUnits, lines[row->line].number);
+        setUnits(headings, units, lines[row->line].number);
+        for (std::size_t i = 0; i < std::min(units.size(), headings.size()); ++i) {
+            headings[i].cellUnit = units[i];
+        }
     }
-    file.cellUnits.resize(file.headings.size());
-    const auto isAbove = [&](std::string_view beginning) {
-        return std::ranges::any_of(std::span(lines).first(header.line),
-                                   [&](const Line &above) { return above.text.starts_with(beginning); });
+    const auto isAbove = [preamble](std::string_view beginning) {
+        return std::ranges::any_of(preamble, [&](const Line &line) { return line.text.starts_with(beginning); });
     };
-    interpretHeadings(file.headings, isAbove("Units are S.I. units") ? "m" : "",
+    interpretHeadings(headings, isAbove("Units are S.I. units") ? "m" : "",
                       isAbove("inDegrees=no") ? "rad" : ""); // OpenSim
-    file.layout.decimalSign = findDecimalSign(file);
+    layout.decimalSign = findDecimalSign(firstLines(rows), layout.delimiter);
+    lines.erase(lines.begin(), lines.end() - static_cast<std::ptrdiff_t>(rows.size()));
+    return headings;
 }
 
 } // namespace slidercrank

@@ -6,10 +6,8 @@
 
 #include "core/import/cells.h"
 #include "core/import/heading.h"
-#include "core/import/reference_data.h"
 
 #include <cstddef>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -20,25 +18,14 @@ namespace slidercrank
 struct Line {
     std::size_t number = 0; ///< from 1
     std::string_view text;
-    std::string_view below; ///< the rest of the text
 };
 
-/// One of the files whose columns are side by side in a table.
-struct TableFile {
-    std::string name{};
-    std::string converted{};                   ///< the text if the bytes are not UTF-8
-    FileLayout layout{};                       ///< without columns and rows
-    std::vector<Heading> headings{};           ///< the unit may also be from a line of units or from the cells
-    std::vector<std::string_view> cellUnits{}; ///< by column: the unit after the number in each cell
-    std::string_view data{};                   ///< all lines below the headings and units
-    std::size_t firstDataLine = 0;
-    std::size_t firstColumn = 0; ///< in the table
-    std::vector<Line> rows{};    ///< refer to the bytes or to `converted`, like the other views
-};
+/// Splits a text at LF, CR LF and CR.
+std::vector<Line> splitLines(std::string_view text);
 
-/// Finds the table in a text in UTF-8 without byte order mark, and sets `layout` to `firstDataLine`. Throws ReadError.
-void findTable(std::string_view text, TableFile &file);
-
-bool isBlankLine(std::string_view line);
+/// Finds the table in the lines of a file, and removes those above the first row of numbers. Returns the headings,
+/// whose units may also be from a line of units or from the cells, and describes the rest in `layout`. Throws
+/// ReadError.
+std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout);
 
 } // namespace slidercrank

@@ -41,15 +41,14 @@ std::optional<Unit> unitNamed(std::string_view name)
     return found == kUnits.end() ? std::nullopt : std::optional(found->unit);
 }
 
-/// Removes the text up to the next slash from `rest` and returns it.
-std::string_view takePart(std::string_view &rest)
+} // namespace
+
+std::string_view takeUntil(char separator, std::string_view &rest)
 {
-    const std::string_view part = rest.substr(0, rest.find('/'));
-    rest.remove_prefix(part.size());
+    const std::string_view part = rest.substr(0, rest.find(separator));
+    rest.remove_prefix(std::min(part.size() + 1, rest.size()));
     return part;
 }
-
-} // namespace
 
 bool isAmong(std::string_view word, std::string_view words)
 {
@@ -76,8 +75,7 @@ std::string respelled(std::string_view text, std::string_view table)
         std::string_view from = text.substr(0, 1);
         std::string_view to = from;
         for (std::string_view rest = table; !rest.empty();) {
-            const std::string_view entry = rest.substr(0, rest.find('|'));
-            rest.remove_prefix(std::min(entry.size() + 1, rest.size()));
+            const std::string_view entry = takeUntil('|', rest);
             const std::size_t sign = entry.find('=');
             if (text.starts_with(entry.substr(0, sign))) {
                 from = entry.substr(0, sign);
@@ -93,12 +91,11 @@ std::string respelled(std::string_view text, std::string_view table)
 
 std::optional<Unit> parseUnit(std::string_view text)
 {
-    const std::string plain = lowered(respelled(text, kUnitSpellings));
+    const std::string plain = lowered(respelled(text, kUnitSpellings)) + '/';
     std::string_view rest = plain;
-    std::optional<Unit> unit = unitNamed(takePart(rest));
+    std::optional<Unit> unit = unitNamed(takeUntil('/', rest));
     while (unit && !rest.empty()) {
-        rest.remove_prefix(1);
-        std::string_view per = takePart(rest);
+        std::string_view per = takeUntil('/', rest);
         const int power = per.ends_with('2') ? 2 : 1;
         per.remove_suffix(power == 2 ? 1 : 0);
         const std::optional<Unit> time = unitNamed(per);

@@ -26,6 +26,9 @@ struct Unit {
 
 std::optional<Unit> parseUnit(std::string_view text);
 
+/// Removes the text up to the next `separator` from `rest`, with the separator, and returns it without.
+std::string_view takeUntil(char separator, std::string_view &rest);
+
 /// Returns whether `word` is one of the words in a list separated by spaces.
 bool isAmong(std::string_view word, std::string_view words);
 
