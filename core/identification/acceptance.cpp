@@ -156,8 +156,7 @@ Candidate judgedCandidate(const Observations &data, Fit fit)
         const Residual judgement = candidate.judgements.emplace_back(judgeColumn(data, candidate, j));
         hasOffset = hasOffset || (use.isUsed && use.hasOffset);
         if (tellsShape(column)) {
-            const double spread = interpretedSpread(data, hypothesis, j);
-            off += column.count * (use.isUsed ? std::min(candidate.noiseVariances[j] / (spread * spread), 1.0) : 1.0);
+            off += column.count * (use.isUsed ? std::min(candidate.noiseParts[j], 1.0) : 1.0);
             all += column.count;
         }
         candidate.isExact = candidate.isExact && (judgement == Residual::Rounding || judgement == Residual::NotUsed);

@@ -162,21 +162,19 @@ void tryInterpretations(const Observations &data, const std::vector<Fit> &shapes
                         std::vector<Candidate> &all)
 {
     const std::size_t most = options.isPlain ? 3 : 5;
-    std::vector<Interpretation> interpretations;
+    std::vector<RatedHypothesis> interpretations;
     for (const Fit &shape : shapes) {
         addInterpretations(data, shape, options, interpretations);
     }
-    for (Interpretation &interpretation : interpretations) {
+    for (RatedHypothesis &interpretation : interpretations) {
         interpretation.misfit -= bonusOf(data, interpretation.hypothesis, options.given);
     }
-    std::ranges::stable_sort(interpretations, {}, &Interpretation::misfit);
-    std::size_t tried = 0;
-    for (std::size_t i = 0; i < interpretations.size() && tried < most && !options.stop.stop_requested(); ++i) {
-        const Hypothesis &hypothesis = interpretations[i].hypothesis;
-        const auto before = std::span(interpretations).first(i);
-        if (std::ranges::none_of(before,
-                                 [&](const Interpretation &other) { return isSame(other.hypothesis, hypothesis); })) {
-            ++tried;
+    std::ranges::stable_sort(interpretations, {}, &RatedHypothesis::misfit);
+    std::vector<Hypothesis> tried;
+    for (const auto &[misfit, hypothesis] : interpretations) {
+        const auto isSameAs = [&, &one = hypothesis](const Hypothesis &other) { return isSame(one, other); };
+        if (tried.size() < most && !options.stop.stop_requested() && std::ranges::none_of(tried, isSameAs)) {
+            tried.push_back(hypothesis);
             addWithVariants(data, hypothesis, all);
         }
     }
@@ -215,14 +213,6 @@ Candidate fitCandidate(const Observations &data, Hypothesis hypothesis)
     return candidate;
 }
 
-Candidate candidateOfImage(const Observations &data, Hypothesis image, const Fit &best)
-{
-    centerOffsets(data, image);
-    Fit fit = evaluateHypothesis(data, std::move(image));
-    fit.iterations = best.iterations;
-    return fit.exists() ? judgedCandidate(data, std::move(fit)) : Candidate();
-}
-
 std::vector<Candidate> searchCandidates(const Observations &data, const Parameters &given, const std::stop_token &stop)
 {
     constexpr std::size_t kMostShapes = 6;
@@ -234,7 +224,7 @@ std::vector<Candidate> searchCandidates(const Observations &data, const Paramete
     InterpretationOptions options{true, given, !speeds.shortArc.empty(), stop};
     for (const bool isPlain : {true, false}) {
         options.isPlain = isPlain;
-        if (!isPlain && !shapes.empty() && largestNoisePart(data, shapes.front()) > kFarOff) {
+        if (!isPlain && !shapes.empty() && std::ranges::max(shapes.front().noiseParts) > kFarOff) {
             std::vector<Fit> exchanged = exchangedShapes(data, speeds, shapes.front().score, stop);
             shapes.insert(shapes.begin(), exchanged.begin(), exchanged.end());
         }

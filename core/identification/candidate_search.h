@@ -19,9 +19,6 @@ bool isAsWritten(const Observations &data, const Hypothesis &hypothesis);
 /// fit.
 Candidate fitCandidate(const Observations &data, Hypothesis hypothesis);
 
-/// Judges an image of the best hypothesis, without fitting it. Returns no fit if it cannot be assembled in some row.
-Candidate candidateOfImage(const Observations &data, Hypothesis image, const Fit &best);
-
 /// Returns the candidates, the best one first. `given` supplies parameters that the file does not determine: a length,
 /// or ω2 of a file by crank angle.
 std::vector<Candidate> searchCandidates(const Observations &data, const Parameters &given, const std::stop_token &stop);

@@ -16,25 +16,40 @@ namespace
 
 using Kind = Convention::Kind;
 
-void multiply(ReferenceSeries &series, double factor)
+void multiply(std::vector<double> &values, Rounding &rounding, double factor)
 {
-    for (double &value : series.values) {
+    for (double &value : values) {
         value *= factor;
     }
-    series.rounding.unitFactor *= std::abs(factor);
+    rounding.unitFactor *= std::abs(factor);
 }
 
-/// Fixes the rounding step before a shift: a shifted column keeps its decimals, but not its significant digits.
-void keepDecimals(ReferenceSeries &series)
+/// A shifted column keeps its decimals, but not its significant digits.
+void shift(std::vector<double> &values, Rounding &rounding, double amount)
 {
-    series.rounding = series.rounding.withDecimalsAt(rangeOf(series.values).size());
-}
-
-void shift(ReferenceSeries &series, double amount)
-{
-    keepDecimals(series);
-    for (double &value : series.values) {
+    rounding = rounding.withDecimalsAt(rangeOf(values).size());
+    for (double &value : values) {
         value += amount;
+    }
+}
+
+/// Changes the values of a column, the time stamps, or the angles of a file by crank angle. `timePower`: of the unit of
+/// time in their unit.
+void change(const Convention &convention, int timePower, std::vector<double> &values, Rounding &rounding)
+{
+    switch (convention.kind) {
+    case Kind::AngleUnit:
+    case Kind::LengthUnit:
+    case Kind::Sign: multiply(values, rounding, convention.amount); break;
+    case Kind::TimeUnit: multiply(values, rounding, std::pow(convention.amount, timePower)); break;
+    case Kind::HalfTurn:
+    case Kind::WholeTurns: removeJumps(values, 360.0); [[fallthrough]];
+    case Kind::ZeroPoint:
+    case Kind::TimeShift: shift(values, rounding, convention.amount); break;
+    case Kind::SwappedColumns:
+    case Kind::Branch:
+    case Kind::NotDerivative:
+    case Kind::Axis: break;
     }
 }
 
@@ -43,39 +58,13 @@ void turn(ReferenceSeries &series)
 {
     constexpr double kQuarterTurn = 90.0;
     if (isAngle(series.channel.coordinate)) {
-        shift(series, -kQuarterTurn);
+        shift(series.values, series.rounding, -kQuarterTurn);
     } else if (series.channel.coordinate == R4x) {
         series.channel.coordinate = R4y;
-        multiply(series, -1.0);
+        multiply(series.values, series.rounding, -1.0);
     } else {
         series.channel.coordinate = R4x;
     }
-}
-
-/// Changes the angles of a file by crank angle. timedBy() computes the time stamps from them.
-void applyToAngles(const Convention &convention, CrankAngles &crank)
-{
-    const bool isShift = convention.kind == Kind::ZeroPoint;
-    for (double &angle : crank.degrees) {
-        angle = isShift ? angle + convention.amount : angle * convention.amount;
-    }
-    if (isShift) {
-        crank.rounding = crank.rounding.withDecimalsAt(rangeOf(crank.degrees).size());
-    } else {
-        crank.rounding.unitFactor *= std::abs(convention.amount);
-    }
-}
-
-void applyToTime(const Convention &convention, ReferenceData &data)
-{
-    const bool isUnit = convention.kind == Kind::TimeUnit;
-    if (isUnit && data.crank) { // the model determines its time stamps
-        return;
-    }
-    for (double &time : data.time) {
-        time = isUnit ? time * convention.amount : time + convention.amount;
-    }
-    data.timeRounding.unitFactor *= isUnit ? std::abs(convention.amount) : 1.0;
 }
 
 } // namespace
@@ -94,25 +83,20 @@ bool concerns(const Convention &convention, Channel channel)
 std::optional<Convention> axisAlongY(const ReferenceData &data, bool withAngles)
 {
     constexpr double kStationaryPart = 1e-3; // of the motion along the other axis: rounding or misalignment
-    Convention axis{Convention::Kind::Axis, {}, 1.0};
+    Convention axis{Kind::Axis, {}, 1.0};
     bool movesAlongY = false;
-    for (const ReferenceSeries &series : data.series) {
-        if (withAngles && isAngle(series.channel.coordinate) && series.channel.order == Order::Position) {
-            axis.channels.push_back(series.channel);
-        }
-        if (series.channel.coordinate != R4x && series.channel.coordinate != R4y) {
-            continue;
-        }
-        movesAlongY = true;
-        axis.channels.push_back(series.channel);
-        const ReferenceSeries *const other =
-            data.find({series.channel.coordinate == R4x ? R4y : R4x, series.channel.order});
-        const double width = rangeOf(series.values).width();
-        const double otherWidth = other ? rangeOf(other->values).width() : 0.0;
-        const bool isUpright = series.channel.coordinate == R4y ? width > 0.0 && otherWidth <= kStationaryPart * width
-                                                                : width <= kStationaryPart * otherWidth;
-        if (!isUpright) {
+    for (const auto &[channel, values, rounding] : data.series) {
+        const auto widthAlong = [&, order = channel.order](Coordinate coordinate) {
+            const ReferenceSeries *const series = data.find({coordinate, order});
+            return series ? rangeOf(series->values).width() : 0.0;
+        };
+        const bool isOfSlider = channel.coordinate == R4x || channel.coordinate == R4y;
+        if (isOfSlider && !(widthAlong(R4x) <= kStationaryPart * widthAlong(R4y))) {
             return std::nullopt;
+        }
+        movesAlongY = movesAlongY || (isOfSlider && widthAlong(R4y) > 0.0);
+        if (isOfSlider || (withAngles && isAngle(channel.coordinate) && channel.order == Order::Position)) {
+            axis.channels.push_back(channel);
         }
     }
     return movesAlongY ? std::optional(std::move(axis)) : std::nullopt;
@@ -120,38 +104,23 @@ std::optional<Convention> axisAlongY(const ReferenceData &data, bool withAngles)
 
 ReferenceData applied(const Convention &convention, ReferenceData data)
 {
-    if (data.crank && concerns(convention, kCrankAngle)) {
-        applyToAngles(convention, *data.crank);
+    if (data.crank && concerns(convention, kCrankAngle)) { // timedBy() computes the time stamps from the angles
+        change(convention, 0, data.crank->degrees, data.crank->rounding);
     }
     for (ReferenceSeries &series : data.series) {
         if (!concerns(convention, series.channel)) {
             continue;
         }
-        switch (convention.kind) {
-        case Kind::AngleUnit:
-        case Kind::LengthUnit:
-        case Kind::Sign: multiply(series, convention.amount); break;
-        case Kind::TimeUnit:
-            multiply(series, std::pow(convention.amount, -static_cast<int>(series.channel.order)));
-            break;
-        case Kind::HalfTurn:
-        case Kind::WholeTurns:
-            keepDecimals(series);
-            removeJumps(series.values, 360.0);
-            shift(series, convention.amount);
-            break;
-        case Kind::ZeroPoint: shift(series, convention.amount); break;
-        case Kind::SwappedColumns:
+        if (convention.kind == Kind::SwappedColumns) {
             series.channel = convention.channels[series.channel == convention.channels[0] ? 1 : 0];
-            break;
-        case Kind::Axis: turn(series); break;
-        case Kind::Branch:
-        case Kind::TimeShift:
-        case Kind::NotDerivative: break;
+        } else if (convention.kind == Kind::Axis) {
+            turn(series);
+        } else {
+            change(convention, -static_cast<int>(series.channel.order), series.values, series.rounding);
         }
     }
     if (convention.kind == Kind::TimeUnit || convention.kind == Kind::TimeShift) {
-        applyToTime(convention, data);
+        change(convention, 1, data.time, data.timeRounding);
     } else if (convention.kind == Kind::NotDerivative) {
         std::erase_if(data.series, [&](const ReferenceSeries &series) { return concerns(convention, series.channel); });
     }

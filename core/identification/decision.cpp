@@ -21,45 +21,29 @@ using Why = Identification::Alternative::Why;
 
 constexpr double kMargin = 12.0; // of the score, odds of 1 : 400: explanations within it are equally good
 
-struct Image {
-    Candidate candidate;
-    Why why;
-};
-
-/// The other images of a candidate that the columns do not exclude.
-std::vector<Image> remainingImages(const Observations &data, const Candidate &candidate)
+/// The candidate and those of its images that the columns do not exclude, beginning with the one whose assembly and
+/// sense of rotation are most like those of the given mechanism.
+std::vector<Candidate> equalImages(const Observations &data, const Candidate &candidate, const Parameters &given)
 {
-    std::vector<Image> remaining;
-    if (data.isByCrankAngle) { // the origin of the angle distinguishes them
-        return remaining;
-    }
+    std::vector<Candidate> equal{candidate};
     const std::array<Parameters, 8> images = mirrorImages(middleParameters(candidate.hypothesis));
-    for (std::size_t i = 1; i < images.size(); ++i) {
+    // In a file by crank angle, the origin of the angle distinguishes them.
+    for (std::size_t i = 1; i < images.size() && !data.isByCrankAngle; ++i) {
         Hypothesis hypothesis = candidate.hypothesis;
         setMiddleParameters(images[i], hypothesis);
-        Candidate image = candidateOfImage(data, std::move(hypothesis), candidate);
-        if (image.exists() && std::abs(image.chiSquare - candidate.chiSquare) <= kMargin &&
-            image.score < candidate.score + kMargin) {
-            remaining.push_back({std::move(image), i > 3    ? Why::OtherAssembly
-                                                   : i == 1 ? Why::Reversed
-                                                            : Why::MirrorImage});
+        centerOffsets(data, hypothesis);
+        Fit fit = evaluateHypothesis(data, std::move(hypothesis));
+        if (fit.exists() && std::abs(fit.chiSquare - candidate.chiSquare) <= kMargin &&
+            fit.score < candidate.score + kMargin) {
+            fit.iterations = candidate.iterations;
+            equal.push_back(judgedCandidate(data, std::move(fit)));
         }
     }
-    return remaining;
-}
-
-/// Swaps the candidate with that image whose assembly and sense of rotation are those of the given mechanism, if any.
-void chooseImageLike(const Parameters &given, Candidate &candidate, std::vector<Image> &images)
-{
-    const auto likeness = [&](const Candidate &one) {
-        const Parameters p = middleParameters(one.hypothesis);
-        return 2 * static_cast<int>(p.branch == given.branch) + static_cast<int>(p.omega2 * given.omega2 > 0.0);
-    };
-    for (Image &image : images) {
-        if (likeness(image.candidate) > likeness(candidate)) {
-            std::swap(image.candidate, candidate);
-        }
-    }
+    std::ranges::stable_sort(equal, {}, [&](const Candidate &image) {
+        const Parameters p = middleParameters(image.hypothesis);
+        return std::pair(p.branch != given.branch, p.omega2 * given.omega2 <= 0.0);
+    });
+    return equal;
 }
 
 /// Whether chi-square grows by 9, within a factor of 2, when each unknown is moved by three standard errors and the
@@ -232,15 +216,14 @@ Identification decideNearest(const Observations &data, std::span<const Candidate
     result.parameters = given;
     Candidate nearest;
     for (const Candidate &candidate : candidates) { // no column may deviate more than from a constant
-        if (isAsWritten(data, candidate.hypothesis) && largestNoisePart(data, candidate) <= 1.0 &&
+        if (isAsWritten(data, candidate.hypothesis) && std::ranges::max(candidate.noiseParts) <= 1.0 &&
             candidate.distance < std::min(kFarthest, nearest.distance) &&
             !findFault(parametersOf(data, candidate.hypothesis))) {
             nearest = candidate;
         }
     }
     if (nearest.exists()) {
-        std::vector<Image> images = remainingImages(data, nearest);
-        chooseImageLike(given, nearest, images);
+        nearest = equalImages(data, nearest, given).front();
         result.outcome = Outcome::Nearest;
         result.iterations = nearest.iterations;
         result.parameters = foundParameters(data, nearest, given);
@@ -258,9 +241,8 @@ Decision decide(const Observations &data, std::span<const Candidate> candidates,
     if (candidates.empty() || candidates.front().acceptance == Acceptance::Rejected) {
         return decision;
     }
-    Candidate &best = decision.candidate = candidates.front();
-    std::vector<Image> images = remainingImages(data, best);
-    chooseImageLike(given, best, images);
+    const std::vector<Candidate> images = equalImages(data, candidates.front(), given);
+    const Candidate &best = decision.candidate = images.front();
     const Uncertainty &uncertainty = decision.uncertainty = computeUncertainty(data, best);
     result.iterations = best.iterations;
     result.conditionNumber = uncertainty.conditionNumber;
@@ -279,8 +261,12 @@ Decision decide(const Observations &data, std::span<const Candidate> candidates,
     result.parameters = foundParameters(data, best, given);
     result.outcome = best.acceptance == Acceptance::Identified ? Outcome::Identified : Outcome::Approximate;
     describePrecision(data, decision, result);
-    for (const Image &image : images) { // also for an approximate mechanism: no column excludes them
-        result.alternatives.push_back({image.why, parametersOf(data, image.candidate.hypothesis)});
+    for (const Candidate &image : std::span(images).subspan(1)) { // also of an approximate mechanism
+        const Parameters p = parametersOf(data, image.hypothesis);
+        result.alternatives.push_back({p.branch != result.parameters.branch ? Why::OtherAssembly
+                                       : p.c == result.parameters.c         ? Why::Reversed
+                                                                            : Why::MirrorImage,
+                                       p});
     }
     if (result.outcome == Outcome::Identified) {
         addAlternatives(data, candidates.subspan(1), best, uncertainty, result);

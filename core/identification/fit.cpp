@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 namespace slidercrank
@@ -57,6 +58,7 @@ bool weigh(const Observations &data, Fit &fit)
     fit.residuals.assign(columnCount, std::vector<double>(data.abscissa.size(), kNone));
     fit.variances = fit.residuals;
     fit.noiseVariances.assign(columnCount, 0.0);
+    fit.noiseParts = fit.noiseVariances;
     const double rate = hypothesis.phaseRate(data);
     const double angleError = rate * (0.5 * data.span() + std::abs(data.origin)) * kDoublePrecision;
     const double roundingOfAngle = rate * hypothesis.abscissaStep;
@@ -70,20 +72,20 @@ bool weigh(const Observations &data, Fit &fit)
     if (!forEachResidual<Dual>(data, hypothesis, record)) {
         return false;
     }
-    double noiseParts = 0.0; // sum of the noise in units of the columns' spreads
     double varying = 0.0;
     for (std::size_t j = 0; j < columnCount; ++j) {
         if (hypothesis.columns[j].isUsed && data.columns[j].count > 0.0) {
-            const double spread = interpretedSpread(data, hypothesis, j);
             fit.noiseVariances[j] = noiseVarianceOf(fit.residuals[j], fit.variances[j], data.columns[j].count);
-            noiseParts += data.columns[j].varies ? fit.noiseVariances[j] / (spread * spread) : 0.0;
+            const double spread = interpretedSpread(data, hypothesis, j);
+            fit.noiseParts[j] = data.columns[j].varies ? fit.noiseVariances[j] / (spread * spread) : 0.0;
             varying += data.columns[j].varies ? 1.0 : 0.0;
         }
     }
+    const double meanPart = std::accumulate(fit.noiseParts.begin(), fit.noiseParts.end(), 0.0) / varying;
     for (std::size_t j = 0; j < columnCount; ++j) {
         const double spread = interpretedSpread(data, hypothesis, j);
         const bool isBalanced = hypothesis.isBalanced && data.columns[j].varies;
-        const double noise = isBalanced ? noiseParts / varying * spread * spread : fit.noiseVariances[j];
+        const double noise = isBalanced ? meanPart * spread * spread : fit.noiseVariances[j];
         std::ranges::for_each(fit.variances[j], [=](double &variance) { variance += noise; });
     }
     return true;
@@ -158,16 +160,6 @@ void regressScales(const Observations &data, Hypothesis &hypothesis)
     }
 }
 
-double largestNoisePart(const Observations &data, const Fit &fit)
-{
-    double largest = 0.0;
-    for (std::size_t j = 0; j < data.columns.size(); ++j) {
-        const double spread = interpretedSpread(data, fit.hypothesis, j);
-        largest = data.columns[j].varies ? std::max(largest, fit.noiseVariances[j] / (spread * spread)) : largest;
-    }
-    return largest;
-}
-
 double chiSquareOf(const Observations &data, const Fit &fit, const Hypothesis &hypothesis)
 {
     double sum = 0.0;
@@ -217,7 +209,7 @@ NormalEquations normalEquations(const Observations &data, const Fit &fit)
 
 Fit evaluateHypothesis(const Observations &data, Hypothesis hypothesis)
 {
-    Fit fit{std::move(hypothesis), {}, {}, {}};
+    Fit fit{std::move(hypothesis), {}, {}, {}, {}};
     if (!fit.hypothesis.unknowns.allFinite() || !weigh(data, fit)) {
         return {};
     }
@@ -245,7 +237,7 @@ Fit fitHypothesis(const Observations &data, Hypothesis hypothesis, int rounds)
 {
     constexpr double kSettled = 1e-3; // relative change of chi-square and of the noise from round to round
     centerOffsets(data, hypothesis);
-    Fit fit{std::move(hypothesis), {}, {}, {}};
+    Fit fit{std::move(hypothesis), {}, {}, {}, {}};
     double noiseBefore = kInfinity;
     for (int round = 0; round < rounds; ++round) {
         if (!weigh(data, fit)) {

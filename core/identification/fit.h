@@ -20,6 +20,7 @@ namespace slidercrank
 struct Fit {
     Hypothesis hypothesis;                      ///< with the fitted unknowns
     std::vector<double> noiseVariances;         ///< by column
+    std::vector<double> noiseParts;             ///< by column, relative to its variance; 0 if it does not vary
     std::vector<std::vector<double>> residuals; ///< by column and row; NaN where there is no value
     std::vector<std::vector<double>> variances; ///< of the residuals
     double valueCount = 0.0;                    ///< number of residuals
@@ -45,9 +46,6 @@ void centerOffsets(const Observations &data, Hypothesis &hypothesis);
 
 /// Sets the free scales, and the offsets of the same columns, by linear regression.
 void regressScales(const Observations &data, Hypothesis &hypothesis);
-
-/// The largest noise of a varying column, as a part of its variance.
-double largestNoisePart(const Observations &data, const Fit &fit);
 
 /// Jᵀ V⁻¹ J and Jᵀ V⁻¹ r with respect to the unknowns; held unknowns have 1 on the diagonal.
 struct NormalEquations {

@@ -86,53 +86,27 @@ double interpretedSpread(const Observations &data, const Hypothesis &hypothesis,
     return data.columns[column].spread * std::abs(hypothesis.columns[column].factor());
 }
 
-void ColumnRegression::add(double model, double value)
-{
-    value -= center;
-    n += 1.0;
-    sumModel += model;
-    sumValue += value;
-    sumModel2 += model * model;
-    sumValue2 += value * value;
-    sumProduct += model * value;
-}
-
-double ColumnRegression::modelSquares() const
-{
-    return std::max(sumModel2 - sumModel * sumModel / n, 0.0);
-}
-
-double ColumnRegression::valueSquares() const
-{
-    return std::max(sumValue2 - sumValue * sumValue / n, 0.0);
-}
-
-double ColumnRegression::products() const
-{
-    return sumProduct - sumModel * sumValue / n;
-}
-
 double ColumnRegression::unexplained() const
 {
     constexpr double kArithmetic = 1e-15;
-    const double both = modelSquares() * valueSquares();
-    return both > 0.0 ? std::clamp(1.0 - products() * products() / both, kArithmetic, 1.0) : 1.0;
+    const double both = modelSquares * valueSquares;
+    return both > 0.0 ? std::clamp(1.0 - products * products / both, kArithmetic, 1.0) : 1.0;
 }
 
 double ColumnRegression::slope() const
 {
-    return modelSquares() > 0.0 ? products() / modelSquares() : 0.0;
+    return modelSquares > 0.0 ? products / modelSquares : 0.0;
 }
 
 double ColumnRegression::meanSquare(double factor, double size) const
 {
-    return std::max(
-        (factor * factor * valueSquares() - 2.0 * factor * size * products() + size * size * modelSquares()) / n, 0.0);
+    return std::max((factor * factor * valueSquares - 2.0 * factor * size * products + size * size * modelSquares) / n,
+                    0.0);
 }
 
 double ColumnRegression::offset(double factor, double size) const
 {
-    return (factor * sumValue - size * sumModel) / n + factor * center;
+    return factor * (meanValue + center) - size * meanModel;
 }
 
 std::vector<ColumnRegression> columnRegressions(const Observations &data, const Hypothesis &hypothesis)
@@ -141,11 +115,28 @@ std::vector<ColumnRegression> columnRegressions(const Observations &data, const 
     for (const ObservedColumn &column : data.columns) {
         regressions.push_back({column.mean});
     }
-    const bool moves =
-        forEachResidual<double>(data, hypothesis, [&](std::size_t row, std::size_t column, double model, double) {
-            regressions[column].add(model, data.columns[column].values[row]);
-        });
-    return moves ? regressions : std::vector<ColumnRegression>();
+    const auto add = [&](std::size_t row, std::size_t column, double model, double) {
+        ColumnRegression &sums = regressions[column];
+        const double value = data.columns[column].values[row] - sums.center;
+        sums.n += 1.0;
+        sums.meanModel += model;
+        sums.meanValue += value;
+        sums.modelSquares += model * model;
+        sums.valueSquares += value * value;
+        sums.products += model * value;
+    };
+    if (!forEachResidual<double>(data, hypothesis, add)) {
+        return {};
+    }
+    for (ColumnRegression &sums : regressions) {
+        const double n = std::max(sums.n, 1.0);
+        sums.meanModel /= n;
+        sums.meanValue /= n;
+        sums.modelSquares = std::max(sums.modelSquares - n * sums.meanModel * sums.meanModel, 0.0);
+        sums.valueSquares = std::max(sums.valueSquares - n * sums.meanValue * sums.meanValue, 0.0);
+        sums.products -= n * sums.meanModel * sums.meanValue;
+    }
+    return regressions;
 }
 
 } // namespace slidercrank

@@ -22,17 +22,14 @@ namespace slidercrank
 ///     residual = scale · model + turn + offset − factor · value
 struct ColumnUse {
     Channel channel; ///< that the values are taken for
-    double base =
-        1.0; ///< undoes the unit conversion of the heading if an angle has the heading of a length, or the reverse
-    double unit = 1.0; ///< unit conversion
-    double sign = 1.0;
-    double perTime = 1.0; ///< for derivatives with respect to time in another unit
-    double turn = 0.0;    ///< half turns, rad
+    double unit = 1.0;       ///< unit conversion, negative if the axis is opposite
+    double conversion = 1.0; ///< for another unit of time, and for a length with the heading of an angle or the reverse
+    double turn = 0.0;       ///< half turns, rad
     bool isUsed = true;
     bool hasOffset = false; ///< a free origin offset
     bool hasScale = false;  ///< a free scale
 
-    double factor() const { return base * unit * sign * perTime; }
+    double factor() const { return unit * conversion; }
     bool isHalfTurned() const;
     bool isPlain() const { return factor() == 1.0 && !isHalfTurned() && !hasOffset && isUsed; }
 
@@ -64,6 +61,12 @@ struct Hypothesis {
 
     /// The derivative of the crank angle with respect to the abscissa: ω2, or the factor of a crank angle in the file.
     double phaseRate(const Observations &data) const { return data.isByCrankAngle ? abscissaFactor : unknowns[3]; }
+};
+
+/// A hypothesis that was compared with the data, but not fitted.
+struct RatedHypothesis {
+    double misfit = 0.0; ///< lower is better
+    Hypothesis hypothesis{};
 };
 
 /// The crank angle in a row, rad.
@@ -144,18 +147,13 @@ bool forEachResidual(const Observations &data, const Hypothesis &hypothesis, F u
     return true;
 }
 
-/// Sums for the linear regression of a column on a channel of the model. `center` is subtracted from the values, so
-/// that a small motion far from zero keeps its digits.
+/// The linear regression of a column on a channel of the model. `center` is subtracted from the values, so that a small
+/// motion far from zero keeps its digits.
 struct ColumnRegression {
     double center = 0.0;
-    double n = 0.0, sumModel = 0.0, sumValue = 0.0, sumModel2 = 0.0, sumValue2 = 0.0, sumProduct = 0.0;
-
-    void add(double model, double value);
-
-    // Sums of squares and products about the means.
-    double modelSquares() const;
-    double valueSquares() const;
-    double products() const;
+    double n = 0.0;
+    double meanModel = 0.0, meanValue = 0.0;
+    double modelSquares = 0.0, valueSquares = 0.0, products = 0.0; ///< sums about the means
 
     /// 1 − ρ²: the part of the variance that the model does not explain with any unit, sign and origin.
     double unexplained() const;

@@ -35,6 +35,14 @@ bool mayHaveOffset(Channel channel)
            (channel.coordinate == R4x || channel.coordinate == R4y || channel.coordinate == Theta3);
 }
 
+/// The factor that undoes the unit conversion of a heading if an angle has the heading of a length, or the reverse.
+double headingConversion(const ObservedColumn &column, Channel channel)
+{
+    return isLength(channel) == isLength(column.channel) ? 1.0
+           : isLength(channel)                           ? kDegreesPerRadian
+                                                         : 1.0 / kDegreesPerRadian;
+}
+
 /// Whether a column that tells the shape is a derivative.
 bool hasDerivatives(const Observations &data)
 {
@@ -54,14 +62,14 @@ void chooseUnit(const ObservedColumn &column, const ColumnRegression &regression
 {
     if (tellsShape(column)) {
         const double slope = regression.slope();
-        const double wanted = slope != 0.0 ? size / slope / use.perTime / use.base : 1.0;
-        use.unit =
-            nearestFactor(isLength(use.channel) ? std::span<const double>(kLengthFactors) : kAngleFactors, wanted);
-        use.sign = wanted < 0.0 ? -1.0 : 1.0;
+        const double wanted = slope != 0.0 ? size / slope / use.conversion : 1.0;
+        use.unit = std::copysign(
+            nearestFactor(isLength(use.channel) ? std::span<const double>(kLengthFactors) : kAngleFactors, wanted),
+            wanted);
     } else if (use.channel == Channel{R4y, Order::Position}) {
         constexpr double kAbout = 0.1;
-        const double model = size * regression.sumModel / regression.n;
-        use.sign = std::abs(column.mean + model) < kAbout * std::abs(column.mean) ? -1.0 : 1.0;
+        const double model = size * regression.meanModel;
+        use.unit = std::abs(column.mean + model) < kAbout * std::abs(column.mean) ? -1.0 : 1.0;
     }
 }
 
@@ -113,14 +121,15 @@ double interpretColumn(const ObservedColumn &column, const ColumnRegression &reg
 
 /// Chooses the best interpretation of each column. The lengths of the hypothesis are multiplied by `size` first.
 /// Returns nullopt if more than half of the columns were left out.
-std::optional<Interpretation> interpret(const Observations &data, Hypothesis hypothesis,
+std::optional<RatedHypothesis> interpret(const Observations &data, Hypothesis hypothesis,
                                         const std::vector<ColumnRegression> &regressions, double size, bool isPlain)
 {
-    Interpretation result{std::move(hypothesis), 0.0};
+    RatedHypothesis result{0.0, std::move(hypothesis)};
     std::size_t leftOut = 0;
     for (std::size_t j = 0; j < data.columns.size(); ++j) {
         ColumnUse &use = result.hypothesis.columns[j];
-        use.perTime = std::pow(result.hypothesis.timeUnit, static_cast<int>(use.channel.order));
+        use.conversion = headingConversion(data.columns[j], use.channel) *
+                         std::pow(result.hypothesis.timeUnit, static_cast<int>(use.channel.order));
         const double columnSize = isLength(use.channel) ? size : 1.0;
         if (regressions[j].n > 0.0) {
             result.misfit +=
@@ -192,7 +201,7 @@ std::vector<double> sizesToldBy(const Observations &data, const std::vector<Colu
         if (tellsShape(data.columns[j]) && isLength(use.channel)) {
             hasLength = true;
             if (!options.isPlain || regressions[j].slope() > 0.0) {
-                addDistinct(std::abs(regressions[j].slope()) * use.base, sizes);
+                addDistinct(std::abs(regressions[j].slope()) * headingConversion(data.columns[j], use.channel), sizes);
             }
         }
     }
@@ -266,7 +275,7 @@ std::vector<Hypothesis> crankHypotheses(const Observations &data, const Hypothes
 
 /// Adds the interpretations of one mirror image of the shape for every size and unit of time.
 void addOfImage(const Observations &data, Hypothesis hypothesis, const InterpretationOptions &options,
-                std::vector<Interpretation> &interpretations)
+                std::vector<RatedHypothesis> &interpretations)
 {
     constexpr double kHardlyExplained = -1.0;
     constexpr std::size_t kValleyRows = 80;
@@ -281,7 +290,7 @@ void addOfImage(const Observations &data, Hypothesis hypothesis, const Interpret
                 continue;
             }
             hypothesis.timeUnit = timeUnit;
-            std::optional<Interpretation> result = interpret(data, hypothesis, regressions, size, options.isPlain);
+            std::optional<RatedHypothesis> result = interpret(data, hypothesis, regressions, size, options.isPlain);
             if (options.isShortArc && options.isPlain && result && result->misfit > kHardlyExplained) {
                 if (const auto better = continued(thinned(data, kValleyRows), hypothesis, regressions, size)) {
                     if (const auto again = columnRegressions(data, *better); !again.empty()) {
@@ -339,10 +348,10 @@ std::vector<Convention> conventionsOf(const Observations &data, const Hypothesis
             add(Kind::NotDerivative, 1.0, use.channel);
             continue;
         }
-        if (use.unit != 1.0) {
-            add(isLength(use.channel) ? Kind::LengthUnit : Kind::AngleUnit, use.unit, use.channel);
+        if (std::abs(use.unit) != 1.0) {
+            add(isLength(use.channel) ? Kind::LengthUnit : Kind::AngleUnit, std::abs(use.unit), use.channel);
         }
-        if (use.sign < 0.0) {
+        if (use.unit < 0.0) {
             add(Kind::Sign, -1.0, use.channel);
         }
         if (use.channel == Channel{Theta3, Order::Position} && (use.turn != 0.0 || data.columns[j].hadJumps)) {
@@ -363,42 +372,30 @@ double priceOf(const Observations &data, const Hypothesis &hypothesis)
     });
     double price = hypothesis.side < 0.0 ? kPriceOfCrossed : 0.0;
     for (const Convention &convention : conventions) {
-        auto columns = std::ranges::ssize(convention.channels);
-        double cause = kPriceOfCause;
-        switch (convention.kind) {
-        case Kind::HalfTurn: price += kPriceOfHalfTurn; continue;
-        case Kind::WholeTurns: continue;
-        case Kind::ZeroPoint: price += concerns(convention, kCrankAngle) ? kPriceOfCause : kPriceOfOffset; continue;
-        case Kind::TimeUnit: // and each derivative that is nevertheless in the unit of the heading
-            columns = 1 + std::ranges::count_if(hypothesis.columns, [](const ColumnUse &use) {
-                          return use.isUsed && use.perTime == 1.0 && use.channel.order != Order::Position;
-                      });
-            break;
-        case Kind::AngleUnit:
-        case Kind::LengthUnit:
-        case Kind::Sign: {
-            const bool areLengths = isLength(convention.channels.front());
-            const auto all = std::ranges::count_if(data.columns, [&](const ObservedColumn &column) {
-                return tellsShape(column) && isLength(column.channel) == areLengths;
-            });
-            columns = columns >= all ? 1 : columns;
-            const bool isDepth = hasOtherOrigin && concerns(convention, {R4x, Order::Position});
-            cause = convention.kind == Kind::Sign && isDepth ? kPriceOfDepth : kPriceOfCause;
-            break;
+        const Kind kind = convention.kind;
+        const bool isUnit = kind == Kind::AngleUnit || kind == Kind::LengthUnit;
+        if (kind == Kind::HalfTurn) {
+            price += kPriceOfHalfTurn;
+        } else if (kind == Kind::ZeroPoint) {
+            price += concerns(convention, kCrankAngle) ? kPriceOfCause : kPriceOfOffset;
+        } else if (kind != Kind::WholeTurns) {
+            auto columns = std::max(std::ranges::ssize(convention.channels), std::ptrdiff_t{1});
+            const auto isAlike = [&](const ObservedColumn &column) {
+                return tellsShape(column) && isLength(column.channel) == isLength(convention.channels.front());
+            };
+            if ((isUnit || kind == Kind::Sign) && columns >= std::ranges::count_if(data.columns, isAlike)) {
+                columns = 1; // one cause for all of them
+            }
+            const bool isDepth =
+                kind == Kind::Sign && hasOtherOrigin && concerns(convention, {R4x, Order::Position});
+            price += (isDepth ? kPriceOfDepth : kPriceOfCause) + kPriceOfColumn * static_cast<double>(columns);
         }
-        case Kind::SwappedColumns:
-        case Kind::Branch:
-        case Kind::TimeShift:
-        case Kind::NotDerivative:
-        case Kind::Axis: break;
-        }
-        price += cause + kPriceOfColumn * static_cast<double>(columns);
     }
     return price;
 }
 
 void addInterpretations(const Observations &data, const Fit &shape, const InterpretationOptions &options,
-                        std::vector<Interpretation> &interpretations)
+                        std::vector<RatedHypothesis> &interpretations)
 {
     constexpr double kFewRowsPerTurn = 6.0;
     std::vector<double> speedShifts{0.0}; // aliases
@@ -419,11 +416,7 @@ void addInterpretations(const Observations &data, const Fit &shape, const Interp
             }
             Hypothesis hypothesis;
             for (std::size_t j = 0; j < data.columns.size(); ++j) {
-                ColumnUse use{shape.hypothesis.columns[j].channel};
-                if (isLength(use.channel) != isLength(data.columns[j].channel)) {
-                    use.base = isLength(use.channel) ? kDegreesPerRadian : 1.0 / kDegreesPerRadian;
-                }
-                hypothesis.columns.push_back(use);
+                hypothesis.columns.push_back({shape.hypothesis.columns[j].channel});
             }
             setMiddleParameters(image, hypothesis);
             hypothesis.abscissaStep = data.step;

@@ -21,11 +21,6 @@ std::vector<Convention> conventionsOf(const Observations &data, const Hypothesis
 /// columns it changes.
 double priceOf(const Observations &data, const Hypothesis &hypothesis);
 
-struct Interpretation {
-    Hypothesis hypothesis;
-    double misfit = 0.0; ///< including the price; lower is better
-};
-
 struct InterpretationOptions {
     /// Interprets columns as their headings say, up to whole turns. Otherwise also with other units, signs, origins and
     /// half turns, and without derivatives that cannot be explained.
@@ -35,8 +30,8 @@ struct InterpretationOptions {
     std::stop_token stop;
 };
 
-/// Adds the interpretations of a shape that was fitted with free scales and offsets.
+/// Adds the interpretations of a shape that was fitted with free scales and offsets. The misfits include the prices.
 void addInterpretations(const Observations &data, const Fit &shape, const InterpretationOptions &options,
-                        std::vector<Interpretation> &interpretations);
+                        std::vector<RatedHypothesis> &interpretations);
 
 } // namespace slidercrank

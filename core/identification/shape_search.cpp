@@ -14,11 +14,6 @@ namespace slidercrank
 namespace
 {
 
-struct Start {
-    double misfit = std::numeric_limits<double>::infinity();
-    Hypothesis hypothesis{};
-};
-
 constexpr std::size_t kCoarseRows = 40; // on which the grid is evaluated
 constexpr std::size_t kFitRows = 80;
 
@@ -44,7 +39,7 @@ double dissimilarity(const Observations &data, const Hypothesis &hypothesis, dou
 /// Adds at most `most` of the best shapes of a coarse grid at one speed. With both signs of c, ω2 > 0 and the open
 /// assembly, no shape of the grid is an image of another one.
 void addGridStarts(const Observations &coarse, Hypothesis hypothesis, double speed, std::size_t most, bool isPeriodic,
-                   std::vector<Start> &starts)
+                   std::vector<RatedHypothesis> &starts)
 {
     if (coarse.isByCrankAngle) { // then the derivatives are with respect to the angle
         hypothesis.abscissaFactor = speed;
@@ -53,10 +48,10 @@ void addGridStarts(const Observations &coarse, Hypothesis hypothesis, double spe
     constexpr std::array kOffsets{0.0, 0.5, -0.5, 1.2, -1.2, 5.0, -5.0, 60.0, -60.0}; // c / a
     constexpr std::array kCouplers{0.85, 1.05, 1.25, 1.7, 2.7, 8.0};                  // b / (a + |c|)
     const int angles = isPeriodic ? 24 : 12;
-    std::vector<Start> found;
+    std::vector<RatedHypothesis> found;
     for (const double offset : kOffsets) {
         for (const double coupler : kCouplers) {
-            Start best;
+            RatedHypothesis best{std::numeric_limits<double>::infinity()};
             const double b = coupler * (1.0 + std::abs(offset));
             for (int k = 0; k < angles; ++k) {
                 setMiddleParameters({1.0 / b, 1.0, offset / b, speed, k * kTurn / angles}, hypothesis);
@@ -70,22 +65,22 @@ void addGridStarts(const Observations &coarse, Hypothesis hypothesis, double spe
             }
         }
     }
-    std::ranges::sort(found, {}, &Start::misfit);
+    std::ranges::sort(found, {}, &RatedHypothesis::misfit);
     found.resize(std::min(found.size(), most));
     starts.insert(starts.end(), found.begin(), found.end());
 }
 
 /// Fits the best starts and adds the distinct fits. Returns whether rounding explains one of them, or nearly explains
 /// it if more than two columns tell the shape.
-bool fitStarts(const Observations &data, std::vector<Start> starts, std::size_t most, std::vector<Fit> &fits)
+bool fitStarts(const Observations &data, std::vector<RatedHypothesis> starts, std::size_t most, std::vector<Fit> &fits)
 {
     constexpr int kRounds = 6;
     constexpr double kNearly = 1e-6; // of a column's variance
     const double largestOfExact = std::ranges::count_if(data.columns, tellsShape) > 2 ? kNearly : 0.0;
-    std::ranges::sort(starts, {}, &Start::misfit);
+    std::ranges::sort(starts, {}, &RatedHypothesis::misfit);
     starts.resize(std::min(starts.size(), most));
     bool isExact = false;
-    for (Start &start : starts) {
+    for (RatedHypothesis &start : starts) {
         for (ColumnUse &column : start.hypothesis.columns) {
             column.hasOffset = column.hasScale = column.isUsed;
         }
@@ -96,7 +91,7 @@ bool fitStarts(const Observations &data, std::vector<Start> starts, std::size_t 
                    areNear(middleParameters(other.hypothesis), middleParameters(fit.hypothesis));
         };
         if (fit.exists() && std::ranges::none_of(fits, isSame)) {
-            isExact = isExact || largestNoisePart(data, fit) <= largestOfExact;
+            isExact = isExact || std::ranges::max(fit.noiseParts) <= largestOfExact;
             fits.push_back(std::move(fit));
         }
     }
@@ -122,11 +117,11 @@ Hypothesis shapeHypothesis(const Observations &data, const std::vector<ColumnUse
 double leastDissimilarity(const Observations &data, const std::vector<ColumnUse> &columns,
                           const SpeedCandidates &speeds)
 {
-    std::vector<Start> starts;
+    std::vector<RatedHypothesis> starts;
     for (const double speed : speeds.periodic) {
         addGridStarts(thinned(data, kCoarseRows), shapeHypothesis(data, columns, speeds), speed, 1, true, starts);
     }
-    return starts.empty() ? 0.0 : std::ranges::min_element(starts, {}, &Start::misfit)->misfit;
+    return starts.empty() ? 0.0 : std::ranges::min_element(starts, {}, &RatedHypothesis::misfit)->misfit;
 }
 
 std::vector<Fit> searchShapes(const Observations &data, const std::vector<ColumnUse> &columns,
@@ -140,13 +135,13 @@ std::vector<Fit> searchShapes(const Observations &data, const std::vector<Column
     const Hypothesis hypothesis = shapeHypothesis(data, columns, speeds);
     std::vector<Fit> fits;
     for (const double speed : speeds.periodic) {
-        std::vector<Start> starts;
+        std::vector<RatedHypothesis> starts;
         addGridStarts(coarse, hypothesis, speed, kPerSpeed, true, starts);
         if (fitStarts(fine, std::move(starts), kPerSpeed, fits) || stop.stop_requested()) {
             return fits;
         }
     }
-    std::vector<Start> starts;
+    std::vector<RatedHypothesis> starts;
     for (const double speed : speeds.shortArc) {
         if (!stop.stop_requested()) {
             addGridStarts(coarse, hypothesis, speed, kPerArc, false, starts);
