@@ -25,14 +25,12 @@ struct LinearTerm {
     double sign = 1.0;
 };
 
-constexpr LinearTerm kLinearTerms[] = {
-    {GroundX, R1x},          {GroundY, R1y},          {GroundAngle, Theta1},
-    {CrankPivotX, R2x},      {CrankPivotY, R2y},      {CrankPinX, R3x, -1.0},
-    {CrankPinX, R2x},        {CrankPinY, R3y, -1.0},  {CrankPinY, R2y},
-    {SliderPinX, R4x},       {SliderPinX, R3x, -1.0}, {SliderPinY, R4y},
-    {SliderPinY, R3y, -1.0}, {SliderAngle, Theta4},   {SliderAngle, Theta1, -1.0},
-    {SliderLine, R4y},       {CrankDrive, Theta2},
-};
+/// The terms of the joints' x rows. Those of y are the same with the next row and coordinate.
+constexpr LinearTerm kJointTerms[] = {{GroundX, R1x},   {CrankPivotX, R2x}, {CrankPinX, R3x, -1.0},
+                                      {CrankPinX, R2x}, {SliderPinX, R4x},  {SliderPinX, R3x, -1.0}};
+
+constexpr LinearTerm kOtherTerms[] = {
+    {GroundAngle, Theta1}, {SliderAngle, Theta4}, {SliderAngle, Theta1, -1.0}, {SliderLine, R4y}, {CrankDrive, Theta2}};
 
 /// Crank or coupler. The vector from its end to its centre of mass occurs with a positive sign in the rows of the crank
 /// pin, and with a negative one in `negativeX` and the row after it.
@@ -55,7 +53,10 @@ constexpr Link kLinks[] = {{Theta2, CrankPivotX}, {Theta3, SliderPinX}};
 Vector12 constraints(const Mechanism &mechanism, const Vector12 &q, double t)
 {
     Vector12 C = Vector12::Zero();
-    for (const auto &[row, coordinate, sign] : kLinearTerms) {
+    for (const auto &[row, coordinate, sign] : kJointTerms) {
+        C.segment<2>(row) += sign * q.segment<2>(coordinate);
+    }
+    for (const auto &[row, coordinate, sign] : kOtherTerms) {
         C[row] += sign * q[coordinate];
     }
     for (const Link &link : kLinks) {
@@ -72,7 +73,10 @@ Vector12 constraints(const Mechanism &mechanism, const Vector12 &q, double t)
 Matrix12 constraintJacobian(const Mechanism &mechanism, const Vector12 &q)
 {
     Matrix12 Cq = Matrix12::Zero();
-    for (const auto &[row, coordinate, sign] : kLinearTerms) {
+    for (const auto &[row, coordinate, sign] : kJointTerms) {
+        Cq(row, coordinate) = Cq(row + 1, coordinate + 1) = sign;
+    }
+    for (const auto &[row, coordinate, sign] : kOtherTerms) {
         Cq(row, coordinate) = sign;
     }
     for (const Link &link : kLinks) {
