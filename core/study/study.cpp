@@ -43,7 +43,7 @@ struct Judged {
 struct Judgement {
     std::vector<double> times;             ///< ascending
     std::vector<Judged> exact;             ///< by time
-    std::array<double, kChannels> sizes{}; ///< rad, mm: the peak, or naturalSize() where that is 0
+    std::array<double, kChannels> sizes{}; ///< rad, mm: the peak, or naturalSize() where that is 0; positive
 };
 
 template <class Real>
@@ -87,15 +87,10 @@ Judgement judgeAll(const Parameters &parameters, const std::vector<double> &time
     }
     for (std::size_t k = 0; k < kChannels; ++k) {
         const double natural = naturalSize(parameters, kPlottedChannels[k]);
-        judgement.sizes[k] = judgement.sizes[k] > kExactZero * natural ? judgement.sizes[k] : natural;
+        const double size = judgement.sizes[k] > kExactZero * natural ? judgement.sizes[k] : natural;
+        judgement.sizes[k] = std::max(size, std::numeric_limits<double>::min()); // the crank may not turn
     }
     return judgement;
-}
-
-/// Returns error / size, and 0 for 0/0, which occurs if the crank does not turn.
-double relative(double error, double size)
-{
-    return error == 0.0 ? 0.0 : error / size;
 }
 
 /// A method applied to a case.
@@ -137,11 +132,9 @@ void compareAnswers(const Contender &contender, const Judgement &judgement, Meth
         }
         bool isWrong = false;
         for (std::size_t k = 0; k < kChannels; ++k) {
-            const double error =
-                relative(deviation(contender.answers.values[k][i], judged.values[k]), judgement.sizes[k]);
-            const double limit = relative(judged.kappa[k] * kUnitRoundoff, judgement.sizes[k]);
+            const double error = deviation(contender.answers.values[k][i], judged.values[k]) / judgement.sizes[k];
             worst = std::max(worst, error);
-            bound = std::max(bound, limit);
+            bound = std::max(bound, judged.kappa[k] * kUnitRoundoff / judgement.sizes[k]);
             isWrong = isWrong || error > kSilentPart;
         }
         silent += isWrong ? 1 : 0;

@@ -53,8 +53,6 @@ struct MethodName {
     };
     Kind kind = Kind::NewtonDense;
     int harmonics = 0; ///< their number, for Harmonics
-
-    friend bool operator==(const MethodName &, const MethodName &) = default;
 };
 
 /// Returns the name of a method in files and on the command line: newton-dense, closed-form-batch, harmonic-4, …
