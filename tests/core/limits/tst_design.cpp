@@ -21,11 +21,7 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 
 MotionLimits limitsOf(const Lengths &lengths)
 {
-    Parameters parameters;
-    parameters.a = lengths.a;
-    parameters.b = lengths.b;
-    parameters.c = lengths.c;
-    return motionLimits(Mechanism(parameters));
+    return motionLimits(Mechanism({lengths.a, lengths.b, lengths.c}));
 }
 
 /// Returns the minimum transmission angle of a full revolution.
@@ -41,6 +37,7 @@ class TestDesign : public QObject
     Q_OBJECT
 
 private slots:
+    /// Below a time ratio of 1 the directions are exchanged.
     void meetsRandomRequests()
     {
         std::mt19937_64 random(24);
@@ -49,7 +46,9 @@ private slots:
         while (feasible < 10'000) {
             DesignRequest request;
             request.stroke = std::pow(10.0, -2.0 + 6.0 * unit(random));
-            request.timeRatio = unit(random) < 0.1 ? 1.0 : 1.0 + 1.9 * unit(random);
+            const double timeRatio = unit(random) < 0.1 ? 1.0 : 1.0 + 1.9 * unit(random);
+            const bool isReciprocal = unit(random) < 0.2;
+            request.timeRatio = isReciprocal ? 1.0 / timeRatio : timeRatio;
             if (unit(random) < 0.5) {
                 request.transmissionAngle = 80.0 * kDegree * unit(random);
             }
@@ -64,9 +63,10 @@ private slots:
             QVERIFY(std::abs(*limits.stroke / request.stroke - 1.0) < 1e-12);
             // Near the ratio 3 the angle α depends on the small difference b - a, which the rounding of a and b
             // changes.
-            const double tolerance =
-                std::max(1e-12, 1e-15 * lengths.a / (lengths.b - lengths.a) / (3.0 - request.timeRatio));
-            QVERIFY(std::abs(*limits.timeRatio / request.timeRatio - 1.0) < tolerance);
+            const double tolerance = std::max(1e-12, 1e-15 * lengths.a / (lengths.b - lengths.a) / (3.0 - timeRatio));
+            QVERIFY(std::abs(*limits.timeRatio / timeRatio - 1.0) < tolerance);
+            const double slower = isReciprocal ? *limits.angleOutwards : *limits.angleInwards;
+            QVERIFY(timeRatio == 1.0 ? lengths.c == 0.0 : slower > std::numbers::pi);
             QVERIFY(transmissionAngle(lengths) >= request.transmissionAngle.value_or(0.0));
         }
     }
@@ -82,15 +82,9 @@ private slots:
         }
     }
 
-    /// In-line mechanism: the crank is half the stroke. The stroke and the angle α of a = 20, b = 65, c = 25, computed
-    /// from its dead centres by hand, lead back to that mechanism.
-    void leadsBackToKnownMechanisms()
+    /// The stroke and the angle α of a = 20, b = 65, c = 25, computed by hand from its dead centres.
+    void leadsBackToAKnownMechanism()
     {
-        const Lengths inLine = findLengths(80.0, 1.0, 4.0);
-        QCOMPARE(inLine.a, 40.0);
-        QCOMPARE(inLine.b, 160.0);
-        QCOMPARE(inLine.c, 0.0);
-
         const double stroke = std::sqrt(85.0 * 85.0 - 25.0 * 25.0) - std::sqrt(45.0 * 45.0 - 25.0 * 25.0);
         const double alpha = std::asin(25.0 / 45.0) - std::asin(25.0 / 85.0);
         const Lengths offset =
@@ -114,16 +108,6 @@ private slots:
         QVERIFY(std::holds_alternative<Lengths>(design({80.0, 1.2, fault.bound - 1e-9})));
         QVERIFY(std::holds_alternative<Lengths>(design({80.0, fault.timeRatioBound - 1e-6, 60.0 * kDegree})));
         QVERIFY(std::holds_alternative<DesignFault>(design({80.0, fault.timeRatioBound + 1e-6, 60.0 * kDegree})));
-    }
-
-    void exchangesTheDirectionsBelowARatioOfOne()
-    {
-        const Lengths slowBack = std::get<Lengths>(design({80.0, 1.25, {}}));
-        const Lengths slowOut = std::get<Lengths>(design({80.0, 0.8, {}}));
-        QVERIFY(slowBack.c > 0.0);
-        QCOMPARE(slowOut.c, -slowBack.c);
-        QVERIFY(*limitsOf(slowBack).angleOutwards < *limitsOf(slowBack).angleInwards);
-        QVERIFY(*limitsOf(slowOut).angleOutwards > *limitsOf(slowOut).angleInwards);
     }
 };
 

@@ -89,16 +89,6 @@ bool turnsRoundFreely(const Parameters &p)
 constexpr std::array<Channel, 4> kRates{
     {{R4x, Order::Velocity}, {R4x, Order::Acceleration}, {Theta3, Order::Velocity}, {Theta3, Order::Acceleration}}};
 
-std::string describe(const Parameters &p, const Peak &peak, const ExactPeak &exact)
-{
-    char text[400];
-    std::snprintf(text, sizeof text, "%s: %s is %.17g at %.17g of %zu, exactly %.17g at %.17g", describe(p).c_str(),
-                  std::string(nameOf(peak.channel)).c_str(), peak.magnitude,
-                  peak.places.empty() ? 0.0 : peak.places.front().theta2, peak.places.size(),
-                  static_cast<double>(exact.magnitude), static_cast<double>(exact.theta2));
-    return text;
-}
-
 } // namespace
 
 class tst_extremes : public QObject
@@ -134,7 +124,7 @@ private slots:
             QVERIFY(peak.channel == kRates[i]);
             const ExactPeak exact = scannedPeak(p, peak.channel);
             const double relative = static_cast<double>((Digits50(peak.magnitude) - exact.magnitude) / exact.magnitude);
-            QVERIFY2(std::abs(relative) <= 4e-15, describe(p, peak, exact).c_str());
+            QVERIFY2(std::abs(relative) <= 4e-15, describe(p).c_str());
 
             // Proportional to the angle from ±90°, at which the spacing of doubles is 2.2e-16.
             const double fromSteepest = std::abs(std::abs(static_cast<double>(exact.theta2)) - 0.5 * kPi);
@@ -145,7 +135,7 @@ private slots:
                 nearest = std::min(nearest, std::abs(std::remainder(off, kTurn)));
                 QVERIFY(place.theta2 >= -kPi && place.theta2 < kPi);
             }
-            QVERIFY2(nearest <= tolerance, describe(p, peak, exact).c_str());
+            QVERIFY2(nearest <= tolerance, describe(p).c_str());
         }
     }
 

@@ -226,25 +226,20 @@ private slots:
             VERIFY_FOR(p, limits.stroke.has_value() == (limits.mobility != Mobility::Impossible));
             double stroke = 0.0;
             for (const CrankRange &range : limits.ranges) {
-                std::vector<double> ends{range.from, range.to};
-                for (const double square : {-0.5 * kPi, 0.5 * kPi, 1.5 * kPi, 2.5 * kPi}) {
-                    if (square > range.from && square < range.to) {
-                        ends.push_back(square);
-                    }
-                }
-                std::sort(ends.begin(), ends.end());
                 double least = std::numeric_limits<double>::infinity();
                 double most = -least;
-                for (std::size_t piece = 1; piece < ends.size(); ++piece) {
+                double from = range.from;
+                for (const double square : {-0.5 * kPi, 0.5 * kPi, 1.5 * kPi, 2.5 * kPi, kTurn + range.to}) {
+                    const double to = std::clamp(square, range.from, range.to);
                     for (int i = 0; i <= kSamples; ++i) {
                         const double along = crowded(crowded(static_cast<double>(i) / kSamples));
-                        const double theta2 = ends[piece - 1] + along * (ends[piece] - ends[piece - 1]);
-                        const ExactState<double> exact = atAngle<double>(p, theta2);
+                        const ExactState<double> exact = atAngle<double>(p, from + along * (to - from));
                         if (exact.status != Status::NotAssemblable) {
                             least = std::min(least, sliderIn(exact));
                             most = std::max(most, sliderIn(exact));
                         }
                     }
+                    from = to;
                 }
                 stroke = std::max(stroke, most - least);
             }

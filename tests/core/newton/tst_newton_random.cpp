@@ -71,20 +71,16 @@ double randomTime(const Parameters &p, int i, RandomMechanisms &random)
 std::array<double, kChannelCount> peaks(const Parameters &p)
 {
     constexpr int kSteps = 100;
-    std::array<double, kChannelCount> sizes{};
+    std::vector<ExactState<double>> states;
     for (int k = 0; k < 2 * kSteps; ++k) {
         const double angle = kTurn * (k / 2 + 0.5) / kSteps;
         const double posed = std::asin(std::clamp((p.c + p.b * std::cos(angle)) / p.a, -1.0, 1.0));
-        const ExactState<double> state = closedFormState(p, ((k % 2 == 0 ? angle : posed) - p.theta20) / p.omega2);
-        for (std::size_t index = 0; index < kChannelCount; ++index) {
-            const double value = std::abs(state.values[index]);
-            sizes[index] = std::isfinite(value) ? std::max(sizes[index], value) : sizes[index];
-        }
+        states.push_back(closedFormState(p, ((k % 2 == 0 ? angle : posed) - p.theta20) / p.omega2));
     }
-    for (std::size_t index = 0; index < kChannelCount; ++index) {
+    std::array<double, kChannelCount> sizes = channelSizes<double>(p, states);
+    for (std::size_t index = 0; index < kChannelCount && p.a == p.b && p.c == 0.0; ++index) {
         const double natural = naturalSize(p, channelAt(index));
-        const bool isRounding = p.a == p.b && p.c == 0.0 && sizes[index] <= 1e-14 * natural;
-        sizes[index] = sizes[index] == 0.0 || isRounding ? natural : sizes[index];
+        sizes[index] = sizes[index] <= 1e-14 * natural ? natural : sizes[index]; // only rounding
     }
     return sizes;
 }
