@@ -21,7 +21,7 @@ class DecadeTicker : public QCPAxisTickerLog
 protected:
     QString getTickLabel(double tick, const QLocale &, QChar, int) override
     {
-        return powerOfTen(static_cast<int>(std::lround(std::log10(tick))));
+        return powerOfTenText(static_cast<int>(std::lround(std::log10(tick))));
     }
 };
 

@@ -22,7 +22,7 @@ double largestMagnitude(const Interval &range)
 QString AxisScale::label(double value) const
 {
     if (isLogarithmic) {
-        return powerOfTen(static_cast<int>(std::lround(value)));
+        return powerOfTenText(static_cast<int>(std::lround(value)));
     }
     return numberText(std::abs(value) < step * 1e-6 ? 0.0 : value, digits); // 0 instead of the rounding error of a step
 }

@@ -165,7 +165,7 @@ QString roundingText(const Rounding &rounding)
     switch (rounding.rule) {
     case Rounding::Rule::Unknown: return dash();
     case Rounding::Rule::SignificantDigits: return ColumnText::tr("significant digits: %1").arg(rounding.digits);
-    case Rounding::Rule::Decimals: return ColumnText::tr("multiples of %1").arg(powerOfTen(-rounding.digits));
+    case Rounding::Rule::Decimals: return ColumnText::tr("multiples of %1").arg(powerOfTenText(-rounding.digits));
     case Rounding::Rule::Multiples:
         return ColumnText::tr("multiples of %1").arg(numberText(rounding.quantum * rounding.unitFactor));
     }

@@ -13,7 +13,7 @@ namespace
 /// Returns a mantissa with a power of ten: "1.5·10⁻⁷". A mantissa of 1 is omitted.
 QString withPowerOfTen(const QString &mantissa, int exponent)
 {
-    const QString power = powerOfTen(exponent);
+    const QString power = powerOfTenText(exponent);
     return mantissa == QLocale().toString(1)    ? power
            : mantissa == QLocale().toString(-1) ? QLocale().negativeSign() + power
                                                 : QStringLiteral("%1·%2").arg(mantissa, power);
@@ -74,7 +74,7 @@ QString shortNumber(std::optional<double> value, int digits)
                      withPowerOfTen); // 9.996e9 is rounded to 1.00e10
 }
 
-QString powerOfTen(int exponent)
+QString powerOfTenText(int exponent)
 {
     QString text = QString::number(exponent);
     for (QChar &sign : text) {

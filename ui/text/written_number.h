@@ -27,7 +27,7 @@ int digitsToTellApart(double x, double y);
 QString typedNumberText(double value);
 
 /// Returns a power of ten: "10⁻⁷".
-QString powerOfTen(int exponent);
+QString powerOfTenText(int exponent);
 
 /// Returns the smallest of …, 1, 2, 5, 10, 20, 50, … that is at least `value`. Requires value > 0.
 double nextRoundNumber(double value);
