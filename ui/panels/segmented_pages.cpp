@@ -3,28 +3,30 @@
 
 #include "ui/widgets/named.h"
 
-#include <QButtonGroup>
 #include <QHBoxLayout>
+#include <QListWidget>
 #include <QScrollArea>
 #include <QStackedWidget>
-#include <QToolButton>
 
 namespace slidercrank
 {
 
-SegmentedPages::SegmentedPages(const QString &buttonName, QWidget *parent)
+SegmentedPages::SegmentedPages(const QString &listName, QWidget *parent)
     : QWidget(parent)
-    , m_buttonName(buttonName)
-    , m_buttons(new QButtonGroup(this))
-    , m_column(new QVBoxLayout)
-    , m_stack(new QStackedWidget)
+    , m_titles(named(listName, new QListWidget, tr("Pages")))
+    , m_pages(new QStackedWidget)
 {
-    m_column->setSpacing(1);
-    m_column->addStretch(1);
+    m_titles->setFrameShape(QFrame::NoFrame);
+    m_titles->setFocusPolicy(Qt::TabFocus);
+    m_titles->setSpacing(2);
+    m_titles->setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);
+    m_titles->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Expanding);
+    m_titles->viewport()->setBackgroundRole(QPalette::Window);
+    connect(m_titles, &QListWidget::currentRowChanged, m_pages, &QStackedWidget::setCurrentIndex);
     auto *columns = new QHBoxLayout(this);
     columns->setContentsMargins(4, 4, 4, 2);
-    columns->addLayout(m_column);
-    columns->addWidget(m_stack, 1);
+    columns->addWidget(m_titles);
+    columns->addWidget(m_pages, 1);
 }
 
 void SegmentedPages::addPage(const QString &title, QWidget *page)
@@ -34,27 +36,14 @@ void SegmentedPages::addPage(const QString &title, QWidget *page)
     scroll->setFocusPolicy(Qt::NoFocus);
     scroll->setWidgetResizable(true);
     scroll->setWidget(page);
-    const int id = m_stack->addWidget(scroll);
-    auto *button = named(m_buttonName + QString::number(id), new QToolButton);
-    button->setText(title);
-    button->setCheckable(true);
-    button->setAutoRaise(true);
-    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    m_buttons->addButton(button, id);
-    m_column->insertWidget(id, button);
-    connect(button, &QToolButton::toggled, this, [this, button, id](bool checked) {
-        button->setFocusPolicy(checked ? Qt::TabFocus : Qt::NoFocus); // arrow keys lead to the other buttons
-        if (checked) {
-            m_stack->setCurrentIndex(id);
-        }
-    });
-    button->setFocusPolicy(Qt::NoFocus);
-    button->setChecked(id == 0);
+    m_pages->addWidget(scroll);
+    m_titles->addItem(title);
+    setCurrent(0);
 }
 
 void SegmentedPages::setCurrent(int index)
 {
-    m_buttons->button(index)->setChecked(true);
+    m_titles->setCurrentRow(index);
 }
 
 } // namespace slidercrank

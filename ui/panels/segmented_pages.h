@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A tab with several pages: buttons at the left edge select the page that is shown beside them.
+// A tab with several pages: a list at the left edge selects the page that is shown beside it.
 
 #include <QWidget>
 
-class QButtonGroup;
+class QListWidget;
 class QStackedWidget;
-class QVBoxLayout;
 
 namespace slidercrank
 {
@@ -17,8 +16,8 @@ class SegmentedPages : public QWidget
     Q_OBJECT
 
 public:
-    /// `buttonName`: object name of the buttons, to which their index is appended.
-    explicit SegmentedPages(const QString &buttonName, QWidget *parent = nullptr);
+    /// `listName`: object name of the list of titles.
+    explicit SegmentedPages(const QString &listName, QWidget *parent = nullptr);
 
     /// Adds a page, which scrolls if there is too little space. The first page is shown at first.
     void addPage(const QString &title, QWidget *page);
@@ -26,10 +25,8 @@ public:
     void setCurrent(int index);
 
 private:
-    QString m_buttonName;
-    QButtonGroup *m_buttons;
-    QVBoxLayout *m_column;
-    QStackedWidget *m_stack;
+    QListWidget *m_titles;
+    QStackedWidget *m_pages;
 };
 
 } // namespace slidercrank

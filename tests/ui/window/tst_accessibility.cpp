@@ -12,7 +12,6 @@
 
 #include <QAbstractItemView>
 #include <QAccessible>
-#include <QButtonGroup>
 #include <QComboBox>
 #include <QDialog>
 #include <QHeaderView>
@@ -44,13 +43,6 @@ bool isControl(const QWidget *widget)
                         widget->objectName().startsWith("qt_") || qobject_cast<const QScrollBar *>(widget) ||
                         qobject_cast<const QHeaderView *>(widget);
     return (operated || stops) && !isPart;
-}
-
-/// Whether the widget is an unchecked button of an exclusive group. The arrow keys reach it, not the Tab key.
-bool isUncheckedInGroup(const QWidget *widget)
-{
-    const auto *button = qobject_cast<const QAbstractButton *>(widget);
-    return button && button->group() && button->group()->exclusive() && !button->isChecked();
 }
 
 /// Returns the panel or dialog that contains the control.
@@ -174,8 +166,8 @@ private:
             stop = QApplication::focusWidget();
         }
         for (QWidget *widget : window->findChildren<QWidget *>()) {
-            const bool wanted = widget->isVisible() && widget->isEnabled() && isControl(widget) &&
-                                !isUncheckedInGroup(widget) && widget->window() == window;
+            const bool wanted =
+                widget->isVisible() && widget->isEnabled() && isControl(widget) && widget->window() == window;
             if (wanted && !reached.contains(widget)) {
                 m_faults << QStringLiteral("%1 is not reached by the Tab key").arg(described(widget));
             }
@@ -261,9 +253,7 @@ private slots:
         QAccessibleValueInterface *number = QAccessible::queryAccessibleInterface(box)->valueInterface();
         QCOMPARE(number->currentValue().toDouble(), 65.0);
         number->setCurrentValue(70.0);
-        number->setCurrentValue(-1.0);
         QCOMPARE(session().parameters().b, 70.0);
-        QVERIFY(accessible(box, QAccessible::Description).contains("greater than 0"));
     }
 };
 

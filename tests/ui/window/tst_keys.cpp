@@ -182,9 +182,9 @@ private slots:
     {
         m_window->messages().greetOnce(); // shows a button
         showTab(3);
-        click("segment1");
+        part<QListWidget>("newtonPages")->setCurrentRow(2);
         settle(*m_window);
-        for (const char *name : {"playButton", "loopButton", "segment2", "jacobianPanelCopy"}) {
+        for (const char *name : {"playButton", "loopButton", "jacobianPanelCopy"}) {
             auto *button = part<QAbstractButton>(name);
             QSignalSpy clicked(button, &QAbstractButton::clicked);
             for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Enter}) {
@@ -293,7 +293,7 @@ private slots:
             QCOMPARE(copied().count('\n'), 2);
             press(Qt::Key_Down, Qt::ShiftModifier);
             QCOMPARE(copied().count('\n'), 3);
-            QVERIFY(said().endsWith("headings: 2."));
+            QVERIFY(said().contains("clipboard"));
         }
         part("mechanismView")->setFocus(); // without a table or text, Ctrl+C copies the figure
         copied();

@@ -94,7 +94,7 @@ private slots:
         openSample();
         m_window->findChild<FoldingTabs *>()->setFolded(false);
         showTab(3);
-        part<QAbstractButton>("segment3")->click();
+        part<QListWidget>("newtonPages")->setCurrentRow(3);
         settle(*m_window);
     }
 

@@ -12,9 +12,9 @@
 
 #include <QAction>
 #include <QApplication>
-#include <QButtonGroup>
 #include <QDropEvent>
 #include <QImage>
+#include <QListWidget>
 #include <QMimeData>
 #include <QSettings>
 #include <QSignalSpy>
@@ -138,7 +138,7 @@ protected:
     std::unique_ptr<MainWindow> m_window;
 };
 
-/// Calls the function on each tab, and on each page of a tab that buttons choose.
+/// Calls the function on each tab, and on each page of a tab that a list selects.
 inline void onEveryPage(MainWindow &window, const std::function<void(const QString &page)> &look)
 {
     auto *tabs = window.findChild<QTabWidget *>();
@@ -146,12 +146,11 @@ inline void onEveryPage(MainWindow &window, const std::function<void(const QStri
         tabs->setCurrentIndex(tab);
         settle(window);
         look(tabs->tabText(tab));
-        for (auto *button : tabs->currentWidget()->findChildren<QAbstractButton *>()) {
-            if (button->group() && button->group()->exclusive() && !button->isChecked()) {
-                button->click();
-                settle(window);
-                look(button->text());
-            }
+        auto *pages = tabs->currentWidget()->findChild<QListWidget *>();
+        for (int page = 1; pages && page < pages->count(); ++page) {
+            pages->setCurrentRow(page);
+            settle(window);
+            look(pages->item(page)->text());
         }
     }
 }
