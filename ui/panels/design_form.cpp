@@ -13,7 +13,6 @@
 #include "ui/widgets/paragraph.h"
 
 #include <QFormLayout>
-#include <QSignalBlocker>
 #include <QToolButton>
 
 #include <algorithm>
@@ -68,7 +67,7 @@ void DesignForm::createControls()
     m_transmissionAngle->setSuffix(QStringLiteral("°"));
     m_transmissionAngle->setUnit(kDegree);
     for (NumberBox *box : {m_stroke, m_timeRatio, m_transmissionAngle}) {
-        box->setRange({.smallest = 0.0, .isOpen = true});
+        box->setRange(kSmallestPositive, kLargestParameter);
     }
     m_ratio = addField(form, "designRatio", tr("Ratio b/a"), new NumberSlider,
                        tr("The freedom that stroke and time ratio leave: the ratio b/a of coupler and crank"));
@@ -116,11 +115,9 @@ void DesignForm::showParameters()
     } else if (range) {
         const double last = std::min(range->largestRatio, std::max(kLongestCoupler, ratio));
         const double step = nextRoundNumber((last - 1.0) / 500.0);
-        const QSignalBlocker quiet(m_ratio);
-        m_ratio->setScale(1.0, step);
-        m_ratio->setRange(1,
-                          std::max(1, static_cast<int>(std::ceil((last - 1.0) / step)) - 1)); // both ends are excluded
-        m_ratio->setValue(m_ratio->positionOf(ratio));
+        const int steps = static_cast<int>(std::ceil((last - 1.0) / step));
+        m_ratio->setScale(1.0, step, 1, std::max(1, steps - 1)); // both ends are excluded
+        m_ratio->setNumber(ratio);
         text += u' ' + tr("With this time ratio the minimum transmission angle is largest, %1°, for b/a = %2.")
                            .arg(number(best), number(range->bestRatio));
     }

@@ -15,7 +15,6 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QPainter>
-#include <QSignalBlocker>
 #include <QStyleOptionSlider>
 #include <QToolButton>
 
@@ -51,16 +50,12 @@ public:
     double range() const { return m_range; }
 
     /// Covers -range to range or, if `positive`, the first step to range.
-    void setRangeAndValue(double range, bool positive, double value)
+    void setRange(double range, bool positive)
     {
-        const QSignalBlocker quiet(this);
-        if (range != m_range) {
-            m_range = range;
-            setScale(0.0, nextRoundNumber(range / 200.0));
-        }
-        const int positions = positionOf(m_range);
-        setRange(positive ? 1 : -positions, positions);
-        setValue(positionOf(value));
+        m_range = range;
+        const double step = nextRoundNumber(range / 200.0);
+        const int positions = static_cast<int>(std::lround(range / step));
+        setScale(0.0, step, positive ? 1 : -positions, positions);
     }
 
     void setFree(const Interval &range)
@@ -176,6 +171,7 @@ void ParameterPanel::addRow(Parameter parameter, const QString &noun, const QStr
 
     row.slider = named(QStringLiteral("slider_") + key, new ParameterSlider, tr("%1, slider").arg(name));
     m_grid->addWidget(row.slider, line, 1);
+    row.slider->setToolTip(explanation);
     connect(row.slider, &QSlider::valueChanged, this,
             [this, parameter, &row] { edit(parameter, row.slider->number()); });
     connect(row.slider, &QSlider::sliderPressed, m_session, &Session::beginDrag);
@@ -189,15 +185,18 @@ void ParameterPanel::addRow(Parameter parameter, const QString &noun, const QStr
     if (units.size() == 1) {
         row.box->setSuffix(u' ' + units[0].name);
     } else {
-        row.box->setWidestText("-0.0·10⁻⁰");
         row.unit = named(QStringLiteral("unit_") + key, new QComboBox, tr("Unit of %1").arg(symbol));
         row.unit->setToolTip(tr("Unit"));
         for (const ShownUnit &unit : units) {
             row.unit->addItem(unit.name);
         }
         m_grid->addWidget(row.unit, line, 3);
-        connect(row.unit, &QComboBox::currentIndexChanged, this, [this, parameter] { showRow(parameter); });
+        connect(row.unit, &QComboBox::currentIndexChanged, this, [this, parameter] {
+            useUnit(parameter);
+            showRow(parameter);
+        });
     }
+    useUnit(parameter);
 
     row.reset = named(QStringLiteral("reset_") + key, new QToolButton, tr("Reset %1").arg(symbol));
     row.reset->setText("↺");
@@ -217,6 +216,17 @@ bool ParameterPanel::eventFilter(QObject *watched, QEvent *event)
         emit responseRequested(static_cast<Parameter>(row - m_rows.begin()));
     }
     return QWidget::eventFilter(watched, event);
+}
+
+/// Converts the numbers of the slider and of the box to the displayed unit.
+void ParameterPanel::useUnit(Parameter parameter)
+{
+    const Row &row = m_rows[indexOf(parameter)];
+    const ShownUnit &unit = row.shownUnit();
+    const double largest = unit.fromCore(kLargestParameter);
+    row.slider->setSuffix(u' ' + unit.name);
+    row.box->setUnit(unit.unit);
+    row.box->setRange(isPositive(parameter) ? kShortestLink : -largest, largest);
 }
 
 void ParameterPanel::edit(Parameter parameter, double value)
@@ -248,24 +258,15 @@ void ParameterPanel::showRow(Parameter parameter)
     const auto fits = [&](double range) {
         return range > 0.0 && std::abs(value) <= range && range <= kMuchTooLong * size * (1.0 + 1e-9);
     };
-    const double present = row.slider->range();
-    const bool keepsRange = row.slider->isSliderDown() || fits(present); // the range is fixed during a drag
-    row.slider->setRangeAndValue(keepsRange         ? present
-                                 : fits(unit.range) ? unit.range
-                                                    : nextRoundNumber(1.5 * size),
-                                 isPositive(parameter), value);
-    row.slider->setSuffix(u' ' + unit.name);
-    row.slider->setToolTip(row.explanation);
+    if (!row.slider->isSliderDown() && !fits(row.slider->range())) { // the range is fixed during a drag
+        row.slider->setRange(fits(unit.range) ? unit.range : nextRoundNumber(1.5 * size), isPositive(parameter));
+    }
+    row.slider->setNumber(value);
     if (isLength) { // shade the lengths with which the crank cannot make a full turn
         const ResponseRange range = responseRange(parameters, parameter);
         row.slider->setFree(range.fullTurn);
         row.slider->setToolTip(row.explanation + u'\n' + fullTurnText(parameter, range));
     }
-
-    const double largest = unit.fromCore(kLargestParameter);
-    row.box->setUnit(unit.unit);
-    row.box->setRange(isPositive(parameter) ? NumberRange{.smallest = 0.0, .isOpen = true}
-                                            : NumberRange{.smallest = -largest, .largest = largest});
     row.box->setValue(value);
     row.reset->setEnabled(exact != valueOf(Parameters(), parameter));
 }

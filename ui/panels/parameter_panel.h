@@ -64,6 +64,7 @@ private:
 
     void addRow(Parameter parameter, const QString &noun, const QString &explanation,
                 const std::vector<ShownUnit> &units);
+    void useUnit(Parameter parameter);
     void edit(Parameter parameter, double value); ///< `value` is in the displayed unit
     void showParameters();
     void showRow(Parameter parameter);

@@ -20,7 +20,6 @@
 #include <QLocale>
 #include <QMenu>
 #include <QPainter>
-#include <QSignalBlocker>
 #include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -83,7 +82,7 @@ Timeline::Timeline(Session *session, QWidget *parent)
     rows->addLayout(createScrubbing());
     rows->addLayout(createButtons());
     createForm();
-    colourIcons();
+    drawIcons();
     connect(session, &Session::parametersChanged, this, &Timeline::showSettings);
     connect(session, &Session::settingsChanged, this, &Timeline::showSettings);
     connect(session, &Session::timeChanged, this, &Timeline::showTime);
@@ -156,8 +155,8 @@ QLayout *Timeline::createScrubbing()
     constexpr double kLargestAngle = 1e300; // degrees; larger than any angle that a mechanism reaches
     m_angleBox =
         makeBox("angleBox", tr("Crank angle in degrees"),
-                tr("Crank angle: type one to go to the time when the crank first passes it"), tr("°"), kDegree);
-    m_angleBox->setRange({.smallest = -kLargestAngle, .largest = kLargestAngle});
+                tr("Crank angle: type one to go to the nearest time at which the crank passes it"), tr("°"), kDegree);
+    m_angleBox->setRange(-kLargestAngle, kLargestAngle);
     m_angleBox->setFixedDecimals(2);
     m_angleBox->setStep(1.0);
     connect(m_angleBox, &NumberBox::edited, this, &Timeline::goToAngle);
@@ -219,22 +218,19 @@ void Timeline::createForm()
     m_start = addField(form, "startBox", tr("Start"), new NumberBox, tr("The first time step"));
     m_duration =
         addField(form, "durationBox", tr("Duration"), new NumberBox, tr("From the first time step to the last"));
-    m_duration->setRange({.smallest = 0.0, .isOpen = true});
+    m_duration->setRange(kSmallestPositive, kLargestParameter);
     m_oneTurn = named("oneTurnButton", new QToolButton);
     m_oneTurn->setText(tr("One revolution"));
     m_oneTurn->setToolTip(tr("Sets the duration to one revolution of the crank"));
     form->addRow(QString(), m_oneTurn);
     m_steps = addField(form, "stepsBox", tr("Steps"), new NumberBox, tr("Intervals; there is one time step more"));
-    m_steps->setRange({.smallest = 1.0, .largest = kMaximumSteps, .isWhole = true});
+    m_steps->setRange(1.0, kMaximumSteps);
     m_steps->setFixedDecimals(0);
-    m_steps->setStep(1.0);
     m_speedBox = addField(form, "speedBox", tr("Playback speed"), new NumberBox,
                           tr("Seconds of the motion in a second of real time"));
     m_speedBox->setSuffix(tr("×"));
-    m_speedBox->setRange({.smallest = kSlowestPlayback, .largest = kFastestPlayback});
-    m_revolution = addField(form, "turnBox", tr("Playback time per revolution"), new NumberBox,
-                            tr("Real time in which one revolution of the crank is played"));
-    for (NumberBox *box : {m_start, m_duration, m_revolution}) {
+    m_speedBox->setRange(kSlowestPlayback, kFastestPlayback);
+    for (NumberBox *box : {m_start, m_duration}) {
         box->setSuffix(tr(" s"));
         box->setUnit(kSecond);
     }
@@ -246,10 +242,9 @@ void Timeline::createForm()
         editSampling();
     });
     connect(m_speedBox, &NumberBox::edited, this, &Timeline::setSpeed);
-    connect(m_revolution, &NumberBox::edited, this, [this](double seconds) { setSpeed(revolution() / seconds); });
 }
 
-void Timeline::colourIcons()
+void Timeline::drawIcons()
 {
     using enum QStyle::StandardPixmap;
     for (const auto &[command, symbol] :
@@ -258,14 +253,17 @@ void Timeline::colourIcons()
           std::pair{End, SP_MediaSkipForward}, std::pair{Loop, SP_BrowserReload}}) {
         m_actions[command]->setIcon(colouredIcon(*this, symbol));
     }
+    for (QToolButton *button : findChildren<QToolButton *>()) {
+        button->setIconSize(QSize(1, 1) * fontMetrics().height());
+    }
     m_playButton->setAccessibleName(isPlaying() ? tr("Pause") : tr("Play"));
 }
 
 void Timeline::changeEvent(QEvent *event)
 {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange) {
-        colourIcons();
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
+        drawIcons();
     }
 }
 
@@ -293,26 +291,14 @@ void Timeline::showSettings()
     m_timeBox->setStep(step);
     const double largest = std::max(std::abs(first()), std::abs(last()));
     m_timeBox->setWidestText(QLocale().toString(-largest, 'f', decimals));
-    {
-        const QSignalBlocker quiet(m_slider);
-        m_slider->setScale(start, step);
-        m_slider->setRange(0, steps);
-        m_slider->setPageStep(std::max(1, steps / 20));
-    }
+    m_slider->setScale(start, step, 0, steps);
+    m_slider->setPageStep(std::max(1, steps / 20));
     m_start->setValue(start);
     m_duration->setValue(duration);
     m_steps->setValue(steps);
     m_speedBox->setValue(m_speed);
-    const bool turns = m_session->parameters().omega2 != 0.0;
-    m_angleBox->setEnabled(turns);
+    m_angleBox->setEnabled(m_session->parameters().omega2 != 0.0);
     m_oneTurn->setEnabled(revolution() <= kLargestParameter);
-    m_revolution->setEnabled(turns);
-    if (turns) {
-        m_revolution->setRange(
-            {.smallest = revolution() / kFastestPlayback, .largest = revolution() / kSlowestPlayback});
-        m_revolution->setValue(
-            QString::number(revolution() / m_speed, 'g', 15).toDouble()); // 3500, not 3499.9999999999995
-    }
     constexpr int kDigits = 3;
     m_run->setText(
         tr("%1 s · %2 ▾", "duration, playback speed").arg(numberText(duration, kDigits), speedText(m_speed)));
@@ -333,14 +319,14 @@ void Timeline::play()
         }
         m_lastFrame = m_clock();
         m_frames.start();
-        colourIcons();
+        drawIcons();
     }
 }
 
 void Timeline::pause()
 {
     m_frames.stop();
-    colourIcons();
+    drawIcons();
 }
 
 void Timeline::setSpeed(double speed)
@@ -397,15 +383,11 @@ void Timeline::goToAngle(double degrees)
 {
     const Parameters &parameters = m_session->parameters();
     const double theta2 = degrees / kDegreesPerRadian;
-    double time = (theta2 - parameters.theta20) / parameters.omega2; // of this angle, including whole turns
-    if (!(time >= first() && time <= last())) {
-        const double period = kTurn / std::abs(parameters.omega2);
-        time = timeAtCrankAngle(Mechanism(parameters), theta2, first()).value_or(first());
-        if (time > last()) { // the crank does not reach the angle: go to the nearer end
-            time = first() - (time - period) < time - last() ? first() : last();
-        }
-    }
-    m_session->setTime(time);
+    const double time = (theta2 - parameters.theta20) / parameters.omega2; // of this angle, including whole turns
+    m_session->setTime(
+        time >= first() && time <= last()
+            ? time
+            : nearestTimeAtCrankAngle(Mechanism(parameters), m_session->sampling(), theta2, m_session->time()));
 }
 
 void Timeline::showTime()
@@ -413,8 +395,7 @@ void Timeline::showTime()
     const Pose pose = m_session->pose();
     m_timeBox->setValue(pose.time);
     m_angleBox->setValue(pose.theta2 * kDegreesPerRadian);
-    const QSignalBlocker quiet(m_slider);
-    m_slider->setValue(static_cast<int>(std::lround(currentStep())));
+    m_slider->setNumber(pose.time);
 }
 
 } // namespace slidercrank

@@ -65,7 +65,7 @@ private:
     QLayout *createScrubbing();
     QLayout *createButtons();
     void createForm();
-    void colourIcons();
+    void drawIcons();
     double first() const;      ///< start of the time range, s
     double last() const;       ///< end of the time range, s
     double revolution() const; ///< time of one revolution, s; infinite if the crank is at rest
@@ -98,7 +98,6 @@ private:
     QToolButton *m_oneTurn;
     NumberBox *m_steps;
     NumberBox *m_speedBox;
-    NumberBox *m_revolution;
 };
 
 } // namespace slidercrank

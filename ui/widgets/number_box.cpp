@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/number_box.h"
 
+#include "core/mechanism/mechanism.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/written_number.h"
 #include "ui/widgets/named.h"
@@ -41,9 +42,9 @@ NumberBox::NumberBox(QWidget *parent)
     setKeyboardTracking(false);
     setDecimals(kDecimals);
     setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-    setRange(NumberRange());
+    setRange(-kLargestParameter, kLargestParameter);
     lineEdit()->installEventFilter(this);
-    connect(this, &QDoubleSpinBox::valueChanged, this, &NumberBox::take);
+    connect(this, &QDoubleSpinBox::valueChanged, this, &NumberBox::edited);
     connect(this, &QAbstractSpinBox::editingFinished, this, [this] {
         if (!m_refusal.isEmpty()) {
             refuse(std::exchange(m_refusal, {}));
@@ -59,13 +60,15 @@ NumberBox::NumberBox(QWidget *parent)
 
 void NumberBox::setValue(double value)
 {
+    if (value == this->value()) {
+        return; // formatting a number takes long during a drag
+    }
     const QSignalBlocker quiet(this);
     const bool typing = isTyping();
     const QString typed = lineEdit()->text();
     const int cursor = lineEdit()->cursorPosition();
     const bool isSelected = lineEdit()->hasSelectedText();
     QDoubleSpinBox::setValue(value);
-    m_accepted = this->value();
     if (typing) {
         lineEdit()->setText(typed);
         lineEdit()->setCursorPosition(cursor);
@@ -74,24 +77,10 @@ void NumberBox::setValue(double value)
     }
 }
 
-void NumberBox::setRange(const NumberRange &range)
+void NumberBox::setRange(double smallest, double largest)
 {
     const QSignalBlocker quiet(this);
-    m_range = range;
-    QDoubleSpinBox::setRange(range.smallest, range.largest);
-    m_accepted = value();
-}
-
-/// Checks the number again, because a screen reader sets numbers without calling validate().
-void NumberBox::take(double value)
-{
-    if (const QString refusal = refusalOf(value); !refusal.isEmpty()) {
-        setValue(m_accepted);
-        refuse(refusal);
-        return;
-    }
-    m_accepted = value;
-    emit edited(value);
+    QDoubleSpinBox::setRange(smallest, largest);
 }
 
 void NumberBox::setStep(double step)
@@ -103,6 +92,9 @@ void NumberBox::setStep(double step)
 void NumberBox::setFixedDecimals(int decimals)
 {
     m_fixedDecimals = decimals;
+    if (decimals == 0) {
+        setStep(1.0);
+    }
     showValue();
 }
 
@@ -182,7 +174,7 @@ double NumberBox::valueFromText(const QString &text) const
     if (number.isEmpty() || number == textFromValue(value())) {
         return value(); // the exact number instead of the shortened text
     }
-    if (m_range.isWhole && number.contains(u'.')) { // may separate thousands
+    if (m_fixedDecimals == 0 && number.contains(u'.')) { // may separate thousands
         m_refusal = refusalOf(0.5);
         return value();
     }
@@ -193,21 +185,17 @@ double NumberBox::valueFromText(const QString &text) const
 
 QString NumberBox::refusalOf(double value) const
 {
-    const auto withUnit = [this](double limit) {
-        return (m_range.isWhole ? QString::number(std::llround(limit)) : numberText(limit)) + suffix();
+    const bool isWhole = m_fixedDecimals == 0;
+    const auto withUnit = [&](double limit) {
+        return (isWhole ? QString::number(std::llround(limit)) : numberText(limit)) + suffix();
     };
-    const bool isOutside = value < m_range.smallest || value > m_range.largest;
-    if (m_range.isWhole && (value != std::round(value) || isOutside)) {
-        return tr("This must be a whole number from %1 to %2.")
-            .arg(withUnit(m_range.smallest), withUnit(m_range.largest));
+    if (isWhole && (value != std::round(value) || value < minimum() || value > maximum())) {
+        return tr("This must be a whole number from %1 to %2.").arg(withUnit(minimum()), withUnit(maximum()));
     }
-    if (m_range.isOpen && value <= m_range.smallest) {
-        return tr("This must be greater than %1.").arg(withUnit(m_range.smallest));
+    if (value < minimum()) {
+        return tr("This must be at least %1.").arg(withUnit(minimum()));
     }
-    if (value < m_range.smallest) {
-        return tr("This must be at least %1.").arg(withUnit(m_range.smallest));
-    }
-    return value > m_range.largest ? tr("This must be at most %1.").arg(withUnit(m_range.largest)) : QString();
+    return value > maximum() ? tr("This must be at most %1.").arg(withUnit(maximum())) : QString();
 }
 
 QValidator::State NumberBox::validate(QString &text, int &) const

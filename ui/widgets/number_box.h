@@ -6,10 +6,8 @@
 // says why.
 
 #include "core/import/quantity.h"
-#include "core/mechanism/mechanism.h"
 
 #include <QDoubleSpinBox>
-#include <QPointer>
 
 #include <optional>
 
@@ -18,13 +16,8 @@ class QLabel;
 namespace slidercrank
 {
 
-/// The numbers that a box accepts.
-struct NumberRange {
-    double smallest = -kLargestParameter;
-    double largest = kLargestParameter;
-    bool isOpen = false;  ///< only numbers greater than the smallest
-    bool isWhole = false; ///< whole numbers only
-};
+/// The lower limit of a number that must be positive.
+inline constexpr double kSmallestPositive = 1e-12;
 
 class NumberBox : public QDoubleSpinBox
 {
@@ -36,12 +29,14 @@ public:
     /// Sets the number without emitting a signal. Text that is being typed is not changed.
     void setValue(double value);
 
-    void setRange(const NumberRange &range);
+    /// Sets the numbers that are accepted. By default, they are -kLargestParameter to kLargestParameter.
+    void setRange(double smallest, double largest);
 
     /// Sets the unit of the number, which may be omitted when typing. By default, the number has no unit.
     void setUnit(const Unit &unit) { m_unit = unit; }
 
     /// Shows a fixed number of decimals if there is space, also while editing; for numbers that change continuously.
+    /// With 0 decimals, only whole numbers are accepted, and the step is 1.
     void setFixedDecimals(int decimals);
 
     /// Sets the change per arrow key. The default is a tenth of the number's power of ten.
@@ -72,21 +67,18 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
-    void take(double value);
     QString refusalOf(double value) const;
     QString shownText() const { return textFromValue(value()) + suffix(); }
     void showValue();
     void selectNumber();
     void refuse(const QString &sentence);
 
-    NumberRange m_range;
-    double m_accepted = 0.0; ///< last accepted number
     std::optional<Unit> m_unit;
     int m_fixedDecimals = -1; ///< negative: not fixed
     QString m_widestText = "-000.000";
     bool m_isEditing = false;  ///< the box has the focus and shows every digit
     mutable QString m_refusal; ///< why the typed text is refused; empty if it is accepted
-    QPointer<QLabel> m_note;
+    QLabel *m_note = nullptr;
 };
 
 } // namespace slidercrank

@@ -5,6 +5,7 @@
 
 #include <QAccessibleWidget>
 #include <QMouseEvent>
+#include <QSignalBlocker>
 #include <QStyleOptionSlider>
 
 #include <algorithm>
@@ -61,10 +62,18 @@ NumberSlider::NumberSlider(QWidget *parent)
     QAccessible::installFactory(accessibleSlider); // has no effect the second time
 }
 
-void NumberSlider::setScale(double first, double step)
+void NumberSlider::setScale(double first, double step, int lowest, int highest)
 {
+    const QSignalBlocker quiet(this);
     m_first = first;
     m_step = step;
+    setRange(lowest, highest);
+}
+
+void NumberSlider::setNumber(double number)
+{
+    const QSignalBlocker quiet(this);
+    setValue(positionOf(number));
 }
 
 double NumberSlider::numberAt(int position) const

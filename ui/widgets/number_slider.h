@@ -17,8 +17,11 @@ class NumberSlider : public QSlider
 public:
     explicit NumberSlider(QWidget *parent = nullptr);
 
-    /// Position p represents the number first + p · step.
-    void setScale(double first, double step);
+    /// Position p, from `lowest` to `highest`, represents the number first + p · step. Emits no signal.
+    void setScale(double first, double step, int lowest, int highest);
+
+    /// Moves the handle to the nearest position without emitting a signal.
+    void setNumber(double number);
 
     /// Sets the unit, with a leading space if needed: " mm", "°".
     void setSuffix(const QString &suffix) { m_suffix = suffix; }

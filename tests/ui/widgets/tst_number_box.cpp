@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mechanism/mechanism.h"
 #include "tests/support/suite.h"
 #include "ui/widgets/number_box.h"
 
@@ -33,7 +34,7 @@ struct Shown {
         rows->addWidget(other);
         box->setSuffix(" mm");
         box->setUnit(kMillimetre);
-        box->setRange({.smallest = 0.0, .largest = kLargestParameter, .isOpen = true});
+        box->setRange(kSmallestPositive, kLargestParameter);
         box->setValue(value);
         window.show();
         window.activateWindow();
@@ -71,7 +72,7 @@ private slots:
                             {"123456.5", 123456.5}, {"1e-3", 1e-3},
                             {"2.5cm", 25.0},        {"1 in", 25.4},
                             {"1 000", 1000.0},      {"1.5·10⁻⁷", 1.5e-7},
-                            {"3e-40", 3e-40},       {"1e12", 1e12}};
+                            {"3e-12", 3e-12},       {"1e12", 1e12}};
         for (const Row &row : rows) {
             Shown shown;
             typeNumber(shown.box, row.typed);
@@ -95,8 +96,8 @@ private slots:
                             {"30 s", "“30 s”: the units here are mm, cm, m, in."},
                             {"inf", "“inf” is not a number."},
                             {QString(400, '9'), "“999999999999999999999999…” is too large."},
-                            {"0", "This must be greater than 0 mm."},
-                            {"-5", "This must be greater than 0 mm."},
+                            {"0", "This must be at least 10⁻¹² mm."},
+                            {"-5", "This must be at least 10⁻¹² mm."},
                             {"1e13", "This must be at most 10¹² mm."}};
         for (const Row &row : rows) {
             Shown shown;
@@ -116,7 +117,8 @@ private slots:
     void acceptsOnlyWholeNumbersIfRequested()
     {
         Shown shown;
-        shown.box->setRange({.smallest = 1.0, .largest = 1e6, .isWhole = true});
+        shown.box->setRange(1.0, 1e6);
+        shown.box->setFixedDecimals(0);
         shown.box->setValue(100.0);
         for (const char *typed : {"12.5", "10.000", "0", "1000001", "1 000 001"}) {
             typeNumber(shown.box, typed);
@@ -197,7 +199,7 @@ private slots:
             QCOMPARE(shown.edits.count(), 1);
         }
         Shown shown;
-        shown.box->setRange({});
+        shown.box->setRange(-kLargestParameter, kLargestParameter);
         shown.box->setValue(0.0);
         QTest::keyClick(shown.box, Qt::Key_Down);
         QCOMPARE(shown.box->value(), -1.0);
@@ -246,7 +248,7 @@ private slots:
         for (const Row &row : rows) {
             QLocale::setDefault(row.locale);
             Shown shown;
-            shown.box->setRange({});
+            shown.box->setRange(-kLargestParameter, kLargestParameter);
             typeNumber(shown.box, row.typed);
             QVERIFY2(shown.box->value() == row.value, qPrintable(row.typed));
         }
