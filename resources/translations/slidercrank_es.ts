@@ -1143,52 +1143,8 @@ Equipo: %1. Tiempo: %2 s.
         <translation>difiere</translation>
     </message>
     <message>
-        <source>%1 in the file, %2 time steps compared</source>
-        <translation>%1 en el archivo, %2 instantes comparados</translation>
-    </message>
-    <message>
-        <source>; at %1 more time steps the mechanism cannot be assembled</source>
-        <translation>; en otros %1 instantes el mecanismo no se puede ensamblar</translation>
-    </message>
-    <message>
-        <source>The file writes this channel in steps of at most %1.</source>
-        <translation>El archivo escribe este canal en pasos de a lo sumo %1.</translation>
-    </message>
-    <message>
-        <source>How the file was rounded is not known.</source>
-        <translation>No se sabe cómo se redondeó el archivo.</translation>
-    </message>
-    <message>
-        <source>Largest |model − reference|; root mean square %1.</source>
-        <translation>Máximo de |modelo − referencia|; valor eficaz %1.</translation>
-    </message>
-    <message>
-        <source>Point by point, |model − reference| / |reference|: at most %1 %, at t = %2 s.</source>
-        <translation>Punto por punto, |modelo − referencia| / |referencia|: a lo sumo %1 %, en t = %2 s.</translation>
-    </message>
-    <message>
-        <source>Point by point, relative to the reference: undefined.</source>
-        <translation>Punto por punto, relativo a la referencia: no definido.</translation>
-    </message>
-    <message>
-        <source>Undefined where the reference is zero: at %1 time steps.</source>
-        <translation>No definido donde la referencia es cero: en %1 instantes.</translation>
-    </message>
-    <message>
-        <source>max |model − reference| / max |reference| · 100</source>
-        <translation>máx. |modelo − referencia| / máx. |referencia| · 100</translation>
-    </message>
-    <message>
         <source>Unbounded: one of the two reaches a limit position</source>
         <translation>Sin límite: uno de los dos alcanza una posición límite</translation>
-    </message>
-    <message>
-        <source>Largest |this − pinned|; root mean square %1.</source>
-        <translation>Máximo de |este − fijado|; valor eficaz %1.</translation>
-    </message>
-    <message>
-        <source>max |this − pinned| / max |pinned| · 100</source>
-        <translation>máx. |este − fijado| / máx. |fijado| · 100</translation>
     </message>
     <message>
         <source>quantity</source>
@@ -1213,22 +1169,6 @@ Equipo: %1. Tiempo: %2 s.
     <message>
         <source>Largest error relative to the largest value of the reference</source>
         <translation>Error máximo relativo al mayor valor de la referencia</translation>
-    </message>
-    <message>
-        <source>1 row of the file was skipped (line %1)</source>
-        <translation>Se omitió 1 fila del archivo (línea %1)</translation>
-    </message>
-    <message>
-        <source>%1 rows of the file were skipped</source>
-        <translation>Se omitieron %1 filas del archivo</translation>
-    </message>
-    <message>
-        <source>1 column was ignored</source>
-        <translation>1 columna no se usó</translation>
-    </message>
-    <message>
-        <source>%1 columns were ignored</source>
-        <translation>%1 columnas no se usaron</translation>
     </message>
     <message>
         <source>Errors, a row for each channel</source>
@@ -1279,10 +1219,6 @@ Equipo: %1. Tiempo: %2 s.
         <translation>Usar el primero de ellos</translation>
     </message>
     <message>
-        <source>The file fits %1</source>
-        <translation>El archivo corresponde a %1</translation>
-    </message>
-    <message>
         <source>Apply</source>
         <translation>Aplicar</translation>
     </message>
@@ -1297,14 +1233,6 @@ Equipo: %1. Tiempo: %2 s.
     <message>
         <source>Errors</source>
         <translation>Errores</translation>
-    </message>
-    <message>
-        <source>Click to go there</source>
-        <translation>Haga clic para ir allí</translation>
-    </message>
-    <message>
-        <source>%1 (see Reference).</source>
-        <translation>%1 (véase Referencia).</translation>
     </message>
     <message>
         <source>Rounding: half a unit of the last digit of the value, plus the motion during half a unit of the last digit of the time stamp
@@ -1323,6 +1251,18 @@ difiere: lo demás</translation>
     <message>
         <source>The file is read differently from how it is written. %1</source>
         <translation>El archivo se lee de forma distinta a como está escrito. %1</translation>
+    </message>
+    <message>
+        <source>The mechanism cannot be assembled at %1 time steps of the file.</source>
+        <translation>El mecanismo no se puede ensamblar en %1 instantes del archivo.</translation>
+    </message>
+    <message>
+        <source>Root mean square: %1 %2</source>
+        <translation>Valor eficaz: %1 %2</translation>
+    </message>
+    <message>
+        <source>Rows that were skipped: %1. Columns that were not used: %2. See the tab Reference.</source>
+        <translation>Filas omitidas: %1. Columnas no usadas: %2. Véase la pestaña Referencia.</translation>
     </message>
 </context>
 <context>
@@ -2384,26 +2324,6 @@ difiere: lo demás</translation>
         <translation>restricción motriz</translation>
     </message>
     <message>
-        <source>⚠ The coupler is perpendicular to the slider&apos;s line: C_q is singular. The position exists, velocity and acceleration do not.</source>
-        <translation>⚠ La biela es perpendicular a la línea de la corredera: C_q es singular. La posición existe; la velocidad y la aceleración, no.</translation>
-    </message>
-    <message>
-        <source>⚠ Not converged within %1 iterations: the last one is shown. Allow more iterations or a larger tolerance.</source>
-        <translation>⚠ No converge en %1 iteraciones: se muestra la última. Permita más iteraciones o una tolerancia mayor.</translation>
-    </message>
-    <message>
-        <source>⚠ It cannot be assembled here: the coupler is too short.</source>
-        <translation>⚠ Aquí no se puede ensamblar: la biela es demasiado corta.</translation>
-    </message>
-    <message>
-        <source>⚠ The result is too large to be a number here.</source>
-        <translation>⚠ Aquí el resultado es demasiado grande para ser un número.</translation>
-    </message>
-    <message>
-        <source>tolerance %1</source>
-        <translation>tolerancia %1</translation>
-    </message>
-    <message>
         <source>iteration</source>
         <translation>iteración</translation>
     </message>
@@ -2488,20 +2408,8 @@ difiere: lo demás</translation>
         <translation>Número de condición κ(C_q) = %1; det C_q = −b cos θ³ = %2 mm</translation>
     </message>
     <message>
-        <source>from a rough start</source>
-        <translation>desde una estimación inicial aproximada</translation>
-    </message>
-    <message>
-        <source>from %1 s earlier</source>
-        <translation>desde %1 s antes</translation>
-    </message>
-    <message>
         <source>From a rough start: θ₂ exact, θ³ = 0 (crossed: 180°)</source>
         <translation>Desde una estimación inicial aproximada: θ₂ exacto, θ³ = 0 (cruzada: 180°)</translation>
-    </message>
-    <message>
-        <source>From the position one time step before</source>
-        <translation>Desde la posición del instante anterior</translation>
     </message>
     <message>
         <source>Residual ‖C‖ over the iterations</source>
@@ -2591,16 +2499,36 @@ digits are lost; it is infinite where the coupler is perpendicular to the slider
 κ es el mayor valor singular dividido por el menor, con mm y rad mezclados. Cuanto mayor es, más cifras
 se pierden; es infinito donde la biela es perpendicular a la línea de la corredera.</translation>
     </message>
+    <message>
+        <source>The coupler is perpendicular to the slider&apos;s line: the position exists, velocity and acceleration do not, because C_q is singular.</source>
+        <translation>La biela es perpendicular a la línea de la corredera: la posición existe; la velocidad y la aceleración, no, porque C_q es singular.</translation>
+    </message>
+    <message>
+        <source>Newton-Raphson did not converge within %1 iterations: allow more iterations or a larger tolerance.</source>
+        <translation>Newton-Raphson no convergió en %1 iteraciones: permita más iteraciones o una tolerancia mayor.</translation>
+    </message>
+    <message>
+        <source>The mechanism cannot be assembled: the coupler is too short.</source>
+        <translation>El mecanismo no se puede ensamblar: la biela es demasiado corta.</translation>
+    </message>
+    <message>
+        <source>The result is too large to be a number.</source>
+        <translation>El resultado es demasiado grande para ser un número.</translation>
+    </message>
+    <message>
+        <source>From the position %1 s before</source>
+        <translation>Desde la posición %1 s antes</translation>
+    </message>
+    <message>
+        <source>● %1. □ %2. The dashed line is the tolerance, %3.</source>
+        <translation>● %1. □ %2. La línea discontinua es la tolerancia, %3.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::NumberBox</name>
     <message>
         <source>This must be a whole number from %1 to %2.</source>
         <translation>Debe ser un número entero de %1 a %2.</translation>
-    </message>
-    <message>
-        <source>This must be greater than %1.</source>
-        <translation>Debe ser mayor que %1.</translation>
     </message>
     <message>
         <source>This must be at least %1.</source>
@@ -3099,14 +3027,6 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
 <context>
     <name>slidercrank::ReferencePage</name>
     <message>
-        <source>%1, 1 gap</source>
-        <translation>%1, 1 hueco</translation>
-    </message>
-    <message>
-        <source>%1, %2 gaps</source>
-        <translation>%1, %2 huecos</translation>
-    </message>
-    <message>
         <source>Columns of the file, a row for each</source>
         <translation>Columnas del archivo, una fila por columna</translation>
     </message>
@@ -3171,20 +3091,16 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>No hay ningún archivo abierto.</translation>
     </message>
     <message>
-        <source>1 row</source>
-        <translation>1 fila</translation>
-    </message>
-    <message>
-        <source>%1 rows</source>
-        <translation>%1 filas</translation>
-    </message>
-    <message>
-        <source>%1. %2.</source>
-        <translation>%1. %2.</translation>
-    </message>
-    <message>
         <source>Choose columns…</source>
         <translation>Elegir columnas…</translation>
+    </message>
+    <message>
+        <source>%1, gaps: %2</source>
+        <translation>%1, huecos: %2</translation>
+    </message>
+    <message>
+        <source>%1. Rows: %2.</source>
+        <translation>%1. Filas: %2.</translation>
     </message>
 </context>
 <context>
@@ -3504,6 +3420,13 @@ SHA-256: %2</translation>
     </message>
 </context>
 <context>
+    <name>slidercrank::SegmentedPages</name>
+    <message>
+        <source>Pages</source>
+        <translation>Páginas</translation>
+    </message>
+</context>
+<context>
     <name>slidercrank::Session</name>
     <message>
         <source>%1 must be at least %2 mm.</source>
@@ -3573,22 +3496,6 @@ SHA-256: %2</translation>
         <translation>Los %1 instantes están resueltos.</translation>
     </message>
     <message>
-        <source>%1 of %2 time steps did not converge within %3 iterations: allow more iterations or a larger tolerance.</source>
-        <translation>%1 de %2 instantes no convergieron en %3 iteraciones: permita más iteraciones o una tolerancia mayor.</translation>
-    </message>
-    <message>
-        <source>%1 of %2 time steps cannot be assembled: the coupler is too short there.</source>
-        <translation>%1 de %2 instantes no se pueden ensamblar: allí la biela es demasiado corta.</translation>
-    </message>
-    <message>
-        <source>At %1 of %2 time steps the coupler is perpendicular to the slider&apos;s line: the position exists, velocity and acceleration do not.</source>
-        <translation>En %1 de %2 instantes la biela es perpendicular a la línea de la corredera: la posición existe; la velocidad y la aceleración, no.</translation>
-    </message>
-    <message>
-        <source>At %1 of %2 time steps the result is too large to be a number.</source>
-        <translation>En %1 de %2 instantes el resultado es demasiado grande para ser un número.</translation>
-    </message>
-    <message>
         <source>Iterates until ‖C‖ is at most this; 0: until it no longer decreases</source>
         <translation>Itera hasta que ‖C‖ no supere este valor; 0: hasta que deje de disminuir</translation>
     </message>
@@ -3627,6 +3534,10 @@ SHA-256: %2</translation>
     <message>
         <source>%1 samples in %2 ms</source>
         <translation>%1 muestras en %2 ms</translation>
+    </message>
+    <message>
+        <source>⚠ %1 of %2 time steps: %3</source>
+        <translation>⚠ %1 de %2 instantes: %3</translation>
     </message>
 </context>
 <context>
@@ -3747,14 +3658,6 @@ SHA-256: %2</translation>
         <translation>El solo redondeo de a, b, c, ω₂, θ₂₀ y t a double puede causar un error de %1</translation>
     </message>
     <message>
-        <source>%1 channels</source>
-        <translation>%1 canales</translation>
-    </message>
-    <message>
-        <source>Methods that compute %1 channels, a row for each method and tolerance</source>
-        <translation>Métodos que calculan %1 canales, una fila por método y tolerancia</translation>
-    </message>
-    <message>
         <source>How the motion is computed</source>
         <translation>Cómo se calcula el movimiento</translation>
     </message>
@@ -3811,12 +3714,24 @@ SHA-256: %2</translation>
         <translation>Error frente a tiempo de cada método</translation>
     </message>
     <message>
-        <source>How fast is each method, and how accurate? Run the study: every method is timed on the same time steps, and its error is measured against a computation with 50 digits or more.</source>
-        <translation>¿Cuán rápido y cuán exacto es cada método? Ejecute el estudio: cada método se cronometra en los mismos instantes, y su error se mide frente a un cálculo con 50 cifras o más.</translation>
-    </message>
-    <message>
         <source>Of Newton-Raphson: absolute for the dense method of the reference report, relative for the others</source>
         <translation>De Newton-Raphson: absoluta para el método denso del informe de referencia, relativa para los demás</translation>
+    </message>
+    <message>
+        <source>Methods, a row for each method and tolerance</source>
+        <translation>Métodos, una fila por método y tolerancia</translation>
+    </message>
+    <message>
+        <source>method</source>
+        <translation>método</translation>
+    </message>
+    <message>
+        <source>channels</source>
+        <translation>canales</translation>
+    </message>
+    <message>
+        <source>How many channels the method computes</source>
+        <translation>Cuántos canales calcula el método</translation>
     </message>
 </context>
 <context>
@@ -3826,50 +3741,24 @@ SHA-256: %2</translation>
         <translation>Velocidad y exactitud de los métodos</translation>
     </message>
     <message>
-        <source>Run (this mechanism)</source>
-        <translation>Medir (este mecanismo)</translation>
+        <source>%1. Measured on %2, in %3 s.</source>
+        <translation>%1. Medido en %2, en %3 s.</translation>
     </message>
     <message>
-        <source>Run hard cases</source>
-        <translation>Medir casos difíciles</translation>
+        <source>The mechanism has changed since: run again.</source>
+        <translation>El mecanismo ha cambiado desde entonces: vuelva a medir.</translation>
     </message>
     <message>
-        <source>Case shown</source>
-        <translation>Caso mostrado</translation>
+        <source>Run</source>
+        <translation>Medir</translation>
     </message>
     <message>
-        <source>Error and time of the methods</source>
-        <translation>Error y tiempo de los métodos</translation>
+        <source>Every method is timed at the same time steps of one revolution, and its error is measured against a computation with 50 digits or more.</source>
+        <translation>Cada método se cronometra en los mismos instantes de una vuelta, y su error se mide frente a un cálculo con 50 cifras o más.</translation>
     </message>
     <message>
-        <source>Times every method on one revolution of this mechanism</source>
-        <translation>Cronometra cada método en una vuelta de este mecanismo</translation>
-    </message>
-    <message>
-        <source>Mechanisms that only just make full turns or only just oscillate, very long and very short links, very late times: takes some ten seconds</source>
-        <translation>Mecanismos que apenas dan vueltas completas o apenas oscilan, eslabones muy largos y muy cortos, instantes muy tardíos: tarda unos diez segundos</translation>
-    </message>
-    <message>
-        <source>No undetected failures</source>
-        <translation>Sin fallos inadvertidos</translation>
-    </message>
-    <message>
-        <source>⚠ %1 undetected failures</source>
-        <translation>⚠ %1 fallos inadvertidos</translation>
-    </message>
-    <message>
-        <source>done in %1 s</source>
-        <translation>hecho en %1 s</translation>
-    </message>
-    <message>
-        <source>the mechanism has changed since: run again</source>
-        <translation>el mecanismo ha cambiado desde entonces: repita el estudio</translation>
-    </message>
-    <message>
-        <source>%1
-Times measured on %2</source>
-        <translation>%1
-Tiempos medidos en %2</translation>
+        <source>How fast and how accurate is each method for this mechanism?</source>
+        <translation>¿Cuán rápido y cuán exacto es cada método para este mecanismo?</translation>
     </message>
 </context>
 <context>
@@ -3994,8 +3883,8 @@ Tiempos medidos en %2</translation>
         <translation>Exportar</translation>
     </message>
     <message>
-        <source>Rows copied to the clipboard, as CSV with headings: %1.</source>
-        <translation>Filas copiadas en el portapapeles, como CSV con encabezados: %1.</translation>
+        <source>The rows are in the clipboard, as CSV with headings.</source>
+        <translation>Las filas están en el portapapeles, como CSV con encabezados.</translation>
     </message>
 </context>
 <context>
@@ -4093,10 +3982,6 @@ Tiempos medidos en %2</translation>
         <translation>Tiempo</translation>
     </message>
     <message>
-        <source>Crank angle: type one to go to the time when the crank first passes it</source>
-        <translation>Ángulo de la manivela: escriba uno para ir al instante en que la manivela pasa primero por él</translation>
-    </message>
-    <message>
         <source>Time, slider</source>
         <translation>Tiempo, control deslizante</translation>
     </message>
@@ -4158,12 +4043,8 @@ Tiempos medidos en %2</translation>
         <translation>×</translation>
     </message>
     <message>
-        <source>Playback time per revolution</source>
-        <translation>Tiempo de reproducción por vuelta</translation>
-    </message>
-    <message>
-        <source>Real time in which one revolution of the crank is played</source>
-        <translation>Tiempo real en que se reproduce una vuelta de la manivela</translation>
+        <source>Crank angle: type one to go to the nearest time at which the crank passes it</source>
+        <translation>Ángulo de la manivela: escriba uno para ir al instante más cercano en que la manivela pasa por él</translation>
     </message>
 </context>
 <context>

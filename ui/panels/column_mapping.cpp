@@ -129,8 +129,8 @@ ColumnMapping::ColumnMapping(const QStringList &paths, const QByteArrayList &beg
     m_rows.resize(m_layout.columns.size());
     setInk(*m_problem, seriesColours(palette()).warning);
     auto *rows = new QVBoxLayout(this);
-    rows->addWidget(new Paragraph(
-        tr("Choose what each column contains. The choice is remembered for files with the same headings.")));
+    rows->addWidget(
+        plainText(tr("Choose what each column contains. The choice is remembered for files with the same headings.")));
     rows->addWidget(createRows(), 1);
     rows->addWidget(m_problem);
     addButtons(rows);
@@ -143,15 +143,6 @@ ColumnMapping::ColumnMapping(const QStringList &paths, const QByteArrayList &beg
         m_rows[choice.column].isChosen = true;
     }
     readAgain();
-    // Start at the first column whose meaning is unknown or was guessed.
-    const auto open = std::ranges::find_if(m_layout.columns, [this](const FileColumn &column) {
-        return m_layout.isOpen() ? leavesOpen(column.reason)
-                                 : column.role == ColumnRole::Channel && isGuess(column.reason);
-    });
-    const auto first = static_cast<std::size_t>(open == m_layout.columns.end() ? 0 : open - m_layout.columns.begin());
-    if (first < m_rows.size()) {
-        m_rows[first].meaning->setFocus();
-    }
 }
 
 void ColumnMapping::addButtons(QBoxLayout *rows)
@@ -175,13 +166,13 @@ QWidget *ColumnMapping::createRows()
     grid->setHorizontalSpacing(14);
     int column = 0;
     for (const QString &heading : {tr("heading"), tr("first values"), tr("read as"), tr("unit"), tr("why")}) {
-        grid->addWidget(boldLabel(heading), 0, column++);
+        grid->addWidget(new QLabel(QStringLiteral("<b>%1</b>").arg(heading)), 0, column++);
     }
     int line = 1;
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         const std::size_t file = m_layout.columns[i].file;
         if (!m_layout.files.empty() && (i == 0 || file != m_layout.columns[i - 1].file)) {
-            grid->addWidget(boldLabel(QString::fromUtf8(m_layout.files[file])), line++, 0, 1, column);
+            grid->addWidget(plainText(QString::fromUtf8(m_layout.files[file])), line++, 0, 1, column);
         }
         addRow(grid, line++, i);
     }

@@ -45,83 +45,54 @@ Verdict worstVerdict(const std::vector<ChannelComparison> &comparison)
     return worst == comparison.end() ? Verdict::Differs : worst->verdict;
 }
 
-QString readout(std::optional<double> value, const QString &unit = {})
+TableCell numberCell(std::optional<double> value, const QString &unit = {})
 {
-    if (value && std::isinf(*value)) {
-        return QStringLiteral("∞");
-    }
+    const QString text = value && std::isinf(*value) ? QStringLiteral("∞") : shortNumber(value, kReadoutDigits);
     const QString space = unit.isEmpty() || unit == u"°" ? QString() : " ";
-    return shortNumber(value, kReadoutDigits) + (value ? space + unit : QString());
-}
-
-TableCell numberCell(std::optional<double> value, const QString &unit, const QString &explanation)
-{
-    return {.text = readout(value, unit),
-            .number = value && std::isfinite(*value) ? value : std::nullopt,
-            .explanation = explanation,
-            .csv = dash()};
+    return {.text = value ? text + space + unit : text, .number = value};
 }
 
 /// Returns the quantity, its largest error, that error in percent of the peak, and its time.
-TableRow rowOf(const ChannelComparison &channel, const QString &details, const QString &percentFormula)
+TableRow rowOf(const ChannelComparison &channel, const QString &explanation)
 {
-    constexpr int kDigits = 6; // as many as files write
     const QString unit = unitText(channel.channel);
     const std::optional<double> time = channel.maxAbs ? std::optional(channel.timeOfMaxAbs) : std::nullopt;
     return {{{.text = QStringLiteral("%1 %2").arg(symbolText(channel.channel), quantityName(channel.channel)),
               .csv = QStringLiteral("%1 [%2]").arg(columnName(channel.channel), unit)},
-             numberCell(channel.maxAbs, unit, details),
-             numberCell(channel.percentOfPeak, {}, percentFormula),
-             {.text = numberText(time, kDigits),
-              .number = time,
-              .explanation = ErrorPage::tr("Click to go there"),
-              .csv = dash()}},
-            time};
+             numberCell(channel.maxAbs, unit),
+             numberCell(channel.percentOfPeak),
+             {.text = numberText(time), .number = time, .tone = Tone::Link}},
+            time,
+            MechanismPart::None,
+            explanation};
 }
 
-TableRow fileRow(const ChannelComparison &channel)
+/// The tool tip contains all numbers of the comparison.
+TableRow fileRow(const ChannelComparison &channel, const ReferenceData &data)
 {
-    const QString unit = unitText(channel.channel);
-    const VerdictLook look = lookOf(channel.verdict);
-    QString count = ErrorPage::tr("%1 in the file, %2 time steps compared")
-                        .arg(columnName(channel.channel), QString::number(channel.count));
+    const std::vector<QStringList> numbers = comparisonTable({&channel, 1}, data);
+    QString explanation;
+    for (qsizetype i = 0; i < numbers[0].size(); ++i) {
+        explanation += QStringLiteral("%1: %2\n").arg(numbers[0][i], numbers[1][i]);
+    }
+    explanation += verdictNumbers(channel);
     if (channel.missingModel > 0) {
-        count += ErrorPage::tr("; at %1 more time steps the mechanism cannot be assembled")
-                     .arg(QString::number(channel.missingModel));
+        explanation += u'\n' + ErrorPage::tr("The mechanism cannot be assembled at %1 time steps of the file.")
+                                   .arg(QString::number(channel.missingModel));
     }
-    const QString rounding = channel.roundingStep
-                                 ? ErrorPage::tr("The file writes this channel in steps of at most %1.")
-                                       .arg(numberText(*channel.roundingStep, kReadoutDigits) + u' ' + unit)
-                                 : ErrorPage::tr("How the file was rounded is not known.");
-    QString details =
-        ErrorPage::tr("Largest |model − reference|; root mean square %1.").arg(readout(channel.rms, unit));
-    details += u'\n' + (channel.maxPercent ? ErrorPage::tr("Point by point, |model − reference| / |reference|: at most "
-                                                           "%1 %, at t = %2 s.")
-                                                 .arg(readout(channel.maxPercent), numberText(channel.timeOfMaxPercent))
-                                           : ErrorPage::tr("Point by point, relative to the reference: undefined."));
-    if (channel.zeroReference > 0) {
-        details += u' ' + ErrorPage::tr("Undefined where the reference is zero: at %1 time steps.")
-                              .arg(QString::number(channel.zeroReference));
-    }
-    TableRow row =
-        rowOf(channel, details + u'\n' + rounding, ErrorPage::tr("max |model − reference| / max |reference| · 100"));
-    row.cells[0].explanation = count;
+    TableRow row = rowOf(channel, explanation);
+    const VerdictLook look = lookOf(channel.verdict);
     row.cells.insert(row.cells.begin() + 1,
-                     {.text = look.mark + u' ' + look.word,
-                      .explanation = verdictText(channel) + u'\n' + verdictNumbers(channel) + u'\n' + rounding,
-                      .csv = verdictText(channel),
-                      .tone = look.tone});
+                     {.text = look.mark + u' ' + look.word, .csv = verdictText(channel), .tone = look.tone});
     return row;
 }
 
 TableRow pinnedRow(const ChannelComparison &channel)
 {
     const bool isUnbounded = channel.maxAbs && std::isinf(*channel.maxAbs);
-    return rowOf(channel,
-                 isUnbounded ? ErrorPage::tr("Unbounded: one of the two reaches a limit position")
-                             : ErrorPage::tr("Largest |this − pinned|; root mean square %1.")
-                                   .arg(readout(channel.rms, unitText(channel.channel))),
-                 ErrorPage::tr("max |this − pinned| / max |pinned| · 100"));
+    return rowOf(channel, isUnbounded ? ErrorPage::tr("Unbounded: one of the two reaches a limit position")
+                                      : ErrorPage::tr("Root mean square: %1 %2")
+                                            .arg(shortNumber(channel.rms, kReadoutDigits), unitText(channel.channel)));
 }
 
 /// Returns a table without rows, with the columns of rowOf(); `largest` is the column of the largest error.
@@ -137,20 +108,15 @@ PageTable tableWith(const QString &name, const QString &title, const TableColumn
             {}};
 }
 
-/// Returns how many rows and columns of the file were not used; the reference page lists them.
+/// Says how many rows and columns of the file were not used; the reference page lists them.
 QString leftOutText(const ReferenceData &data)
 {
-    QStringList parts;
-    if (const std::size_t skipped = data.skippedRowCount(); skipped == 1) {
-        parts << ErrorPage::tr("1 row of the file was skipped (line %1)").arg(lineText(data.layout, data.skipped[0]));
-    } else if (skipped > 1) {
-        parts << ErrorPage::tr("%1 rows of the file were skipped").arg(QString::number(skipped));
-    }
-    if (const qsizetype ignored = ignoredHeadings(data.layout).size(); ignored > 0) {
-        parts << (ignored == 1 ? ErrorPage::tr("1 column was ignored")
-                               : ErrorPage::tr("%1 columns were ignored").arg(ignored));
-    }
-    return parts.isEmpty() ? QString() : ErrorPage::tr("%1 (see Reference).").arg(parts.join("; "));
+    const std::size_t rows = data.skippedRowCount();
+    const qsizetype columns = ignoredHeadings(data.layout).size();
+    return rows == 0 && columns == 0
+               ? QString()
+               : ErrorPage::tr("Rows that were skipped: %1. Columns that were not used: %2. See the tab Reference.")
+                     .arg(QString::number(rows), QString::number(columns));
 }
 
 Page filePage(const Result &result, const ReferenceDiagnosis *diagnosis)
@@ -160,14 +126,12 @@ Page filePage(const Result &result, const ReferenceDiagnosis *diagnosis)
     Page page;
     page.sentence = QStringLiteral("%1 %2: %3").arg(look.mark, result.reference->name, summaryText(result.comparison));
     page.tone = look.tone;
-    page.keepsFindings = verdict != Verdict::Agrees && isOfFile(diagnosis, result) && !isUpToDate(diagnosis, result);
-    if (!page.keepsFindings) {
-        page.findings = findingsOf(result, diagnosis);
-        bool isOffered = false; // one remedy at a time
-        for (Finding &finding : page.findings) {
-            if (finding.remedy != Remedy::None && std::exchange(isOffered, true)) {
-                finding.remedy = Remedy::None;
-            }
+    page.findings = findingsOf(result, diagnosis);
+    page.isSearching = isOfFile(diagnosis, result) && diagnosis->parameters != result.mechanism.parameters();
+    bool isOffered = false; // one remedy at a time
+    for (Finding &finding : page.findings) {
+        if (finding.remedy != Remedy::None && std::exchange(isOffered, true)) {
+            finding.remedy = Remedy::None;
         }
     }
     PageTable table =
@@ -183,7 +147,9 @@ Page filePage(const Result &result, const ReferenceDiagnosis *diagnosis)
                        "close: none beyond a hundred times, or by 1 %\n"
                        "differs: anything else"),
          "verdict", false});
-    std::ranges::transform(result.comparison, std::back_inserter(table.rows), fileRow);
+    for (const ChannelComparison &channel : result.comparison) {
+        table.rows.push_back(fileRow(channel, result.reference->data));
+    }
     page.tables = {table};
     page.note = leftOutText(result.reference->data);
     return page;
@@ -208,64 +174,17 @@ Page pinnedPage(const Result &result)
     return page;
 }
 
-/// How many channels differ, and the largest error in percent of the peak.
-struct Distance {
-    std::ptrdiff_t differing = 0;
-    double percentOfPeak = 0.0;
-};
-
-Distance distanceOf(const std::vector<ChannelComparison> &comparison)
-{
-    Distance distance;
-    for (const ChannelComparison &channel : comparison) {
-        distance.differing += channel.verdict == Verdict::Differs ? 1 : 0;
-        distance.percentOfPeak = std::max(distance.percentOfPeak, channel.percentOfPeak.value_or(0.0));
-    }
-    return distance;
-}
-
-/// Whether the mechanism found is worth taking over: fewer channels differ, or by half as much at most.
-bool isBetter(const std::vector<ChannelComparison> &found, const std::vector<ChannelComparison> &now)
-{
-    constexpr double kMuchNearer = 0.5;
-    const Distance after = distanceOf(found);
-    const Distance before = distanceOf(now);
-    return !found.empty() &&
-           (after.differing < before.differing || after.percentOfPeak <= kMuchNearer * before.percentOfPeak);
-}
-
-/// Which mechanism the file belongs to, if it is another one than the model.
-Finding mechanismFinding(const Result &result, const ReferenceDiagnosis &diagnosis)
-{
-    const Diagnosis &found = diagnosis.found;
-    if (!found.conventions.empty() && found.agreesWithGiven) {
-        return {}; // read with the conventions, the file belongs to the model
-    }
-    const Identification &identification = found.identification;
-    const QString summary = summaryText(found);
-    Finding finding{identification.hasOneMechanism() ? changeText(found, Mechanism(diagnosis.parameters)) : summary};
-    if (!identification.hasMechanism()) {
-        return finding;
-    }
-    const bool takesOver = isBetter(found.identified, result.comparison);
-    if (takesOver) {
-        offerMechanism(finding, found);
-    }
-    if (finding.sentence.isEmpty() && (takesOver || !identification.noise.empty())) {
-        finding.sentence = ErrorPage::tr("The file fits %1").arg(summary);
-    }
-    return finding;
-}
-
 } // namespace
 
-void offerMechanism(Finding &finding, const Diagnosis &found)
+void offerMechanism(Finding &finding, const Diagnosis &found, const Parameters &given)
 {
     constexpr int kDigits = 9;
-    finding.remedy = Remedy::UseFoundMechanism;
-    finding.remedyText = found.identification.hasOneMechanism() ? ErrorPage::tr("Use this mechanism")
-                                                                : ErrorPage::tr("Use the first of them");
-    finding.details = ErrorPage::tr("Sets %1").arg(mechanismText(Mechanism(found.rounded), kDigits));
+    if (found.identification.hasMechanism() && found.rounded != given) {
+        finding.remedy = Remedy::UseFoundMechanism;
+        finding.remedyText = found.identification.hasOneMechanism() ? ErrorPage::tr("Use this mechanism")
+                                                                    : ErrorPage::tr("Use the first of them");
+        finding.details = ErrorPage::tr("Sets %1").arg(mechanismText(Mechanism(found.rounded), kDigits));
+    }
 }
 
 bool isOfFile(const ReferenceDiagnosis *diagnosis, const Result &result)
@@ -273,26 +192,24 @@ bool isOfFile(const ReferenceDiagnosis *diagnosis, const Result &result)
     return diagnosis && result.reference && diagnosis->reference == result.choices.reference;
 }
 
-bool isUpToDate(const ReferenceDiagnosis *diagnosis, const Result &result)
-{
-    return isOfFile(diagnosis, result) && diagnosis->parameters == result.mechanism.parameters();
-}
-
 std::vector<Finding> findingsOf(const Result &result, const ReferenceDiagnosis *diagnosis)
 {
     std::vector<Finding> findings;
-    const Verdict verdict = worstVerdict(result.comparison);
-    if (isUpToDate(diagnosis, result) && !result.comparison.empty() && verdict != Verdict::Agrees) {
-        for (const ConventionFinding &found : diagnosis->found.conventions) {
-            findings.push_back({findingText(found), Remedy::Apply, ErrorPage::tr("Apply"), {}, found.convention});
+    if (isOfFile(diagnosis, result) && worstVerdict(result.comparison) != Verdict::Agrees) {
+        const Diagnosis &found = diagnosis->found;
+        for (const QString &line : explanationLines(found, result.reference->data, Mechanism(diagnosis->parameters))) {
+            findings.push_back({line});
         }
-        for (const QString &sentence : differenceSentences(result.reference->data)) {
-            findings.push_back({sentence});
+        for (std::size_t i = 0; i < found.conventions.size(); ++i) { // the first lines describe the conventions
+            findings[i].remedy = Remedy::Apply;
+            findings[i].remedyText = ErrorPage::tr("Apply");
+            findings[i].convention = found.conventions[i].convention;
         }
-        const Finding mechanism = mechanismFinding(result, *diagnosis);
-        const bool isExplained = verdict != Verdict::Differs || !findings.empty();
-        if (!mechanism.sentence.isEmpty() && (mechanism.remedy != Remedy::None || !isExplained)) {
-            findings.push_back(mechanism);
+        if (!found.agreesWithGiven) { // the last line describes the mechanism, the one before it the changed parameter
+            if (found.change) {
+                findings.pop_back(); // the tab Reference shows the mechanism
+            }
+            offerMechanism(findings.back(), found, diagnosis->parameters);
         }
     }
     if (!result.reference->conventions.empty()) {

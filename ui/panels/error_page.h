@@ -10,21 +10,20 @@
 namespace slidercrank
 {
 
-/// `diagnosis` is used only if it belongs to the current parameters and file; it may be null.
+/// `diagnosis` is used only if it belongs to the current file; it may be null.
 Page errorPage(const Result &result, const ReferenceDiagnosis *diagnosis);
 
-/// Returns the conventions and the mechanism that explain the difference, unless every channel agrees, and the
-/// conventions that were applied.
+/// Returns the explanations of the difference with their remedies, unless every channel agrees, and the conventions
+/// that were applied.
 std::vector<Finding> findingsOf(const Result &result, const ReferenceDiagnosis *diagnosis);
 
 /// Returns the title of the tab with the mark of the verdict on the file: "Errors ✗".
 QString errorTitle(const Result &result);
 
-/// Whether the diagnosis belongs to the current file and, for isUpToDate(), to the current parameters as well.
+/// Whether the diagnosis belongs to the current file. It may belong to earlier parameters.
 bool isOfFile(const ReferenceDiagnosis *diagnosis, const Result &result);
-bool isUpToDate(const ReferenceDiagnosis *diagnosis, const Result &result);
 
-/// Adds the remedy to use the mechanism that was found.
-void offerMechanism(Finding &finding, const Diagnosis &found);
+/// Adds the remedy to use the mechanism that was found, unless it is the given one.
+void offerMechanism(Finding &finding, const Diagnosis &found, const Parameters &given);
 
 } // namespace slidercrank

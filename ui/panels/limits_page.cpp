@@ -45,10 +45,9 @@ std::vector<TableRow> rowsOf(const std::vector<MotionFact> &facts)
                          {.text = numberText(fact.time, kReadoutDigits),
                           .number = fact.time,
                           .tone = fact.time ? Tone::Link : Tone::Normal}},
-                        fact.time});
-        for (TableCell &cell : rows.back().cells) {
-            cell.explanation = explanation;
-        }
+                        fact.time,
+                        MechanismPart::None,
+                        explanation});
     }
     return rows;
 }

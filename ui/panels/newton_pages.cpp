@@ -85,17 +85,8 @@ TableCell numberCell(double value)
 /// A page without tables; its sentence says why numbers are missing, if they are.
 Page emptyPage(Status status, const Result &result)
 {
-    const QString sentences[] = {
-        // in the order of Status
-        {},
-        NewtonPages::tr("⚠ The coupler is perpendicular to the slider's line: C_q is singular. The position exists, "
-                        "velocity and acceleration do not."),
-        NewtonPages::tr("⚠ Not converged within %1 iterations: the last one is shown. Allow more iterations or a "
-                        "larger tolerance.")
-            .arg(QLocale().toString(result.solver.newton.maxIterations)),
-        NewtonPages::tr("⚠ It cannot be assembled here: the coupler is too short."),
-        NewtonPages::tr("⚠ The result is too large to be a number here.")};
-    return {sentences[static_cast<std::size_t>(status)], Tone::Bad};
+    const QString sentence = statusSentence(status, result.solver.newton);
+    return {sentence.isEmpty() ? sentence : QStringLiteral("⚠ ") + sentence, Tone::Bad};
 }
 
 TimeStepEquations solvedEquations(const Result &result, double time)
@@ -104,11 +95,10 @@ TimeStepEquations solvedEquations(const Result &result, double time)
 }
 
 /// The residual after each iteration.
-ChartSeries residualSeries(const IterationHistory &history, const QString &name, QColor SeriesColours::*colour,
-                           bool isHollow)
+ChartSeries residualSeries(const IterationHistory &history, QColor SeriesColours::*colour, bool isHollow)
 {
     constexpr double kSmallestDrawn = 1e-18; // a residual of 0 is drawn here
-    ChartSeries series{.name = name, .colour = colour, .isHollow = isHollow};
+    ChartSeries series{.colour = colour, .isHollow = isHollow};
     series.line = isHollow ? ChartSeries::Line::Dashed : ChartSeries::Line::Solid;
     if (isHollow) {
         series.mark.addRect(-3.5, -3.5, 7.0, 7.0);
@@ -135,8 +125,7 @@ ChartContent residualChart(std::vector<ChartSeries> series, const NewtonOptions 
         }
     }
     if (options.tolerance > 0.0) {
-        series.push_back({.name = NewtonPages::tr("tolerance %1").arg(shortNumber(options.tolerance, 2)),
-                          .colour = &SeriesColours::warning,
+        series.push_back({.colour = &SeriesColours::warning,
                           .points = {{steps.lower, options.tolerance}, {steps.upper, options.tolerance}},
                           .line = ChartSeries::Line::Dashed});
         decades.lower = std::min(decades.lower, std::floor(std::log10(options.tolerance)) - 1.0);
@@ -150,6 +139,21 @@ ChartContent residualChart(std::vector<ChartSeries> series, const NewtonOptions 
 }
 
 } // namespace
+
+QString statusSentence(Status status, const NewtonOptions &options)
+{
+    const QString sentences[] = {
+        // in the order of Status
+        {},
+        NewtonPages::tr("The coupler is perpendicular to the slider's line: the position exists, velocity and "
+                        "acceleration do not, because C_q is singular."),
+        NewtonPages::tr("Newton-Raphson did not converge within %1 iterations: allow more iterations or a larger "
+                        "tolerance.")
+            .arg(QString::number(options.maxIterations)),
+        NewtonPages::tr("The mechanism cannot be assembled: the coupler is too short."),
+        NewtonPages::tr("The result is too large to be a number.")};
+    return sentences[static_cast<std::size_t>(status)];
+}
 
 Page NewtonPages::equations(const Result &result, double time)
 {
@@ -204,8 +208,7 @@ Page NewtonPages::jacobian(const Result &result, double time)
     }
     for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
         const auto row = static_cast<Constraint>(i);
-        const QString equation = kEquations[i].text;
-        TableRow shown{{{.text = constraintName(row), .explanation = equation}}, {}, partOf(row)};
+        TableRow shown{{{.text = constraintName(row)}}, {}, partOf(row), kEquations[i].text};
         for (const double value : equations.Cq.row(i)) {
             TableCell &cell = shown.cells.emplace_back(numberCell(value));
             cell.tone = value < 0.0 ? Tone::Fair : Tone::Model;
@@ -236,15 +239,13 @@ Page NewtonPages::iterations(const Result &result, double time)
     if (before.positionStatus == Status::Solved) {
         solve(result.mechanism, time, options, before, &warm);
     }
-    const QString roughName = tr("from a rough start");
-    const QString warmName = tr("from %1 s earlier").arg(numberText(step));
     const QString roughStart = tr("From a rough start: θ₂ exact, θ³ = 0 (crossed: 180°)");
-    const QString warmStart = tr("From the position one time step before");
+    const QString warmStart = tr("From the position %1 s before").arg(numberText(step));
 
     Page page = emptyPage(solvedEquations(result, time).state.status, result);
     page.chart = PageChart{"iterationPlot", tr("Residual ‖C‖ over the iterations"),
-                           residualChart({residualSeries(rough, roughName, &SeriesColours::model, false),
-                                          residualSeries(warm, warmName, &SeriesColours::reference, true)},
+                           residualChart({residualSeries(rough, &SeriesColours::model, false),
+                                          residualSeries(warm, &SeriesColours::reference, true)},
                                          options)};
     PageTable table{"iterationTable",
                     tr("Iterations, a row for each"),
@@ -270,6 +271,8 @@ Page NewtonPages::iterations(const Result &result, double time)
         table.rows.push_back(row);
     }
     page.tables = {table};
+    page.note = tr("● %1. □ %2. The dashed line is the tolerance, %3.")
+                    .arg(roughStart, warmStart, numberText(options.tolerance));
     if (page.sentence.isEmpty()) {
         page.tone = Tone::Normal;
         page.sentence =

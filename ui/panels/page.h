@@ -14,16 +14,17 @@
 namespace slidercrank
 {
 
-/// Changes how the reference file is read, or the model.
+/// What the button of a finding does.
 enum class Remedy {
     None,
     UseFoundMechanism, ///< use the mechanism that was found as the model
     Apply,             ///< read the file with the convention
     ReadAsPrinted,     ///< read the file without the conventions that were applied
-    ChooseColumns      ///< open the dialog for the meaning of the columns
+    ChooseColumns,     ///< open the dialog for the meaning of the columns
+    RunStudy           ///< measure speed and accuracy
 };
 
-/// A sentence about the reference file, with at most one remedy.
+/// A sentence with at most one remedy.
 struct Finding {
     QString sentence = {};
     Remedy remedy = Remedy::None;
@@ -51,7 +52,7 @@ struct Page {
     QString sentence;
     Tone tone = Tone::Normal; ///< colour of the sentence
     std::vector<Finding> findings{};
-    bool keepsFindings = false; ///< new findings are being computed: the previous ones remain visible, but disabled
+    bool isSearching = false; ///< new findings are being computed: the remedies of these are disabled
     std::vector<PageTable> tables{};
     std::optional<PageChart> chart{};
     QString note{}; ///< below the tables

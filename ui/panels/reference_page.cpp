@@ -37,9 +37,7 @@ QString valueCountText(const ReferenceSeries &series)
     const auto isGap = [](double value) { return std::isnan(value); };
     const auto gaps = static_cast<std::size_t>(std::ranges::count_if(series.values, isGap));
     const QString values = QString::number(series.values.size() - gaps);
-    return gaps == 0   ? values
-           : gaps == 1 ? ReferencePage::tr("%1, 1 gap").arg(values)
-                       : ReferencePage::tr("%1, %2 gaps").arg(values, QString::number(gaps));
+    return gaps == 0 ? values : ReferencePage::tr("%1, gaps: %2").arg(values, QString::number(gaps));
 }
 
 TableRow columnRow(const ReferenceData &data, std::size_t column)
@@ -53,8 +51,8 @@ TableRow columnRow(const ReferenceData &data, std::size_t column)
                             : isAbscissa ? QString::number(data.time.size())
                                          : dash(),
                             reasonText(data.layout, column)});
+    row.explanation = reasonText(data.layout, column);
     for (TableCell &cell : row.cells) {
-        cell.explanation = reasonText(data.layout, column);
         cell.tone = read.role == ColumnRole::Ignored ? Tone::Muted : Tone::Normal;
     }
     if (isGuess(read.reason)) {
@@ -115,9 +113,7 @@ Finding mechanismFound(const Result &result, const ReferenceDiagnosis *diagnosis
     if (const QString rounded = roundNumbersText(found); !rounded.isEmpty()) {
         finding.sentence += u'\n' + rounded;
     }
-    if (found.identification.hasMechanism() && result.mechanism.parameters() != found.rounded) {
-        offerMechanism(finding, found);
-    }
+    offerMechanism(finding, found, result.mechanism.parameters());
     return finding;
 }
 
@@ -129,14 +125,13 @@ Page referencePage(const Result &result, const ReferenceDiagnosis *diagnosis)
         return {ReferencePage::tr("No file is open."), Tone::Muted};
     }
     const ReferenceData &data = result.reference->data;
-    QString rows = data.time.size() == 1 ? ReferencePage::tr("1 row")
-                                         : ReferencePage::tr("%1 rows").arg(QString::number(data.time.size()));
+    QString rows = QString::number(data.time.size());
     if (!data.time.empty()) {
         rows += QStringLiteral(", ") + abscissaText(data);
     }
     Page page;
     page.sentence = displayName(result.reference->paths);
-    page.findings = {{ReferencePage::tr("%1. %2.").arg(formText(data.layout), rows), Remedy::ChooseColumns,
+    page.findings = {{ReferencePage::tr("%1. Rows: %2.").arg(formText(data.layout), rows), Remedy::ChooseColumns,
                       ReferencePage::tr("Choose columns…")}};
     if (data.crank) {
         page.findings.push_back({ReferencePage::tr("The rows are by crank angle; ω₂ and θ₂₀ give the time.")});

@@ -114,7 +114,7 @@ ResponseView::ResponseView(Session *session, QWidget *parent)
         chart->setMinimumSize(kSmallestChart);
         chart->setCursor(Qt::SizeHorCursor);
         chart->installEventFilter(this);
-        m_titles[i] = new Paragraph;
+        m_titles[i] = plainText();
         grid->setColumnStretch(static_cast<int>(i), 1);
         grid->addWidget(m_titles[i], 0, static_cast<int>(i));
         grid->addWidget(chart, 1, static_cast<int>(i));

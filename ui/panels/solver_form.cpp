@@ -2,6 +2,7 @@
 #include "ui/panels/solver_form.h"
 
 #include "ui/document/session.h"
+#include "ui/panels/newton_pages.h"
 #include "ui/text/axis_scale.h"
 #include "ui/text/motion_facts.h"
 #include "ui/text/written_number.h"
@@ -24,38 +25,28 @@ namespace
 
 constexpr double kMaximumIterations = 1000.0; // more iterations change nothing
 
+/// Returns how the motion was computed, and a warning for each reason why time steps are not solved.
 QString outcomeText(const Result &result)
 {
-    const SamplingSummary &run = result.summary;
-    const QString all = SolverForm::tr("All %1 time steps are solved.").arg(QString::number(run.timeSteps));
-    return (run.count(Status::Solved) == run.timeSteps ? all : QString()) + u'\n' + samplingText(result);
-}
-
-QStringList warningsOf(const Result &result)
-{
-    const SamplingSummary &run = result.summary;
-    const NewtonOptions &newton = result.solver.newton;
-    QStringList warnings;
-    const auto warn = [&](Status status, const QString &sentence) {
-        if (run.count(status) > 0) {
-            warnings << sentence.arg(QString::number(run.count(status)), QString::number(run.timeSteps));
-        }
-    };
-    warn(Status::IterationLimit,
-         SolverForm::tr("%1 of %2 time steps did not converge within %3 iterations: allow more iterations or a larger "
-                        "tolerance.")
-             .replace("%3", QLocale().toString(newton.maxIterations)));
-    warn(Status::NotAssemblable,
-         SolverForm::tr("%1 of %2 time steps cannot be assembled: the coupler is too short there."));
-    warn(Status::Singular,
-         SolverForm::tr("At %1 of %2 time steps the coupler is perpendicular to the slider's line: the "
-                        "position exists, velocity and acceleration do not."));
-    warn(Status::NotFinite, SolverForm::tr("At %1 of %2 time steps the result is too large to be a number."));
-    if (result.solver.method == Method::Newton) {
-        warnings << fewSamplesSentence(result.mechanism, result.sampling);
+    const SamplingSummary &summary = result.summary;
+    const QString count = QString::number(summary.timeSteps);
+    QStringList lines{samplingText(result)};
+    if (summary.count(Status::Solved) == summary.timeSteps) {
+        lines.prepend(SolverForm::tr("All %1 time steps are solved.").arg(count));
     }
-    warnings.removeAll(QString());
-    return warnings;
+    for (std::size_t i = 1; i < kStatusCount; ++i) {
+        const auto status = static_cast<Status>(i);
+        if (summary.count(status) > 0) {
+            lines << SolverForm::tr("⚠ %1 of %2 time steps: %3")
+                         .arg(QString::number(summary.count(status)), count,
+                              statusSentence(status, result.solver.newton));
+        }
+    }
+    if (result.solver.method == Method::Newton) {
+        lines << fewSamplesSentence(result.mechanism, result.sampling);
+    }
+    lines.removeAll(QString());
+    return lines.join(u'\n');
 }
 
 } // namespace
@@ -97,26 +88,23 @@ SolverForm::SolverForm(Session *session, QWidget *parent)
     method->addItems({tr("Newton-Raphson"), tr("closed form, exact")}); // in the order of Method
     auto *tolerance = addField(form, "toleranceBox", tr("Tolerance"), new NumberBox,
                                tr("Iterates until ‖C‖ is at most this; 0: until it no longer decreases"));
-    tolerance->setRange({.smallest = 0.0});
+    tolerance->setRange(0.0, kLargestParameter);
     auto *kind = addField(form, "toleranceKindBox", tr("Tolerance type"), new QComboBox,
                           tr("Absolute: mm and rad mixed, as in the reference report. Relative: lengths divided by "
                              "a + b + |c|, the same at every scale"));
     kind->addItems({tr("absolute"), tr("relative")}); // in the order of ToleranceKind
     auto *iterations = addField(form, "iterationsBox", tr("Maximum iterations"), new NumberBox, tr("At one time step"));
-    iterations->setRange({.smallest = 1.0, .largest = kMaximumIterations, .isWhole = true});
+    iterations->setRange(1.0, kMaximumIterations);
     iterations->setFixedDecimals(0);
-    iterations->setStep(1.0);
     for (QWidget *field : std::initializer_list<QWidget *>{method, tolerance, kind, iterations}) {
         field->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     }
 
     auto *outcome = named("outcomeLabel", plainText());
-    auto *warnings = named("warningLabel", plainText());
     auto *rows = new QVBoxLayout(this);
     rows->setContentsMargins(4, 0, 0, 0);
     rows->addLayout(form);
     rows->addWidget(outcome);
-    rows->addWidget(warnings);
     rows->addStretch(1);
 
     const auto show = [=] {
@@ -128,9 +116,7 @@ SolverForm::SolverForm(Session *session, QWidget *parent)
         for (QWidget *field : std::initializer_list<QWidget *>{tolerance, kind, iterations}) {
             field->setEnabled(shownMethod == Method::Newton);
         }
-        const QStringList sentences = warningsOf(*session->result());
         outcome->setText(outcomeText(*session->result()));
-        warnings->setText(sentences.isEmpty() ? QString() : QStringLiteral("⚠ ") + sentences.join(u' '));
     };
     const auto edit = [=] {
         SolverSettings solver = session->solver();

@@ -6,7 +6,6 @@
 #include "ui/text/written_number.h"
 
 #include <QCoreApplication>
-#include <QTransform>
 
 #include <algorithm>
 #include <cmath>
@@ -22,18 +21,15 @@ struct StudyPage {
 };
 
 constexpr int kDigits = 3;
-constexpr int kEveryChannel = 36;
-constexpr int kPlottedChannelsOnly = 6;
 constexpr double kSmallestDrawnError = 1e-17; // errors below this, including 0, are drawn here
 
-enum class Mark { Square, Circle, Diamond };
-
-/// Methods of the same colour have different marks.
+/// How a method is named and drawn. Of two methods of the same colour, the second one has hollow marks.
 struct MethodText {
     QString name;
     QString explanation;
     Tone tone;
-    Mark mark;
+    QColor SeriesColours::*colour;
+    bool isHollow = false;
 };
 
 MethodText textFor(MethodName::Kind kind)
@@ -45,19 +41,21 @@ MethodText textFor(MethodName::Kind kind)
         {StudyPage::tr("Newton-Raphson, dense"),
          StudyPage::tr("As in the reference report: 12 equations solved together (dense LU), started from the "
                        "time step before"),
-         Tone::Fair, Mark::Square},
-        {StudyPage::tr("dense, Taylor start"), taylor, Tone::Fair, Mark::Diamond},
+         Tone::Fair, &SeriesColours::reference},
+        {StudyPage::tr("dense, Taylor start"), taylor, Tone::Fair, &SeriesColours::reference, true},
         {StudyPage::tr("Newton-Raphson, structured"), StudyPage::tr("The same 12 equations, solved joint by joint"),
-         Tone::Model, Mark::Circle},
-        {StudyPage::tr("structured, Taylor start"), taylor, Tone::Model, Mark::Diamond},
+         Tone::Model, &SeriesColours::model},
+        {StudyPage::tr("structured, Taylor start"), taylor, Tone::Model, &SeriesColours::model, true},
         {StudyPage::tr("closed form"), StudyPage::tr("The exact formulas, one time step after the other"), Tone::Good,
-         Mark::Square},
+         &SeriesColours::errorOther},
         {StudyPage::tr("closed form, batch"),
          StudyPage::tr("The exact formulas for several time steps at once (vector instructions)"), Tone::Good,
-         Mark::Diamond},
+         &SeriesColours::errorOther, true},
         {StudyPage::tr("finite differences"),
-         StudyPage::tr("Velocity and acceleration as central differences of exact positions"), Tone::Bad, Mark::Square},
-        {StudyPage::tr("Fourier series"), StudyPage::tr("The motion as a Fourier series"), Tone::Bad, Mark::Circle}};
+         StudyPage::tr("Velocity and acceleration as central differences of exact positions"), Tone::Bad,
+         &SeriesColours::error},
+        {StudyPage::tr("Fourier series"), StudyPage::tr("The motion as a Fourier series"), Tone::Bad,
+         &SeriesColours::error, true}};
     return texts[static_cast<std::size_t>(kind)];
 }
 
@@ -110,27 +108,28 @@ QString descriptionOf(const MethodResult &row)
 
 TableRow rowOf(const MethodResult &method)
 {
-    TableRow row{
-        {{.text = nameOfRow(method), .tone = textFor(method.method.kind).tone},
-         {.text = method.tolerance ? numberText(*method.tolerance, kDigits) : dash(), .number = method.tolerance},
-         {.text = shortNumber(method.nsPerState, kDigits), .number = method.nsPerState},
-         {.text = shortNumber(method.maxError, kDigits), .number = method.maxError},
-         {.text = shortNumber(method.iterationsPerState, kDigits), .number = method.iterationsPerState},
-         {.text = outcomeText(method), .tone = method.silentFailures.value_or(0) > 0 ? Tone::Bad : Tone::Normal}}};
-    for (TableCell &cell : row.cells) {
-        cell.explanation = descriptionOf(method);
-    }
-    return row;
+    const auto cell = [](std::optional<double> value) {
+        return TableCell{.text = shortNumber(value, kDigits), .number = value};
+    };
+    return {{{.text = nameOfRow(method), .tone = textFor(method.method.kind).tone},
+             {.text = QString::number(method.channels), .number = method.channels},
+             {.text = numberText(method.tolerance, kDigits), .number = method.tolerance},
+             cell(method.nsPerState),
+             cell(method.maxError),
+             cell(method.iterationsPerState),
+             {.text = outcomeText(method), .tone = method.silentFailures.value_or(0) > 0 ? Tone::Bad : Tone::Normal}},
+            {},
+            MechanismPart::None,
+            descriptionOf(method)};
 }
 
-/// Returns the table of the methods that compute this number of channels.
-PageTable tableFor(const CaseResult &result, int channels)
+PageTable tableOf(const CaseResult &result)
 {
-    const QString title = StudyPage::tr("%1 channels").arg(channels);
     PageTable table{
-        QStringLiteral("studyTable%1").arg(channels),
-        StudyPage::tr("Methods that compute %1 channels, a row for each method and tolerance").arg(channels),
-        {{title, StudyPage::tr("How the motion is computed"), "method", false},
+        "studyTable",
+        StudyPage::tr("Methods, a row for each method and tolerance"),
+        {{StudyPage::tr("method"), StudyPage::tr("How the motion is computed"), "method", false},
+         {StudyPage::tr("channels"), StudyPage::tr("How many channels the method computes"), "channels"},
          {StudyPage::tr("tolerance"),
           StudyPage::tr(
               "Of Newton-Raphson: absolute for the dense method of the reference report, relative for the others"),
@@ -146,30 +145,9 @@ PageTable tableFor(const CaseResult &result, int channels)
          {StudyPage::tr("time steps"), StudyPage::tr("What the method reports"), "instants", false}},
         {}};
     for (const MethodResult &method : result.methods) {
-        if (method.channels == channels) {
-            table.rows.push_back(rowOf(method));
-        }
+        table.rows.push_back(rowOf(method));
     }
     return table;
-}
-
-QPainterPath pathOf(Mark mark)
-{
-    QPainterPath path;
-    if (mark == Mark::Circle) {
-        path.addEllipse(QPointF(), 4.0, 4.0);
-    } else {
-        path.addRect(-4.0, -4.0, 8.0, 8.0);
-    }
-    return mark == Mark::Diamond ? QTransform().rotate(45.0).map(path) : path;
-}
-
-QColor SeriesColours::*colourOf(Tone tone)
-{
-    return tone == Tone::Fair    ? &SeriesColours::reference
-           : tone == Tone::Model ? &SeriesColours::model
-           : tone == Tone::Good  ? &SeriesColours::errorOther
-                                 : &SeriesColours::error;
 }
 
 ChartContent chartOf(const CaseResult &result)
@@ -190,10 +168,8 @@ ChartContent chartOf(const CaseResult &result)
         auto kind = std::ranges::find(kinds, method.method.kind);
         if (kind == kinds.end()) {
             const MethodText text = textFor(method.method.kind);
-            chart.series.push_back({.name = text.name,
-                                    .colour = colourOf(text.tone),
-                                    .mark = pathOf(text.mark),
-                                    .isHollow = method.channels < kEveryChannel});
+            chart.series.push_back({.name = text.name, .colour = text.colour, .isHollow = text.isHollow});
+            chart.series.back().mark.addRect(-4.0, -4.0, 8.0, 8.0);
             kind = kinds.insert(kinds.end(), method.method.kind);
         }
         ChartSeries &series = chart.series[static_cast<std::size_t>(kind - kinds.begin())];
@@ -223,18 +199,7 @@ Page studyPage(const CaseResult &result)
     Page page;
     page.sentence = closedFormSentence(result);
     page.chart = PageChart{"studyChart", StudyPage::tr("Error against time for each method"), chartOf(result)};
-    page.tables = {tableFor(result, kEveryChannel), tableFor(result, kPlottedChannelsOnly)};
-    return page;
-}
-
-Page emptyStudyPage()
-{
-    Page page;
-    page.sentence =
-        StudyPage::tr("How fast is each method, and how accurate? Run the study: every method is timed on the "
-                      "same time steps, and its error is measured against a computation with 50 digits or "
-                      "more.");
-    page.tone = Tone::Muted;
+    page.tables = {tableOf(result)};
     return page;
 }
 

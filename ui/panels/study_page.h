@@ -7,11 +7,8 @@
 namespace slidercrank
 {
 
-/// A page for one case of the study: the error of each method against its time, as a chart and as tables. Methods that
-/// compute all 36 channels and methods that compute only 6 have separate tables, because their times are not comparable.
+/// A page for one case of the study: the error of each method against its time, as a chart and as a table. The
+/// times of methods that compute 36 channels and of those that compute 6 are not comparable.
 Page studyPage(const CaseResult &result);
-
-/// A page that says what the study does, shown before it has run.
-Page emptyStudyPage();
 
 } // namespace slidercrank

@@ -1,46 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The tab for speed and accuracy: runs the study in the background, for the current mechanism or for the named hard
-// cases, and shows one case at a time.
+// The tab for speed and accuracy: runs the study of the current mechanism in the background.
 
 #include "core/study/study.h"
 #include "ui/document/background_task.h"
-
-#include <QWidget>
+#include "ui/panels/table_panel.h"
 
 #include <memory>
-
-class QComboBox;
-class QLabel;
 
 namespace slidercrank
 {
 
-class Session;
-class TablePanel;
-
-class StudyPanel : public QWidget
+class StudyPanel : public TablePanel
 {
     Q_OBJECT
 
 public:
-    explicit StudyPanel(Session *session, QWidget *parent = nullptr);
+    explicit StudyPanel(Session *session);
 
-public slots:
-    void setResult(const std::shared_ptr<const slidercrank::StudyResult> &result);
+    void setResult(const std::shared_ptr<const StudyResult> &result);
 
 private:
-    void run(const std::vector<Case> &cases);
-    const CaseResult *shownCase() const;
-    void showSummary();
+    void run();
+    Page makePage() const;
 
     Session *m_session;
-    std::shared_ptr<const StudyResult> m_result;
+    std::shared_ptr<const StudyResult> m_result; ///< null until the study was run
     BackgroundTask m_study;
-    QLabel *m_summary;
-    QComboBox *m_cases;
-    TablePanel *m_page;
 };
 
 } // namespace slidercrank

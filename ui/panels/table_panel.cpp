@@ -132,8 +132,8 @@ void TablePanel::fill()
 
 void TablePanel::fillFindings(const Page &page)
 {
-    m_findings->setEnabled(!page.keepsFindings);
-    if (page.keepsFindings || page.findings == m_shownFindings) {
+    m_findings->setEnabled(!page.isSearching);
+    if (page.findings == m_shownFindings) {
         return;
     }
     m_shownFindings = page.findings;
@@ -218,18 +218,13 @@ void TablePanel::arrange()
 
 void TablePanel::copy()
 {
-    const Page page = m_makePage();
-    QApplication::clipboard()->setText(QString::fromUtf8(csvOf(page)));
-    std::size_t rows = 0;
-    for (const PageTable &table : page.tables) {
-        rows += table.rows.size();
-    }
-    confirmCopied(static_cast<int>(rows));
+    QApplication::clipboard()->setText(QString::fromUtf8(csvOf(m_makePage())));
+    confirmCopied();
 }
 
-void TablePanel::confirmCopied(int rows)
+void TablePanel::confirmCopied()
 {
-    emit m_session->confirmed(tr("Rows copied to the clipboard, as CSV with headings: %1.").arg(rows));
+    emit m_session->confirmed(tr("The rows are in the clipboard, as CSV with headings."));
 }
 
 std::optional<QString> TablePanel::exportTo(const QString &path) const
@@ -286,9 +281,9 @@ QToolButton *addButton(QBoxLayout *row, const QString &name, const QString &text
 void chooseExport(Session *session, QWidget *parent, const QStringList &filters, const QString &name,
                   const std::function<std::optional<QString>(const QString &path)> &write)
 {
-    chooseFileToSave(parent,
-                     {TablePanel::tr("Export"), filters, lastFolder(QStandardPaths::DocumentsLocation), name,
-                      [=](const QString &path, const QString &) { session->reportWritten(path, write(path)); }});
+    chooseFileToSave(parent, {TablePanel::tr("Export"), filters, name, [=](const QString &path, const QString &) {
+                                  session->reportWritten(path, write(path));
+                              }});
 }
 
 QByteArray csvOf(const Page &page)

@@ -57,7 +57,7 @@ private:
     NumberTable *tableFor(const PageTable &content);
     void arrange();
     void copy();
-    void confirmCopied(int rows);
+    void confirmCopied();
 
     Session *m_session; ///< tells the user what was copied or written
     std::function<Page()> m_makePage;

@@ -259,11 +259,12 @@ QStringList explanationLines(const Diagnosis &diagnosis, const ReferenceData &da
     }
     if (!lines.isEmpty() && diagnosis.agreesWithGiven) {
         lines << DiagnosisText::tr("Read this way, it does not differ from this mechanism.");
-    } else if (const QString change = changeText(diagnosis, mechanism); !change.isEmpty()) {
-        lines << change;
     }
     lines << differenceSentences(data);
     if (!diagnosis.agreesWithGiven) {
+        if (diagnosis.change) {
+            lines << changeText(diagnosis, mechanism);
+        }
         const QString summary = summaryText(diagnosis);
         lines << (diagnosis.identification.hasOneMechanism()
                       ? DiagnosisText::tr("Mechanism found in this file: %1").arg(summary)

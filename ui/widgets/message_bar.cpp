@@ -24,14 +24,6 @@ namespace
 
 constexpr std::chrono::seconds kHintDuration{8};
 
-/// The accessible name includes the message, because there may be several such buttons.
-QPushButton *makeButton(const char *name, const QString &text, const QString &message)
-{
-    auto *button = named(name, new QPushButton(text), text + ": " + message);
-    button->setFocusPolicy(Qt::TabFocus); // the button disappears when clicked and must not have the focus then
-    return button;
-}
-
 } // namespace
 
 MessageBar::MessageBar(QWidget *parent)
@@ -64,23 +56,22 @@ void MessageBar::showMessage(const Message &message)
     line->setContentsMargins(8, 3, 4, 3);
     line->addWidget(symbol);
     line->addWidget(text, 1);
-    if (message.action) {
-        auto *button = makeButton("messageRemedy", message.actionText, message.text);
-        connect(button, &QPushButton::clicked, this, [this, row, action = message.action] {
+    const auto addButton = [&](const char *name, const QString &label, const std::function<void()> &action) {
+        // The accessible name includes the message, because there may be several such buttons.
+        auto *button = named(name, new QPushButton(label), label + ": " + message.text);
+        button->setFocusPolicy(Qt::TabFocus); // the button disappears when clicked and must not have the focus then
+        connect(button, &QPushButton::clicked, this, [this, row, action] {
             remove(row);
-            action();
+            if (action) {
+                action();
+            }
         });
         line->addWidget(button);
+    };
+    if (message.action) {
+        addButton("messageRemedy", message.actionText, message.action);
     }
-    auto *dismiss =
-        makeButton("messageDismiss", message.dismissText.isEmpty() ? tr("Dismiss") : message.dismissText, message.text);
-    connect(dismiss, &QPushButton::clicked, this, [this, row, dismissed = message.dismissed] {
-        remove(row);
-        if (dismissed) {
-            dismissed();
-        }
-    });
-    line->addWidget(dismiss);
+    addButton("messageDismiss", message.dismissText.isEmpty() ? tr("Dismiss") : message.dismissText, message.dismissed);
     m_rows->insertWidget(0, row);
     if (message.kind == Message::Kind::Hint) {
         auto *fade = new QTimer(row);

@@ -24,10 +24,9 @@ namespace
 constexpr int kCellMargin = 14;   // px, left and right of a text together
 constexpr int kLargestSpare = 28; // px, added to a column if there is space
 
-QJsonValue csvValue(const TableCell &cell)
+QJsonValue csvValue(const TableColumn &column, const TableCell &cell)
 {
-    const QString &text = cell.csv.isEmpty() ? cell.text : cell.csv;
-    return cell.number ? jsonNumber(cell.number) : text == dash() ? QJsonValue() : QJsonValue(text);
+    return column.isNumber ? jsonNumber(cell.number) : QJsonValue(cell.csv.isEmpty() ? cell.text : cell.csv);
 }
 
 int alignmentOf(const TableColumn &column)
@@ -43,7 +42,7 @@ QByteArray csvText(const std::vector<TableColumn> &columns, const std::vector<Ta
     for (const TableRow &row : rows) {
         Record &record = records.emplace_back();
         for (std::size_t i = 0; i < columns.size(); ++i) {
-            record.emplace_back(columns[i].csvName, csvValue(row.cells[i]));
+            record.emplace_back(columns[i].csvName, csvValue(columns[i], row.cells[i]));
         }
     }
     return csvText(records);
@@ -91,7 +90,8 @@ NumberTable::NumberTable(const QString &name, const QString &title, std::vector<
     verticalHeader()->setMinimumSectionSize(1);
     horizontalHeader()->setHighlightSections(false);
     horizontalHeader()->setMinimumSectionSize(1);
-    connect(this, &QTableView::clicked, this, [this](const QModelIndex &index) { goToRow(index.row()); });
+    connect(this, &QTableView::clicked, this, &NumberTable::goToRow);
+    connect(this, &QTableView::activated, this, &NumberTable::goToRow); // Enter
     connect(this, &QTableView::entered, this,
             [this](const QModelIndex &index) { emit partHovered(m_rows[static_cast<std::size_t>(index.row())].part); });
     fitColumns();
@@ -99,9 +99,7 @@ NumberTable::NumberTable(const QString &name, const QString &title, std::vector<
 
 void NumberTable::setRows(std::vector<TableRow> rows)
 {
-    const auto name = [](const TableRow &row) -> const QString & { return row.cells[0].text; };
-    if (!std::ranges::equal(rows, m_rows, {}, name, name)) { // other rows
-        m_model->setRowCount(0);
+    if (rows.size() != m_rows.size()) { // another content
         m_widths.clear();
     }
     m_rows = std::move(rows);
@@ -114,21 +112,18 @@ void NumberTable::setRows(std::vector<TableRow> rows)
 void NumberTable::fillCells()
 {
     for (int row = 0; row < m_model->rowCount(); ++row) {
+        const TableRow &content = m_rows[static_cast<std::size_t>(row)];
         for (int column = 0; column < m_model->columnCount(); ++column) {
-            const TableCell &cell = m_rows[static_cast<std::size_t>(row)].cells[static_cast<std::size_t>(column)];
-            const QVariant colour = cell.tone == Tone::Normal ? QVariant() : toneColour(cell.tone, palette());
-            const bool showsDigits = cell.explanation.isEmpty() && cell.number;
+            const TableCell &cell = content.cells[static_cast<std::size_t>(column)];
             const QModelIndex index = m_model->index(row, column);
-            const auto set = [this, index](const QVariant &value, Qt::ItemDataRole role) {
-                if (m_model->data(index, role) != value) { // the item would also report an empty value as a change
-                    m_model->setData(index, value, role);
-                }
-            };
-            set(cell.text, Qt::DisplayRole);
-            set(alignmentOf(m_columns[static_cast<std::size_t>(column)]), Qt::TextAlignmentRole);
-            set(colour, Qt::ForegroundRole);
+            m_model->setData(index, cell.text, Qt::DisplayRole);
+            m_model->setData(index, alignmentOf(m_columns[static_cast<std::size_t>(column)]), Qt::TextAlignmentRole);
+            m_model->setData(index, toneColour(cell.tone, palette()), Qt::ForegroundRole);
             const QSignalBlocker quiet(m_model); // a new tool tip needs no repaint
-            set(showsDigits ? typedNumberText(*cell.number) : cell.explanation, Qt::ToolTipRole);
+            m_model->setData(index,
+                             content.explanation.isEmpty() && cell.number ? typedNumberText(*cell.number)
+                                                                          : content.explanation,
+                             Qt::ToolTipRole);
         }
     }
 }
@@ -145,7 +140,7 @@ void NumberTable::copy()
         }
     }
     QApplication::clipboard()->setText(QString::fromUtf8(csvText(m_columns, rows)));
-    emit copied(static_cast<int>(rows.size()));
+    emit copied();
 }
 
 QSize NumberTable::contentSize() const
@@ -205,17 +200,15 @@ void NumberTable::keyPressEvent(QKeyEvent *event)
 {
     if (event->matches(QKeySequence::Copy)) {
         copy();
-    } else if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
-        goToRow(currentIndex().row());
     } else {
         QTableView::keyPressEvent(event);
     }
 }
 
-void NumberTable::goToRow(int row)
+void NumberTable::goToRow(const QModelIndex &index)
 {
-    if (row >= 0 && m_rows[static_cast<std::size_t>(row)].time) {
-        emit timeRequested(*m_rows[static_cast<std::size_t>(row)].time);
+    if (const std::optional<double> &time = m_rows[static_cast<std::size_t>(index.row())].time) {
+        emit timeRequested(*time);
     }
 }
 

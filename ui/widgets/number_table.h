@@ -32,8 +32,7 @@ struct TableColumn {
 
 struct TableCell {
     QString text;
-    std::optional<double> number = {}; ///< with every digit; the CSV contains it instead of the text
-    QString explanation = {};          ///< tool tip; if empty, the number with every digit
+    std::optional<double> number = {}; ///< with every digit; in a column of numbers the CSV contains it alone
     QString csv = {};                  ///< replaces the text in the CSV, if not empty
     Tone tone = Tone::Normal;
 };
@@ -42,6 +41,7 @@ struct TableRow {
     std::vector<TableCell> cells;             ///< one for each column
     std::optional<double> time = {};          ///< s; a click or Enter goes to this time
     MechanismPart part = MechanismPart::None; ///< that the row describes
+    QString explanation = {};                 ///< tool tip; if empty, the numbers with every digit
 };
 
 /// Returns a line of headings and a line for each row; numbers have every digit and a decimal point. Returns an empty
@@ -65,7 +65,7 @@ public slots:
     void copy(); ///< copies the selected rows as CSV, or every row if none is selected
 
 signals:
-    void copied(int rows);
+    void copied();
     void partHovered(slidercrank::MechanismPart part); ///< None: no row is under the mouse
     void timeRequested(double seconds);
 
@@ -75,7 +75,7 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
-    void goToRow(int row);
+    void goToRow(const QModelIndex &index);
     void fillCells();
     void fitColumns();
 

@@ -4,30 +4,16 @@
 namespace slidercrank
 {
 
-Paragraph::Paragraph(const QString &text, QWidget *parent)
-    : QLabel(text, parent)
+QLabel *plainText(const QString &text)
 {
-    setWordWrap(true);
+    auto *paragraph = new QLabel(text);
+    paragraph->setWordWrap(true);
     QSizePolicy policy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     policy.setHeightForWidth(true);
-    setSizePolicy(policy);
-}
-
-Paragraph *plainText(const QString &text)
-{
-    auto *paragraph = new Paragraph(text);
+    paragraph->setSizePolicy(policy);
     paragraph->setTextFormat(Qt::PlainText);
     paragraph->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     return paragraph;
-}
-
-QLabel *boldLabel(const QString &text)
-{
-    auto *label = new QLabel(text);
-    QFont bold = label->font();
-    bold.setBold(true);
-    label->setFont(bold);
-    return label;
 }
 
 } // namespace slidercrank

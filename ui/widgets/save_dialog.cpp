@@ -6,6 +6,7 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QSettings>
+#include <QStandardPaths>
 
 #include <algorithm>
 
@@ -27,11 +28,18 @@ QString suffixOf(const QString &filter)
     return filter.section(u'*', -1).chopped(1).mid(1);
 }
 
+/// Returns the folder in which a file was last saved, or that for documents if there is none.
+QString lastFolder()
+{
+    const QString last = QSettings().value(kLastFolder).toString();
+    return QFileInfo(last).isDir() ? last : QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+}
+
 } // namespace
 
 void chooseFileToSave(QWidget *parent, const SaveRequest &request)
 {
-    auto *dialog = new QFileDialog(parent, request.title, request.folder);
+    auto *dialog = new QFileDialog(parent, request.title, request.folder.isEmpty() ? lastFolder() : request.folder);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setNameFilters(request.filters);
@@ -68,12 +76,6 @@ QStringList figureFilters()
 {
     return {SaveDialogText::tr("PNG images (*.png)"), SaveDialogText::tr("SVG drawings (*.svg)"),
             SaveDialogText::tr("PDF documents (*.pdf)")};
-}
-
-QString lastFolder(QStandardPaths::StandardLocation otherwise)
-{
-    const QString last = QSettings().value(kLastFolder).toString();
-    return !last.isEmpty() && QFileInfo(last).isDir() ? last : QStandardPaths::writableLocation(otherwise);
 }
 
 } // namespace slidercrank

@@ -4,7 +4,6 @@
 // Asks for the name of a file to write. A missing suffix is taken from the chosen filter, and the folder is stored for
 // the next time.
 
-#include <QStandardPaths>
 #include <QString>
 #include <QStringList>
 
@@ -18,9 +17,9 @@ namespace slidercrank
 struct SaveRequest {
     QString title;
     QStringList filters; ///< "SVG drawings (*.svg)", with one suffix each, or "(*)" for any name
-    QString folder;
-    QString name; ///< default name, without the suffix
+    QString name;        ///< default name, without the suffix
     std::function<void(const QString &path, const QString &filter)> save;
+    QString folder = {}; ///< if empty, the folder in which a file was last saved
 };
 
 /// Opens the dialog as a child of `parent` and returns at once. request.save is called when a name has been chosen.
@@ -31,8 +30,5 @@ QString completedName(const QString &path, const QString &filter, const QStringL
 
 /// Returns the filters for image files.
 QStringList figureFilters();
-
-/// Returns the folder in which a file was last saved, or `otherwise` if there is none.
-QString lastFolder(QStandardPaths::StandardLocation otherwise);
 
 } // namespace slidercrank

@@ -60,9 +60,8 @@ Exports::Picture Exports::mechanism() const
 
 void Exports::choose(const Picture &picture)
 {
-    chooseFileToSave(m_window,
-                     {tr("Export"), figureFilters(), lastFolder(QStandardPaths::PicturesLocation), picture.name,
-                      [this, picture](const QString &path, const QString &) { write(picture, path); }});
+    chooseFileToSave(m_window, {tr("Export"), figureFilters(), picture.name,
+                                [this, picture](const QString &path, const QString &) { write(picture, path); }});
 }
 
 void Exports::write(const Picture &picture, const QString &path)
@@ -96,11 +95,8 @@ void Exports::chooseData()
             writeData(path, plottedChannels(), step);
         }
     };
-    chooseFileToSave(m_window, {tr("Export data"),
-                                {plotted, tr("All 36 channels (*.csv)"), byAngle},
-                                lastFolder(QStandardPaths::DocumentsLocation),
-                                tr("motion"),
-                                write});
+    chooseFileToSave(m_window,
+                     {tr("Export data"), {plotted, tr("All 36 channels (*.csv)"), byAngle}, tr("motion"), write});
 }
 
 void Exports::writeData(const QString &path, const ChannelSet &channels, double crankStep)
@@ -115,7 +111,6 @@ void Exports::chooseReport()
 {
     chooseFileToSave(m_window, {tr("Export report"),
                                 {tr("Reports (*.pdf)")},
-                                lastFolder(QStandardPaths::DocumentsLocation),
                                 tr("report"),
                                 [this](const QString &path, const QString &) { writeReport(path); }});
 }
@@ -170,7 +165,6 @@ void Exports::chooseAnimation()
         chooseFileToSave(m_window, {tr("Export animation"),
                                     {tr("New folder of numbered frames (*)"), tr("Videos (*.mp4)"),
                                      tr("Videos (*.webm)"), tr("Animated pictures (*.gif)")},
-                                    lastFolder(QStandardPaths::MoviesLocation),
                                     tr("motion"),
                                     write});
     });

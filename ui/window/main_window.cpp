@@ -239,7 +239,7 @@ TablePanel *MainWindow::makePanel(const QString &name, const QString &title, con
 
 QWidget *MainWindow::makeLimitsPanel()
 {
-    auto *panel = named("limits", new SegmentedPages("limitsSegment"), tr("Motion limits"));
+    auto *panel = named("limits", new SegmentedPages("limitsPages"), tr("Motion limits"));
     panel->addPage(tr("Values"),
                    makePanel("limitsPanel", tr("Motion limits"), [this] { return limitsPage(*m_session->result()); }));
     auto *response = new ResponseView(m_session);
@@ -256,7 +256,7 @@ QWidget *MainWindow::makeLimitsPanel()
 
 QWidget *MainWindow::makeNewtonPanel()
 {
-    auto *panel = named("newtonPanel", new SegmentedPages("segment"), tr("Newton-Raphson"));
+    auto *panel = named("newtonPanel", new SegmentedPages("newtonPages"), tr("Newton-Raphson"));
     panel->addPage(tr("Settings"), new SolverForm(m_session));
     const auto addPage = [this, panel](const char *name, const QString &title,
                                        Page (*makePage)(const Result &, double)) {
@@ -352,7 +352,8 @@ void MainWindow::chooseColumns(const QStringList &paths)
 void MainWindow::applyRemedy(const Finding &finding)
 {
     switch (finding.remedy) {
-    case Remedy::None: break;
+    case Remedy::None:
+    case Remedy::RunStudy: break;
     case Remedy::UseFoundMechanism: m_session->useFoundMechanism(); break;
     case Remedy::Apply: m_session->apply(finding.convention); break;
     case Remedy::ReadAsPrinted: m_session->readAsPrinted(); break;

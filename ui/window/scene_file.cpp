@@ -155,9 +155,9 @@ void SceneFile::saveAs(const std::function<void()> &proceed)
     const QFileInfo file(m_path);
     chooseFileToSave(m_window, {tr("Save scene"),
                                 {tr("Scenes (*.slidercrank)"), tr("Scenes (*.json)")},
-                                m_path.isEmpty() ? lastFolder(QStandardPaths::DocumentsLocation) : file.absolutePath(),
                                 m_path.isEmpty() ? tr("scene") : file.completeBaseName(),
-                                [this, proceed](const QString &path, const QString &) { saveTo(path, proceed); }});
+                                [this, proceed](const QString &path, const QString &) { saveTo(path, proceed); },
+                                m_path.isEmpty() ? QString() : file.absolutePath()});
 }
 
 bool SceneFile::saveTo(const QString &path, const std::function<void()> &proceed)

@@ -83,11 +83,6 @@ std::vector<Remedy> remediesOf(const Page &page)
     return remedies;
 }
 
-QString explanation(const Page &page, std::size_t row, ErrorColumn column)
-{
-    return page.tables[0].rows[row].cells[column].explanation;
-}
-
 } // namespace
 
 class TestErrorPage : public QObject
@@ -102,28 +97,23 @@ private slots:
         ChannelComparison missing;
         missing.channel = kTheta3;
         missing.missingModel = 201;
-        ChannelComparison zeros = compared(Verdict::Differs, 1.0, kSlider);
-        zeros.maxPercent.reset();
-        zeros.zeroReference = 7;
-        const Page page =
-            errorPage(resultWith({compared(Verdict::Agrees, 0.00123456),
-                                  compared(Verdict::Close, 14.2345, {R4x, Order::Velocity}), missing, zeros}),
-                      nullptr);
+        const Page page = errorPage(resultWith({compared(Verdict::Agrees, 0.00123456),
+                                                compared(Verdict::Close, 14.2345, {R4x, Order::Velocity}), missing}),
+                                    nullptr);
         QCOMPARE(rowTexts(page.tables.at(0)),
                  (QStringList{"θ³ coupler angle|✓ agrees|0.001235°|0.006173|0.5",
-                              "v⁴ slider velocity|≈ close|14.23 mm/s|71.17|0.5", "θ³ coupler angle|✗ differs|–|–|–",
-                              "Rₓ⁴ slider position|✗ differs|1.000 mm|5.000|0.5"}));
+                              "v⁴ slider velocity|≈ close|14.23 mm/s|71.17|0.5", "θ³ coupler angle|✗ differs|–|–|–"}));
         const std::vector<TableRow> &rows = page.tables[0].rows;
         QCOMPARE(rows[1].cells[LargestError].number, std::optional(14.2345)); // every digit, to be copied
         QCOMPARE(rows[0].cells[Quantity].csv, "theta3 [°]");
         QCOMPARE(rows[1].time, std::optional(0.5));
         QCOMPARE(rows[2].time, std::nullopt);
         QCOMPARE(rows[2].cells[LargestError].number, std::nullopt);
-        QVERIFY(explanation(page, 0, LargestError).contains("0.6 s"));   // time of the largest percentage
-        QVERIFY(explanation(page, 0, LargestError).contains("0.001 °")); // the rounding step
-        QVERIFY(explanation(page, 1, Outcome).contains("times the rounding"));
-        QVERIFY(explanation(page, 2, Quantity).contains("201"));
-        QVERIFY(explanation(page, 3, LargestError).contains("zero: at 7 time steps"));
+        for (const QString number : {"rms: 0.000617", "largest %: 0.0123", "rounding step: 0.001"}) {
+            QVERIFY2(rows[0].explanation.contains(number), qPrintable(rows[0].explanation));
+        }
+        QVERIFY(rows[1].explanation.contains("times the rounding"));
+        QVERIFY(rows[2].explanation.contains("cannot be assembled at 201"));
     }
 
     void theVerdictOnTheFileIsThatOfItsWorstChannel()
@@ -153,53 +143,53 @@ private slots:
         QVERIFY(errorPage(result, nullptr).findings.empty()); // there is no diagnosis yet
         ReferenceDiagnosis diagnosis = diagnosisOf(result);
         const auto findings = [&] { return errorPage(result, &diagnosis).findings; };
-        QCOMPARE(findings()[0].remedy, Remedy::UseFoundMechanism);
+        QCOMPARE(remediesOf(errorPage(result, &diagnosis)), (std::vector{Remedy::UseFoundMechanism}));
         QVERIFY(findings()[0].sentence.contains("60") && findings()[0].sentence.contains("65 mm"));
         QVERIFY(findings()[0].details.contains("b = 60 mm"));
 
         diagnosis.found.conventions = kConventions;
-        diagnosis.found.identification.outcome = Identification::Outcome::Nearest;
-        QCOMPARE(remediesOf(errorPage(result, &diagnosis)), (std::vector{Remedy::Apply, Remedy::None}));
         QVERIFY(findings()[0].convention == kDegrees && findings()[0].sentence.contains("98.0 → 0.00100 %"));
+        diagnosis.found.change.reset();
+        QCOMPARE(remediesOf(errorPage(result, &diagnosis)), (std::vector{Remedy::Apply, Remedy::None, Remedy::None}));
+        QVERIFY(findings()[2].sentence.contains("60.00001"));              // the mechanism
         QCOMPARE(findingsOf(result, &diagnosis)[1].remedy, Remedy::Apply); // offered on the reference page
+        diagnosis.found.agreesWithGiven = true;
+        QCOMPARE(findingsOf(result, &diagnosis).back().remedy, Remedy::None);
     }
 
-    void offersOnlyAnIdentifiedMechanismThatIsBetter()
+    void offersOnlyAnIdentifiedMechanismThatIsAnotherOne()
     {
+        using Outcome = Identification::Outcome;
         struct Row {
-            Identification::Outcome outcome;
-            Verdict verdictThen;
-            double percentThen;
+            Outcome outcome;
+            double b;
             bool offered;
         };
-        using Outcome = Identification::Outcome;
-        const Result result = resultWith({compared(Verdict::Differs)}); // the error is 10 % of the peak
-        for (const Row &row :
-             {Row{Outcome::Identified, Verdict::Agrees, 0.1, true}, Row{Outcome::Ambiguous, Verdict::Agrees, 0.1, true},
-              Row{Outcome::Nearest, Verdict::Agrees, 0.001, false},
-              Row{Outcome::Identified, Verdict::Differs, 9.0, false},
-              Row{Outcome::Identified, Verdict::Differs, 5.0, true}}) {
+        const Result result = resultWith({compared(Verdict::Differs)});
+        for (const Row &row : {Row{Outcome::Identified, 60.0, true}, Row{Outcome::Ambiguous, 60.0, true},
+                               Row{Outcome::Nearest, 60.0, false}, Row{Outcome::Identified, 65.0, false}}) {
             ReferenceDiagnosis diagnosis = diagnosisOf(result);
             diagnosis.found.identification.outcome = row.outcome;
-            diagnosis.found.identified[0].verdict = row.verdictThen;
-            diagnosis.found.identified[0].percentOfPeak = row.percentThen;
+            diagnosis.found.rounded.b = row.b;
             QCOMPARE(std::ranges::count(remediesOf(errorPage(result, &diagnosis)), Remedy::UseFoundMechanism),
                      row.offered);
         }
     }
 
-    void keepsTheFindingsUntilNewOnesAreComputed()
+    void disablesTheRemediesUntilNewFindingsAreComputed()
     {
         Result result = resultWith({compared(Verdict::Differs)});
         const ReferenceDiagnosis diagnosis = diagnosisOf(result);
-        const auto keeps = [&] { return errorPage(result, &diagnosis).keepsFindings; };
+        const Page page = errorPage(result, &diagnosis);
+        QVERIFY(!page.isSearching);
         result.mechanism = Mechanism({.b = 66.0});
-        QVERIFY(keeps());
+        QVERIFY(errorPage(result, &diagnosis).isSearching);
+        QCOMPARE(errorPage(result, &diagnosis).findings, page.findings);
         result.comparison[0].verdict = Verdict::Agrees; // nothing to explain
-        QVERIFY(!keeps());
+        QVERIFY(errorPage(result, &diagnosis).findings.empty());
         result.comparison[0].verdict = Verdict::Differs;
         result.choices.reference = std::make_shared<Reference>(); // another file
-        QVERIFY(!keeps() && errorPage(result, &diagnosis).findings.empty());
+        QVERIFY(errorPage(result, &diagnosis).findings.empty());
     }
 
     void offersToUndoAnAppliedConvention()
@@ -221,7 +211,7 @@ private slots:
         reference.data.layout.columns.emplace_back().heading = "force";
         const Result result = resultWith({compared(Verdict::Agrees)}, reference);
         QCOMPARE(errorPage(result, nullptr).note,
-                 "2 rows of the file were skipped; 1 column was ignored (see Reference).");
+                 "Rows that were skipped: 2. Columns that were not used: 1. See the tab Reference.");
         QVERIFY(errorPage(resultWith({}), nullptr).note.isEmpty());
         const QStringList rows = rowTexts(referencePage(result, nullptr).tables[1]);
         QVERIFY(rows[0].startsWith("12 (b.csv)|3|a<b|") && rows[1].startsWith("15 (a.csv)|1||"));
@@ -255,13 +245,13 @@ private slots:
                                    "0,5;oops;60,1;x\n1,0;0,429775;;x\n");
         QVERIFY(page.sentence.contains("results.csv"));
         QCOMPARE(page.findings[0].remedy, Remedy::ChooseColumns);
-        for (const QString part : {"UTF-8", "“;”", "decimal comma", "headings in line 1", "2 rows", "0 … 1 s"}) {
+        for (const QString part : {"UTF-8", "“;”", "decimal comma", "headings in line 1", "Rows: 2", "0 … 1 s"}) {
             QVERIFY2(page.findings[0].sentence.contains(part), qPrintable(page.findings[0].sentence));
         }
         const QStringList columns = rowTexts(page.tables[0]);
         QCOMPARE(columns.size(), 4);
         QVERIFY2(columns[1].startsWith("theta3 [rad]|rad|θ³|"), qPrintable(columns[1]));
-        QVERIFY2(columns[2].startsWith("R4_x|mm (none given)|Rₓ⁴|") && columns[2].contains("|1, 1 gap|"),
+        QVERIFY2(columns[2].startsWith("R4_x|mm (none given)|Rₓ⁴|") && columns[2].contains("|1, gaps: 1|"),
                  qPrintable(columns[2]));
         QVERIFY2(columns[3].contains("|–|"), qPrintable(columns[3]));
         QCOMPARE(page.tables[0].rows[3].cells[0].tone, Tone::Muted);

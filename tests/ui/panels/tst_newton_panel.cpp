@@ -121,7 +121,7 @@ private slots:
         QCOMPARE(cell(nothing, R4x, 2).text, "–");
         QVERIFY(!cell(nothing, R4x, 2).number);
         const auto limited = resultWith({Method::Newton, {1, 1e-14}});
-        QVERIFY(NewtonPages::coordinates(*limited, 0.3).sentence.contains("Not converged within 1 iterations"));
+        QVERIFY(NewtonPages::coordinates(*limited, 0.3).sentence.contains("did not converge within 1 iterations"));
     }
 
     void changesOneSettingAtATime()
@@ -154,7 +154,9 @@ private slots:
     {
         Session session;
         const SolverForm form(&session);
-        const auto text = [&form](const char *label) { return child<QLabel>(form, label)->text(); };
+        const auto says = [&form](const QString &part) {
+            return child<QLabel>(form, "outcomeLabel")->text().contains(part);
+        };
         const auto run = [&session](const SolverSettings &solver, double b = 65.0, int steps = 200) {
             session.setParameter(Parameter::B, b);
             session.setSampling({0.0, 1.0, steps});
@@ -162,27 +164,21 @@ private slots:
             return session.result()->summary;
         };
         SamplingSummary summary = run({Method::Newton, {}});
-        QVERIFY(text("outcomeLabel").contains(QString::number(summary.iterations)));
-        QVERIFY(text("outcomeLabel").contains("All 201"));
-        QVERIFY(text("warningLabel").isEmpty());
+        QVERIFY(says(QString::number(summary.iterations)) && says("All 201") && !says("⚠"));
         run({Method::ClosedForm, {}});
-        QVERIFY(!text("outcomeLabel").contains("residual"));
+        QVERIFY(!says("residual"));
 
+        const auto warns = [&](Status status, const char *reason) {
+            return says(QString("⚠ %1 of 201 time steps: %2").arg(QString::number(summary.count(status)), reason));
+        };
         summary = run({Method::Newton, {2, 1e-8}});
-        QVERIFY(summary.count(Status::IterationLimit) > 0);
-        QVERIFY(text("warningLabel")
-                    .contains(QString("%1 of 201 time steps did not converge within 2 iterations")
-                                  .arg(summary.count(Status::IterationLimit))));
+        QVERIFY(warns(Status::IterationLimit, "Newton-Raphson did not converge within 2 iterations"));
         summary = run({Method::ClosedForm, {}}, 40.0);
-        QVERIFY(
-            text("warningLabel")
-                .contains(
-                    QString("%1 of 201 time steps cannot be assembled").arg(summary.count(Status::NotAssemblable))));
-        QVERIFY(!text("warningLabel").contains("%"));
+        QVERIFY(warns(Status::NotAssemblable, "The mechanism cannot be assembled") && !says("All"));
 
         summary = run({Method::Newton, {1, 1e-8}}, 65.0, 20); // counts only the solved time steps
-        QCOMPARE(text("outcomeLabel").contains("All 21"), summary.count(Status::Solved) == 21);
-        QCOMPARE(text("outcomeLabel").contains("iterations: "), summary.found() > 0);
+        QCOMPARE(says("All 21"), summary.count(Status::Solved) == 21);
+        QCOMPARE(says("iterations: "), summary.found() > 0);
     }
 };
 

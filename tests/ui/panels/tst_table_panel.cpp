@@ -189,8 +189,7 @@ private slots:
 
         shown.show(page);
         QVERIFY(child<QLabel>(shown.panel, "findingLabel")->isEnabled());
-        page.findings.clear();
-        page.keepsFindings = true;
+        page.isSearching = true;
         shown.show(page);
         QVERIFY(!child<QLabel>(shown.panel, "findingLabel")->isEnabled());
     }

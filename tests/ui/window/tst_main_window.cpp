@@ -280,7 +280,7 @@ private slots:
         QCOMPARE(session().solver().method, Method::Newton);
 
         showTab(3);
-        click("segment1"); // the page of the equations
+        part<QListWidget>("newtonPages")->setCurrentRow(1); // the page of the equations
         settle(*m_window);
         const QImage before = picture("mechanismView");
         auto *table = part<QTableView>("equationTable");
@@ -295,7 +295,7 @@ private slots:
     void runningTheStudyKeepsTheFocus()
     {
         showTab(4);
-        part("runThisButton")->setFocus(Qt::TabFocusReason);
+        child<QPushButton>(*part("studyPanel"), "remedyButton")->setFocus(Qt::TabFocusReason);
         const auto hasFocus = [this] { return part("studyPanel")->isAncestorOf(m_window->focusWidget()); };
         press(Qt::Key_Return);
         settle();
