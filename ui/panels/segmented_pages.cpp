@@ -23,6 +23,11 @@ SegmentedPages::SegmentedPages(const QString &listName, QWidget *parent)
     m_titles->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Expanding);
     m_titles->viewport()->setBackgroundRole(QPalette::Window);
     connect(m_titles, &QListWidget::currentRowChanged, m_pages, &QStackedWidget::setCurrentIndex);
+    connect(m_titles, &QListWidget::itemSelectionChanged, this, [this] {
+        if (m_titles->selectedItems().isEmpty()) { // after a click beside the titles
+            setCurrent(m_pages->currentIndex());
+        }
+    });
     auto *columns = new QHBoxLayout(this);
     columns->setContentsMargins(4, 4, 4, 2);
     columns->addWidget(m_titles);

@@ -17,7 +17,6 @@
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QMenu>
 #include <QPainter>
 #include <QStyle>
@@ -289,8 +288,6 @@ void Timeline::showSettings()
     const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(step))), 3, 9);
     m_timeBox->setFixedDecimals(decimals);
     m_timeBox->setStep(step);
-    const double largest = std::max(std::abs(first()), std::abs(last()));
-    m_timeBox->setWidestText(QLocale().toString(-largest, 'f', decimals));
     m_slider->setScale(start, step, 0, steps);
     m_slider->setPageStep(std::max(1, steps / 20));
     m_start->setValue(start);

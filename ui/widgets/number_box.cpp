@@ -98,12 +98,6 @@ void NumberBox::setFixedDecimals(int decimals)
     showValue();
 }
 
-void NumberBox::setWidestText(const QString &text)
-{
-    m_widestText = text;
-    updateGeometry();
-}
-
 bool NumberBox::isTyping() const
 {
     return m_isEditing && lineEdit()->text().trimmed() != shownText();
@@ -115,7 +109,7 @@ QSize NumberBox::sizeHint() const
     QStyleOptionSpinBox option;
     initStyleOption(&option);
     constexpr int kCursor = 4; // px
-    const QSize content(fontMetrics().horizontalAdvance(m_widestText + suffix()) + kCursor,
+    const QSize content(fontMetrics().horizontalAdvance("-000.000" + suffix()) + kCursor,
                         lineEdit()->sizeHint().height());
     return style()->sizeFromContents(QStyle::CT_SpinBox, &option, content, this);
 }

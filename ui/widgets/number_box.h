@@ -42,9 +42,6 @@ public:
     /// Sets the change per arrow key. The default is a tenth of the number's power of ten.
     void setStep(double step);
 
-    /// Makes the preferred width of the box that of this text.
-    void setWidestText(const QString &text);
-
     /// Whether the text was changed and has not been accepted yet.
     bool isTyping() const;
 
@@ -74,8 +71,7 @@ private:
     void refuse(const QString &sentence);
 
     std::optional<Unit> m_unit;
-    int m_fixedDecimals = -1; ///< negative: not fixed
-    QString m_widestText = "-000.000";
+    int m_fixedDecimals = -1;  ///< negative: not fixed
     bool m_isEditing = false;  ///< the box has the focus and shows every digit
     mutable QString m_refusal; ///< why the typed text is refused; empty if it is accepted
     QLabel *m_note = nullptr;

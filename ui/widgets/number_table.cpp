@@ -21,8 +21,7 @@ namespace slidercrank
 namespace
 {
 
-constexpr int kCellMargin = 14;   // px, left and right of a text together
-constexpr int kLargestSpare = 28; // px, added to a column if there is space
+constexpr int kCellMargin = 20; // px, left and right of a text together
 
 QJsonValue csvValue(const TableColumn &column, const TableCell &cell)
 {
@@ -85,7 +84,6 @@ NumberTable::NumberTable(const QString &name, const QString &title, std::vector<
     setShowGrid(false);
     setWordWrap(false);
     setFrameShape(QFrame::NoFrame);
-    setMinimumSize(1, 1);
     verticalHeader()->hide();
     verticalHeader()->setMinimumSectionSize(1);
     horizontalHeader()->setHighlightSections(false);
@@ -94,18 +92,16 @@ NumberTable::NumberTable(const QString &name, const QString &title, std::vector<
     connect(this, &QTableView::activated, this, &NumberTable::goToRow); // Enter
     connect(this, &QTableView::entered, this,
             [this](const QModelIndex &index) { emit partHovered(m_rows[static_cast<std::size_t>(index.row())].part); });
-    fitColumns();
+    fitColumns(false);
 }
 
 void NumberTable::setRows(std::vector<TableRow> rows)
 {
-    if (rows.size() != m_rows.size()) { // another content
-        m_widths.clear();
-    }
+    const bool keepsWidths = rows.size() == m_rows.size(); // otherwise it is another content
     m_rows = std::move(rows);
     m_model->setRowCount(static_cast<int>(m_rows.size()));
     fillCells();
-    fitColumns();
+    fitColumns(keepsWidths);
 }
 
 /// Writes the rows into the model, which reports only the cells that change.
@@ -145,37 +141,22 @@ void NumberTable::copy()
 
 QSize NumberTable::contentSize() const
 {
-    int width = 0;
-    for (const int column : m_widths) {
-        width += column;
-    }
-    return {width,
+    return {horizontalHeader()->length(),
             horizontalHeader()->sizeHint().height() + m_model->rowCount() * verticalHeader()->defaultSectionSize()};
 }
 
-/// Gives every column the largest width that its texts have needed so far, and a share of the spare space.
-void NumberTable::fitColumns()
+/// Gives every column the width of its texts. With `keepsWidths`, no column becomes narrower.
+void NumberTable::fitColumns(bool keepsWidths)
 {
     verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 4);
-    m_widths.resize(m_columns.size());
-    for (std::size_t column = 0; column < m_columns.size(); ++column) {
-        int &width = m_widths[column];
-        width = std::max(width, fontMetrics().horizontalAdvance(m_columns[column].title) + kCellMargin);
+    for (int column = 0; column < m_model->columnCount(); ++column) {
+        const auto index = static_cast<std::size_t>(column);
+        int width = fontMetrics().horizontalAdvance(m_columns[index].title);
         for (const TableRow &row : m_rows) {
-            width = std::max(width, fontMetrics().horizontalAdvance(row.cells[column].text) + kCellMargin);
+            width = std::max(width, fontMetrics().horizontalAdvance(row.cells[index].text));
         }
+        setColumnWidth(column, std::max(width + kCellMargin, keepsWidths ? columnWidth(column) : 0));
     }
-    const int spare = viewport()->width() - contentSize().width();
-    const int extra = std::clamp(spare / static_cast<int>(m_columns.size()), 0, kLargestSpare);
-    for (std::size_t column = 0; column < m_columns.size(); ++column) {
-        setColumnWidth(static_cast<int>(column), m_widths[column] + extra);
-    }
-}
-
-void NumberTable::resizeEvent(QResizeEvent *event)
-{
-    QTableView::resizeEvent(event);
-    fitColumns();
 }
 
 /// While the table has the focus, the copy key copies its rows instead of triggering the window's shortcut.
@@ -188,8 +169,7 @@ bool NumberTable::event(QEvent *event)
     const bool isHandled = QTableView::event(event);
     if (event->type() == QEvent::FontChange) {
         horizontalHeader()->setFont(font()); // a hidden header would keep the old font
-        m_widths.clear();
-        fitColumns();
+        fitColumns(false);
     } else if (event->type() == QEvent::Leave) {
         emit partHovered(MechanismPart::None);
     }

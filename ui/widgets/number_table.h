@@ -72,17 +72,15 @@ signals:
 protected:
     bool event(QEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
-    void resizeEvent(QResizeEvent *event) override;
 
 private:
     void goToRow(const QModelIndex &index);
     void fillCells();
-    void fitColumns();
+    void fitColumns(bool keepsWidths);
 
     std::vector<TableColumn> m_columns;
     std::vector<TableRow> m_rows{};
     QStandardItemModel *m_model;
-    std::vector<int> m_widths; ///< px; columns do not become narrower while the numbers change
 };
 
 } // namespace slidercrank
