@@ -35,19 +35,11 @@ void setReasons(RawTable &table)
     }
 }
 
-/// Returns the values in the default unit.
-Values converted(Values values, const Unit &unit)
-{
-    std::ranges::for_each(values, [&](double &value) {
-        value = unit.dimension == Dimension::Time ? value / unit.factor : value * unit.factor;
-    });
-    return values;
-}
-
+/// Converts the values to the default unit.
 void convert(RawColumn &column, const Unit &unit)
 {
-    column.values = converted(std::move(column.values), unit);
-    column.factor = unit.dimension == Dimension::Time ? 1.0 / unit.factor : unit.factor;
+    std::ranges::for_each(column.values, [&unit](double &value) { value = unit.toDefault(value); });
+    column.factor = unit.toDefault(1.0);
 }
 
 // ---- Time and crank angle ----
@@ -62,25 +54,18 @@ bool areSameTimes(const Values &x, const Values &y)
     });
 }
 
-/// Returns whether the file has a column of time stamps or crank angles.
-bool hasAbscissa(const RawTable &table, std::size_t file)
-{
-    return std::ranges::any_of(table.columns, [file](const RawColumn &column) {
-        return column.use.file == file && (column.isAbscissa() || column.use.reason == ColumnReason::SameTimeStamps);
-    });
-}
-
 /// Makes a column the time or the crank angle. If there is such a column already, in another file or for another
 /// signal, both must contain the same.
-void setAbscissa(RawTable &table, RawColumn &column, ColumnRole role, ColumnReason reason, const std::string &unitText)
+void setAbscissa(RawTable &table, RawColumn &column, ColumnRole role, ColumnReason reason)
 {
-    const std::optional<Unit> unit = parseColumnUnit(unitText, role, {});
+    const std::optional<Unit> unit = column.unitAs(role);
     if (!unit) {
         const bool isTime = role == ColumnRole::Time;
         throw faultIn(table, column,
                       isTime ? ReadFault{Fault::UnknownTimeUnit} : ReadFault{Fault::UnknownUnit, kCrankAngle});
     }
     convert(column, *unit);
+    table.files[column.use.file].hasAbscissa = true;
     const RawColumn *const first = table.abscissa();
     if (!first) {
         column.use.role = role;
@@ -99,18 +84,21 @@ bool mayBeTime(const RawColumn &column)
 {
     Values values = column.values;
     std::erase_if(values, [](double value) { return std::isinf(value); });
-    return column.isUndecided() && column.meaning.kind == Kind::Nothing &&
-           parseColumnUnit(column.use.unit, ColumnRole::Time, {}) && values.size() >= 2 &&
+    return column.isUndecided() && column.meaning.kind == Kind::Nothing && column.unitAs(ColumnRole::Time) &&
+           values.size() >= 2 &&
            std::ranges::adjacent_find(values, [](double x, double y) { return !(x < y); }) == values.end();
 }
 
 /// Returns whether the column is an angle of an unnamed body that does not change its direction.
-bool isTurningAngle(const RawColumn &column)
+bool isTurningAngle(RawColumn column)
 {
     const NameMeaning &meaning = column.meaning;
-    const std::optional<Unit> unit = parseColumnUnit(column.use.unit, ColumnRole::CrankAngle, {});
-    return meaning.kind == Kind::Quantity && meaning.channel == Channel{Theta3, Order::Position} && unit &&
-           !findReversal(unwrapped(converted(column.values, *unit)));
+    const std::optional<Unit> unit = column.unitAs(ColumnRole::CrankAngle);
+    if (meaning.kind != Kind::Quantity || meaning.channel != Channel{Theta3, Order::Position} || !unit) {
+        return false;
+    }
+    convert(column, *unit);
+    return !findReversal(unwrapped(std::move(column.values)));
 }
 
 /// Finds the abscissa of a file in which no column is named as the time. If another file has one, it is the column with
@@ -120,14 +108,14 @@ void guessAbscissa(RawTable &table, std::size_t file)
 {
     const auto find = [&](const auto &suits) {
         const auto found = std::ranges::find_if(table.columns, [&](const RawColumn &column) {
-            return column.use.file == file && column.use.reason != ColumnReason::Chosen && suits(column);
+            return column.use.file == file && column.meaning.kind != Kind::Chosen && suits(column);
         });
         return found == table.columns.end() ? nullptr : &*found;
     };
     if (const RawColumn *const other = table.abscissa()) {
         if (RawColumn *const same =
                 find([&](const RawColumn &column) { return column.use.heading == other->use.heading; })) {
-            setAbscissa(table, *same, other->use.role, ColumnReason::KnownName, same->use.unit);
+            setAbscissa(table, *same, other->use.role, ColumnReason::KnownName);
         }
         return;
     }
@@ -135,15 +123,15 @@ void guessAbscissa(RawTable &table, std::size_t file)
         return column.use.reason != ColumnReason::NoName && column.use.reason != ColumnReason::RowNumber;
     });
     if (leading && mayBeTime(*leading)) {
-        return setAbscissa(table, *leading, ColumnRole::Time, ColumnReason::RisingValues, leading->use.unit);
+        return setAbscissa(table, *leading, ColumnRole::Time, ColumnReason::RisingValues);
     }
     RawColumn *const named = find([](const RawColumn &column) {
         return column.meaning.kind > Kind::Quantity && column.meaning.channel == kCrankAngle &&
-               parseColumnUnit(column.use.unit, ColumnRole::CrankAngle, {});
+               column.unitAs(ColumnRole::CrankAngle);
     });
     RawColumn *const angle = named || !leading || !isTurningAngle(*leading) ? named : leading;
     if (angle) {
-        setAbscissa(table, *angle, ColumnRole::CrankAngle, ColumnReason::AngleForTime, angle->use.unit);
+        setAbscissa(table, *angle, ColumnRole::CrankAngle, ColumnReason::AngleForTime);
     }
 }
 
@@ -162,31 +150,23 @@ void assignAbscissas(RawTable &table)
             }
         }
         const auto hasNumber = [](const RawColumn *column) { return rangeOf(column->values).count > 0; };
-        const bool isAnyNumeric = times.size() > 1 && std::ranges::any_of(times, hasNumber);
+        const bool isAnyNumeric = std::ranges::any_of(times, hasNumber);
         for (RawColumn *const column : times) {
             if (isAnyNumeric && !hasNumber(column)) {
                 column->setReason(ColumnReason::NoNumber); // "2024-03-01 12:00", next to the seconds
             } else if (chosen && chosen->use.file == file) {
                 column->setReason(ColumnReason::LikeOther, chosen->index);
             } else if (!table.abscissa() || table.abscissa()->use.role == ColumnRole::Time) {
-                setAbscissa(table, *column, ColumnRole::Time, ColumnReason::KnownName, column->use.unit);
+                setAbscissa(table, *column, ColumnRole::Time, ColumnReason::KnownName);
             }
         }
-        if (!hasAbscissa(table, file)) {
+        if (!table.files[file].hasAbscissa) {
             guessAbscissa(table, file);
         }
     }
 }
 
 // ---- Channels ----
-
-const RawColumn *findChannel(const RawTable &table, Channel channel)
-{
-    const auto found = std::ranges::find_if(table.columns, [&](const RawColumn &column) {
-        return column.use.role == ColumnRole::Channel && column.use.channel == channel;
-    });
-    return found == table.columns.end() ? nullptr : &*found;
-}
 
 /// Returns the error that two columns are the same channel: `fault` if they are in one file.
 ReadError conflict(const RawTable &table, const RawColumn &column, const RawColumn &other, Fault fault)
@@ -206,24 +186,14 @@ void applyChoices(RawTable &table, std::span<const ColumnChoice> choices)
             continue; // remembered from a file with more columns
         }
         RawColumn &column = table.columns[choice.column];
-        const std::string &unitText = choice.unit.empty() ? column.use.unit : choice.unit;
-        const RawColumn *const other = findChannel(table, choice.channel);
-        column.use.channel = choice.channel;
-        if (choice.role == ColumnRole::Ignored) {
-            column.setReason(ColumnReason::Chosen);
-        } else if (choice.role != ColumnRole::Channel) {
-            if (hasAbscissa(table, column.use.file)) {
+        column.meaning = {Kind::Chosen, choice.channel};
+        column.chosenUnit = choice.unit;
+        column.setReason(choice.role == ColumnRole::Ignored ? ColumnReason::Chosen : ColumnReason::UnknownName);
+        if (choice.role == ColumnRole::Time || choice.role == ColumnRole::CrankAngle) {
+            if (table.fileOf(column).hasAbscissa) {
                 throw faultIn(table, column, {Fault::TimeChosenTwice});
             }
-            setAbscissa(table, column, choice.role, ColumnReason::Chosen, unitText);
-        } else if (other) {
-            throw conflict(table, column, *other, Fault::ChannelChosenTwice);
-        } else if (const std::optional<Unit> unit = parseColumnUnit(unitText, choice.role, choice.channel)) {
-            convert(column, *unit);
-            column.use.role = choice.role;
-            column.setReason(ColumnReason::Chosen);
-        } else {
-            throw faultIn(table, column, {Fault::UnknownUnit, choice.channel});
+            setAbscissa(table, column, choice.role, ColumnReason::Chosen);
         }
     }
 }
@@ -238,8 +208,8 @@ std::vector<RawColumn *> findCandidates(RawTable &table)
         if (!column.isUndecided() || meaning.kind < Kind::Quantity) {
             continue;
         }
-        const std::optional<Unit> unit = parseColumnUnit(column.use.unit, ColumnRole::Channel, meaning.channel);
-        if (!unit && meaning.kind == Kind::ChannelName) {
+        const std::optional<Unit> unit = column.unitAs(ColumnRole::Channel, meaning.channel);
+        if (!unit && meaning.kind >= Kind::ChannelName) {
             throw faultIn(table, column, {Fault::UnknownUnit, meaning.channel});
         }
         if (!unit) {
@@ -300,50 +270,55 @@ void assignChannels(RawTable &table)
     findCrank(candidates);
     for (RawColumn *const column : candidates) {
         const Kind evidence = column->meaning.kind;
-        const RawColumn *const chosen = findChannel(table, column->use.channel);
         const auto rival = std::ranges::find_if(candidates, [&](const RawColumn *other) {
             return other != column && other->use.channel == column->use.channel && other->meaning.kind >= evidence;
         });
-        if (chosen) {
-            column->setReason(ColumnReason::LikeOther, chosen->index);
-        } else if (rival == candidates.end()) {
+        if (rival == candidates.end()) {
             column->use.role = ColumnRole::Channel;
-            column->setReason(column->meaning.channel != column->use.channel ? ColumnReason::WideAngle
-                              : column->meaning.isModelica                   ? ColumnReason::ModelicaName
-                              : evidence == Kind::Quantity                   ? ColumnReason::QuantityInName
-                                                                             : ColumnReason::KnownName);
-        } else if (evidence == Kind::ChannelName) {
-            throw conflict(table, *column, **rival, Fault::ChannelTwice);
+            column->setReason(evidence == Kind::Chosen                         ? ColumnReason::Chosen
+                              : column->meaning.channel != column->use.channel ? ColumnReason::WideAngle
+                              : column->meaning.isModelica                     ? ColumnReason::ModelicaName
+                              : evidence == Kind::Quantity                     ? ColumnReason::QuantityInName
+                                                                               : ColumnReason::KnownName);
+        } else if (evidence >= Kind::ChannelName && (*rival)->meaning.kind == evidence) {
+            throw conflict(table, *column, **rival,
+                           evidence == Kind::Chosen ? Fault::ChannelChosenTwice : Fault::ChannelTwice);
         } else {
             column->setReason(ColumnReason::LikeOther, (*rival)->index);
         }
     }
 }
 
-/// Returns the error that the file lacks the time or a channel.
-ReadError findMissing(const RawTable &table, std::size_t file)
+/// Throws if the file lacks the time or a channel.
+void requireData(const RawTable &table, std::size_t file)
 {
+    const bool hasChannel = std::ranges::any_of(table.columns, [file](const RawColumn &column) {
+        return column.use.file == file && column.use.role == ColumnRole::Channel;
+    });
     const TableFile &own = table.files[file];
     const FileLayout &layout = own.layout;
+    if (hasChannel && own.hasAbscissa) {
+        return;
+    }
     if (layout.headerLine == 0) {
         const Line &row = own.rows.front();
         const Cells cells = splitCells(row.text, layout.delimiter);
-        return {row.number, 1, excerpt(cells.front()), {Fault::NamesMissing}, {}, file};
+        throw ReadError{row.number, 1, excerpt(cells.front()), {Fault::NamesMissing}, {}, file};
     }
-    ReadFault fault{hasAbscissa(table, file) ? Fault::NoChannel : Fault::NoTime};
+    ReadFault fault{own.hasAbscissa ? Fault::NoChannel : Fault::NoTime};
     for (const RawColumn &column : table.columns) {
         const ColumnReason reason = column.use.reason;
         if (column.use.file != file || fault.kind != Fault::NoChannel) {
             continue;
         }
         if (reason == ColumnReason::LikeOther && table.columns[*column.use.otherColumn].use.file != file) {
-            return conflict(table, column, table.columns[*column.use.otherColumn], Fault::NoChannel);
+            throw conflict(table, column, table.columns[*column.use.otherColumn], Fault::NoChannel);
         }
         if (leavesOpen(reason) || reason == ColumnReason::UnknownUnit) {
             fault = {Fault::NoCertainChannel, {}, excerpt(column.use.heading), reason};
         }
     }
-    return {layout.headerLine, 0, {}, fault, {}, file};
+    throw ReadError{layout.headerLine, 0, {}, fault, {}, file};
 }
 
 } // namespace
@@ -355,12 +330,7 @@ void assignColumns(RawTable &table, std::span<const ColumnChoice> choices)
     assignAbscissas(table);
     assignChannels(table);
     for (std::size_t file = 0; file < table.files.size(); ++file) {
-        const bool hasChannel = std::ranges::any_of(table.columns, [&](const RawColumn &column) {
-            return column.use.file == file && column.use.role == ColumnRole::Channel;
-        });
-        if (!hasChannel || !hasAbscissa(table, file)) {
-            throw findMissing(table, file);
-        }
+        requireData(table, file);
     }
 }
 

@@ -24,7 +24,8 @@ struct NameMeaning {
         AngleOrLength, ///< Inventor's "P[3.1]" without a unit
         Quantity,      ///< of an unnamed body: `channel` is the one that is usually exported
         Words,         ///< for a quantity of a body, which is a channel
-        ChannelName    ///< nameOf() a channel
+        ChannelName,   ///< nameOf() a channel
+        Chosen         ///< by a person
     };
     Kind kind = Kind::Nothing;
     Channel channel{};

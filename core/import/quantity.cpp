@@ -37,10 +37,7 @@ double converted(double value, const Unit &from, const Unit &to)
     if (from.factor == to.factor) {
         return value;
     }
-    if (from.dimension == Dimension::Time) {
-        return withoutRoundingError(value / from.factor * to.factor);
-    }
-    const double product = value * from.factor / to.factor;
+    const double product = from.toDefault(value) / to.toDefault(1.0);
     return from.dimension == Dimension::Angle ? product : withoutRoundingError(product); // π has more digits
 }
 

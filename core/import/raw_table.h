@@ -19,7 +19,8 @@ namespace slidercrank
 {
 
 struct RawColumn : Heading {
-    std::size_t index = 0; ///< in the table
+    std::size_t index = 0;       ///< in the table
+    std::string chosenUnit = {}; ///< by a person, instead of that of the file; empty: none
 
     /// Gap: NaN, unreadable cell: infinity. In the unit of the file until the role is set.
     std::vector<double> values{};
@@ -29,6 +30,11 @@ struct RawColumn : Heading {
     bool isUsed() const { return use.role != ColumnRole::Ignored; }
     bool isUndecided() const { return !isUsed() && use.reason == ColumnReason::UnknownName; }
     bool isAbscissa() const { return use.role == ColumnRole::Time || use.role == ColumnRole::CrankAngle; }
+
+    std::optional<Unit> unitAs(ColumnRole role, Channel channel = {}) const
+    {
+        return parseColumnUnit(chosenUnit.empty() ? use.unit : chosenUnit, role, channel);
+    }
 
     /// Returns whether the row has to be skipped because of this column.
     bool isUnreadable(std::size_t row) const;
@@ -44,6 +50,7 @@ struct TableFile {
     std::vector<Line> rows{};    ///< refer to the bytes or to `converted`
     std::size_t firstColumn = 0; ///< in the table
     std::size_t width = 0;       ///< number of columns
+    bool hasAbscissa = false;    ///< whether one of them contains the time stamps or crank angles
 };
 
 struct RawTable {

@@ -21,6 +21,9 @@ struct Unit {
     /// in a second, so that 5 ms / 1000 gives exactly 0.005.
     double factor = 1.0;
 
+    /// Converts a value to the default unit.
+    double toDefault(double value) const { return dimension == Dimension::Time ? value / factor : value * factor; }
+
     friend bool operator==(const Unit &, const Unit &) = default;
 };
 
