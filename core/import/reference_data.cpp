@@ -147,9 +147,7 @@ ReferenceData collect(RawTable &table)
 /// Replaces the crank angles in ReferenceData::time by time stamps.
 void countByAngle(ReferenceData &data, RawTable &table)
 {
-    data.crank.emplace();
-    data.crank->degrees = unwrapped(data.time);
-    data.crank->rounding = data.timeRounding;
+    data.crank = CrankAngles{unwrapped(data.time), data.timeRounding};
     if (const std::optional<std::size_t> row = findReversal(data.crank->degrees)) {
         throw ReadError{data.lineOfRow(*row), 0, {}, {Fault::AngleTurnsBack}};
     }
@@ -196,50 +194,6 @@ ReferenceData toData(RawTable &table)
     return data;
 }
 
-/// Reads the tables of all files side by side. If only the beginnings of the files are known, they are cut to the
-/// shortest one.
-void readTables(std::span<const FileBytes> files, const std::stop_token &stop, const ReadOptions &options,
-                RawTable &table)
-{
-    std::size_t shortest = std::numeric_limits<std::size_t>::max();
-    for (std::size_t i = 0; i < files.size(); ++i) {
-        const auto progress = [&](double part) {
-            if (options.progress) {
-                options.progress((static_cast<double>(i) + part) / static_cast<double>(files.size()));
-            }
-        };
-        try {
-            readTable(files[i], stop, progress, table);
-        } catch (ReadError &error) {
-            error.file = i;
-            throw;
-        }
-        shortest = std::min(shortest, table.files.back().rows.size());
-    }
-    if (std::ranges::any_of(files, &FileBytes::isBeginning)) {
-        std::ranges::for_each(table.files, [&](TableFile &file) { file.rows.resize(shortest); });
-        std::ranges::for_each(table.columns, [&](RawColumn &column) { column.values.resize(shortest); });
-    }
-}
-
-/// Reads the files like readFiles(), but throws if there is not enough memory.
-std::variant<ReferenceData, ReadError> readOrThrow(std::span<const FileBytes> files, const std::stop_token &stop,
-                                                   const ReadOptions &options)
-{
-    RawTable table;
-    try {
-        readTables(files, stop, options, table);
-        assignColumns(table, resolveChoices(options, table));
-        ReferenceData data = toData(table);
-        data.layout = takeLayout(table);
-        return data;
-    } catch (ReadError &error) {
-        error.file = files.size() == 1 ? std::nullopt : error.file;
-        error.layout = takeLayout(table);
-        return std::move(error);
-    }
-}
-
 } // namespace
 
 const ReferenceSeries *ReferenceData::find(Channel channel) const
@@ -278,12 +232,35 @@ ChannelSet channelsOf(const ReferenceData &data)
 
 std::variant<ReferenceData, ReadError> readFiles(std::span<const FileBytes> files, const std::stop_token &stop,
                                                  const ReadOptions &options)
-{
+try {
+    RawTable table;
+    std::size_t file = 0; // that is being read
     try {
-        return readOrThrow(files, stop, options);
-    } catch (const std::bad_alloc &) {
-        return ReadError{.fault = {Fault::NoMemory}};
+        std::size_t shortest = std::numeric_limits<std::size_t>::max();
+        for (; file < files.size(); ++file) {
+            const auto progress = [&](double part) {
+                if (options.progress) {
+                    options.progress((static_cast<double>(file) + part) / static_cast<double>(files.size()));
+                }
+            };
+            readTable(files[file], stop, progress, table);
+            shortest = std::min(shortest, table.files.back().rows.size());
+        }
+        if (std::ranges::any_of(files, &FileBytes::isBeginning)) {
+            std::ranges::for_each(table.files, [&](TableFile &whole) { whole.rows.resize(shortest); });
+            std::ranges::for_each(table.columns, [&](RawColumn &column) { column.values.resize(shortest); });
+        }
+        assignColumns(table, resolveChoices(options, table));
+        ReferenceData data = toData(table);
+        data.layout = takeLayout(table);
+        return data;
+    } catch (ReadError &error) {
+        error.file = files.size() == 1 ? std::nullopt : file < files.size() ? std::optional(file) : error.file;
+        error.layout = takeLayout(table);
+        return std::move(error);
     }
+} catch (const std::bad_alloc &) {
+    return ReadError{.fault = {Fault::NoMemory}};
 }
 
 std::variant<ReferenceData, ReadError> readReferenceData(std::string_view bytes, const std::stop_token &stop,

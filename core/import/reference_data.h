@@ -123,7 +123,7 @@ struct ReadOptions {
 struct FileBytes {
     std::string_view bytes;
     std::string name{};       ///< "slider_velocity.csv"; empty: unknown
-    bool isBeginning = false; ///< whether the file continues after these bytes
+    bool isBeginning = false; ///< whether the file continues after these bytes: all are cut to the shortest one
 };
 
 /// Number of bytes that are checked before a large file is read.

@@ -169,20 +169,26 @@ std::string_view unitIn(std::string_view cell)
     return parseUnit(cell) ? cell : std::string_view();
 }
 
-/// Sets the units of the columns, which are given in that line. Throws if a heading states another unit.
-void setUnits(std::vector<Heading> &headings, const Cells &cells, std::size_t line)
+/// Sets the units of the columns, which `findUnit` finds in the cells of a line. Returns whether there are any. Throws
+/// if a heading states another unit.
+bool setUnits(std::vector<Heading> &headings, const Cells &cells, std::size_t line,
+              std::string_view (*findUnit)(std::string_view cell))
 {
-    for (std::size_t i = 0; i < std::min(cells.size(), headings.size()); ++i) {
-        FileColumn &column = headings[i].use;
-        if (cells[i].empty()) {
+    bool hasUnit = false;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const std::string_view unit = findUnit(cells[i]);
+        hasUnit = hasUnit || !unit.empty();
+        if (unit.empty() || i >= headings.size()) {
             continue;
         }
-        if (!column.unit.empty() && parseUnit(column.unit) != parseUnit(cells[i])) {
+        FileColumn &column = headings[i].use;
+        if (!column.unit.empty() && parseUnit(column.unit) != parseUnit(unit)) {
             const ReadFault fault{ReadFault::Kind::UnitsContradict, {}, excerpt(column.heading)};
-            throw ReadError{line, i + 1, excerpt(cells[i]), fault};
+            throw ReadError{line, i + 1, excerpt(unit), fault};
         }
-        column.unit = cells[i];
+        column.unit = unit;
     }
+    return hasUnit;
 }
 
 /// Interprets the lines between the headings and the first number, which may contain units. Returns how many there are.
@@ -191,15 +197,12 @@ std::size_t readAnnotations(Lines lines, std::string_view delimiters, const std:
 {
     std::size_t count = 0;
     for (const Line &line : lines) {
-        Cells cells = row && row->delimiter != ' ' ? splitCells(line.text, row->delimiter)
-                                                   : readNames(line.text, delimiters, row).cells;
+        const Cells cells = row && row->delimiter != ' ' ? splitCells(line.text, row->delimiter)
+                                                         : readNames(line.text, delimiters, row).cells;
         if (std::ranges::any_of(cells, [](std::string_view cell) { return looksNumeric(splitUnit(cell).number); })) {
             break;
         }
-        std::ranges::transform(cells, cells.begin(), unitIn);
-        const bool hasUnit = std::ranges::any_of(cells, [](std::string_view unit) { return !unit.empty(); });
-        layout.unitsLine = hasUnit ? line.number : layout.unitsLine;
-        setUnits(headings, cells, line.number);
+        layout.unitsLine = setUnits(headings, cells, line.number, unitIn) ? line.number : layout.unitsLine;
         ++count;
     }
     return count;
@@ -276,12 +279,10 @@ std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout)
         rows = rows.subspan(readAnnotations(firstLines(rows), delimiters, row, headings, layout));
     }
     if (row) {
-        Cells units;
-        std::ranges::transform(row->cells, std::back_inserter(units),
-                               [](std::string_view cell) { return splitUnit(cell).unit; });
-        setUnits(headings, units, lines[row->line].number);
-        for (std::size_t i = 0; i < std::min(units.size(), headings.size()); ++i) {
-            headings[i].cellUnit = units[i];
+        setUnits(headings, row->cells, lines[row->line].number,
+                 [](std::string_view cell) { return splitUnit(cell).unit; });
+        for (std::size_t i = 0; i < std::min(row->cells.size(), headings.size()); ++i) {
+            headings[i].cellUnit = splitUnit(row->cells[i]).unit;
         }
     }
     const auto isAbove = [preamble](std::string_view beginning) {
