@@ -28,9 +28,7 @@ private slots:
             {over("Crank angle (deg)"), "angle? R4_x", " 0 15 30"},
             {over("θ₂ [°]"), "angle? R4_x", " 0 15 30"},
             {over("Ángulo de la manivela (grados)"), "angle? R4_x", " 0 15 30"},
-            {over("Kurbelwinkel"), "angle? R4_x", " 0 15 30"},
             {over("°CA"), "angle? R4_x", " 0 15 30"},
-            {over("Crank angle [CAD]"), "angle? R4_x", " 0 15 30"},
             {"R4_x,CAD\n3,0\n4,15\n5,30\n", "R4_x angle?", " 0 15 30"},
             {"theta2 (rad),R4_x\n0,3\n3.141592653589793,4\n6.283185307179586,5\n", "angle? R4_x", " 0 180 360"},
             {"theta2,R4_x\n350,3\n359,4\n0,5\n1,5\n", "angle? R4_x", " 350 359 360 361"},
@@ -76,11 +74,7 @@ private slots:
                 continue;
             }
             QCOMPARE(described(*timedBy(Mechanism(), *timed)), described(data)); // it does not depend on the history
-            for (std::size_t i = 0; i < timed->time.size(); ++i) {
-                const double angle = kDegreesPerRadian * (omega2 * timed->time[i] + theta20);
-                QVERIFY2(std::abs(angle - timed->crank->degrees[i]) < 1e-12 * 360.0, name);
-            }
-            const double step = 1.0 / (kDegreesPerRadian * std::abs(omega2)); // the duration of a degree
+            const double step = 1.0 / (kDegreesPerRadian * std::abs(omega2));    // the duration of a degree
             QVERIFY2(std::abs(timed->timeRounding.finestStep() - step) < 1e-12 * step, name);
         }
     }

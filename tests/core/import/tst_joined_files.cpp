@@ -29,18 +29,13 @@ private slots:
             {position, "plot 2\n\n" + QByteArray(velocity).replace(',', ';').replace('.', ','),
              utf16Of(QByteArray(coupler).replace(',', '\t'), true, true)},
             {position, columnsOf(table, {2, 3, 0}), coupler}};
-        const Outcome expected = read(table);
-        const ReferenceData &whole = std::get<ReferenceData>(expected);
+        const ReferenceData whole = std::get<ReferenceData>(read(table));
         for (const QByteArrayList &files : splits) {
-            const Outcome outcome = readJoined(files);
-            QVERIFY2(std::holds_alternative<ReferenceData>(outcome), described(outcome).c_str());
-            const ReferenceData &data = std::get<ReferenceData>(outcome);
-            QCOMPARE(data.time, whole.time);
-            QVERIFY(data.timeRounding == whole.timeRounding);
+            const ReferenceData data = std::get<ReferenceData>(readJoined(files));
+            QVERIFY(data.time == whole.time && data.timeRounding == whole.timeRounding);
             QCOMPARE(data.series.size(), whole.series.size());
-            for (const ReferenceSeries &series : whole.series) {
-                QCOMPARE(data.find(series.channel)->values, series.values);
-                QVERIFY(data.find(series.channel)->rounding == series.rounding);
+            for (const auto &[channel, values, rounding] : whole.series) {
+                QVERIFY(data.find(channel)->values == values && data.find(channel)->rounding == rounding);
             }
             QCOMPARE(data.layout.files.size(), static_cast<std::size_t>(files.size()));
             QCOMPARE(std::ranges::count(data.layout.columns, ColumnReason::SameTimeStamps, &FileColumn::reason),
@@ -53,34 +48,29 @@ private slots:
         struct Row {
             QByteArrayList files;
             const char *expected;
+            std::vector<ColumnChoice> choices{};
             bool areBeginnings = false;
         };
+        const QByteArrayList files{"T,Value\n0,1\n1,2\n", "T,Value\n0,3\n1,4\n"};
+        constexpr ColumnRole kChannel = ColumnRole::Channel;
         const std::vector<Row> rows{
             {{"time,R4_x\n0,1\n1,2\n2,?\n3,4\n", "time,theta3\n0,5\n1,\n2,7\n3,oh\n"},
              "time 0 1; R4_x 1 2; theta3 5 gap; skipped 4:2 ? (not a number); skipped file 1 5:2 oh (not a number)"},
             {{"theta2,R4_x\n0,1\n90,2\n180,3\n", "theta2,theta3\n0.0,4\n90.0,5\n180.0,6\n"},
              "time 0 0.25 0.5; R4_x 1 2 3; theta3 4 5 6"},
-            {{"time,R4_x\n0,1\n1,2\n2,3\n", "time,theta3\n0,5\n1,6\n"}, "time 0 1; R4_x 1 2; theta3 5 6", true},
+            {{"time,R4_x\n0,1\n1,2\n2,3\n", "time,theta3\n0,5\n1,6\n"}, "time 0 1; R4_x 1 2; theta3 5 6", {}, true},
+            // The columns of all files are numbered consecutively.
+            {files, "time 0 1; R4_x 1 2; R4_x_diff 3000 4000", {{1, kChannel, kX, {}}, {3, kChannel, kV, "m/s"}}},
+            {files, "time 0 1; R4_x 1 2; R4_x_diff 3 4", {{0, kChannel, kX, {}, "#2"}, {0, kChannel, kV, {}, "#4"}}},
+            // The choice for the first column applies to the same heading in the other files.
+            {{"q,R4_x\n0,1\n90,2\n", "q,theta3\n0,3\n90,4\n"},
+             "time 0 0.25; R4_x 1 2; theta3 3 4",
+             {{0, ColumnRole::CrankAngle, {}, {}}}},
         };
         for (const Row &row : rows) {
-            QCOMPARE(described(readJoined(row.files, {}, row.areBeginnings)), std::string(row.expected));
+            QCOMPARE(described(readJoined(row.files, {row.choices, {}}, row.areBeginnings)), std::string(row.expected));
         }
-    }
-
-    void numbersTheColumnsOfAllFilesInChoices()
-    {
-        const QByteArrayList files{"T,Value\n0,1\n1,2\n", "T,Value\n0,3\n1,4\n"};
-        QCOMPARE(
-            described(readJoined(files, {{{1, ColumnRole::Channel, kX, {}}, {3, ColumnRole::Channel, kV, "m/s"}}, {}})),
-            std::string("time 0 1; R4_x 1 2; R4_x_diff 3000 4000"));
-        QCOMPARE(described(readJoined(
-                     files, {{{0, ColumnRole::Channel, kX, {}, "#2"}, {0, ColumnRole::Channel, kV, {}, "#4"}}, {}})),
-                 std::string("time 0 1; R4_x 1 2; R4_x_diff 3 4"));
-        // The choice for the first column applies to the same heading in the other files.
-        QCOMPARE(described(readJoined({"q,R4_x\n0,1\n90,2\n", "q,theta3\n0,3\n90,4\n"},
-                                      {{{0, ColumnRole::CrankAngle, {}, {}}}, {}})),
-                 std::string("time 0 0.25; R4_x 1 2; theta3 3 4"));
-        const Outcome several = readJoined(files, {{{0, ColumnRole::Channel, kX, {}, "Value"}}, {}});
+        const Outcome several = readJoined(files, {{{0, kChannel, kX, {}, "Value"}}, {}});
         QCOMPARE(std::get<ReadError>(several).fault.kind, Kind::SeveralColumns);
         QCOMPARE(std::get<ReadError>(several).layout.columns.size(), std::size_t(4));
     }
