@@ -17,26 +17,28 @@ inline State ClosedForm::stateAt(double t) const
     const Motion motion = motionAt(t);
     State state;
     state.status = motion.status;
-    const auto set = [](Vector12 &values, double pinX, double pinY, double theta2, double s, double R4y, double theta3,
-                        double R4x) {
-        values << 0.0, 0.0, 0.0, 0.5 * pinX, 0.5 * pinY, theta2, pinX + 0.5 * s, 0.5 * (pinY + R4y), theta3, R4x, R4y,
-            0.0;
-    };
-    const double omega = m_mechanism.omega2();
-    const double omegaSquared = omega * omega;
-    const double pinX = m_mechanism.a() * motion.crank.cos;
-    const double pinY = m_mechanism.a() * motion.crank.sin;
-    set(state.q, pinX, pinY, motion.theta2, motion.s, m_mechanism.c(), motion.theta3, motion.R4x);
-    set(state.qDot, -pinY * omega, pinX * omega, omega, motion.sDot, 0.0, motion.theta3Dot, motion.R4xDot);
-    set(state.qDDot, -pinX * omegaSquared, -pinY * omegaSquared, 0.0, motion.sDDot, 0.0, motion.theta3DDot,
-        motion.R4xDDot);
-    if (motion.status != Status::Solved) {
+    if (motion.status == Status::NotFinite || motion.status == Status::NotAssemblable) {
+        state.q.setConstant(kNone);
         state.qDot.setConstant(kNone);
         state.qDDot.setConstant(kNone);
-        if (motion.status != Status::Singular) {
-            state.q.setConstant(kNone);
-        }
+        return state;
     }
+    const double omega = m_mechanism.omega2();
+    const double aCos = m_mechanism.a() * motion.crank.cos;
+    const double aSin = m_mechanism.a() * motion.crank.sin;
+    state.q << 0.0, 0.0, 0.0, 0.5 * aCos, 0.5 * aSin, motion.theta2, aCos + 0.5 * motion.s,
+        0.5 * (aSin + m_mechanism.c()), motion.theta3, motion.R4x, m_mechanism.c(), 0.0;
+    if (motion.status == Status::Singular) {
+        state.qDot.setConstant(kNone);
+        state.qDDot.setConstant(kNone);
+        return state;
+    }
+    const double omegaSquared = omega * omega;
+    state.qDot << 0.0, 0.0, 0.0, -0.5 * aSin * omega, 0.5 * aCos * omega, omega, -aSin * omega + 0.5 * motion.sDot,
+        0.5 * aCos * omega, motion.theta3Dot, motion.R4xDot, 0.0, 0.0;
+    state.qDDot << 0.0, 0.0, 0.0, -0.5 * aCos * omegaSquared, -0.5 * aSin * omegaSquared, 0.0,
+        -aCos * omegaSquared + 0.5 * motion.sDDot, -0.5 * aSin * omegaSquared, motion.theta3DDot, motion.R4xDDot, 0.0,
+        0.0;
     return state;
 }
 
