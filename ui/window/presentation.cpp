@@ -45,7 +45,6 @@ Presentation::Presentation(const Views &views, MessageBar *messages, QMainWindow
 
 void Presentation::setOn(bool on)
 {
-    constexpr int kMechanismShare = 40; // % of the width
     if (on == m_isOn) {
         return;
     }
@@ -63,10 +62,9 @@ void Presentation::setOn(bool on)
     m_window->centralWidget()->setFont(on ? largeFont(*m_window) : QFont());
     m_views.tabs->setFolded(false); // sets the height for the font, and so does folding
     m_views.tabs->setFolded(on || m_wasFolded);
-    m_views.columns->setStretchFactor(0, on ? kMechanismShare : 0);
-    m_views.columns->setStretchFactor(1, on ? 100 - kMechanismShare : 1);
-    const int width = m_views.columns->width() * kMechanismShare / 100;
-    m_views.columns->setSizes(on ? QList<int>{width, m_views.columns->width() - width} : m_widths);
+    m_views.columns->setStretchFactor(0, on ? 2 : 0);
+    m_views.columns->setStretchFactor(1, on ? 3 : 1);
+    m_views.columns->setSizes(on ? QList<int>{400, 600} : m_widths); // the proportion of the widths
     // The maximized state remains set: a Wayland compositor may end a program that changes both states at once.
     m_window->setWindowState(m_window->windowState().setFlag(Qt::WindowFullScreen, on));
     if (const QWidget *focus = m_window->focusWidget(); !focus || !focus->isVisible()) {
