@@ -6,6 +6,7 @@
 #include "app/console.h"
 #include "app/option_reader.h"
 #include "app/output.h"
+#include "ui/document/whole_file.h"
 #include "ui/window/main_window.h"
 
 #include <QApplication>
@@ -39,6 +40,10 @@ ExitStatus resetSettings(const Streams &streams)
 void requireFile(const QString &argument)
 {
     const QString name = QDir::toNativeSeparators(argument);
+    if (isStandardInput(argument)) {
+        throw UsageError{CommandLine::tr("The window does not read standard input: save it in a file, or use a command, "
+                                         "such as compare, which reads it.")};
+    }
     if (!QFileInfo::exists(argument) && argument.contains('.')) {
         throw UsageError{CommandLine::tr("There is no file %1.").arg(name), ExitStatus::FileError};
     }
@@ -66,7 +71,10 @@ ExitStatus windowCommand(const OptionReader &options, const Streams &streams)
     }
     leaveConsole();
     MainWindow window;
-    window.start(files);
+    window.showWithinScreen();
+    if (!files.isEmpty()) {
+        window.openFiles(files);
+    }
     return static_cast<ExitStatus>(QApplication::exec());
 }
 

@@ -52,7 +52,7 @@ private slots:
             {"--reference x.csv solve", "must come first"},
             {"--reset-settings --reference x.csv", "remove the other arguments"},
             {"--steps 3", "Unknown option 'steps'"},
-            {"-", "command must come first"},
+            {"-", "does not read standard input"},
             {"help fly", "solve, limits, compare"},
             {"solve --omga2 3", "--help describes the options"},
             {"solve file.csv", "remove \"file.csv\""},
