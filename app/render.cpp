@@ -194,10 +194,7 @@ std::optional<QString> draw(const RenderRequest &request, const std::shared_ptr<
     case Subject::Mechanism: return write(withParameters(drawMechanism, result->mechanism, palette));
     case Subject::Frames:
         return exportAnimation(request.output, request.animation, drawFrame, [](int) { return true; });
-    case Subject::Report:
-        content.hasGhost = ghost.pose && ghost.pose(scene.time).exists;
-        content.checksums = result->reference ? fileChecksums(*result->reference) : QByteArrayList();
-        return exportReport(request.output, content, {drawMechanism, drawFigure});
+    case Subject::Report: return exportReport(request.output, content, drawMechanism, drawFigure);
     }
     return std::nullopt;
 }

@@ -57,9 +57,8 @@ struct ReadFault {
         OtherTimeStamps,
         ChannelInBoth,
 
-        TooLarge,   ///< larger than kLargestReferenceFile
-        Stopped,    ///< by the caller
-        Unreadable, ///< the file became shorter while it was read
+        TooLarge, ///< larger than kLargestReferenceFile
+        Stopped,  ///< by the caller
         NoMemory
     };
     Kind kind = Kind::Empty;

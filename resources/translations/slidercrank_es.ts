@@ -788,6 +788,10 @@ Equipo: %1. Tiempo: %2 s.
         <source>There is no file &quot;%1&quot;. A command must come first: choose one of %2.</source>
         <translation>No existe el archivo «%1». Una orden debe ir primero: elija una de %2.</translation>
     </message>
+    <message>
+        <source>The window does not read standard input: save it in a file, or use a command, such as compare, which reads it.</source>
+        <translation>La ventana no lee la entrada estándar: guárdela en un archivo, o use una orden que la lea, como compare.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::ConventionText</name>
@@ -1296,10 +1300,6 @@ difiere: lo demás</translation>
         <translation>Informes (*.pdf)</translation>
     </message>
     <message>
-        <source>No report was written: the mechanism was changed meanwhile. Export it again.</source>
-        <translation>No se escribió ningún informe: entretanto cambió el mecanismo. Expórtelo de nuevo.</translation>
-    </message>
-    <message>
         <source>Export animation</source>
         <translation>Exportar animación</translation>
     </message>
@@ -1358,6 +1358,10 @@ difiere: lo demás</translation>
     <message>
         <source>report</source>
         <translation>informe</translation>
+    </message>
+    <message>
+        <source>No report was written: the mechanism of the file is still being identified. Export it again in a moment.</source>
+        <translation>No se escribió el informe: todavía se está identificando el mecanismo del archivo. Expórtelo de nuevo dentro de un momento.</translation>
     </message>
 </context>
 <context>
@@ -1647,14 +1651,6 @@ difiere: lo demás</translation>
         <translation>%1[*] – Biela-manivela</translation>
     </message>
     <message>
-        <source>Simulation results (*.csv *.txt *.tsv *.tab *.dat *.dta *.mot);;All files (*)</source>
-        <translation>Resultados de simulación (*.csv *.txt *.tsv *.tab *.dat *.dta *.mot);;Todos los archivos (*)</translation>
-    </message>
-    <message>
-        <source>Open reference: one file, or the plots of one motion together</source>
-        <translation>Abrir referencia: un archivo, o las gráficas de un mismo movimiento juntas</translation>
-    </message>
-    <message>
         <source>Errors against the reference</source>
         <translation>Errores frente a la referencia</translation>
     </message>
@@ -1697,6 +1693,14 @@ difiere: lo demás</translation>
     <message>
         <source>Coordinates</source>
         <translation>Coordenadas</translation>
+    </message>
+    <message>
+        <source>Open a scene, a reference, or the plots of one motion together</source>
+        <translation>Abrir una escena, una referencia, o las gráficas de un mismo movimiento juntas</translation>
+    </message>
+    <message>
+        <source>Scenes and simulation results (*.slidercrank *.json *.csv *.txt *.tsv *.tab *.dat *.dta *.mot);;All files (*)</source>
+        <translation>Escenas y resultados de simulación (*.slidercrank *.json *.csv *.txt *.tsv *.tab *.dat *.dta *.mot);;Todos los archivos (*)</translation>
     </message>
 </context>
 <context>
@@ -1903,14 +1907,6 @@ difiere: lo demás</translation>
         <translation>&amp;Archivo</translation>
     </message>
     <message>
-        <source>&amp;Open reference…</source>
-        <translation>&amp;Abrir referencia…</translation>
-    </message>
-    <message>
-        <source>Open sc&amp;ene…</source>
-        <translation>Abrir es&amp;cena…</translation>
-    </message>
-    <message>
         <source>Open &amp;recent</source>
         <translation>Abrir &amp;reciente</translation>
     </message>
@@ -2095,6 +2091,10 @@ difiere: lo demás</translation>
         <comment>a resource of the program</comment>
         <translation>qrc:/help/spanish.html</translation>
     </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Abrir…</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::MessageBar</name>
@@ -2114,10 +2114,6 @@ difiere: lo demás</translation>
         <translation>Abrir referencia…</translation>
     </message>
     <message>
-        <source>Open the sample</source>
-        <translation>Abrir el ejemplo</translation>
-    </message>
-    <message>
         <source>Choose columns…</source>
         <translation>Elegir columnas…</translation>
     </message>
@@ -2128,14 +2124,6 @@ difiere: lo demás</translation>
     <message>
         <source>%1 is a table by crank angle: ω₂ and θ₂₀ give its time.</source>
         <translation>%1 es una tabla por ángulo de la manivela: ω₂ y θ₂₀ dan su tiempo.</translation>
-    </message>
-    <message>
-        <source>Drag a slider or a link. Press Space to play.</source>
-        <translation>Arrastre un control o un eslabón. Pulse Espacio para reproducir.</translation>
-    </message>
-    <message>
-        <source>The time range is now that of %1: %2 s to %3 s.</source>
-        <translation>El intervalo de tiempo es ahora el de %1: de %2 s a %3 s.</translation>
     </message>
 </context>
 <context>
@@ -2890,10 +2878,6 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>la línea de unidades contradice el encabezado, %1: corrija uno de los dos.</translation>
     </message>
     <message>
-        <source>The file became shorter while it was read: open it again.</source>
-        <translation>El archivo se acortó mientras se leía: ábralo de nuevo.</translation>
-    </message>
-    <message>
         <source>the line has more than a million characters: export the table as CSV, a row a line.</source>
         <translation>la línea tiene más de un millón de caracteres: exporte la tabla como CSV, una fila por línea.</translation>
     </message>
@@ -3023,6 +3007,18 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <source>%1 + %2 more</source>
         <translation>%1 + %2 más</translation>
     </message>
+    <message>
+        <source>%1 is a folder: choose a file in it.</source>
+        <translation>%1 es una carpeta: elija un archivo de ella.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened: %2.</source>
+        <translation>No se puede abrir %1: %2.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2.</source>
+        <translation>No se puede leer %1: %2.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::ReferencePage</name>
@@ -3146,12 +3142,6 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>%1, por %2 %3</translation>
     </message>
     <message>
-        <source>File: %1
-SHA-256: %2</source>
-        <translation>Archivo: %1
-SHA-256: %2</translation>
-    </message>
-    <message>
         <source>crank speed</source>
         <translation>velocidad de la manivela</translation>
     </message>
@@ -3174,10 +3164,6 @@ SHA-256: %2</translation>
     <message>
         <source>Reference: %1, %2, %3 rows.</source>
         <translation>Referencia: %1, %2, %3 filas.</translation>
-    </message>
-    <message>
-        <source>unknown: the file cannot be read again, or has changed</source>
-        <translation>desconocida: el archivo no se puede volver a leer o ha cambiado</translation>
     </message>
     <message>
         <source>Largest %: max |model − reference| / |reference| · 100 where the reference is not zero. Rounding step: the distance of neighbouring numbers in the file, where it is largest.</source>
@@ -3204,20 +3190,20 @@ SHA-256: %2</translation>
         <translation>%1 pasos de tiempo de t = %2 s a %3 s, %4 de ellos resueltos.</translation>
     </message>
     <message>
-        <source>Thin: the mechanism as in the file.</source>
-        <translation>Fino: el mecanismo según el archivo.</translation>
-    </message>
-    <message>
-        <source>Thin: the pinned mechanism.</source>
-        <translation>Fino: el mecanismo fijado.</translation>
-    </message>
-    <message>
         <source>Motion limits</source>
         <translation>Límites del movimiento</translation>
     </message>
     <message>
-        <source>Found by weighted least squares (Levenberg-Marquardt, %1 iterations, condition number %2); ± is one standard error. %3 of %4 channels of the file agree with the result.</source>
-        <translation>Hallado por mínimos cuadrados ponderados (Levenberg-Marquardt, %1 iteraciones, número de condición %2); ± es un error estándar. %3 de %4 canales del archivo coinciden con el resultado.</translation>
+        <source>Found by weighted least squares; ± is one standard error.</source>
+        <translation>Hallado por mínimos cuadrados ponderados; ± es un error estándar.</translation>
+    </message>
+    <message>
+        <source>Thin, if it differs: the mechanism as in the file.</source>
+        <translation>Fino, si difiere: el mecanismo según el archivo.</translation>
+    </message>
+    <message>
+        <source>Thin, if it differs: the pinned mechanism.</source>
+        <translation>Fino, si difiere: el mecanismo fijado.</translation>
     </message>
 </context>
 <context>
@@ -3348,10 +3334,6 @@ SHA-256: %2</translation>
         <translation>Cambios sin guardar</translation>
     </message>
     <message>
-        <source>Open scene</source>
-        <translation>Abrir escena</translation>
-    </message>
-    <message>
         <source>Save scene</source>
         <translation>Guardar escena</translation>
     </message>
@@ -3360,16 +3342,8 @@ SHA-256: %2</translation>
         <translation>Escenas (*.json)</translation>
     </message>
     <message>
-        <source>Scenes (*.slidercrank *.json);;All files (*)</source>
-        <translation>Escenas (*.slidercrank *.json);;Todos los archivos (*)</translation>
-    </message>
-    <message>
         <source>Scenes (*.slidercrank)</source>
         <translation>Escenas (*.slidercrank)</translation>
-    </message>
-    <message>
-        <source>Changed elsewhere</source>
-        <translation>Cambiado en otra parte</translation>
     </message>
     <message>
         <source>Save your changes as a scene?</source>
@@ -3382,10 +3356,6 @@ SHA-256: %2</translation>
     <message>
         <source>They will be lost if you don&apos;t.</source>
         <translation>Si no los guarda, se perderán.</translation>
-    </message>
-    <message>
-        <source>%1 has been changed by another program since you opened it. Replace it?</source>
-        <translation>Otro programa ha cambiado %1 desde que usted lo abrió. ¿Reemplazarlo?</translation>
     </message>
     <message>
         <source>scene</source>
@@ -3414,10 +3384,6 @@ SHA-256: %2</translation>
         <source>%1 was saved by a newer slidercrank (scene version %2; this one reads up to %3). Open it with the newer one.</source>
         <translation>%1 se guardó con un slidercrank más nuevo (versión de escena %2; este lee hasta la %3). Ábrala con el más nuevo.</translation>
     </message>
-    <message>
-        <source>%1 is not a scene: it is too large. Open a file that this program saved.</source>
-        <translation>%1 no es una escena: es demasiado grande. Abra un archivo guardado por este programa.</translation>
-    </message>
 </context>
 <context>
     <name>slidercrank::SegmentedPages</name>
@@ -3431,14 +3397,6 @@ SHA-256: %2</translation>
     <message>
         <source>%1 must be at least %2 mm.</source>
         <translation>%1 debe ser al menos %2 mm.</translation>
-    </message>
-    <message>
-        <source>This motion is already pinned: change the mechanism to see the difference.</source>
-        <translation>Este movimiento ya está fijado: cambie el mecanismo para ver la diferencia.</translation>
-    </message>
-    <message>
-        <source>%1 motions are already pinned: remove them before you pin another one.</source>
-        <translation>Ya hay %1 movimientos fijados: quítelos antes de fijar otro.</translation>
     </message>
     <message>
         <source>%1 must be a number up to %2.</source>
@@ -4056,18 +4014,6 @@ SHA-256: %2</translation>
     <message>
         <source>Standard input</source>
         <translation>Entrada estándar</translation>
-    </message>
-    <message>
-        <source>%1 is a folder: choose a file in it.</source>
-        <translation>%1 es una carpeta: elija un archivo de ella.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be opened: %2.</source>
-        <translation>No se puede abrir %1: %2.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be read: %2.</source>
-        <translation>No se puede leer %1: %2.</translation>
     </message>
     <message>
         <source>%1 cannot be written: %2. Choose another name or folder.</source>

@@ -213,8 +213,11 @@ private slots:
         }
         const QString path = m_folder->filePath(QStringLiteral("report.pdf"));
         m_window->exports().writeReport(path);
-        AWAIT2(messageText(*m_messages).startsWith(QStringLiteral("Exported to ")),
-               qPrintable(messageText(*m_messages)));
+        if (hasReference && !isDiagnosed) {
+            QVERIFY(messageText(*m_messages).contains(QStringLiteral("Export it again")));
+            AWAIT(session.diagnosis()->parameters.b == 64.0);
+            m_window->exports().writeReport(path);
+        }
         QVERIFY(contentOf(path).startsWith("%PDF"));
         if (!missingProgram({"pdftotext"}).isEmpty()) {
             QSKIP("pdftotext (poppler-utils) is missing: tests/run installs it.");
@@ -224,20 +227,6 @@ private slots:
         QCOMPARE(text.contains(QStringLiteral("inventor_sample.csv")), hasReference);
         const QString explanation = QStringLiteral("b = 60 mm instead of %1 mm").arg(isDiagnosed ? 65 : 64);
         QVERIFY2(text.contains(explanation) == hasReference, qPrintable(text));
-    }
-
-    void aReportIsNotWrittenIfTheMechanismChanges()
-    {
-        Session &session = m_window->session();
-        m_window->openReference(kSample);
-        AWAIT(session.diagnosis());
-        session.setParameters(withCoupler(64.0));
-        const QString path = m_folder->filePath(QStringLiteral("report.pdf"));
-        m_window->exports().writeReport(path);
-        session.setParameters(withCoupler(63.0));
-        AWAIT2(messageText(*m_messages).contains(QStringLiteral("Export it again")),
-               qPrintable(messageText(*m_messages)));
-        QVERIFY(!QFile::exists(path));
     }
 
     void picturesShowTheirSubject_data()
@@ -346,8 +335,6 @@ private slots:
         m_window->exports().writeReport(path);
         AWAIT2(messageText(*m_messages).startsWith(QStringLiteral("Exported to ")),
                qPrintable(messageText(*m_messages)));
-        const QString checksum = QString::fromLatin1(outputOf(QStringLiteral("sha256sum"), {kSample}).left(64));
-        QCOMPARE(checksum.size(), qsizetype(64));
         const QString rendered = m_folder->filePath(QStringLiteral("rendered.pdf"));
         outputOf(QStringLiteral(SLIDERCRANK_PROGRAM),
                  {"render", "--what", "report", "--reference", kSample, "--output", rendered});
@@ -363,7 +350,6 @@ private slots:
             for (const char *word : {"inventor_sample.csv", "theta3 [°]", "[mm/s²]", "Method"}) {
                 QVERIFY2(text.contains(QString::fromUtf8(word)), qPrintable(QString::fromUtf8(word) + text));
             }
-            QVERIFY2(text.contains(checksum), qPrintable(text));
         }
     }
 

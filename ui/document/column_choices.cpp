@@ -21,16 +21,13 @@ namespace
 QString settingsKey(const FileLayout &layout, const QStringList &paths)
 {
     QStringList parts;
-    for (const std::string &file : layout.files) {
-        parts += QString::fromStdString(file);
-    }
-    bool hasHeadings = false;
     for (const FileColumn &column : layout.columns) {
         parts << QString::fromStdString(column.heading) << QString::fromStdString(column.unit);
-        hasHeadings = hasHeadings || !column.heading.empty();
     }
+    const bool hasHeadings = !parts.join(QString()).isEmpty();
     for (const QString &path : paths) {
-        parts += hasHeadings ? QString() : QFileInfo(path).absoluteFilePath();
+        const QFileInfo file(path);
+        parts += !hasHeadings ? file.absoluteFilePath() : paths.size() > 1 ? file.fileName() : QString();
     }
     const QByteArray hash = QCryptographicHash::hash(parts.join(u'\x1f').toUtf8(), QCryptographicHash::Sha256);
     return "columnChoices/" + QString::fromLatin1(hash.toHex());
@@ -40,20 +37,15 @@ QString settingsKey(const FileLayout &layout, const QStringList &paths)
 
 std::vector<ColumnChoice> savedChoices(const FileLayout &layout, const QStringList &paths)
 {
-    std::vector<ColumnChoice> choices;
     const QByteArray json = QSettings().value(settingsKey(layout, paths)).toByteArray();
-    for (const QJsonValue &value : QJsonDocument::fromJson(json).array()) {
-        choices.push_back(fromJson<ColumnChoice>(value.toObject()));
-    }
+    auto choices = fromJson<std::vector<ColumnChoice>>(QJsonDocument::fromJson(json).array());
     std::erase_if(choices, [&](const ColumnChoice &choice) { return choice.column >= layout.columns.size(); });
     return choices;
 }
 
 void saveChoices(const FileLayout &layout, const QStringList &paths, const std::vector<ColumnChoice> &choices)
 {
-    QJsonArray array;
-    std::ranges::transform(choices, std::back_inserter(array), toJson<ColumnChoice>);
-    QSettings().setValue(settingsKey(layout, paths), QJsonDocument(array).toJson());
+    QSettings().setValue(settingsKey(layout, paths), QJsonDocument(toJson(choices).toArray()).toJson());
 }
 
 } // namespace slidercrank

@@ -23,20 +23,22 @@ constexpr int kSolverIdentity = 101;
 struct EditName {
     QString text;
     int identity = 0; ///< Identifies the settings that change; 0 if the edit is always a step of its own.
-
-    /// Whether a reference file is opened or closed, which does not modify the scene.
-    bool isOpening = false;
 };
+
+bool haveSameFile(const Choices &first, const Choices &second)
+{
+    return first.reference && second.reference ? first.reference->paths == second.reference->paths
+                                               : first.reference == second.reference;
+}
 
 /// Names the edit by what differs. An edit of the reference or of parameters may also change the time range.
 EditName nameEdit(const Choices &before, const Choices &after)
 {
     if (after.reference != before.reference) {
-        const bool isSame = before.reference && after.reference && before.reference->paths == after.reference->paths;
-        const QString text = isSame            ? EditStack::tr("new interpretation of %1")
-                             : after.reference ? EditStack::tr("opening of %1")
-                                               : EditStack::tr("closing of %1");
-        return {text.arg((after.reference ? after.reference : before.reference)->name), 0, !isSame};
+        const QString text = haveSameFile(before, after) ? EditStack::tr("new interpretation of %1")
+                             : after.reference           ? EditStack::tr("opening of %1")
+                                                         : EditStack::tr("closing of %1");
+        return {text.arg((after.reference ? after.reference : before.reference)->name)};
     }
     if (after.pinned != before.pinned) {
         return {after.pinned.empty() ? EditStack::tr("removal of the pinned motions")
@@ -63,18 +65,19 @@ EditName nameEdit(const Choices &before, const Choices &after)
 class EditCommand : public QUndoCommand
 {
 public:
-    EditCommand(const Choices &before, const Choices &after, const EditName &name, int step,
+    EditCommand(const Choices &before, const Choices &after, const QString &text, int step,
                 const EditStack::Apply &apply)
-        : m_before(before)
+        : QUndoCommand(text)
+        , m_before(before)
         , m_after(after)
-        , m_isOpening(name.isOpening)
         , m_step(step)
         , m_apply(apply)
     {
-        setText(name.text);
     }
 
-    bool isOpening() const { return m_isOpening; }
+    /// Whether a reference file is opened or closed, which does not modify the scene.
+    bool isOpening() const { return !haveSameFile(m_before, m_after); }
+
     void undo() override { m_apply(m_before); }
     void redo() override { m_apply(m_after); }
     int id() const override { return m_step; }
@@ -89,7 +92,6 @@ public:
 private:
     Choices m_before;
     Choices m_after;
-    bool m_isOpening;
     int m_step;
     EditStack::Apply m_apply;
 };
@@ -115,7 +117,7 @@ void EditStack::edit(const Choices &before, const Choices &after, const QString 
     }
     m_identity = name.identity;
     m_sameStep.start(kSameStepWithin);
-    push(new EditCommand(before, after, name, m_step, m_apply));
+    push(new EditCommand(before, after, name.text, m_step, m_apply));
 }
 
 void EditStack::setDragging(bool isDragging)

@@ -7,7 +7,6 @@
 #include "ui/text/read_fault_text.h"
 
 #include <QCoreApplication>
-#include <QCryptographicHash>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -45,36 +44,12 @@ QString wholeFileFault(ReadFault::Kind kind, const QString &shownName)
     return readErrorText(ReadError{0, 0, {}, {kind}}, {shownName});
 }
 
-/// Reads a file, a pipe or standard input. Returns a message if that fails. Reads only the beginning if that is not
-/// text or if the file is too large.
-std::optional<QString> readFile(const QString &path, const std::stop_token &stop, QByteArray &bytes)
+/// Opens a file, a pipe, or standard input without a buffer.
+bool openForReading(QFile &file)
 {
-    constexpr qsizetype kBlock = 1 << 22; // bytes
-    QFile file;
-    if (const std::optional<QString> sentence = openForReading(file, path)) {
-        return sentence;
-    }
-    const qint64 size = file.size(); // 0 for a pipe
-    bytes = file.read(kFileBeginning);
-    if (const std::optional<ReadError> error = findForeignFormat(toView(bytes))) {
-        return readErrorText(*error, {displayName(path)});
-    }
-    const auto isTooLarge = [&bytes, size] { return std::max<qint64>(size, bytes.size()) > kLargest; };
-    bytes.reserve(static_cast<qsizetype>(std::min(size, kLargest)) + kBlock);
-    for (qint64 count = 1; count > 0 && !isTooLarge() && !stop.stop_requested();) {
-        const qsizetype done = bytes.size();
-        bytes.resize(done + kBlock);
-        count = file.read(bytes.data() + done, kBlock);
-        bytes.resize(done + std::max<qint64>(count, 0));
-    }
-    if (const std::optional<QString> sentence = readFailure(file, path)) {
-        return sentence;
-    }
-    if (isTooLarge()) {
-        return wholeFileFault(ReadFault::Kind::TooLarge, displayName(path));
-    }
-    const bool isComplete = bytes.size() >= size || stop.stop_requested();
-    return isComplete ? std::nullopt : std::optional(wholeFileFault(ReadFault::Kind::Unreadable, displayName(path)));
+    constexpr int kStandardInput = 0; // the descriptor; with `stdin`, the end of a pipe would be an error
+    const QIODevice::OpenMode mode = QIODevice::ReadOnly | QIODevice::Unbuffered;
+    return isStandardInput(file.fileName()) ? file.open(kStandardInput, mode) : file.open(mode);
 }
 
 /// Returns the name for legends: "results.csv", or "results.csv + 2 more".
@@ -94,12 +69,6 @@ QStringList displayNames(const QStringList &paths)
 }
 
 } // namespace
-
-FileState fileState(const QString &path)
-{
-    const QFileInfo file(path);
-    return {file.size(), file.lastModified()};
-}
 
 QString displayName(const QStringList &paths)
 {
@@ -127,23 +96,49 @@ QString readErrorText(const ReadError &error, const QStringList &files)
                      .arg(file, line, QString::number(error.column), QString::fromStdString(error.text), reason);
 }
 
+std::optional<QString> readWhole(const QString &path, bool isTable, QByteArray &bytes)
+{
+    constexpr qint64 kBlock = 1 << 18; // bytes
+    const QString name = displayName(path);
+    if (QFileInfo(path).isDir()) {
+        return ReferenceFileText::tr("%1 is a folder: choose a file in it.").arg(name);
+    }
+    QFile file(path);
+    if (!openForReading(file)) {
+        return ReferenceFileText::tr("%1 cannot be opened: %2.").arg(name, withoutFullStop(file.errorString()));
+    }
+    const qint64 size = file.size(); // 0 for a pipe
+    const auto isTooLarge = [&bytes, size] { return std::max<qint64>(size, bytes.size()) > kLargest; };
+    try {
+        bytes = file.read(kFileBeginning);
+        if (const auto error = isTable ? findForeignFormat(toView(bytes)) : std::nullopt) {
+            return readErrorText(*error, {name});
+        }
+        bytes.reserve(static_cast<qsizetype>(std::min(size, kLargest)));
+        for (QByteArray block = bytes; !block.isEmpty() && !isTooLarge();) {
+            block = file.read(kBlock);
+            bytes += block;
+        }
+    } catch (const std::bad_alloc &) {
+        return wholeFileFault(ReadFault::Kind::NoMemory, name);
+    }
+    if (file.error() != QFileDevice::NoError) {
+        return ReferenceFileText::tr("%1 cannot be read: %2.").arg(name, withoutFullStop(file.errorString()));
+    }
+    return isTooLarge() ? std::optional(wholeFileFault(ReadFault::Kind::TooLarge, name)) : std::nullopt;
+}
+
 ReferenceOutcome readReference(const ReferenceSource &source, std::stop_token stop, ReadOptions options)
 {
     options.columns.insert(options.columns.begin(), source.columns.begin(), source.columns.end());
     auto reference = std::make_shared<Reference>();
-    QByteArrayList bytes(source.paths.size());
+    QByteArrayList bytes;
     std::vector<FileBytes> files;
-    for (qsizetype i = 0; i < bytes.size(); ++i) {
-        const QString &path = source.paths[i];
-        try {
-            if (const std::optional<QString> sentence = readFile(path, stop, bytes[i])) {
-                return *sentence;
-            }
-        } catch (const std::bad_alloc &) {
-            return wholeFileFault(ReadFault::Kind::NoMemory, displayName(path));
+    for (const QString &path : source.paths) {
+        if (const std::optional<QString> sentence = readWhole(path, true, bytes.emplaceBack())) {
+            return *sentence;
         }
-        reference->states.push_back(fileState(path));
-        files.push_back({toView(bytes[i]), fileName(path)});
+        files.push_back({toView(bytes.last()), fileName(path)});
     }
     std::variant<ReferenceData, ReadError> outcome = readFiles(files, stop, options);
     bytes.clear();
@@ -177,15 +172,6 @@ ReferenceOutcome timedBy(const Mechanism &mechanism, const std::shared_ptr<const
     return timed;
 }
 
-ReferenceSource toSource(const Reference &reference)
-{
-    QStringList paths;
-    for (const QString &path : reference.paths) {
-        paths += QFileInfo(path).absoluteFilePath();
-    }
-    return {paths, reference.columns, reference.conventions};
-}
-
 std::shared_ptr<const Reference> applied(const Convention &convention, const std::shared_ptr<const Reference> &to)
 {
     auto reference = std::make_shared<Reference>(*to);
@@ -195,20 +181,6 @@ std::shared_ptr<const Reference> applied(const Convention &convention, const std
         reference->asPrinted = to;
     }
     return reference;
-}
-
-QByteArrayList fileChecksums(const Reference &reference)
-{
-    QByteArrayList checksums;
-    for (std::size_t i = 0; i < reference.states.size(); ++i) {
-        const QString &path = reference.paths[static_cast<qsizetype>(i)];
-        QFile file(path);
-        QCryptographicHash hash(QCryptographicHash::Sha256);
-        const bool isRead = QFileInfo(path).isFile() && file.open(QIODevice::ReadOnly) && hash.addData(&file) &&
-                            fileState(path) == reference.states[i];
-        checksums += isRead ? hash.result().toHex() : QByteArray();
-    }
-    return checksums;
 }
 
 QByteArrayList readBeginnings(const QStringList &paths)
@@ -245,13 +217,7 @@ const FileLayout &layoutOf(const std::variant<ReferenceData, ReadError> &outcome
 
 FileLayout readLayout(const QStringList &paths)
 {
-    const FileLayout layout = layoutOf(readBytes(paths, readBeginnings(paths)));
-    for (std::size_t i = 0; i < layout.files.size(); ++i) {
-        if (std::ranges::count(layout.columns, i, &FileColumn::file) == 0) {
-            return {};
-        }
-    }
-    return layout;
+    return layoutOf(readBytes(paths, readBeginnings(paths)));
 }
 
 } // namespace slidercrank

@@ -9,49 +9,40 @@
 
 #include <QByteArray>
 #include <QByteArrayList>
-#include <QDateTime>
 #include <QString>
 #include <QStringList>
 
 #include <memory>
+#include <optional>
 #include <stop_token>
-#include <utility>
 #include <variant>
 #include <vector>
 
 namespace slidercrank
 {
 
-/// Identifies a version of a file by its size in bytes and the time when it was written.
-using FileState = std::pair<qint64, QDateTime>;
-
-FileState fileState(const QString &path);
-
-/// A reference file that has been read, or several files of one motion that were joined.
-struct Reference {
-    QStringList paths;             ///< as given
-    QString name;                  ///< file name, for legends and titles
-    std::vector<FileState> states; ///< states of the files when they were read
-    ReferenceData data;            ///< with the conventions below applied
-
-    std::vector<ColumnChoice> columns;          ///< the columns whose meaning the user chose
-    std::vector<Convention> conventions;        ///< applied to the data, in this order
-    std::shared_ptr<const Reference> asPrinted; ///< the data without the conventions; null if there are none
-};
-
-/// Everything that is needed to read reference data again.
+/// Everything that is needed to read reference data again: one file, or several files of one motion that are joined.
 struct ReferenceSource {
-    QStringList paths; ///< absolute, or in the program's resources; "-" is standard input
-    std::vector<ColumnChoice> columns;
-    std::vector<Convention> conventions;
+    QStringList paths;                   ///< as given; "-" is standard input
+    std::vector<ColumnChoice> columns;   ///< the columns whose meaning the user chose
+    std::vector<Convention> conventions; ///< are applied to the data, in this order
 
     friend bool operator==(const ReferenceSource &, const ReferenceSource &) = default;
 };
 
-ReferenceSource toSource(const Reference &reference);
+/// Reference data that have been read.
+struct Reference : ReferenceSource {
+    QString name;                               ///< file name, for legends and titles
+    ReferenceData data;                         ///< with the conventions applied
+    std::shared_ptr<const Reference> asPrinted; ///< the data without the conventions; null if there are none
+};
 
 /// The data, or one sentence that says what is wrong, where, and what to do.
 using ReferenceOutcome = std::variant<std::shared_ptr<const Reference>, QString>;
+
+/// Reads a file, a pipe or standard input. Returns a sentence if that fails, if the content is too large, or if it is to
+/// be a table and has another format; then it may have read a part. May run in any thread.
+std::optional<QString> readWhole(const QString &path, bool isTable, QByteArray &bytes);
 
 /// Reads files, pipes or standard input. May run in any thread.
 ReferenceOutcome readReference(const ReferenceSource &source, std::stop_token stop = {}, ReadOptions options = {});
@@ -69,10 +60,6 @@ QString displayName(const QStringList &paths);
 /// Returns a sentence such as "results.csv, line 3, column 2 ("abc"): …". `files`: the names of the files in messages.
 QString readErrorText(const ReadError &error, const QStringList &files);
 
-/// Returns the SHA-256 of each file in hexadecimal; empty for a pipe, and for a file that has changed since it was
-/// read. Reads the whole files. May run in any thread.
-QByteArrayList fileChecksums(const Reference &reference);
-
 /// Returns the first lines of each file, for a preview; empty for a pipe, and for a file that cannot be read.
 QByteArrayList readBeginnings(const QStringList &paths);
 
@@ -83,7 +70,7 @@ std::variant<ReferenceData, ReadError> readBytes(const QStringList &paths, const
 /// Returns the layout of a file, whether or not the file could be read.
 const FileLayout &layoutOf(const std::variant<ReferenceData, ReadError> &outcome);
 
-/// Reads the layout of the files from their first lines. The layout has no columns if one of the files has none.
+/// Reads the layout of the files from their first lines.
 FileLayout readLayout(const QStringList &paths);
 
 } // namespace slidercrank

@@ -77,13 +77,10 @@ std::shared_ptr<const Result> compute(const Choices &choices, std::stop_token st
 bool takesLong(const Choices &choices)
 {
     constexpr double kNoticeable = 0.05; // s
-    constexpr double kDense = 20e-6;     // s per time step
-    constexpr double kStructured = 1e-6;
+    constexpr double kNewton = 1e-6;     // s per time step
     constexpr double kClosedForm = 40e-9;
     constexpr double kComparison = 0.2e-6; // s per row of the reference
-    const double step = choices.solver.method != Method::Newton                   ? kClosedForm
-                        : choices.solver.newton.elimination == Elimination::Dense ? kDense
-                                                                                  : kStructured;
+    const double step = choices.solver.method == Method::Newton ? kNewton : kClosedForm;
     const double rows = choices.reference ? static_cast<double>(choices.reference->data.time.size()) : 0.0;
     return step * (choices.sampling.steps + 1.0) + std::max(step, kComparison) * rows > kNoticeable;
 }

@@ -7,7 +7,6 @@
 
 #include <QCoreApplication>
 #include <QDir>
-#include <QFile>
 #include <QFileInfo>
 #include <QJsonDocument>
 
@@ -26,29 +25,6 @@ struct SceneText {
 
 constexpr int kVersion = 1;
 constexpr double kLargestTime = std::numeric_limits<double>::max();
-constexpr qint64 kLargestFile = 1 << 20; // bytes; a typical scene has a few thousand
-
-void describe(Scene &scene, JsonNode &node)
-{
-    int version = kVersion;
-    node("version", version, kVersion);
-    node("mechanism", scene.parameters);
-    node("sampling", scene.sampling);
-    node("solver", scene.solver);
-    node("reference", scene.reference);
-    node("kept", scene.pinned);
-    node.check(scene.pinned.size() <= kMaxPinned, "kept");
-    scene.time = node.isReading() ? scene.sampling.start : scene.time;
-    node.object("view", [&](JsonNode &view) {
-        view("time", scene.time, -kLargestTime, kLargestTime);
-        describe(scene.plots, view);
-        view("zoom", scene.zoom);
-        view.object("mechanism", [&](JsonNode &mechanism) {
-            describe(scene.mechanism, mechanism);
-            mechanism("frame", scene.mechanismFrame);
-        });
-    });
-}
 
 /// Returns the path relative to the folder if the file is in or below the folder. Returns other paths, and those of the
 /// program's resources, unchanged.
@@ -80,7 +56,53 @@ std::optional<QString> versionFault(const QJsonValue &version, const QString &fi
     return std::nullopt;
 }
 
+/// Returns the places of the values that differ from what was read, such as ".mechanism.b". Values that are optional
+/// may be missing or null: those in the view, lists, and what has no value.
+QStringList findDifferences(const QJsonValue &value, const QJsonValue &read, const QString &place = {})
+{
+    const QJsonObject fields = value.toObject();
+    const QJsonArray items = value.toArray();
+    const bool isOptional = place.startsWith(".view") || value.isNull() || (value.isArray() && items.isEmpty());
+    if (isOptional && (read.isUndefined() || read.isNull())) {
+        return {};
+    }
+    const bool isComposed = value.isObject() || value.isArray();
+    if (value.type() != read.type() || items.size() != read.toArray().size() || (!isComposed && value != read)) {
+        return {place};
+    }
+    QStringList places;
+    for (const QString &name : fields.keys()) {
+        places += findDifferences(fields[name], read[name], place + u'.' + name);
+    }
+    for (qsizetype i = 0; i < items.size(); ++i) {
+        places += findDifferences(items[i], read[i], QStringLiteral("%1[%2]").arg(place).arg(i));
+    }
+    return places;
+}
+
 } // namespace
+
+static void describe(Scene &scene, JsonNode &node)
+{
+    int version = kVersion;
+    node("version", version, kVersion);
+    node("mechanism", scene.parameters);
+    node("sampling", scene.sampling);
+    node("solver", scene.solver);
+    node("reference", scene.reference);
+    node("kept", scene.pinned);
+    scene.pinned.resize(std::min(scene.pinned.size(), kMaxPinned));
+    scene.time = node.isReading ? scene.sampling.start : scene.time;
+    node.field("view", [&](JsonNode &view) {
+        view("time", scene.time, -kLargestTime, kLargestTime);
+        describe(scene.plots, view);
+        view("zoom", scene.zoom);
+        view.field("mechanism", [&](JsonNode &mechanism) {
+            describe(scene.mechanism, mechanism);
+            mechanism("frame", scene.mechanismFrame);
+        });
+    });
+}
 
 QByteArray sceneToJson(Scene scene, const QString &path)
 {
@@ -89,9 +111,7 @@ QByteArray sceneToJson(Scene scene, const QString &path)
             file = relativePath(QFileInfo(path).absoluteDir(), file);
         }
     }
-    JsonNode node;
-    describe(scene, node);
-    return QJsonDocument(node.value().toObject()).toJson();
+    return QJsonDocument(toJson(scene).toObject()).toJson();
 }
 
 std::variant<Scene, QString> parseScene(const QByteArray &json, const QString &path)
@@ -108,36 +128,26 @@ std::variant<Scene, QString> parseScene(const QByteArray &json, const QString &p
     if (const auto sentence = versionFault(object.value("version"), shown)) {
         return *sentence;
     }
-    QString fault;
-    JsonNode node(fault, object);
-    Scene scene;
-    describe(scene, node);
+    auto scene = fromJson<Scene>(object);
+    const QStringList faults = findDifferences(toJson(scene), object);
     if (scene.reference) {
         for (QString &file : scene.reference->paths) {
             file = absolutePath(QFileInfo(path).absoluteDir(), file);
         }
     }
-    if (!fault.isEmpty()) {
+    if (!faults.isEmpty()) {
         return SceneText::tr(
                    "%1: \"%2\" is missing, or its value is not valid. Correct it there, or open another scene.")
-            .arg(shown, fault);
+            .arg(shown, faults.first().mid(1));
     }
     return scene;
 }
 
 std::variant<Scene, QString> readScene(const QString &path)
 {
-    QFile file;
-    if (const std::optional<QString> sentence = openForReading(file, path)) {
+    QByteArray bytes;
+    if (const std::optional<QString> sentence = readWhole(path, false, bytes)) {
         return *sentence;
-    }
-    const QByteArray bytes = file.read(kLargestFile + 1);
-    if (const std::optional<QString> sentence = readFailure(file, path)) {
-        return *sentence;
-    }
-    if (bytes.size() > kLargestFile) {
-        return SceneText::tr("%1 is not a scene: it is too large. Open a file that this program saved.")
-            .arg(displayName(path));
     }
     return parseScene(bytes, path);
 }

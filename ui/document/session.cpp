@@ -39,19 +39,6 @@ bool contains(const Sampling &outer, const Sampling &inner)
     return inner.start >= outer.start - slack && inner.start + inner.duration <= outer.start + outer.duration + slack;
 }
 
-/// Returns the choices without the parts that cannot be computed quickly.
-Choices simplified(Choices choices)
-{
-    choices.solver.method = Method::ClosedForm;
-    if (takesLong(choices)) {
-        choices.sampling.steps = std::min(choices.sampling.steps, Sampling().steps);
-    }
-    if (takesLong(choices)) {
-        choices.reference = nullptr;
-    }
-    return choices;
-}
-
 QString faultText(const ParameterFault &fault)
 {
     const QString symbol = symbolText(fault.parameter);
@@ -70,9 +57,8 @@ Session::Session(QObject *parent)
     m_result = compute(m_choices, {});
     m_settling.setSingleShot(true);
     connect(&m_settling, &QTimer::timeout, this, &Session::startDiagnosis);
-    connect(&m_reading, &BackgroundTask::progressed, this, &Session::progressed);
-    for (const BackgroundTask *task : {&m_computation, &m_reading, &m_diagnosing}) {
-        connect(task, &BackgroundTask::runningChanged, this, &Session::busyChanged);
+    for (BackgroundTask *task : {&m_computation, &m_reading, &m_diagnosing}) {
+        track(task);
     }
 }
 
@@ -106,14 +92,12 @@ void Session::setSolver(const SolverSettings &solver)
 void Session::pinMotion()
 {
     std::vector<Parameters> pinned = m_choices.pinned;
-    if (std::ranges::count(pinned, m_choices.parameters) > 0) {
-        emit problemFound(tr("This motion is already pinned: change the mechanism to see the difference."));
-    } else if (pinned.size() == kMaxPinned) {
-        emit problemFound(tr("%1 motions are already pinned: remove them before you pin another one.").arg(kMaxPinned));
-    } else {
-        pinned.push_back(m_choices.parameters);
-        edit(with(m_choices, &Choices::pinned, pinned));
+    std::erase(pinned, m_choices.parameters);
+    pinned.push_back(m_choices.parameters);
+    if (pinned.size() > kMaxPinned) {
+        pinned.erase(pinned.begin());
     }
+    edit(with(m_choices, &Choices::pinned, pinned));
 }
 
 void Session::unpinMotions()
@@ -149,9 +133,6 @@ void Session::edit(const Choices &choices, const QString &name, bool adoptsRange
         complete.sampling = isOfFile || (adoptsRange && !contains(choices.sampling, range)) ? range : choices.sampling;
     }
     m_edits.edit(m_choices, complete, name);
-    if (adoptsRange && complete.sampling != choices.sampling) {
-        emit timeRangeReplaced(choices.reference, complete.sampling);
-    }
 }
 
 void Session::applyChoices(const Choices &choices)
@@ -163,6 +144,7 @@ void Session::applyChoices(const Choices &choices)
     }
     if (m_choices.reference != before.reference || m_choices.parameters != before.parameters) {
         m_diagnosing.discard();
+        m_settling.stop();
     }
     if (m_choices.parameters != before.parameters) {
         emit parametersChanged(m_choices.parameters);
@@ -215,14 +197,12 @@ bool Session::isDiagnosisCurrent() const
 
 void Session::startDiagnosis()
 {
-    const std::shared_ptr<const Reference> &reference = m_choices.reference;
-    const bool isResultCurrent = m_choices.parameters == m_result->choices.parameters &&
-                                 reference == m_result->choices.reference; // otherwise publish() starts it later
-    if (!reference || !isResultCurrent || isDiagnosisCurrent()) {
+    if (isDiagnosisCurrent()) {
         return;
     }
     m_diagnosing.start(
-        [reference, parameters = m_choices.parameters](const std::stop_token &stop, const auto &) {
+        [reference = m_choices.reference, parameters = m_choices.parameters](const std::stop_token &stop,
+                                                                             const auto &) {
             return std::make_shared<const ReferenceDiagnosis>(
                 ReferenceDiagnosis{reference, parameters, diagnose(reference->data, Mechanism(parameters), stop)});
         },
@@ -235,7 +215,6 @@ void Session::startDiagnosis()
 
 void Session::stopDiagnosis()
 {
-    m_diagnosing.discard();
     m_settling.stop();
     if (m_choices.reference && !isDiagnosisCurrent()) {
         ReferenceDiagnosis stopped{m_choices.reference, m_choices.parameters, {}};
@@ -252,19 +231,22 @@ void Session::publishDiagnosis(std::shared_ptr<const ReferenceDiagnosis> diagnos
     }
 }
 
-void Session::read(const QStringList &paths, const std::function<ReferenceSource()> &source,
-                   const std::function<void(const std::shared_ptr<const Reference> &)> &done)
+void Session::read(const ReferenceSource &source, bool isOfScene)
 {
-    const auto work = [source](const std::stop_token &stop, const BackgroundTask::Progress &progress) {
+    const auto work = [source, isOfScene](const std::stop_token &stop, const BackgroundTask::Progress &progress) {
+        ReferenceSource complete = source;
+        if (!isOfScene) {
+            complete.columns = savedChoices(readLayout(source.paths), source.paths);
+        }
         ReadOptions options;
         options.progress = progress;
-        return readReference(source(), stop, options);
+        return readReference(complete, stop, options);
     };
-    const auto finish = [this, paths, done](const ReferenceOutcome &outcome) {
+    const auto finish = [this, source, isOfScene](const ReferenceOutcome &outcome) {
         if (const QString *sentence = std::get_if<QString>(&outcome)) {
-            emit referenceRefused(paths, *sentence);
+            emit referenceRefused(source.paths, *sentence);
         } else {
-            done(std::get<std::shared_ptr<const Reference>>(outcome));
+            editReference(std::get<std::shared_ptr<const Reference>>(outcome), !isOfScene);
         }
     };
     m_reading.start(work, finish, finish);
@@ -276,38 +258,37 @@ void Session::loadReference(const QStringList &paths)
     if (pipe != paths.end()) { // reading a pipe might never end
         emit referenceRefused(
             paths, tr("%1 is a pipe or a device: save the data in a file, and open that.").arg(displayName(*pipe)));
-        return;
+    } else {
+        read({paths, {}, {}}, false);
     }
-    const auto source = [paths]() -> ReferenceSource { return {paths, savedChoices(readLayout(paths), paths), {}}; };
-    read(paths, source, [this](const std::shared_ptr<const Reference> &reference) { adoptReference(reference); });
 }
 
 void Session::open(const Choices &choices, double seconds, const std::optional<ReferenceSource> &source)
 {
     m_reading.discard();
     m_edits.clear();
-    if (takesLong(choices)) {
-        applyChoices(simplified(choices)); // otherwise the result of the previous scene would be shown meanwhile
+    if (takesLong(choices)) { // otherwise the result of the previous scene would be shown meanwhile
+        applyChoices({choices.parameters,
+                      {choices.sampling.start, choices.sampling.duration},
+                      with(choices.solver, &SolverSettings::method, Method::ClosedForm),
+                      nullptr});
     }
     applyChoices(choices);
     setTime(seconds);
     if (source) {
-        read(
-            source->paths, [source = *source] { return source; },
-            [this](const std::shared_ptr<const Reference> &reference) { setReference(reference); });
+        read(*source, true);
     }
 }
 
 void Session::setReference(const std::shared_ptr<const Reference> &reference)
 {
     m_reading.discard();
-    edit(with(m_choices, &Choices::reference, reference));
+    editReference(reference, false);
 }
 
-void Session::adoptReference(const std::shared_ptr<const Reference> &reference)
+void Session::editReference(const std::shared_ptr<const Reference> &reference, bool adoptsRange)
 {
-    m_reading.discard();
-    edit(with(m_choices, &Choices::reference, reference), {}, true);
+    edit(with(m_choices, &Choices::reference, reference), {}, adoptsRange);
 }
 
 void Session::useFoundMechanism()
@@ -323,22 +304,20 @@ void Session::apply(const Convention &convention)
     if (convention.kind == Convention::Kind::Branch) {
         setParameters(with(parameters(), &Parameters::branch, oppositeBranch(parameters().branch)));
     } else if (m_choices.reference) {
-        adoptReference(applied(convention, m_choices.reference));
+        editReference(applied(convention, m_choices.reference), true);
     }
 }
 
 void Session::readAsPrinted()
 {
     if (m_choices.reference && m_choices.reference->asPrinted) {
-        adoptReference(m_choices.reference->asPrinted);
+        editReference(m_choices.reference->asPrinted, true);
     }
 }
 
 void Session::cancel()
 {
     emit cancelled();
-    m_computation.discard();
-    m_reading.discard();
     if (m_choices == m_result->choices) {
         stopDiagnosis();
     } else {

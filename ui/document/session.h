@@ -60,7 +60,7 @@ public slots:
     void setSampling(const slidercrank::Sampling &sampling);
     void setSolver(const slidercrank::SolverSettings &solver);
 
-    void pinMotion();    ///< pins the current motion; at most kMaxPinned motions
+    void pinMotion();    ///< pins the current motion, in place of the oldest one if kMaxPinned motions are pinned
     void unpinMotions(); ///< removes all pinned motions
 
     void setTime(double seconds); ///< clamped to the time range
@@ -104,9 +104,6 @@ signals:
     void diagnosisChanged(const std::shared_ptr<const slidercrank::ReferenceDiagnosis> &diagnosis); ///< may be null
     void referenceLoaded(const std::shared_ptr<const slidercrank::Reference> &reference);           ///< may be null
 
-    /// Emitted after the time range of a reference has replaced the former one.
-    void timeRangeReplaced(const std::shared_ptr<const slidercrank::Reference> &reference,
-                           const slidercrank::Sampling &sampling);
     void referenceRefused(const QStringList &paths, const QString &sentence); ///< nothing has changed
     void problemFound(const QString &sentence);                               ///< nothing has changed
     void failed(const QString &sentence);    ///< a file could not be opened, written or copied
@@ -119,12 +116,12 @@ private:
     /// Without a name, the edit is named by what it changes. With `adoptsRange`, the time range of the reference
     /// replaces one that does not contain it.
     void edit(const Choices &choices, const QString &name = {}, bool adoptsRange = false);
+    void editReference(const std::shared_ptr<const Reference> &reference, bool adoptsRange);
     void applyChoices(const Choices &choices);
-    void adoptReference(const std::shared_ptr<const Reference> &reference);
 
-    /// Reads in the background from what `source` returns there, then calls done() or emits referenceRefused().
-    void read(const QStringList &paths, const std::function<ReferenceSource()> &source,
-              const std::function<void(const std::shared_ptr<const Reference> &)> &done);
+    /// Reads in the background, and then makes the data the reference or emits referenceRefused(). The source of a
+    /// scene is complete; otherwise the saved column choices are used, and the time range is adopted.
+    void read(const ReferenceSource &source, bool isOfScene);
 
     void recompute();
     void publish(std::shared_ptr<const Result> result);

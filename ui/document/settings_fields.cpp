@@ -71,7 +71,7 @@ void describe(ColumnChoice &choice, JsonNode &node)
 
     QString use = meaningName(choice.role, choice.channel);
     node("use", use);
-    node.check(readMeaning(use, choice.role, choice.channel), "use");
+    readMeaning(use, choice.role, choice.channel);
 
     QString unit = QString::fromStdString(choice.unit);
     node("unit", unit);
@@ -85,16 +85,21 @@ void describe(Convention &convention, JsonNode &node)
          {"angle-unit", "length-unit", "time-unit", "sign", "half-turn", "whole-turns", "zero-point", "swapped-columns",
           "branch", "time-shift", "not-derivative", "axis"});
     node("channels", convention.channels);
-    node.check(convention.kind != Kind::SwappedColumns || convention.channels.size() == 2, "channels");
+    convention.channels.resize(convention.kind == Kind::SwappedColumns ? 2 : convention.channels.size());
     node("amount", convention.amount, convention.kind <= Kind::TimeUnit ? kLeastPositive : -kLargestParameter);
 }
 
 void describe(ReferenceSource &source, JsonNode &node)
 {
     node("file", source.paths);
-    node.check(!source.paths.isEmpty() && !source.paths.contains(QString()), "file");
+    source.paths.removeAll(QString());
     node("columns", source.columns);
     node("conventions", source.conventions);
+}
+
+bool isValid(const ReferenceSource &source)
+{
+    return !source.paths.isEmpty();
 }
 
 void describe(PlotSettings &plots, JsonNode &node)

@@ -28,25 +28,25 @@ QString meaningName(ColumnRole role, Channel channel);
 /// Reads a name that meaningName() returns. Returns false if it is not one.
 bool readMeaning(const QString &name, ColumnRole &role, Channel &channel);
 
-/// Returns the settings as a JSON object.
+bool isValid(const ReferenceSource &source); ///< Whether it names a file.
+
+/// Returns the settings as JSON.
 template <typename Settings>
-QJsonObject toJson(Settings settings)
+QJsonValue toJson(Settings settings)
 {
     JsonNode node;
     describe(settings, node);
-    return node.value().toObject();
+    return node.value;
 }
 
-/// Returns the settings in a JSON object. Fields that are missing have their default values; if any value is not valid,
-/// all have.
+/// Returns the settings in JSON. Fields that are missing or not valid have other values, which are valid.
 template <typename Settings>
-Settings fromJson(const QJsonObject &object)
+Settings fromJson(const QJsonValue &json)
 {
-    QString fault;
-    JsonNode node(fault, object, {}, true);
+    JsonNode node{true, json};
     Settings settings;
     describe(settings, node);
-    return fault.isEmpty() ? settings : Settings();
+    return settings;
 }
 
 } // namespace slidercrank

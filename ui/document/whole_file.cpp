@@ -57,14 +57,8 @@ bool WholeFile::open()
 
 bool WholeFile::write(const QByteArray &bytes)
 {
-    for (qint64 done = 0; m_reason.isEmpty() && done < bytes.size();) { // a nearly full disk accepts only a part
-        const qint64 count = m_file.write(bytes.constData() + done, bytes.size() - done);
-        if (count <= 0) {
-            return fail(m_file.errorString());
-        }
-        done += count;
-    }
-    return m_reason.isEmpty();
+    // A full disk may accept a part of the bytes, which is no error of the file, but of the system.
+    return m_reason.isEmpty() && (m_file.write(bytes) == bytes.size() || fail(qt_error_string()));
 }
 
 bool WholeFile::commit(const std::stop_token &stop)
@@ -109,28 +103,6 @@ bool isPipeOrDevice(const QFileInfo &file)
 QString displayName(const QString &path)
 {
     return isStandardInput(path) ? WholeFileText::tr("Standard input") : QDir::toNativeSeparators(path);
-}
-
-std::optional<QString> openForReading(QFile &file, const QString &path)
-{
-    constexpr int kStandardInput = 0; // the descriptor; with `stdin`, the end of a pipe would be an error
-    const QIODevice::OpenMode mode = QIODevice::ReadOnly | QIODevice::Unbuffered;
-    if (QFileInfo(path).isDir()) {
-        return WholeFileText::tr("%1 is a folder: choose a file in it.").arg(displayName(path));
-    }
-    file.setFileName(path);
-    if (isStandardInput(path) ? file.open(kStandardInput, mode) : file.open(mode)) {
-        return std::nullopt;
-    }
-    return WholeFileText::tr("%1 cannot be opened: %2.").arg(displayName(path), withoutFullStop(file.errorString()));
-}
-
-std::optional<QString> readFailure(const QFile &file, const QString &path)
-{
-    return file.error() == QFileDevice::NoError
-               ? std::nullopt
-               : std::optional(WholeFileText::tr("%1 cannot be read: %2.")
-                                   .arg(displayName(path), withoutFullStop(file.errorString())));
 }
 
 } // namespace slidercrank

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Writes files completely or not at all, and opens files, pipes and standard input for reading.
+// Writes files completely or not at all, and names files in messages.
 
 #include <QByteArray>
 #include <QSaveFile>
@@ -10,7 +10,6 @@
 #include <optional>
 #include <stop_token>
 
-class QFile;
 class QFileInfo;
 
 namespace slidercrank
@@ -54,11 +53,5 @@ bool isPipeOrDevice(const QFileInfo &file);
 
 /// The name of a file in messages.
 QString displayName(const QString &path);
-
-/// Opens a file, a pipe, or standard input for reading, without a buffer. Returns a sentence if that fails.
-std::optional<QString> openForReading(QFile &file, const QString &path);
-
-/// Returns a sentence if reading an open file has failed.
-std::optional<QString> readFailure(const QFile &file, const QString &path);
 
 } // namespace slidercrank

@@ -35,7 +35,6 @@ AnimationForm::AnimationForm(const Animation &animation, QWidget *parent)
     connect(m_length, &QDoubleSpinBox::valueChanged, this, &AnimationForm::showOutcome);
     for (QSpinBox *box : {m_width, m_height}) {
         box->setSuffix(tr(" px"));
-        box->setSingleStep(2);
     }
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     m_export = buttons->addButton(tr("Export…"), QDialogButtonBox::AcceptRole);
@@ -65,7 +64,7 @@ Animation AnimationForm::animation() const
 {
     Animation chosen = m_animation;
     chosen.framesPerSecond = m_rate->value();
-    chosen.size = {QSize(m_width->value() / 2 * 2, m_height->value() / 2 * 2), 1.0}; // videos need even sides
+    chosen.size.size = QSize(m_width->value(), m_height->value());
     chosen.duration = std::copysign(m_length->value(), m_animation.duration);
     return chosen;
 }

@@ -115,21 +115,13 @@ QString pinnedText(const Result &result)
     return motions.isEmpty() ? QString() : Report::tr("Thin curves: pinned motions, %1.").arg(motions.join(u", "));
 }
 
-/// Returns the description of the reference: the files, their checksums and how their columns were interpreted.
-QString fileText(const ReportContent &content)
+/// Returns the description of the reference: the files, and how their columns were interpreted.
+QString fileText(const Reference &reference)
 {
-    const Reference &reference = *content.result->reference;
     const ReferenceData &data = reference.data;
-    QString html = paragraph(Report::tr("Reference: %1, %2, %3 rows.")
-                                 .arg(reference.name, abscissaText(data), QString::number(data.time.size())));
-    for (qsizetype i = 0; i < reference.paths.size(); ++i) {
-        const QString &path = reference.paths[i];
-        const QByteArray checksum = content.checksums.value(i);
-        html += note(Report::tr("File: %1\nSHA-256: %2")
-                         .arg(displayName(path),
-                              checksum.isEmpty() ? Report::tr("unknown: the file cannot be read again, or has changed")
-                                                 : QString::fromLatin1(checksum)));
-    }
+    QString html =
+        paragraph(Report::tr("Reference: %1, %2, %3 rows.")
+                      .arg(displayName(reference.paths), abscissaText(data), QString::number(data.time.size())));
     for (const QString &doubt : doubtTexts(data)) {
         html += note(doubt);
     }
@@ -141,19 +133,14 @@ QString comparisonText(const ReportContent &content)
 {
     const Result &result = *content.result;
     const Diagnosis &diagnosis = content.diagnosis;
-    QString html = newPage(Report::tr("Errors: model against reference")) + fileText(content) +
+    QString html = newPage(Report::tr("Errors: model against reference")) + fileText(*result.reference) +
                    QStringLiteral("<b>%1</b>").arg(paragraph(summaryText(result.comparison)));
     for (const QString &line : explanationLines(diagnosis, result.reference->data, result.mechanism)) {
         html += paragraph(line);
     }
     if (isFound(content)) {
-        const auto agreeing = std::ranges::count(diagnosis.identified, Verdict::Agrees, &ChannelComparison::verdict);
         html += paragraph(roundNumbersText(diagnosis)) +
-                note(Report::tr("Found by weighted least squares (Levenberg-Marquardt, %1 iterations, condition number "
-                                "%2); ± is one standard error. %3 of %4 channels of the file agree with the result.")
-                         .arg(QString::number(diagnosis.identification.iterations),
-                              shortNumber(diagnosis.identification.conditionNumber, 3), QString::number(agreeing),
-                              QString::number(diagnosis.identified.size())));
+                note(Report::tr("Found by weighted least squares; ± is one standard error."));
     }
     return html + table(comparisonTable(result.comparison, result.reference->data)) +
            note(Report::tr("Largest %: max |model − reference| / |reference| · 100 where the reference is not zero. "
@@ -229,9 +216,9 @@ QString reportHtml(const ReportContent &content)
 {
     const Result &result = *content.result;
     QString caption;
-    if (content.hasGhost) {
-        caption = result.reference ? Report::tr("Thin: the mechanism as in the file.")
-                                   : Report::tr("Thin: the pinned mechanism.");
+    if (result.isCompared()) {
+        caption = result.reference ? Report::tr("Thin, if it differs: the mechanism as in the file.")
+                                   : Report::tr("Thin, if it differs: the pinned mechanism.");
     }
     return element("h1", Report::tr("Motion of an offset slider-crank")) +
            note(Report::tr("%1, by %2 %3")
@@ -246,11 +233,12 @@ QString reportHtml(const ReportContent &content)
            paragraph(methodText(result));
 }
 
-std::optional<QString> exportReport(const QString &path, const ReportContent &content, const ReportDrawings &drawings)
+std::optional<QString> exportReport(const QString &path, const ReportContent &content, const FigureDrawing &mechanism,
+                                    const FigureDrawing &figure)
 {
     constexpr double kTextWidth = 640.0; // A4 without margins of 2 cm, at 96 dots per inch
-    DrawingObject mechanism(drawings.mechanism, {560, 380}, 280.0);
-    DrawingObject figure(drawings.figure, {900, 1200}, kTextWidth);
+    DrawingObject mechanismObject(mechanism, {560, 380}, 280.0);
+    DrawingObject figureObject(figure, {900, 1200}, kTextWidth);
     QTextDocument document;
     QFont font = QGuiApplication::font();
     font.setPointSizeF(8.5);
@@ -258,8 +246,8 @@ std::optional<QString> exportReport(const QString &path, const ReportContent &co
     document.setDefaultStyleSheet(QStringLiteral(
         "h1 {font-size: 17pt} h2 {font-size: 11pt} td, th {white-space: nowrap} .note {color: #505050}"));
     document.setHtml(reportHtml(content));
-    insertDrawing(document, "[mechanism]", QTextFormat::UserObject, mechanism);
-    insertDrawing(document, "[figure]", QTextFormat::UserObject + 1, figure);
+    insertDrawing(document, "[mechanism]", QTextFormat::UserObject, mechanismObject);
+    insertDrawing(document, "[figure]", QTextFormat::UserObject + 1, figureObject);
 
     const auto print = [&document](QPdfWriter &writer) { document.print(&writer); };
     return writeWhole(path, makePdf(QPageSize(QPageSize::A4), Report::tr("Motion of an offset slider-crank"), print));

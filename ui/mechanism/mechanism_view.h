@@ -40,8 +40,6 @@ public:
     /// Converts a point of the model (mm) to a position in this widget.
     QPointF toPixels(QPointF model) const { return projection().toPixels(model); }
 
-    bool hasGhost() const { return m_scene.ghost.exists; }
-
     const MechanismSettings &settings() const { return m_scene.settings; }
     void setSettings(const MechanismSettings &settings);
 

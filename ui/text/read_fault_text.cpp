@@ -57,7 +57,6 @@ public:
                    "columns."),                                                    // ChannelInBoth
         QT_TR_NOOP("The file is larger than 2 GB: export fewer rows or columns."), // TooLarge
         QT_TR_NOOP("Reading was stopped."),                                        // Stopped
-        QT_TR_NOOP("The file became shorter while it was read: open it again."),   // Unreadable
         QT_TR_NOOP("There is not enough memory: leave out rows or columns."),      // NoMemory
     };
 

@@ -22,6 +22,8 @@ namespace slidercrank
 namespace
 {
 
+using Problem = std::optional<QString>;
+
 constexpr double kScale = 2.0; // pixels of an exported picture per pixel of the screen
 constexpr QSize kPlotSize(900, 600);
 
@@ -101,10 +103,16 @@ void Exports::chooseData()
 
 void Exports::writeData(const QString &path, const ChannelSet &channels, double crankStep)
 {
-    writeInBackground(path, [path, channels, crankStep, result = m_session->result()](
-                                const std::stop_token &stop, const BackgroundTask::Progress &progress) {
+    if (isWriting()) {
+        emit m_session->failed(tr("Another file is still being written: wait for it, or cancel it below."));
+        return;
+    }
+    const auto write = [path, channels, crankStep, result = m_session->result()](
+                           const std::stop_token &stop, const BackgroundTask::Progress &progress) {
         return exportMotion(path, *result, channels, crankStep, stop, progress);
-    });
+    };
+    const auto done = [this, path](const Problem &problem) { m_session->reportWritten(path, problem); };
+    m_task->start(write, done, [this](const QString &problem) { emit m_session->failed(problem); });
 }
 
 void Exports::chooseReport()
@@ -117,29 +125,18 @@ void Exports::chooseReport()
 
 void Exports::writeReport(const QString &path)
 {
-    const auto content = std::make_shared<ReportContent>();
-    content->result = m_session->result();
-    const auto write = [this, path, content]() -> Problem {
-        if (content->result != m_session->result()) {
-            return tr("No report was written: the mechanism was changed meanwhile. Export it again.");
+    ReportContent content{m_session->result(), {}};
+    if (const auto &reference = content.result->choices.reference) {
+        const auto &diagnosis = m_session->diagnosis();
+        if (!diagnosis || diagnosis->reference != reference ||
+            diagnosis->parameters != content.result->mechanism.parameters()) {
+            emit m_session->failed(tr("No report was written: the mechanism of the file is still being identified. "
+                                      "Export it again in a moment."));
+            return;
         }
-        content->hasGhost = m_views.mechanism->hasGhost();
-        return exportReport(path, *content, {drawMechanism(), plot().draw});
-    };
-    if (!content->result->reference) {
-        m_session->reportWritten(path, write());
-        return;
+        content.diagnosis = diagnosis->found;
     }
-    const auto diagnosis = m_session->diagnosis(); // may belong to another file or to other parameters
-    const auto prepare = [content, diagnosis](const std::stop_token &stop, const auto &) -> Problem {
-        const Result &result = *content->result;
-        const bool isCurrent = diagnosis && diagnosis->reference == result.choices.reference &&
-                               diagnosis->parameters == result.mechanism.parameters();
-        content->diagnosis = isCurrent ? diagnosis->found : diagnose(result.reference->data, result.mechanism, stop);
-        content->checksums = fileChecksums(*result.reference);
-        return std::nullopt;
-    };
-    writeInBackground(path, prepare, write);
+    m_session->reportWritten(path, exportReport(path, content, drawMechanism(), plot().draw));
 }
 
 Animation Exports::animationShown() const
@@ -194,18 +191,6 @@ void Exports::writeAnimation(const QString &path, const Animation &animation)
     if (!problem || !problem->isEmpty()) { // an empty text means that the user cancelled
         m_session->reportWritten(path, problem);
     }
-}
-
-void Exports::writeInBackground(const QString &path, const Work &work, const std::function<Problem()> &finish)
-{
-    if (isWriting()) {
-        emit m_session->failed(tr("Another file is still being written: wait for it, or cancel it below."));
-        return;
-    }
-    const auto done = [this, path, finish](const Problem &problem) {
-        m_session->reportWritten(path, problem || !finish ? problem : finish());
-    };
-    m_task->start(work, done, [this](const QString &problem) { emit m_session->failed(problem); });
 }
 
 } // namespace slidercrank

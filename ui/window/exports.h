@@ -50,8 +50,7 @@ public:
     void chooseData();
     void writeData(const QString &path, const ChannelSet &channels, double crankStep = 0.0);
 
-    /// Write the report as PDF on A4. If the mechanism of the reference is not known yet, it is identified in the
-    /// background first.
+    /// Write the report as PDF on A4. It is not written while the mechanism of the reference is being identified.
     void chooseReport();
     void writeReport(const QString &path);
 
@@ -64,11 +63,6 @@ public:
 
 private:
     FigureDrawing drawMechanism() const;
-
-    /// Runs work() in another thread, then finish() in this thread. Each returns a sentence if it fails.
-    using Problem = std::optional<QString>;
-    using Work = std::function<Problem(const std::stop_token &, const BackgroundTask::Progress &)>;
-    void writeInBackground(const QString &path, const Work &work, const std::function<Problem()> &finish = {});
 
     Session *m_session;
     const Views &m_views;

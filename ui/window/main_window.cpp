@@ -128,7 +128,7 @@ MainWindow::MainWindow(QWidget *parent)
     column->setContentsMargins(0, 0, 0, 0);
     setCentralWidget(page);
     auto *messageBar = new MessageBar(page);
-    m_messages = new Messages(this, messageBar);
+    showMessages(this, messageBar);
     m_presentation = new Presentation(m_views, messageBar, this);
     makeViews();
     column->addWidget(m_views.columns);
@@ -161,7 +161,6 @@ void MainWindow::connectDocument()
     connect(m_scene, &SceneFile::changed, this, &MainWindow::showTitle);
     connect(m_session, &Session::busyChanged, m_status, &StatusBar::setBusy);
     connect(m_session, &Session::progressed, m_status, &StatusBar::setProgress);
-    connect(m_session, &Session::referenceLoaded, m_status, [this] { m_status->setProgress(-1.0); });
     connect(m_status, &StatusBar::cancelled, m_session, &Session::cancel);
 }
 
@@ -218,7 +217,7 @@ void MainWindow::connectPlots()
     connect(m_session, &Session::timeChanged, plots, &PlotGrid::setPose);
     connect(plots, &PlotGrid::timeRequested, m_session, &Session::setTime);
     connect(plots, &PlotGrid::pinRequested, m_session, &Session::pinMotion);
-    connect(plots, &PlotGrid::openReferenceRequested, this, &MainWindow::chooseReference);
+    connect(plots, &PlotGrid::openReferenceRequested, this, &MainWindow::chooseFiles);
     connect(plots, &PlotGrid::exportPlotRequested, m_exports,
             [this](const QString &name) { m_exports->choose(m_exports->plot(name)); });
     connect(plots, &PlotGrid::copyPlotRequested, m_exports,
@@ -273,16 +272,6 @@ QWidget *MainWindow::makeNewtonPanel()
     return panel;
 }
 
-void MainWindow::start(const QStringList &files)
-{
-    showWithinScreen();
-    if (files.isEmpty()) {
-        m_messages->greetOnce();
-    } else {
-        openFiles(files);
-    }
-}
-
 void MainWindow::showWithinScreen()
 {
     constexpr QSize kFrame(20, 60); // px, an upper limit: the size of the frame is known only once it is shown
@@ -309,7 +298,10 @@ void MainWindow::openFiles(const QStringList &paths)
 
 void MainWindow::openReference(const QStringList &paths)
 {
-    QStringList sorted = paths;
+    QStringList sorted;
+    for (const QString &path : paths) {
+        sorted += QFileInfo(path).absoluteFilePath(); // scenes and settings store it
+    }
     sorted.sort(); // the order in which files are picked does not matter
     m_session->loadReference(sorted);
     m_views.tabs->setCurrentWidget(m_views.errors);
@@ -319,7 +311,7 @@ void MainWindow::followReference(const std::shared_ptr<const Reference> &referen
 {
     showTitle();
     if (reference && reference->paths != QStringList(kSamplePath)) {
-        rememberFiles(toSource(*reference).paths);
+        rememberFiles(reference->paths);
     }
 }
 
@@ -328,13 +320,14 @@ void MainWindow::openSample()
     openReference(kSamplePath);
 }
 
-void MainWindow::chooseReference()
+void MainWindow::chooseFiles()
 {
     const QStringList paths = QFileDialog::getOpenFileNames(
-        this, tr("Open reference: one file, or the plots of one motion together"), recentFolder(),
-        tr("Simulation results (*.csv *.txt *.tsv *.tab *.dat *.dta *.mot);;All files (*)"));
+        this, tr("Open a scene, a reference, or the plots of one motion together"), recentFolder(),
+        tr("Scenes and simulation results (*.slidercrank *.json *.csv *.txt *.tsv *.tab *.dat *.dta *.mot);;"
+           "All files (*)"));
     if (!paths.isEmpty()) {
-        openReference(paths);
+        openFiles(paths);
     }
 }
 

@@ -16,7 +16,6 @@ namespace slidercrank
 {
 
 class Exports;
-class Messages;
 class Presentation;
 class SceneFile;
 class StatusBar;
@@ -33,10 +32,6 @@ public:
     SceneFile &scene() { return *m_scene; }
     Exports &exports() { return *m_exports; }
     Presentation &presentation() { return *m_presentation; }
-    Messages &messages() { return *m_messages; }
-
-    /// Shows the window with the files of the command line. Without these, greets a new user.
-    void start(const QStringList &files);
 
     /// Shows the window; maximized if the screen is too small for it.
     void showWithinScreen();
@@ -47,7 +42,7 @@ public slots:
     void openReference(const QStringList &paths);
     void openReference(const QString &path) { openReference(QStringList(path)); }
     void openSample();
-    void chooseReference();
+    void chooseFiles();                           ///< asks for a scene or a reference to open
     void chooseColumns(const QStringList &paths); ///< asks for the meaning of the columns of these files
 
     void setTheme(slidercrank::Theme theme);
@@ -79,7 +74,6 @@ private:
     SceneFile *m_scene;
     Exports *m_exports;
     Presentation *m_presentation;
-    Messages *m_messages;
     StatusBar *m_status;
 };
 

@@ -101,8 +101,7 @@ void Menus::addFile()
     Session *session = &m_window.session();
     SceneFile *scene = &m_window.scene();
     QMenu *menu = addMenu(tr("&File"));
-    menu->addAction(tr("&Open reference…"), QKeySequence::Open, &m_window, &MainWindow::chooseReference);
-    menu->addAction(tr("Open sc&ene…"), Qt::CTRL | Qt::SHIFT | Qt::Key_O, scene, &SceneFile::chooseAndOpen);
+    menu->addAction(tr("&Open…"), QKeySequence::Open, &m_window, &MainWindow::chooseFiles);
     QMenu *recent = menu->addMenu(tr("Open &recent"));
     recent->setObjectName("recentMenu");
     connect(recent, &QMenu::aboutToShow, this, [this, recent] { fillRecent(recent); });

@@ -10,7 +10,6 @@
 #include "ui/window/window_settings.h"
 
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 
@@ -49,7 +48,7 @@ Scene SceneFile::scene() const
     return {.parameters = m_session->parameters(),
             .sampling = m_session->sampling(),
             .solver = m_session->solver(),
-            .reference = m_session->reference() ? std::optional(toSource(*m_session->reference())) : m_missing,
+            .reference = m_session->reference() ? std::optional<ReferenceSource>(*m_session->reference()) : m_missing,
             .pinned = m_session->pinned(),
             .time = m_session->time(),
             .plots = m_views.plots->settings(),
@@ -89,14 +88,13 @@ void SceneFile::askThen(const std::function<void()> &proceed)
 void SceneFile::open(const QString &path)
 {
     const QString absolute = QFileInfo(path).absoluteFilePath();
-    const FileState state = fileState(absolute);
     const std::variant<Scene, QString> outcome = readScene(absolute);
     if (const QString *sentence = std::get_if<QString>(&outcome)) {
         emit m_session->failed(*sentence);
         return;
     }
-    askThen([this, absolute, state, scene = std::get<Scene>(outcome)] {
-        show(scene, absolute, state);
+    askThen([this, absolute, scene = std::get<Scene>(outcome)] {
+        show(scene, absolute);
         rememberFiles({absolute});
     });
 }
@@ -104,18 +102,17 @@ void SceneFile::open(const QString &path)
 void SceneFile::restore(const Scene &scene, const std::function<void()> &proceed)
 {
     askThen([this, scene, proceed] {
-        show(scene, {}, {});
+        show(scene, {});
         m_session->undoStack().resetClean();
         proceed();
     });
 }
 
-void SceneFile::show(const Scene &scene, const QString &path, const FileState &state)
+void SceneFile::show(const Scene &scene, const QString &path)
 {
     m_session->open({scene.parameters, scene.sampling, scene.solver, nullptr, scene.pinned}, scene.time,
                     scene.reference);
     m_path = path;
-    m_state = state;
     m_missing = scene.reference;
     m_views.plots->setSettings(scene.plots);
     m_views.plots->setZoom(scene.zoom);
@@ -124,28 +121,12 @@ void SceneFile::show(const Scene &scene, const QString &path, const FileState &s
     emit changed();
 }
 
-void SceneFile::chooseAndOpen()
-{
-    const QString path = QFileDialog::getOpenFileName(m_window, tr("Open scene"), recentFolder(),
-                                                      tr("Scenes (*.slidercrank *.json);;All files (*)"));
-    if (!path.isEmpty()) {
-        open(path);
-    }
-}
-
 void SceneFile::save(const std::function<void()> &proceed)
 {
     enterTypedNumber();
     if (m_path.isEmpty()) {
         saveAs(proceed);
-        return;
-    }
-    const QString text = tr("%1 has been changed by another program since you opened it. Replace it?");
-    const auto mayReplace = [&] {
-        return QMessageBox::question(m_window, tr("Changed elsewhere"), text.arg(QFileInfo(m_path).fileName()),
-                                     QMessageBox::Yes | QMessageBox::Cancel, QMessageBox::Cancel) == QMessageBox::Yes;
-    };
-    if (!QFileInfo::exists(m_path) || fileState(m_path) == m_state || mayReplace()) {
+    } else {
         saveTo(m_path, proceed);
     }
 }
@@ -168,7 +149,6 @@ bool SceneFile::saveTo(const QString &path, const std::function<void()> &proceed
         return false;
     }
     m_path = absolute;
-    m_state = fileState(absolute);
     m_session->undoStack().setClean();
     rememberFiles({m_path});
     emit changed();

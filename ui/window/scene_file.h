@@ -46,10 +46,8 @@ public:
 public slots:
     /// Asks about unsaved changes, then opens the scene.
     void open(const QString &path);
-    void chooseAndOpen();
 
-    /// Saves the scene and calls proceed(). Asks for a name if the scene has none, and before it replaces a file that
-    /// another program has changed.
+    /// Saves the scene and calls proceed(). Asks for a name if the scene has none.
     void save(const std::function<void()> &proceed = {});
     void saveAs(const std::function<void()> &proceed = {});
 
@@ -61,13 +59,12 @@ signals:
 
 private:
     /// Shows the scene of that file, or of none if the path is empty.
-    void show(const Scene &scene, const QString &path, const FileState &state);
+    void show(const Scene &scene, const QString &path);
 
     Session *m_session;
     const Views &m_views;
     QWidget *m_window;
     QString m_path;
-    FileState m_state;                        ///< of the file when it was last opened or saved
     std::optional<ReferenceSource> m_missing; ///< the reference of the scene that has not been opened
 };
 

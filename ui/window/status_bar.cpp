@@ -28,7 +28,6 @@ StatusBar::StatusBar(QWidget *parent)
     m_cancel->setText(tr("Cancel"));
     addPermanentWidget(m_progress);
     addPermanentWidget(m_cancel);
-    setProgress(-1.0);
     showProgress(false);
     m_moment.setSingleShot(true);
     connect(&m_moment, &QTimer::timeout, this, [this] { showProgress(true); });
@@ -43,8 +42,8 @@ void StatusBar::setBusy(bool busy)
     } else if (m_tasks == 0) {
         m_moment.stop();
         showProgress(false);
-        setProgress(-1.0);
     }
+    setProgress(0.0);
 }
 
 void StatusBar::showProgress(bool shown)
@@ -55,7 +54,7 @@ void StatusBar::showProgress(bool shown)
 
 void StatusBar::setProgress(double part)
 {
-    m_progress->setRange(0, part < 0.0 ? 0 : 100);
+    m_progress->setRange(0, part > 0.0 ? 100 : 0);
     m_progress->setValue(static_cast<int>(100.0 * part));
 }
 

@@ -22,7 +22,7 @@ public:
 
 public slots:
     void setBusy(bool busy);       ///< called once for each start and each end of a task
-    void setProgress(double part); ///< 0 … 1; negative if unknown
+    void setProgress(double part); ///< 0 … 1; 0 if unknown
 
 signals:
     void cancelled();

@@ -70,7 +70,7 @@ ReportContent contentWith(double b, const std::shared_ptr<const Reference> &refe
     Session session;
     session.setParameter(Parameter::B, b);
     session.setReference(reference);
-    ReportContent content{session.result(), {}, false};
+    ReportContent content{session.result(), {}};
     if (reference) {
         content.diagnosis = diagnose(reference->data, session.result()->mechanism);
     }
@@ -261,34 +261,28 @@ private slots:
     {
         const ReportText report(contentWith(65.0, referenceIn({kSample})));
         qsizetype at = 0;
-        for (const char *words :
-             {"b, coupler", "[mechanism]", "Motion limits", "[figure]", "Errors", "SHA-256", "Method"}) {
+        for (const char *words : {"b, coupler", "[mechanism]", "Motion limits", "[figure]", "Errors", "Method"}) {
             at = report.text.indexOf(words, at);
             QVERIFY2(at >= 0, words);
         }
         QVERIFY2(report.has({"65 mm", "60.0", " ± ", "found in the file", "theta3 [°]", "stroke",
-                             "inventor_sample.csv, t = 0 … 1 s, 201 rows", "6 of 6 channels of the file agree"}),
+                             "inventor_sample.csv, t = 0 … 1 s, 201 rows", "± is one standard error"}),
                  qPrintable(report.text));
         const ReportText alone(contentWith(65.0, nullptr));
-        QVERIFY(!alone.has("SHA-256") && !alone.has("eference") && !alone.has("found in"));
+        QVERIFY(!alone.has("eference") && !alone.has("found in"));
         QVERIFY(ReportText(contentWith(60.0, referenceIn({kSample}))).has("within the rounding of the file"));
     }
 
     void reportNamesItsFilesAndColumns()
     {
         const QByteArray rows = "time,Linear Displacement1 (mm),theta3\n0,80,22.6\n0.01,80.3,21.5\n0.02,80.5,20.5\n";
-        const std::shared_ptr<const Reference> reference = referenceIn({writeFile(*m_folder, "motion.csv", rows)});
-        ReportContent content = contentWith(65.0, reference);
-        content.checksums = fileChecksums(*reference);
+        const QString file = writeFile(*m_folder, "motion.csv", rows);
+        ReportContent content = contentWith(65.0, referenceIn({file}));
         content.written = QDateTime({2024, 5, 17}, {9, 41, 5}, Qt::UTC);
         const ReportText report(content);
-        QVERIFY2(report.has({"17 May 2024 09:41:05", "“Linear Displacement1 (mm)” as R4_x",
-                             "5a0472220eeedb4db32514e7d5c80640911f2d532411f7cf10adae6d081235b0"}), // sha256sum
+        QVERIFY2(report.has({"17 May 2024 09:41:05", "“Linear Displacement1 (mm)” as R4_x", file}),
                  qPrintable(report.text));
-        QVERIFY(!report.has("theta3”"));                               // its name is known
-        writeFile(*m_folder, "motion.csv", rows + "0.03,80.7,19.5\n"); // changed since it was read
-        content.checksums = fileChecksums(*reference);
-        QVERIFY(ReportText(content).has("SHA-256: unknown"));
+        QVERIFY(!report.has("theta3”")); // its name is known
 
         auto changed = std::make_shared<Reference>(*referenceIn({kSample}));
         changed->data.skipped.push_back({17, 2, "oops", RowFault::NotANumber});
@@ -308,13 +302,13 @@ private slots:
         solver.newton.toleranceKind = ToleranceKind::Relative;
         solver.method = Method::Newton;
         session.setSolver(solver);
-        const ReportText pinned({session.result(), {}, true});
-        QVERIFY2(pinned.has({"pinned motions, b = 65 mm", "Thin: the pinned mechanism.",
+        const ReportText pinned({session.result(), {}});
+        QVERIFY2(pinned.has({"pinned motions, b = 65 mm", "the pinned mechanism.",
                              "2.5·10⁻¹² (relative), at most 10 iterations"}),
                  qPrintable(pinned.text));
         session.setSolver({});
         session.unpinMotions();
-        const ReportText alone({session.result(), {}, false});
+        const ReportText alone({session.result(), {}});
         QVERIFY(alone.has("Closed form, exact to rounding.") && !alone.has("pinned"));
     }
 
@@ -325,11 +319,11 @@ private slots:
             painter.translate(1000.0, 1000.0); // this must not affect the rest of the page
         };
         const ReportContent content = contentWith(65.0, referenceIn({kSample}));
-        QCOMPARE(exportReport(path("report.pdf"), content, {draw, draw}), std::nullopt);
+        QCOMPARE(exportReport(path("report.pdf"), content, draw, draw), std::nullopt);
         const QByteArray pdf = contentOf(path("report.pdf"));
         QVERIFY(pdf.startsWith("%PDF") && pdf.contains("/Type /Font")); // text is not drawn as an image
         QVERIFY2(pdf.count("/Type /Page\n") == 3, QByteArray::number(pdf.count("/Type /Page\n")));
-        QVERIFY(exportReport(path("gone/report.pdf"), content, {draw, draw})->contains("cannot be written"));
+        QVERIFY(exportReport(path("gone/report.pdf"), content, draw, draw)->contains("cannot be written"));
         QCOMPARE(entriesOf(m_folder->path()), QStringList(QStringLiteral("report.pdf")));
     }
 

@@ -189,7 +189,7 @@ private:
         for (const bool withReference : {false, true}) {
             openWindow();
             view<Timeline>()->setClock([] { return 0.0; });
-            m_window->messages().greetOnce();
+            emit session().referenceRefused({kSample}, "The file cannot be read.");
             if (withReference) {
                 openSample();
             }

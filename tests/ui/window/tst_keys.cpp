@@ -180,7 +180,7 @@ private slots:
 
     void enterPressesAButton()
     {
-        m_window->messages().greetOnce(); // shows a button
+        emit session().referenceRefused({kSample}, "The file cannot be read."); // shows a button
         showTab(3);
         part<QListWidget>("newtonPages")->setCurrentRow(2);
         settle(*m_window);

@@ -63,21 +63,6 @@ private slots:
         }
     }
 
-    void greetsTheFirstTimeOnlyAndNotBesideAFile()
-    {
-        m_window->start({}, {kSample});
-        AWAIT(session().reference());
-        QVERIFY(said().isEmpty());
-        m_window->start({}, {});
-        QVERIFY(messages()->isVisible() && said().contains("Space"));
-        session().setReference(nullptr);
-        click("messageRemedy");
-        AWAIT(session().reference());
-        QVERIFY(said().isEmpty());
-        m_window->start({}, {});
-        QVERIFY(said().isEmpty());
-    }
-
     void anUnreadProblemStaysUntilItIsDismissed()
     {
         const QSize columns = part("columns")->size();
@@ -159,9 +144,7 @@ private slots:
         const QTemporaryDir folder;
         drop({writeFile(folder, "table.csv", "phi,R4_x\n0,80\n90,65\n180,40\n270,47\n360,80\n")});
         AWAIT(session().reference());
-        QVERIFY(said().contains("The time range is now that of table.csv: 0 s to 360 s."));
         session().setSampling({0.0, 3.0, 200});
-        QVERIFY(!said().contains("The time range"));
         showTab(2);
         const auto remedies = part("referencePanel")->findChildren<QPushButton *>();
         const auto choose = std::ranges::find(remedies, QString("Choose columns…"), &QPushButton::text);

@@ -184,7 +184,7 @@ private slots:
             QVERIFY(folder.mkpath("."));
             QCOMPARE(writeScene(recovered, folder.filePath("recovery.json")), std::nullopt);
             openWindow();
-            m_window->messages().greetOnce();
+            emit session().referenceRefused({kSample}, "The file cannot be read.");
             m_window->resize(kSmall);
             const auto fits = [this](const QString &page) {
                 settle(*m_window);
