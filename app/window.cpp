@@ -41,8 +41,9 @@ void requireFile(const QString &argument)
 {
     const QString name = QDir::toNativeSeparators(argument);
     if (isStandardInput(argument)) {
-        throw UsageError{CommandLine::tr("The window does not read standard input: save it in a file, or use a command, "
-                                         "such as compare, which reads it.")};
+        throw UsageError{
+            CommandLine::tr("The window does not read standard input: save it in a file, or use a command, "
+                            "such as compare, which reads it.")};
     }
     if (!QFileInfo::exists(argument) && argument.contains('.')) {
         throw UsageError{CommandLine::tr("There is no file %1.").arg(name), ExitStatus::FileError};
