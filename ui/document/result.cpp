@@ -18,11 +18,20 @@ constexpr int kMaxStoredSteps = 100'000; // samples of longer motions in closed 
 SamplingSummary summarize(const Choices &choices, std::stop_token stop)
 {
     SamplingSummary summary;
+    const auto &[start, duration, steps] = choices.sampling;
+    const Mechanism mechanism(choices.parameters);
+    if (mechanism.b() > shortestCouplerForFullTurn(mechanism) && poseAt(choices.parameters, start).exists() &&
+        poseAt(choices.parameters, start + duration).exists()) {
+        constexpr auto kSolved = static_cast<std::size_t>(Status::Solved); // all time steps are
+        summary.timeSteps = summary.statusCounts[kSolved] = static_cast<std::size_t>(steps) + 1;
+        summary.firstTimes[kSolved] = start;
+        return summary;
+    }
     const auto add = [&summary](const Trajectory &piece) {
         summary.add(piece.summary);
         return true;
     };
-    sampleInPieces(Mechanism(choices.parameters), choices.sampling, {}, choices.solver, add, std::move(stop));
+    sampleInPieces(mechanism, choices.sampling, {}, choices.solver, add, std::move(stop));
     return summary;
 }
 

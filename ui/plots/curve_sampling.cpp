@@ -19,18 +19,6 @@ bool isGap(const CurvePoint &point)
     return std::isnan(point.value);
 }
 
-std::vector<double> finiteValues(std::span<const CurvePoint> points)
-{
-    std::vector<double> values;
-    values.reserve(points.size());
-    for (const CurvePoint &point : points) {
-        if (std::isfinite(point.value)) {
-            values.push_back(point.value);
-        }
-    }
-    return values;
-}
-
 /// Cuts off the parts of the polyline where a coordinate is below an edge, or above it if `sign` is -1.
 std::vector<CurvePoint> cutOff(std::span<const CurvePoint> points, double CurvePoint::*coordinate, double edge,
                                double sign)
@@ -135,22 +123,27 @@ std::vector<CurvePoint> withoutNeedlessPoints(std::span<const CurvePoint> points
     return kept;
 }
 
-std::optional<Interval> extremes(std::span<const CurvePoint> points)
+std::optional<Interval> usualRange(std::span<const CurvePoint> points, const Interval &time, bool isUnbounded)
 {
-    const std::vector<double> values = finiteValues(points);
+    constexpr double kLeftOut = 0.05; // of the values, at either end
+    std::vector<double> values;
+    values.reserve(points.size());
+    for (const CurvePoint &point : clip(points, time, {-kBeyondAll, kBeyondAll})) {
+        if (std::abs(point.value) < kBeyondAll) {
+            values.push_back(point.value);
+        } else {
+            isUnbounded |= !isGap(point);
+        }
+    }
     if (values.empty()) {
         return std::nullopt;
     }
-    const auto [least, most] = std::ranges::minmax(values);
-    return Interval{least, most};
-}
-
-double quantile(std::span<const CurvePoint> points, double part)
-{
-    std::vector<double> values = finiteValues(points);
-    const auto place = values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
-    std::ranges::nth_element(values, place);
-    return *place;
+    const auto leftOut = static_cast<std::ptrdiff_t>(isUnbounded ? kLeftOut * static_cast<double>(values.size()) : 0.0);
+    const auto valueAt = [&values](auto place) {
+        std::ranges::nth_element(values, place);
+        return *place;
+    };
+    return Interval{valueAt(values.begin() + leftOut), valueAt(values.end() - 1 - leftOut)};
 }
 
 std::vector<CurvePoint> clip(std::span<const CurvePoint> points, const Interval &time, const Interval &values)

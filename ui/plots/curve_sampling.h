@@ -16,6 +16,7 @@ namespace slidercrank
 {
 
 inline constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double kBeyondAll = 1e300; ///< replaces ∞: beyond the end of any axis, but lines to it can be clipped
 
 struct CurvePoint {
     double t = 0.0;
@@ -35,11 +36,10 @@ std::vector<CurvePoint> decimate(std::span<const double> time, std::span<const d
 /// is left with a quarter of its points. Gaps and the points beside them are never removed.
 std::vector<CurvePoint> withoutNeedlessPoints(std::span<const CurvePoint> points, double tolerance);
 
-/// Returns the smallest and the largest finite value, or nullopt if there is none.
-std::optional<Interval> extremes(std::span<const CurvePoint> points);
-
-/// Returns the finite value below which that part (0 … 1) of the finite values lies. Requires a finite value.
-double quantile(std::span<const CurvePoint> points, double part);
+/// Returns the range of the values within the time range; nullopt if there are none. Where they are unbounded, as near
+/// the limits of an oscillating crank, returns the range of the middle nine tenths of them. They are unbounded if one of
+/// them is ±kBeyondAll.
+std::optional<Interval> usualRange(std::span<const CurvePoint> points, const Interval &time, bool isUnbounded = false);
 
 /// Returns the parts of the polyline within both ranges, cut exactly at the edges, with a gap between two parts.
 std::vector<CurvePoint> clip(std::span<const CurvePoint> points, const Interval &time, const Interval &values);

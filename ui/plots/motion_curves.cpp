@@ -13,17 +13,6 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kBeyondAll = 1e300; // replaces ±∞: beyond the end of any axis, but lines to it can be clipped
-
-std::optional<Interval> usualExtremes(std::vector<CurvePoint> points)
-{
-    const auto isBeyondAll = [](const CurvePoint &point) { return std::abs(point.value) >= kBeyondAll; };
-    const bool isUnbounded = std::erase_if(points, isBeyondAll) > 0;
-    const std::optional<Interval> range = extremes(points);
-    constexpr double kLeftOut = 0.05; // of the values, at either end
-    return isUnbounded && range ? Interval{quantile(points, kLeftOut), quantile(points, 1.0 - kLeftOut)} : range;
-}
-
 /// Returns a vertical line in each pixel column for each part of a turn without gaps.
 std::vector<CurvePoint> strokes(const std::vector<CurvePoint> &turn, const Interval &range, std::size_t columns)
 {
@@ -51,15 +40,6 @@ std::vector<CurvePoint> strokes(const std::vector<CurvePoint> &turn, const Inter
 
 } // namespace
 
-MotionCurves::MotionCurves(const Mechanism &mechanism, const Interval &time)
-    : m_mechanism(mechanism)
-    , m_time(time)
-{
-    if (mechanism.omega2() != 0.0) {
-        m_critical = findCriticalPoints(mechanism);
-    }
-}
-
 double MotionCurves::nearestTime(double t) const
 {
     return isExact() ? std::clamp(t, m_time.lower, m_time.upper) : m_samples->time[nearestIndex(m_samples->time, t)];
@@ -80,7 +60,8 @@ double MotionCurves::value(std::size_t channel, double time) const
 }
 
 /// Returns the samples and the critical points between them, with a gap beyond each limit of the motion.
-std::vector<CurvePoint> MotionCurves::exactPoints(std::size_t channel, const Trajectory &samples) const
+std::vector<CurvePoint> MotionCurves::exactPoints(std::size_t channel, const Trajectory &samples,
+                                                  const CriticalPoints &criticalPoints) const
 {
     std::vector<CurvePoint> points;
     for (std::size_t i = 0; i < samples.time.size(); ++i) {
@@ -91,7 +72,7 @@ std::vector<CurvePoint> MotionCurves::exactPoints(std::size_t channel, const Tra
     const double omega2 = m_mechanism.omega2();
     const double period = kTurn / std::abs(omega2);
     const double turns = std::ceil(range.length() / period);
-    for (const CriticalPoint &point : m_critical[channel]) {
+    for (const CriticalPoint &point : criticalPoints) {
         const double first = (point.theta2 - m_mechanism.theta20()) / omega2;
         const double passed = std::ceil((range.lower - first) / period);
         const double value = std::clamp(toFileUnit(kPlottedChannels[channel], point.value), -kBeyondAll, kBeyondAll);
@@ -110,44 +91,35 @@ std::vector<CurvePoint> MotionCurves::exactPoints(std::size_t channel, const Tra
     return points;
 }
 
-void MotionCurves::computeExactCurves(const Interval &range)
+MotionCurves::Curves MotionCurves::curves(const Interval &range, std::size_t columns) const
 {
     constexpr int kPerTurn = 400;
     constexpr double kWholeTurn = 1.001 * kTurn; // more than a turn, so that rounding errors lose no critical point
+    Curves curves;
+    if (!isExact()) {
+        for (std::size_t channel = 0; channel < curves.size(); ++channel) {
+            std::vector<CurvePoint> points =
+                decimate(m_samples->time, (*m_samples)[kPlottedChannels[channel]], range, columns);
+            curves[channel] = {points, usualRange(points, range)};
+        }
+        return curves;
+    }
     const Interval shown{std::max(range.lower, m_time.lower), std::min(range.upper, m_time.upper)};
-    const double speed = std::abs(m_mechanism.omega2());
-    const bool isBand = speed * shown.length() >= kTurn * static_cast<double>(m_columns);
-    const Sampling sampling{shown.lower, isBand ? kWholeTurn / speed : shown.length(),
-                            isBand ? kPerTurn : 2 * static_cast<int>(m_columns)};
-    m_curves = {};
     if (shown.lower > shown.upper) {
-        return;
+        return curves;
     }
+    const double speed = std::abs(m_mechanism.omega2());
+    const bool isBand = speed * shown.length() >= kTurn * static_cast<double>(columns);
+    const Sampling sampling{shown.lower, isBand ? kWholeTurn / speed : shown.length(),
+                            isBand ? kPerTurn : 2 * static_cast<int>(columns)};
     const Trajectory samples = sample(m_mechanism, sampling.timeStamps(), plottedChannels(), {});
-    for (std::size_t channel = 0; channel < m_curves.size(); ++channel) {
-        std::vector<CurvePoint> points = exactPoints(channel, samples);
-        m_curves[channel].extremes = usualExtremes(points);
-        m_curves[channel].points = isBand ? strokes(points, shown, m_columns) : std::move(points);
+    const auto critical = findCriticalPoints(m_mechanism);
+    for (std::size_t channel = 0; channel < curves.size(); ++channel) {
+        const std::vector<CurvePoint> points = exactPoints(channel, samples, critical[channel]);
+        curves[channel] = {isBand ? strokes(points, shown, columns) : points,
+                           usualRange(points, {samples.time.front(), samples.time.back()})};
     }
-}
-
-const MotionCurves::Curves &MotionCurves::curves(const Interval &range, std::size_t columns)
-{
-    if (m_range == range && m_columns == columns) {
-        return m_curves;
-    }
-    m_range = range;
-    m_columns = columns;
-    if (isExact()) {
-        computeExactCurves(range);
-        return m_curves;
-    }
-    for (std::size_t channel = 0; channel < m_curves.size(); ++channel) {
-        const std::vector<CurvePoint> points =
-            decimate(m_samples->time, (*m_samples)[kPlottedChannels[channel]], range, columns);
-        m_curves[channel] = {points, extremes(clip(points, range, {-kBeyondAll, kBeyondAll}))};
-    }
-    return m_curves;
+    return curves;
 }
 
 } // namespace slidercrank

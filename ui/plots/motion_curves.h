@@ -22,7 +22,11 @@ class MotionCurves
 {
 public:
     /// Curves of the exact motion during that time (s).
-    MotionCurves(const Mechanism &mechanism, const Interval &time);
+    MotionCurves(const Mechanism &mechanism, const Interval &time)
+        : m_mechanism(mechanism)
+        , m_time(time)
+    {
+    }
 
     /// Curves of samples, which must outlive the object.
     explicit MotionCurves(const Trajectory &samples)
@@ -41,27 +45,20 @@ public:
     struct Curve {
         std::vector<CurvePoint> points;
 
-        /// The range of the values within the time shown. Where they are unbounded, as near the limits of an
-        /// oscillating crank, the range of the middle nine tenths of them. Nullopt if there are no values.
-        std::optional<Interval> extremes;
+        std::optional<Interval> values; ///< of the curve within the time shown: usualRange()
     };
     using Curves = std::array<Curve, kPlottedChannels.size()>;
 
-    /// Returns the curves for a plot of that time range with so many pixel columns. They are valid until the next call.
-    const Curves &curves(const Interval &range, std::size_t columns);
+    /// Returns the curves for a plot of that time range with so many pixel columns.
+    Curves curves(const Interval &range, std::size_t columns) const;
 
 private:
-    std::vector<CurvePoint> exactPoints(std::size_t channel, const Trajectory &samples) const;
-    void computeExactCurves(const Interval &range);
+    std::vector<CurvePoint> exactPoints(std::size_t channel, const Trajectory &samples,
+                                        const CriticalPoints &criticalPoints) const;
 
     const Trajectory *m_samples = nullptr; ///< null if the motion is exact
     Mechanism m_mechanism;
     Interval m_time;
-    std::array<CriticalPoints, kPlottedChannels.size()> m_critical;
-
-    Curves m_curves; ///< of the last call of curves()
-    std::optional<Interval> m_range;
-    std::size_t m_columns = 0;
 };
 
 } // namespace slidercrank

@@ -34,39 +34,32 @@ void include(std::optional<Interval> &range, const std::optional<Interval> &adde
     }
 }
 
-std::optional<Interval> extremesWithin(const Interval &time, const std::vector<CurvePoint> &points)
-{
-    return extremes(clip(points, time, {-1e300, 1e300}));
-}
-
-/// Returns the range of the error axis. It starts at zero or, if logarithmic, contains at most eight decades. Where
-/// errors are unbounded, it contains nine tenths of them.
-Interval errorRange(const std::vector<CurvePoint> &points, const Interval &extent, bool isUnbounded, bool isLogarithmic)
-{
-    const double largest = isUnbounded ? quantile(points, 0.9) : extent.upper;
-    if (!isLogarithmic) {
-        return {0.0, roundedOutwards({0.0, largest}).upper};
-    }
-    constexpr double kMostDecades = 8.0;
-    const double upper = std::ceil(largest);
-    return {std::min(std::max(std::floor(extent.lower), upper - kMostDecades), upper - 1.0), upper};
-}
-
 } // namespace
+
+void PlotFigure::requestRefresh()
+{
+    m_isStale = true;
+    QCoreApplication::postEvent(this, new QEvent(QEvent::LayoutRequest));
+}
 
 void PlotFigure::setResult(const std::shared_ptr<const Result> &result)
 {
     const Interval before = m_result ? sampledRange() : Interval();
     m_result = result;
-    m_model.reset();
-    m_pinned.clear();
-    m_errors.reset();
+    m_motions.clear();
+    const Interval time = sampledRange();
+    for (const Parameters &parameters : result->pinned) {
+        m_motions.emplace_back(Mechanism(parameters), time);
+    }
+    m_motions.push_back(result->solver.method == Method::ClosedForm ? MotionCurves(result->mechanism, time)
+                                                                    : MotionCurves(result->trajectory));
     for (Plot &plot : m_plots) {
         plot.curves.clear();
     }
-    if (sampledRange() != before) {
+    if (time != before) {
         m_zoom.time.reset();
     }
+    requestRefresh();
 }
 
 void PlotFigure::setSettings(const PlotSettings &settings)
@@ -75,7 +68,19 @@ void PlotFigure::setSettings(const PlotSettings &settings)
         m_zoom.values[plot].reset(); // the ranges are not valid for another measure
     }
     m_settings = settings;
-    m_errors.reset();
+    requestRefresh();
+}
+
+void PlotFigure::setPresentation(bool isPresentation)
+{
+    m_isPresentation = isPresentation;
+    requestRefresh();
+}
+
+void PlotFigure::setZoom(const PlotZoom &zoom)
+{
+    m_zoom = zoom;
+    requestRefresh();
 }
 
 bool PlotFigure::hasErrors() const
@@ -100,6 +105,7 @@ void PlotFigure::zoomTime(const Interval &range)
         const double lower = std::clamp(range.lower, outer.lower, outer.upper - length);
         m_zoom.time = {lower, lower + length};
     }
+    requestRefresh();
 }
 
 void PlotFigure::zoomValues(std::size_t plot, const Interval &range)
@@ -108,6 +114,7 @@ void PlotFigure::zoomValues(std::size_t plot, const Interval &range)
     const double largest = std::max(std::abs(range.lower), std::abs(range.upper));
     if (range.length() >= kSmallestPart * largest && largest <= kLargestValue) {
         m_zoom.values[plot] = range;
+        requestRefresh();
     }
 }
 
@@ -131,51 +138,26 @@ bool PlotFigure::isLogarithmic(std::size_t plot) const
     return isErrorPlot(plot) && m_settings.logarithmicError;
 }
 
-MotionCurves &PlotFigure::model()
-{
-    if (!m_model) {
-        const Interval time = sampledRange();
-        m_model = m_result->solver.method == Method::ClosedForm ? MotionCurves(m_result->mechanism, time)
-                                                                : MotionCurves(m_result->trajectory);
-        for (const Parameters &parameters : m_result->pinned) {
-            m_pinned.emplace_back(Mechanism(parameters), time);
-        }
-    }
-    return *m_model;
-}
-
-const MotionErrors &PlotFigure::errors()
-{
-    if (!m_errors) {
-        m_errors.emplace(*m_result, m_settings, timeRange(), m_columns);
-    }
-    return *m_errors;
-}
-
 void PlotFigure::computeMotions(Plot &plot, std::size_t channel)
 {
-    const Interval time = timeRange();
-    const Channel quantity = kPlottedChannels[channel];
-    const auto add = [&](const QString &name, Ink ink, const MotionCurves::Curve &curve, auto read) -> PlotCurve & {
-        include(plot.values, curve.extremes);
-        return plot.curves.emplace_back(PlotCurve{name, ink, curve.points, read});
+    const std::vector<Parameters> &pinned = m_result->pinned;
+    const Parameters &parameters = m_result->mechanism.parameters();
+    const auto add = [&](const QString &name, Ink ink, const MotionCurves::Curve &curve) -> PlotCurve & {
+        include(plot.values, curve.values);
+        return plot.curves.emplace_back(PlotCurve{name, ink, curve.points});
     };
     const auto isDense = [this](const PlotCurve &curve) { return 2 * curve.points.size() >= 3 * m_columns; };
-    const MotionCurves::Curve &motion = model().curves(time, m_columns)[channel];
-    for (std::size_t i = 0; i < m_pinned.size(); ++i) {
-        MotionCurves &pinned = m_pinned[i];
-        PlotCurve &curve = add(pinnedText(m_result->pinned[i], m_result->mechanism.parameters()),
-                               &SeriesColours::pinned, pinned.curves(time, m_columns)[channel],
-                               [&pinned, channel](const ReadTime &at) { return pinned.value(channel, at.t); });
+    for (std::size_t i = 0; i < pinned.size(); ++i) {
+        PlotCurve &curve = add(pinnedText(pinned[i], parameters), &SeriesColours::pinned, m_curves[i][channel]);
+        curve.read = [&motion = m_motions[i], channel](const ReadTime &at) { return motion.value(channel, at.t); };
         curve.dashes = isDense(curve) ? QVector<double>() : kPinnedDashes[i];
         curve.width = m_isPresentation ? curve.width : 1.0;
     }
-    const Parameters &parameters = m_result->mechanism.parameters();
+    const bool isNamed = m_isPresentation && !pinned.empty() && pinned.back() != parameters;
     const QString tooFew = model().isExact() ? QString() : fewSamplesSentence(m_result->mechanism, m_result->sampling);
-    const bool isNamed = m_isPresentation && !m_result->pinned.empty() && m_result->pinned.back() != parameters;
-    const QString name = isNamed ? pinnedText(parameters, m_result->pinned.back()) : tr("model");
-    PlotCurve &curve = add(tooFew.isEmpty() ? name : tooFew, &SeriesColours::model, motion,
-                           [this, channel](const ReadTime &at) { return modelValue(channel, at); });
+    const QString name = isNamed ? pinnedText(parameters, pinned.back()) : tr("model");
+    PlotCurve &curve = add(tooFew.isEmpty() ? name : tooFew, &SeriesColours::model, m_curves.back()[channel]);
+    curve.read = [this, channel](const ReadTime &at) { return modelValue(channel, at); };
     if (!model().isExact()) {
         constexpr std::size_t kPixelsPerDot = 12;
         if (!tooFew.isEmpty() || curve.points.size() * kPixelsPerDot < m_columns) {
@@ -185,23 +167,24 @@ void PlotFigure::computeMotions(Plot &plot, std::size_t channel)
             curve.points.clear();
         }
     }
-    const Reference *reference = m_result->reference.get();
-    const ReferenceSeries *series = reference ? reference->data.find(quantity) : nullptr;
-    plot.note = !motion.extremes       ? tr("the mechanism cannot be assembled")
-                : reference && !series ? tr("not in the file")
-                                       : QString();
+    const Reference *file = m_result->reference.get();
+    const ReferenceSeries *series = file ? file->data.find(kPlottedChannels[channel]) : nullptr;
+    plot.note = !m_curves.back()[channel].values ? tr("the mechanism cannot be assembled")
+                : file && !series                ? tr("not in the file")
+                                                 : QString();
     if (series) {
-        const std::vector<CurvePoint> points = decimate(reference->data.time, series->values, time, m_columns);
-        add(reference->name, &SeriesColours::reference, {points, extremesWithin(time, points)},
-            [series](const ReadTime &at) { return at.row ? series->values[*at.row] : kNoValue; })
-            .dashes = kReferenceDashes;
+        const std::vector<CurvePoint> points = decimate(file->data.time, series->values, timeRange(), m_columns);
+        PlotCurve &reference =
+            add(file->name, &SeriesColours::reference, {points, usualRange(points, timeRange())});
+        reference.read = [this, channel](const ReadTime &at) { return referenceValue(channel, at); };
+        reference.dashes = kReferenceDashes;
     }
     if (plot.values) {
         plot.values = roundedOutwards(*plot.values);
     }
 }
 
-PlotCurve PlotFigure::errorCurve(std::size_t channel)
+PlotCurve PlotFigure::errorCurve(std::size_t channel) const
 {
     const bool hasFile = m_result->reference != nullptr;
     const bool isSlider = channel % kErrorsPerRow != 0;
@@ -211,57 +194,55 @@ PlotCurve PlotFigure::errorCurve(std::size_t channel)
                     isSlider ? &SeriesColours::errorOther : &SeriesColours::error};
     curve.width = 1.6; // thin, since the errors of a matching file are noise
     curve.read = [this, channel](const ReadTime &at) {
-        const std::vector<double> &values = errors()[channel].values;
-        if (m_result->reference) {
-            return at.row && !values.empty() ? values[*at.row] : kNoValue;
-        }
-        const double value = modelValue(channel, at);
-        return errors().error(channel, value, m_pinned.back().value(channel, at.t));
+        return m_errors->error(channel, modelValue(channel, at), referenceValue(channel, at));
     };
-    const MotionErrors &errors = this->errors();
-    const std::vector<double> &values = errors[channel].values;
+    const std::vector<double> &values = (*m_errors)[channel].values;
     const auto isSeen = [this](double error) {
         return m_settings.logarithmicError ? std::isfinite(error) : error > 0.0;
     };
     if (hasFile || std::ranges::any_of(values, isSeen)) { // otherwise there is no difference
-        curve.points = decimate(errors.time().first(values.size()), values, timeRange(), m_columns);
+        curve.points = decimate(m_errors->time().first(values.size()), values, timeRange(), m_columns);
     }
     return curve;
 }
 
 /// Returns the error that the rounding of the file alone can cause.
-PlotCurve PlotFigure::roundingCurve(std::size_t channel)
+PlotCurve PlotFigure::roundingCurve(std::size_t channel) const
 {
-    const MotionErrors::Errors &errors = this->errors()[channel];
+    const MotionErrors::Errors &errors = (*m_errors)[channel];
     PlotCurve curve{tr("file's rounding"), &SeriesColours::text};
     curve.width = 1.0;
     curve.dashes = {2.0, 3.0};
-    curve.points = decimate(this->errors().time(), errors.reference, timeRange(), m_columns);
+    curve.points = decimate(m_errors->time(), errors.reference, timeRange(), m_columns);
     for (CurvePoint &point : curve.points) {
         const double half = 0.5 * errors.series->rounding.stepAt(point.value);
-        point.value = this->errors().error(channel, point.value + half, point.value);
+        point.value = m_errors->error(channel, point.value + half, point.value);
     }
     return curve;
 }
 
+/// Adds the errors of both channels of a row. The axis starts at zero or, if logarithmic, contains at most eight
+/// decades.
 void PlotFigure::computeErrors(Plot &plot, std::size_t row)
 {
-    if (!hasErrors()) {
-        return;
-    }
-    const double pixel = timeRange().length() / static_cast<double>(m_columns);
+    constexpr double kMostDecades = 8.0;
+    const Interval time = timeRange();
     for (std::size_t channel = kErrorsPerRow * row; channel < kErrorsPerRow * (row + 1); ++channel) {
-        const MotionErrors::Errors &errors = this->errors()[channel];
+        const MotionErrors::Errors &errors = (*m_errors)[channel];
         const PlotCurve curve = plot.curves.emplace_back(errorCurve(channel));
-        if (const std::optional<Interval> extent = extremesWithin(timeRange(), curve.points)) {
-            include(plot.values, errorRange(curve.points, *extent, errors.isUnbounded, m_settings.logarithmicError));
+        if (const std::optional<Interval> range = usualRange(curve.points, time, errors.isUnbounded)) {
+            const double upper = std::ceil(range->upper);
+            const double lower = std::max(std::floor(range->lower), upper - kMostDecades);
+            include(plot.values, m_settings.logarithmicError
+                                     ? Interval{std::min(lower, upper - 1.0), upper}
+                                     : Interval{0.0, roundedOutwards({0.0, range->upper}).upper});
         }
         if (errors.series && m_settings.roundingBand && errors.series->rounding.stepAt(errors.peak) > 0.0) {
             plot.curves.push_back(roundingCurve(channel));
         }
         PlotCurve marks{tr("undefined: the reference is 0"), curve.ink};
         for (const double t : errors.undefined) {
-            if (marks.dots.empty() || t - marks.dots.back().t >= pixel) {
+            if (marks.dots.empty() || t - marks.dots.back().t >= time.length() / static_cast<double>(m_columns)) {
                 marks.dots.push_back({t, PlotCurve::kUpperEdge});
             }
         }
@@ -275,23 +256,25 @@ void PlotFigure::computeErrors(Plot &plot, std::size_t row)
 }
 
 /// Returns the reason why a plot shows no errors.
-QString PlotFigure::missingErrors(std::size_t row)
+QString PlotFigure::missingErrors(std::size_t row) const
 {
     const std::size_t channel = kErrorsPerRow * row;
-    if (errors()[channel].reference.empty() && errors()[channel + 1].reference.empty()) {
+    const MotionErrors::Errors &coupler = (*m_errors)[channel];
+    const MotionErrors::Errors &slider = (*m_errors)[channel + 1];
+    if (coupler.reference.empty() && slider.reference.empty()) {
         return tr("not in the file");
     }
-    if (!model().curves(timeRange(), m_columns)[channel].extremes) {
+    if (!m_curves.back()[channel].values) {
         return tr("the mechanism cannot be assembled");
     }
-    if (!errors()[channel].undefined.empty() || !errors()[channel + 1].undefined.empty()) {
+    if (!coupler.undefined.empty() || !slider.undefined.empty()) {
         return tr("undefined: the reference is 0");
     }
     return m_result->difference && m_result->difference->channels[channel].maxAbs == 0.0 ? tr("no difference")
                                                                                          : tr("nothing to compare");
 }
 
-ReadTime PlotFigure::readTime(double t)
+ReadTime PlotFigure::readTime(double t) const
 {
     if (m_result->reference) {
         const std::vector<double> &time = m_result->reference->data.time;
@@ -303,11 +286,20 @@ ReadTime PlotFigure::readTime(double t)
     return {model().nearestTime(t), std::nullopt};
 }
 
-double PlotFigure::modelValue(std::size_t channel, const ReadTime &time)
+double PlotFigure::modelValue(std::size_t channel, const ReadTime &time) const
 {
     // At the file's time stamps only the channels of the file are sampled.
     const std::vector<double> &sampled = m_result->atReference[kPlottedChannels[channel]];
     return time.row && *time.row < sampled.size() ? sampled[*time.row] : model().value(channel, time.t);
+}
+
+double PlotFigure::referenceValue(std::size_t channel, const ReadTime &time) const
+{
+    if (!m_result->reference) {
+        return m_motions[m_motions.size() - 2].value(channel, time.t);
+    }
+    const ReferenceSeries *series = m_result->reference->data.find(kPlottedChannels[channel]);
+    return series && time.row ? series->values[*time.row] : kNoValue;
 }
 
 std::vector<PlotReading> PlotFigure::readings(std::size_t plot, const ReadTime &time) const

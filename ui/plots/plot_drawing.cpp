@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plots/plot_drawing.h"
 
+#include "ui/text/written_number.h"
+
 #include <QFontInfo>
 #include <QPicture>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace slidercrank
@@ -21,6 +24,35 @@ PlotFonts::PlotFonts(const QFont &base)
     title.setPixelSize(pixels);
     tick.setPixelSize(std::max(kSmallest, static_cast<int>(std::lround(kTickPart * pixels))));
     lineFactor = std::max(1.0, pixels / kUsual);
+}
+
+double NumberTicker::getTickStep(const QCPRange &range)
+{
+    constexpr double kFewestDigits = 6.0;
+    constexpr double kMostDigits = 17.0;
+    constexpr double kFullTurn = 360.0;
+    constexpr std::array kPartsOfTurn{10.0, 15.0, 30.0, 45.0, 90.0, 180.0};
+    const double unit = std::abs(perUnit);
+    const double wanted = range.size() / unit / mTickCount;
+    m_step = nextRoundNumber(wanted);
+    if (isAngle && wanted > 0.5 * kPartsOfTurn.front()) {
+        m_step = wanted > kPartsOfTurn.back() ? std::max(kFullTurn, kFullTurn * nextRoundNumber(wanted / kFullTurn))
+                                              : *std::ranges::lower_bound(kPartsOfTurn, wanted);
+    } else if (isLogarithmic) {
+        m_step = std::max(1.0, m_step);
+    }
+    const double largest = std::max(std::abs(range.lower - mTickOrigin), std::abs(range.upper - mTickOrigin)) / unit;
+    const double digits = std::ceil(std::log10(largest / m_step)) + 1.0; // not finite if the range underflows
+    m_digits = static_cast<int>(std::min(std::max(kFewestDigits, digits), kMostDigits));
+    return m_step * unit;
+}
+
+QString NumberTicker::getTickLabel(double tick, const QLocale &, QChar, int)
+{
+    constexpr double kRoundingError = 1e-6; // of a step
+    const double value = (tick - mTickOrigin) / perUnit;
+    return isLogarithmic ? powerOfTen(static_cast<int>(std::lround(value)))
+                         : numberText(std::abs(value) < kRoundingError * m_step ? 0.0 : value, m_digits);
 }
 
 PlotDrawing::PlotDrawing()

@@ -23,6 +23,24 @@ struct PlotFonts {
     double lineFactor = 1.0; ///< factor of the line widths; above 1 for large fonts
 };
 
+/// Chooses round ticks and labels them in the language of the user. The label of the number x is at the coordinate x ·
+/// perUnit + tickOrigin(). There are at most tickCount() intervals.
+class NumberTicker : public QCPAxisTicker
+{
+public:
+    double perUnit = 1.0;
+    bool isAngle = false;       ///< in degrees: ticks that are not close together are parts or multiples of a turn
+    bool isLogarithmic = false; ///< the numbers are decimal logarithms; labels are powers of ten
+
+protected:
+    double getTickStep(const QCPRange &range) override;
+    QString getTickLabel(double tick, const QLocale &locale, QChar format, int precision) override;
+
+private:
+    double m_step = 1.0;
+    int m_digits = 6; ///< significant digits of the labels
+};
+
 class PlotDrawing : public QCustomPlot
 {
 public:

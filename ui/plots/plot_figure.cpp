@@ -4,7 +4,6 @@
 
 #include "ui/plots/plot_figure.h"
 
-#include "ui/text/axis_scale.h"
 #include "ui/text/finding_text.h"
 
 #include <QFontMetricsF>
@@ -47,29 +46,13 @@ void fit(PlotCurve &curve, const Interval &time, const Interval &values, int hei
 
 } // namespace
 
-/// Draws the ticks and labels of an AxisScale. The label of the number x is at the coordinate x · perUnit +
-/// tickOrigin().
-class ScaleTicker : public QCPAxisTicker
-{
-public:
-    AxisScale scale;
-    double perUnit = 1.0;
-
-protected:
-    double getTickStep(const QCPRange &) override { return scale.step * std::abs(perUnit); }
-    QString getTickLabel(double tick, const QLocale &, QChar, int) override
-    {
-        return scale.label((tick - mTickOrigin) / perUnit);
-    }
-};
-
 PlotFigure::PlotFigure()
     : m_fonts(QFont())
     , m_top(new QCPLayoutGrid)
     , m_grid(new QCPLayoutGrid)
     , m_footer(new QCPTextElement(this))
     , m_margins(new QCPMarginGroup(this))
-    , m_timeTicker(new ScaleTicker)
+    , m_timeTicker(new NumberTicker)
 {
     axisRect()->insetLayout()->take(legend);
     plotLayout()->clear();
@@ -91,27 +74,27 @@ PlotFigure::PlotFigure()
     m_grid->setColumnSpacing(0);
 }
 
-void PlotFigure::setPlots(const std::vector<std::size_t> &plots, const PlotFonts &fonts, const SeriesColours &colours)
+void PlotFigure::applyStyle(const PlotStyle &style)
 {
-    m_shown = plots;
-    m_fonts = fonts;
-    m_colours = colours;
+    m_style = style;
+    m_fonts = PlotFonts(style.font);
+    m_colours = seriesColours(style.palette);
     clearGraphs();
     clearItems();
     m_grid->clear();
     m_plots = {};
-    const int line = lineHeight(fonts.tick);
+    const int line = lineHeight(m_fonts.tick);
     m_grid->setMargins(QMargins(0, 0, 0, line + 2 * kLabelGap)); // for the title of the time axis
-    for (const std::size_t index : plots) {
+    for (const std::size_t index : style.plots) {
         Plot &plot = m_plots[index];
         plot.axes = new QCPAxisRect(this);
         plot.axes->setMinimumSize(50, 20); // low enough for the legend to keep its height in a small window
         plot.axes->setMarginGroup(QCP::msLeft | QCP::msRight, m_margins);
-        plot.axes->setMargins(QMargins(0, lineHeight(fonts.title) + kLabelGap, 0, line));
+        plot.axes->setMargins(QMargins(0, lineHeight(m_fonts.title) + kLabelGap, 0, line));
         plot.axes->setAutoMargins(QCP::msLeft | QCP::msRight);
-        const std::size_t place = plots.size() == 1 ? 0 : index;
+        const std::size_t place = style.plots.size() == 1 ? 0 : index;
         m_grid->addElement(static_cast<int>(place / kPlotColumns), static_cast<int>(place % kPlotColumns), plot.axes);
-        plot.ticker.reset(new ScaleTicker);
+        plot.ticker.reset(new NumberTicker);
         axis(index, QCPAxis::atBottom).setTicker(m_timeTicker);
         axis(index, QCPAxis::atLeft).setTicker(plot.ticker);
         for (QCPAxis *axis : plot.axes->axes()) {
@@ -119,17 +102,22 @@ void PlotFigure::setPlots(const std::vector<std::size_t> &plots, const PlotFonts
             axis->setTickLabelPadding(kLabelGap);
         }
     }
-    setStyle(fonts, colours);
-    legend->setFont(fonts.title);
-    m_footer->setFont(fonts.tick);
-    m_footer->setTextColor(colours.text);
+    setStyle(m_fonts, m_colours);
+    legend->setFont(m_fonts.title);
+    m_footer->setFont(m_fonts.tick);
+    m_footer->setTextColor(m_colours.text);
 }
 
-void PlotFigure::compose(const QSize &size, const std::optional<double> &markedTime, const QString &footer)
+void PlotFigure::compose(const PlotStyle &style, const QSize &size, const std::optional<double> &markedTime,
+                         const QString &footer)
 {
+    m_isStale = false;
+    if (style != m_style) {
+        applyStyle(style);
+    }
     m_footer->setText(footer);
     m_footer->setVisible(!footer.isEmpty());
-    const QCPAxisRect &axes = *m_plots[m_shown.front()].axes; // all have the same size
+    const QCPAxisRect &axes = *m_plots[style.plots.front()].axes; // all have the same size
     QSize before;
     layOut(size);
     constexpr int kPasses = 4; // the labels and the legend change the size of the axes
@@ -151,14 +139,18 @@ void PlotFigure::fill(const std::optional<double> &markedTime)
 {
     clearGraphs();
     clearItems();
-    m_columns = static_cast<std::size_t>(std::max(1, m_plots[m_shown.front()].axes->width()));
-    if (!m_result->reference) {
-        m_errors.reset(); // they were computed for the pixels of another layout
-    }
+    m_columns = static_cast<std::size_t>(std::max(1, m_plots[plots().front()].axes->width()));
     const Interval time = timeRange();
+    m_curves.clear();
+    for (const MotionCurves &motion : m_motions) {
+        m_curves.push_back(motion.curves(time, m_columns));
+    }
+    if (hasErrors()) {
+        m_errors.emplace(*m_result, m_settings, time, m_columns);
+    }
     setTimeScale();
     QStringList names;
-    for (const std::size_t index : m_shown) {
+    for (const std::size_t index : plots()) {
         Plot &plot = m_plots[index];
         plot.curves.clear();
         plot.note.clear();
@@ -194,22 +186,28 @@ void PlotFigure::setTimeScale()
     constexpr double kLeast = 44.0; // px from tick to tick
     constexpr double kSpace = 14.0;
     constexpr double kUsualDigits = 6.0; // of a value; the axes do not move until a label has more
-    const double digitWidth = QFontMetricsF(m_fonts.tick).horizontalAdvance(u'0');
+    const QFontMetricsF metrics(m_fonts.tick);
     const Interval time = timeRange();
-    const auto [first, last] =
-        std::minmax({(time.lower - zeroTime()) * perSecond(), (time.upper - zeroTime()) * perSecond()});
-    const Interval labels{first, last};
-    const auto scaleFor = [&](double pixels) {
-        return (isOverAngle() ? degreeScale : axisScale)(labels, static_cast<double>(m_columns) / pixels);
-    };
-    const double labelWidth = digitWidth * scaleFor(kLeast).labelLength(labels);
-    m_timeTicker->scale = scaleFor(std::max(kLeast, labelWidth + kSpace));
     m_timeTicker->perUnit = 1.0 / perSecond();
+    m_timeTicker->isAngle = isOverAngle();
     m_timeTicker->setTickOrigin(zeroTime());
+    double labelWidth = 0.0;
+    const auto setDistance = [this](double pixels) {
+        m_timeTicker->setTickCount(std::max(1, static_cast<int>(static_cast<double>(m_columns) / pixels)));
+    };
+    setDistance(kLeast);
+    QVector<double> ticks;
+    QVector<QString> labels;
+    m_timeTicker->generate({time.lower, time.upper}, QLocale(), u'g', 6, ticks, nullptr, &labels);
+    for (const QString &label : labels) {
+        labelWidth = std::max(labelWidth, metrics.horizontalAdvance(label));
+    }
+    setDistance(std::max(kLeast, labelWidth + kSpace));
     const QString title = isOverAngle() ? "θ₂ [°]" : "t [s]";
-    const QMargins least(static_cast<int>(kUsualDigits * digitWidth) + kTickLength + kLabelGap, 0,
-                         static_cast<int>(0.5 * labelWidth), 0);
-    for (const std::size_t index : m_shown) {
+    const double valueWidth = kUsualDigits * metrics.horizontalAdvance(u'0');
+    const QMargins least(static_cast<int>(valueWidth) + kTickLength + kLabelGap, 0, static_cast<int>(0.5 * labelWidth),
+                         0);
+    for (const std::size_t index : plots()) {
         const bool isBottom = static_cast<int>(index / kPlotColumns) + 1 >= m_grid->rowCount();
         QCPAxis &axis = this->axis(index, QCPAxis::atBottom);
         axis.setRange(time.lower, time.upper);
@@ -221,11 +219,11 @@ void PlotFigure::setTimeScale()
 
 void PlotFigure::setValueScale(std::size_t index)
 {
-    constexpr double kPixelsPerTick = 30.0;
+    constexpr int kPixelsPerTick = 30;
     Plot &plot = m_plots[index];
     const Interval values = plot.values.value_or(Interval());
-    const double ticks = plot.axes->height() / kPixelsPerTick;
-    plot.ticker->scale = isLogarithmic(index) ? logarithmicScale(values, ticks) : axisScale(values, ticks);
+    plot.ticker->isLogarithmic = isLogarithmic(index);
+    plot.ticker->setTickCount(std::max(1, plot.axes->height() / kPixelsPerTick));
     axis(index, QCPAxis::atLeft).setRange(values.lower, values.upper);
     axis(index, QCPAxis::atLeft).setTickLabels(plot.values.has_value());
     plot.titles = titles(index);

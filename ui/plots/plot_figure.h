@@ -44,11 +44,9 @@ struct PlotCurve {
     static constexpr double kUpperEdge = std::numeric_limits<double>::infinity();
 };
 
-class ScaleTicker;
-
 struct Plot {
     QCPAxisRect *axes = nullptr; ///< null if the plot is not shown
-    QSharedPointer<ScaleTicker> ticker;
+    QSharedPointer<NumberTicker> ticker;
     std::vector<PlotCurve> curves;
     std::optional<Interval> values; ///< the range of the axis; nullopt if there are no values
     QString note;                   ///< why something is missing
@@ -60,6 +58,15 @@ struct PlotReading {
     double value = 0.0;  ///< position on the axis; a logarithm if the axis is logarithmic
     double number = 0.0; ///< the number to show
     Ink ink = &SeriesColours::text;
+};
+
+/// The plots that are shown, and their look.
+struct PlotStyle {
+    std::vector<std::size_t> plots;
+    QFont font;
+    QPalette palette;
+
+    friend bool operator==(const PlotStyle &, const PlotStyle &) = default;
 };
 
 class PlotFigure : public PlotDrawing
@@ -77,36 +84,31 @@ public:
 
     /// In presentation mode pinned curves are as thick as the model's, every motion is named by the parameters that
     /// differ, and errors are shown only relative to a file.
-    void setPresentation(bool isPresentation) { m_isPresentation = isPresentation; }
+    void setPresentation(bool isPresentation);
     bool isPresentation() const { return m_isPresentation; }
 
     bool hasErrors() const; ///< whether there are errors to show
 
     /// The time range of all plots and the value range of each.
     const PlotZoom &zoom() const { return m_zoom; }
-    void setZoom(const PlotZoom &zoom) { m_zoom = zoom; }
+    void setZoom(const PlotZoom &zoom);
 
     /// Zooms to that time range, limited to the time range of the motion.
     void zoomTime(const Interval &range);
     void zoomValues(std::size_t plot, const Interval &range);
     Interval timeRange() const { return m_zoom.time.value_or(sampledRange()); }
 
-    /// Chooses which plots are shown, and their style. Call compose() afterwards.
-    void setPlots(const std::vector<std::size_t> &plots, const PlotFonts &fonts, const SeriesColours &colours);
-    const std::vector<std::size_t> &plots() const { return m_shown; }
-
-    /// Lays out all plots for that size (px) and fills them. A marked time (s) is drawn as a line in each plot; the
+    /// Lays out the plots for that size (px) and fills them. A marked time (s) is drawn as a line in each plot; the
     /// footer is text below the plots.
-    void compose(const QSize &size, const std::optional<double> &markedTime = {}, const QString &footer = {});
+    void compose(const PlotStyle &style, const QSize &size, const std::optional<double> &markedTime = {},
+                 const QString &footer = {});
 
+    const std::vector<std::size_t> &plots() const { return m_style.plots; }
     const Plot &shownPlot(std::size_t plot) const { return m_plots[plot]; }
     QCPAxis &axis(std::size_t plot, QCPAxis::AxisType type) const { return *m_plots[plot].axes->axis(type); }
 
     /// Returns the time nearest to t at which values can be read.
-    ReadTime readTime(double t);
-
-    /// Returns the value of the model, or NaN if there is none.
-    double modelValue(std::size_t channel, const ReadTime &time);
+    ReadTime readTime(double t) const;
 
     /// Returns the values of a plot that is shown, in the order of the legend.
     std::vector<PlotReading> readings(std::size_t plot, const ReadTime &time) const;
@@ -118,7 +120,12 @@ public:
     QString durationText(double seconds) const;
 
 protected:
+    /// Requests a layout after a change of the data, the ranges or the style. Qt combines the requests of one pass of
+    /// the event loop into one.
+    void requestRefresh();
+
     PlotZoom m_zoom;
+    bool m_isStale = true; ///< compose() has to be called
 
 private:
     Interval sampledRange() const;
@@ -126,14 +133,16 @@ private:
     bool isLogarithmic(std::size_t plot) const;
     double perSecond() const; ///< numbers on the time axis per second: 1, or degrees over the crank angle
     double zeroTime() const;  ///< the time at which the number on the time axis is 0, s
-    MotionCurves &model();    ///< computes the pinned curves, too
-    const MotionErrors &errors();
+    const MotionCurves &model() const { return m_motions.back(); }
+    double modelValue(std::size_t channel, const ReadTime &time) const;
+    double referenceValue(std::size_t channel, const ReadTime &time) const; ///< of the file or the last pinned motion
     void computeMotions(Plot &plot, std::size_t channel);
     void computeErrors(Plot &plot, std::size_t row);
-    PlotCurve errorCurve(std::size_t channel);
-    PlotCurve roundingCurve(std::size_t channel);
-    QString missingErrors(std::size_t row);
+    PlotCurve errorCurve(std::size_t channel) const;
+    PlotCurve roundingCurve(std::size_t channel) const;
+    QString missingErrors(std::size_t row) const;
 
+    void applyStyle(const PlotStyle &style);
     void fill(const std::optional<double> &markedTime);
     void setTimeScale();
     void setValueScale(std::size_t index);
@@ -144,22 +153,22 @@ private:
     std::shared_ptr<const Result> m_result;
     PlotSettings m_settings;
     bool m_isPresentation = false;
+    std::vector<MotionCurves> m_motions; ///< the pinned motions and, last, the model
 
-    // These are computed on demand.
-    std::optional<MotionCurves> m_model;
-    std::vector<MotionCurves> m_pinned;
-    std::optional<MotionErrors> m_errors;
+    // These are computed for the time range and the pixels of the plots.
     std::size_t m_columns = 1; ///< pixel columns of a plot
-
+    std::vector<MotionCurves::Curves> m_curves; ///< of m_motions
+    std::optional<MotionErrors> m_errors;
     std::array<Plot, kPlotCount> m_plots;
-    std::vector<std::size_t> m_shown;
+
+    PlotStyle m_style;
     PlotFonts m_fonts;
     SeriesColours m_colours;
     QCPLayoutGrid *m_top;  ///< the legend and the free space beside it
     QCPLayoutGrid *m_grid; ///< the plots
     QCPTextElement *m_footer;
     QCPMarginGroup *m_margins;
-    QSharedPointer<ScaleTicker> m_timeTicker;
+    QSharedPointer<NumberTicker> m_timeTicker;
 };
 
 } // namespace slidercrank

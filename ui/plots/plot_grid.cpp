@@ -38,7 +38,6 @@ PlotGrid::PlotGrid()
     m_hint->setTextInteractionFlags(Qt::LinksAccessibleByMouse); // the keyboard uses the menu instead
     connect(m_hint, &QLabel::linkActivated, this, &PlotGrid::openReferenceRequested);
     makeChoices();
-    rebuild();
 }
 
 void PlotGrid::makeChoices()
@@ -64,15 +63,6 @@ QStringList PlotGrid::plotNames()
     return names;
 }
 
-void PlotGrid::setResult(const std::shared_ptr<const Result> &result)
-{
-    PlotFigure::setResult(result);
-    if (plotsToShow(m_maximized) != plots()) {
-        rebuild();
-    }
-    requestRefresh();
-}
-
 void PlotGrid::setPose(const Pose &pose)
 {
     m_time = pose.time;
@@ -84,19 +74,12 @@ void PlotGrid::showAll()
     setZoom({});
 }
 
-void PlotGrid::setZoom(const PlotZoom &zoom)
-{
-    PlotFigure::setZoom(zoom);
-    requestRefresh();
-}
-
 void PlotGrid::showTime(double seconds)
 {
     const Interval shown = timeRange();
     if (zoom().time && !shown.contains(seconds)) {
         const double half = 0.5 * shown.length();
         zoomTime({seconds - half, seconds + half});
-        requestRefresh();
     }
 }
 
@@ -105,14 +88,7 @@ void PlotGrid::setSettings(const PlotSettings &settings)
     if (settings != this->settings()) {
         PlotFigure::setSettings(settings);
         emit settingsChanged(settings);
-        requestRefresh();
     }
-}
-
-void PlotGrid::setPresentation(bool isPresentation)
-{
-    PlotFigure::setPresentation(isPresentation);
-    rebuild();
 }
 
 std::vector<std::size_t> PlotGrid::plotsToShow(const std::optional<std::size_t> &maximized) const
@@ -126,31 +102,14 @@ std::vector<std::size_t> PlotGrid::plotsToShow(const std::optional<std::size_t> 
     return plots;
 }
 
-void PlotGrid::rebuild()
-{
-    const PlotFonts fonts(font());
-    setPlots(plotsToShow(m_maximized), fonts, seriesColours(palette()));
-    for (PlotPane *pane : m_panes) {
-        pane->setFont(fonts.tick);
-    }
-    requestRefresh();
-}
-
-/// Qt combines the requests of one pass of the event loop into one. A hidden widget refreshes when it is painted.
-void PlotGrid::requestRefresh()
-{
-    m_isStale = true;
-    QCoreApplication::postEvent(this, new QEvent(QEvent::LayoutRequest));
-}
-
 bool PlotGrid::event(QEvent *event)
 {
     switch (event->type()) {
     case QEvent::FontChange:
-    case QEvent::PaletteChange: rebuild(); break;
+    case QEvent::PaletteChange:
     case QEvent::Resize: requestRefresh(); break;
     case QEvent::LayoutRequest:
-        if (isVisible()) {
+        if (isVisible()) { // a hidden widget is refreshed when it is painted
             refreshIfStale();
         }
         break;
@@ -169,8 +128,7 @@ void PlotGrid::refreshIfStale()
 
 void PlotGrid::refresh()
 {
-    m_isStale = false;
-    compose(size());
+    compose({plotsToShow(m_maximized), font(), palette()}, size());
     m_picture = QPixmap(size() * devicePixelRatioF());
     m_picture.setDevicePixelRatio(devicePixelRatioF());
     drawInto(m_picture);
@@ -178,6 +136,7 @@ void PlotGrid::refresh()
         const Plot &plot = shownPlot(index);
         m_panes[index]->setVisible(plot.axes != nullptr);
         if (plot.axes) {
+            m_panes[index]->setFont(PlotFonts(font()).tick);
             m_panes[index]->setGeometry(plot.axes->outerRect());
             m_panes[index]->setAccessibleDescription(plot.titles.first() + ". " + plot.note);
             m_panes[index]->update();
@@ -261,10 +220,9 @@ void PlotGrid::paintFigure(QPainter &painter, const QString &name, const QSize &
 {
     const qsizetype index = plotNames().indexOf(name);
     const std::optional<std::size_t> plot = name.isEmpty() ? std::nullopt : std::optional<std::size_t>(index);
-    setPlots(plotsToShow(plot), PlotFonts(font()), seriesColours(palette));
-    compose(size, m_markedTime, mechanismText(result()->mechanism));
+    compose({plotsToShow(plot), font(), palette}, size, m_markedTime, mechanismText(result()->mechanism));
     paint(painter, size);
-    rebuild(); // restores the figure for the screen
+    requestRefresh(); // restores the figure for the screen
 }
 
 } // namespace slidercrank

@@ -40,13 +40,8 @@ public:
     /// zoomed as on the screen, and with the mechanism's parameters below. The widget need not be visible.
     void paintFigure(QPainter &painter, const QString &plotName, const QSize &size, const QPalette &palette);
 
-    void setZoom(const PlotZoom &zoom);
-
     /// Draws a line at that time (s) in the figures that are painted from now on.
     void markTime(double seconds) { m_markedTime = seconds; }
-
-    /// See PlotFigure::setPresentation.
-    void setPresentation(bool isPresentation);
 
     /// Returns checkable actions for the settings of the plots, to be shown in menus.
     const QList<QAction *> &choices() const { return m_choices; }
@@ -55,7 +50,6 @@ public:
     QSize minimumSizeHint() const override { return {420, 230}; } ///< fits a screen of 800×600
 
 public slots:
-    void setResult(const std::shared_ptr<const slidercrank::Result> &result);
     void setPose(const slidercrank::Pose &pose); ///< moves only the time cursor
     void showAll();                              ///< resets the zoom of all plots
     void showTime(double seconds);               ///< pans a zoomed time axis so that it shows that time
@@ -88,8 +82,6 @@ private:
     /// Returns the maximized plot, all nine plots, or without errors the six of the motion.
     std::vector<std::size_t> plotsToShow(const std::optional<std::size_t> &maximized) const;
 
-    void rebuild();        ///< after a change of the plots, fonts or colours
-    void requestRefresh(); ///< after a change of the data, ranges or sizes
     void refreshIfStale();
     void refresh();
     void moveCursors();
@@ -112,7 +104,6 @@ private:
     double m_hoverTime = 0.0;             ///< s
     std::optional<double> m_time;         ///< s, the current time
     std::optional<double> m_markedTime;
-    bool m_isStale = true;     ///< m_picture is out of date
     QRubberBand *m_rubberBand; ///< the box that a drag zooms into
 
     /// A mouse button that is held down over a plot.

@@ -58,7 +58,6 @@ QPointF PlotGrid::coordinates(std::size_t plot, const QPointF &place) const
 void PlotGrid::zoomAbout(double time, double factor)
 {
     zoomTime(scale(timeRange(), time, factor));
-    requestRefresh();
 }
 
 void PlotGrid::wheelEvent(QWheelEvent *event)
@@ -75,7 +74,6 @@ void PlotGrid::wheelEvent(QWheelEvent *event)
         zoomAbout(about.x(), factor);
     } else if (shownPlot(*plot).values) {
         zoomValues(*plot, scale(*shownPlot(*plot).values, about.y(), factor));
-        requestRefresh();
     }
 }
 
@@ -154,7 +152,6 @@ void PlotGrid::mouseReleaseEvent(QMouseEvent *event)
         if (box.height() < axes.height() && shownPlot(drag.plot).values) {
             zoomValues(drag.plot, {first.y(), last.y()});
         }
-        requestRefresh();
     }
 }
 
@@ -226,7 +223,7 @@ void PlotGrid::toggleMaximized(std::size_t plot)
 {
     m_maximized = m_maximized ? std::nullopt : std::optional(plot);
     m_hovered.reset();
-    rebuild();
+    refresh();
     m_panes[plot]->setFocus(Qt::OtherFocusReason); // so that Escape can show all plots again
 }
 

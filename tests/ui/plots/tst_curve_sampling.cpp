@@ -73,9 +73,16 @@ private slots:
         values[40] = 9.0;
         const std::vector<CurvePoint> points = decimate(time, values, kWhole, 2);
         QCOMPARE(written({points.begin(), points.begin() + 3}), "0.001,- 0.0015,-7 0.002,9");
-        QCOMPARE(extremes(points), std::optional(Interval{-7.0, 9.0}));
-        QVERIFY(!extremes(std::vector<CurvePoint>{{0.0, kNoValue}}));
-        QCOMPARE(quantile(std::vector<CurvePoint>{{0, 3}, {1, kNoValue}, {2, 1}, {3, 2}}, 0.5), 2.0);
+        QCOMPARE(usualRange(points, kWhole), std::optional(Interval{-7.0, 9.0}));
+        QVERIFY(!usualRange(std::vector<CurvePoint>{{0.0, kNoValue}}, kWhole));
+        std::vector<CurvePoint> ramp;
+        for (int i = 0; i <= 100; ++i) {
+            ramp.push_back({0.01 * i, double(i)});
+        }
+        QCOMPARE(usualRange(ramp, {0.0, 0.505}), std::optional(Interval{0.0, 50.5})); // cut at the edge
+        QCOMPARE(usualRange(ramp, kWhole, true), std::optional(Interval{5.0, 95.0}));
+        ramp.push_back({1.0, kBeyondAll});
+        QCOMPARE(usualRange(ramp, kWhole), std::optional(Interval{5.0, 95.0}));
     }
 
     void cutsCurvesExactlyAtTheEdges()

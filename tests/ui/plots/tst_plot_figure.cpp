@@ -25,8 +25,7 @@ PlotFigure &figureOf(const Shown &shown)
 
 const Plot &plotOf(PlotFigure &figure, std::size_t plot)
 {
-    figure.setPlots({plot}, PlotFonts(QFont()), seriesColours(paletteFor(Theme::Light)));
-    figure.compose({360, 200});
+    figure.compose({{plot}, QFont(), paletteFor(Theme::Light)}, {360, 200});
     return figure.shownPlot(plot);
 }
 
