@@ -2,7 +2,6 @@
 #include "ui/plots/chart.h"
 
 #include "ui/plots/plot_drawing.h"
-#include "ui/text/written_number.h"
 
 #include <QMouseEvent>
 #include <QToolTip>
@@ -15,32 +14,27 @@ namespace slidercrank
 namespace
 {
 
-/// Labels the ticks of a logarithmic axis with powers of ten: 10⁻³. QCustomPlot does that only in English.
-class DecadeTicker : public QCPAxisTickerLog
+double coordinate(double value, const ChartAxis &axis)
 {
-protected:
-    QString getTickLabel(double tick, const QLocale &, QChar, int) override
-    {
-        return powerOfTenText(static_cast<int>(std::lround(std::log10(tick))));
-    }
-};
+    return axis.isLogarithmic ? std::log10(value) : value;
+}
 
 void setAxis(QCPAxis &axis, const ChartAxis &content, int pixels, int pixelsPerLabel)
 {
-    if (content.isLogarithmic) {
-        axis.setScaleType(QCPAxis::stLogarithmic);
-        axis.setTicker(QSharedPointer<QCPAxisTicker>(new DecadeTicker));
-    }
-    axis.ticker()->setTickCount(std::max(1, pixels / pixelsPerLabel));
+    const QSharedPointer<NumberTicker> ticker(new NumberTicker);
+    ticker->isLogarithmic = content.isLogarithmic;
+    ticker->setTickCount(std::max(1, pixels / pixelsPerLabel));
+    axis.setTicker(ticker);
     axis.setLabel(content.title);
-    axis.setRange(content.range.lower, content.range.upper);
+    axis.setRange(coordinate(content.range.lower, content), coordinate(content.range.upper, content));
 }
 
-void addSeries(PlotDrawing &drawing, const ChartSeries &series, const SeriesColours &colours)
+void addSeries(PlotDrawing &drawing, const ChartContent &content, const ChartSeries &series,
+               const SeriesColours &colours)
 {
     std::vector<CurvePoint> points;
     for (const QPointF &point : series.points) {
-        points.push_back({point.x(), point.y()});
+        points.push_back({coordinate(point.x(), content.x), coordinate(point.y(), content.y)});
     }
     QCPGraph *graph = drawing.addCurve(drawing.axisRect(), points);
     if (!series.name.isEmpty()) {
@@ -107,7 +101,7 @@ void Chart::fill(const QSize &size, const QPalette &palette)
         addShade(*m_drawing, *m_content.clear, colours.warning);
     }
     for (const ChartSeries &series : m_content.series) {
-        addSeries(*m_drawing, series, colours);
+        addSeries(*m_drawing, m_content, series, colours);
     }
     constexpr int kWidthOfAxes = 200; // px, at least
     QCPLegend *legend = m_drawing->legend;
@@ -144,7 +138,8 @@ QPointF Chart::positionOf(const Place &place)
         fill(size(), palette());
     }
     const QPointF &point = m_content.series[place.series].points[place.point];
-    return {m_drawing->xAxis->coordToPixel(point.x()), m_drawing->yAxis->coordToPixel(point.y())};
+    return {m_drawing->xAxis->coordToPixel(coordinate(point.x(), m_content.x)),
+            m_drawing->yAxis->coordToPixel(coordinate(point.y(), m_content.y))};
 }
 
 std::optional<Chart::Place> Chart::pointAt(const QPointF &position)

@@ -51,7 +51,7 @@ QString NumberTicker::getTickLabel(double tick, const QLocale &, QChar, int)
 {
     constexpr double kRoundingError = 1e-6; // of a step
     const double value = (tick - mTickOrigin) / perUnit;
-    return isLogarithmic ? powerOfTen(static_cast<int>(std::lround(value)))
+    return isLogarithmic ? powerOfTenText(static_cast<int>(std::lround(value)))
                          : numberText(std::abs(value) < kRoundingError * m_step ? 0.0 : value, m_digits);
 }
 

@@ -3,6 +3,7 @@
 #include "tests/support/text_recorder.h"
 #include "tests/support/waiting.h"
 #include "ui/plots/chart.h"
+#include "ui/plots/plot_drawing.h"
 
 #include <QPainter>
 #include <QTest>
@@ -57,6 +58,30 @@ private slots:
         const QPointF third = chart.positionOf({0, 2});
         QVERIFY(std::abs((third.x() - second.x()) - (second.x() - first.x())) < 1e-6); // linear
         QVERIFY(std::abs((third.y() - second.y()) - 2.0 * (second.y() - first.y())) < 1e-6 && second.y() > first.y());
+    }
+
+    void labelsRoundNumbersPartsOfATurnAndDecades()
+    {
+        struct Row {
+            QCPRange range;
+            const char *labels;
+            bool isAngle = false;
+            bool isLogarithmic = false;
+        };
+        for (const auto &[range, labels, isAngle, isLogarithmic] :
+             {Row{{0.0, 50.0}, "0 10 20 30 40 50"}, Row{{0.001, 0.019}, "0.005 0.01 0.015"},
+              Row{{0.9e-5, 5.1e-5}, "10⁻⁵ 2·10⁻⁵ 3·10⁻⁵ 4·10⁻⁵ 5·10⁻⁵"}, Row{{-2e9, 2e9}, "-2·10⁹ -10⁹ 0 10⁹ 2·10⁹"},
+              Row{{1000.00005, 1000.00035}, "1000.0001 1000.0002 1000.0003"},
+              Row{{0.0, 360.0}, "0 90 180 270 360", true}, Row{{0.0, 3600.0}, "0 720 1440 2160 2880 3600", true},
+              Row{{0.0, 12.0}, "0 5 10", true}, Row{{-6.5, 0.5}, "10⁻⁶ 10⁻⁴ 10⁻² 1", false, true}}) {
+            NumberTicker ticker;
+            ticker.isAngle = isAngle;
+            ticker.isLogarithmic = isLogarithmic;
+            QVector<double> ticks;
+            QVector<QString> texts;
+            ticker.generate(range, QLocale(), u'g', 6, ticks, nullptr, &texts);
+            QCOMPARE(QStringList(texts).join(u' '), QString::fromUtf8(labels));
+        }
     }
 
     void aPointUnderThePointerSaysWhatItIs()

@@ -14,29 +14,6 @@ class TstAxisScale : public QObject
 private slots:
     void init() { QLocale::setDefault(QLocale::c()); }
 
-    void writesShortLabels()
-    {
-        struct Row {
-            Interval range;
-            double tick;
-            const char *label;
-        };
-        const Row rows[] = {{{0.0, 50.0}, 20.0, "20"},     {{0.0, 0.02}, 0.005, "0.005"},
-                            {{-1.0, 1.0}, -1e-17, "0"},    {{0.0, 4e-4}, 2e-4, "0.0002"},
-                            {{0.0, 4e-5}, 2e-5, "2·10⁻⁵"}, {{-2e9, 2e9}, 1e9, "10⁹"},
-                            {{74.2, 76.1}, 75.5, "75.5"},  {{1000.0, 1000.0004}, 1000.0001, "1000.0001"}};
-        for (const auto &[range, tick, label] : rows) {
-            QCOMPARE(axisScale(range, 5.0).label(tick), QString::fromUtf8(label));
-        }
-        QCOMPARE(axisScale({0.0, 0.02}, 5.0).labelLength({0.0, 0.02}), 5);
-        QLocale::setDefault(QLocale::Spanish);
-        QCOMPARE(axisScale({0.0, 1.0}, 5.0).label(0.2), QStringLiteral("0,2"));
-        for (const double largest : {5e-324, 1e-310, 1e-300, 1e300}) {
-            const AxisScale scale = axisScale({0.0, largest}, 5.0);
-            QVERIFY(scale.digits >= 6 && scale.digits <= 17);
-        }
-    }
-
     void roundsARangeOutwards()
     {
         const Interval rounded = roundedOutwards({4.46, 48.59});
