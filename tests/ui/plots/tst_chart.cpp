@@ -73,7 +73,7 @@ private slots:
               Row{{0.9e-5, 5.1e-5}, "10⁻⁵ 2·10⁻⁵ 3·10⁻⁵ 4·10⁻⁵ 5·10⁻⁵"}, Row{{-2e9, 2e9}, "-2·10⁹ -10⁹ 0 10⁹ 2·10⁹"},
               Row{{1000.00005, 1000.00035}, "1000.0001 1000.0002 1000.0003"},
               Row{{0.0, 360.0}, "0 90 180 270 360", true}, Row{{0.0, 3600.0}, "0 720 1440 2160 2880 3600", true},
-              Row{{0.0, 12.0}, "0 5 10", true}, Row{{-6.5, 0.5}, "10⁻⁶ 10⁻⁴ 10⁻² 1", false, true}}) {
+              Row{{0.0, 12.0}, "0 5 10", true}, Row{{-6.5, 0.5}, "10⁻⁶ 10⁻⁴ 10⁻² 10⁰", false, true}}) {
             NumberTicker ticker;
             ticker.isAngle = isAngle;
             ticker.isLogarithmic = isLogarithmic;
