@@ -145,6 +145,19 @@ private slots:
         QCOMPARE(after.reference()->data.time.front(), 0.0);
     }
 
+    /// Its edges are not read back to the last bit.
+    void opensAnyFrameOfTheDrawing()
+    {
+        RandomMechanisms random(21);
+        for (int i = 0; i < 300; ++i) {
+            Scene scene;
+            scene.mechanismFrame = QRectF(random.uniform(-99.0, 9.0), random.uniform(-99.0, 9.0),
+                                          random.uniform(0.1, 99.0), random.uniform(0.1, 99.0));
+            const auto outcome = parseScene(sceneToJson(scene, kPath), kPath);
+            QVERIFY(std::get<Scene>(outcome).mechanismFrame == scene.mechanismFrame);
+        }
+    }
+
     void ignoresUnknownKeys()
     {
         const Scene scene = std::get<Scene>(parseScene(sceneWith("view.arrows", true), kPath));
