@@ -21,8 +21,6 @@
 
 using namespace slidercrank;
 
-Q_DECLARE_METATYPE(slidercrank::MechanismPart)
-
 namespace
 {
 
@@ -80,8 +78,6 @@ class TestTablePanel : public QObject
     Q_OBJECT
 
 private slots:
-    void initTestCase() { qRegisterMetaType<MechanismPart>(); }
-
     void showsTheSentenceAndTheTablesOfThePage()
     {
         Shown shown(pageWith({1.0, 2.5}));
