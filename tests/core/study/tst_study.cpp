@@ -235,35 +235,24 @@ private slots:
         QCOMPARE(closedForms, 1);
     }
 
-    void progressRisesToOne()
+    void progressRisesToOneUnlessStopped()
     {
-        double last = 0.0;
-        bool falls = false;
-        int calls = 0;
-        runStudy(quick({coarse(nominalCases()[0], 10), coarse(nominalCases()[1], 10)}), {}, [&](double part) {
-            falls = falls || part < last;
-            last = part;
-            ++calls;
-        });
-        QVERIFY(!falls);
-        QCOMPARE(last, 1.0);
-        QVERIFY(calls > 20);
-    }
-
-    void stopsWhenAsked()
-    {
-        std::stop_source stop;
-        double last = 0.0;
-        const StudyResult result =
-            runStudy(quick({coarse(nominalCases()[0], 10), nominalCases()[1]}), stop.get_token(), [&](double part) {
-                last = part;
-                if (part > 0.6) { // within the second case
+        for (const double stopAt : {2.0, 0.6}) { // never, and within the second case
+            std::stop_source stop;
+            std::vector<double> parts;
+            const StudyRequest request = quick({coarse(nominalCases()[0], 10), coarse(nominalCases()[1], 10)});
+            const StudyResult result = runStudy(request, stop.get_token(), [&](double part) {
+                parts.push_back(part);
+                if (part > stopAt) {
                     stop.request_stop();
                 }
             });
-        QVERIFY(!result.complete);
-        QCOMPARE(result.cases.size(), std::size_t(1));
-        QVERIFY(last < 1.0);
+            const bool isStopped = stopAt < 1.0;
+            QVERIFY(std::ranges::is_sorted(parts) && parts.size() > (isStopped ? 1U : 20U) &&
+                    (parts.back() < 1.0) == isStopped);
+            QVERIFY(parts.back() <= 1.0 && result.complete != isStopped);
+            QCOMPARE(result.cases.size(), isStopped ? std::size_t(1) : std::size_t(2));
+        }
     }
 };
 
