@@ -67,19 +67,6 @@ QJsonObject jsonIdentification(const Diagnosis &diagnosis)
             {"summary", summaryText(diagnosis)}};
 }
 
-/// The options of the mechanism for another command: "--a 20 --b …".
-QString optionsFor(const Parameters &parameters)
-{
-    QString text;
-    for (const Parameter parameter : kParameters) {
-        text += QString("--%1 %2%3 ")
-                    .arg(optionName(parameter),
-                         QString::number(valueOf(parameters, parameter), 'g', QLocale::FloatingPointShortest),
-                         parameter == Parameter::Theta20 ? "rad" : "");
-    }
-    return text + (parameters.branch == Branch::Open ? "--branch open" : "--branch crossed");
-}
-
 /// Describes an identification that found a mechanism.
 QString identificationText(const Reference &reference, const Diagnosis &diagnosis)
 {
@@ -90,18 +77,12 @@ QString identificationText(const Reference &reference, const Diagnosis &diagnosi
         lines += findingText(finding);
     }
     lines += summaryText(diagnosis);
-    if (found.outcome != Outcome::Approximate) {
-        lines += CommandLine::tr("± is one standard error.");
-    }
     const std::optional<ReferenceData> timed = data.crank ? timedBy(Mechanism(found.parameters), data) : std::nullopt;
     lines += '\n' + alignedTable(comparisonTable(diagnosis.identified, timed ? *timed : data));
     if (found.noise.empty()) { // otherwise the summary reports the noise
         lines += summaryText(diagnosis.identified);
     }
     lines += roundNumbersText(diagnosis);
-    lines += (found.outcome == Outcome::Ambiguous ? CommandLine::tr("Options for the first of them: %1")
-                                                  : CommandLine::tr("Options for this mechanism: %1"))
-                 .arg(optionsFor(diagnosis.rounded));
     lines.removeAll(QString());
     return lines.join('\n') + '\n';
 }

@@ -151,13 +151,10 @@ ExitStatus limitsCommand(const OptionReader &options, const Streams &streams)
         design = mechanismText(mechanism, 9) + '\n';
     }
     if (options.has("vary")) {
-        if (question.format == u"text") {
-            throw UsageError{CommandLine::tr("--vary writes a table: add --format csv or --format json.")};
-        }
         const std::vector<Record> rows = varyLimits(options, mechanism.parameters());
-        return question.write(streams, {.rows = rows, .json = {{"rows", jsonList(rows, jsonObject)}}});
+        return question.write(streams,
+                              {.text = csvText(rows), .rows = rows, .json = {{"rows", jsonList(rows, jsonObject)}}});
     }
-    options.refuse({"count"}, CommandLine::tr("%1 belongs to --vary: remove it."));
     const MotionLimits limits = motionLimits(mechanism);
     const std::vector<MotionFact> facts = findFacts(mechanism, limits);
     const QString sentence = mobilitySentence(mechanism, limits);

@@ -6,14 +6,16 @@
 #include <QCoreApplication>
 #include <QString>
 
-#include <algorithm>
-#include <iterator>
-
 namespace slidercrank
 {
 
 namespace
 {
+
+struct OptionGroup {
+    const char *heading; ///< untranslated
+    std::vector<OptionDescription> options;
+};
 
 struct Descriptions {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::CommandLine)
@@ -49,7 +51,8 @@ public:
          compareCommand},
         {"identify", "FILE… [options]", QT_TR_NOOP("the mechanism that each file belongs to"),
          QT_TR_NOOP("Finds the mechanism that a simulation's file belongs to, from all of its columns, and how certain "
-                    "each parameter is. If the meaning of a column differs from its heading (radians, another origin, "
+                    "each parameter is (± one standard error). If the meaning of a column differs from its heading "
+                    "(radians, another origin, "
                     "another sign …), the program reports that and reads the file accordingly. The options of the "
                     "mechanism supply what the file does not determine. R4_x and R4_y are measured from the crank "
                     "pivot O₂, angles counter-clockwise from x. FILE may be - for standard input. Outcomes: "
@@ -74,92 +77,87 @@ public:
     static constexpr const char *kWithMechanism = "solve limits compare identify study render";
     static constexpr const char *kEveryCommand = "window solve limits compare identify study render";
 
-    static constexpr const char *kMechanism = QT_TR_NOOP("Mechanism");
-    static constexpr const char *kSampling = QT_TR_NOOP("Time steps");
-    static constexpr const char *kMethod = QT_TR_NOOP("Method");
-    static constexpr const char *kFiles = QT_TR_NOOP("Files");
-    static constexpr const char *kResult = QT_TR_NOOP("Result");
-    static constexpr const char *kOther = QT_TR_NOOP("Other");
-
-    static constexpr OptionDescription kOptions[] = {
-        {kWithMechanism, kMechanism, "a", "MM", QT_TR_NOOP("crank length O₂A (20)")},
-        {kWithMechanism, kMechanism, "b", "MM", QT_TR_NOOP("coupler length AB (65)")},
-        {kWithMechanism, kMechanism, "c", "MM", QT_TR_NOOP("offset of the slider's line from O₂ (25)")},
-        {kWithMechanism, kMechanism, "omega2", "RAD_PER_S", QT_TR_NOOP("crank speed, constant (2π)")},
-        {kWithMechanism, kMechanism, "theta20", "ANGLE",
-         QT_TR_NOOP("crank angle at t = 0, with its unit: 30deg or 0.5rad (0)")},
-        {kWithMechanism, kMechanism, "branch", "open|crossed",
-         QT_TR_NOOP("assembly: the slider to the right or to the left of A (open)")},
-        {kWithMechanism, kMechanism, "scene", "FILE",
-         QT_TR_NOOP("read all settings from a scene that the window saved; options override them")},
-
-        {"solve render", kSampling, "steps", "N",
-         QT_TR_NOOP("number of equal steps; N + 1 rows, both ends included (200)")},
-        {"solve render", kSampling, "duration", "SECONDS", QT_TR_NOOP("time span (1)")},
-        {"solve render", kSampling, "start", "SECONDS", QT_TR_NOOP("first time stamp (0)")},
-        {"solve", kSampling, "step-angle", "DEGREES",
-         QT_TR_NOOP("instead: a row for each step of this crank angle, over one revolution")},
-        {"solve render", kSampling, "at", "SECONDS",
-         QT_TR_NOOP("solve: only this time stamp; render: the time that is drawn, and marked in the plots (--start)")},
-        {"solve render", kSampling, "at-angle", "DEGREES",
-         QT_TR_NOOP("the same by crank angle: the first time from --start on at which the crank has this angle")},
-
-        {"solve compare render", kMethod, "method", "newton|closed-form",
-         QT_TR_NOOP("how the motion is computed (closed-form)")},
-        {"solve compare render", kMethod, "max-iterations", "N",
-         QT_TR_NOOP("maximum iterations of Newton-Raphson per time step (10)")},
-        {"solve compare render", kMethod, "tolerance", "T",
-         QT_TR_NOOP("residual ‖C‖ at which Newton-Raphson stops; 0: when it no longer decreases (1e-8)")},
-        {"solve compare render", kMethod, "tolerance-kind", "absolute|relative",
-         QT_TR_NOOP("absolute: ‖C‖ in mm and rad; relative: lengths divided by a + b + |c| (absolute)")},
-
-        {"compare identify", kFiles, "join", nullptr,
-         QT_TR_NOOP("read the files as parts of one motion; columns are numbered on from file to file")},
-        {"window render", kFiles, "reference", "FILE",
-         QT_TR_NOOP("CSV file of a simulation; may be repeated for several files of one motion")},
-        {"compare identify render", kFiles, "column", "HEADING=MEANING",
-         QT_TR_NOOP("overrides the meaning of a column, may be repeated: \"slider.s=R4_x [m]\", \"T=time [ms]\", "
-                    "\"id=ignored\"; #3 is the third column")},
-        {"compare identify render", kFiles, "abscissa", "time|angle",
-         QT_TR_NOOP("whether the first column holds time stamps or crank angles, which --omega2 and --theta20 convert "
-                    "to time")},
-
-        {"solve", kResult, "channels", "LIST", QT_TR_NOOP("all, or names separated by commas: theta3,R4_x_diff (all)")},
-        {"solve", kResult, "angle-unit", "deg|rad", QT_TR_NOOP("unit of the angles in the output (deg)")},
-        {"solve", kResult, "format", "csv|json", QT_TR_NOOP("output format (csv)")},
-        {"identify", kResult, "format", "text|json", QT_TR_NOOP("output format (text)")},
-        {"limits compare study", kResult, "format", "text|csv|json", QT_TR_NOOP("output format (text)")},
-        {"limits", kResult, "vary", "NAME=FROM..TO",
-         QT_TR_NOOP("a row of limits for each of several values of a parameter: b=50..120 (csv or json)")},
-        {"limits", kResult, "count", "N", QT_TR_NOOP("number of values of --vary (100)")},
-        {"limits", kResult, "design", "LIST",
-         QT_TR_NOOP("find the mechanism with this stroke and time ratio and the largest minimum transmission angle: "
-                    "stroke=80,time-ratio=1.2; ,transmission-angle=40 adds a lower bound")},
-        {"compare", kResult, "fail-on-difference", nullptr, QT_TR_NOOP("exit with status 1 if a channel differs")},
-        {"study", kResult, "cases", "nominal|hard|all",
-         QT_TR_NOOP("the mechanism of the options, the hard cases (after the mechanism, if one is given), or ten "
-                    "ordinary and the hard cases (nominal)")},
-        {"render", kResult, "what", "WHAT",
-         QT_TR_NOOP("figure (all plots), mechanism, frames (the mechanism moving), report, or one plot: theta3, R4_x, "
-                    "theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, "
-                    "error_acceleration (figure)")},
-        {"render", kResult, "size", "WxH",
-         QT_TR_NOOP("pixels (figure 1400x1800, mechanism and frames 900x700, plot 900x600)")},
-        {"render", kResult, "scale", "FACTOR", QT_TR_NOOP("pixels of a PNG per pixel of --size, 0.1 to 10 (1)")},
-        {"render", kResult, "theme", "light|dark", QT_TR_NOOP("colours (light)")},
-        {"render", kResult, "speed", "FACTOR",
-         QT_TR_NOOP("for frames (30 per second): seconds of motion per second of playback (1)")},
-        {"render", kResult, "output", "FILE",
-         QT_TR_NOOP("required: a name that ends in .png, .svg or .pdf; for frames the name of a new folder, or of a "
-                    "video that ends in .mp4, .webm or .gif (needs ffmpeg)"),
-         "o"},
-        {"solve limits compare identify study", kResult, "output", "FILE",
-         QT_TR_NOOP("write to this file instead of standard output"), "o"},
-
-        {"window", kOther, "reset-settings", nullptr,
-         QT_TR_NOOP("remove the window's settings: layout, recent files, language, theme, meanings of columns")},
-        {kEveryCommand, kOther, "help", nullptr, QT_TR_NOOP("show this text"), "h"},
-        {kEveryCommand, kOther, "version", nullptr, QT_TR_NOOP("show the version of the program and of its libraries")},
+    static inline const std::vector<OptionGroup> kGroups{
+        {QT_TR_NOOP("Mechanism"),
+         {{kWithMechanism, "a", "MM", QT_TR_NOOP("crank length O₂A (20)")},
+          {kWithMechanism, "b", "MM", QT_TR_NOOP("coupler length AB (65)")},
+          {kWithMechanism, "c", "MM", QT_TR_NOOP("offset of the slider's line from O₂ (25)")},
+          {kWithMechanism, "omega2", "RAD_PER_S", QT_TR_NOOP("crank speed, constant (2π)")},
+          {kWithMechanism, "theta20", "ANGLE", QT_TR_NOOP("crank angle at t = 0, with its unit: 30deg or 0.5rad (0)")},
+          {kWithMechanism, "branch", "open|crossed",
+           QT_TR_NOOP("assembly: the slider to the right or to the left of A (open)")},
+          {kWithMechanism, "scene", "FILE",
+           QT_TR_NOOP("read all settings from a scene that the window saved; options override them")}}},
+        {QT_TR_NOOP("Time steps"),
+         {{"solve render", "steps", "N", QT_TR_NOOP("number of equal steps; N + 1 rows, both ends included (200)")},
+          {"solve render", "duration", "SECONDS", QT_TR_NOOP("time span (1)")},
+          {"solve render", "start", "SECONDS", QT_TR_NOOP("first time stamp (0)")},
+          {"solve", "step-angle", "DEGREES",
+           QT_TR_NOOP("instead: a row for each step of this crank angle, over one revolution")},
+          {"solve render", "at", "SECONDS",
+           QT_TR_NOOP(
+               "solve: only this time stamp; render: the time that is drawn, and marked in the plots (--start)")},
+          {"solve render", "at-angle", "DEGREES",
+           QT_TR_NOOP("the same by crank angle: the first time from --start on at which the crank has this angle")}}},
+        {QT_TR_NOOP("Method"),
+         {{"solve compare render", "method", "newton|closed-form",
+           QT_TR_NOOP("how the motion is computed (closed-form)")},
+          {"solve compare render", "max-iterations", "N",
+           QT_TR_NOOP("maximum iterations of Newton-Raphson per time step (10)")},
+          {"solve compare render", "tolerance", "T",
+           QT_TR_NOOP("residual ‖C‖ at which Newton-Raphson stops; 0: when it no longer decreases (1e-8)")},
+          {"solve compare render", "tolerance-kind", "absolute|relative",
+           QT_TR_NOOP("absolute: ‖C‖ in mm and rad; relative: lengths divided by a + b + |c| (absolute)")}}},
+        {QT_TR_NOOP("Files"),
+         {{"compare identify", "join", nullptr,
+           QT_TR_NOOP("read the files as parts of one motion; columns are numbered on from file to file")},
+          {"window render", "reference", "FILE",
+           QT_TR_NOOP("CSV file of a simulation; may be repeated for several files of one motion")},
+          {"compare identify render", "column", "HEADING=MEANING",
+           QT_TR_NOOP("overrides the meaning of a column, may be repeated: \"slider.s=R4_x [m]\", \"T=time [ms]\", "
+                      "\"id=ignored\"; #3 is the third column")},
+          {"compare identify render", "abscissa", "time|angle",
+           QT_TR_NOOP(
+               "whether the first column holds time stamps or crank angles, which --omega2 and --theta20 convert "
+               "to time")}}},
+        {QT_TR_NOOP("Result"),
+         {{"solve", "channels", "LIST", QT_TR_NOOP("all, or names separated by commas: theta3,R4_x_diff (all)")},
+          {"solve", "angle-unit", "deg|rad", QT_TR_NOOP("unit of the angles in the output (deg)")},
+          {"solve", "format", "csv|json", QT_TR_NOOP("output format (csv)")},
+          {"identify", "format", "text|json", QT_TR_NOOP("output format (text)")},
+          {"limits compare study", "format", "text|csv|json", QT_TR_NOOP("output format (text)")},
+          {"limits", "vary", "NAME=FROM..TO",
+           QT_TR_NOOP("a row of limits for each of several values of a parameter: b=50..120 (text is CSV)")},
+          {"limits", "count", "N", QT_TR_NOOP("number of values of --vary (100)")},
+          {"limits", "design", "LIST",
+           QT_TR_NOOP("find the mechanism with this stroke and time ratio and the largest minimum transmission angle: "
+                      "stroke=80,time-ratio=1.2; ,transmission-angle=40 adds a lower bound")},
+          {"compare", "fail-on-difference", nullptr, QT_TR_NOOP("exit with status 1 if a channel differs")},
+          {"study", "cases", "nominal|hard|all",
+           QT_TR_NOOP("the mechanism of the options, the hard cases (after the mechanism, if one is given), or ten "
+                      "ordinary and the hard cases (nominal)")},
+          {"render", "what", "WHAT",
+           QT_TR_NOOP(
+               "figure (all plots), mechanism, frames (the mechanism moving), report, or one plot: theta3, R4_x, "
+               "theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, "
+               "error_acceleration (figure)")},
+          {"render", "size", "WxH",
+           QT_TR_NOOP("pixels (figure 1400x1800, mechanism and frames 900x700, plot 900x600)")},
+          {"render", "scale", "FACTOR", QT_TR_NOOP("pixels of a PNG per pixel of --size, 0.1 to 10 (1)")},
+          {"render", "theme", "light|dark", QT_TR_NOOP("colours (light)")},
+          {"render", "speed", "FACTOR",
+           QT_TR_NOOP("for frames (30 per second): seconds of motion per second of playback (1)")},
+          {"render", "output", "FILE",
+           QT_TR_NOOP("required: a name that ends in .png, .svg or .pdf; for frames the name of a new folder, or of a "
+                      "video that ends in .mp4, .webm or .gif (needs ffmpeg)"),
+           "o"},
+          {"solve limits compare identify study", "output", "FILE",
+           QT_TR_NOOP("write to this file instead of standard output"), "o"}}},
+        {QT_TR_NOOP("Other"),
+         {{"window", "reset-settings", nullptr,
+           QT_TR_NOOP("remove the window's settings: layout, recent files, language, theme, meanings of columns")},
+          {kEveryCommand, "help", nullptr, QT_TR_NOOP("show this text"), "h"},
+          {kEveryCommand, "version", nullptr, QT_TR_NOOP("show the version of the program and of its libraries")}}},
     };
 };
 
@@ -188,9 +186,14 @@ const CommandDescription *findCommand(const QString &name)
 std::vector<OptionDescription> optionsOf(const CommandDescription &command)
 {
     std::vector<OptionDescription> options;
-    std::ranges::copy_if(Descriptions::kOptions, std::back_inserter(options), [&](const OptionDescription &option) {
-        return QString(option.commands).split(' ').contains(command.name);
-    });
+    for (const OptionGroup &group : Descriptions::kGroups) {
+        for (const OptionDescription &option : group.options) {
+            if (QString(option.commands).split(' ').contains(command.name)) {
+                options.push_back(option);
+                options.back().group = group.heading;
+            }
+        }
+    }
     return options;
 }
 

@@ -34,11 +34,11 @@ QStringList commandNames();
 
 struct OptionDescription {
     const char *commands; ///< names of the commands that take the option, separated by spaces
-    const char *group;    ///< heading in the help, untranslated
     const char *name;     ///< without dashes
     const char *value;    ///< placeholder of the value in the help, "open|crossed" for a choice; null for a switch
     const char *text;     ///< what the option does, untranslated
     const char *shortName = nullptr;
+    const char *group = nullptr; ///< heading in the help, untranslated
 };
 
 /// The options that the command takes, in the order of the help.

@@ -16,12 +16,6 @@ namespace slidercrank
 namespace
 {
 
-/// "theta3" or "time"; empty for a column that is ignored.
-QString columnMeaning(const FileColumn &column)
-{
-    return column.role == ColumnRole::Ignored ? QString() : meaningName(column.role, column.channel);
-}
-
 /// The unit of a convention's amount, by Convention::Kind; null if there is no amount. That of a ZeroPoint is the unit
 /// of its channel.
 constexpr std::array<const char *, 12> kAmountUnits{"", "",      "",      "",  "°",     "°",
@@ -32,12 +26,13 @@ QJsonArray jsonColumns(const FileLayout &layout)
     QJsonArray columns;
     for (std::size_t i = 0; i < layout.columns.size(); ++i) {
         const FileColumn &column = layout.columns[i];
-        columns += QJsonObject{{"heading", jsonText(QString::fromUtf8(column.heading))},
-                               {"unit", jsonText(QString::fromUtf8(column.unit))},
-                               {"channel", jsonText(columnMeaning(column))},
-                               {"guessed", isGuess(column.reason)},
-                               {"why", reasonText(layout, i)},
-                               {"file", jsonFile(layout, column.file)}};
+        columns += QJsonObject{
+            {"heading", jsonText(QString::fromUtf8(column.heading))},
+            {"unit", jsonText(QString::fromUtf8(column.unit))},
+            {"channel", column.role == ColumnRole::Ignored ? QJsonValue() : meaningName(column.role, column.channel)},
+            {"guessed", isGuess(column.reason)},
+            {"why", reasonText(layout, i)},
+            {"file", jsonFile(layout, column.file)}};
     }
     return columns;
 }
@@ -52,12 +47,12 @@ ReferenceQuestion::ReferenceQuestion(const OptionReader &options)
         throw UsageError{
             CommandLine::tr("\"slidercrank %1\" needs a file: slidercrank %1 FILE…").arg(options.command().name)};
     }
+    if (options.has("join")) {
+        files = {options.files()};
+        return;
+    }
     for (const QString &file : options.files()) {
-        if (options.has("join") && !files.isEmpty()) {
-            files.first() += file;
-        } else {
-            files += QStringList(file);
-        }
+        files += QStringList(file);
     }
 }
 

@@ -92,26 +92,18 @@ void readTarget(const OptionReader &options, RenderRequest &request)
     }
 }
 
-/// Reads --speed for frames, and --at and --at-angle for everything else.
+/// Reads --speed, --at and --at-angle.
 void readTime(const OptionReader &options, RenderRequest &request)
 {
     const Sampling &sampling = request.scene.sampling;
     const double end = sampling.start + sampling.duration;
-    if (request.subject == Subject::Frames) {
-        request.animation.start = sampling.start;
-        request.animation.duration = sampling.duration;
-        options.refuse(
-            {"at", "at-angle"},
-            CommandLine::tr(
-                "Frames show the whole time range: remove %1, or choose the range with --start and --duration."));
-        request.animation.speed = options.number("speed", 1.0, {}, 1e-9);
-        if (request.animation.frameCount() > Animation::kMostFrames) {
-            throw UsageError{
-                CommandLine::tr("There would be more than %1 frames: choose a shorter --duration or a greater --speed.")
-                    .arg(Animation::kMostFrames)};
-        }
-    } else {
-        options.refuse({"speed"}, CommandLine::tr("Only --what frames has a speed: remove %1."));
+    request.animation.start = sampling.start;
+    request.animation.duration = sampling.duration;
+    request.animation.speed = options.number("speed", 1.0, {}, 1e-9);
+    if (request.subject == Subject::Frames && request.animation.frameCount() > Animation::kMostFrames) {
+        throw UsageError{
+            CommandLine::tr("There would be more than %1 frames: choose a shorter --duration or a greater --speed.")
+                .arg(Animation::kMostFrames)};
     }
     double &time = request.scene.time;
     time = options.has("scene") ? std::clamp(time, sampling.start, end) : sampling.start;
@@ -206,9 +198,6 @@ ExitStatus renderCommand(const OptionReader &options, const Streams &streams)
     RenderRequest request = readRequest(options);
     Scene &scene = request.scene;
     const std::vector<ColumnChoice> columns = readColumns(options);
-    if (!columns.empty() && !scene.reference) {
-        throw UsageError{CommandLine::tr("--column describes a reference file: name the file with --reference.")};
-    }
     if (request.subject == Subject::Mechanism) {
         scene.sampling.start = scene.time; // the mechanism can be drawn at any time
     }

@@ -101,15 +101,4 @@ inline double shortestCouplerForFullTurn(const Mechanism &mechanism)
     return mechanism.a() + std::abs(mechanism.c());
 }
 
-/// Returns the longest crank, b - |c|, and the largest offset |c|, b - a, with which the crank makes full turns (mm).
-/// There is none if the former is not positive, or the latter is negative.
-inline double longestCrankForFullTurn(const Mechanism &mechanism)
-{
-    return mechanism.b() - std::abs(mechanism.c());
-}
-inline double largestOffsetForFullTurn(const Mechanism &mechanism)
-{
-    return mechanism.b() - mechanism.a();
-}
-
 } // namespace slidercrank

@@ -53,10 +53,8 @@ void sampleByNewton(const Mechanism &mechanism, const NewtonOptions &options, co
     sampleOneByOne(trajectory, channels, stop, [&](double t) -> const State & {
         advance(mechanism, t, timeStep, options);
         if (timeStep.positionStatus == Status::Solved) {
-            const int warmIterations = timeStep.isColdStart ? 0 : timeStep.iterations;
             summary.add({.iterations = timeStep.iterations,
                          .mostIterations = timeStep.iterations,
-                         .mostWarmIterations = warmIterations,
                          .largestResidual = timeStep.residual});
         }
         return timeStep.state;
@@ -117,7 +115,6 @@ void SamplingSummary::add(const SamplingSummary &next)
     }
     iterations += next.iterations;
     mostIterations = std::max(mostIterations, next.mostIterations);
-    mostWarmIterations = std::max(mostWarmIterations, next.mostWarmIterations);
     largestResidual = std::max(largestResidual, next.largestResidual);
 }
 

@@ -53,7 +53,6 @@ struct SamplingSummary {
     // Of Newton-Raphson, over the time steps whose position it found; 0 for the closed form.
     long long iterations = 0;     ///< total
     int mostIterations = 0;       ///< of one time step
-    int mostWarmIterations = 0;   ///< of one time step with a warm start: at most the iteration limit of the options
     double largestResidual = 0.0; ///< in the measure of the options
 
     std::size_t count(Status status) const { return statusCounts[static_cast<std::size_t>(status)]; }

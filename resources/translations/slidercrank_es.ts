@@ -447,24 +447,12 @@
         <translation>Uso:</translation>
     </message>
     <message>
-        <source>Options for the first of them: %1</source>
-        <translation>Opciones para el primero de ellos: %1</translation>
-    </message>
-    <message>
-        <source>Options for this mechanism: %1</source>
-        <translation>Opciones para este mecanismo: %1</translation>
-    </message>
-    <message>
         <source>--design must be such as stroke=80,time-ratio=1.2,transmission-angle=40, not &quot;%1&quot;.</source>
         <translation>--design debe ser como stroke=80,time-ratio=1.2,transmission-angle=40, y no «%1».</translation>
     </message>
     <message>
         <source>--design computes a, b and c: remove %1.</source>
         <translation>--design calcula a, b y c: quite %1.</translation>
-    </message>
-    <message>
-        <source>--vary writes a table: add --format csv or --format json.</source>
-        <translation>--vary escribe una tabla: añada --format csv o --format json.</translation>
     </message>
     <message>
         <source>There is not enough memory: choose fewer steps or a smaller file.</source>
@@ -551,10 +539,6 @@
         <translation>formato de la salida (text)</translation>
     </message>
     <message>
-        <source>a row of limits for each of several values of a parameter: b=50..120 (csv or json)</source>
-        <translation>una fila de límites por cada uno de varios valores de un parámetro: b=50..120 (csv o json)</translation>
-    </message>
-    <message>
         <source>number of values of --vary (100)</source>
         <translation>número de valores de --vary (100)</translation>
     </message>
@@ -599,20 +583,8 @@
         <translation>No se puede escribir en la salida estándar: %1.</translation>
     </message>
     <message>
-        <source>Frames show the whole time range: remove %1, or choose the range with --start and --duration.</source>
-        <translation>Los fotogramas muestran todo el intervalo de tiempo: quite %1, o elija el intervalo con --start y --duration.</translation>
-    </message>
-    <message>
-        <source>Only --what frames has a speed: remove %1.</source>
-        <translation>Solo --what frames tiene velocidad: quite %1.</translation>
-    </message>
-    <message>
         <source>t = %1 s lies outside the time range from %2 s to %3 s: choose another time, or another --start or --duration.</source>
         <translation>t = %1 s está fuera del intervalo de %2 s a %3 s: elija otro instante, u otro --start u otra --duration.</translation>
-    </message>
-    <message>
-        <source>--column describes a reference file: name the file with --reference.</source>
-        <translation>--column describe un archivo de referencia: indique el archivo con --reference.</translation>
     </message>
     <message>
         <source>A report is printed on A4, black on white: remove %1.</source>
@@ -689,10 +661,6 @@ Equipo: %1. Tiempo: %2 s.
         <translation>errores de archivos de simulación respecto al modelo</translation>
     </message>
     <message>
-        <source>Finds the mechanism that a simulation&apos;s file belongs to, from all of its columns, and how certain each parameter is. If the meaning of a column differs from its heading (radians, another origin, another sign …), the program reports that and reads the file accordingly. The options of the mechanism supply what the file does not determine. R4_x and R4_y are measured from the crank pivot O₂, angles counter-clockwise from x. FILE may be - for standard input. Outcomes: identified, the residuals are rounding or white noise; approximate, a mechanism explains the file up to a systematic deviation of at most 1 %; ambiguous, several mechanisms explain the file equally well; insufficient, the file holds too little to decide; nearest, no mechanism explains the file and the nearest one is printed; none, no mechanism was found.</source>
-        <translation>Halla el mecanismo al que pertenece el archivo de una simulación, a partir de todas sus columnas, y la certeza de cada parámetro. Si el significado de una columna difiere de su encabezado (radianes, otro origen, otro signo …), el programa lo indica y lee así el archivo. Las opciones del mecanismo aportan lo que el archivo no determina. R4_x y R4_y se miden desde el eje O₂ de la manivela; los ángulos, en sentido antihorario desde x. ARCHIVO puede ser - para la entrada estándar. Resultados: identified, los residuos son redondeo o ruido blanco; approximate, un mecanismo explica el archivo salvo una desviación sistemática de un 1 % como máximo; ambiguous, varios mecanismos explican el archivo igual de bien; insufficient, el archivo contiene demasiado poco para decidir; nearest, ningún mecanismo explica el archivo y se muestra el más próximo; none, no se encontró ningún mecanismo.</translation>
-    </message>
-    <message>
         <source>speed and error of every method</source>
         <translation>velocidad y error de cada método</translation>
     </message>
@@ -741,10 +709,6 @@ Equipo: %1. Tiempo: %2 s.
         <translation>--%1 debe ser un número entero, y no «%2».</translation>
     </message>
     <message>
-        <source>%1 belongs to --vary: remove it.</source>
-        <translation>%1 pertenece a --vary: quítelo.</translation>
-    </message>
-    <message>
         <source>--at chooses the time already: remove %1.</source>
         <translation>--at ya elige el instante: quite %1.</translation>
     </message>
@@ -761,20 +725,12 @@ Equipo: %1. Tiempo: %2 s.
         <translation>--column: «%1» no es una unidad de %2.</translation>
     </message>
     <message>
-        <source>--column gives &quot;%1&quot; two meanings: keep one of them.</source>
-        <translation>--column da dos significados a «%1»: deje uno.</translation>
-    </message>
-    <message>
         <source>Newton-Raphson did not converge at %1: allow more than %3 iterations (--max-iterations) or a larger residual (--tolerance); very long links need --tolerance-kind relative.</source>
         <translation>Newton-Raphson no convergió en %1: permita más de %3 iteraciones (--max-iterations) o un residuo mayor (--tolerance); los eslabones muy largos necesitan --tolerance-kind relative.</translation>
     </message>
     <message>
         <source>Commands</source>
         <translation>Órdenes</translation>
-    </message>
-    <message>
-        <source>± is one standard error.</source>
-        <translation>± es un error estándar.</translation>
     </message>
     <message>
         <source>solve: only this time stamp; render: the time that is drawn, and marked in the plots (--start)</source>
@@ -791,6 +747,14 @@ Equipo: %1. Tiempo: %2 s.
     <message>
         <source>The window does not read standard input: save it in a file, or use a command, such as compare, which reads it.</source>
         <translation>La ventana no lee la entrada estándar: guárdela en un archivo, o use una orden que la lea, como compare.</translation>
+    </message>
+    <message>
+        <source>Finds the mechanism that a simulation&apos;s file belongs to, from all of its columns, and how certain each parameter is (± one standard error). If the meaning of a column differs from its heading (radians, another origin, another sign …), the program reports that and reads the file accordingly. The options of the mechanism supply what the file does not determine. R4_x and R4_y are measured from the crank pivot O₂, angles counter-clockwise from x. FILE may be - for standard input. Outcomes: identified, the residuals are rounding or white noise; approximate, a mechanism explains the file up to a systematic deviation of at most 1 %; ambiguous, several mechanisms explain the file equally well; insufficient, the file holds too little to decide; nearest, no mechanism explains the file and the nearest one is printed; none, no mechanism was found.</source>
+        <translation>Halla el mecanismo al que pertenece el archivo de una simulación, a partir de todas sus columnas, y la certeza de cada parámetro (± un error estándar). Si el significado de una columna difiere de su encabezado (radianes, otro origen, otro signo …), el programa lo indica y lee así el archivo. Las opciones del mecanismo aportan lo que el archivo no determina. R4_x y R4_y se miden desde el eje O₂ de la manivela; los ángulos, en sentido antihorario desde x. ARCHIVO puede ser - para la entrada estándar. Resultados: identified, los residuos son redondeo o ruido blanco; approximate, un mecanismo explica el archivo salvo una desviación sistemática de un 1 % como máximo; ambiguous, varios mecanismos explican el archivo igual de bien; insufficient, el archivo contiene demasiado poco para decidir; nearest, ningún mecanismo explica el archivo y se muestra el más próximo; none, no se encontró ningún mecanismo.</translation>
+    </message>
+    <message>
+        <source>a row of limits for each of several values of a parameter: b=50..120 (text is CSV)</source>
+        <translation>una fila de límites para cada uno de varios valores de un parámetro: b=50..120 (el texto es CSV)</translation>
     </message>
 </context>
 <context>
@@ -856,10 +820,6 @@ Equipo: %1. Tiempo: %2 s.
         <translation>en %1, pero leído como %2</translation>
     </message>
     <message>
-        <source>%1: %2, not the time derivative.</source>
-        <translation>%1: son %2, no la derivada temporal.</translation>
-    </message>
-    <message>
         <source>The time is %4.</source>
         <translation>El tiempo está %4.</translation>
     </message>
@@ -886,6 +846,10 @@ Equipo: %1. Tiempo: %2 s.
     <message>
         <source>%1 Largest error: %2 → %3 % of peak.</source>
         <translation>%1 Error máximo: %2 → %3 % del máximo.</translation>
+    </message>
+    <message>
+        <source>%1: finite differences, not the time derivative.</source>
+        <translation>%1: diferencias finitas, no la derivada temporal.</translation>
     </message>
 </context>
 <context>
@@ -1043,10 +1007,6 @@ Equipo: %1. Tiempo: %2 s.
     <message>
         <source>No mechanism fits this file: check the meaning and the units of its columns.</source>
         <translation>Ningún mecanismo se ajusta a este archivo: compruebe el significado y las unidades de sus columnas.</translation>
-    </message>
-    <message>
-        <source>No mechanism fits this file. The nearest: %1.</source>
-        <translation>Ningún mecanismo se ajusta a este archivo. El más próximo: %1.</translation>
     </message>
     <message>
         <source>No mechanism fits this file. The nearest: %1, off by up to %2 % of peak, in %3.</source>
@@ -1482,10 +1442,6 @@ difiere: lo demás</translation>
         <translation>próximo, si los instantes del archivo están redondeados</translation>
     </message>
     <message>
-        <source>At no time step do both the model and the file have a value.</source>
-        <translation>En ningún instante tienen valor tanto el modelo como el archivo.</translation>
-    </message>
-    <message>
         <source>Match: %1 of %2 quantities agree within the rounding of the file.</source>
         <translation>Coincide: %1 de %2 magnitudes concuerdan dentro del redondeo del archivo.</translation>
     </message>
@@ -1498,16 +1454,8 @@ difiere: lo demás</translation>
         <translation>No coincide: difieren %1 de %2 magnitudes; la mayor diferencia: %3, un %4 % de su máximo.</translation>
     </message>
     <message>
-        <source>No match: %1 of %2 quantities differ.</source>
-        <translation>No coincide: difieren %1 de %2 magnitudes.</translation>
-    </message>
-    <message>
         <source>%1 or %2</source>
         <translation>%1 o %2</translation>
-    </message>
-    <message>
-        <source>%1 of %2 values are within the rounding, the worst at %3 times the rounding, or %4 % of half the range of the motion beyond it.</source>
-        <translation>%1 de %2 valores están dentro del redondeo, el peor a %3 veces el redondeo, o un %4 % de la mitad del recorrido más allá de él.</translation>
     </message>
     <message>
         <source>channel</source>
@@ -2161,10 +2109,6 @@ difiere: lo demás</translation>
         <translation>carrera</translation>
     </message>
     <message>
-        <source>It would make full turns if %1.</source>
-        <translation>Daría vueltas completas si %1.</translation>
-    </message>
-    <message>
         <source>crank limit position</source>
         <translation>posición límite de la manivela</translation>
     </message>
@@ -2179,18 +2123,6 @@ difiere: lo demás</translation>
     <message>
         <source>Time of the slower stroke divided by the time of the faster one</source>
         <translation>El tiempo de la carrera más lenta dividido por el de la más rápida</translation>
-    </message>
-    <message>
-        <source>The crank oscillates within one of two arcs and cannot make a full turn: b = %1 &lt; a + |c| = %2, and also less than a − |c| = %3 mm. %4</source>
-        <translation>La manivela oscila dentro de uno de dos arcos y no puede dar una vuelta completa: b = %1 &lt; a + |c| = %2, y también menor que a − |c| = %3 mm. %4</translation>
-    </message>
-    <message>
-        <source>The crank oscillates and cannot make a full turn: b = %1 &lt; a + |c| = %2. %3</source>
-        <translation>La manivela oscila y no puede dar una vuelta completa: b = %1 &lt; a + |c| = %2. %3</translation>
-    </message>
-    <message>
-        <source>The crank is locked in a single position: b = |c| − a = %1. %2</source>
-        <translation>La manivela está bloqueada en una única posición: b = |c| − a = %1. %2</translation>
     </message>
     <message>
         <source>Travel of the slider: its largest position minus its smallest</source>
@@ -2229,10 +2161,6 @@ difiere: lo demás</translation>
         <translation>El mayor valor en una vuelta de la manivela, donde su derivada es cero</translation>
     </message>
     <message>
-        <source>%1 samples per revolution are too few for a curve: %2 steps are enough.</source>
-        <translation>%1 muestras por vuelta son muy pocas para una curva: bastan %2 pasos.</translation>
-    </message>
-    <message>
         <source>%1 in total, at most %2 at a time step</source>
         <translation>%1 en total, a lo sumo %2 en un instante</translation>
     </message>
@@ -2269,8 +2197,24 @@ difiere: lo demás</translation>
         <translation>Donde la biela es perpendicular a la línea de la corredera, las velocidades dan un salto.</translation>
     </message>
     <message>
-        <source>It cannot be assembled: b = %1 &lt; |c| − a = %2. %3</source>
-        <translation>No se puede ensamblar: b = %1 &lt; |c| − a = %2. %3</translation>
+        <source>The crank oscillates within one of two arcs and cannot make a full turn: b = %1 &lt; a + |c| = %2, and also less than a − |c| = %3.</source>
+        <translation>La manivela oscila dentro de uno de dos arcos y no puede dar una vuelta completa: b = %1 &lt; a + |c| = %2, y también menor que a − |c| = %3.</translation>
+    </message>
+    <message>
+        <source>The crank oscillates and cannot make a full turn: b = %1 &lt; a + |c| = %2.</source>
+        <translation>La manivela oscila y no puede dar una vuelta completa: b = %1 &lt; a + |c| = %2.</translation>
+    </message>
+    <message>
+        <source>The crank is locked in a single position: b = |c| − a = %1. It makes full turns if b ≥ a + |c| = %2.</source>
+        <translation>La manivela está bloqueada en una única posición: b = |c| − a = %1. Da vueltas completas si b ≥ a + |c| = %2.</translation>
+    </message>
+    <message>
+        <source>It cannot be assembled: b = %1 &lt; |c| − a = %2. The crank makes full turns if b ≥ a + |c| = %3.</source>
+        <translation>No se puede ensamblar: b = %1 &lt; |c| − a = %2. La manivela da vueltas completas si b ≥ a + |c| = %3.</translation>
+    </message>
+    <message>
+        <source>%1 samples per revolution are too few for a curve: at least %2 are needed.</source>
+        <translation>%1 muestras por vuelta son muy pocas para una curva: se necesitan al menos %2.</translation>
     </message>
 </context>
 <context>

@@ -161,7 +161,7 @@ QString methodText(const Result &result)
                        "time step. Iterations: %4; largest residual: %5.")
                 .arg(numberText(newton.tolerance),
                      newton.toleranceKind == ToleranceKind::Absolute ? Report::tr("absolute") : Report::tr("relative"),
-                     QString::number(newton.maxIterations), iterationsText(summary, newton),
+                     QString::number(newton.maxIterations), iterationsText(summary),
                      numberText(summary.largestResidual, 2));
     }
     text +=

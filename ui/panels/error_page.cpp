@@ -75,7 +75,7 @@ TableRow fileRow(const ChannelComparison &channel, const ReferenceData &data)
     for (qsizetype i = 0; i < numbers[0].size(); ++i) {
         explanation += QStringLiteral("%1: %2\n").arg(numbers[0][i], numbers[1][i]);
     }
-    explanation += verdictNumbers(channel);
+    explanation.chop(1);
     if (channel.missingModel > 0) {
         explanation += u'\n' + ErrorPage::tr("The mechanism cannot be assembled at %1 time steps of the file.")
                                    .arg(QString::number(channel.missingModel));

@@ -66,7 +66,7 @@ QString samplingText(const Result &result)
             parts << SolverForm::tr("%1 of %2 time steps not solved").arg(QString::number(unsolved), samples);
         }
         if (summary.found() > 0) {
-            parts << SolverForm::tr("iterations: %1").arg(iterationsText(summary, result.solver.newton))
+            parts << SolverForm::tr("iterations: %1").arg(iterationsText(summary))
                   << SolverForm::tr("residual %1").arg(numberText(summary.largestResidual, 2));
         }
     }

@@ -48,6 +48,13 @@ QString withFile(const QString &text, const FileLayout &layout, std::size_t file
                                       : text;
 }
 
+QString differenceText(Difference difference)
+{
+    const QString texts[] = {ColumnText::tr("forward differences"), ColumnText::tr("backward differences"),
+                             ColumnText::tr("central differences")}; // in the order of Difference
+    return texts[static_cast<std::size_t>(difference)];
+}
+
 } // namespace
 
 QString headingAlone(const FileLayout &layout, std::size_t column)
@@ -151,13 +158,6 @@ QString reasonText(const FileLayout &layout, std::size_t column)
     }
     return read.difference ? ColumnText::tr("%1; %2, not a derivative").arg(reason, differenceText(*read.difference))
                            : reason;
-}
-
-QString differenceText(Difference difference)
-{
-    const QString texts[] = {ColumnText::tr("forward differences"), ColumnText::tr("backward differences"),
-                             ColumnText::tr("central differences")}; // in the order of Difference
-    return texts[static_cast<std::size_t>(difference)];
 }
 
 QString roundingText(const Rounding &rounding)

@@ -43,9 +43,6 @@ QString unitText(const FileColumn &column);
 QString reasonText(ColumnReason reason);
 QString reasonText(const FileLayout &layout, std::size_t column);
 
-/// Returns "forward differences", "backward differences" or "central differences".
-QString differenceText(Difference difference);
-
 /// Describes how values are rounded: "significant digits: 6", or a dash if that is unknown.
 QString roundingText(const Rounding &rounding);
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/convention_text.h"
 
-#include "core/import/difference.h"
-#include "ui/text/column_text.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/written_number.h"
 
@@ -105,22 +103,17 @@ QString findingText(const ConventionFinding &finding)
                      .arg(explanation, errorText(finding.before), errorText(finding.after));
 }
 
-QStringList differenceSentences(const ReferenceData &data)
+QString differenceSentence(const FileLayout &layout)
 {
-    QStringList sentences;
-    for (const Difference kind : {Difference::Forward, Difference::Backward, Difference::Central}) {
-        std::vector<Channel> channels;
-        for (const ReferenceSeries &series : data.series) {
-            if (differenceIn(data, series.channel) == kind) {
-                channels.push_back(series.channel);
-            }
-        }
-        if (!channels.empty()) {
-            sentences << ConventionText::tr("%1: %2, not the time derivative.")
-                             .arg(columnNames(channels), differenceText(kind));
+    std::vector<Channel> channels;
+    for (const FileColumn &column : layout.columns) {
+        if (column.difference) {
+            channels.push_back(column.channel);
         }
     }
-    return sentences;
+    return channels.empty()
+               ? QString()
+               : ConventionText::tr("%1: finite differences, not the time derivative.").arg(columnNames(channels));
 }
 
 } // namespace slidercrank

@@ -19,8 +19,8 @@ QString explanationText(const Convention &convention);
 /// degrees. Largest error: 98.3 → 0.001 % of peak."
 QString findingText(const ConventionFinding &finding);
 
-/// Returns a sentence for each group of columns that contain finite differences instead of derivatives: "R4_x_diff:
-/// forward differences, not the time derivative." `data` is the file before conventions are applied.
-QStringList differenceSentences(const ReferenceData &data);
+/// Returns a sentence that names the columns that contain finite differences instead of derivatives: "R4_x_diff: finite
+/// differences, not the time derivative." Returns an empty string if there are none.
+QString differenceSentence(const FileLayout &layout);
 
 } // namespace slidercrank

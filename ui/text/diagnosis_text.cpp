@@ -79,13 +79,13 @@ QStringList givenTexts(const Identification &found)
     return texts;
 }
 
-/// Returns the channel that differs most from the mechanism that was found, or nullptr if nothing was compared.
-const ChannelComparison *worstChannel(const Diagnosis &diagnosis)
+/// Returns the channel that differs most from the mechanism that was found.
+ChannelComparison worstChannel(const Diagnosis &diagnosis)
 {
     const auto worst = std::ranges::max_element(diagnosis.identified, {}, [](const ChannelComparison &channel) {
         return channel.percentOfPeak.value_or(-1.0);
     });
-    return worst == diagnosis.identified.end() || !worst->percentOfPeak ? nullptr : &*worst;
+    return worst == diagnosis.identified.end() ? ChannelComparison() : *worst;
 }
 
 /// Lists the columns that the mechanism does not fit: "θ³ (1.2 % of its peak), Rₓ⁴ (3 % of its peak)".
@@ -129,10 +129,9 @@ QString identifiedText(const Diagnosis &diagnosis)
     if (found.outcome != Outcome::Approximate) {
         return found.outcome == Outcome::Identified ? mechanism + u'.' : ambiguousText(found);
     }
-    const ChannelComparison *const worst = worstChannel(diagnosis);
     return DiagnosisText::tr("%1 fit the file up to %2 % of peak; the rest is systematic (filtered, interpolated or "
                              "integrated data?), so no standard errors can be given.")
-        .arg(mechanism, errorText(worst ? *worst->percentOfPeak : 0.0));
+        .arg(mechanism, errorText(worstChannel(diagnosis).percentOfPeak));
 }
 
 QString notIdentifiedText(const Diagnosis &diagnosis)
@@ -153,12 +152,11 @@ QString notIdentifiedText(const Diagnosis &diagnosis)
                    ? DiagnosisText::tr("No mechanism fits this file.")
                    : DiagnosisText::tr("No mechanism fits this file: check the meaning and the units of its columns.");
     }
-    const QString mechanism = mechanismText(Mechanism(found.parameters), 4);
-    const ChannelComparison *const worst = worstChannel(diagnosis);
+    const ChannelComparison worst = worstChannel(diagnosis);
     const QString text =
-        !worst ? DiagnosisText::tr("No mechanism fits this file. The nearest: %1.").arg(mechanism)
-               : DiagnosisText::tr("No mechanism fits this file. The nearest: %1, off by up to %2 % of peak, in %3.")
-                     .arg(mechanism, errorText(*worst->percentOfPeak), symbolText(worst->channel));
+        DiagnosisText::tr("No mechanism fits this file. The nearest: %1, off by up to %2 % of peak, in %3.")
+            .arg(mechanismText(Mechanism(found.parameters), 4), errorText(worst.percentOfPeak),
+                 symbolText(worst.channel));
     return found.leftOut.empty() ? text
                                  : text + u' ' +
                                        DiagnosisText::tr("It fits the other columns, but these disagree with them: %1.")
@@ -260,7 +258,7 @@ QStringList explanationLines(const Diagnosis &diagnosis, const ReferenceData &da
     if (!lines.isEmpty() && diagnosis.agreesWithGiven) {
         lines << DiagnosisText::tr("Read this way, it does not differ from this mechanism.");
     }
-    lines << differenceSentences(data);
+    lines << differenceSentence(data.layout);
     if (!diagnosis.agreesWithGiven) {
         if (diagnosis.change) {
             lines << changeText(diagnosis, mechanism);
@@ -270,6 +268,7 @@ QStringList explanationLines(const Diagnosis &diagnosis, const ReferenceData &da
                       ? DiagnosisText::tr("Mechanism found in this file: %1").arg(summary)
                       : summary);
     }
+    lines.removeAll(QString());
     return lines;
 }
 

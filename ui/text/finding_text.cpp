@@ -187,16 +187,6 @@ QString verdictText(const ChannelComparison &channel)
     return channel.count == 0 ? FindingText::tr("differs: nothing to compare with") : FindingText::tr("differs");
 }
 
-QString verdictNumbers(const ChannelComparison &channel)
-{
-    return channel.count == 0
-               ? FindingText::tr("At no time step do both the model and the file have a value.")
-               : FindingText::tr("%1 of %2 values are within the rounding, the worst at %3 times the rounding, or %4 % "
-                                 "of half the range of the motion beyond it.")
-                     .arg(QString::number(channel.withinBound), QString::number(channel.count),
-                          errorText(channel.worstOver), errorText(100.0 * channel.excess));
-}
-
 std::vector<QStringList> comparisonTable(std::span<const ChannelComparison> channels, const ReferenceData &file)
 {
     std::vector<QStringList> rows{{FindingText::tr("channel"), FindingText::tr("largest error"),
@@ -209,7 +199,7 @@ std::vector<QStringList> comparisonTable(std::span<const ChannelComparison> chan
         rows.push_back({QStringLiteral("%1 [%2]").arg(columnName(channel.channel), unitText(channel.channel)),
                         errorText(channel.maxAbs), channel.maxAbs ? numberText(place) : dash(), errorText(channel.rms),
                         errorText(channel.percentOfPeak), errorText(channel.maxPercent),
-                        errorText(channel.roundingStep), verdictText(channel)});
+                        numberText(channel.roundingStep, 3), verdictText(channel)});
     }
     return rows;
 }
@@ -234,11 +224,8 @@ QString summaryText(std::span<const ChannelComparison> channels)
                    "Close match: %1 of %2 quantities agree within the rounding of the file, the others nearly.")
             .arg(count(Verdict::Agrees), all);
     }
-    const QString differs = count(Verdict::Differs);
-    return worst->percentOfPeak
-               ? FindingText::tr("No match: %1 of %2 quantities differ, most of all the %3, by %4 % of its peak.")
-                     .arg(differs, all, quantityName(worst->channel), errorText(*worst->percentOfPeak))
-               : FindingText::tr("No match: %1 of %2 quantities differ.").arg(differs, all);
+    return FindingText::tr("No match: %1 of %2 quantities differ, most of all the %3, by %4 % of its peak.")
+        .arg(count(Verdict::Differs), all, quantityName(worst->channel), errorText(worst->percentOfPeak));
 }
 
 } // namespace slidercrank

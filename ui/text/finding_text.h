@@ -77,12 +77,8 @@ QString pinnedText(const Parameters &pinned, const Parameters &present);
 /// if it is NaN, infinite, or no larger than the rounding error of numbers of size `scale`.
 QString measuredText(double value, double standardError, double scale);
 
-/// Describes a verdict: "agrees within the rounding of the file", "close: at most 12.3 times the rounding of the file",
-/// "differs".
+/// Describes a verdict: "agrees within the rounding of the file", "close: at most 12.3 times the rounding of the file".
 QString verdictText(const ChannelComparison &channel);
-
-/// States the numbers from which the verdict on a channel follows.
-QString verdictNumbers(const ChannelComparison &channel);
 
 /// Returns a table of the errors of each channel against a file. The first row contains the headings.
 std::vector<QStringList> comparisonTable(std::span<const ChannelComparison> channels, const ReferenceData &file);

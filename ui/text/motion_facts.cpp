@@ -83,37 +83,6 @@ QStringList distinctTexts(double x, double y)
     return {parameterText(Parameter::B, x, digits), parameterText(Parameter::B, y, digits)};
 }
 
-/// Returns a limit (mm) with six digits, rounded up if it is a lower limit and down if it is an upper limit.
-QString roundedText(double limit, bool isUp)
-{
-    constexpr double kSlack = 1e-6; // of the last digit: 0.1 + 0.2 equals 0.3 except for rounding
-    const double unit = limit == 0.0 ? 1.0 : std::pow(10.0, 5.0 - std::floor(std::log10(std::abs(limit))));
-    return numberText((isUp ? std::ceil(limit * unit - kSlack) : std::floor(limit * unit + kSlack)) / unit);
-}
-
-QString atLeast(const char *symbol, double limit)
-{
-    return QStringLiteral("%1 ≥ %2 mm").arg(QLatin1String(symbol), roundedText(limit, true));
-}
-
-QString atMost(const char *symbol, double limit)
-{
-    return QStringLiteral("%1 ≤ %2 mm").arg(QLatin1String(symbol), roundedText(limit, false));
-}
-
-/// States, for each length by itself, the values with which the crank makes full turns.
-QString helpForFullTurn(const Mechanism &mechanism)
-{
-    QStringList bounds{atLeast("b", shortestCouplerForFullTurn(mechanism))};
-    if (const double crank = longestCrankForFullTurn(mechanism); crank > 0.0) {
-        bounds << atMost("a", crank);
-    }
-    if (const double offset = largestOffsetForFullTurn(mechanism); offset >= 0.0) {
-        bounds << (offset == 0.0 ? QStringLiteral("c = 0") : atMost("|c|", offset));
-    }
-    return MotionFacts::tr("It would make full turns if %1.").arg(anyOf(bounds));
-}
-
 /// Returns the first time within the time range at which the crank has an angle. Limit positions are known only up to a
 /// rounding error; there, the time is one at which the mechanism can be assembled.
 std::optional<double> firstTimeAt(double theta2, const Mechanism &mechanism, const Sampling &sampling)
@@ -169,13 +138,14 @@ void addPeaks(std::vector<MotionFact> &facts, const Mechanism &mechanism)
 
 QString atLeastText(double limit)
 {
-    return roundedText(limit, true);
+    constexpr double kSlack = 1e-6; // of the last digit: 0.1 + 0.2 equals 0.3 except for rounding
+    const double unit = limit == 0.0 ? 1.0 : std::pow(10.0, 5.0 - std::floor(std::log10(std::abs(limit))));
+    return numberText(std::ceil(limit * unit - kSlack) / unit);
 }
 
 QString mobilitySentence(const Mechanism &mechanism, const MotionLimits &limits)
 {
     const QStringList turning = distinctTexts(mechanism.b(), shortestCouplerForFullTurn(mechanism));
-    const QString help = helpForFullTurn(mechanism);
     switch (limits.mobility) {
     case Mobility::FullTurn: {
         const QString text =
@@ -190,15 +160,20 @@ QString mobilitySentence(const Mechanism &mechanism, const MotionLimits &limits)
         return limits.ranges.size() > 1
                    ? MotionFacts::tr(
                          "The crank oscillates within one of two arcs and cannot make a full turn: b = %1 < "
-                         "a + |c| = %2, and also less than a − |c| = %3 mm. %4")
-                         .arg(turning[0], turning[1], numberText(mechanism.a() - std::abs(mechanism.c())), help)
-                   : MotionFacts::tr("The crank oscillates and cannot make a full turn: b = %1 < a + |c| = %2. %3")
-                         .arg(turning[0], turning[1], help);
+                         "a + |c| = %2, and also less than a − |c| = %3.")
+                         .arg(turning[0], turning[1],
+                              parameterText(Parameter::B, mechanism.a() - std::abs(mechanism.c())))
+                   : MotionFacts::tr("The crank oscillates and cannot make a full turn: b = %1 < a + |c| = %2.")
+                         .arg(turning[0], turning[1]);
     case Mobility::Locked:
-        return MotionFacts::tr("The crank is locked in a single position: b = |c| − a = %1. %2").arg(turning[0], help);
+        return MotionFacts::tr("The crank is locked in a single position: b = |c| − a = %1. It makes full turns if "
+                               "b ≥ a + |c| = %2.")
+            .arg(turning[0], turning[1]);
     case Mobility::Impossible: {
         const QStringList reaching = distinctTexts(mechanism.b(), shortestCouplerForAnyPose(mechanism));
-        return MotionFacts::tr("It cannot be assembled: b = %1 < |c| − a = %2. %3").arg(reaching[0], reaching[1], help);
+        return MotionFacts::tr("It cannot be assembled: b = %1 < |c| − a = %2. The crank makes full turns if "
+                               "b ≥ a + |c| = %3.")
+            .arg(reaching[0], reaching[1], turning[1]);
     }
     }
     return {};
@@ -287,22 +262,17 @@ QString fewSamplesSentence(const Mechanism &mechanism, const Sampling &sampling)
 {
     constexpr double kRounding = 1e-9;
     const double perTurn = timeStepsPerTurn(mechanism, sampling);
-    const double wanted = sampling.steps * kFewestPerTurn / perTurn * (1.0 - kRounding);
-    return wanted <= sampling.steps
+    return perTurn >= kFewestPerTurn * (1.0 - kRounding)
                ? QString()
-               : MotionFacts::tr("%1 samples per revolution are too few for a curve: %2 steps are enough.")
-                     .arg(numberText(perTurn, 2), QString::number(std::llround(nextRoundNumber(wanted))));
+               : MotionFacts::tr("%1 samples per revolution are too few for a curve: at least %2 are needed.")
+                     .arg(numberText(perTurn, 2), numberText(kFewestPerTurn));
 }
 
-QString iterationsText(const SamplingSummary &run, const NewtonOptions &options)
+QString iterationsText(const SamplingSummary &run)
 {
-    if (run.found() == 0) {
-        return dash();
-    }
-    const bool hasColdStart = run.mostIterations > options.maxIterations && run.mostWarmIterations > 0;
-    return MotionFacts::tr("%1 in total, at most %2 at a time step")
-        .arg(run.iterations)
-        .arg(hasColdStart ? run.mostWarmIterations : run.mostIterations);
+    return run.found() == 0
+               ? dash()
+               : MotionFacts::tr("%1 in total, at most %2 at a time step").arg(run.iterations).arg(run.mostIterations);
 }
 
 QString crankAngleText(double theta2)

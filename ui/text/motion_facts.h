@@ -41,7 +41,7 @@ struct MotionFact {
     std::optional<double> time = {};   ///< first time at which the crank has this angle, s
 };
 
-/// States whether the crank makes full turns, with the inequality that decides it and the changes that would permit it.
+/// States whether the crank can make full turns, with the inequality that decides it.
 QString mobilitySentence(const Mechanism &mechanism, const MotionLimits &limits);
 
 /// Returns a lower limit of a length (mm), rounded up to six digits so that the rounded value satisfies the limit. The
@@ -62,12 +62,11 @@ QString valueText(const MotionFact &fact, int digits = 6);
 double degreesFromZero(double theta2);
 QString crankAngleText(double theta2);
 
-/// Returns a warning if the samples are too few to draw the motion, with a sufficient number of steps; otherwise an
-/// empty string.
+/// Returns a warning if the samples are too few to draw the motion; otherwise an empty string.
 QString fewSamplesSentence(const Mechanism &mechanism, const Sampling &sampling);
 
 /// Returns "95 in total, at most 4 at a time step", over the time steps that Newton-Raphson solved, or a dash if it
 /// solved none.
-QString iterationsText(const SamplingSummary &run, const NewtonOptions &options);
+QString iterationsText(const SamplingSummary &run);
 
 } // namespace slidercrank

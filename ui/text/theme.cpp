@@ -16,12 +16,10 @@ struct RoleColours {
 };
 
 constexpr RoleColours kRoles[] = {
-    {QPalette::Button, 0xf3f3f3, 0x393b40},          {QPalette::Base, 0xffffff, 0x1e1f22},
-    {QPalette::AlternateBase, 0xf7f7f7, 0x25272a},   {QPalette::Text, 0x1c1c1c, 0xe6e6e6},
-    {QPalette::WindowText, 0x1c1c1c, 0xe6e6e6},      {QPalette::ButtonText, 0x1c1c1c, 0xe6e6e6},
-    {QPalette::PlaceholderText, 0x6a6a6a, 0x9a9a9a}, {QPalette::Highlight, 0x005fa3, 0x2a76b8},
-    {QPalette::HighlightedText, 0xffffff, 0xffffff}, {QPalette::Link, 0x005fa3, 0x6cb6f5},
-    {QPalette::ToolTipBase, 0xffffff, 0x393b40},     {QPalette::ToolTipText, 0x1c1c1c, 0xe6e6e6}};
+    {QPalette::Button, 0xf3f3f3, 0x393b40},        {QPalette::Base, 0xffffff, 0x1e1f22},
+    {QPalette::AlternateBase, 0xf7f7f7, 0x25272a}, {QPalette::PlaceholderText, 0x6a6a6a, 0x9a9a9a},
+    {QPalette::Highlight, 0x005fa3, 0x2a76b8},     {QPalette::HighlightedText, 0xffffff, 0xffffff},
+    {QPalette::Link, 0x005fa3, 0x6cb6f5},          {QPalette::ToolTipBase, 0xffffff, 0x393b40}};
 
 } // namespace
 
@@ -35,7 +33,9 @@ QPalette paletteFor(Theme theme)
     for (const RoleColours &colours : kRoles) {
         palette.setColor(colours.role, QColor(isDark ? colours.dark : colours.light));
     }
-    for (const QPalette::ColorRole role : {QPalette::Text, QPalette::WindowText, QPalette::ButtonText}) {
+    for (const QPalette::ColorRole role :
+         {QPalette::Text, QPalette::WindowText, QPalette::ButtonText, QPalette::ToolTipText}) {
+        palette.setColor(role, QColor(isDark ? 0xe6e6e6 : 0x1c1c1c));
         palette.setColor(QPalette::Disabled, role, QColor(isDark ? 0x7d7f84 : 0xa0a0a0));
     }
     return palette;

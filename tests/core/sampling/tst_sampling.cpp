@@ -93,10 +93,8 @@ private slots:
                         expected.firstTimes[std::size_t(state.status)] = times[i];
                     }
                     if (isNewton && instant.positionStatus == Status::Solved) {
-                        const int warm = instant.isColdStart ? 0 : instant.iterations;
                         expected.iterations += instant.iterations;
                         expected.mostIterations = std::max(expected.mostIterations, instant.iterations);
-                        expected.mostWarmIterations = std::max(expected.mostWarmIterations, warm);
                         expected.largestResidual = std::max(expected.largestResidual, instant.residual);
                     }
                     for (std::size_t index = 0; index < kChannelCount; ++index) {

@@ -310,7 +310,7 @@ private slots:
         parameters.omega2 = 2.0 * std::numbers::pi * 50.0;
         for (const auto &[method, steps, name] :
              {std::tuple(Method::Newton, 200,
-                         "4 samples per revolution are too few for a curve: 1000 steps are enough."),
+                         "4 samples per revolution are too few for a curve: at least 20 are needed."),
               {Method::Newton, 1000, "model"},
               {Method::ClosedForm, 2, "model"}}) {
             PlotFigure &figure = figureOf({parameters, nullptr, {}, {0.0, 1.0, steps}, method});

@@ -5,8 +5,6 @@
 #include <QLocale>
 #include <QTest>
 
-#include <cmath>
-
 using namespace slidercrank;
 
 namespace
@@ -80,16 +78,10 @@ private slots:
         QCOMPARE(findingText({none, 98.25, 0.0}),
                  QString("R4_x_diff: not the time derivative of the position column."));
 
-        ReferenceData data;
-        for (int i = 0; i < 40; ++i) {
-            data.time.push_back(0.01 * i);
-        }
-        data.series = {{kSlider, {}, {}}, {kSliderSpeed, {}, {}}};
-        for (const double t : data.time) {
-            data.series[0].values.push_back(std::sin(9.0 * t));
-            data.series[1].values.push_back((std::sin(9.0 * (t + 0.01)) - std::sin(9.0 * t)) / 0.01);
-        }
-        QCOMPARE(differenceSentences(data), QStringList("R4_x_diff: forward differences, not the time derivative."));
+        FileLayout layout;
+        QCOMPARE(differenceSentence(layout), QString());
+        layout.columns = {{.channel = kSlider}, {.channel = kSliderSpeed, .difference = Difference::Forward}};
+        QCOMPARE(differenceSentence(layout), QString("R4_x_diff: finite differences, not the time derivative."));
     }
 };
 

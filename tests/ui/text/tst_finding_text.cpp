@@ -21,9 +21,7 @@ ChannelComparison compared(Verdict verdict, double worstOver)
     ChannelComparison channel;
     channel.channel = kTheta3;
     channel.count = 201;
-    channel.withinBound = 150;
     channel.worstOver = worstOver;
-    channel.excess = 0.00123;
     channel.percentOfPeak = 9.83;
     channel.verdict = verdict;
     return channel;
@@ -129,14 +127,8 @@ private slots:
         rounded.clockIsRounded = true;
         QCOMPARE(verdictText(rounded), QString("close, if the time stamps of the file are rounded"));
 
-        const QString numbers = verdictNumbers(compared(Verdict::Agrees, 5.4));
-        for (const char *part : {"150 of 201 values", "5.40 times", "0.123 %"}) {
-            QVERIFY2(numbers.contains(QLatin1String(part)), qPrintable(numbers));
-        }
-        QVERIFY(verdictNumbers(compared(Verdict::Differs, std::numeric_limits<double>::infinity())).contains("∞"));
         ChannelComparison missing = compared(Verdict::Differs, 1.0);
         missing.count = 0;
-        QVERIFY(!verdictNumbers(missing).contains(u'%'));
         QCOMPARE(verdictText(missing), QString("differs: nothing to compare with"));
     }
 
