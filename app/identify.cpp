@@ -67,6 +67,19 @@ QJsonObject jsonIdentification(const Diagnosis &diagnosis)
             {"summary", summaryText(diagnosis)}};
 }
 
+/// The options of the mechanism for another command: "--a 20 --b …".
+QString optionsFor(const Parameters &parameters)
+{
+    QString text;
+    for (const Parameter parameter : kParameters) {
+        text += QString("--%1 %2%3 ")
+                    .arg(optionName(parameter),
+                         QString::number(valueOf(parameters, parameter), 'g', QLocale::FloatingPointShortest),
+                         parameter == Parameter::Theta20 ? "rad" : "");
+    }
+    return text + (parameters.branch == Branch::Open ? "--branch open" : "--branch crossed");
+}
+
 /// Describes an identification that found a mechanism.
 QString identificationText(const Reference &reference, const Diagnosis &diagnosis)
 {
@@ -82,7 +95,7 @@ QString identificationText(const Reference &reference, const Diagnosis &diagnosi
     if (found.noise.empty()) { // otherwise the summary reports the noise
         lines += summaryText(diagnosis.identified);
     }
-    lines += roundNumbersText(diagnosis);
+    lines += CommandLine::tr("As options: %1").arg(optionsFor(diagnosis.rounded));
     lines.removeAll(QString());
     return lines.join('\n') + '\n';
 }

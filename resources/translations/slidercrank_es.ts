@@ -756,6 +756,10 @@ Equipo: %1. Tiempo: %2 s.
         <source>a row of limits for each of several values of a parameter: b=50..120 (text is CSV)</source>
         <translation>una fila de límites para cada uno de varios valores de un parámetro: b=50..120 (el texto es CSV)</translation>
     </message>
+    <message>
+        <source>As options: %1</source>
+        <translation>Como opciones: %1</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::ConventionText</name>

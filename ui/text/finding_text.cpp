@@ -51,6 +51,16 @@ QString joined(const QStringList &words, const QString &pattern)
                             : pattern.arg(words.first(words.size() - 1).join(", "), words.last());
 }
 
+/// Returns an equation for each parameter, and the assembly.
+QStringList equationTexts(const Parameters &parameters, int digits = 6)
+{
+    QStringList parts;
+    for (const Parameter parameter : kParameters) {
+        parts << equationText(parameter, valueOf(parameters, parameter), digits);
+    }
+    return parts << withNoun(parameters.branch);
+}
+
 } // namespace
 
 QString listed(const QStringList &words)
@@ -137,23 +147,14 @@ QString equationText(Parameter parameter, double value, int digits)
 
 QString mechanismText(const Mechanism &mechanism, int digits)
 {
-    QStringList parts;
-    for (const Parameter parameter : kParameters) {
-        parts << equationText(parameter, valueOf(mechanism.parameters(), parameter), digits);
-    }
-    return (parts << withNoun(mechanism.branch())).join(", ");
+    return equationTexts(mechanism.parameters(), digits).join(", ");
 }
 
 QString pinnedText(const Parameters &pinned, const Parameters &present)
 {
-    QStringList parts;
-    for (const Parameter parameter : kParameters) {
-        if (valueOf(pinned, parameter) != valueOf(present, parameter)) {
-            parts << equationText(parameter, valueOf(pinned, parameter));
-        }
-    }
-    if (pinned.branch != present.branch) {
-        parts << withNoun(pinned.branch);
+    QStringList parts = equationTexts(pinned);
+    for (const QString &part : equationTexts(present)) {
+        parts.removeOne(part);
     }
     return parts.isEmpty() ? FindingText::tr("pinned") : parts.join(", ");
 }

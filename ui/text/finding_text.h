@@ -70,7 +70,8 @@ QString parameterText(Parameter parameter, double value, int digits = 6);
 /// Returns all parameters: "a = 20 mm, b = 60 mm, c = 25 mm, ω₂ = 6.28319 rad/s, θ₂₀ = 0°, open assembly".
 QString mechanismText(const Mechanism &mechanism, int digits = 6);
 
-/// Returns the parameters in which a pinned mechanism differs: "b = 65 mm, crossed assembly", or "pinned" if none do.
+/// Returns the parameters in which a pinned mechanism differs, with six digits: "b = 65 mm, crossed assembly", or
+/// "pinned" if none do.
 QString pinnedText(const Parameters &pinned, const Parameters &present);
 
 /// Returns a value rounded to the first digit of its standard error: "20.000001 ± 0.000003". Omits the standard error

@@ -113,7 +113,7 @@ QString closedFormSentence(const CaseResult &result)
 {
     const MethodResult *closedForm = findRow(result, MethodName::Kind::ClosedForm, std::nullopt);
     const MethodResult *newton = findRow(result, MethodName::Kind::NewtonDense, kReportsTolerance);
-    if (!closedForm || !newton || closedForm->nsPerState <= 0.0 || newton->nsPerState <= 0.0) {
+    if (!closedForm || !newton) {
         return {};
     }
     const double uncertainty = newton->spread / newton->nsPerState + closedForm->spread / closedForm->nsPerState;
