@@ -37,8 +37,8 @@ std::vector<CurvePoint> decimate(std::span<const double> time, std::span<const d
 std::vector<CurvePoint> withoutNeedlessPoints(std::span<const CurvePoint> points, double tolerance);
 
 /// Returns the range of the values within the time range; nullopt if there are none. Where they are unbounded, as near
-/// the limits of an oscillating crank, returns the range of the middle nine tenths of them. They are unbounded if one of
-/// them is ±kBeyondAll.
+/// the limits of an oscillating crank, returns the range of the middle nine tenths of them. They are unbounded if one
+/// of them is ±kBeyondAll.
 std::optional<Interval> usualRange(std::span<const CurvePoint> points, const Interval &time, bool isUnbounded = false);
 
 /// Returns the parts of the polyline within both ranges, cut exactly at the edges, with a gap between two parts.

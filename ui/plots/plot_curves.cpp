@@ -174,8 +174,7 @@ void PlotFigure::computeMotions(Plot &plot, std::size_t channel)
                                                  : QString();
     if (series) {
         const std::vector<CurvePoint> points = decimate(file->data.time, series->values, timeRange(), m_columns);
-        PlotCurve &reference =
-            add(file->name, &SeriesColours::reference, {points, usualRange(points, timeRange())});
+        PlotCurve &reference = add(file->name, &SeriesColours::reference, {points, usualRange(points, timeRange())});
         reference.read = [this, channel](const ReadTime &at) { return referenceValue(channel, at); };
         reference.dashes = kReferenceDashes;
     }

@@ -156,7 +156,7 @@ private:
     std::vector<MotionCurves> m_motions; ///< the pinned motions and, last, the model
 
     // These are computed for the time range and the pixels of the plots.
-    std::size_t m_columns = 1; ///< pixel columns of a plot
+    std::size_t m_columns = 1;                  ///< pixel columns of a plot
     std::vector<MotionCurves::Curves> m_curves; ///< of m_motions
     std::optional<MotionErrors> m_errors;
     std::array<Plot, kPlotCount> m_plots;
