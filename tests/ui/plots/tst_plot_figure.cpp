@@ -303,20 +303,6 @@ private slots:
             }
         }
     }
-
-    void warnsOfTooFewSamplesWithTheNumberNeeded()
-    {
-        Parameters parameters;
-        parameters.omega2 = 2.0 * std::numbers::pi * 50.0;
-        for (const auto &[method, steps, name] :
-             {std::tuple(Method::Newton, 200,
-                         "4 samples per revolution are too few for a curve: at least 20 are needed."),
-              {Method::Newton, 1000, "model"},
-              {Method::ClosedForm, 2, "model"}}) {
-            PlotFigure &figure = figureOf({parameters, nullptr, {}, {0.0, 1.0, steps}, method});
-            QCOMPARE(plotOf(figure, 0).curves.front().name, QString::fromUtf8(name));
-        }
-    }
 };
 
 const Suite suite("tst_plot_figure", runWithWidgets<TestPlotFigure>);

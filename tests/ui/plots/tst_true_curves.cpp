@@ -280,26 +280,32 @@ private slots:
     }
 
     /// With Newton-Raphson only the samples are known.
-    void fewSamplesAreNotConnected()
+    void fewSamplesAreNotConnectedAndTheLegendWarns()
     {
         struct Row {
             double turns;
             int steps;
             bool isJoined;
+            const char *name; // in the legend
         };
-        for (const auto &[turns, steps, isJoined] : {Row{50.0, 200, false}, Row{50.0, 1000, true},
-                                                     Row{5000.0, 1000, true}}) { // dense samples look like a band
+        for (const auto &[turns, steps, isJoined, name] :
+             {Row{50.0, 200, false, "4 samples per revolution are too few for a curve: at least 20 are needed."},
+              Row{50.0, 1000, true, "model"}, Row{5000.0, 1000, true, nullptr}}) { // dense samples look like a band
             const std::shared_ptr<const Result> result =
                 resultOf({turningAt(turns), nullptr, {}, {0.0, 1.0, steps}, Method::Newton});
             BareFigure shown;
             shown.show(result);
             const PlotCurve &curve = shown.figure.shownPlot(0).curves.front();
             QCOMPARE(!curve.points.empty(), isJoined);
+            QVERIFY(!name || curve.name == name);
             for (std::size_t i = 0; i < curve.dots.size() && !isJoined; ++i) {
                 QCOMPARE(curve.dots[i].value, result->trajectory[kPlottedChannels[0]][i]);
             }
             QVERIFY(isJoined || curve.dots.size() == result->trajectory.time.size());
         }
+        BareFigure exact;
+        exact.show(resultOf({.model = turningAt(50.0), .sampling = {0.0, 1.0, 2}}));
+        QCOMPARE(exact.figure.shownPlot(0).curves.front().name, "model");
     }
 
     void aLongMotionInClosedFormIsCountedButNotStored()
