@@ -17,46 +17,56 @@ namespace slidercrank
 
 template <class T>
 struct TextbookMotion {
-    T theta2, omega2, c;
-    std::array<T, 3> pinX, pinY, theta3, sliderX; ///< indexed by Order; the pin is the crank pin A
+    T theta2, omega2, c, pi;
+    T height, reach; ///< b sin θ3 and b cos θ3
+    double side;
+    std::array<T, 3> pinX, pinY, sliderX; ///< indexed by Order; the pin is the crank pin A
+    T omega3, alpha3;
 
-    /// Computes the motion at the crank angle `crankAngle` (rad). `parameters`: a, b, c (mm), ω2 (rad/s); `side`: 1 for
-    /// the open branch, -1 for the crossed one. Returns false if the mechanism cannot be assembled, or if it is
+    /// Computes the motion at the crank angle `crankAngle` (rad). `parameters`: a, b, c (mm), ω2 (rad/s); `branchSide`:
+    /// 1 for the open branch, -1 for the crossed one. Returns false if the mechanism cannot be assembled, or if it is
     /// singular; the positions are valid in the second case.
-    bool compute(const std::array<T, 5> &parameters, const T &crankAngle, double side,
-                 const T &pi = T(std::numbers::pi))
+    bool compute(const std::array<T, 5> &parameters, const T &crankAngle, double branchSide,
+                 const T &valueOfPi = T(std::numbers::pi))
     {
-        using std::atan2, std::cos, std::sin, std::sqrt;
+        using std::cos, std::sin, std::sqrt;
         const T &a = parameters[0];
         const T &b = parameters[1];
         c = parameters[2];
         omega2 = parameters[3];
         theta2 = crankAngle;
+        pi = valueOfPi;
+        side = branchSide;
         pinX[0] = a * cos(theta2);
         pinY[0] = a * sin(theta2);
         for (std::size_t k = 1; k < 3; ++k) {
             pinX[k] = -(omega2 * pinY[k - 1]);
             pinY[k] = omega2 * pinX[k - 1];
         }
-        const T height = c - pinY[0];
+        height = c - pinY[0];
         const T square = (b - height) * (b + height);
         if (!(square >= 0.0)) {
             return false;
         }
-        const T reach = side * sqrt(square);                  // b cos θ3
-        theta3[0] = atan2(T(side * height), T(side * reach)); // continuous on either branch
-        if (side < 0.0) {
-            theta3[0] += pi;
-        }
+        reach = side * sqrt(square);
         sliderX[0] = pinX[0] + reach;
         if (!(square > 0.0)) {
             return false;
         }
-        theta3[1] = -pinY[1] / reach;
-        theta3[2] = (height * theta3[1] * theta3[1] - pinY[2]) / reach;
-        sliderX[1] = pinX[1] - height * theta3[1];
-        sliderX[2] = pinX[2] + pinY[1] * theta3[1] - height * theta3[2];
+        omega3 = -pinY[1] / reach;
+        alpha3 = (height * omega3 * omega3 - pinY[2]) / reach;
+        sliderX[1] = pinX[1] - height * omega3;
+        sliderX[2] = pinX[2] + pinY[1] * omega3 - height * alpha3;
         return true;
+    }
+
+    /// Returns θ3, which is continuous on either branch. Computed only on request, because of the cost of the
+    /// third of the rest.
+    T theta3() const
+    {
+        using std::atan2;
+        const T angle = atan2(T(side * height), T(side * reach));
+        return side < 0.0 ? T(angle + pi) : angle;
     }
 
     T valueAt(Channel channel) const
@@ -64,7 +74,7 @@ struct TextbookMotion {
         const auto k = static_cast<std::size_t>(channel.order);
         switch (channel.coordinate) {
         case Theta2: return k == 0 ? theta2 : k == 1 ? omega2 : T(0.0);
-        case Theta3: return theta3[k];
+        case Theta3: return k == 0 ? theta3() : k == 1 ? omega3 : alpha3;
         case R4x: return sliderX[k];
         case R4y: return k == 0 ? c : T(0.0);
         case R3x: return T(0.5 * (pinX[k] + sliderX[k]));
