@@ -51,7 +51,27 @@ OptionReader::OptionReader(const CommandDescription &command, const QStringList 
     if (!m_parser.errorText().isEmpty() && !has("help")) {
         throw UsageError{CommandLine::tr("%1 --help describes the options.").arg(m_parser.errorText())};
     }
+    checkRepetitions();
     m_scene.solver.newton.elimination = Elimination::Structured; // the same iterates as Dense, ten times faster
+}
+
+void OptionReader::checkRepetitions() const
+{
+    const QStringList repeatable{"column", "reference"};
+    QStringList values = files();
+    for (const OptionDescription &option : m_options) {
+        const QStringList given = texts(option.name);
+        if (given.size() > 1 && !repeatable.contains(option.name)) {
+            throw UsageError{CommandLine::tr("--%1 is given more than once: keep one of them.").arg(option.name)};
+        }
+        if (option.value == QLatin1String("FILE") && given.contains("")) {
+            throw UsageError{CommandLine::tr("--%1 needs the name of a file.").arg(option.name)};
+        }
+        values += given;
+    }
+    if (values.count("-") > 1) {
+        throw UsageError{CommandLine::tr("Standard input can be read only once: give one \"-\".")};
+    }
 }
 
 void OptionReader::readScene()

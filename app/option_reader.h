@@ -71,6 +71,7 @@ public:
     void refuse(const std::vector<const char *> &names, const QString &message) const;
 
 private:
+    void checkRepetitions() const; ///< throws if an option or standard input is given twice, or a file has no name
     const OptionDescription *find(const char *name) const; ///< null if the command does not take the option
 
     const CommandDescription &m_command;

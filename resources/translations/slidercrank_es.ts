@@ -315,6 +315,18 @@
 <context>
     <name>slidercrank::CommandLine</name>
     <message>
+        <source>--%1 is given more than once: keep one of them.</source>
+        <translation>--%1 se da más de una vez: deje una sola.</translation>
+    </message>
+    <message>
+        <source>--%1 needs the name of a file.</source>
+        <translation>--%1 necesita el nombre de un archivo.</translation>
+    </message>
+    <message>
+        <source>Standard input can be read only once: give one &quot;-&quot;.</source>
+        <translation>La entrada estándar solo se puede leer una vez: ponga un solo «-».</translation>
+    </message>
+    <message>
         <source>crank speed, constant (2π)</source>
         <translation>velocidad de la manivela, constante (2π)</translation>
     </message>
