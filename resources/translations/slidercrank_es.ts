@@ -3290,6 +3290,14 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
 <context>
     <name>slidercrank::SceneFile</name>
     <message>
+        <source>Changed elsewhere</source>
+        <translation>Cambiado en otra parte</translation>
+    </message>
+    <message>
+        <source>%1 has been changed by another program since you opened it. Replace it?</source>
+        <translation>Otro programa ha cambiado %1 desde que usted lo abrió. ¿Reemplazarlo?</translation>
+    </message>
+    <message>
         <source>Unsaved changes</source>
         <translation>Cambios sin guardar</translation>
     </message>

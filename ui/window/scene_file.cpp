@@ -23,6 +23,12 @@ namespace
 
 const QString kQuestion = "unsavedQuestion";
 
+std::pair<qint64, QDateTime> versionOf(const QString &path)
+{
+    const QFileInfo file(path);
+    return {file.size(), file.lastModified()};
+}
+
 } // namespace
 
 SceneFile::SceneFile(Session *session, const Views &views, QWidget *window)
@@ -113,6 +119,7 @@ void SceneFile::show(const Scene &scene, const QString &path)
     m_session->open({scene.parameters, scene.sampling, scene.solver, nullptr, scene.pinned}, scene.time,
                     scene.reference);
     m_path = path;
+    m_version = versionOf(path);
     m_missing = scene.reference;
     m_views.plots->setSettings(scene.plots);
     m_views.plots->setZoom(scene.zoom);
@@ -126,7 +133,14 @@ void SceneFile::save(const std::function<void()> &proceed)
     enterTypedNumber();
     if (m_path.isEmpty()) {
         saveAs(proceed);
-    } else {
+        return;
+    }
+    const QString text = tr("%1 has been changed by another program since you opened it. Replace it?");
+    const auto mayReplace = [&] {
+        return QMessageBox::question(m_window, tr("Changed elsewhere"), text.arg(QFileInfo(m_path).fileName()),
+                                     QMessageBox::Yes | QMessageBox::Cancel, QMessageBox::Cancel) == QMessageBox::Yes;
+    };
+    if (!QFileInfo::exists(m_path) || versionOf(m_path) == m_version || mayReplace()) {
         saveTo(m_path, proceed);
     }
 }
@@ -149,6 +163,7 @@ bool SceneFile::saveTo(const QString &path, const std::function<void()> &proceed
         return false;
     }
     m_path = absolute;
+    m_version = versionOf(absolute);
     m_session->undoStack().setClean();
     rememberFiles({m_path});
     emit changed();

@@ -7,11 +7,13 @@
 #include "ui/document/scene.h"
 #include "ui/document/session.h"
 
+#include <QDateTime>
 #include <QObject>
 #include <QString>
 
 #include <functional>
 #include <optional>
+#include <utility>
 
 namespace slidercrank
 {
@@ -47,7 +49,8 @@ public slots:
     /// Asks about unsaved changes, then opens the scene.
     void open(const QString &path);
 
-    /// Saves the scene and calls proceed(). Asks for a name if the scene has none.
+    /// Saves the scene and calls proceed(). Asks for a name if the scene has none, and before it replaces a file that
+    /// another program has changed.
     void save(const std::function<void()> &proceed = {});
     void saveAs(const std::function<void()> &proceed = {});
 
@@ -65,6 +68,7 @@ private:
     const Views &m_views;
     QWidget *m_window;
     QString m_path;
+    std::pair<qint64, QDateTime> m_version;   ///< size and time of the file when it was last opened or saved
     std::optional<ReferenceSource> m_missing; ///< the reference of the scene that has not been opened
 };
 

@@ -131,6 +131,26 @@ private slots:
         QVERIFY(!m_window->isWindowModified() && !question("unsavedQuestion")); // it is asked once
     }
 
+    void asksBeforeItReplacesWhatAnotherProgramSaved()
+    {
+        m_window->scene().open(sceneWithReference());
+        AWAIT(session().reference());
+        session().setParameter(Parameter::A, 13.0);
+        m_window->scene().save(); // does not ask about its own changes of the file
+        QCOMPARE(savedIn("rig.json").a, 13.0);
+        Scene other;
+        other.parameters.a = 14.5;
+        QCOMPARE(writeScene(other, path("rig.json")), std::nullopt);
+        session().setParameter(Parameter::A, 15.0);
+        answerWith(QMessageBox::Cancel);
+        m_window->scene().save();
+        QCOMPARE(savedIn("rig.json").a, 14.5);
+        QVERIFY(m_window->isWindowModified());
+        answerWith(QMessageBox::Yes);
+        m_window->scene().save();
+        QCOMPARE(savedIn("rig.json").a, 15.0);
+    }
+
     void savesANumberThatIsStillBeingTyped()
     {
         QVERIFY(m_window->scene().saveTo(path("rig.json")));
