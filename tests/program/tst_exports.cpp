@@ -146,7 +146,7 @@ private slots:
         const QString path = m_folder->filePath(QStringLiteral("long.csv"));
         QSignalSpy steps(m_window->findChild<QProgressBar *>(), &QProgressBar::valueChanged);
         m_window->exports().writeData(path, plottedChannels());
-        QCOMPARE(steps.count(), 0); // the call returns before the file is written
+        QVERIFY(!QFile::exists(path)); // the call returns before the file is written
         AWAIT(messageText(*m_messages).startsWith(QStringLiteral("Exported to ")));
         QVERIFY2(steps.count() >= 3, qPrintable(QString::number(steps.count())));
         QCOMPARE(contentOf(path).count('\n'), qsizetype(200002));

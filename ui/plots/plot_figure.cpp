@@ -145,7 +145,8 @@ void PlotFigure::fill(const std::optional<double> &markedTime)
     for (const MotionCurves &motion : m_motions) {
         m_curves.push_back(motion.curves(time, m_columns));
     }
-    if (hasErrors()) {
+    m_errors.reset();
+    if (m_result->isCompared() && std::ranges::any_of(plots(), &isErrorPlot)) {
         m_errors.emplace(*m_result, m_settings, time, m_columns);
     }
     setTimeScale();
@@ -155,10 +156,12 @@ void PlotFigure::fill(const std::optional<double> &markedTime)
         plot.curves.clear();
         plot.note.clear();
         plot.values.reset();
-        if (isErrorPlot(index)) {
+        if (!isErrorPlot(index)) {
+            computeMotions(plot, channelOf(index));
+        } else if (m_errors) {
             computeErrors(plot, index / kPlotColumns);
         } else {
-            computeMotions(plot, channelOf(index));
+            plot.note = tr("nothing to compare");
         }
         plot.values = plot.values && m_zoom.values[index] ? m_zoom.values[index] : plot.values;
         setValueScale(index);
