@@ -16,11 +16,6 @@ namespace slidercrank
 namespace
 {
 
-bool isPlottedDerivative(Channel channel)
-{
-    return channel.order != Order::Position && (channel.coordinate == R4x || channel.coordinate == Theta3);
-}
-
 bool isSame(const Hypothesis &x, const Hypothesis &y)
 {
     return x.timeUnit == y.timeUnit && x.columns == y.columns && x.abscissaFactor == y.abscissaFactor &&
@@ -46,7 +41,7 @@ void addWithFewerColumns(const Observations &data, const Candidate &candidate, R
     bool areDifferences = true;
     for (std::size_t j = 0; j < data.columns.size(); ++j) {
         if (candidate.judgements[j] >= least && candidate.judgements[j] != Residual::NotUsed) {
-            onlyDerivatives = onlyDerivatives && isPlottedDerivative(data.columns[j].channel);
+            onlyDerivatives = onlyDerivatives && isShapeDerivative(data.columns[j]);
             areDifferences = areDifferences && isLikeDifferences(data, candidate.hypothesis, j);
             hypothesis.columns[j] = {data.columns[j].channel};
             hypothesis.columns[j].isUsed = false;
@@ -57,11 +52,13 @@ void addWithFewerColumns(const Observations &data, const Candidate &candidate, R
         addWithVariants(data, std::move(hypothesis), all);
     } else if (areDifferences && isAsWritten(data, candidate.hypothesis)) {
         hypothesis = candidate.hypothesis;
-        for (ColumnUse &use : hypothesis.columns) {
-            use.isUsed =
-                !isPlottedDerivative(use.channel) || std::ranges::none_of(hypothesis.columns, [&](const ColumnUse &o) {
-                    return o.channel.coordinate == use.channel.coordinate && o.channel.order < use.channel.order;
-                });
+        for (std::size_t j = 0; j < data.columns.size(); ++j) {
+            const Channel channel = data.columns[j].channel;
+            const auto isLower = [&](const ColumnUse &other) {
+                return other.channel.coordinate == channel.coordinate && other.channel.order < channel.order;
+            };
+            hypothesis.columns[j].isUsed =
+                !isShapeDerivative(data.columns[j]) || std::ranges::none_of(hypothesis.columns, isLower);
         }
         Candidate lowest = fitCandidate(data, std::move(hypothesis));
         if (lowest.acceptance != Acceptance::Rejected) {

@@ -70,15 +70,30 @@ bool isOfTwoMechanisms(const FileSearch &search, const Candidate &found, const P
                     {scale * p.a, scale * p.b, scale * std::abs(p.c), std::abs(p.omega2)});
 }
 
-/// Compares the data after the conventions are applied with the mechanism found, its round numbers and the given
-/// mechanism. Lists the columns that the fit does not use.
-void compareInterpreted(const ReferenceData &good, const FileSearch &search, const Candidate &candidate,
-                        const Parameters &given, const std::stop_token &stop, Diagnosis &result)
+/// Sets everything that follows from the search. Returns false if nothing but the nearest mechanism can be reported.
+bool interpret(const ReferenceData &data, const Observations &all, const FileSearch &search, const Parameters &given,
+               const std::stop_token &stop, Diagnosis &result)
 {
-    Identification &found = result.identification;
+    const auto &[identification, candidate, uncertainty] = decide(search.data, search.candidates, given);
+    Identification &found = result.identification = identification;
+    if (!found.hasMechanism()) {
+        return found.outcome == Outcome::Insufficient;
+    }
+    result.conventions = findConventions(search.data, candidate, uncertainty);
+    const ReferenceData good = withoutExcluded(data, all, search.excluded);
+    if (!found.onlyRatios) {
+        std::ranges::copy(findFaultsOfWholeFile(good, given, found), std::back_inserter(result.conventions));
+    }
+    if (!measureFindings(good, found.parameters, result.conventions) ||
+        isOfTwoMechanisms(search, candidate, given, stop)) {
+        return false;
+    }
+    for (const std::size_t row : search.excluded) {
+        found.excludedRows.push_back(data.lineOfRow(row));
+    }
     std::vector<ConventionFinding> ofUsed = result.conventions;
     std::erase_if(ofUsed, [](const ConventionFinding &one) { return one.convention.kind == Kind::NotDerivative; });
-    const ReferenceData data = allApplied(result.conventions, good);
+    const ReferenceData interpreted = allApplied(result.conventions, good);
     for (ChannelComparison &channel : compareTimed(found.parameters, allApplied(ofUsed, good), stop)) {
         const auto column = std::ranges::find(search.data.columns, channel.channel, &ObservedColumn::channel);
         const auto j = static_cast<std::size_t>(column - search.data.columns.begin());
@@ -86,45 +101,20 @@ void compareInterpreted(const ReferenceData &good, const FileSearch &search, con
             const double ofZeros = channel.maxAbs.value_or(0.0) > 0.0 ? 100.0 : 0.0; // percent of the motion's peak
             found.leftOut.push_back({channel.channel, channel.percentOfPeak.value_or(ofZeros)});
         }
-        if (data.find(channel.channel)) {
+        if (interpreted.find(channel.channel)) {
             result.identified.push_back(std::move(channel));
         }
     }
-    result.rounded =
-        found.outcome == Outcome::Ambiguous ? found.parameters : inRoundNumbers(found, data, result.identified);
+    result.rounded = inRoundNumbers(found, interpreted, result.identified);
     if (!result.conventions.empty()) {
-        result.agreesWithGiven = !differs(compareTimed(given, data, stop));
+        result.agreesWithGiven = !differs(compareTimed(given, interpreted, stop));
     }
     if (!result.agreesWithGiven && !found.onlyRatios) {
-        result.change = findParameterChange(data, given, result.rounded);
+        result.change = findParameterChange(interpreted, given, result.rounded);
     }
     if (found.outcome == Outcome::Approximate) {
         found.standardError.fill(kNone);
     }
-}
-
-/// Sets everything that follows from the search. Returns false if nothing but the nearest mechanism can be reported.
-bool interpret(const ReferenceData &data, const Observations &all, const FileSearch &search, const Parameters &given,
-               const std::stop_token &stop, Diagnosis &result)
-{
-    const Decision decision = decide(search.data, search.candidates, given);
-    Identification &found = result.identification = decision.identification;
-    if (!found.hasMechanism()) {
-        return found.outcome == Outcome::Insufficient;
-    }
-    result.conventions = findConventions(search.data, decision.candidate, decision.uncertainty);
-    const ReferenceData good = withoutExcluded(data, all, search.excluded);
-    if (!found.onlyRatios) {
-        std::ranges::copy(findFaultsOfWholeFile(good, given, found), std::back_inserter(result.conventions));
-    }
-    if (!measureFindings(good, found.parameters, result.conventions) ||
-        isOfTwoMechanisms(search, decision.candidate, given, stop)) {
-        return false;
-    }
-    for (const std::size_t row : search.excluded) {
-        found.excludedRows.push_back(data.lineOfRow(row));
-    }
-    compareInterpreted(good, search, decision.candidate, given, stop, result);
     return true;
 }
 
@@ -155,57 +145,28 @@ Diagnosis diagnoseAxes(const ReferenceData &data, const Parameters &given, const
     return result;
 }
 
-/// Whether the file has columns of lengths, none of which has a unit.
-bool hasNoLengthUnit(const FileLayout &layout)
-{
-    const auto isLength = [](const FileColumn &column) {
-        return column.role == ColumnRole::Channel && !isAngle(column.channel.coordinate);
-    };
-    return std::ranges::any_of(layout.columns, isLength) &&
-           std::ranges::none_of(layout.columns,
-                                [&](const FileColumn &column) { return isLength(column) && !column.unit.empty(); });
-}
-
-/// The diagnosis after the axes are exchanged; nullopt if the slider does not move along y, or if this does not explain
-/// its motion.
-std::optional<Diagnosis> diagnoseExchanged(const ReferenceData &data, const Parameters &given, bool withAngles,
-                                           const std::stop_token &stop)
-{
-    const std::optional<Convention> axis = axisAlongY(data, withAngles);
-    if (!axis) {
-        return std::nullopt;
-    }
-    Diagnosis result = diagnoseAxes(applied(*axis, data), given, stop);
-    const bool explainsSlider = std::ranges::any_of(result.identified, [](const ChannelComparison &channel) {
-        return channel.channel.coordinate == R4x && channel.verdict != Verdict::Differs;
-    });
-    if (!result.identification.hasMechanism() || !explainsSlider) {
-        return std::nullopt;
-    }
-    result.conventions.insert(result.conventions.begin(), ConventionFinding{*axis});
-    measureFindings(data, result.identification.parameters, result.conventions);
-    return result;
-}
-
 } // namespace
 
 Diagnosis diagnose(const ReferenceData &data, const Mechanism &mechanism, std::stop_token stop)
 {
-    constexpr double kShortCrank = 1.0; // mm
-    std::optional<Diagnosis> exchanged;
+    std::optional<Diagnosis> best;
     for (const bool withAngles : {false, true}) {
-        std::optional<Diagnosis> tried = diagnoseExchanged(data, mechanism.parameters(), withAngles, stop);
-        if (tried && (!exchanged || tried->conventions.size() < exchanged->conventions.size())) {
-            exchanged = std::move(tried);
+        const std::optional<Convention> axis = axisAlongY(data, withAngles);
+        if (!axis) {
+            break;
+        }
+        Diagnosis exchanged = diagnoseAxes(applied(*axis, data), mechanism.parameters(), stop);
+        const bool explainsSlider = std::ranges::any_of(exchanged.identified, [](const ChannelComparison &channel) {
+            return channel.channel.coordinate == R4x && channel.verdict != Verdict::Differs;
+        });
+        exchanged.conventions.insert(exchanged.conventions.begin(), ConventionFinding{*axis});
+        if (exchanged.identification.hasMechanism() && explainsSlider &&
+            (!best || exchanged.conventions.size() < best->conventions.size())) {
+            measureFindings(data, exchanged.identification.parameters, exchanged.conventions);
+            best = std::move(exchanged);
         }
     }
-    Diagnosis result = exchanged ? *std::move(exchanged) : diagnoseAxes(data, mechanism.parameters(), stop);
-    result.mayBeInMetres = result.identification.hasMechanism() && !result.identification.onlyRatios &&
-                           result.identification.parameters.a < kShortCrank && hasNoLengthUnit(data.layout) &&
-                           std::ranges::none_of(result.conventions, [](const ConventionFinding &finding) {
-                               return finding.convention.kind == Kind::LengthUnit;
-                           });
-    return result;
+    return best ? *std::move(best) : diagnoseAxes(data, mechanism.parameters(), stop);
 }
 
 } // namespace slidercrank

@@ -44,9 +44,6 @@ struct Diagnosis {
     /// from it and a mechanism explains the file.
     std::optional<ParameterChange> change;
 
-    /// The file has no unit of length, and the crank is shorter than 1 mm.
-    bool mayBeInMetres = false;
-
     std::optional<CrankSpeedChange> unevenCrank; ///< set if the file contains θ2 and the speed is not constant
 };
 

@@ -173,9 +173,9 @@ ReferenceData allApplied(const std::vector<ConventionFinding> &findings, Referen
 
 bool measureFindings(const ReferenceData &data, const Parameters &found, std::vector<ConventionFinding> &findings)
 {
-    bool doAllPay = true;
     const ReferenceData some = thinnedData(data, kFewRows);
-    for (std::size_t i = 0; i < findings.size();) {
+    const ReferenceData interpreted = allApplied(findings, some);
+    for (std::size_t i = 0; i < findings.size(); ++i) {
         const Convention &convention = findings[i].convention;
         std::vector<ConventionFinding> others = findings;
         others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
@@ -185,14 +185,14 @@ bool measureFindings(const ReferenceData &data, const Parameters &found, std::ve
                                  (data.crank && concerns(convention, kCrankAngle));
         const std::vector<Channel> channels = concernsAll ? std::vector<Channel>() : convention.channels;
         findings[i].before = largestPercent(without, allApplied(others, some), channels);
-        findings[i].after = largestPercent(found, allApplied(findings, some), channels);
-        if (findings[i].after < findings[i].before) {
-            ++i;
-        } else {
-            doAllPay = doAllPay && (convention.kind == Kind::WholeTurns || convention.kind == Kind::NotDerivative);
-            findings.erase(findings.begin() + static_cast<std::ptrdiff_t>(i));
-        }
+        findings[i].after = largestPercent(found, interpreted, channels);
     }
+    const auto isIdle = [](const ConventionFinding &finding) { return !(finding.after < finding.before); };
+    const bool doAllPay = std::ranges::none_of(findings, [&](const ConventionFinding &finding) {
+        const Kind kind = finding.convention.kind;
+        return isIdle(finding) && kind != Kind::WholeTurns && kind != Kind::NotDerivative;
+    });
+    std::erase_if(findings, isIdle);
     return doAllPay;
 }
 

@@ -178,24 +178,15 @@ NormalEquations normalEquations(const Observations &data, const Fit &fit)
     NormalEquations equations{Eigen::MatrixXd::Zero(size, size), Eigen::VectorXd::Zero(size)};
     Eigen::MatrixXd &matrix = equations.matrix;
     std::array<Eigen::Index, kCount> index{0, 1, 2, 3, 4};
-    std::array<double, kCount> slope;
+    Eigen::Matrix<double, kCount, 1> slope;
     forEachResidual<Dual>(data, hypothesis, [&](std::size_t row, std::size_t j, const Dual &model, double residual) {
-        for (std::size_t k = 0; k < kParameterCount; ++k) {
-            slope[k] = hypothesis.scale(j) * model.derivatives()[static_cast<Eigen::Index>(k)];
-        }
-        slope[kCount - 2] = 1.0;
-        slope[kCount - 1] = model.value();
+        slope << hypothesis.scale(j) * model.derivatives(), 1.0, model.value();
         index[kCount - 2] = Hypothesis::offsetIndex(j);
         index[kCount - 1] = index[kCount - 2] + 1;
         const double weight = 1.0 / fit.variances[j][row];
-        for (std::size_t k = 0; k < kCount; ++k) {
-            equations.gradient[index[k]] += weight * slope[k] * residual;
-            for (std::size_t l = 0; l <= k; ++l) {
-                matrix(index[k], index[l]) += weight * slope[k] * slope[l];
-            }
-        }
+        equations.gradient(index) += weight * residual * slope;
+        matrix(index, index) += weight * slope * slope.transpose();
     });
-    matrix.triangularView<Eigen::StrictlyUpper>() = matrix.transpose();
     for (Eigen::Index k = 0; k < size; ++k) {
         if (!hypothesis.isFreeUnknown(k) || !(matrix(k, k) > 0.0)) {
             matrix.row(k).setZero();

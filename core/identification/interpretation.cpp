@@ -43,14 +43,6 @@ double headingConversion(const ObservedColumn &column, Channel channel)
                                                          : 1.0 / kDegreesPerRadian;
 }
 
-/// Whether a column that tells the shape is a derivative.
-bool hasDerivatives(const Observations &data)
-{
-    return std::ranges::any_of(data.columns, [](const ObservedColumn &column) {
-        return tellsShape(column) && column.channel.order != Order::Position;
-    });
-}
-
 /// The crank angle where that of the file is zero, rad.
 double crankOrigin(const Observations &data, const Hypothesis &hypothesis)
 {
@@ -112,7 +104,7 @@ double interpretColumn(const ObservedColumn &column, const ColumnRegression &reg
             best = misfit(aboutMean);
         }
     }
-    if (!isPlain && best >= 0.0 && column.channel.order != Order::Position && tellsShape(column)) {
+    if (!isPlain && best >= 0.0 && isShapeDerivative(column)) {
         use = {column.channel};
         use.isUsed = false;
     }
@@ -216,22 +208,21 @@ std::vector<double> sizesToldBy(const Observations &data, const std::vector<Colu
 std::vector<double> speedsToldBy(const Observations &data, const std::vector<ColumnRegression> &regressions)
 {
     std::vector<double> speeds;
+    double size = 1.0; // of the lengths, by the slider's position
+    for (std::size_t j = 0; j < regressions.size(); ++j) {
+        if (data.columns[j].channel == Channel{R4x, Order::Position} && tellsShape(data.columns[j])) {
+            size = std::abs(regressions[j].slope());
+        }
+    }
     for (std::size_t j = 0; j < regressions.size(); ++j) {
         const Channel channel = data.columns[j].channel;
         if (channel == Channel{Theta2, Order::Velocity}) {
             addDistinct(data.columns[j].mean, speeds);
         }
-        if (!tellsShape(data.columns[j]) || channel.order == Order::Position) {
+        if (!isShapeDerivative(data.columns[j])) {
             continue;
         }
-        double size = 1.0; // of the position of the same coordinate
-        for (std::size_t k = 0; k < regressions.size(); ++k) {
-            const Channel other = data.columns[k].channel;
-            if (isLength(channel) && isLength(other) && other.order == Order::Position && tellsShape(data.columns[k])) {
-                size = std::abs(regressions[k].slope());
-            }
-        }
-        const double ratio = regressions[j].slope() / size;
+        const double ratio = regressions[j].slope() / (isLength(channel) ? size : 1.0);
         if (channel.order == Order::Velocity) {
             addDistinct(ratio, speeds);
         } else {
@@ -283,7 +274,7 @@ void addOfImage(const Observations &data, Hypothesis hypothesis, const Interpret
     if (regressions.empty()) {
         return;
     }
-    const bool mayBeOtherTime = !options.isPlain && hasDerivatives(data) && !data.isByCrankAngle;
+    const bool mayBeOtherTime = !options.isPlain && std::ranges::any_of(data.columns, isShapeDerivative) && !data.isByCrankAngle;
     for (const double size : sizesToldBy(data, regressions, options, hypothesis)) {
         for (const double timeUnit : kTimeFactors) {
             if (timeUnit != 1.0 && !mayBeOtherTime) {
@@ -400,7 +391,7 @@ void addInterpretations(const Observations &data, const Fit &shape, const Interp
     constexpr double kFewRowsPerTurn = 6.0;
     std::vector<double> speedShifts{0.0}; // aliases
     const double rowSpeed = kTurn / data.interval();
-    if (!data.isByCrankAngle && hasDerivatives(data) &&
+    if (!data.isByCrankAngle && std::ranges::any_of(data.columns, isShapeDerivative) &&
         std::abs(shape.hypothesis.unknowns[3]) * kFewRowsPerTurn > rowSpeed) {
         for (const double turns : {-3.0, -2.0, -1.0, 1.0, 2.0, 3.0}) {
             speedShifts.push_back(turns * rowSpeed);

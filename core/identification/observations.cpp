@@ -184,6 +184,11 @@ bool tellsShape(const ObservedColumn &column)
     return column.varies && column.channel.coordinate != Theta2 && column.channel.coordinate != R4y;
 }
 
+bool isShapeDerivative(const ObservedColumn &column)
+{
+    return tellsShape(column) && column.channel.order != Order::Position;
+}
+
 bool isConstantByNature(Channel channel)
 {
     return channel == Channel{R4y, Order::Position} || channel == Channel{Theta2, Order::Velocity};

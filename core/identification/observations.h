@@ -40,6 +40,9 @@ bool removeJumps(std::vector<double> &angles, double turn);
 /// the crank angle or the offset.
 bool tellsShape(const ObservedColumn &column);
 
+/// Whether the column is a derivative that tells the shape.
+bool isShapeDerivative(const ObservedColumn &column);
+
 inline bool isLength(Channel channel)
 {
     return !isAngle(channel.coordinate);

@@ -121,34 +121,6 @@ double errorOf(const Identification &found, Parameter parameter)
 
 constexpr std::array kAllParameters{Parameter::A, Parameter::B, Parameter::C, Parameter::Omega2, Parameter::Theta20};
 
-/// Nominal values of an approximate mechanism: the roundest values that explain the file equally well. They may be many
-/// standard errors away, because a filter changes the parameters by more than that.
-Parameters nominalParameters(const Identification &found, const ReferenceData &data)
-{
-    constexpr double kEqually = 1.1;
-    const double most = kEqually * largestDeviation(found.parameters, found, data);
-    Parameters nominal = found.parameters;
-    const auto tryRounding = [&](std::span<const Parameter> parameters) {
-        for (const double errorFactor : {1000.0, 300.0, 100.0, 30.0, 10.0, 3.0, 1.0}) {
-            Parameters tried = nominal;
-            for (const Parameter parameter : parameters) {
-                const double error = errorFactor * errorOf(found, parameter);
-                double &value = valueOf(tried, parameter);
-                value = std::isnan(error) ? value : roundNumber(unitsOf(parameter), value, error).value_or(value);
-            }
-            if (!findFault(tried) && largestDeviation(tried, found, data) <= most) {
-                nominal = tried;
-            }
-        }
-    };
-    tryRounding(kAllParameters);
-    tryRounding(std::span(kAllParameters).first(3));
-    for (const Parameter parameter : kAllParameters) {
-        tryRounding(std::array{parameter});
-    }
-    return nominal;
-}
-
 } // namespace
 
 double roundest(double value, double standardError, std::span<const double> units)
@@ -159,17 +131,39 @@ double roundest(double value, double standardError, std::span<const double> unit
 Parameters inRoundNumbers(const Identification &found, const ReferenceData &data,
                           std::span<const ChannelComparison> identified)
 {
-    if (found.outcome == Identification::Outcome::Approximate) {
-        return nominalParameters(found, data);
-    }
+    // An approximate mechanism gets nominal values, the roundest that explain the file equally well. They may be many
+    // standard errors away, because a filter changes the parameters by more than that.
+    constexpr double kEqually = 1.1;
+    const bool isApproximate = found.outcome == Identification::Outcome::Approximate;
+    const double most = isApproximate ? kEqually * largestDeviation(found.parameters, found, data) : 0.0;
     Parameters rounded = found.parameters;
-    for (const Parameter parameter : kAllParameters) {
-        if (const double error = errorOf(found, parameter); !std::isnan(error)) {
-            valueOf(rounded, parameter) = roundest(valueOf(rounded, parameter), error, unitsOf(parameter));
+    const auto tryRounding = [&](std::span<const Parameter> parameters, double errorFactor) {
+        Parameters tried = rounded;
+        for (const Parameter parameter : parameters) {
+            const double error = errorFactor * errorOf(found, parameter);
+            double &value = valueOf(tried, parameter);
+            if (!std::isnan(error)) {
+                value = isApproximate ? roundNumber(unitsOf(parameter), value, error).value_or(value)
+                                      : roundest(value, error, unitsOf(parameter));
+            }
+        }
+        if (!findFault(tried) && (isApproximate ? largestDeviation(tried, found, data) <= most
+                                                : agreesAsWell(tried, data, identified))) {
+            rounded = tried;
+        }
+    };
+    if (found.outcome == Identification::Outcome::Identified) {
+        tryRounding(kAllParameters, 1.0);
+    } else if (isApproximate) {
+        const std::span<const Parameter> all = kAllParameters;
+        for (const auto &parameters : {all, all.first(3), all.subspan(0, 1), all.subspan(1, 1), all.subspan(2, 1),
+                                       all.subspan(3, 1), all.subspan(4, 1)}) {
+            for (const double errorFactor : {1000.0, 300.0, 100.0, 30.0, 10.0, 3.0, 1.0}) {
+                tryRounding(parameters, errorFactor);
+            }
         }
     }
-    const bool isGood = !findFault(rounded) && agreesAsWell(rounded, data, identified);
-    return isGood ? rounded : found.parameters;
+    return rounded;
 }
 
 } // namespace slidercrank

@@ -1033,10 +1033,6 @@ Equipo: %1. Tiempo: %2 s.
         <translation>La velocidad de la manivela no es constante: %1 rad/s al principio y %2 rad/s al final.</translation>
     </message>
     <message>
-        <source>The file does not give the unit of its lengths, which were read as mm: if they are metres, %1; then write [m] behind the headings.</source>
-        <translation>El archivo no indica la unidad de sus longitudes, que se han leído como mm: si son metros, %1; en ese caso escriba [m] detrás de los encabezados.</translation>
-    </message>
-    <message>
         <source>Columns left out, because they deviate from the motion of the others: %1.</source>
         <translation>Columnas excluidas porque se desvían del movimiento de las demás: %1.</translation>
     </message>

@@ -210,11 +210,6 @@ QString caveatText(const Diagnosis &diagnosis)
     if (const QStringList given = givenTexts(found); !given.isEmpty()) {
         sentences << DiagnosisText::tr("The data do not determine %1: kept as given.").arg(listed(given));
     }
-    if (diagnosis.mayBeInMetres) {
-        sentences << DiagnosisText::tr("The file does not give the unit of its lengths, which were read as mm: if they "
-                                       "are metres, %1; then write [m] behind the headings.")
-                         .arg(equationText(Parameter::A, 1e3 * diagnosis.rounded.a));
-    }
     if (found.hasOneMechanism() && !found.leftOut.empty()) {
         sentences << DiagnosisText::tr("Columns left out, because they deviate from the motion of the others: %1.")
                          .arg(leftOutText(found));

@@ -275,6 +275,8 @@ private slots:
                 crank.values.push_back((p.theta20 + p.omega2 * t) * kDegreesPerRadian);
             }
             withCrank.series.push_back(std::move(crank));
+            // A constant column is not the motion of any mechanism.
+            withCrank.series.push_back({{R2x, Order::Position}, std::vector<double>(data.time.size(), 7.0), {}});
             for (const Parameters &given : {p, random.ordinary(), Parameters()}) {
                 for (const ReferenceData &file : {data, withCrank}) {
                     const auto found = findConventions(file, given);
@@ -282,21 +284,6 @@ private slots:
                 }
             }
         }
-    }
-
-    void findsTheAngleUnitOfATableByCrankAngle()
-    {
-        Parameters p;
-        p.omega2 = 1.0; // then the time in seconds is the crank angle in radians
-        Printing printing;
-        printing.to = 7.0;
-        printing.channels = "110000";
-        const std::string text = printedMotion(p, printing, [](int, std::size_t) { return false; });
-        ReferenceData data = std::get<ReferenceData>(readReferenceData("theta2 [°]" + text.substr(4)));
-        QVERIFY(data.crank.has_value());
-        data = applied({Kind::AngleUnit, {kTheta}, 1.0 / kDegreesPerRadian}, std::move(data));
-        const auto found = findConventions(data, p);
-        QVERIFY2(areFound(found, {{Kind::AngleUnit, {kCrankAngle, kTheta}, kDegreesPerRadian}}), described(found));
     }
 
     void findsNothingThatAnotherMechanismExplains()
@@ -353,23 +340,6 @@ private slots:
                 const auto found = findConventions(data, given);
                 QVERIFY2(areFound(found, expected), QByteArray::number(i) + ": " + described(found));
             }
-        }
-    }
-
-    void acceptsGapsAndOtherColumns()
-    {
-        const Parameters p = RandomMechanisms(11).ordinary();
-        Printing printing;
-        printing.to = 1.7 * 360.0 / kDegreesPerRadian / std::abs(p.omega2);
-        ReferenceData data = printedData(
-            p, printing, [](int row, std::size_t column) { return row % 5 == static_cast<int>(column % 5); });
-        const Convention unit{Kind::AngleUnit, {kTheta}, kDegreesPerRadian};
-        data = applied({Kind::AngleUnit, {kTheta}, 1.0 / kDegreesPerRadian}, std::move(data));
-        // Adds a column that is not one of the six channels and is not the motion of this mechanism.
-        data.series.push_back({{R2x, Order::Position}, std::vector<double>(data.time.size(), 7.0), {}});
-        for (const Parameters &given : {p, Parameters()}) {
-            const auto found = findConventions(data, given);
-            QVERIFY2(areFound(found, {unit}), described(found));
         }
     }
 
@@ -446,28 +416,6 @@ private slots:
         data.series[0].channel.coordinate = R4y;
         std::ranges::generate(data.series[0].values, [&] { return random.uniform(-50.0, 50.0); });
         QVERIFY(findConventions(data, Parameters()).empty());
-    }
-
-    void reportsThatLengthsMayBeMetres()
-    {
-        struct Row {
-            double size;
-            const char *heading;
-            bool may;
-        };
-        for (const Row &row : {Row{1e-3, "time,R4_x", true},
-                               {1e-3, "time,R4_x [mm]", false},
-                               {1e-3, "time,R4_x [m]", false},
-                               {1.0, "time,R4_x", false}}) {
-            const Parameters p{40.0 * row.size, 110.0 * row.size, 25.0 * row.size};
-            Printing printing;
-            printing.channels = "010000";
-            const std::string text = printedMotion(p, printing, [](int, std::size_t) { return false; });
-            const auto outcome = readReferenceData(row.heading + text.substr(text.find('\n')));
-            const Diagnosis diagnosis = diagnose(std::get<ReferenceData>(outcome), Mechanism());
-            QVERIFY2(diagnosis.identification.hasMechanism(), row.heading);
-            QVERIFY2(diagnosis.mayBeInMetres == row.may, row.heading);
-        }
     }
 
     void findsALateStartAsARoundNumber()

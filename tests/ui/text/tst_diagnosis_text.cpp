@@ -113,13 +113,6 @@ private slots:
              },
              "The data do not determine ω₂ = 2 rad/s and θ₂₀ = 0°: kept as given."},
             {[](Diagnosis &d) {
-                 d.rounded.a = 0.04;
-                 d.mayBeInMetres = true;
-             },
-             "The file does not give the unit of its lengths, which were read as mm: if they are metres, a = 40 mm; "
-             "then "
-             "write [m] behind the headings."},
-            {[](Diagnosis &d) {
                  d.identification.leftOut = {{kTheta3, 1.25}, {kSlider, 3.0}};
              },
              "Columns left out, because they deviate from the motion of the others: θ³ (1.25 % of its peak), Rₓ⁴ (3.00 "
