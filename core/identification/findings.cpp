@@ -113,26 +113,20 @@ std::vector<ConventionFinding> findFaultsOfWholeFile(const ReferenceData &data, 
     p.theta20 *= sense;
     errors[indexOf(Parameter::Omega2)] /= timeFactor;
     std::vector<ConventionFinding> findings;
-    const auto add = [&](Kind kind, double amount, auto &&concerns) {
-        ConventionFinding &finding = findings.emplace_back(ConventionFinding{{kind, {}, amount}});
-        for (const ReferenceSeries &series : data.series) {
-            if (concerns(series.channel)) {
-                finding.convention.channels.push_back(series.channel);
+    const auto addIf = [&](bool isPresent, Kind kind, double amount, auto &&concerns) {
+        if (isPresent) {
+            ConventionFinding &finding = findings.emplace_back(ConventionFinding{{kind, {}, amount}});
+            for (const ReferenceSeries &series : data.series) {
+                if (concerns(series.channel)) {
+                    finding.convention.channels.push_back(series.channel);
+                }
             }
         }
     };
-    if (lengthFactor != 1.0) {
-        add(Kind::LengthUnit, lengthFactor, isLength);
-    }
-    if (timeFactor != 1.0) {
-        add(Kind::TimeUnit, timeFactor, [](Channel channel) { return channel.order != Order::Position; });
-    }
-    if (isReversed) {
-        add(Kind::Sign, -1.0, [](Channel channel) { return isAngle(channel.coordinate); });
-    }
-    if (p.branch != given.branch) {
-        findings.push_back({{Kind::Branch, {}, 1.0}});
-    }
+    addIf(lengthFactor != 1.0, Kind::LengthUnit, lengthFactor, isLength);
+    addIf(timeFactor != 1.0, Kind::TimeUnit, timeFactor, [](Channel channel) { return channel.order != Order::Position; });
+    addIf(isReversed, Kind::Sign, -1.0, [](Channel channel) { return !isLength(channel); });
+    addIf(p.branch != given.branch, Kind::Branch, 1.0, [](Channel) { return false; });
     Parameters likeGiven = p;
     likeGiven.theta20 = given.theta20;
     likeGiven.branch = given.branch;
@@ -173,9 +167,9 @@ ReferenceData allApplied(const std::vector<ConventionFinding> &findings, Referen
 
 bool measureFindings(const ReferenceData &data, const Parameters &found, std::vector<ConventionFinding> &findings)
 {
+    bool doAllPay = true;
     const ReferenceData some = thinnedData(data, kFewRows);
-    const ReferenceData interpreted = allApplied(findings, some);
-    for (std::size_t i = 0; i < findings.size(); ++i) {
+    for (std::size_t i = 0; i < findings.size();) { // a finding that is removed may change those that follow
         const Convention &convention = findings[i].convention;
         std::vector<ConventionFinding> others = findings;
         others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
@@ -185,14 +179,14 @@ bool measureFindings(const ReferenceData &data, const Parameters &found, std::ve
                                  (data.crank && concerns(convention, kCrankAngle));
         const std::vector<Channel> channels = concernsAll ? std::vector<Channel>() : convention.channels;
         findings[i].before = largestPercent(without, allApplied(others, some), channels);
-        findings[i].after = largestPercent(found, interpreted, channels);
+        findings[i].after = largestPercent(found, allApplied(findings, some), channels);
+        if (findings[i].after < findings[i].before) {
+            ++i;
+        } else {
+            doAllPay = doAllPay && (convention.kind == Kind::WholeTurns || convention.kind == Kind::NotDerivative);
+            findings = std::move(others);
+        }
     }
-    const auto isIdle = [](const ConventionFinding &finding) { return !(finding.after < finding.before); };
-    const bool doAllPay = std::ranges::none_of(findings, [&](const ConventionFinding &finding) {
-        const Kind kind = finding.convention.kind;
-        return isIdle(finding) && kind != Kind::WholeTurns && kind != Kind::NotDerivative;
-    });
-    std::erase_if(findings, isIdle);
     return doAllPay;
 }
 
@@ -211,8 +205,7 @@ std::optional<ParameterChange> findParameterChange(const ReferenceData &data, co
     };
     const double before = squaresOf(given);
     std::optional<ParameterChange> best;
-    for (const Parameter parameter :
-         {Parameter::A, Parameter::B, Parameter::C, Parameter::Omega2, Parameter::Theta20}) {
+    for (const Parameter parameter : kAllParameters) {
         Parameters changed = given;
         valueOf(changed, parameter) = parameter == Parameter::Theta20
                                           ? given.theta20 + std::remainder(found.theta20 - given.theta20, kTurn)

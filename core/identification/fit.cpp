@@ -48,7 +48,7 @@ double noiseVarianceOf(const std::vector<double> &residuals, const std::vector<d
     return high;
 }
 
-/// Computes residuals, variances and noise at the unknowns of the hypothesis. Returns false if the mechanism cannot be
+/// Computes residuals, variances, noise and their sums at the unknowns of the hypothesis. Returns false if the mechanism cannot be
 /// assembled in some row.
 bool weigh(const Observations &data, Fit &fit)
 {
@@ -59,6 +59,7 @@ bool weigh(const Observations &data, Fit &fit)
     fit.variances = fit.residuals;
     fit.noiseVariances.assign(columnCount, 0.0);
     fit.noiseParts = fit.noiseVariances;
+    fit.chiSquare = fit.logVariance = fit.valueCount = 0.0;
     const double rate = hypothesis.phaseRate(data);
     const double angleError = rate * (0.5 * data.span() + std::abs(data.origin)) * kDoublePrecision;
     const double roundingOfAngle = rate * hypothesis.abscissaStep;
@@ -86,7 +87,15 @@ bool weigh(const Observations &data, Fit &fit)
         const double spread = interpretedSpread(data, hypothesis, j);
         const bool isBalanced = hypothesis.isBalanced && data.columns[j].varies;
         const double noise = isBalanced ? meanPart * spread * spread : fit.noiseVariances[j];
-        std::ranges::for_each(fit.variances[j], [=](double &variance) { variance += noise; });
+        for (std::size_t i = 0; i < data.abscissa.size(); ++i) {
+            double &variance = fit.variances[j][i];
+            variance += noise;
+            if (const double residual = fit.residuals[j][i]; !std::isnan(residual)) {
+                fit.chiSquare += residual * residual / variance;
+                fit.logVariance += std::log(variance / (spread * spread));
+                fit.valueCount += 1.0;
+            }
+        }
     }
     return true;
 }
@@ -207,15 +216,7 @@ Fit evaluateHypothesis(const Observations &data, Hypothesis hypothesis)
     // S = Σ [r²/V + ln(V/z²)] + k ln N. A column that is not used counts as a column whose noise is its spread.
     fit.score = 0.0;
     for (std::size_t j = 0; j < data.columns.size(); ++j) {
-        const double spread = interpretedSpread(data, fit.hypothesis, j);
         fit.score += fit.hypothesis.columns[j].isUsed ? 0.0 : data.columns[j].count;
-        for (std::size_t i = 0; i < data.abscissa.size(); ++i) {
-            if (const double residual = fit.residuals[j][i]; !std::isnan(residual)) {
-                fit.chiSquare += residual * residual / fit.variances[j][i];
-                fit.logVariance += std::log(fit.variances[j][i] / (spread * spread));
-                fit.valueCount += 1.0;
-            }
-        }
     }
     for (Eigen::Index k = 0; k < fit.hypothesis.unknowns.size(); ++k) {
         fit.freeCount += fit.hypothesis.isFreeUnknown(k) ? 1.0 : 0.0;

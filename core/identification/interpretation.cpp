@@ -241,24 +241,21 @@ std::vector<Hypothesis> crankHypotheses(const Observations &data, const Hypothes
     constexpr double kAbout = 0.2; // rad
     constexpr std::size_t kOrigin = indexOf(Parameter::Theta20);
     constexpr std::size_t kSpeed = indexOf(Parameter::Omega2);
-    std::vector<Hypothesis> origins;
-    if (std::abs(crankOrigin(data, hypothesis)) < kAbout && (!options.isPlain || hypothesis.abscissaFactor == 1.0)) {
-        Hypothesis fixed = hypothesis;
-        fixed.unknowns[4] = hypothesis.abscissaFactor * data.origin;
-        fixed.isFree[kOrigin] = false;
-        origins.push_back(std::move(fixed));
-    }
-    if (!options.isPlain) {
-        origins.push_back(hypothesis);
-        origins.back().isFree[kOrigin] = true;
-    }
     std::vector<Hypothesis> all;
-    for (Hypothesis &origin : origins) {
-        const std::vector<double> speeds = speedsToldBy(data, columnRegressions(data, origin));
-        origin.isFree[kSpeed] = !speeds.empty();
+    const bool mayBeFixed =
+        std::abs(crankOrigin(data, hypothesis)) < kAbout && (!options.isPlain || hypothesis.abscissaFactor == 1.0);
+    for (const bool isFixed : {true, false}) {
+        if (isFixed ? !mayBeFixed : options.isPlain) {
+            continue;
+        }
+        Hypothesis crank = hypothesis;
+        crank.isFree[kOrigin] = !isFixed;
+        crank.unknowns[4] = isFixed ? hypothesis.abscissaFactor * data.origin : hypothesis.unknowns[4];
+        const std::vector<double> speeds = speedsToldBy(data, columnRegressions(data, crank));
+        crank.isFree[kSpeed] = !speeds.empty();
         for (const double speed : speeds.empty() ? std::vector<double>{options.given.omega2} : speeds) {
-            all.push_back(origin);
-            all.back().unknowns[3] = speed;
+            crank.unknowns[3] = speed;
+            all.push_back(crank);
         }
     }
     return all;
@@ -322,13 +319,16 @@ std::vector<Convention> conventionsOf(const Observations &data, const Hypothesis
     if (hypothesis.timeUnit != 1.0) {
         conventions.push_back({Kind::TimeUnit, {}, hypothesis.timeUnit});
     }
-    if (const double factor = hypothesis.abscissaFactor; data.isByCrankAngle) {
-        if (std::abs(factor) != 1.0) {
-            add(Kind::AngleUnit, std::abs(factor), kCrankAngle);
+    const auto addUnitAndSign = [&](const ColumnUse &use) {
+        if (std::abs(use.unit) != 1.0) {
+            add(isLength(use.channel) ? Kind::LengthUnit : Kind::AngleUnit, std::abs(use.unit), use.channel);
         }
-        if (factor < 0.0) {
-            add(Kind::Sign, -1.0, kCrankAngle);
+        if (use.unit < 0.0) {
+            add(Kind::Sign, -1.0, use.channel);
         }
+    };
+    if (data.isByCrankAngle) {
+        addUnitAndSign({kCrankAngle, hypothesis.abscissaFactor});
         if (hypothesis.isFree[indexOf(Parameter::Theta20)]) {
             add(Kind::ZeroPoint, crankOrigin(data, hypothesis) * kDegreesPerRadian, kCrankAngle);
         }
@@ -339,12 +339,7 @@ std::vector<Convention> conventionsOf(const Observations &data, const Hypothesis
             add(Kind::NotDerivative, 1.0, use.channel);
             continue;
         }
-        if (std::abs(use.unit) != 1.0) {
-            add(isLength(use.channel) ? Kind::LengthUnit : Kind::AngleUnit, std::abs(use.unit), use.channel);
-        }
-        if (use.unit < 0.0) {
-            add(Kind::Sign, -1.0, use.channel);
-        }
+        addUnitAndSign(use);
         if (use.channel == Channel{Theta3, Order::Position} && (use.turn != 0.0 || data.columns[j].hadJumps)) {
             add(use.isHalfTurned() ? Kind::HalfTurn : Kind::WholeTurns, -use.turn * kDegreesPerRadian, use.channel);
         }
@@ -389,18 +384,16 @@ void addInterpretations(const Observations &data, const Fit &shape, const Interp
                         std::vector<RatedHypothesis> &interpretations)
 {
     constexpr double kFewRowsPerTurn = 6.0;
-    std::vector<double> speedShifts{0.0}; // aliases
     const double rowSpeed = kTurn / data.interval();
-    if (!data.isByCrankAngle && std::ranges::any_of(data.columns, isShapeDerivative) &&
-        std::abs(shape.hypothesis.unknowns[3]) * kFewRowsPerTurn > rowSpeed) {
-        for (const double turns : {-3.0, -2.0, -1.0, 1.0, 2.0, 3.0}) {
-            speedShifts.push_back(turns * rowSpeed);
+    const bool mayBeAlias = !data.isByCrankAngle && std::ranges::any_of(data.columns, isShapeDerivative) &&
+                            std::abs(shape.hypothesis.unknowns[3]) * kFewRowsPerTurn > rowSpeed;
+    for (const double turns : {0.0, -3.0, -2.0, -1.0, 1.0, 2.0, 3.0}) {
+        if (turns != 0.0 && !mayBeAlias) {
+            continue;
         }
-    }
-    for (const double shift : speedShifts) {
         Parameters alias = middleParameters(shape.hypothesis);
-        alias.omega2 += shift;
-        alias.theta20 -= shift * data.abscissa.front();
+        alias.omega2 += turns * rowSpeed;
+        alias.theta20 -= turns * rowSpeed * data.abscissa.front();
         for (const Parameters &image : mirrorImages(alias)) {
             if (options.stop.stop_requested()) {
                 return;

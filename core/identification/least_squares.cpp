@@ -46,19 +46,16 @@ double conditionNumber(const Eigen::MatrixXd &matrix)
 
 Eigen::MatrixXd harmonicBasis(std::span<const double> angles, Eigen::Index harmonics)
 {
-    Eigen::MatrixXd basis(2 * harmonics + 1, static_cast<Eigen::Index>(angles.size()));
-    for (Eigen::Index i = 0; i < basis.cols(); ++i) {
-        const double c = std::cos(angles[static_cast<std::size_t>(i)]);
-        const double s = std::sin(angles[static_cast<std::size_t>(i)]);
-        basis(0, i) = 1.0;
-        basis(1, i) = c;
-        basis(2, i) = s;
-        for (Eigen::Index k = 3; k < basis.rows(); k += 2) {
-            basis(k, i) = basis(k - 2, i) * c - basis(k - 1, i) * s;
-            basis(k + 1, i) = basis(k - 1, i) * c + basis(k - 2, i) * s;
-        }
+    const Eigen::Map<const Eigen::Array<double, 1, Eigen::Dynamic>> angle(angles.data(), std::ssize(angles));
+    Eigen::ArrayXXd basis(2 * harmonics + 1, angle.size());
+    basis.row(0) = 1.0;
+    basis.row(1) = angle.cos();
+    basis.row(2) = angle.sin();
+    for (Eigen::Index k = 3; k < basis.rows(); k += 2) {
+        basis.row(k) = basis.row(k - 2) * basis.row(1) - basis.row(k - 1) * basis.row(2);
+        basis.row(k + 1) = basis.row(k - 1) * basis.row(1) + basis.row(k - 2) * basis.row(2);
     }
-    return basis;
+    return basis.matrix();
 }
 
 Eigen::MatrixXd powerBasis(std::span<const double> times, Eigen::Index terms)

@@ -65,7 +65,6 @@ void removeSaturation(std::vector<double> &values, double step)
     constexpr double kMostJumps = 0.2;        // of all changes between saturated and other values
     const ValueRange range = rangeOf(values);
     const double tolerance = std::max(step, kArithmeticPart * range.size());
-    std::vector<bool> isSaturated(values.size(), false);
     for (const double limit : {range.low, range.high}) {
         const auto repeats = std::ranges::count(values, limit);
         const auto besideLimit = std::ranges::count_if(values, [&](double value) {
@@ -79,15 +78,11 @@ void removeSaturation(std::vector<double> &values, double step)
                 jumps += std::abs(values[i] - values[i - 1]) > kLargestJumpPart * range.width() ? 1.0 : 0.0;
             }
         }
-        if (repeats >= kFewestRepeats && 2 * besideLimit < repeats && jumps <= kMostJumps * neighbours &&
-            static_cast<double>(repeats) <= kMostPart * static_cast<double>(values.size()) && range.width() > 0.0) {
-            for (std::size_t i = 0; i < values.size(); ++i) {
-                isSaturated[i] = isSaturated[i] || values[i] == limit;
-            }
+        if (repeats >= kFewestRepeats && 2 * besideLimit < repeats && neighbours > 0.0 &&
+            jumps <= kMostJumps * neighbours &&
+            static_cast<double>(repeats) <= kMostPart * static_cast<double>(values.size())) {
+            std::ranges::replace(values, limit, kNone);
         }
-    }
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        values[i] = isSaturated[i] ? kNone : values[i];
     }
 }
 
@@ -99,12 +94,10 @@ void learnStatistics(ObservedColumn &column, const Rounding &rounding, double un
     constexpr double kFinestPart = 0.01;  // of the column's largest step
     double sum = 0.0;
     for (const double value : column.values) {
-        if (!std::isnan(value)) {
-            sum += value;
-            column.count += 1.0;
-        }
+        sum += std::isnan(value) ? 0.0 : value;
     }
     const ValueRange range = rangeOf(column.values);
+    column.count = static_cast<double>(range.count);
     column.mean = sum / std::max(column.count, 1.0);
     column.range = column.count > 0.0 ? range.width() : 0.0;
     column.varies = column.range > 0.0;
@@ -255,8 +248,7 @@ Observations selection(const Observations &all, std::span<const std::size_t> row
         static_cast<ColumnStatistics &>(column) = whole;
         column.values = valuesAt(whole.values, rows);
         column.variances = valuesAt(whole.variances, rows);
-        column.count =
-            static_cast<double>(std::ranges::count_if(column.values, [](double value) { return !std::isnan(value); }));
+        column.count = static_cast<double>(rangeOf(column.values).count);
     }
     return some;
 }

@@ -119,8 +119,6 @@ double errorOf(const Identification &found, Parameter parameter)
     return std::isfinite(error) && std::max(error, size) > 0.0 ? std::max(error, kArithmetic * size) : kNone;
 }
 
-constexpr std::array kAllParameters{Parameter::A, Parameter::B, Parameter::C, Parameter::Omega2, Parameter::Theta20};
-
 } // namespace
 
 double roundest(double value, double standardError, std::span<const double> units)

@@ -156,8 +156,7 @@ std::vector<ParameterError> parameterErrors(const Claim &claim, const Parameters
 {
     const std::array sizes = parameterSizes(truth);
     std::vector<ParameterError> errors;
-    for (const Parameter parameter :
-         {Parameter::A, Parameter::B, Parameter::C, Parameter::Omega2, Parameter::Theta20}) {
+    for (const Parameter parameter : kAllParameters) {
         const std::size_t i = indexOf(parameter);
         const bool isLength = parameter <= Parameter::C;
         const bool isRatio = claim.found.onlyRatios && isLength; // b and c scale with the given a

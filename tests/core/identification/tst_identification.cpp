@@ -361,8 +361,7 @@ private slots:
     void findsTheParameterThatExplainsTheDifference()
     {
         RandomMechanisms random(kSeed);
-        for (const Parameter parameter :
-             {Parameter::A, Parameter::B, Parameter::C, Parameter::Omega2, Parameter::Theta20}) {
+        for (const Parameter parameter : kAllParameters) {
             for (int i = 0; i < numericRuns(6, 50); ++i) {
                 const Parameters truth = random.ordinary();
                 Parameters given = truth;
