@@ -16,6 +16,12 @@ namespace slidercrank
 namespace
 {
 
+/// Whether the channel is a derivative that may be left out, constant or not.
+bool isPlottedDerivative(Channel channel)
+{
+    return channel.order != Order::Position && (channel.coordinate == R4x || channel.coordinate == Theta3);
+}
+
 bool isSame(const Hypothesis &x, const Hypothesis &y)
 {
     return x.timeUnit == y.timeUnit && x.columns == y.columns && x.abscissaFactor == y.abscissaFactor &&
@@ -41,7 +47,7 @@ void addWithFewerColumns(const Observations &data, const Candidate &candidate, R
     bool areDifferences = true;
     for (std::size_t j = 0; j < data.columns.size(); ++j) {
         if (candidate.judgements[j] >= least && candidate.judgements[j] != Residual::NotUsed) {
-            onlyDerivatives = onlyDerivatives && isShapeDerivative(data.columns[j]);
+            onlyDerivatives = onlyDerivatives && isPlottedDerivative(data.columns[j].channel);
             areDifferences = areDifferences && isLikeDifferences(data, candidate.hypothesis, j);
             hypothesis.columns[j] = {data.columns[j].channel};
             hypothesis.columns[j].isUsed = false;
@@ -58,7 +64,7 @@ void addWithFewerColumns(const Observations &data, const Candidate &candidate, R
                 return other.channel.coordinate == channel.coordinate && other.channel.order < channel.order;
             };
             hypothesis.columns[j].isUsed =
-                !isShapeDerivative(data.columns[j]) || std::ranges::none_of(hypothesis.columns, isLower);
+                !isPlottedDerivative(channel) || std::ranges::none_of(hypothesis.columns, isLower);
         }
         Candidate lowest = fitCandidate(data, std::move(hypothesis));
         if (lowest.acceptance != Acceptance::Rejected) {
