@@ -5,6 +5,8 @@
 #include "ui/window/main_window.h"
 #include "ui/window/scene_file.h"
 
+#include <QCoreApplication>
+
 #include <algorithm>
 
 namespace slidercrank
