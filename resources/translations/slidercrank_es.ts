@@ -2590,7 +2590,7 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     <name>slidercrank::PlotFigure</name>
     <message>
         <source>% of peak</source>
-        <translation>% del máximo</translation>
+        <translation>% máx.</translation>
     </message>
     <message>
         <source>not in the file</source>
