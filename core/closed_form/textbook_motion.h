@@ -60,8 +60,8 @@ struct TextbookMotion {
         return true;
     }
 
-    /// Returns θ3, which is continuous on either branch. Computed only on request, because of the cost of the
-    /// third of the rest.
+    /// Returns θ3, which is continuous on either branch. It is computed only on request, because the arctangent takes
+    /// a large part of the time.
     T theta3() const
     {
         using std::atan2;
