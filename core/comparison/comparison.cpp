@@ -51,8 +51,8 @@ Scale scaleOf(const Mechanism &mechanism, const ReferenceSeries &reference, std:
         }
     }
     scale.size = std::max(scale.peak, inFileUnit(naturalSize(mechanism.parameters(), reference.channel)));
-    scale.smallestStep = std::max(kArithmeticStep * scale.size,
-                                  kSmallestPartOfLargestStep * reference.rounding.stepAt(scale.peak));
+    scale.smallestStep =
+        std::max(kArithmeticStep * scale.size, kSmallestPartOfLargestStep * reference.rounding.stepAt(scale.peak));
     scale.halfRange = 0.5 * high - 0.5 * low;
     const bool belongsToGround = coordinate == R1x || coordinate == R1y || coordinate == Theta1;
     const bool belongsToLine = coordinate == R4y || coordinate == Theta4;
@@ -211,7 +211,8 @@ std::vector<ChannelComparison> compare(const Mechanism &mechanism, const Traject
     const auto comparisonOf = [&](std::size_t i) {
         return compareSeries(mechanism, model, reference, reference.series[i], effect ? &*effect : nullptr);
     };
-    inParallel(result.size(), [&](std::size_t i) { result[i] = comparisonOf(i); }, isLong);
+    inParallel(
+        result.size(), [&](std::size_t i) { result[i] = comparisonOf(i); }, isLong);
 
     // Time stamps that do not show it may nevertheless have been rounded. The effect must be small compared with the
     // motion, and with evenly spaced time stamps the best verdict is `close`.

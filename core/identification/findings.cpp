@@ -124,7 +124,8 @@ std::vector<ConventionFinding> findFaultsOfWholeFile(const ReferenceData &data, 
         }
     };
     addIf(lengthFactor != 1.0, Kind::LengthUnit, lengthFactor, isLength);
-    addIf(timeFactor != 1.0, Kind::TimeUnit, timeFactor, [](Channel channel) { return channel.order != Order::Position; });
+    addIf(timeFactor != 1.0, Kind::TimeUnit, timeFactor,
+          [](Channel channel) { return channel.order != Order::Position; });
     addIf(isReversed, Kind::Sign, -1.0, [](Channel channel) { return !isLength(channel); });
     addIf(p.branch != given.branch, Kind::Branch, 1.0, [](Channel) { return false; });
     Parameters likeGiven = p;

@@ -48,8 +48,8 @@ double noiseVarianceOf(const std::vector<double> &residuals, const std::vector<d
     return high;
 }
 
-/// Computes residuals, variances, noise and their sums at the unknowns of the hypothesis. Returns false if the mechanism cannot be
-/// assembled in some row.
+/// Computes residuals, variances, noise and their sums at the unknowns of the hypothesis. Returns false if the
+/// mechanism cannot be assembled in some row.
 bool weigh(const Observations &data, Fit &fit)
 {
     constexpr double kDoublePrecision = 1e-15; // relative to the largest angle, with some margin

@@ -21,7 +21,7 @@ namespace slidercrank
 ///
 ///     residual = scale · model + turn + offset − factor · value
 struct ColumnUse {
-    Channel channel; ///< that the values are taken for
+    Channel channel;         ///< that the values are taken for
     double unit = 1.0;       ///< unit conversion, negative if the axis is opposite
     double conversion = 1.0; ///< for another unit of time, and for a length with the heading of an angle or the reverse
     double turn = 0.0;       ///< half turns, rad

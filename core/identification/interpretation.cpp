@@ -114,7 +114,7 @@ double interpretColumn(const ObservedColumn &column, const ColumnRegression &reg
 /// Chooses the best interpretation of each column. The lengths of the hypothesis are multiplied by `size` first.
 /// Returns nullopt if more than half of the columns were left out.
 std::optional<RatedHypothesis> interpret(const Observations &data, Hypothesis hypothesis,
-                                        const std::vector<ColumnRegression> &regressions, double size, bool isPlain)
+                                         const std::vector<ColumnRegression> &regressions, double size, bool isPlain)
 {
     RatedHypothesis result{0.0, std::move(hypothesis)};
     std::size_t leftOut = 0;
@@ -271,7 +271,8 @@ void addOfImage(const Observations &data, Hypothesis hypothesis, const Interpret
     if (regressions.empty()) {
         return;
     }
-    const bool mayBeOtherTime = !options.isPlain && std::ranges::any_of(data.columns, isShapeDerivative) && !data.isByCrankAngle;
+    const bool mayBeOtherTime =
+        !options.isPlain && std::ranges::any_of(data.columns, isShapeDerivative) && !data.isByCrankAngle;
     for (const double size : sizesToldBy(data, regressions, options, hypothesis)) {
         for (const double timeUnit : kTimeFactors) {
             if (timeUnit != 1.0 && !mayBeOtherTime) {
@@ -372,8 +373,7 @@ double priceOf(const Observations &data, const Hypothesis &hypothesis)
             if ((isUnit || kind == Kind::Sign) && columns >= std::ranges::count_if(data.columns, isAlike)) {
                 columns = 1; // one cause for all of them
             }
-            const bool isDepth =
-                kind == Kind::Sign && hasOtherOrigin && concerns(convention, {R4x, Order::Position});
+            const bool isDepth = kind == Kind::Sign && hasOtherOrigin && concerns(convention, {R4x, Order::Position});
             price += (isDepth ? kPriceOfDepth : kPriceOfCause) + kPriceOfColumn * static_cast<double>(columns);
         }
     }

@@ -145,8 +145,8 @@ Parameters inRoundNumbers(const Identification &found, const ReferenceData &data
                                       : roundest(value, error, unitsOf(parameter));
             }
         }
-        if (!findFault(tried) && (isApproximate ? largestDeviation(tried, found, data) <= most
-                                                : agreesAsWell(tried, data, identified))) {
+        if (!findFault(tried) &&
+            (isApproximate ? largestDeviation(tried, found, data) <= most : agreesAsWell(tried, data, identified))) {
             rounded = tried;
         }
     };

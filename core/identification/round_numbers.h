@@ -13,8 +13,9 @@
 namespace slidercrank
 {
 
-/// Rounds the parameters of an identified or approximate mechanism. Each becomes the roundest number within three standard errors (ω2
-/// in rad/s, °/s or rpm, θ20 in rad or °) if the probability that such a round number is there by chance is at most 10
+/// Rounds the parameters of an identified or approximate mechanism. Each becomes the roundest number within three
+/// standard errors (ω2 in rad/s, °/s or rpm, θ20 in rad or °) if the probability that such a round number is there by
+/// chance is at most 10
 /// %; otherwise it is rounded to two digits of its standard error. Returns the parameters as identified if the data
 /// agree less well with the rounded ones. `identified`: the comparison of the data with the identified mechanism.
 Parameters inRoundNumbers(const Identification &found, const ReferenceData &data,

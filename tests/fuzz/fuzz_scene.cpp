@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Reads arbitrary bytes as a scene file. They are refused with a message, or are a valid scene that does not change when
-// it is saved and read again. Arbitrary bytes are hardly ever JSON, so half of the mutations replace values in JSON.
+// Reads arbitrary bytes as a scene file. They are refused with a message, or are a valid scene that does not change
+// when it is saved and read again. Arbitrary bytes are hardly ever JSON, so half of the mutations replace values in
+// JSON.
 
 #include "tests/fuzz/promise.h"
 #include "ui/document/scene.h"
@@ -18,7 +19,8 @@
 
 using namespace slidercrank;
 
-extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t *bytes, std::size_t size, std::size_t capacity); // provided by libFuzzer
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t *bytes, std::size_t size,
+                                        std::size_t capacity); // provided by libFuzzer
 
 /// Replaces the value after one of the colons, or the beginning of an object or array.
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t *bytes, std::size_t size, std::size_t capacity,

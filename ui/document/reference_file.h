@@ -40,8 +40,8 @@ struct Reference : ReferenceSource {
 /// The data, or one sentence that says what is wrong, where, and what to do.
 using ReferenceOutcome = std::variant<std::shared_ptr<const Reference>, QString>;
 
-/// Reads a file, a pipe or standard input. Returns a sentence if that fails, if the content is too large, or if it is to
-/// be a table and has another format; then it may have read a part. May run in any thread.
+/// Reads a file, a pipe or standard input. Returns a sentence if that fails, if the content is too large, or if it is
+/// to be a table and has another format; then it may have read a part. May run in any thread.
 std::optional<QString> readWhole(const QString &path, bool isTable, QByteArray &bytes);
 
 /// Reads files, pipes or standard input. May run in any thread.

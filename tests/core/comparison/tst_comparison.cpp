@@ -113,7 +113,8 @@ private slots:
         }
     }
 
-    /// Of a motion, that is half its range, at most 180° for the crank; of a constant channel, that follows from a and ω2.
+    /// Of a motion, that is half its range, at most 180° for the crank; of a constant channel, that follows from a and
+    /// ω2.
     void verdictDependsOnTheErrorRelativeToTheMotion()
     {
         struct Row {

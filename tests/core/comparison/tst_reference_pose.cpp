@@ -55,9 +55,9 @@ double farthest(const ReferenceData &data)
         if (!pose.exists) {
             return std::numeric_limits<double>::infinity();
         }
-        farthest =
-            std::max({farthest, std::abs(pose.sliderX - motion.R4x), std::abs(pose.sliderY - kOfTheFile.c()),
-                      std::hypot(pose.pinX - kOfTheFile.a() * motion.crank.cos, pose.pinY - kOfTheFile.a() * motion.crank.sin)});
+        farthest = std::max(
+            {farthest, std::abs(pose.sliderX - motion.R4x), std::abs(pose.sliderY - kOfTheFile.c()),
+             std::hypot(pose.pinX - kOfTheFile.a() * motion.crank.cos, pose.pinY - kOfTheFile.a() * motion.crank.sin)});
     }
     return farthest;
 }

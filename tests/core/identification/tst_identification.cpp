@@ -186,8 +186,9 @@ private slots:
                     identified(printedData(truth, printingOfTurns(truth, turns, rows, channels)), given);
                 QVERIFY2(result.outcome == Outcome::Identified, channels + (": " + described(truth)));
                 QVERIFY2(distance(result.parameters, truth, !images.empty()) <= 1e-3, described(truth));
-                QVERIFY2(std::ranges::is_permutation(result.alternatives, images, {}, &Identification::Alternative::why),
-                         channels + (": " + described(truth)));
+                QVERIFY2(
+                    std::ranges::is_permutation(result.alternatives, images, {}, &Identification::Alternative::why),
+                    channels + (": " + described(truth)));
                 QCOMPARE(result.onlyRatios, onlyRatios);
                 QCOMPARE(result.identifiable, (std::array{!onlyRatios, !onlyRatios, !onlyRatios, true, true}));
             }
