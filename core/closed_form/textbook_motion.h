@@ -18,7 +18,7 @@ namespace slidercrank
 template <class T>
 struct TextbookMotion {
     T theta2, omega2, c, pi;
-    T height, reach; ///< b sin θ3 and b cos θ3
+    T height{}, reach{}; ///< b sin θ3 and b cos θ3
     double side;
     std::array<T, 3> pinX, pinY, sliderX; ///< indexed by Order; the pin is the crank pin A
     T omega3, alpha3;
