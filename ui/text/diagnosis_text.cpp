@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
+#include <vector>
 
 namespace slidercrank
 {
@@ -195,6 +197,17 @@ QString measuredText(Parameter parameter, const Identification &found)
     return measuredText(value, factor * found.standardError[indexOf(parameter)], scale) + unitBehind(parameter);
 }
 
+/// Returns the first ten of the numbers of lines.
+QString linesText(const std::vector<std::size_t> &lines)
+{
+    constexpr std::size_t kMostListed = 10;
+    QStringList texts;
+    for (const std::size_t line : lines | std::views::take(kMostListed)) {
+        texts << QString::number(line);
+    }
+    return texts.join(", ") + (lines.size() > kMostListed ? ", …" : "");
+}
+
 QString caveatText(const Diagnosis &diagnosis)
 {
     const Identification &found = diagnosis.identification;
@@ -215,9 +228,8 @@ QString caveatText(const Diagnosis &diagnosis)
                          .arg(leftOutText(found));
     }
     if (!found.excludedRows.empty()) {
-        sentences << DiagnosisText::tr("Rows left out, because they are far off the motion: %1, the first in line %2.")
-                         .arg(found.excludedRows.size())
-                         .arg(found.excludedRows.front());
+        sentences << DiagnosisText::tr("Rows left out, because they are far off the motion: %1 (line %2).")
+                         .arg(QString::number(found.excludedRows.size()), linesText(found.excludedRows));
     }
     if (!found.noise.empty()) {
         QStringList columns;

@@ -121,7 +121,7 @@ private slots:
             {[](Diagnosis &d) {
                  d.identification.excludedRows = {3, 17};
              },
-             "Rows left out, because they are far off the motion: 2, the first in line 3."},
+             "Rows left out, because they are far off the motion: 2 (line 3, 17)."},
             {[](Diagnosis &d) {
                  d.identification.noise = {{kTheta3, 0.0512}, {kSlider, 0.1234}};
              },
