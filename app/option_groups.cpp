@@ -137,6 +137,10 @@ std::vector<ColumnChoice> readColumns(const OptionReader &options)
         }
         ColumnChoice choice = parseMeaning(text.sliced(equals + 1).trimmed());
         choice.heading = text.first(equals).trimmed().toStdString();
+        if (std::ranges::count(choices, choice.heading, &ColumnChoice::heading) > 0) {
+            throw UsageError{CommandLine::tr("--column gives \"%1\" two meanings: keep one of them.")
+                                 .arg(QString::fromStdString(choice.heading))};
+        }
         choices.push_back(std::move(choice));
     }
     return choices;

@@ -127,7 +127,8 @@ public:
           {"identify", "format", "text|json", QT_TR_NOOP("output format (text)")},
           {"limits compare study", "format", "text|csv|json", QT_TR_NOOP("output format (text)")},
           {"limits", "vary", "NAME=FROM..TO",
-           QT_TR_NOOP("a row of limits for each of several values of a parameter: b=50..120 (text is CSV)")},
+           QT_TR_NOOP(
+               "a row of limits for each of several values of a parameter: b=50..120 (CSV unless --format json)")},
           {"limits", "count", "N", QT_TR_NOOP("number of values of --vary (100)")},
           {"limits", "design", "LIST",
            QT_TR_NOOP("find the mechanism with this stroke and time ratio and the largest minimum transmission angle: "

@@ -100,6 +100,14 @@ void readTime(const OptionReader &options, RenderRequest &request)
     request.animation.start = sampling.start;
     request.animation.duration = sampling.duration;
     request.animation.speed = options.number("speed", 1.0, {}, 1e-9);
+    if (request.subject == Subject::Frames) {
+        options.refuse(
+            {"at", "at-angle"},
+            CommandLine::tr(
+                "Frames show the whole time range: remove %1, or choose the range with --start and --duration."));
+    } else {
+        options.refuse({"speed"}, CommandLine::tr("Only --what frames has a speed: remove %1."));
+    }
     if (request.subject == Subject::Frames && request.animation.frameCount() > Animation::kMostFrames) {
         throw UsageError{
             CommandLine::tr("There would be more than %1 frames: choose a shorter --duration or a greater --speed.")
@@ -198,6 +206,9 @@ ExitStatus renderCommand(const OptionReader &options, const Streams &streams)
     RenderRequest request = readRequest(options);
     Scene &scene = request.scene;
     const std::vector<ColumnChoice> columns = readColumns(options);
+    if (!columns.empty() && !scene.reference) {
+        throw UsageError{CommandLine::tr("--column describes a reference file: name the file with --reference.")};
+    }
     if (request.subject == Subject::Mechanism) {
         scene.sampling.start = scene.time; // the mechanism can be drawn at any time
     }

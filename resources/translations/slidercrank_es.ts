@@ -765,12 +765,32 @@ Equipo: %1. Tiempo: %2 s.
         <translation>Halla el mecanismo al que pertenece el archivo de una simulación, a partir de todas sus columnas, y la certeza de cada parámetro (± un error estándar). Si el significado de una columna difiere de su encabezado (radianes, otro origen, otro signo …), el programa lo indica y lee así el archivo. Las opciones del mecanismo aportan lo que el archivo no determina. R4_x y R4_y se miden desde el eje O₂ de la manivela; los ángulos, en sentido antihorario desde x. ARCHIVO puede ser - para la entrada estándar. Resultados: identified, los residuos son redondeo o ruido blanco; approximate, un mecanismo explica el archivo salvo una desviación sistemática de un 1 % como máximo; ambiguous, varios mecanismos explican el archivo igual de bien; insufficient, el archivo contiene demasiado poco para decidir; nearest, ningún mecanismo explica el archivo y se muestra el más próximo; none, no se encontró ningún mecanismo.</translation>
     </message>
     <message>
-        <source>a row of limits for each of several values of a parameter: b=50..120 (text is CSV)</source>
-        <translation>una fila de límites para cada uno de varios valores de un parámetro: b=50..120 (el texto es CSV)</translation>
-    </message>
-    <message>
         <source>As options: %1</source>
         <translation>Como opciones: %1</translation>
+    </message>
+    <message>
+        <source>%1 belongs to --vary: remove it.</source>
+        <translation>%1 pertenece a --vary: quítelo.</translation>
+    </message>
+    <message>
+        <source>--column gives &quot;%1&quot; two meanings: keep one of them.</source>
+        <translation>--column da dos significados a «%1»: deje uno.</translation>
+    </message>
+    <message>
+        <source>a row of limits for each of several values of a parameter: b=50..120 (CSV unless --format json)</source>
+        <translation>una fila de límites por cada uno de varios valores de un parámetro: b=50..120 (CSV, salvo con --format json)</translation>
+    </message>
+    <message>
+        <source>Frames show the whole time range: remove %1, or choose the range with --start and --duration.</source>
+        <translation>Los fotogramas muestran todo el intervalo de tiempo: quite %1, o elija el intervalo con --start y --duration.</translation>
+    </message>
+    <message>
+        <source>Only --what frames has a speed: remove %1.</source>
+        <translation>Solo --what frames tiene velocidad: quite %1.</translation>
+    </message>
+    <message>
+        <source>--column describes a reference file: name the file with --reference.</source>
+        <translation>--column describe un archivo de referencia: indíquelo con --reference.</translation>
     </message>
 </context>
 <context>
@@ -1053,8 +1073,8 @@ Equipo: %1. Tiempo: %2 s.
         <translation>El ángulo de la biela θ³ por sí solo determina únicamente b/a y c/a.</translation>
     </message>
     <message>
-        <source>Rows left out, because they are far off the motion: %1, the first in line %2.</source>
-        <translation>Filas excluidas porque están muy lejos del movimiento: %1, la primera en la línea %2.</translation>
+        <source>Rows left out, because they are far off the motion: %1 (line %2).</source>
+        <translation>Filas omitidas, porque están muy lejos del movimiento: %1 (línea %2).</translation>
     </message>
 </context>
 <context>
