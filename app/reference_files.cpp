@@ -95,7 +95,7 @@ std::shared_ptr<const Reference> readTimedReference(const Streams &streams, cons
                                                     const std::vector<ColumnChoice> &columns,
                                                     const Mechanism &mechanism)
 {
-    ReferenceOutcome outcome = readReference(source, {}, {columns, {}});
+    ReferenceOutcome outcome = readReference(source, {columns, {}});
     if (const auto *read = std::get_if<std::shared_ptr<const Reference>>(&outcome)) {
         outcome = timedBy(mechanism, *read);
     }

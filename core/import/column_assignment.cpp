@@ -17,24 +17,6 @@ using Fault = ReadFault::Kind;
 using Kind = NameMeaning::Kind;
 using Values = std::vector<double>;
 
-/// Sets why columns without a meaning are ignored, if there is more to say than that the name is unknown.
-void setReasons(RawTable &table)
-{
-    for (RawColumn &column : table.columns) {
-        if (column.use.heading.empty()) {
-            column.setReason(ColumnReason::NoName);
-        } else if (column.component) {
-            column.setReason(ColumnReason::Magnitude, *column.component + table.fileOf(column).firstColumn);
-        } else if (column.meaning.kind == Kind::RowNumber) {
-            column.setReason(ColumnReason::RowNumber);
-        } else if (column.meaning.kind == Kind::AngleOrLength) {
-            column.setReason(column.use.unit.empty() ? ColumnReason::AngleOrLength : ColumnReason::UnknownUnit);
-        } else if (column.meaning.kind == Kind::Nothing && endsInQuantity(column)) {
-            column.setReason(ColumnReason::UnknownBody);
-        }
-    }
-}
-
 /// Converts the values to the default unit.
 void convert(RawColumn &column, const Unit &unit)
 {
@@ -140,9 +122,6 @@ void assignAbscissas(RawTable &table)
 {
     const RawColumn *const chosen = table.abscissa();
     for (std::size_t file = 0; file < table.files.size(); ++file) {
-        if (table.files[file].rows.size() != table.files[0].rows.size()) {
-            throw ReadError{0, 0, {}, {Fault::OtherTimeStamps, {}, table.files[0].name}, {}, file};
-        }
         std::vector<RawColumn *> times;
         for (RawColumn &column : table.columns) {
             if (column.use.file == file && column.meaning.kind == Kind::Time && column.isUndecided()) {
@@ -168,38 +147,64 @@ void assignAbscissas(RawTable &table)
 
 // ---- Channels ----
 
-/// Returns the error that two columns are the same channel: `fault` if they are in one file.
-ReadError conflict(const RawTable &table, const RawColumn &column, const RawColumn &other, Fault fault)
+/// Returns the error that two columns are the same channel.
+ReadError conflict(const RawTable &table, const RawColumn &column, const RawColumn &other)
 {
     const auto &[first, second] =
         std::minmax(column, other, [](const RawColumn &x, const RawColumn &y) { return x.index < y.index; });
     const Channel channel = column.use.channel;
     return first.use.file == second.use.file
-               ? faultIn(table, second, {fault, channel})
+               ? faultIn(table, second, {Fault::ChannelTwice, channel})
                : ReadError{0, 0, {}, {Fault::ChannelInBoth, channel, table.fileOf(first).name}, {}, second.use.file};
 }
 
+/// Returns the only column that has that heading, or else that heading apart from the unit, or else that number.
+RawColumn &findColumn(RawTable &table, const std::string &name)
+{
+    ReadFault fault{Fault::NoSuchColumn, {}, name};
+    for (int kind = 0; kind < 3; ++kind) {
+        const auto isNamed = [&](const RawColumn &column) {
+            return name == (kind == 0   ? column.use.heading
+                            : kind == 1 ? column.name
+                                        : '#' + std::to_string(column.index + 1));
+        };
+        const auto count = std::ranges::count_if(table.columns, isNamed);
+        if (count == 1) {
+            return *std::ranges::find_if(table.columns, isNamed);
+        }
+        if (count > 1) {
+            fault.kind = Fault::SeveralColumns;
+            break;
+        }
+    }
+    throw ReadError{table.files.size() == 1 ? table.files[0].layout.headerLine : 0, 0, {}, fault};
+}
+
+/// The last choice for a column applies.
 void applyChoices(RawTable &table, std::span<const ColumnChoice> choices)
 {
     for (const ColumnChoice &choice : choices) {
-        if (choice.column >= table.columns.size()) {
-            continue; // remembered from a file with more columns
+        if (!choice.heading.empty()) {
+            findColumn(table, choice.heading).choice = choice;
+        } else if (choice.column < table.columns.size()) { // otherwise it is remembered from a file with more columns
+            table.columns[choice.column].choice = choice;
         }
-        RawColumn &column = table.columns[choice.column];
-        column.meaning = {Kind::Chosen, choice.channel};
-        column.chosenUnit = choice.unit;
-        column.setReason(choice.role == ColumnRole::Ignored ? ColumnReason::Chosen : ColumnReason::UnknownName);
-        if (choice.role == ColumnRole::Time || choice.role == ColumnRole::CrankAngle) {
-            if (table.fileOf(column).hasAbscissa) {
-                throw faultIn(table, column, {Fault::TimeChosenTwice});
-            }
-            setAbscissa(table, column, choice.role, ColumnReason::Chosen);
+    }
+    for (RawColumn &column : table.columns) {
+        if (!column.choice) {
+            continue;
+        }
+        const ColumnRole role = column.choice->role;
+        column.meaning = {Kind::Chosen, column.choice->channel, ColumnReason::Chosen};
+        column.setReason(role == ColumnRole::Ignored ? ColumnReason::Chosen : ColumnReason::UnknownName);
+        if (role == ColumnRole::Time || role == ColumnRole::CrankAngle) {
+            setAbscissa(table, column, role, ColumnReason::Chosen);
         }
     }
 }
 
-/// Returns the columns that could be channels according to their names and units, best evidence first, in the default
-/// unit and with the channel that they would be. Sets the reason of columns with unsuitable units.
+/// Returns the columns that could be channels according to their names and units, in the default unit and with
+/// the channel that they would be. Sets the reason of columns with unsuitable units.
 std::vector<RawColumn *> findCandidates(RawTable &table)
 {
     std::vector<RawColumn *> candidates;
@@ -220,8 +225,6 @@ std::vector<RawColumn *> findCandidates(RawTable &table)
         column.use.channel = meaning.channel;
         candidates.push_back(&column);
     }
-    std::ranges::stable_sort(candidates, std::ranges::greater(),
-                             [](const RawColumn *column) { return column->meaning.kind; });
     return candidates;
 }
 
@@ -242,6 +245,7 @@ void findCrank(std::vector<RawColumn *> &candidates)
         std::erase_if(degrees, [](double value) { return !std::isfinite(value); });
         if (rangeOf(unwrapped(std::move(degrees))).width() > kHalfTurn) { // without the jumps after one turn
             column->use.channel = kCrankAngle;
+            column->meaning.reason = ColumnReason::WideAngle;
         }
     }
     for (RawColumn *const column : derivatives) {
@@ -259,6 +263,7 @@ void findCrank(std::vector<RawColumn *> &candidates)
             std::erase(candidates, column);
         } else if (crank) {
             column->use.channel.coordinate = Theta2;
+            column->meaning.reason = ColumnReason::WideAngle;
         }
     }
 }
@@ -275,14 +280,9 @@ void assignChannels(RawTable &table)
         });
         if (rival == candidates.end()) {
             column->use.role = ColumnRole::Channel;
-            column->setReason(evidence == Kind::Chosen                         ? ColumnReason::Chosen
-                              : column->meaning.channel != column->use.channel ? ColumnReason::WideAngle
-                              : column->meaning.isModelica                     ? ColumnReason::ModelicaName
-                              : evidence == Kind::Quantity                     ? ColumnReason::QuantityInName
-                                                                               : ColumnReason::KnownName);
+            column->setReason(column->meaning.reason);
         } else if (evidence >= Kind::ChannelName && (*rival)->meaning.kind == evidence) {
-            throw conflict(table, *column, **rival,
-                           evidence == Kind::Chosen ? Fault::ChannelChosenTwice : Fault::ChannelTwice);
+            throw conflict(table, *column, **rival);
         } else {
             column->setReason(ColumnReason::LikeOther, (*rival)->index);
         }
@@ -301,9 +301,7 @@ void requireData(const RawTable &table, std::size_t file)
         return;
     }
     if (layout.headerLine == 0) {
-        const Line &row = own.rows.front();
-        const Cells cells = splitCells(row.text, layout.delimiter);
-        throw ReadError{row.number, 1, excerpt(cells.front()), {Fault::NamesMissing}, {}, file};
+        throw ReadError{own.rows.front().number, 0, {}, {Fault::NamesMissing}, {}, file};
     }
     ReadFault fault{own.hasAbscissa ? Fault::NoChannel : Fault::NoTime};
     for (const RawColumn &column : table.columns) {
@@ -312,7 +310,7 @@ void requireData(const RawTable &table, std::size_t file)
             continue;
         }
         if (reason == ColumnReason::LikeOther && table.columns[*column.use.otherColumn].use.file != file) {
-            throw conflict(table, column, table.columns[*column.use.otherColumn], Fault::NoChannel);
+            throw conflict(table, column, table.columns[*column.use.otherColumn]);
         }
         if (leavesOpen(reason) || reason == ColumnReason::UnknownUnit) {
             fault = {Fault::NoCertainChannel, {}, excerpt(column.use.heading), reason};
@@ -325,7 +323,6 @@ void requireData(const RawTable &table, std::size_t file)
 
 void assignColumns(RawTable &table, std::span<const ColumnChoice> choices)
 {
-    setReasons(table);
     applyChoices(table, choices);
     assignAbscissas(table);
     assignChannels(table);

@@ -11,17 +11,6 @@ bool FileLayout::isGuessed() const
     return std::any_of(columns.begin(), columns.end(), [](const FileColumn &column) { return isGuess(column.reason); });
 }
 
-bool FileLayout::isOpen() const
-{
-    const auto isUsedAs = [this](ColumnRole role) { return std::ranges::count(columns, role, &FileColumn::role) > 0; };
-    const bool hasInstants = isUsedAs(ColumnRole::Time) || isUsedAs(ColumnRole::CrankAngle);
-    return hasInstants && std::ranges::any_of(columns, [&](const FileColumn &column) {
-               return column.reason == ColumnReason::LikeOther
-                          ? columns[*column.otherColumn].role == ColumnRole::Ignored
-                          : leavesOpen(column.reason) && !isUsedAs(ColumnRole::Channel);
-           });
-}
-
 std::optional<Unit> parseColumnUnit(const std::string &text, ColumnRole role, Channel channel)
 {
     const bool isOfAngle = role == ColumnRole::CrankAngle || isAngle(channel.coordinate);

@@ -15,8 +15,6 @@
 namespace slidercrank
 {
 
-enum class TextEncoding { Utf8, Utf16LittleEndian, Utf16BigEndian, Windows1252 };
-
 enum class DecimalSign { Point, Comma };
 
 enum class ColumnRole {
@@ -86,20 +84,15 @@ struct FileColumn {
 /// The layout of a file. If several files are joined, their columns follow each other, and the rest describes the first
 /// one.
 struct FileLayout {
-    TextEncoding encoding = TextEncoding::Utf8;
     char delimiter = ',';
     DecimalSign decimalSign = DecimalSign::Point;
     std::size_t headerLine = 0;                 ///< 0: none, the file begins with numbers
-    std::size_t unitsLine = 0;                  ///< 0: none
     std::vector<FileColumn> columns;            ///< all of them, in the order of the file
     std::vector<std::vector<std::string>> rows; ///< the first few rows of cells as printed, for a preview
     std::vector<std::string> files;             ///< names of the joined files; empty for a single file
 
     /// Returns whether the role of any column was guessed, so that a person should confirm it.
     bool isGuessed() const;
-
-    /// Returns whether no column is used as a channel where several could be, so that a person has to choose.
-    bool isOpen() const;
 };
 
 /// Returns the unit of a column with that role and channel: the default unit for an empty text, nullopt if it is no

@@ -24,25 +24,15 @@ constexpr std::u16string_view kWindowsCharacters =
     u"\u20AC?\u201A\u0192\u201E\u2026\u2020\u2021\u02C6\u2030\u0160\u2039\u0152?\u017D??\u2018\u2019\u201C\u201D\u2022"
     u"\u2013\u2014\u02DC\u2122\u0161\u203A\u0153?\u017E\u0178";
 
-std::string fromUtf16(std::string_view bytes, bool isLittleEndian)
+/// Converts bytes to UTF-8. `unitAt(i)` returns each of the `count` units of UTF-16.
+template <typename UnitAt>
+std::string toUtf8(std::size_t count, const UnitAt &unitAt)
 {
-    std::u16string units(bytes.size() / 2, u'\0');
-    for (std::size_t i = 0; i < units.size(); ++i) {
-        const auto first = static_cast<unsigned char>(bytes[2 * i]);
-        const auto second = static_cast<unsigned char>(bytes[2 * i + 1]);
-        units[i] = static_cast<char16_t>(isLittleEndian ? second * 256 + first : first * 256 + second);
+    std::u16string units(count, u'\0');
+    for (std::size_t i = 0; i < count; ++i) {
+        units[i] = static_cast<char16_t>(unitAt(i));
     }
     return boost::locale::conv::utf_to_utf<char>(units);
-}
-
-std::string fromWindows1252(std::string_view bytes)
-{
-    std::u16string characters(bytes.size(), u'\0');
-    std::ranges::transform(bytes, characters.begin(), [](char c) {
-        const auto byte = static_cast<unsigned char>(c);
-        return byte >= 0x80 && byte < 0xA0 ? kWindowsCharacters[byte - 0x80U] : static_cast<char16_t>(byte);
-    });
-    return boost::locale::conv::utf_to_utf<char>(characters);
 }
 
 /// Returns whether at least half of the characters outside ASCII are valid UTF-8.
@@ -111,20 +101,25 @@ std::string_view withoutPadding(std::string_view text)
 
 } // namespace
 
-std::string_view decodeText(std::string_view bytes, FileLayout &layout, std::string &converted)
+std::string_view decodeText(std::string_view bytes, std::string &converted)
 {
     constexpr std::size_t kExamined = std::size_t{1} << 20U; // bytes, for the encoding
     refuseFormats(bytes);
     std::string_view text = bytes;
+    const auto byteAt = [bytes](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
     const bool isLittleEndian = bytes.starts_with("\xFF\xFE");
     if (isLittleEndian || bytes.starts_with("\xFE\xFF")) {
-        layout.encoding = isLittleEndian ? TextEncoding::Utf16LittleEndian : TextEncoding::Utf16BigEndian;
-        text = converted = fromUtf16(bytes.substr(2), isLittleEndian);
+        text = converted = toUtf8(bytes.size() / 2 - 1, [&](std::size_t i) {
+            const std::size_t at = 2 * i + 2;
+            return isLittleEndian ? byteAt(at + 1) * 256 + byteAt(at) : byteAt(at) * 256 + byteAt(at + 1);
+        });
     } else if (bytes.starts_with(kUtf8Mark)) {
         text.remove_prefix(kUtf8Mark.size());
     } else if (!isUtf8(bytes.substr(0, kExamined))) {
-        layout.encoding = TextEncoding::Windows1252;
-        text = converted = fromWindows1252(bytes);
+        text = converted = toUtf8(bytes.size(), [&](std::size_t i) {
+            const unsigned byte = byteAt(i);
+            return byte >= 0x80 && byte < 0xA0 ? kWindowsCharacters[byte - 0x80] : byte;
+        });
     }
     text = withoutPadding(text);
     if (const std::size_t binary = findBinary(text); binary != text.npos) {
@@ -138,9 +133,8 @@ std::string_view decodeText(std::string_view bytes, FileLayout &layout, std::str
 std::optional<ReadError> findForeignFormat(std::string_view beginning)
 {
     try {
-        FileLayout layout;
         std::string converted;
-        decodeText(beginning, layout, converted);
+        decodeText(beginning, converted);
     } catch (ReadError &error) {
         return std::move(error);
     }

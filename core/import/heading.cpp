@@ -148,26 +148,27 @@ bool isTime(const Words &words)
 ///     Pos_TX@Slider   Y:Pos_TX-Slider    RecurDyn
 struct CompoundName {
     Words words{};
-    NameMeaning meaning{}; ///< owner and program only
+    std::string owner{};
+    ColumnReason reason = ColumnReason::UnknownName; ///< that a name of this program implies
 };
 
 std::optional<CompoundName> splitCompound(std::string_view name)
 {
     if (name.size() >= 4 && isAmong(name.substr(0, 1), "P V A") && name[1] == '[' && name.ends_with(']')) {
-        const std::string owner(name.substr(2, name.size() - 3));
-        return CompoundName{{std::string(name.substr(0, 1))}, {.owner = owner, .isInventor = true}};
+        return CompoundName{{std::string(name.substr(0, 1))},
+                            std::string(name.substr(2, name.size() - 3)),
+                            ColumnReason::AngleOrLength};
     }
     const std::size_t prefix = name.starts_with("Y:") ? 2 : 0;
     if (const std::size_t end = name.find(prefix > 0 ? '-' : '@'); end != name.npos) {
-        return CompoundName{wordsOf(name.substr(prefix, end - prefix)), {.owner = std::string(name.substr(end + 1))}};
+        return CompoundName{wordsOf(name.substr(prefix, end - prefix)), std::string(name.substr(end + 1))};
     }
     const std::size_t dot = name.rfind('.');
     const bool isPath = dot != name.npos && dot > 0 && isLetter(name[0]) && name.find_first_of(" ,;:(") == name.npos;
     if (!isPath || !find(name.substr(dot)) || isTime(wordsOf(name.substr(0, dot)))) { // "time.s" is the time in seconds
         return std::nullopt;
     }
-    return CompoundName{{std::string(name.substr(dot))},
-                        {.owner = std::string(name.substr(0, dot)), .isModelica = true}};
+    return CompoundName{{std::string(name.substr(dot))}, std::string(name.substr(0, dot)), ColumnReason::ModelicaName};
 }
 
 /// Returns what several words mean together, or nullopt if one of them is unknown or they contradict each other:
@@ -202,26 +203,38 @@ std::optional<WordMeaning> combine(const Words &words, std::optional<Body> body)
     return isOfCoupler || merge(all.dimension, std::optional(ofBody)) ? std::optional(all) : std::nullopt;
 }
 
-/// Returns the channel or quantity of a name, given its body and its unit, if they are known.
-NameMeaning meaningOfWords(const CompoundName &name, std::optional<Body> body, const std::optional<Unit> &unit)
+/// Returns the channel or quantity of a name, given its body and its unit, if they are known; nullopt if it has none.
+std::optional<NameMeaning> meaningOfWords(const CompoundName &name, std::optional<Body> body,
+                                          const std::string &unitText)
 {
     const std::optional<WordMeaning> all = combine(name.words, body);
     if (!all) {
-        return {};
+        return std::nullopt;
     }
-    const bool isOpen = !all->dimension && !unit;
+    const std::optional<Unit> unit = parseUnit(unitText);
     const Dimension usual = unit ? unit->dimension : Dimension::Length;
     const bool isAngle = all->dimension.value_or(usual) == Dimension::Angle;
     const bool isPosition = all->axis != ' ' ? name.words.size() == 1 || all->body : all->body && isAngle;
     const std::optional<Order> order = all->order || !isPosition ? all->order : Order::Position; // "x", "crank"
     if (!order || (all->body == Body::Coupler && !isAngle)) {
-        return {};
+        return std::nullopt;
     }
-    NameMeaning meaning = name.meaning;
-    meaning.kind = all->body ? Kind::Words : meaning.isInventor && isOpen ? Kind::AngleOrLength : Kind::Quantity;
+    if (name.reason == ColumnReason::AngleOrLength && !all->body && !all->dimension && !unit) {
+        return NameMeaning{.reason = unitText.empty() ? name.reason : ColumnReason::UnknownUnit};
+    }
     const Coordinate coordinate = all->body == Body::Crank ? Theta2 : isAngle ? Theta3 : all->axis == 'y' ? R4y : R4x;
-    meaning.channel = {coordinate, *order};
-    return meaning;
+    const ColumnReason reason = name.reason == ColumnReason::ModelicaName && unitText.empty() ? name.reason
+                                : all->body                                                   ? ColumnReason::KnownName
+                                            : ColumnReason::QuantityInName;
+    return NameMeaning{all->body ? Kind::Words : Kind::Quantity, {coordinate, *order}, reason, name.owner};
+}
+
+/// Returns whether an unknown name ends in a quantity: "J1_x", "part 7 velocity".
+bool endsInQuantity(Words words)
+{
+    std::erase_if(words, [](const std::string &word) { return isDigit(word[0]); });
+    const WordMeaning *const known = words.size() < 2 ? nullptr : find(words.back());
+    return known && !known->body && (words.back().size() > 1 ? known->order || known->dimension : known->axis != ' ');
 }
 
 } // namespace
@@ -242,7 +255,7 @@ Heading parseHeading(std::string_view cell)
         return heading;
     }
     const std::optional<CompoundName> compound = splitCompound(name);
-    if (compound && compound->meaning.isModelica) {
+    if (compound && compound->reason == ColumnReason::ModelicaName) {
         return heading;
     }
     if (name.ends_with(']') || name.ends_with(')')) {
@@ -268,31 +281,29 @@ Heading parseHeading(std::string_view cell)
 
 NameMeaning meaningOf(const Heading &heading)
 {
-    const std::optional<Unit> unit = parseUnit(heading.use.unit);
+    const std::string &unit = heading.use.unit;
     if (const std::optional<CompoundName> compound = splitCompound(heading.name)) {
-        const std::string_view owner = compound->meaning.owner;
-        NameMeaning meaning = meaningOfWords(*compound, findBody(owner.substr(owner.rfind('.') + 1)), unit);
-        if (meaning.kind != Kind::Nothing) {
-            return meaning;
+        const std::string_view owner = compound->owner;
+        if (const auto meaning = meaningOfWords(*compound, findBody(owner.substr(owner.rfind('.') + 1)), unit)) {
+            return *meaning;
         }
     }
     Words words = wordsOf(heading.name);
     if (words.size() == 2 && isAmong(words[0], "v a") && isAmong(words[1], "x y")) {
         words = {words[0] + words[1]}; // "v_x", "v_{x}"
     }
-    if (words.empty()) {
-        return {};
+    const bool isNamedTime = isTime(words);
+    if (isNamedTime ? isAmong(unit, kCountedUnits) : words.size() == 1 && isAmong(words[0], kRowNumbers)) {
+        return {.reason = ColumnReason::RowNumber};
     }
-    if (isTime(words)) {
-        return {isAmong(heading.use.unit, kCountedUnits) ? Kind::RowNumber : Kind::Time};
+    if (isNamedTime) {
+        return {Kind::Time};
     }
     if (const std::optional<Channel> channel = channelSpelled(words)) {
-        return {Kind::ChannelName, *channel};
+        return {Kind::ChannelName, *channel, ColumnReason::KnownName};
     }
-    if (words.size() == 1 && isAmong(words[0], kRowNumbers)) {
-        return {Kind::RowNumber};
-    }
-    return meaningOfWords({std::move(words)}, {}, unit);
+    const ColumnReason unknown = endsInQuantity(words) ? ColumnReason::UnknownBody : ColumnReason::UnknownName;
+    return meaningOfWords({std::move(words)}, {}, unit).value_or(NameMeaning{.reason = unknown});
 }
 
 void interpretHeadings(std::vector<Heading> &row, const std::string &unitOfLengths, const std::string &unitOfAngles)
@@ -303,33 +314,28 @@ void interpretHeadings(std::vector<Heading> &row, const std::string &unitOfLengt
         const bool isComponent = isAmong(heading.name, "X-comp Y-comp");
         if (isComponent && magnitude) {
             Heading &whole = row[*magnitude];
-            whole.component = whole.component.value_or(i);
+            whole.use.reason = ColumnReason::Magnitude;
+            whole.use.otherColumn = whole.use.otherColumn.value_or(i);
             heading.name = whole.name + (heading.name[0] == 'X' ? " x" : " y");
             heading.use.unit = heading.use.unit.empty() ? whole.use.unit : heading.use.unit;
         }
         heading.meaning = meaningOf(heading);
-        NameMeaning &meaning = heading.meaning;
-        meaning.isModelica = meaning.isModelica && heading.use.unit.empty();
+        const NameMeaning &meaning = heading.meaning;
+        if (meaning.kind == Kind::Nothing) {
+            heading.use.reason = heading.use.heading.empty() ? ColumnReason::NoName : meaning.reason;
+        }
         if (!isComponent) {
             magnitude = meaning.kind == Kind::Quantity ? std::optional(i) : std::nullopt;
         }
         const bool isOfAngle = isAngle(meaning.channel.coordinate);
-        const std::string base = meaning.isModelica ? (isOfAngle ? "rad" : "m")
-                                 : isOfAngle        ? unitOfAngles
-                                                    : unitOfLengths;
+        const std::string base = meaning.reason == ColumnReason::ModelicaName ? (isOfAngle ? "rad" : "m")
+                                 : isOfAngle                                  ? unitOfAngles
+                                                                              : unitOfLengths;
         if (meaning.kind >= Kind::Quantity && heading.use.unit.empty() && !base.empty()) {
             constexpr std::array kPerTime{"", "/s", "/s2"};
             heading.use.unit = base + kPerTime[static_cast<std::size_t>(meaning.channel.order)];
         }
     }
-}
-
-bool endsInQuantity(const Heading &heading)
-{
-    Words words = wordsOf(heading.name);
-    std::erase_if(words, [](const std::string &word) { return isDigit(word[0]); });
-    const WordMeaning *const known = words.size() < 2 ? nullptr : find(words.back());
-    return known && !known->body && (words.back().size() > 1 ? known->order || known->dimension : known->axis != ' ');
 }
 
 } // namespace slidercrank

@@ -19,30 +19,24 @@ struct NameMeaning {
     /// The later kinds are better evidence of a channel.
     enum class Kind {
         Nothing,
-        RowNumber, ///< "n", "index", "Time (steps)"
         Time,
-        AngleOrLength, ///< Inventor's "P[3.1]" without a unit
-        Quantity,      ///< of an unnamed body: `channel` is the one that is usually exported
-        Words,         ///< for a quantity of a body, which is a channel
-        ChannelName,   ///< nameOf() a channel
-        Chosen         ///< by a person
+        Quantity,    ///< of an unnamed body: `channel` is the one that is usually exported
+        Words,       ///< for a quantity of a body, which is a channel
+        ChannelName, ///< nameOf() a channel
+        Chosen       ///< by a person
     };
     Kind kind = Kind::Nothing;
     Channel channel{};
-    std::string owner{};     ///< "3.1" in "P[3.1]", "slider" in "slider.s"; empty: none
-    bool isModelica = false; ///< and the unit is not given, but implied
-    bool isInventor = false;
+    ColumnReason reason = ColumnReason::UnknownName; ///< why a column with this name is used, or not
+    std::string owner{};                             ///< "3.1" in "P[3.1]", "slider" in "slider.s"; empty: none
 };
 
 /// The heading of a column: "theta3_diff [rad/s]" has the name "theta3_diff" and the unit "rad/s".
 struct Heading {
-    FileColumn use{}; ///< heading and unit; role and reason are set by assignColumns()
+    FileColumn use{}; ///< heading and unit; assignColumns() sets the role
     std::string name{};
     std::string_view cellUnit{}; ///< after the number in each cell
-
-    // Set by interpretHeadings().
-    NameMeaning meaning{};
-    std::optional<std::size_t> component{}; ///< first component of the vector whose magnitude the column contains
+    NameMeaning meaning{};       ///< set by interpretHeadings()
 };
 
 /// Splits a cell, given without surrounding quotation marks, into name and unit. The unit is at the end, in brackets or
@@ -52,15 +46,12 @@ Heading parseHeading(std::string_view cell);
 /// Returns what the name means. If the name does not tell an angle from a length, the unit does.
 NameMeaning meaningOf(const Heading &heading);
 
-/// Sets the meanings of a row of headings, including those that depend on others:
+/// Sets the meanings of a row of headings, including those that depend on others, and why columns are ignored:
 ///
 ///     Velocity (cm/s)   X-comp   Y-comp     PMKS+ writes the magnitude of a vector before its components
 ///     slider.s   slider.a   crank.phi       Modelica: m, rad and s are implied
 ///
 /// The units of lengths and angles, if they are not empty, apply to headings without a unit.
 void interpretHeadings(std::vector<Heading> &row, const std::string &unitOfLengths, const std::string &unitOfAngles);
-
-/// Returns whether an unknown name ends in a quantity: "J1_x", "part 7 velocity".
-bool endsInQuantity(const Heading &heading);
 
 } // namespace slidercrank

@@ -15,6 +15,7 @@ namespace
 
 constexpr double kUnreadable = std::numeric_limits<double>::infinity();
 constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t kFewestCells = 2; // in a row: other missing cells at the end are gaps
 
 CellNumber parseCell(const RawColumn &column, std::string_view cell, DecimalSign decimalSign)
 {
@@ -25,40 +26,50 @@ CellNumber parseCell(const RawColumn &column, std::string_view cell, DecimalSign
     return parseNumber(cell, decimalSign);
 }
 
-/// Calls `visit(column, cell)` for each cell of a row, and returns the cell that makes all of the row unreadable:
-/// an additional one, or the last one of a row with fewer than two. Other missing cells at the end are gaps.
-template <typename Visit>
-std::optional<SkippedRow> visitCells(RawTable &table, const TableFile &file, std::size_t row, const Visit &visit)
-{
-    const Line &line = file.rows[row];
-    std::optional<SkippedRow> fault;
-    std::size_t cells = 0;
-    for (std::string_view rest = line.text; rest.data() != nullptr; ++cells) {
-        const std::string_view cell = takeCell(rest, file.layout.delimiter);
-        if (cells < file.width) {
-            visit(table.columns[file.firstColumn + cells], cell);
-        } else if (!cell.empty() && !fault) {
-            fault = {line.number, cells + 1, excerpt(cell), RowFault::TooManyCells};
-        }
-    }
-    return cells < std::min<std::size_t>(file.width, 2) ? SkippedRow{line.number, cells, {}, RowFault::TooFewCells}
-                                                        : fault;
-}
-
 void readRow(RawTable &table, const TableFile &file, std::size_t row)
 {
-    const auto read = [&](RawColumn &column, std::string_view cell) {
+    bool hasTooManyCells = false;
+    std::size_t cells = 0;
+    for (std::string_view rest = file.rows[row].text; rest.data() != nullptr; ++cells) {
+        const std::string_view cell = takeCell(rest, file.layout.delimiter);
+        if (cells >= file.width) {
+            hasTooManyCells = hasTooManyCells || !cell.empty();
+            continue;
+        }
+        RawColumn &column = table.columns[file.firstColumn + cells];
         const CellNumber number = parseCell(column, cell, file.layout.decimalSign);
         column.values[row] = number.fault ? kUnreadable : number.value;
         if (!std::isnan(number.value)) {
             column.rounding.observe(number.places, number.value);
         }
-    };
-    if (visitCells(table, file, row, read)) {
+    }
+    if (hasTooManyCells || cells < std::min(file.width, kFewestCells)) {
         for (std::size_t i = 0; i < file.width; ++i) {
             table.columns[file.firstColumn + i].values[row] = kUnreadable;
         }
     }
+}
+
+/// Returns why a row is skipped, as far as the cell of one column shows it.
+SkippedRow faultAt(const RawTable &table, const RawColumn &column, std::size_t row)
+{
+    const TableFile &file = table.fileOf(column);
+    const Line &line = file.rows[row];
+    const Cells cells = splitCells(line.text, file.layout.delimiter);
+    const auto cellAt = [&cells](std::size_t i) { return i < cells.size() ? cells[i] : std::string_view(); };
+    std::size_t i = column.index - file.firstColumn;
+    std::optional<RowFault> fault = parseCell(column, cellAt(i), file.layout.decimalSign).fault;
+    if (!fault && column.isUnreadable(row) && cells.size() > file.width) {
+        for (i = file.width; cells[i].empty(); ++i) { // the last one is not empty
+        }
+        fault = RowFault::TooManyCells;
+    } else if (!fault) {
+        fault = !column.isUnreadable(row)                           ? RowFault::RepeatedTime
+                : std::isnan(column.values[row])                    ? RowFault::NoTime
+                : cells.size() < std::min(file.width, kFewestCells) ? RowFault::TooFewCells
+                                                                    : RowFault::TooLarge; // once converted
+    }
+    return {line.number, i + 1, excerpt(cellAt(i)), *fault, 1, column.use.file};
 }
 
 } // namespace
@@ -88,65 +99,47 @@ ReadError faultIn(const RawTable &table, const RawColumn &column, ReadFault faul
         column.use.file};
 }
 
-void readTable(const FileBytes &bytes, const std::stop_token &stop, const std::function<void(double part)> &progress,
-               RawTable &table)
+void readTable(const FileBytes &bytes, const std::function<bool(double part)> &progress, RawTable &table)
 {
     constexpr std::size_t kReportEvery = 4096; // rows
     TableFile &file = table.files.emplace_back();
     file.name = bytes.name;
     file.firstColumn = table.columns.size();
-    std::vector<Line> lines = splitLines(decodeText(bytes.bytes, file.layout, file.converted));
+    std::vector<Line> lines = splitLines(decodeText(bytes.bytes, file.converted));
     const std::vector<Heading> headings = takeHeadings(lines, file.layout);
     file.rows = std::move(lines);
+    file.width = headings.size();
     for (const Heading &heading : headings) {
         RawColumn &column = table.columns.emplace_back(RawColumn{heading, table.columns.size()});
         column.use.file = table.files.size() - 1;
+        if (column.use.otherColumn) {
+            *column.use.otherColumn += file.firstColumn;
+        }
         column.values.assign(file.rows.size(), kGap);
     }
-    file.width = table.columns.size() - file.firstColumn;
     for (std::size_t row = 0; row < file.rows.size(); ++row) {
         readRow(table, file, row);
-        if (row % kReportEvery == 0) {
-            progress(static_cast<double>(row) / static_cast<double>(file.rows.size()));
-            if (stop.stop_requested()) {
-                throw ReadError{.fault = {ReadFault::Kind::Stopped}};
-            }
+        const std::size_t done = row + 1;
+        if ((done % kReportEvery == 0 || done == file.rows.size()) &&
+            !progress(static_cast<double>(done) / static_cast<double>(file.rows.size()))) {
+            throw ReadError{.fault = {ReadFault::Kind::Stopped}};
         }
     }
-    progress(1.0);
 }
 
 SkippedRow findRowFault(RawTable &table, std::size_t row)
 {
-    for (std::size_t file = 0; file < table.files.size(); ++file) {
-        const TableFile &own = table.files[file];
-        const Line &line = own.rows[row];
-        std::optional<SkippedRow> first;
-        const auto check = [&](const RawColumn &column, std::string_view cell) {
-            const std::optional<RowFault> fault = parseCell(column, cell, own.layout.decimalSign).fault;
-            if (fault && !first && column.isUsed()) {
-                first = {line.number, column.index - own.firstColumn + 1, excerpt(cell), *fault};
+    std::optional<SkippedRow> first;
+    for (const RawColumn &column : table.columns) {
+        if (column.isUnreadable(row)) {
+            const SkippedRow fault = faultAt(table, column, row);
+            if (fault.fault <= RowFault::CommaForPoint) {
+                return fault;
             }
-        };
-        const std::optional<SkippedRow> last = visitCells(table, own, row, check);
-        if (first || last) {
-            SkippedRow fault = first.value_or(last.value_or(SkippedRow()));
-            fault.file = file;
-            return fault;
+            first = first.value_or(fault);
         }
     }
-    const auto unreadable =
-        std::ranges::find_if(table.columns, [row](const RawColumn &column) { return column.isUnreadable(row); });
-    const bool isRepeated = unreadable == table.columns.end();
-    const RawColumn &column = isRepeated ? *table.abscissa() : *unreadable;
-    const TableFile &own = table.fileOf(column);
-    const Line &line = own.rows[row];
-    const std::size_t i = column.index - own.firstColumn;
-    const Cells cells = splitCells(line.text, own.layout.delimiter);
-    const RowFault fault = isRepeated                       ? RowFault::RepeatedTime
-                           : std::isnan(column.values[row]) ? RowFault::NoTime
-                                                            : RowFault::TooLarge; // once converted
-    return {line.number, i + 1, i < cells.size() ? excerpt(cells[i]) : "", fault, 1, column.use.file};
+    return first.value_or(faultAt(table, *table.abscissa(), row));
 }
 
 FileLayout takeLayout(RawTable &table)

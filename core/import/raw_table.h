@@ -10,7 +10,6 @@
 #include <deque>
 #include <functional>
 #include <optional>
-#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,8 +18,8 @@ namespace slidercrank
 {
 
 struct RawColumn : Heading {
-    std::size_t index = 0;       ///< in the table
-    std::string chosenUnit = {}; ///< by a person, instead of that of the file; empty: none
+    std::size_t index = 0; ///< in the table
+    std::optional<ColumnChoice> choice{};
 
     /// Gap: NaN, unreadable cell: infinity. In the unit of the file until the role is set.
     std::vector<double> values{};
@@ -33,7 +32,7 @@ struct RawColumn : Heading {
 
     std::optional<Unit> unitAs(ColumnRole role, Channel channel = {}) const
     {
-        return parseColumnUnit(chosenUnit.empty() ? use.unit : chosenUnit, role, channel);
+        return parseColumnUnit(choice && !choice->unit.empty() ? choice->unit : use.unit, role, channel);
     }
 
     /// Returns whether the row has to be skipped because of this column.
@@ -66,10 +65,8 @@ struct RawTable {
 /// Returns an error at the heading of a column.
 ReadError faultIn(const RawTable &table, const RawColumn &column, ReadFault fault);
 
-/// Appends the columns of a file to the table. `progress` is called regularly with the part that has been read, from 0
-/// to 1. Throws ReadError.
-void readTable(const FileBytes &file, const std::stop_token &stop, const std::function<void(double part)> &progress,
-               RawTable &table);
+/// Appends the columns of a file to the table. Calls `progress` regularly, as in ReadOptions. Throws ReadError.
+void readTable(const FileBytes &file, const std::function<bool(double part)> &progress, RawTable &table);
 
 /// Returns why a row is skipped: the first unreadable cell in a used column, or else the repeated time.
 SkippedRow findRowFault(RawTable &table, std::size_t row);

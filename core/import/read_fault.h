@@ -40,10 +40,8 @@ struct ReadFault {
         UnknownTimeUnit,
         NoSuchColumn,   ///< called `heading`
         SeveralColumns, ///< called `heading`
-        ChannelTwice,   ///< in the headings
-        TimeTwice,
-        ChannelChosenTwice, ///< `channel`, by a person
-        TimeChosenTwice,    ///< or the crank angle instead of it
+        ChannelTwice,   ///< `channel`, in the headings or chosen by a person
+        TimeTwice,      ///< or the crank angle instead of it
         NoTime,
         NoChannel,        ///< no heading is known
         NoCertainChannel, ///< the column with `heading` could be one, apart from `column`

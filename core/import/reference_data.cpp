@@ -19,40 +19,6 @@ namespace
 
 using Fault = ReadFault::Kind;
 
-/// Returns the only column that has that heading, or else that heading apart from the unit, or else that number.
-std::size_t findColumn(const RawTable &table, const std::string &name)
-{
-    ReadFault fault{Fault::NoSuchColumn, {}, name};
-    for (int kind = 0; kind < 3; ++kind) {
-        const auto isNamed = [&](const RawColumn &column) {
-            return name == (kind == 0   ? column.use.heading
-                            : kind == 1 ? column.name
-                                        : '#' + std::to_string(column.index + 1));
-        };
-        const auto count = std::ranges::count_if(table.columns, isNamed);
-        if (count == 1) {
-            return std::ranges::find_if(table.columns, isNamed)->index;
-        }
-        if (count > 1) {
-            fault.kind = Fault::SeveralColumns;
-            break;
-        }
-    }
-    throw ReadError{table.files.size() == 1 ? table.files[0].layout.headerLine : 0, 0, {}, fault};
-}
-
-/// Returns the choices by column number, and only the last one for a column.
-std::vector<ColumnChoice> resolveChoices(const ReadOptions &options, const RawTable &table)
-{
-    std::vector<ColumnChoice> choices;
-    for (ColumnChoice choice : options.columns) {
-        choice.column = choice.heading.empty() ? choice.column : findColumn(table, choice.heading);
-        std::erase_if(choices, [&](const ColumnChoice &earlier) { return earlier.column == choice.column; });
-        choices.push_back(choice);
-    }
-    return choices;
-}
-
 ReadError errorAt(const SkippedRow &row, Fault fault)
 {
     return {row.line, row.column, row.text, {.kind = fault, .row = row.fault}};
@@ -88,6 +54,7 @@ std::vector<std::size_t> findUsedRows(RawTable &table)
 /// Lists the other rows and counts those for which the list is too long.
 std::vector<SkippedRow> findSkippedRows(RawTable &table, const std::vector<std::size_t> &used)
 {
+    constexpr std::size_t kListedRows = 1000;
     std::vector<SkippedRow> skipped;
     const std::vector<Line> &lines = table.files.front().rows;
     auto next = used.begin();
@@ -230,8 +197,7 @@ ChannelSet channelsOf(const ReferenceData &data)
     return channels;
 }
 
-std::variant<ReferenceData, ReadError> readFiles(std::span<const FileBytes> files, const std::stop_token &stop,
-                                                 const ReadOptions &options)
+std::variant<ReferenceData, ReadError> readFiles(std::span<const FileBytes> files, const ReadOptions &options)
 try {
     RawTable table;
     std::size_t file = 0; // that is being read
@@ -239,18 +205,17 @@ try {
         std::size_t shortest = std::numeric_limits<std::size_t>::max();
         for (; file < files.size(); ++file) {
             const auto progress = [&](double part) {
-                if (options.progress) {
-                    options.progress((static_cast<double>(file) + part) / static_cast<double>(files.size()));
-                }
+                return !options.progress ||
+                       options.progress((static_cast<double>(file) + part) / static_cast<double>(files.size()));
             };
-            readTable(files[file], stop, progress, table);
+            readTable(files[file], progress, table);
             shortest = std::min(shortest, table.files.back().rows.size());
         }
         if (std::ranges::any_of(files, &FileBytes::isBeginning)) {
             std::ranges::for_each(table.files, [&](TableFile &whole) { whole.rows.resize(shortest); });
             std::ranges::for_each(table.columns, [&](RawColumn &column) { column.values.resize(shortest); });
         }
-        assignColumns(table, resolveChoices(options, table));
+        assignColumns(table, options.columns);
         ReferenceData data = toData(table);
         data.layout = takeLayout(table);
         return data;
@@ -263,11 +228,10 @@ try {
     return ReadError{.fault = {Fault::NoMemory}};
 }
 
-std::variant<ReferenceData, ReadError> readReferenceData(std::string_view bytes, const std::stop_token &stop,
-                                                         const ReadOptions &options)
+std::variant<ReferenceData, ReadError> readReferenceData(std::string_view bytes, const ReadOptions &options)
 {
     const FileBytes file{bytes};
-    return readFiles({&file, 1}, stop, options);
+    return readFiles({&file, 1}, options);
 }
 
 } // namespace slidercrank

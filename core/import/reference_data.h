@@ -32,7 +32,6 @@
 #include <numbers>
 #include <optional>
 #include <span>
-#include <stop_token>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -115,8 +114,9 @@ ValueRange rangeOf(std::span<const double> values);
 struct ReadOptions {
     std::vector<ColumnChoice> columns; ///< the last one for a column applies; for the other columns, the file decides
 
-    /// Called regularly from the reading thread with the part that has been read, from 0 to 1. May be empty.
-    std::function<void(double part)> progress;
+    /// Called regularly from the reading thread with the part that has been read, from 0 to 1; returns false to stop
+    /// reading. May be empty.
+    std::function<bool(double part)> progress;
 };
 
 /// A file in memory.
@@ -129,9 +129,6 @@ struct FileBytes {
 /// Number of bytes that are checked before a large file is read.
 inline constexpr std::size_t kFileBeginning = std::size_t{1} << 16U;
 
-/// Number of skipped rows that are listed one by one.
-inline constexpr std::size_t kListedRows = 1000;
-
 /// Largest size of a file, in bytes.
 inline constexpr std::size_t kLargestReferenceFile = std::size_t{1} << 31U;
 
@@ -140,10 +137,8 @@ inline constexpr std::size_t kLargestReferenceFile = std::size_t{1} << 31U;
 std::optional<ReadError> findForeignFormat(std::string_view beginning);
 
 /// Reads a file. Contradictions are errors: the same channel or time twice, an unknown unit of a channel, a time that
-/// decreases. A row that cannot be read is skipped and listed. Returns ReadFault::Kind::Stopped after a request to
-/// stop.
-std::variant<ReferenceData, ReadError> readReferenceData(std::string_view bytes, const std::stop_token &stop = {},
-                                                         const ReadOptions &options = {});
+/// decreases. A row that cannot be read is skipped and listed.
+std::variant<ReferenceData, ReadError> readReferenceData(std::string_view bytes, const ReadOptions &options = {});
 
 /// Reads a file with a name, or several files of one motion, as written by programs that export one plot at a time. The
 /// files are joined side by side: they must have the same time stamps (or crank angles) within their rounding, and a
@@ -151,7 +146,6 @@ std::variant<ReferenceData, ReadError> readReferenceData(std::string_view bytes,
 /// of all files are numbered consecutively; a column that is chosen as the abscissa of the first file is that of the
 /// other files, too, where they have the same heading. An error contains the columns up to those of the file with the
 /// error.
-std::variant<ReferenceData, ReadError> readFiles(std::span<const FileBytes> files, const std::stop_token &stop = {},
-                                                 const ReadOptions &options = {});
+std::variant<ReferenceData, ReadError> readFiles(std::span<const FileBytes> files, const ReadOptions &options = {});
 
 } // namespace slidercrank

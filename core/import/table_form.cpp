@@ -46,11 +46,11 @@ bool isRow(const Cells &cells)
 }
 
 /// Cells are separated by spaces only if no other delimiter makes a row of any line.
-std::optional<FirstRow> findFirstRow(Lines lines, std::string_view delimiters)
+std::optional<FirstRow> findFirstRow(Lines lines)
 {
-    for (const std::string_view tried : {delimiters, std::string_view(delimiters == kDelimiters ? " " : "")}) {
+    for (const std::string_view delimiters : {kDelimiters, std::string_view(" ")}) {
         for (std::size_t i = 0; i < lines.size(); ++i) {
-            for (const char delimiter : tried) {
+            for (const char delimiter : delimiters) {
                 if (Cells cells = splitCells(lines[i].text, delimiter); isRow(cells)) {
                     return FirstRow{i, delimiter, std::move(cells)};
                 }
@@ -98,13 +98,13 @@ Names makeNames(Cells cells, char delimiter)
 /// Splits a line at the delimiter that yields most known names. Names above rows that are separated by spaces, or after
 /// a comment mark, may have another delimiter than the numbers. Then there have to be as many as numbers, and only one
 /// of those after a comment mark may be unknown.
-Names readNames(std::string_view line, std::string_view delimiters, const std::optional<FirstRow> &row)
+Names readNames(std::string_view line, const std::optional<FirstRow> &row)
 {
     const std::string_view text = withoutMark(line);
     const bool bySpaces = row && row->delimiter == ' ';
     const bool hasToFit = row && (bySpaces || text.size() != line.size());
     std::vector<Names> candidates;
-    for (const char delimiter : delimiters) {
+    for (const char delimiter : kDelimiters) {
         candidates.push_back(makeNames(splitCells(text, delimiter), delimiter));
     }
     if (hasToFit) {
@@ -130,13 +130,13 @@ struct HeaderFound {
 
 /// Returns the first line that names a time and a quantity; else the line above the numbers with most names of either;
 /// else the one directly above the numbers and units, if it has as many words; else, without numbers, the first line.
-HeaderFound findHeader(Lines lines, std::string_view delimiters, const std::optional<FirstRow> &row)
+HeaderFound findHeader(Lines lines, const std::optional<FirstRow> &row)
 {
     const auto isUnit = [](std::string_view cell) { return cell.empty() || parseUnit(cell); };
     HeaderFound best{row ? row->line : 0};
     std::size_t known = 0; // names in the best line
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        Names names = readNames(lines[i].text, delimiters, row);
+        Names names = readNames(lines[i].text, row);
         const bool hasSize = row && names.cells.size() == row->cells.size();
         if (names.isComplete() && (hasSize || !row || row->delimiter != ' ')) {
             return {i, std::move(names)};
@@ -169,15 +169,13 @@ std::string_view unitIn(std::string_view cell)
     return parseUnit(cell) ? cell : std::string_view();
 }
 
-/// Sets the units of the columns, which `findUnit` finds in the cells of a line. Returns whether there are any. Throws
-/// if a heading states another unit.
-bool setUnits(std::vector<Heading> &headings, const Cells &cells, std::size_t line,
+/// Sets the units of the columns, which `findUnit` finds in the cells of a line. Throws if a heading states another
+/// unit.
+void setUnits(std::vector<Heading> &headings, const Cells &cells, std::size_t line,
               std::string_view (*findUnit)(std::string_view cell))
 {
-    bool hasUnit = false;
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const std::string_view unit = findUnit(cells[i]);
-        hasUnit = hasUnit || !unit.empty();
         if (unit.empty() || i >= headings.size()) {
             continue;
         }
@@ -188,21 +186,19 @@ bool setUnits(std::vector<Heading> &headings, const Cells &cells, std::size_t li
         }
         column.unit = unit;
     }
-    return hasUnit;
 }
 
 /// Interprets the lines between the headings and the first number, which may contain units. Returns how many there are.
-std::size_t readAnnotations(Lines lines, std::string_view delimiters, const std::optional<FirstRow> &row,
-                            std::vector<Heading> &headings, FileLayout &layout)
+std::size_t readAnnotations(Lines lines, const std::optional<FirstRow> &row, std::vector<Heading> &headings)
 {
     std::size_t count = 0;
     for (const Line &line : lines) {
-        const Cells cells = row && row->delimiter != ' ' ? splitCells(line.text, row->delimiter)
-                                                         : readNames(line.text, delimiters, row).cells;
+        const Cells cells =
+            row && row->delimiter != ' ' ? splitCells(line.text, row->delimiter) : readNames(line.text, row).cells;
         if (std::ranges::any_of(cells, [](std::string_view cell) { return looksNumeric(splitUnit(cell).number); })) {
             break;
         }
-        layout.unitsLine = setUnits(headings, cells, line.number, unitIn) ? line.number : layout.unitsLine;
+        setUnits(headings, cells, line.number, unitIn);
         ++count;
     }
     return count;
@@ -223,14 +219,6 @@ DecimalSign findDecimalSign(Lines lines, char delimiter)
         }
     }
     return commas > 0 ? DecimalSign::Comma : DecimalSign::Point;
-}
-
-/// Returns the possible delimiters: the one that a first line such as "sep=;" announces to a spreadsheet, or all.
-std::string_view findDelimiters(std::string_view firstLine)
-{
-    const std::string text = lowered(splitCells(firstLine, ' ').front()); // without quotation marks
-    const std::size_t announced = text.starts_with("sep=") && text.size() == 5 ? kDelimiters.find(text[4]) : text.npos;
-    return announced == text.npos ? kDelimiters : kDelimiters.substr(announced, 1);
 }
 
 } // namespace
@@ -263,9 +251,8 @@ std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout)
     if (lines.empty()) {
         throw ReadError{.fault = {ReadFault::Kind::Empty}};
     }
-    const std::string_view delimiters = findDelimiters(lines.front().text);
-    const std::optional<FirstRow> row = findFirstRow(examined, delimiters);
-    const HeaderFound header = findHeader(examined, delimiters, row);
+    const std::optional<FirstRow> row = findFirstRow(examined);
+    const HeaderFound header = findHeader(examined, row);
     const Lines preamble = examined.first(header.line);
     layout.delimiter = row ? row->delimiter : header.names->delimiter;
     Lines rows = Lines(lines).subspan(header.line + (header.names ? 1 : 0));
@@ -276,7 +263,7 @@ std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout)
         if (row && lines[row->line].text.starts_with('"') && row->cells.size() == headings.size() + 1) {
             headings.insert(headings.begin(), Heading()); // R writes row names without a heading
         }
-        rows = rows.subspan(readAnnotations(firstLines(rows), delimiters, row, headings, layout));
+        rows = rows.subspan(readAnnotations(firstLines(rows), row, headings));
     }
     if (row) {
         setUnits(headings, row->cells, lines[row->line].number,

@@ -2790,16 +2790,8 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
 <context>
     <name>slidercrank::ReadFaultText</name>
     <message>
-        <source>two columns are chosen as the time: keep one of the two.</source>
-        <translation>dos columnas se han elegido como tiempo: deje una de las dos.</translation>
-    </message>
-    <message>
-        <source>there is a time column already: keep one of the two.</source>
-        <translation>ya hay una columna de tiempo: deje una de las dos.</translation>
-    </message>
-    <message>
-        <source>there is a column of that name already: keep one of the two.</source>
-        <translation>ya hay una columna con ese nombre: deje una de las dos.</translation>
+        <source>two columns contain the time, or the crank angle instead of it: keep one of the two.</source>
+        <translation>dos columnas contienen el tiempo, o en su lugar el ángulo de la manivela: deje una de las dos.</translation>
     </message>
     <message>
         <source>not a number: too large</source>
@@ -2886,8 +2878,8 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>varias columnas se llaman «%1»: indique el número de una de ellas, como en #3.</translation>
     </message>
     <message>
-        <source>two columns are chosen as %2: keep one of the two.</source>
-        <translation>se han elegido dos columnas como %2: deje una de las dos.</translation>
+        <source>two columns contain %2: keep one of the two.</source>
+        <translation>dos columnas contienen %2: deje una de las dos.</translation>
     </message>
     <message>
         <source>there is no time column: call the column of the time stamps &quot;time&quot;, or that of the crank angle &quot;theta2&quot;.</source>

@@ -60,7 +60,7 @@ void check(const ReferenceData &data)
 
 FileLayout checked(std::string_view bytes, const ReadOptions &options)
 {
-    const std::variant<ReferenceData, ReadError> outcome = readReferenceData(bytes, {}, options);
+    const std::variant<ReferenceData, ReadError> outcome = readReferenceData(bytes, options);
     std::visit([](const auto &each) { check(each); }, outcome);
     const ReferenceData *data = std::get_if<ReferenceData>(&outcome);
     return data ? data->layout : std::get<ReadError>(outcome).layout;

@@ -136,7 +136,11 @@ private slots:
 
     void asksForColumnsThatCannotBeRecognized()
     {
-        const auto isOpen = [](const QByteArray &names) {
+        const auto isOpen = [](const std::variant<ReferenceData, ReadError> &outcome) {
+            const ReadError *error = std::get_if<ReadError>(&outcome);
+            return error && error->fault.kind == ReadFault::Kind::NoCertainChannel;
+        };
+        const auto table = [](const QByteArray &names) {
             QByteArray bytes = names + '\n';
             for (int row = 0; row < 20; ++row) {
                 bytes += QByteArray::number(row);
@@ -145,20 +149,19 @@ private slots:
                 }
                 bytes += '\n';
             }
-            return layoutOf(readReferenceData(bytes.toStdString())).isOpen();
+            return readReferenceData(bytes.toStdString());
         };
-        QVERIFY(isOpen("time,J1_x,J1_y,J2_x,J2_y"));
-        QVERIFY(isOpen("time,body 1 velocity,body 2 velocity"));
-        QVERIFY(isOpen("time,Linear Displacement1 (mm),Linear Displacement2 (mm)"));
-        QVERIFY(isOpen("time,theta3,Linear Displacement1 (mm),Linear Displacement2 (mm)"));
-        QVERIFY(!isOpen("time,R4_x,J1_x"));
-        QVERIFY(!isOpen("time,R4_x,Linear Displacement2 (mm)"));
-        QVERIFY(!isOpen("time,x"));
-        QVERIFY(!isOpen("time,temperature,humidity"));
-        QVERIFY(!isOpen("J1_x,J2_x"));
+        QVERIFY(isOpen(table("time,J1_x,J1_y,J2_x,J2_y")));
+        QVERIFY(isOpen(table("time,body 1 velocity,body 2 velocity")));
+        QVERIFY(isOpen(table("time,Linear Displacement1 (mm),Linear Displacement2 (mm)")));
+        QVERIFY(!isOpen(table("time,R4_x,J1_x")));
+        QVERIFY(!isOpen(table("time,R4_x,Linear Displacement2 (mm)")));
+        QVERIFY(!isOpen(table("time,x")));
+        QVERIFY(!isOpen(table("time,temperature,humidity")));
+        QVERIFY(!isOpen(table("J1_x,J2_x")));
         for (const Sample &sample : samples()) {
             const bool isOther = sample.files.front().startsWith("other/");
-            QVERIFY2(!isOther || !layoutOf(readSample(sample.files)).isOpen(), qPrintable(sample.name));
+            QVERIFY2(!isOther || !isOpen(readSample(sample.files)), qPrintable(sample.name));
         }
     }
 

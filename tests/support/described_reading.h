@@ -27,7 +27,7 @@ inline Outcome read(const QByteArray &bytes, const std::vector<ColumnChoice> &ch
 {
     ReadOptions options;
     options.columns = choices;
-    return readReferenceData({bytes.constData(), static_cast<std::size_t>(bytes.size())}, {}, options);
+    return readReferenceData({bytes.constData(), static_cast<std::size_t>(bytes.size())}, options);
 }
 
 /// Reads files with the names "a", "b", "c".
@@ -38,7 +38,7 @@ inline Outcome readJoined(const QByteArrayList &files, const ReadOptions &option
         const std::string name(1, static_cast<char>('a' + sources.size()));
         sources.push_back({{file.constData(), static_cast<std::size_t>(file.size())}, name, areBeginnings});
     }
-    return readFiles(sources, {}, options);
+    return readFiles(sources, options);
 }
 
 /// Returns the shortest text of a number. Two numbers with the same text are equal.
@@ -78,15 +78,11 @@ inline std::string rolesOf(const FileLayout &layout)
     return roles;
 }
 
-/// Returns encoding, delimiter, decimal sign and lines: "UTF-8 ; comma line 3 units 4".
+/// Returns delimiter, decimal sign and line of the headings: "; comma line 3".
 inline std::string formOf(const FileLayout &layout)
 {
-    constexpr std::array kEncodings{"UTF-8 ", "UTF-16LE ", "UTF-16BE ", "Windows-1252 "};
-    std::string form = kEncodings[static_cast<std::size_t>(layout.encoding)];
-    form += layout.delimiter == '\t' ? std::string("tab") : std::string(1, layout.delimiter);
-    form += layout.decimalSign == DecimalSign::Comma ? " comma" : " point";
-    form += " line " + std::to_string(layout.headerLine);
-    return form + (layout.unitsLine > 0 ? " units " + std::to_string(layout.unitsLine) : "");
+    const std::string sign = layout.decimalSign == DecimalSign::Comma ? " comma" : " point";
+    return layout.delimiter + sign + " line " + std::to_string(layout.headerLine);
 }
 
 /// Returns the data, "time 0 0.5; R4_x 85 gap; skipped 3:2 abc (not a number)", or the error.

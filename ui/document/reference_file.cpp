@@ -128,7 +128,7 @@ std::optional<QString> readWhole(const QString &path, bool isTable, QByteArray &
     return isTooLarge() ? std::optional(wholeFileFault(ReadFault::Kind::TooLarge, name)) : std::nullopt;
 }
 
-ReferenceOutcome readReference(const ReferenceSource &source, std::stop_token stop, ReadOptions options)
+ReferenceOutcome readReference(const ReferenceSource &source, ReadOptions options)
 {
     options.columns.insert(options.columns.begin(), source.columns.begin(), source.columns.end());
     auto reference = std::make_shared<Reference>();
@@ -140,7 +140,7 @@ ReferenceOutcome readReference(const ReferenceSource &source, std::stop_token st
         }
         files.push_back({toView(bytes.last()), fileName(path)});
     }
-    std::variant<ReferenceData, ReadError> outcome = readFiles(files, stop, options);
+    std::variant<ReferenceData, ReadError> outcome = readFiles(files, options);
     bytes.clear();
     if (const ReadError *error = std::get_if<ReadError>(&outcome)) {
         return readErrorText(*error, displayNames(source.paths));
@@ -206,7 +206,7 @@ std::variant<ReferenceData, ReadError> readBytes(const QStringList &paths, const
     for (qsizetype i = 0; i < paths.size(); ++i) {
         files.push_back({toView(bytes[i]), fileName(paths[i]), bytes[i].size() < QFileInfo(paths[i]).size()});
     }
-    return readFiles(files, {}, options);
+    return readFiles(files, options);
 }
 
 const FileLayout &layoutOf(const std::variant<ReferenceData, ReadError> &outcome)

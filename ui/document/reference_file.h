@@ -14,7 +14,6 @@
 
 #include <memory>
 #include <optional>
-#include <stop_token>
 #include <variant>
 #include <vector>
 
@@ -45,7 +44,7 @@ using ReferenceOutcome = std::variant<std::shared_ptr<const Reference>, QString>
 std::optional<QString> readWhole(const QString &path, bool isTable, QByteArray &bytes);
 
 /// Reads files, pipes or standard input. May run in any thread.
-ReferenceOutcome readReference(const ReferenceSource &source, std::stop_token stop = {}, ReadOptions options = {});
+ReferenceOutcome readReference(const ReferenceSource &source, ReadOptions options = {});
 
 /// Returns a table by crank angle with the time stamps at which the crank of that mechanism reaches its angles, or a
 /// sentence if the crank does not reach them in their order. Returns other data, and null, unchanged.

@@ -239,8 +239,11 @@ void Session::read(const ReferenceSource &source, bool isOfScene)
             complete.columns = savedChoices(readLayout(source.paths), source.paths);
         }
         ReadOptions options;
-        options.progress = progress;
-        return readReference(complete, stop, options);
+        options.progress = [&](double part) {
+            progress(part);
+            return !stop.stop_requested();
+        };
+        return readReference(complete, options);
     };
     const auto finish = [this, source, isOfScene](const ReferenceOutcome &outcome) {
         if (const QString *sentence = std::get_if<QString>(&outcome)) {

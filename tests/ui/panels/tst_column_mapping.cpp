@@ -130,7 +130,7 @@ private slots:
         QVERIFY(dialog.chosen.size() == 1 && !dialog.mapping.isVisible());
         QByteArray other = inventorFile();
         QVERIFY(remembered(other.replace("what", "else")).empty());
-        const auto outcome = readReferenceData(inventorFile().toStdString(), {}, {remembered(inventorFile()), {}});
+        const auto outcome = readReferenceData(inventorFile().toStdString(), {remembered(inventorFile()), {}});
         QVERIFY(!std::get<ReferenceData>(outcome).layout.isGuessed()); // an accepted guess is a choice
 
         Dialog again({inventorFile()}, {"/elsewhere/others.csv"});

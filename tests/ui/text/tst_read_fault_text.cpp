@@ -53,7 +53,7 @@ private slots:
         const Row rows[] = {
             {{.kind = Kind::UnitsContradict, .heading = "R4_x [%2]"}, "R4_x [%2]"},
             {{Kind::UnknownUnit, {Theta3, Order::Velocity}}, "[°/s]"},
-            {{Kind::ChannelChosenTwice, {R4x, Order::Velocity}}, "R4_x_diff"},
+            {{Kind::ChannelTwice, {R4x, Order::Velocity}}, "R4_x_diff"},
             {{Kind::ChannelInBoth, {R4x, Order::Velocity}}, "R4_x_diff"},
             {{.kind = Kind::NoCertainChannel, .column = ColumnReason::AngleOrLength}, "neither unit nor values"},
             {{.kind = Kind::NoCertainChannel, .column = ColumnReason::LikeOther}, "the same quantity)"},
