@@ -28,13 +28,15 @@ bool parseExponent(std::string_view text, int &exponent)
     if (text.empty()) {
         return true;
     }
-    text.remove_prefix(text.substr(1).starts_with('+') && !text.substr(2).starts_with('-') ? 2 : 1);
-    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), exponent);
-    if (fault == std::errc::result_out_of_range) {
-        exponent = text.starts_with('-') ? -kLargest : kLargest;
+    const std::size_t digits = text.find_first_not_of("+-", 1);
+    for (const char c : text.substr(std::min(digits, text.size()))) {
+        if (!isDigit(c)) {
+            return false;
+        }
+        exponent = std::min(10 * exponent + (c - '0'), kLargest);
     }
-    exponent = std::clamp(exponent, -kLargest, kLargest);
-    return fault != std::errc::invalid_argument && end == text.data() + text.size();
+    exponent = text.substr(1).starts_with('-') ? -exponent : exponent;
+    return digits == 1 || digits == 2;
 }
 
 /// Parses an optional minus sign, digits with at most one decimal sign, and an optional exponent. Large files consist

@@ -51,9 +51,9 @@ void setAbscissa(RawTable &table, RawColumn &column, ColumnRole role, ColumnReas
     const RawColumn *const first = table.abscissa();
     if (!first) {
         column.use.role = role;
-        column.setReason(reason);
+        column.use.reason = reason;
     } else if (areSameTimes(first->values, column.values)) {
-        column.setReason(ColumnReason::SameTimeStamps, first->index);
+        column.use.reason = ColumnReason::SameTimeStamps;
     } else if (first->use.file == column.use.file) {
         throw faultIn(table, column, {Fault::TimeTwice});
     } else {
@@ -86,13 +86,12 @@ bool isTurningAngle(RawColumn column)
 /// Finds the abscissa of a file in which no column is named as the time. If another file has one, it is the column with
 /// the same heading. Otherwise it is the first column, if it has an unknown name and only rises; else the crank angle;
 /// else the first column, if it is an angle that does not change its direction, as in "theta, x, v".
-void guessAbscissa(RawTable &table, std::size_t file)
+void guessAbscissa(RawTable &table, const TableFile &file)
 {
-    const auto find = [&](const auto &suits) {
-        const auto found = std::ranges::find_if(table.columns, [&](const RawColumn &column) {
-            return column.use.file == file && column.meaning.kind != Kind::Chosen && suits(column);
-        });
-        return found == table.columns.end() ? nullptr : &*found;
+    const auto find = [columns = table.columnsOf(file)](const auto &suits) {
+        const auto found = std::ranges::find_if(
+            columns, [&](const RawColumn &column) { return column.meaning.kind != Kind::Chosen && suits(column); });
+        return found == columns.end() ? nullptr : &*found;
     };
     if (const RawColumn *const other = table.abscissa()) {
         if (RawColumn *const same =
@@ -121,25 +120,27 @@ void guessAbscissa(RawTable &table, std::size_t file)
 void assignAbscissas(RawTable &table)
 {
     const RawColumn *const chosen = table.abscissa();
-    for (std::size_t file = 0; file < table.files.size(); ++file) {
-        std::vector<RawColumn *> times;
-        for (RawColumn &column : table.columns) {
-            if (column.use.file == file && column.meaning.kind == Kind::Time && column.isUndecided()) {
-                times.push_back(&column);
+    for (const TableFile &file : table.files) {
+        const auto isTime = [](const RawColumn &column) {
+            return column.meaning.kind == Kind::Time && column.isUndecided();
+        };
+        const auto isNumeric = [&](const RawColumn &column) {
+            return isTime(column) && rangeOf(column.values).count > 0;
+        };
+        const bool isAnyNumeric = std::ranges::any_of(table.columnsOf(file), isNumeric);
+        for (RawColumn &column : table.columnsOf(file)) {
+            if (!isTime(column)) {
+                continue;
             }
-        }
-        const auto hasNumber = [](const RawColumn *column) { return rangeOf(column->values).count > 0; };
-        const bool isAnyNumeric = std::ranges::any_of(times, hasNumber);
-        for (RawColumn *const column : times) {
-            if (isAnyNumeric && !hasNumber(column)) {
-                column->setReason(ColumnReason::NoNumber); // "2024-03-01 12:00", next to the seconds
-            } else if (chosen && chosen->use.file == file) {
-                column->setReason(ColumnReason::LikeOther, chosen->index);
+            if (isAnyNumeric && !isNumeric(column)) {
+                column.use.reason = ColumnReason::NoNumber; // "2024-03-01 12:00", next to the seconds
+            } else if (chosen && &table.fileOf(*chosen) == &file) {
+                column.use.reason = ColumnReason::LikeOther;
             } else if (!table.abscissa() || table.abscissa()->use.role == ColumnRole::Time) {
-                setAbscissa(table, *column, ColumnRole::Time, ColumnReason::KnownName);
+                setAbscissa(table, column, ColumnRole::Time, ColumnReason::KnownName);
             }
         }
-        if (!table.files[file].hasAbscissa) {
+        if (!file.hasAbscissa) {
             guessAbscissa(table, file);
         }
     }
@@ -161,23 +162,20 @@ ReadError conflict(const RawTable &table, const RawColumn &column, const RawColu
 /// Returns the only column that has that heading, or else that heading apart from the unit, or else that number.
 RawColumn &findColumn(RawTable &table, const std::string &name)
 {
-    ReadFault fault{Fault::NoSuchColumn, {}, name};
-    for (int kind = 0; kind < 3; ++kind) {
-        const auto isNamed = [&](const RawColumn &column) {
-            return name == (kind == 0   ? column.use.heading
-                            : kind == 1 ? column.name
-                                        : '#' + std::to_string(column.index + 1));
-        };
-        const auto count = std::ranges::count_if(table.columns, isNamed);
-        if (count == 1) {
-            return *std::ranges::find_if(table.columns, isNamed);
-        }
-        if (count > 1) {
-            fault.kind = Fault::SeveralColumns;
-            break;
-        }
+    const auto matchOf = [&name](const RawColumn &column) {
+        return name == column.use.heading                       ? 3
+               : name == column.name                            ? 2
+               : name == '#' + std::to_string(column.index + 1) ? 1
+                                                                : 0;
+    };
+    const auto best = std::ranges::max_element(table.columns, {}, matchOf);
+    if (best == table.columns.end() || matchOf(*best) == 0) {
+        throw ReadError{.fault = {Fault::NoSuchColumn, {}, name}};
     }
-    throw ReadError{table.files.size() == 1 ? table.files[0].layout.headerLine : 0, 0, {}, fault};
+    if (std::ranges::count(table.columns, matchOf(*best), matchOf) > 1) {
+        throw ReadError{.fault = {Fault::SeveralColumns, {}, name}};
+    }
+    return *best;
 }
 
 /// The last choice for a column applies.
@@ -196,7 +194,7 @@ void applyChoices(RawTable &table, std::span<const ColumnChoice> choices)
         }
         const ColumnRole role = column.choice->role;
         column.meaning = {Kind::Chosen, column.choice->channel, ColumnReason::Chosen};
-        column.setReason(role == ColumnRole::Ignored ? ColumnReason::Chosen : ColumnReason::UnknownName);
+        column.use.reason = role == ColumnRole::Ignored ? ColumnReason::Chosen : ColumnReason::UnknownName;
         if (role == ColumnRole::Time || role == ColumnRole::CrankAngle) {
             setAbscissa(table, column, role, ColumnReason::Chosen);
         }
@@ -218,7 +216,7 @@ std::vector<RawColumn *> findCandidates(RawTable &table)
             throw faultIn(table, column, {Fault::UnknownUnit, meaning.channel});
         }
         if (!unit) {
-            column.setReason(ColumnReason::UnknownUnit);
+            column.use.reason = ColumnReason::UnknownUnit;
             continue;
         }
         convert(column, *unit);
@@ -259,7 +257,7 @@ void findCrank(std::vector<RawColumn *> &candidates)
             }
         }
         if (crank && isAmbiguous) {
-            column->setReason(ColumnReason::LikeOther, crank->index);
+            column->use.reason = ColumnReason::LikeOther;
             std::erase(candidates, column);
         } else if (crank) {
             column->use.channel.coordinate = Theta2;
@@ -280,43 +278,41 @@ void assignChannels(RawTable &table)
         });
         if (rival == candidates.end()) {
             column->use.role = ColumnRole::Channel;
-            column->setReason(column->meaning.reason);
+            column->use.reason = column->meaning.reason;
         } else if (evidence >= Kind::ChannelName && (*rival)->meaning.kind == evidence) {
             throw conflict(table, *column, **rival);
         } else {
-            column->setReason(ColumnReason::LikeOther, (*rival)->index);
+            column->use.reason = ColumnReason::LikeOther;
         }
     }
 }
 
 /// Throws if the file lacks the time or a channel.
-void requireData(const RawTable &table, std::size_t file)
+void requireData(RawTable &table, std::size_t file)
 {
-    const bool hasChannel = std::ranges::any_of(table.columns, [file](const RawColumn &column) {
-        return column.use.file == file && column.use.role == ColumnRole::Channel;
-    });
     const TableFile &own = table.files[file];
-    const FileLayout &layout = own.layout;
-    if (hasChannel && own.hasAbscissa) {
+    const std::span<const RawColumn> columns = table.columnsOf(own);
+    const auto isChannel = [](const RawColumn &column) { return column.use.role == ColumnRole::Channel; };
+    if (own.hasAbscissa && std::ranges::any_of(columns, isChannel)) {
         return;
     }
-    if (layout.headerLine == 0) {
+    if (own.layout.headerLine == 0 && !own.rows.empty()) {
         throw ReadError{own.rows.front().number, 0, {}, {Fault::NamesMissing}, {}, file};
     }
     ReadFault fault{own.hasAbscissa ? Fault::NoChannel : Fault::NoTime};
-    for (const RawColumn &column : table.columns) {
-        const ColumnReason reason = column.use.reason;
-        if (column.use.file != file || fault.kind != Fault::NoChannel) {
-            continue;
+    const auto open = std::ranges::find_if(columns, [](const RawColumn &column) {
+        return leavesOpen(column.use.reason) || column.use.reason == ColumnReason::UnknownUnit;
+    });
+    if (own.hasAbscissa && open != columns.end()) {
+        const auto other = std::ranges::find_if(table.columns, [&](const RawColumn &column) {
+            return column.use.file != file && column.use.channel == open->use.channel;
+        });
+        if (open->use.reason == ColumnReason::LikeOther && other != table.columns.end()) {
+            throw conflict(table, *open, *other);
         }
-        if (reason == ColumnReason::LikeOther && table.columns[*column.use.otherColumn].use.file != file) {
-            throw conflict(table, column, table.columns[*column.use.otherColumn]);
-        }
-        if (leavesOpen(reason) || reason == ColumnReason::UnknownUnit) {
-            fault = {Fault::NoCertainChannel, {}, excerpt(column.use.heading), reason};
-        }
+        fault = {Fault::NoCertainChannel, {}, excerpt(open->use.heading), open->use.reason};
     }
-    throw ReadError{layout.headerLine, 0, {}, fault, {}, file};
+    throw ReadError{own.layout.headerLine, 0, {}, fault, {}, file};
 }
 
 } // namespace

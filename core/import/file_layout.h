@@ -24,7 +24,7 @@ enum class ColumnRole {
     Channel
 };
 
-/// Why a column has its role. `otherColumn` is FileColumn::otherColumn.
+/// Why a column has its role.
 enum class ColumnReason {
     // Certain.
     KnownName, ///< the heading names the time or a channel
@@ -41,12 +41,12 @@ enum class ColumnReason {
     UnknownName,    ///< the heading denotes no channel
     UnknownBody,    ///< the heading denotes a quantity, but of an unknown body
     RowNumber,      ///< it numbers the rows
-    Magnitude,      ///< of a vector whose first component is otherColumn
-    SameTimeStamps, ///< the time stamps of another signal, equal to those in otherColumn
+    Magnitude,      ///< of a vector whose components are other columns
+    SameTimeStamps, ///< the time stamps of another signal, equal to those in the column of the time
     NoName,         ///< the heading is empty
     NoNumber,       ///< no cell contains a number
     UnknownUnit,    ///< the unit is unknown, or does not suit the quantity
-    LikeOther,      ///< otherColumn could be the same channel: a person has to choose
+    LikeOther,      ///< another column could be the same channel: a person has to choose
     AngleOrLength   ///< it is unknown whether it is an angle or a length
 };
 
@@ -76,7 +76,6 @@ struct FileColumn {
     ColumnRole role = ColumnRole::Ignored;
     Channel channel{}; ///< if the role is Channel
     ColumnReason reason = ColumnReason::UnknownName;
-    std::optional<std::size_t> otherColumn{};
     std::optional<Difference> difference{}; ///< how a column of derivatives was computed; nullopt: exactly, or unknown
     std::size_t file = 0;                   ///< index in FileLayout::files
 };

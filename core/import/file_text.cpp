@@ -24,17 +24,6 @@ constexpr std::u16string_view kWindowsCharacters =
     u"\u20AC?\u201A\u0192\u201E\u2026\u2020\u2021\u02C6\u2030\u0160\u2039\u0152?\u017D??\u2018\u2019\u201C\u201D\u2022"
     u"\u2013\u2014\u02DC\u2122\u0161\u203A\u0153?\u017E\u0178";
 
-/// Converts bytes to UTF-8. `unitAt(i)` returns each of the `count` units of UTF-16.
-template <typename UnitAt>
-std::string toUtf8(std::size_t count, const UnitAt &unitAt)
-{
-    std::u16string units(count, u'\0');
-    for (std::size_t i = 0; i < count; ++i) {
-        units[i] = static_cast<char16_t>(unitAt(i));
-    }
-    return boost::locale::conv::utf_to_utf<char>(units);
-}
-
 /// Returns whether at least half of the characters outside ASCII are valid UTF-8.
 bool isUtf8(std::string_view bytes)
 {
@@ -106,20 +95,24 @@ std::string_view decodeText(std::string_view bytes, std::string &converted)
     constexpr std::size_t kExamined = std::size_t{1} << 20U; // bytes, for the encoding
     refuseFormats(bytes);
     std::string_view text = bytes;
+    std::u16string units; // of other encodings than UTF-8
     const auto byteAt = [bytes](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
     const bool isLittleEndian = bytes.starts_with("\xFF\xFE");
     if (isLittleEndian || bytes.starts_with("\xFE\xFF")) {
-        text = converted = toUtf8(bytes.size() / 2 - 1, [&](std::size_t i) {
-            const std::size_t at = 2 * i + 2;
-            return isLittleEndian ? byteAt(at + 1) * 256 + byteAt(at) : byteAt(at) * 256 + byteAt(at + 1);
-        });
+        const std::size_t low = isLittleEndian ? 0 : 1; // where the lower byte of a unit is
+        for (std::size_t i = 2; i + 1 < bytes.size(); i += 2) {
+            units += static_cast<char16_t>(byteAt(i + 1 - low) * 256 + byteAt(i + low));
+        }
     } else if (bytes.starts_with(kUtf8Mark)) {
         text.remove_prefix(kUtf8Mark.size());
     } else if (!isUtf8(bytes.substr(0, kExamined))) {
-        text = converted = toUtf8(bytes.size(), [&](std::size_t i) {
-            const unsigned byte = byteAt(i);
-            return byte >= 0x80 && byte < 0xA0 ? kWindowsCharacters[byte - 0x80] : byte;
-        });
+        for (std::size_t i = 0; i < bytes.size(); ++i) {
+            const char16_t byte = byteAt(i);
+            units += byte >= 0x80 && byte < 0xA0 ? kWindowsCharacters[byte - 0x80U] : byte;
+        }
+    }
+    if (!units.empty()) {
+        text = converted = boost::locale::conv::utf_to_utf<char>(units);
     }
     text = withoutPadding(text);
     if (const std::size_t binary = findBinary(text); binary != text.npos) {

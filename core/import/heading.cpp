@@ -315,7 +315,6 @@ void interpretHeadings(std::vector<Heading> &row, const std::string &unitOfLengt
         if (isComponent && magnitude) {
             Heading &whole = row[*magnitude];
             whole.use.reason = ColumnReason::Magnitude;
-            whole.use.otherColumn = whole.use.otherColumn.value_or(i);
             heading.name = whole.name + (heading.name[0] == 'X' ? " x" : " y");
             heading.use.unit = heading.use.unit.empty() ? whole.use.unit : heading.use.unit;
         }

@@ -28,25 +28,24 @@ CellNumber parseCell(const RawColumn &column, std::string_view cell, DecimalSign
 
 void readRow(RawTable &table, const TableFile &file, std::size_t row)
 {
+    const std::span<RawColumn> columns = table.columnsOf(file);
     bool hasTooManyCells = false;
     std::size_t cells = 0;
     for (std::string_view rest = file.rows[row].text; rest.data() != nullptr; ++cells) {
         const std::string_view cell = takeCell(rest, file.layout.delimiter);
-        if (cells >= file.width) {
+        if (cells >= columns.size()) {
             hasTooManyCells = hasTooManyCells || !cell.empty();
             continue;
         }
-        RawColumn &column = table.columns[file.firstColumn + cells];
+        RawColumn &column = columns[cells];
         const CellNumber number = parseCell(column, cell, file.layout.decimalSign);
         column.values[row] = number.fault ? kUnreadable : number.value;
         if (!std::isnan(number.value)) {
             column.rounding.observe(number.places, number.value);
         }
     }
-    if (hasTooManyCells || cells < std::min(file.width, kFewestCells)) {
-        for (std::size_t i = 0; i < file.width; ++i) {
-            table.columns[file.firstColumn + i].values[row] = kUnreadable;
-        }
+    if (hasTooManyCells || cells < std::min(columns.size(), kFewestCells)) {
+        std::ranges::for_each(columns, [row](RawColumn &column) { column.values[row] = kUnreadable; });
     }
 }
 
@@ -69,7 +68,7 @@ SkippedRow faultAt(const RawTable &table, const RawColumn &column, std::size_t r
                 : cells.size() < std::min(file.width, kFewestCells) ? RowFault::TooFewCells
                                                                     : RowFault::TooLarge; // once converted
     }
-    return {line.number, i + 1, excerpt(cellAt(i)), *fault, 1, column.use.file};
+    return {line.number, i + 1, excerpt(cellAt(i)), *fault, column.use.file};
 }
 
 } // namespace
@@ -77,12 +76,6 @@ SkippedRow faultAt(const RawTable &table, const RawColumn &column, std::size_t r
 bool RawColumn::isUnreadable(std::size_t row) const
 {
     return isUsed() && (std::isinf(values[row]) || (isAbscissa() && std::isnan(values[row])));
-}
-
-void RawColumn::setReason(ColumnReason reason, std::optional<std::size_t> otherColumn)
-{
-    use.reason = reason;
-    use.otherColumn = otherColumn;
 }
 
 RawColumn *RawTable::abscissa()
@@ -112,9 +105,6 @@ void readTable(const FileBytes &bytes, const std::function<bool(double part)> &p
     for (const Heading &heading : headings) {
         RawColumn &column = table.columns.emplace_back(RawColumn{heading, table.columns.size()});
         column.use.file = table.files.size() - 1;
-        if (column.use.otherColumn) {
-            *column.use.otherColumn += file.firstColumn;
-        }
         column.values.assign(file.rows.size(), kGap);
     }
     for (std::size_t row = 0; row < file.rows.size(); ++row) {

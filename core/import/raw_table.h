@@ -10,6 +10,7 @@
 #include <deque>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,8 +38,6 @@ struct RawColumn : Heading {
 
     /// Returns whether the row has to be skipped because of this column.
     bool isUnreadable(std::size_t row) const;
-
-    void setReason(ColumnReason reason, std::optional<std::size_t> otherColumn = {});
 };
 
 /// One of the files whose columns are side by side in a table.
@@ -57,6 +56,10 @@ struct RawTable {
     std::vector<RawColumn> columns{};
 
     const TableFile &fileOf(const RawColumn &column) const { return files[column.use.file]; }
+    std::span<RawColumn> columnsOf(const TableFile &file)
+    {
+        return std::span(columns).subspan(file.firstColumn, file.width);
+    }
 
     /// Returns the column of time stamps or crank angles, or null.
     RawColumn *abscissa();

@@ -20,8 +20,7 @@ enum class RowFault {
     TooManyCells,
     TooFewCells,
     NoTime,
-    RepeatedTime, ///< a later row has the same time: the last one is used, as after an event of a simulation
-    NotListed     ///< any of these: so many rows were skipped that the rest is only counted
+    RepeatedTime ///< a later row has the same time: the last one is used, as after an event of a simulation
 };
 
 /// Why no data could be read.

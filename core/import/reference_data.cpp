@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
-#include <numeric>
 #include <utility>
 
 namespace slidercrank
@@ -51,25 +50,18 @@ std::vector<std::size_t> findUsedRows(RawTable &table)
     return rows;
 }
 
-/// Lists the other rows and counts those for which the list is too long.
-std::vector<SkippedRow> findSkippedRows(RawTable &table, const std::vector<std::size_t> &used)
+/// Counts the other rows, and lists the first ones.
+void listSkippedRows(RawTable &table, const std::vector<std::size_t> &used, ReferenceData &data)
 {
     constexpr std::size_t kListedRows = 1000;
-    std::vector<SkippedRow> skipped;
-    const std::vector<Line> &lines = table.files.front().rows;
     auto next = used.begin();
-    for (std::size_t row = 0; row < lines.size(); ++row) {
+    for (std::size_t row = 0; row < table.files.front().rows.size(); ++row) {
         if (next != used.end() && *next == row) {
             ++next;
-        } else if (skipped.size() < kListedRows) {
-            skipped.push_back(findRowFault(table, row));
-        } else if (skipped.size() == kListedRows) {
-            skipped.push_back({lines[row].number, 0, {}, RowFault::NotListed});
-        } else {
-            ++skipped.back().rows;
+        } else if (++data.skippedCount <= kListedRows) {
+            data.skipped.push_back(findRowFault(table, row));
         }
     }
-    return skipped;
 }
 
 /// Returns the used columns without the rows that are skipped. Tables by crank angle have the angles as time stamps.
@@ -77,7 +69,7 @@ ReferenceData collect(RawTable &table)
 {
     ReferenceData data;
     const std::vector<std::size_t> rows = findUsedRows(table);
-    data.skipped = findSkippedRows(table, rows);
+    listSkippedRows(table, rows, data);
     const TableFile &file = table.files.front();
     if (rows.empty()) {
         throw data.skipped.empty() ? ReadError{file.layout.headerLine, 0, {}, {Fault::NoNumbers}}
@@ -102,7 +94,7 @@ ReferenceData collect(RawTable &table)
             data.series.push_back({column.use.channel, std::move(values), rounding});
         } else {
             column.use.role = ColumnRole::Ignored;
-            column.setReason(ColumnReason::NoNumber);
+            column.use.reason = ColumnReason::NoNumber;
         }
     }
     if (data.series.empty()) {
@@ -167,12 +159,6 @@ const ReferenceSeries *ReferenceData::find(Channel channel) const
 {
     const auto found = std::ranges::find(series, channel, &ReferenceSeries::channel);
     return found == series.end() ? nullptr : &*found;
-}
-
-std::size_t ReferenceData::skippedRowCount() const
-{
-    return std::accumulate(skipped.begin(), skipped.end(), std::size_t{0},
-                           [](std::size_t count, const SkippedRow &row) { return count + row.rows; });
 }
 
 ValueRange rangeOf(std::span<const double> values)

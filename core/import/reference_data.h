@@ -53,7 +53,6 @@ struct SkippedRow {
     std::size_t column = 0;
     std::string text; ///< the beginning of the cell
     RowFault fault = RowFault::NotANumber;
-    std::size_t rows = 1; ///< number of skipped rows that this entry counts
     std::size_t file = 0; ///< index in FileLayout::files
 };
 
@@ -71,7 +70,8 @@ struct ReferenceData {
     std::vector<double> time; ///< s, strictly increasing
     Rounding timeRounding;    ///< of the time stamps in the file, converted to seconds
     std::vector<ReferenceSeries> series;
-    std::vector<SkippedRow> skipped;    ///< at most 1000, and one more that counts the others
+    std::vector<SkippedRow> skipped;    ///< the first 1000
+    std::size_t skippedCount = 0;       ///< number of all skipped rows
     FileLayout layout;                  ///< how the file is written, and the meaning of each column
     std::optional<CrankAngles> crank{}; ///< of a table by crank angle, from which the time stamps follow
     std::vector<std::size_t> lines{};   ///< line of each row in the (first) file, from 1; empty if unknown
@@ -80,9 +80,6 @@ struct ReferenceData {
     std::size_t lineOfRow(std::size_t row) const { return row < lines.size() ? lines[row] : row + 1; }
 
     const ReferenceSeries *find(Channel channel) const;
-
-    /// Returns the number of skipped rows, listed or not.
-    std::size_t skippedRowCount() const;
 };
 
 /// Returns the channels of all series.

@@ -169,37 +169,35 @@ std::string_view unitIn(std::string_view cell)
     return parseUnit(cell) ? cell : std::string_view();
 }
 
-/// Sets the units of the columns, which `findUnit` finds in the cells of a line. Throws if a heading states another
-/// unit.
-void setUnits(std::vector<Heading> &headings, const Cells &cells, std::size_t line,
-              std::string_view (*findUnit)(std::string_view cell))
+/// Sets the unit of a column that is found in cell `i` of a line, unless it is empty. Throws if the heading states
+/// another one.
+void setUnit(std::vector<Heading> &headings, std::size_t i, std::string_view unit, std::size_t line)
 {
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        const std::string_view unit = findUnit(cells[i]);
-        if (unit.empty() || i >= headings.size()) {
-            continue;
-        }
-        FileColumn &column = headings[i].use;
-        if (!column.unit.empty() && parseUnit(column.unit) != parseUnit(unit)) {
-            const ReadFault fault{ReadFault::Kind::UnitsContradict, {}, excerpt(column.heading)};
-            throw ReadError{line, i + 1, excerpt(unit), fault};
-        }
-        column.unit = unit;
+    if (unit.empty() || i >= headings.size()) {
+        return;
     }
+    FileColumn &column = headings[i].use;
+    if (!column.unit.empty() && parseUnit(column.unit) != parseUnit(unit)) {
+        throw ReadError{line, i + 1, excerpt(unit), {ReadFault::Kind::UnitsContradict, {}, excerpt(column.heading)}};
+    }
+    column.unit = unit;
 }
 
 /// Interprets the lines between the headings and the first number, which may contain units. Returns how many there are.
 std::size_t readAnnotations(Lines lines, const std::optional<FirstRow> &row, std::vector<Heading> &headings)
 {
+    const auto isNumber = [](std::string_view cell) { return looksNumeric(splitUnit(cell).number); };
     std::size_t count = 0;
-    for (const Line &line : lines) {
+    for (; count < lines.size(); ++count) {
+        const auto &[number, text] = lines[count];
         const Cells cells =
-            row && row->delimiter != ' ' ? splitCells(line.text, row->delimiter) : readNames(line.text, row).cells;
-        if (std::ranges::any_of(cells, [](std::string_view cell) { return looksNumeric(splitUnit(cell).number); })) {
+            row && row->delimiter != ' ' ? splitCells(text, row->delimiter) : readNames(text, row).cells;
+        if (std::ranges::any_of(cells, isNumber)) {
             break;
         }
-        setUnits(headings, cells, line.number, unitIn);
-        ++count;
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            setUnit(headings, i, unitIn(cells[i]), number);
+        }
     }
     return count;
 }
@@ -265,12 +263,9 @@ std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout)
         }
         rows = rows.subspan(readAnnotations(firstLines(rows), row, headings));
     }
-    if (row) {
-        setUnits(headings, row->cells, lines[row->line].number,
-                 [](std::string_view cell) { return splitUnit(cell).unit; });
-        for (std::size_t i = 0; i < std::min(row->cells.size(), headings.size()); ++i) {
-            headings[i].cellUnit = splitUnit(row->cells[i]).unit;
-        }
+    for (std::size_t i = 0; row && i < std::min(row->cells.size(), headings.size()); ++i) {
+        headings[i].cellUnit = splitUnit(row->cells[i]).unit;
+        setUnit(headings, i, headings[i].cellUnit, lines[row->line].number);
     }
     const auto isAbove = [preamble](std::string_view beginning) {
         return std::ranges::any_of(preamble, [&](const Line &line) { return line.text.starts_with(beginning); });

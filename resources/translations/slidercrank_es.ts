@@ -284,12 +284,12 @@
         <translation>numera las filas</translation>
     </message>
     <message>
-        <source>a magnitude, of which “%1” is a component</source>
-        <translation>es un módulo, del que «%1» es una componente</translation>
+        <source>the magnitude of a vector, whose components are other columns</source>
+        <translation>es el módulo de un vector, cuyas componentes son otras columnas</translation>
     </message>
     <message>
-        <source>the same time stamps as “%1”</source>
-        <translation>los mismos instantes que «%1»</translation>
+        <source>the same time stamps as in the column of the time</source>
+        <translation>los mismos instantes que en la columna del tiempo</translation>
     </message>
     <message>
         <source>no heading</source>
@@ -2812,10 +2812,6 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     <message>
         <source>no time</source>
         <translation>sin tiempo</translation>
-    </message>
-    <message>
-        <source>this line and %1 more below it cannot be read either</source>
-        <translation>esta línea y otras %1 más abajo tampoco se pueden leer</translation>
     </message>
     <message>
         <source>The file is a spreadsheet or an archive, not text: save the table as CSV.</source>

@@ -18,17 +18,9 @@ using namespace slidercrank;
 namespace
 {
 
-void check(const FileLayout &layout)
-{
-    for (const FileColumn &column : layout.columns) {
-        require(!column.otherColumn || *column.otherColumn < layout.columns.size(), "the other column exists");
-    }
-}
-
 void check(const ReadError &error)
 {
     require(error.fault.kind < ReadFault::Kind::Stopped, "the reason is in the bytes");
-    check(error.layout);
 }
 
 void check(const ReferenceData &data)
@@ -55,7 +47,6 @@ void check(const ReferenceData &data)
     }
     require(times == 1 && named == seen, "the columns are those of the data");
     require(!data.crank || data.crank->degrees.size() == data.time.size(), "an angle for each time stamp");
-    check(data.layout);
 }
 
 FileLayout checked(std::string_view bytes, const ReadOptions &options)

@@ -111,7 +111,7 @@ PageTable tableWith(const QString &name, const QString &title, const TableColumn
 /// Says how many rows and columns of the file were not used; the reference page lists them.
 QString leftOutText(const ReferenceData &data)
 {
-    const std::size_t rows = data.skippedRowCount();
+    const std::size_t rows = data.skippedCount;
     const qsizetype columns = ignoredHeadings(data.layout).size();
     return rows == 0 && columns == 0
                ? QString()

@@ -29,8 +29,8 @@ public:
         QT_TR_NOOP("unknown heading"),                                                         // UnknownName
         QT_TR_NOOP("its heading does not name the body"),                                      // UnknownBody
         QT_TR_NOOP("it numbers the rows"),                                                     // RowNumber
-        QT_TR_NOOP("a magnitude, of which “%1” is a component"),                               // Magnitude
-        QT_TR_NOOP("the same time stamps as “%1”"),                                            // SameTimeStamps
+        QT_TR_NOOP("the magnitude of a vector, whose components are other columns"),           // Magnitude
+        QT_TR_NOOP("the same time stamps as in the column of the time"),                       // SameTimeStamps
         QT_TR_NOOP("no heading"),                                                              // NoName
         QT_TR_NOOP("it contains no number"),                                                   // NoNumber
         QT_TR_NOOP("its unit is unknown, or does not suit the quantity"),                      // UnknownUnit
@@ -96,8 +96,8 @@ QStringList doubtTexts(const ReferenceData &data)
     if (!data.skipped.empty()) {
         const SkippedRow &first = data.skipped.front();
         texts << ColumnText::tr("Rows that were skipped: %1, the first in line %2, column %3 (\"%4\"): %5.")
-                     .arg(QString::number(data.skippedRowCount()), lineText(layout, first),
-                          QString::number(first.column), QString::fromStdString(first.text), rowFaultText(first));
+                     .arg(QString::number(data.skippedCount), lineText(layout, first), QString::number(first.column),
+                          QString::fromStdString(first.text), rowFaultText(first));
     }
     QStringList ignored, guesses;
     for (std::size_t i = 0; i < layout.columns.size(); ++i) {
@@ -151,11 +151,8 @@ QString reasonText(ColumnReason reason)
 QString reasonText(const FileLayout &layout, std::size_t column)
 {
     const FileColumn &read = layout.columns[column];
-    QString reason = repeatsInstants(layout, column) ? ColumnText::tr("the time stamps, the same in all files")
-                                                     : reasonText(read.reason);
-    if (read.otherColumn && *read.otherColumn < layout.columns.size() && reason.contains(u"%1")) {
-        reason = reason.arg(headingText(layout, *read.otherColumn));
-    }
+    const QString reason = repeatsInstants(layout, column) ? ColumnText::tr("the time stamps, the same in all files")
+                                                           : reasonText(read.reason);
     return read.difference ? ColumnText::tr("%1; %2, not a derivative").arg(reason, differenceText(*read.difference))
                            : reason;
 }

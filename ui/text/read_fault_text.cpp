@@ -60,28 +60,27 @@ public:
 
     // In the order of RowFault.
     static constexpr const char *kRowFaults[] = {
-        QT_TR_NOOP("not a number"),                                         // NotANumber
-        QT_TR_NOOP("not a number: too large"),                              // TooLarge
-        QT_TR_NOOP("not a number: this file uses a decimal comma"),         // PointForComma
-        QT_TR_NOOP("not a number: this file uses a decimal point"),         // CommaForPoint
-        QT_TR_NOOP("too many cells"),                                       // TooManyCells
-        QT_TR_NOOP("too few cells"),                                        // TooFewCells
-        QT_TR_NOOP("no time"),                                              // NoTime
-        QT_TR_NOOP("the same time as the next row, which is used"),         // RepeatedTime
-        QT_TR_NOOP("this line and %1 more below it cannot be read either"), // NotListed
+        QT_TR_NOOP("not a number"),                                 // NotANumber
+        QT_TR_NOOP("not a number: too large"),                      // TooLarge
+        QT_TR_NOOP("not a number: this file uses a decimal comma"), // PointForComma
+        QT_TR_NOOP("not a number: this file uses a decimal point"), // CommaForPoint
+        QT_TR_NOOP("too many cells"),                               // TooManyCells
+        QT_TR_NOOP("too few cells"),                                // TooFewCells
+        QT_TR_NOOP("no time"),                                      // NoTime
+        QT_TR_NOOP("the same time as the next row, which is used"), // RepeatedTime
     };
 
     static QString row(RowFault fault) { return tr(kRowFaults[static_cast<int>(fault)]); }
 };
 
 static_assert(std::size(ReadFaultText::kFaults) == static_cast<std::size_t>(ReadFault::Kind::NoMemory) + 1);
-static_assert(std::size(ReadFaultText::kRowFaults) == static_cast<std::size_t>(RowFault::NotListed) + 1);
+static_assert(std::size(ReadFaultText::kRowFaults) == static_cast<std::size_t>(RowFault::RepeatedTime) + 1);
 
 } // namespace
 
 QString rowFaultText(const SkippedRow &row)
 {
-    return ReadFaultText::row(row.fault).replace("%1", QString::number(row.rows - 1));
+    return ReadFaultText::row(row.fault);
 }
 
 QString faultText(const ReadFault &fault)

@@ -92,7 +92,7 @@ private slots:
             {"one row less", {a, "time,theta3\n0,1\n1,2\n"}, otherTimes},
             {"another unit of time", {a, "time [ms],theta3\n0,1\n1,2\n2,3\n"}, otherTimes},
             {"the third", {a, "time,theta3\n0,1\n1,2\n2,3\n", "time,theta2\n0,1\n1.5,2\n2,3\n"}, otherTimes, 2},
-            {"a channel twice", {a, "time,x_slider\n0,1\n1,2\n2,3\n"}, {Kind::ChannelInBoth, kX, "a"}},
+            {"a channel twice", {a, "time,r4x\n0,1\n1,2\n2,3\n"}, {Kind::ChannelInBoth, kX, "a"}},
             {"angles beside time stamps", {a, "theta2,theta3\n0,1\n1,2\n2,3\n"}, {Kind::NoTime}},
             {"no table", {a, "%PDF-1.7\n"}, {Kind::Pdf}},
             {"an empty first file", {"", a}, {Kind::Empty}, 0},

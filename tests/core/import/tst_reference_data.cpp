@@ -316,10 +316,8 @@ private slots:
         const Outcome outcome = read("title\ntime,R4_x\n\n0,1\n" + QByteArray("1,x\n").repeated(2500) + "2,3\n2,4\n");
         const ReferenceData &data = std::get<ReferenceData>(outcome);
         QCOMPARE(data.lines, (std::vector<std::size_t>{4, 2506}));
-        QCOMPARE(data.skipped.size(), std::size_t(1001));
-        QCOMPARE(data.skippedRowCount(), std::size_t(2501));
-        const SkippedRow &others = data.skipped.back();
-        QVERIFY(others.line == 1005 && others.fault == RowFault::NotListed && others.rows == 1501);
+        QVERIFY(data.skipped.size() == 1000 && data.skipped.back().line == 1004);
+        QCOMPARE(data.skippedCount, std::size_t(2501));
     }
 
     void findsTheStepsOfEncodersAndConverters()

@@ -205,7 +205,8 @@ private slots:
     {
         Reference reference;
         reference.data.layout.files = {"a.csv", "b.csv"};
-        reference.data.skipped = {{12, 3, "a<b", RowFault::NotANumber, 1, 1}, {15, 1, "", RowFault::NoTime, 1, 0}};
+        reference.data.skipped = {{12, 3, "a<b", RowFault::NotANumber, 1}, {15, 1, "", RowFault::NoTime, 0}};
+        reference.data.skippedCount = 2;
         reference.data.layout.columns.emplace_back().heading = "force";
         const Result result = resultWith({compared(Verdict::Agrees)}, reference);
         QCOMPARE(errorPage(result, nullptr).note,
