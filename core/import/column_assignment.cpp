@@ -149,11 +149,9 @@ void assignAbscissas(RawTable &table)
 // ---- Channels ----
 
 /// Returns the error that two columns are the same channel.
-ReadError conflict(const RawTable &table, const RawColumn &column, const RawColumn &other)
+ReadError conflict(const RawTable &table, const RawColumn &first, const RawColumn &second)
 {
-    const auto &[first, second] =
-        std::minmax(column, other, [](const RawColumn &x, const RawColumn &y) { return x.index < y.index; });
-    const Channel channel = column.use.channel;
+    const Channel channel = first.use.channel;
     return first.use.file == second.use.file
                ? faultIn(table, second, {Fault::ChannelTwice, channel})
                : ReadError{0, 0, {}, {Fault::ChannelInBoth, channel, table.fileOf(first).name}, {}, second.use.file};

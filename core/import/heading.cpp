@@ -203,11 +203,11 @@ std::optional<WordMeaning> combine(const Words &words, std::optional<Body> body)
     return isOfCoupler || merge(all.dimension, std::optional(ofBody)) ? std::optional(all) : std::nullopt;
 }
 
-/// Returns the channel or quantity of a name, given its body and its unit, if they are known; nullopt if it has none.
-std::optional<NameMeaning> meaningOfWords(const CompoundName &name, std::optional<Body> body,
-                                          const std::string &unitText)
+/// Returns the channel or quantity of a name, given the unit if it is known; nullopt if it has none.
+std::optional<NameMeaning> meaningOfWords(const CompoundName &name, const std::string &unitText)
 {
-    const std::optional<WordMeaning> all = combine(name.words, body);
+    const std::string_view owner = name.owner;
+    const std::optional<WordMeaning> all = combine(name.words, findBody(owner.substr(owner.rfind('.') + 1)));
     if (!all) {
         return std::nullopt;
     }
@@ -243,12 +243,6 @@ Heading parseHeading(std::string_view cell)
 {
     Heading heading{.use = {.heading = respelled(cell, "\"\"=\"")}};
     const std::string_view name = heading.use.heading;
-    const auto split = [&](std::size_t end, std::string_view unit) {
-        heading.use.unit = trimmed(unit);
-        std::string_view rest = trimmed(name.substr(0, end));
-        rest.remove_suffix(rest.ends_with(" in") ? 3 : 0); // "Time in s"
-        heading.name = trimmed(rest);
-    };
     heading.name = name;
     if (name.starts_with("X:")) { // RecurDyn writes pairs "X:Pos_TX-Slider(mm)" of time stamps, "Y:…" of values
         heading.name = "time";
@@ -258,21 +252,20 @@ Heading parseHeading(std::string_view cell)
     if (compound && compound->reason == ColumnReason::ModelicaName) {
         return heading;
     }
-    if (name.ends_with(']') || name.ends_with(')')) {
-        const std::size_t open = name.rfind(name.back() == ']' ? '[' : '(');
-        const std::string_view inside =
-            open == name.npos ? std::string_view() : trimmed(name.substr(open + 1, name.size() - open - 2));
-        const bool isIndex = name.back() == ']' && looksNumeric(inside); // "P[3.1]"
-        if (open != name.npos && !isIndex) {
-            split(open, inside);
-        }
-        return heading;
-    }
-    for (const char separator : {',', ' ', '_'}) {
+    const bool hasBrackets = name.ends_with(']') || name.ends_with(')');
+    for (const char separator : std::string_view(name.ends_with(']') ? "[" : hasBrackets ? "(" : ", _")) {
         const std::size_t at = name.rfind(separator);
-        const std::string_view tail = at == name.npos || at == 0 ? std::string_view() : trimmed(name.substr(at + 1));
-        if (!isAmong(tail, "in min") && parseUnit(tail)) { // these are also words
-            split(at, tail);
+        if (at == name.npos || (at == 0 && !hasBrackets)) {
+            continue;
+        }
+        const std::string_view unit = trimmed(name.substr(at + 1, name.size() - at - (hasBrackets ? 2 : 1)));
+        const bool isIndex = separator == '[' && looksNumeric(unit);      // "P[3.1]"
+        const bool isKnown = !isAmong(unit, "in min") && parseUnit(unit); // these are also words
+        if (hasBrackets ? !isIndex : isKnown) {
+            std::string_view rest = trimmed(name.substr(0, at));
+            rest.remove_suffix(rest.ends_with(" in") ? 3 : 0); // "Time in s"
+            heading.name = trimmed(rest);
+            heading.use.unit = unit;
             break;
         }
     }
@@ -283,8 +276,7 @@ NameMeaning meaningOf(const Heading &heading)
 {
     const std::string &unit = heading.use.unit;
     if (const std::optional<CompoundName> compound = splitCompound(heading.name)) {
-        const std::string_view owner = compound->owner;
-        if (const auto meaning = meaningOfWords(*compound, findBody(owner.substr(owner.rfind('.') + 1)), unit)) {
+        if (const auto meaning = meaningOfWords(*compound, unit)) {
             return *meaning;
         }
     }
@@ -303,7 +295,7 @@ NameMeaning meaningOf(const Heading &heading)
         return {Kind::ChannelName, *channel, ColumnReason::KnownName};
     }
     const ColumnReason unknown = endsInQuantity(words) ? ColumnReason::UnknownBody : ColumnReason::UnknownName;
-    return meaningOfWords({std::move(words)}, {}, unit).value_or(NameMeaning{.reason = unknown});
+    return meaningOfWords({std::move(words)}, unit).value_or(NameMeaning{.reason = unknown});
 }
 
 void interpretHeadings(std::vector<Heading> &row, const std::string &unitOfLengths, const std::string &unitOfAngles)

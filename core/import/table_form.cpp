@@ -230,6 +230,9 @@ std::vector<Line> splitLines(std::string_view text)
         do {
             ++number;
             const std::string_view line = takeUntil('\r', rest);
+            if (line.size() > kLongestLine && lines.size() < kExaminedLines) {
+                throw ReadError{.line = number, .fault = {ReadFault::Kind::LineTooLong}};
+            }
             if (line.find_first_not_of(" \t;,") != line.npos) {
                 lines.push_back({number, line});
             }
@@ -241,11 +244,6 @@ std::vector<Line> splitLines(std::string_view text)
 std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout)
 {
     const Lines examined = firstLines(lines);
-    const auto tooLong =
-        std::ranges::find_if(examined, [](const Line &line) { return line.text.size() > kLongestLine; });
-    if (tooLong != examined.end()) {
-        throw ReadError{.line = tooLong->number, .fault = {ReadFault::Kind::LineTooLong}};
-    }
     if (lines.empty()) {
         throw ReadError{.fault = {ReadFault::Kind::Empty}};
     }

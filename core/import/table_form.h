@@ -20,7 +20,7 @@ struct Line {
     std::string_view text;
 };
 
-/// Splits a text at LF, CR LF and CR.
+/// Splits a text at LF, CR LF and CR. Throws ReadError if one of the first lines is too long.
 std::vector<Line> splitLines(std::string_view text);
 
 /// Finds the table in the lines of a file, and removes those above the first row of numbers. Returns the headings,

@@ -57,9 +57,8 @@ inline std::string described(const std::vector<double> &values)
     return text;
 }
 
-inline constexpr std::array kFaults{"not a number",    "too large",      "point for comma",
-                                    "comma for point", "too many cells", "too few cells",
-                                    "no time",         "repeated time"};
+inline constexpr std::array kFaults{"not a number",   "too large",     "point for comma", "comma for point",
+                                    "too many cells", "too few cells", "no time",         "repeated time"};
 
 /// Returns the roles of the columns: "time R4_x theta3? -", with a question mark for a guess.
 inline std::string rolesOf(const FileLayout &layout)
