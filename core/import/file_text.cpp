@@ -99,17 +99,18 @@ std::string_view decodeText(std::string_view bytes, std::string &converted)
     const auto byteAt = [bytes](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
     const bool isLittleEndian = bytes.starts_with("\xFF\xFE");
     if (isLittleEndian || bytes.starts_with("\xFE\xFF")) {
-        const std::size_t low = isLittleEndian ? 0 : 1; // where the lower byte of a unit is
-        for (std::size_t i = 2; i + 1 < bytes.size(); i += 2) {
-            units += static_cast<char16_t>(byteAt(i + 1 - low) * 256 + byteAt(i + low));
+        const std::size_t low = isLittleEndian ? 2 : 3; // where the lower byte of the first unit is
+        units.resize(bytes.size() / 2 - 1);
+        for (std::size_t i = 0; i < units.size(); ++i) {
+            units[i] = static_cast<char16_t>(byteAt(2 * i + 5 - low) * 256 + byteAt(2 * i + low));
         }
     } else if (bytes.starts_with(kUtf8Mark)) {
         text.remove_prefix(kUtf8Mark.size());
     } else if (!isUtf8(bytes.substr(0, kExamined))) {
-        for (std::size_t i = 0; i < bytes.size(); ++i) {
-            const char16_t byte = byteAt(i);
-            units += byte >= 0x80 && byte < 0xA0 ? kWindowsCharacters[byte - 0x80U] : byte;
-        }
+        units.resize(bytes.size());
+        std::ranges::transform(bytes, units.begin(), [](unsigned char byte) {
+            return byte >= 0x80 && byte < 0xA0 ? kWindowsCharacters[byte - 0x80U] : static_cast<char16_t>(byte);
+        });
     }
     if (!units.empty()) {
         text = converted = boost::locale::conv::utf_to_utf<char>(units);

@@ -58,7 +58,7 @@ SkippedRow faultAt(const RawTable &table, const RawColumn &column, std::size_t r
     const auto cellAt = [&cells](std::size_t i) { return i < cells.size() ? cells[i] : std::string_view(); };
     std::size_t i = column.index - file.firstColumn;
     std::optional<RowFault> fault = parseCell(column, cellAt(i), file.layout.decimalSign).fault;
-    if (!fault && column.isUnreadable(row) && cells.size() > file.width) {
+    if (!fault && cells.size() > file.width) {
         for (i = file.width; cells[i].empty(); ++i) { // the last one is not empty
         }
         fault = RowFault::TooManyCells;
