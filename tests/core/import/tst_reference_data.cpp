@@ -2,7 +2,6 @@
 #include "core/import/reference_data.h"
 
 #include "tests/support/described_reading.h"
-#include "tests/support/long_tests.h"
 #include "tests/support/suite.h"
 
 #include <QTest>
@@ -10,7 +9,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <random>
 
 using namespace slidercrank;
 
@@ -347,29 +345,6 @@ private slots:
         }
         for (const ReferenceSeries &series : table(false).series) {
             QVERIFY(series.rounding.rule != Rounding::Rule::Multiples);
-        }
-    }
-
-    void survivesDamagedFiles()
-    {
-        const QByteArray whole = sampleTable().left(2000);
-        constexpr char kPieces[] = "0123456789,;.\t\r\n\"-+eE[]() tR4_x\xB0\xC2\xFF";
-        std::mt19937 random(20240607); // fixed: a failure can be repeated
-        for (int i = 0; i < runs(3000, 100'000); ++i) {
-            QByteArray bytes = whole.left(static_cast<qsizetype>(random() % 2000));
-            for (int damage = 0; damage < 8 && !bytes.isEmpty(); ++damage) {
-                bytes[static_cast<qsizetype>(random() % static_cast<unsigned>(bytes.size()))] =
-                    kPieces[random() % (sizeof kPieces - 1)];
-            }
-            // An exact copy, so that sanitizers detect reading past the end.
-            const std::vector<char> exact(bytes.begin(), bytes.end());
-            const auto outcome = readReferenceData({exact.data(), exact.size()});
-            if (const ReferenceData *data = std::get_if<ReferenceData>(&outcome)) {
-                QVERIFY(!data->time.empty() && std::is_sorted(data->time.begin(), data->time.end()));
-                for (const ReferenceSeries &series : data->series) {
-                    QCOMPARE(series.values.size(), data->time.size());
-                }
-            }
         }
     }
 };
