@@ -156,8 +156,8 @@
 <context>
     <name>slidercrank::ColumnText</name>
     <message>
-        <source>columns separated by “%1”</source>
-        <translation>separado por «%1»</translation>
+        <source>Columns separated by “%1”</source>
+        <translation>Columnas separadas por «%1»</translation>
     </message>
     <message>
         <source>column %1</source>
@@ -220,8 +220,8 @@
         <translation>cifras significativas: %1</translation>
     </message>
     <message>
-        <source>joined files of one motion: %1</source>
-        <translation>archivos unidos de un mismo movimiento: %1</translation>
+        <source>Joined files of one motion: %1</source>
+        <translation>Archivos unidos de un mismo movimiento: %1</translation>
     </message>
     <message>
         <source>no headings</source>

@@ -42,7 +42,7 @@ std::vector<TableRow> rowsOf(const std::vector<MotionFact> &facts)
                           .csv = fact.unit.isEmpty() ? fact.name : QStringLiteral("%1 [%2]").arg(fact.name, fact.unit)},
                          {.text = valueText(fact, kReadoutDigits), .number = fact.number},
                          angle,
-                         {.text = numberText(fact.time, kReadoutDigits),
+                         {.text = fact.theta2 ? numberText(fact.time, kReadoutDigits) : QString(),
                           .number = fact.time,
                           .tone = fact.time ? Tone::Link : Tone::Normal}},
                         fact.time,

@@ -172,10 +172,10 @@ QString roundingText(const Rounding &rounding)
 QString formText(const FileLayout &layout)
 {
     if (!layout.files.empty()) {
-        return ColumnText::tr("joined files of one motion: %1").arg(layout.files.size());
+        return ColumnText::tr("Joined files of one motion: %1").arg(layout.files.size());
     }
     const QString delimiter = layout.delimiter == '\t' ? "\\t" : QString(QLatin1Char(layout.delimiter));
-    return QStringList{ColumnText::tr("columns separated by “%1”").arg(delimiter),
+    return QStringList{ColumnText::tr("Columns separated by “%1”").arg(delimiter),
                        layout.decimalSign == DecimalSign::Point ? ColumnText::tr("decimal point")
                                                                 : ColumnText::tr("decimal comma"),
                        layout.headerLine == 0 ? ColumnText::tr("no headings")
