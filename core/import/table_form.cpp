@@ -27,11 +27,16 @@ Lines firstLines(Lines lines)
     return lines.first(std::min(lines.size(), kExaminedLines));
 }
 
-/// The first row of numbers.
-struct FirstRow {
-    std::size_t line = 0; ///< index among the first lines
-    char delimiter = ',';
+/// A line that was split into cells.
+struct SplitLine {
     Cells cells{}; ///< without empty ones at the end
+    char delimiter = ',';
+    std::size_t line = 0;       ///< index among the first lines
+    std::size_t times = 0;      ///< number of cells that name a time
+    std::size_t quantities = 0; ///< number of cells that name a quantity
+
+    std::size_t known() const { return times + quantities; }
+    bool isComplete() const { return times > 0 && quantities > 0; }
 };
 
 /// Returns whether all cells are gaps or numbers, with or without units, and at least two are numbers.
@@ -46,13 +51,13 @@ bool isRow(const Cells &cells)
 }
 
 /// Cells are separated by spaces only if no other delimiter makes a row of any line.
-std::optional<FirstRow> findFirstRow(Lines lines)
+std::optional<SplitLine> findFirstRow(Lines lines)
 {
     for (const std::string_view delimiters : {kDelimiters, std::string_view(" ")}) {
         for (std::size_t i = 0; i < lines.size(); ++i) {
             for (const char delimiter : delimiters) {
                 if (Cells cells = splitCells(lines[i].text, delimiter); isRow(cells)) {
-                    return FirstRow{i, delimiter, std::move(cells)};
+                    return SplitLine{std::move(cells), delimiter, i};
                 }
             }
         }
@@ -73,20 +78,10 @@ std::string_view withoutMark(std::string_view line)
     return line;
 }
 
-/// A line, interpreted as headings.
-struct Names {
-    Cells cells{};
-    char delimiter = ',';
-    std::size_t times = 0;
-    std::size_t quantities = 0;
-
-    std::size_t known() const { return times + quantities; }
-    bool isComplete() const { return times > 0 && quantities > 0; }
-};
-
-Names makeNames(Cells cells, char delimiter)
+/// Counts the names among the cells of a line.
+SplitLine makeNames(Cells cells, char delimiter)
 {
-    Names names{std::move(cells), delimiter};
+    SplitLine names{std::move(cells), delimiter};
     for (const std::string_view cell : names.cells) {
         const Kind kind = looksNumeric(cell) ? Kind::Nothing : meaningOf(parseHeading(cell)).kind;
         names.times += kind == Kind::Time ? 1 : 0;
@@ -95,61 +90,57 @@ Names makeNames(Cells cells, char delimiter)
     return names;
 }
 
-/// Splits a line at the delimiter that yields most known names. Names above rows that are separated by spaces, or after
-/// a comment mark, may have another delimiter than the numbers. Then there have to be as many as numbers, and only one
-/// of those after a comment mark may be unknown.
-Names readNames(std::string_view line, const std::optional<FirstRow> &row)
+/// Splits a line at the delimiter that yields most known names. Names above rows that are separated by spaces, or
+/// after a comment mark, may have another delimiter than the numbers. Then there have to be as many as numbers, and
+/// only one of those after a comment mark may be unknown.
+SplitLine readNames(std::string_view line, const std::optional<SplitLine> &row)
 {
     const std::string_view text = withoutMark(line);
     const bool bySpaces = row && row->delimiter == ' ';
     const bool hasToFit = row && (bySpaces || text.size() != line.size());
-    std::vector<Names> candidates;
+    std::vector<SplitLine> candidates;
     for (const char delimiter : kDelimiters) {
         candidates.push_back(makeNames(splitCells(text, delimiter), delimiter));
     }
     if (hasToFit) {
         for (const Cells &cells : {splitCells(text, ' '), splitAtBlanks(text, 2), splitAtBlanks(text, 1)}) {
-            const Names names = makeNames(cells, ' ');
+            const SplitLine names = makeNames(cells, ' ');
             if (bySpaces || (names.isComplete() && names.known() + 1 >= names.cells.size())) {
                 candidates.push_back(names);
             }
         }
-        std::erase_if(candidates, [&](const Names &names) { return names.cells.size() != row->cells.size(); });
+        std::erase_if(candidates, [&](const SplitLine &names) { return names.cells.size() != row->cells.size(); });
     }
     if (candidates.empty()) {
-        return bySpaces ? makeNames(splitCells(text, ' '), ' ') : Names();
+        return bySpaces ? makeNames(splitCells(text, ' '), ' ') : SplitLine();
     }
-    return *std::ranges::max_element(candidates, {},
-                                     [](const Names &names) { return std::pair(names.known(), names.cells.size()); });
+    return *std::ranges::max_element(
+        candidates, {}, [](const SplitLine &names) { return std::pair(names.known(), names.cells.size()); });
 }
-
-struct HeaderFound {
-    std::size_t line = 0;         ///< index among the first lines
-    std::optional<Names> names{}; ///< nullopt if the line is the first row of numbers
-};
 
 /// Returns the first line that names a time and a quantity; else the line above the numbers with most names of either;
 /// else the one directly above the numbers and units, if it has as many words; else, without numbers, the first line.
-HeaderFound findHeader(Lines lines, const std::optional<FirstRow> &row)
+/// Returns nullopt if the file begins with the first row of numbers.
+std::optional<SplitLine> findHeader(Lines lines, const std::optional<SplitLine> &row)
 {
     const auto isUnit = [](std::string_view cell) { return cell.empty() || parseUnit(cell); };
-    HeaderFound best{row ? row->line : 0};
-    std::size_t known = 0; // names in the best line
+    std::optional<SplitLine> best;
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        Names names = readNames(lines[i].text, row);
+        SplitLine names = readNames(lines[i].text, row);
+        names.line = i;
         const bool hasSize = row && names.cells.size() == row->cells.size();
         if (names.isComplete() && (hasSize || !row || row->delimiter != ' ')) {
-            return {i, std::move(names)};
+            return names;
         }
         if (row && i >= row->line) {
             continue;
         }
+        const std::size_t known = best ? best->known() : 0;
         if (names.known() > known || (!row && i == 0)) {
-            known = names.known();
-            best = {i, std::move(names)};
+            best = std::move(names);
         } else if (row && known == 0 && !std::ranges::all_of(names.cells, isUnit)) {
             const bool fits = hasSize && std::ranges::none_of(names.cells, looksNumeric);
-            best = fits ? HeaderFound{i, std::move(names)} : HeaderFound{row->line};
+            best = fits ? std::optional(std::move(names)) : std::nullopt;
         }
     }
     return best;
@@ -184,7 +175,7 @@ void setUnit(std::vector<Heading> &headings, std::size_t i, std::string_view uni
 }
 
 /// Interprets the lines between the headings and the first number, which may contain units. Returns how many there are.
-std::size_t readAnnotations(Lines lines, const std::optional<FirstRow> &row, std::vector<Heading> &headings)
+std::size_t readAnnotations(Lines lines, const std::optional<SplitLine> &row, std::vector<Heading> &headings)
 {
     const auto isNumber = [](std::string_view cell) { return looksNumeric(splitUnit(cell).number); };
     std::size_t count = 0;
@@ -247,15 +238,15 @@ std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout)
     if (lines.empty()) {
         throw ReadError{.fault = {ReadFault::Kind::Empty}};
     }
-    const std::optional<FirstRow> row = findFirstRow(examined);
-    const HeaderFound header = findHeader(examined, row);
-    const Lines preamble = examined.first(header.line);
-    layout.delimiter = row ? row->delimiter : header.names->delimiter;
-    Lines rows = Lines(lines).subspan(header.line + (header.names ? 1 : 0));
-    std::vector<Heading> headings(header.names ? 0 : row->cells.size());
-    if (header.names) {
-        layout.headerLine = lines[header.line].number;
-        std::ranges::transform(header.names->cells, std::back_inserter(headings), parseHeading);
+    const std::optional<SplitLine> row = findFirstRow(examined);
+    const std::optional<SplitLine> header = findHeader(examined, row);
+    const std::size_t first = header ? header->line : row->line;
+    layout.delimiter = row ? row->delimiter : header->delimiter;
+    Lines rows = Lines(lines).subspan(first + (header ? 1 : 0));
+    std::vector<Heading> headings(header ? 0 : row->cells.size());
+    if (header) {
+        layout.headerLine = lines[first].number;
+        std::ranges::transform(header->cells, std::back_inserter(headings), parseHeading);
         if (row && lines[row->line].text.starts_with('"') && row->cells.size() == headings.size() + 1) {
             headings.insert(headings.begin(), Heading()); // R writes row names without a heading
         }
@@ -265,8 +256,9 @@ std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout)
         headings[i].cellUnit = splitUnit(row->cells[i]).unit;
         setUnit(headings, i, headings[i].cellUnit, lines[row->line].number);
     }
-    const auto isAbove = [preamble](std::string_view beginning) {
-        return std::ranges::any_of(preamble, [&](const Line &line) { return line.text.starts_with(beginning); });
+    const auto isAbove = [&](std::string_view beginning) {
+        return std::ranges::any_of(examined.first(first),
+                                   [&](const Line &line) { return line.text.starts_with(beginning); });
     };
     interpretHeadings(headings, isAbove("Units are S.I. units") ? "m" : "",
                       isAbove("inDegrees=no") ? "rad" : ""); // OpenSim
