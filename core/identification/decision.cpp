@@ -200,12 +200,10 @@ std::optional<Lack> findLack(const Observations &data)
             moves = moves || column.spread > column.step;
         }
     }
-    if (!data.isEmpty() && values < kFewestValues) {
+    if (values < kFewestValues || data.abscissa.size() < kFewestRows) {
         return Lack::FewValues;
     }
-    return data.abscissa.size() < kFewestRows ? std::optional(Lack::FewTimeStamps)
-           : moves                            ? std::nullopt
-                                              : std::optional(Lack::NothingMoves);
+    return moves ? std::nullopt : std::optional(Lack::NothingMoves);
 }
 
 Identification decideNearest(const Observations &data, std::span<const Candidate> candidates, const Parameters &given)
@@ -250,7 +248,7 @@ Decision decide(const Observations &data, std::span<const Candidate> candidates,
     for (std::size_t i = 0; i < kParameterCount; ++i) { // NaN, the error of a held parameter, is not greater
         result.openParameters[i] = uncertainty.parameterErrors[i] > kLargestPart * sizes[i];
     }
-    result.lack = uncertainty.evidence < kLeastEvidence                 ? Lack::NoEvidence
+    result.lack = uncertainty.evidence < kLeastEvidence                 ? Lack::FewValues
                   : std::ranges::count(result.openParameters, true) > 0 ? Lack::OpenParameters
                   : uncertainty.isParabolic                             ? Lack::Nothing
                                                                         : Lack::NotParabolic;

@@ -70,13 +70,11 @@ struct Identification {
 
     /// The reason for Insufficient; the first that applies.
     enum class Lack {
-        Nothing,        ///< the outcome is not Insufficient
-        FewValues,      ///< too few values of the six channels
-        FewTimeStamps,  ///< too few time stamps with values
+        FewValues,      ///< too few values or time stamps for the number of parameters: the fit could be chance
         NothingMoves,   ///< all values of each column are equal
-        NoEvidence,     ///< too few values for the number of parameters: the fit could be chance
         OpenParameters, ///< the file does not determine openParameters
-        NotParabolic    ///< a family of other mechanisms fits nearly as well
+        NotParabolic,   ///< a family of other mechanisms fits nearly as well
+        Nothing         ///< the outcome is not Insufficient
     };
     Lack lack = Lack::Nothing;
     std::array<bool, kParameterCount> openParameters{};

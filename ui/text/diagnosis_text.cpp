@@ -29,15 +29,10 @@ struct DiagnosisText {
 
 public:
     // In the order of Identification::Lack. %1 are the open parameters.
-    static constexpr const char *kFewValues =
-        QT_TR_NOOP("Too few values of the coupler angle θ³, the slider position Rₓ⁴, the coupler's centre R³ and their "
-                   "derivatives to find the mechanism: export more time steps, or more columns.");
     static constexpr const char *kLacks[] = {
-        kFewValues,
-        kFewValues,
-        kFewValues,
+        QT_TR_NOOP("Too few values of the coupler angle θ³, the slider position Rₓ⁴, the coupler's centre R³ and their "
+                   "derivatives to find the mechanism: export more time steps, or more columns."),
         QT_TR_NOOP("Nothing moves in these data: export the motion of a turning crank."),
-        kFewValues,
         QT_TR_NOOP("These data do not determine %1: export a longer motion, more digits, or more columns."),
         QT_TR_NOOP("Many mechanisms move nearly as these data do: export a longer motion, more digits, or more "
                    "columns.")};

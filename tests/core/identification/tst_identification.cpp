@@ -346,7 +346,7 @@ private slots:
         printing.channels = "010000";
         QCOMPARE(identified(printedData(standing)).lack, Lack::NothingMoves);
         QCOMPARE(identified(printedData(Parameters(), printing)).lack, Lack::FewValues);
-        QCOMPARE(identified(ReferenceData()).lack, Lack::FewTimeStamps);
+        QCOMPARE(identified(ReferenceData()).lack, Lack::FewValues);
         printing.rows = 7; // five parameters fit seven numbers of six digits by chance
         QCOMPARE(identified(printedData(Parameters(), printing)).outcome, Outcome::Insufficient);
     }
