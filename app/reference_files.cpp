@@ -132,18 +132,17 @@ QJsonValue jsonMechanism(bool exists, const Parameters &parameters)
 QJsonArray jsonConventions(const std::vector<ConventionFinding> &findings)
 {
     return jsonList(findings, [](const ConventionFinding &finding) {
-        const Convention &convention = finding.convention;
-        const char *unit = kAmountUnits[static_cast<std::size_t>(convention.kind)];
-        const bool isZeroPoint = convention.kind == Convention::Kind::ZeroPoint;
+        const char *unit = kAmountUnits[static_cast<std::size_t>(finding.kind)];
+        const bool isZeroPoint = finding.kind == Convention::Kind::ZeroPoint;
         QStringList channels;
-        for (const Channel channel : convention.channels) {
+        for (const Channel channel : finding.channels) {
             channels += columnName(channel);
         }
-        return QJsonObject{{"name", toJson(convention)["kind"]},
+        return QJsonObject{{"name", toJson(finding)["kind"]},
                            {"channel", jsonText(channels.join(','))},
-                           {"amount", unit ? QJsonValue(convention.amount) : QJsonValue()},
-                           {"unit", jsonText(isZeroPoint ? unitText(convention.channels.front()) : QString(unit))},
-                           {"explanation", explanationText(convention)},
+                           {"amount", unit ? QJsonValue(finding.amount) : QJsonValue()},
+                           {"unit", jsonText(isZeroPoint ? unitText(finding.channels.front()) : QString(unit))},
+                           {"explanation", explanationText(finding)},
                            {"standardError", jsonNumber(finding.standardError)},
                            {"before", jsonNumber(finding.before)},
                            {"after", jsonNumber(finding.after)}};

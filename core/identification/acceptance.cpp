@@ -5,6 +5,8 @@
 #include "core/identification/least_squares.h"
 #include "core/mechanism/turn.h"
 
+#include <boost/math/statistics/univariate_statistics.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -23,31 +25,19 @@ constexpr double kLargestSystematicPart = 0.01;
 
 constexpr Eigen::Index kHarmonics = 8;
 
-/// The mean fourth power divided by the squared mean square: 3 for normally distributed values.
-double kurtosis(const std::vector<double> &values)
-{
-    double squares = 0.0;
-    double fourths = 0.0;
-    for (const double value : values) {
-        squares += value * value;
-        fourths += value * value * value * value;
-    }
-    return squares > 0.0 ? fourths * static_cast<double>(values.size()) / (squares * squares) : 0.0;
-}
-
 /// Whether the values, in the order of time, look like independent noise of one distribution: tests the sum of eight
 /// squared autocorrelations (Ljung-Box), and the kurtosis, which single bad readings raise.
 bool isWhiteInTime(const std::vector<double> &values)
 {
     constexpr std::size_t kLags = 8;
     constexpr double kLargestSum = 30.0; // 99.98 % point of chi-square with 8 degrees of freedom
-    constexpr double kLargestKurtosis = 9.0;
+    constexpr double kLargestKurtosis = 9.0; // 3 for normally distributed values
     double sum = 0.0;
     for (std::size_t lag = 1; lag <= std::min(kLags, values.size() / 5); ++lag) {
         const double deviations = autocorrelation(values, lag);
         sum += deviations * deviations;
     }
-    return sum <= kLargestSum && kurtosis(values) <= kLargestKurtosis;
+    return sum <= kLargestSum && boost::math::statistics::kurtosis(values) <= kLargestKurtosis;
 }
 
 /// Whether the values, in the order of the crank angle, are not correlated with their neighbours and are no function of
@@ -89,16 +79,13 @@ Residual judgeColumn(const Observations &data, const Fit &fit, std::size_t j)
         }
     }
     const ObservedColumn &column = data.columns[j];
-    double range = column.range * std::abs(hypothesis.columns[j].factor());
-    double spread = interpretedSpread(data, hypothesis, j);
-    if (isConstantByNature(column.channel)) { // the size of the parameter that determines it
-        range = std::abs(hypothesis.unknowns[column.channel.coordinate == R4y ? 0 : 3]);
-        spread = std::max(spread, range);
-    }
     if (column.count < kFewestRowsForNoise) {
         return Residual::Unexplained;
     }
-    const bool isSmall = std::sqrt(fit.noiseVariances[j]) <= kLargestNoisePart * spread;
+    const double size = sizeOf(data, hypothesis, j);
+    const double range =
+        isConstantByNature(column.channel) ? size : column.range * std::abs(hypothesis.columns[j].factor());
+    const bool isSmall = std::sqrt(fit.noiseVariances[j]) <= kLargestNoisePart * size;
     if (isSmall && isWhiteInTime(values) && isWhiteInAngle(values, angles)) {
         return Residual::White;
     }
@@ -145,30 +132,26 @@ Candidate judgedCandidate(const Observations &data, Fit fit)
     Candidate candidate{std::move(fit)};
     const Hypothesis &hypothesis = candidate.hypothesis;
     candidate.price = priceOf(data, hypothesis);
-    candidate.isExact = true;
-    candidate.acceptance = Acceptance::Identified;
     double off = 0.0;
     double all = 0.0;
-    bool hasOffset = data.isByCrankAngle && hypothesis.isFree[indexOf(Parameter::Theta20)];
     for (std::size_t j = 0; j < data.columns.size(); ++j) {
         const ObservedColumn &column = data.columns[j];
         const ColumnUse &use = hypothesis.columns[j];
-        const Residual judgement = candidate.judgements.emplace_back(judgeColumn(data, candidate, j));
-        hasOffset = hasOffset || (use.isUsed && use.hasOffset);
+        candidate.judgements.push_back(judgeColumn(data, candidate, j));
         if (tellsShape(column)) {
             off += column.count * (use.isUsed ? std::min(candidate.noiseParts[j], 1.0) : 1.0);
             all += column.count;
         }
-        candidate.isExact = candidate.isExact && (judgement == Residual::Rounding || judgement == Residual::NotUsed);
-        candidate.acceptance =
-            std::max(candidate.acceptance, judgement == Residual::Unexplained  ? Acceptance::Rejected
-                                           : judgement == Residual::Systematic ? Acceptance::Approximate
-                                                                               : Acceptance::Identified);
     }
-    const bool leavesOut = std::ranges::count(candidate.judgements, Residual::NotUsed) > 0;
-    if (candidate.acceptance == Acceptance::Approximate && (hasOffset || leavesOut)) { // would hide systematic errors
-        candidate.acceptance = Acceptance::Rejected;
-    }
+    const Residual worst = std::ranges::max(candidate.judgements);
+    const bool mayHideErrors = (data.isByCrankAngle && hypothesis.isFree[indexOf(Parameter::Theta20)]) ||
+                               std::ranges::any_of(hypothesis.columns, [](const ColumnUse &column) {
+                                   return column.hasOffset || !column.isUsed;
+                               });
+    candidate.isExact = worst <= Residual::Rounding;
+    candidate.acceptance = worst <= Residual::White                             ? Acceptance::Identified
+                           : worst == Residual::Systematic && !mayHideErrors ? Acceptance::Approximate
+                                                                             : Acceptance::Rejected;
     const double spare = all - candidate.freeCount;
     candidate.distance = spare > 0.0 ? std::min(off / spare, 1.0) : 1.0;
     return candidate;

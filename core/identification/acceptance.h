@@ -14,11 +14,11 @@ namespace slidercrank
 
 /// What the residuals of a column are.
 enum class Residual {
+    NotUsed,
     Rounding,
     White,      ///< white noise of at most 15 % of the column's spread
     Systematic, ///< not white, at most 1 % of the column's range
-    Unexplained,
-    NotUsed
+    Unexplained
 };
 
 enum class Acceptance { Identified, Approximate, Rejected }; ///< from best to worst

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <span>
 #include <utility>
 
@@ -19,19 +18,7 @@ namespace
 /// Whether the channel is a derivative that may be left out, constant or not.
 bool isPlottedDerivative(Channel channel)
 {
-    return channel.order != Order::Position && (channel.coordinate == R4x || channel.coordinate == Theta3);
-}
-
-bool isSame(const Hypothesis &x, const Hypothesis &y)
-{
-    return x.timeUnit == y.timeUnit && x.columns == y.columns && x.abscissaFactor == y.abscissaFactor &&
-           x.isFree == y.isFree && x.isBalanced == y.isBalanced && areNear(middleParameters(x), middleParameters(y));
-}
-
-bool isKnown(const Hypothesis &hypothesis, const std::vector<Candidate> &all)
-{
-    return std::ranges::any_of(all,
-                               [&](const Candidate &candidate) { return isSame(candidate.hypothesis, hypothesis); });
+    return channel.order != Order::Position && isPlotted(channel);
 }
 
 void addWithVariants(const Observations &data, Hypothesis hypothesis, std::vector<Candidate> &all);
@@ -46,7 +33,7 @@ void addWithFewerColumns(const Observations &data, const Candidate &candidate, R
     bool onlyDerivatives = true;
     bool areDifferences = true;
     for (std::size_t j = 0; j < data.columns.size(); ++j) {
-        if (candidate.judgements[j] >= least && candidate.judgements[j] != Residual::NotUsed) {
+        if (candidate.judgements[j] >= least) {
             onlyDerivatives = onlyDerivatives && isPlottedDerivative(data.columns[j].channel);
             areDifferences = areDifferences && isLikeDifferences(data, candidate.hypothesis, j);
             hypothesis.columns[j] = {data.columns[j].channel};
@@ -76,13 +63,11 @@ void addWithFewerColumns(const Observations &data, const Candidate &candidate, R
 /// Adds a variant of the candidate without the free origins that were fitted to nearly zero.
 void addWithoutIdleOffsets(const Observations &data, const Candidate &candidate, std::vector<Candidate> &all)
 {
-    constexpr double kIdlePart = 2e-2; // of the spread, of the crank's length for R4y
+    constexpr double kIdlePart = 2e-2; // of the column's size
     Hypothesis without = candidate.hypothesis;
     for (std::size_t j = 0; j < data.columns.size(); ++j) {
-        const ObservedColumn &column = data.columns[j];
-        const double size = column.channel.coordinate == R4y ? without.unknowns[0] : column.spread;
-        ColumnUse &use = without.columns[j];
-        use.hasOffset = use.hasOffset && std::abs(without.offset(j)) >= std::max(kIdlePart * size, column.step);
+        const double least = std::max(kIdlePart * sizeOf(data, without, j), data.columns[j].step);
+        without.columns[j].hasOffset = std::abs(without.offset(j)) >= least;
     }
     addWithVariants(data, std::move(without), all); // unless there is none: then it is known
 }
@@ -117,33 +102,26 @@ void addWithVariants(const Observations &data, Hypothesis hypothesis, std::vecto
 std::vector<Fit> exchangedShapes(const Observations &data, SpeedCandidates speeds, double scoreBefore,
                                  const std::stop_token &stop)
 {
-    constexpr std::size_t kMostFitted = 10;
     constexpr std::size_t kMost = 4;
     constexpr double kLeastGain = 24.0; // the price of an exchange
-    std::vector<ColumnUse> columns = plainColumns(data);
+    const std::vector<ColumnUse> columns = plainColumns(data);
     speeds.periodic.resize(std::min(speeds.periodic.size(), std::size_t{1}));
     speeds.shortArc.clear();
     const auto mayBeExchanged = [&](std::size_t j) {
-        return tellsShape(data.columns[j]) &&
-               (columns[j].channel.coordinate == R4x || columns[j].channel.coordinate == Theta3);
+        return tellsShape(data.columns[j]) && isPlotted(data.columns[j].channel);
     };
-    std::multimap<double, std::vector<ColumnUse>> exchanges; // by the misfit of the nearest shape of the grid
+    std::vector<Fit> shapes;
     for (std::size_t i = 0; i < columns.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
-            if (mayBeExchanged(i) && mayBeExchanged(j)) {
-                std::swap(columns[i].channel, columns[j].channel);
-                exchanges.emplace(leastDissimilarity(data, columns, speeds), columns);
-                std::swap(columns[i].channel, columns[j].channel);
+            if (!mayBeExchanged(i) || !mayBeExchanged(j) || stop.stop_requested()) {
+                continue;
             }
-        }
-    }
-    std::vector<Fit> shapes;
-    std::size_t fitted = 0;
-    for (const auto &[dissimilarity, exchanged] : exchanges) {
-        std::vector<Fit> fits =
-            fitted++ < kMostFitted ? searchShapes(data, exchanged, speeds, stop) : std::vector<Fit>();
-        if (!fits.empty() && fits.front().score < scoreBefore - kLeastGain) {
-            shapes.push_back(std::move(fits.front()));
+            std::vector<ColumnUse> exchanged = columns;
+            std::swap(exchanged[i].channel, exchanged[j].channel);
+            std::vector<Fit> fits = searchShapes(data, exchanged, speeds, stop);
+            if (!fits.empty() && fits.front().score < scoreBefore - kLeastGain) {
+                shapes.push_back(std::move(fits.front()));
+            }
         }
     }
     std::ranges::sort(shapes, {}, &Fit::score);
@@ -165,20 +143,19 @@ void tryInterpretations(const Observations &data, const std::vector<Fit> &shapes
                         std::vector<Candidate> &all)
 {
     const std::size_t most = options.isPlain ? 3 : 5;
-    std::vector<RatedHypothesis> interpretations;
+    std::vector<Fit> interpretations;
     for (const Fit &shape : shapes) {
         addInterpretations(data, shape, options, interpretations);
     }
-    for (RatedHypothesis &interpretation : interpretations) {
-        interpretation.misfit -= bonusOf(data, interpretation.hypothesis, options.given);
+    for (Fit &interpretation : interpretations) {
+        interpretation.score -= bonusOf(data, interpretation.hypothesis, options.given);
     }
-    std::ranges::stable_sort(interpretations, {}, &RatedHypothesis::misfit);
-    std::vector<Hypothesis> tried;
-    for (const auto &[misfit, hypothesis] : interpretations) {
-        const auto isSameAs = [&, &one = hypothesis](const Hypothesis &other) { return isSame(one, other); };
-        if (tried.size() < most && !options.stop.stop_requested() && std::ranges::none_of(tried, isSameAs)) {
-            tried.push_back(hypothesis);
-            addWithVariants(data, hypothesis, all);
+    std::ranges::stable_sort(interpretations, {}, &Fit::score);
+    std::vector<Fit> tried;
+    for (const Fit &interpretation : interpretations) {
+        if (tried.size() < most && !options.stop.stop_requested() && !isKnown(interpretation.hypothesis, tried)) {
+            tried.push_back(interpretation);
+            addWithVariants(data, interpretation.hypothesis, all);
         }
     }
 }
@@ -187,13 +164,17 @@ void tryInterpretations(const Observations &data, const std::vector<Fit> &shapes
 
 bool isAsWritten(const Observations &data, const Hypothesis &hypothesis)
 {
-    for (std::size_t j = 0; j < data.columns.size(); ++j) {
-        if (!hypothesis.columns[j].isPlain() || hypothesis.columns[j].channel != data.columns[j].channel) {
-            return false;
-        }
-    }
-    return !data.isByCrankAngle ||
-           (hypothesis.abscissaFactor == 1.0 && !hypothesis.isFree[indexOf(Parameter::Theta20)]);
+    const auto isSameAsHeading = [](const ColumnUse &use, const ObservedColumn &column) {
+        return use.isPlain() && use.channel == column.channel;
+    };
+    return std::ranges::equal(hypothesis.columns, data.columns, isSameAsHeading) &&
+           (!data.isByCrankAngle ||
+            (hypothesis.abscissaFactor == 1.0 && !hypothesis.isFree[indexOf(Parameter::Theta20)]));
+}
+
+bool isIdentified(const std::vector<Candidate> &candidates)
+{
+    return !candidates.empty() && candidates.front().acceptance == Acceptance::Identified;
 }
 
 Candidate fitCandidate(const Observations &data, Hypothesis hypothesis)
@@ -233,8 +214,7 @@ std::vector<Candidate> searchCandidates(const Observations &data, const Paramete
         }
         tryInterpretations(data, shapes, options, all);
         std::ranges::stable_sort(all, isBetter);
-        if (stop.stop_requested() || (!all.empty() && all.front().acceptance == Acceptance::Identified &&
-                                      isAsWritten(data, all.front().hypothesis))) {
+        if (stop.stop_requested() || (isIdentified(all) && isAsWritten(data, all.front().hypothesis))) {
             break;
         }
     }

@@ -15,6 +15,9 @@ namespace slidercrank
 /// Whether a hypothesis uses every column as its heading says.
 bool isAsWritten(const Observations &data, const Hypothesis &hypothesis);
 
+/// Whether the first of the candidates is identified.
+bool isIdentified(const std::vector<Candidate> &candidates);
+
 /// Fits and judges a hypothesis. If the abscissa is uneven, tries rounded and exact abscissae and returns the better
 /// fit.
 Candidate fitCandidate(const Observations &data, Hypothesis hypothesis);

@@ -37,19 +37,15 @@ void shift(std::vector<double> &values, Rounding &rounding, double amount)
 /// time in their unit.
 void change(const Convention &convention, int timePower, std::vector<double> &values, Rounding &rounding)
 {
-    switch (convention.kind) {
-    case Kind::AngleUnit:
-    case Kind::LengthUnit:
-    case Kind::Sign: multiply(values, rounding, convention.amount); break;
-    case Kind::TimeUnit: multiply(values, rounding, std::pow(convention.amount, timePower)); break;
-    case Kind::HalfTurn:
-    case Kind::WholeTurns: removeJumps(values, 360.0); [[fallthrough]];
-    case Kind::ZeroPoint:
-    case Kind::TimeShift: shift(values, rounding, convention.amount); break;
-    case Kind::SwappedColumns:
-    case Kind::Branch:
-    case Kind::NotDerivative:
-    case Kind::Axis: break;
+    const Kind kind = convention.kind;
+    const bool unwraps = kind == Kind::HalfTurn || kind == Kind::WholeTurns;
+    if (unwraps) {
+        removeJumps(values, 360.0);
+    }
+    if (unwraps || kind == Kind::ZeroPoint || kind == Kind::TimeShift) {
+        shift(values, rounding, convention.amount);
+    } else { // the amount is 1 unless it is a factor
+        multiply(values, rounding, kind == Kind::TimeUnit ? std::pow(convention.amount, timePower) : convention.amount);
     }
 }
 

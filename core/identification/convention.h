@@ -50,7 +50,7 @@ namespace slidercrank
 // The factors between units that occur in files.
 inline constexpr std::array kAngleFactors{1.0, kDegreesPerRadian, 1.0 / kDegreesPerRadian};
 inline constexpr std::array kLengthFactors{1.0, 10.0, 25.4, 1000.0, 0.1, 1.0 / 25.4, 1e-3};
-inline constexpr std::array kTimeFactors{1.0, 1e-3, 1e3};
+inline constexpr std::array kTimeFactors{1.0, 1e-3, 1e3}; // 1 first
 
 /// The factor whose ratio to |wanted| is nearest to 1.
 double nearestFactor(std::span<const double> factors, double wanted);
@@ -89,9 +89,7 @@ std::optional<Convention> axisAlongY(const ReferenceData &data, bool withAngles)
 ReferenceData applied(const Convention &convention, ReferenceData data);
 
 /// A convention that was found in a file.
-struct ConventionFinding {
-    Convention convention;
-
+struct ConventionFinding : Convention {
     /// The largest error without and with the convention, in percent of the motion's peak, after all other conventions
     /// are applied: of the columns that it changes, or of all if it changes the times, the axes or the model. 0 without
     /// values.

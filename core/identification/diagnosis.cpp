@@ -58,8 +58,7 @@ bool isOfTwoMechanisms(const FileSearch &search, const Candidate &found, const P
         return false;
     }
     const std::vector<Candidate> candidates = searchCandidates(rest, given, stop);
-    if (candidates.empty() || candidates.front().acceptance != Acceptance::Identified ||
-        !isAsWritten(rest, candidates.front().hypothesis)) {
+    if (!isIdentified(candidates) || !isAsWritten(rest, candidates.front().hypothesis)) {
         return false;
     }
     const Parameters p = middleParameters(found.hypothesis);
@@ -92,11 +91,10 @@ bool interpret(const ReferenceData &data, const Observations &all, const FileSea
         found.excludedRows.push_back(data.lineOfRow(row));
     }
     std::vector<ConventionFinding> ofUsed = result.conventions;
-    std::erase_if(ofUsed, [](const ConventionFinding &one) { return one.convention.kind == Kind::NotDerivative; });
+    std::erase_if(ofUsed, [](const ConventionFinding &one) { return one.kind == Kind::NotDerivative; });
     const ReferenceData interpreted = allApplied(result.conventions, good);
     for (ChannelComparison &channel : compareTimed(found.parameters, allApplied(ofUsed, good), stop)) {
-        const auto column = std::ranges::find(search.data.columns, channel.channel, &ObservedColumn::channel);
-        const auto j = static_cast<std::size_t>(column - search.data.columns.begin());
+        const std::size_t j = columnIndex(search.data.columns, channel.channel);
         if (j < candidate.judgements.size() && candidate.judgements[j] == Residual::NotUsed) {
             const double ofZeros = channel.maxAbs.value_or(0.0) > 0.0 ? 100.0 : 0.0; // percent of the motion's peak
             found.leftOut.push_back({channel.channel, channel.percentOfPeak.value_or(ofZeros)});

@@ -3,6 +3,8 @@
 
 #include "core/identification/crank_speed.h"
 
+#include <boost/math/statistics/univariate_statistics.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -14,7 +16,6 @@ namespace
 {
 
 constexpr std::size_t kSearchRows = 300;
-constexpr std::size_t kFinalRows = 1000;
 
 /// The rows whose flag is not set.
 Observations without(const Observations &data, const std::vector<bool> &flags)
@@ -40,64 +41,47 @@ bool mayBeExcluded(const std::vector<bool> &flags)
 double medianMagnitude(std::vector<double> values)
 {
     std::erase_if(values, [](double value) { return std::isnan(value); });
-    const auto middle = values.begin() + std::ranges::ssize(values) / 2;
-    std::ranges::nth_element(values, middle, {}, [](double value) { return std::abs(value); });
-    return values.empty() ? 0.0 : std::abs(*middle);
+    return values.empty() ? 0.0 : boost::math::statistics::median_absolute_deviation(values, 0.0);
 }
 
-/// Flags rows with a value far from the straight line between its neighbours. They may be bad readings.
-std::vector<bool> suspiciousRows(const Observations &data)
-{
-    constexpr double kFar = 12.0;       // times the median distance from that line
-    constexpr double kLeastPart = 0.05; // of the spread
-    std::vector<bool> flags(data.abscissa.size(), false);
-    for (const ObservedColumn &column : data.columns) {
-        std::vector<double> distances(flags.size(), kNone);
-        for (std::size_t i = 1; i + 1 < flags.size(); ++i) {
-            const double part =
-                (data.abscissa[i] - data.abscissa[i - 1]) / (data.abscissa[i + 1] - data.abscissa[i - 1]);
-            distances[i] =
-                std::abs(column.values[i] - (1.0 - part) * column.values[i - 1] - part * column.values[i + 1]);
-        }
-        const double far = std::max(kFar * medianMagnitude(distances), kLeastPart * column.spread);
-        for (std::size_t i = 1; i + 1 < flags.size() && tellsShape(column); ++i) {
-            const bool isPeak = !(distances[i] < distances[i - 1]) && !(distances[i] < distances[i + 1]);
-            flags[i] = flags[i] || (isPeak && distances[i] > far);
-        }
-    }
-    return flags;
-}
-
-/// Flags rows in which the residual of a used column exceeds 8 standard deviations, estimated by the median absolute
-/// deviation.
-std::vector<bool> outliers(const Observations &data, const Candidate &candidate)
+/// Flags rows in which a deviation, in the unit of its column, exceeds 8 standard deviations, estimated by the median
+/// absolute deviation.
+std::vector<bool> farRows(const Observations &data, const std::vector<std::vector<double>> &deviations)
 {
     constexpr double kFar = 8.0;
     constexpr double kOfNormal = 1.4826; // standard deviation per median absolute deviation
     std::vector<bool> flags(data.abscissa.size(), false);
-    const Fit fit = evaluateHypothesis(data, candidate.hypothesis);
-    if (!fit.exists()) {
-        return flags;
-    }
-    // Near a toggle position the accelerations are unbounded, so that a large residual need not be a bad reading.
-    constexpr double kNearToggle = 1e-4; // of the square of the coupler's length
-    const auto isNearToggle = [&](std::size_t row) {
-        const Eigen::VectorXd &q = fit.hypothesis.unknowns;
-        const double height = (q[2] - q[0] * std::sin(crankAngle(data, fit.hypothesis, row))) / q[1];
-        return 1.0 - height * height < kNearToggle;
-    };
-    for (std::size_t j = 0; j < data.columns.size(); ++j) {
-        const double scale = kOfNormal * medianMagnitude(fit.residuals[j]);
-        const double factor = fit.hypothesis.columns[j].factor();
+    for (std::size_t j = 0; j < deviations.size(); ++j) {
+        const double scale = kOfNormal * medianMagnitude(deviations[j]);
         for (std::size_t i = 0; i < flags.size(); ++i) {
-            // Without the estimated noise, which contains the outliers.
-            const double rounding = factor * factor * data.columns[j].variances[i];
-            const double variance = std::max(fit.variances[j][i] - fit.noiseVariances[j], rounding);
-            const double far = kFar * std::max(scale, std::sqrt(variance));
-            flags[i] = flags[i] || (std::abs(fit.residuals[j][i]) > far && !isNearToggle(i));
+            const double rounding = std::sqrt(data.columns[j].variances[i]);
+            flags[i] = flags[i] || std::abs(deviations[j][i]) > kFar * std::max(scale, rounding);
         }
     }
     return flags;
+}
+
+/// Flags rows with a position far outside the range of the others, such as a code for lost values. Derivatives may have
+/// high peaks near a toggle position.
+std::vector<bool> suspiciousRows(const Observations &data)
+{
+    std::vector<std::vector<double>> deviations;
+    for (const ObservedColumn &column : data.columns) {
+        const double mean = column.channel.order == Order::Position ? column.mean : kNone;
+        std::ranges::for_each(deviations.emplace_back(column.values), [&](double &value) { value -= mean; });
+    }
+    return farRows(data, deviations);
+}
+
+/// Flags rows that are far from a candidate.
+std::vector<bool> outliers(const Observations &data, const Candidate &candidate)
+{
+    Fit fit = evaluateHypothesis(data, candidate.hypothesis);
+    for (std::size_t j = 0; j < fit.residuals.size(); ++j) {
+        std::ranges::for_each(fit.residuals[j],
+                              [factor = candidate.hypothesis.columns[j].factor()](double &value) { value /= factor; });
+    }
+    return farRows(data, fit.residuals);
 }
 
 /// At most 300 rows from the beginning of the file, spread over as many turns as they can resolve.
@@ -105,34 +89,23 @@ Observations searchWindow(const Observations &all)
 {
     constexpr double kMostTurns = 6.0;
     const std::size_t count = all.abscissa.size();
-    if (count <= kSearchRows) {
-        return all;
-    }
-    const double turns = roughTurns(all);
-    std::size_t end = count;
-    if (turns > kMostTurns) {
-        end = static_cast<std::size_t>(static_cast<double>(count) * kMostTurns / turns);
-        end = std::clamp(end, std::min(kSearchRows, count), count);
-    }
-    return selection(all, spreadRows(end, kSearchRows));
+    const double part = std::min(kMostTurns / roughTurns(all), 1.0);
+    const auto end = static_cast<std::size_t>(static_cast<double>(count) * part);
+    return selection(all, spreadRows(std::max(end, std::min(kSearchRows, count)), kSearchRows));
 }
 
-/// At most a thousand rows of the file, in blocks of consecutive rows, so that neighbours can be compared.
+/// At most a thousand rows of the file, in evenly spread blocks of consecutive rows, so that neighbours can be
+/// compared.
 Observations finalRows(const Observations &all)
 {
-    constexpr std::size_t kBlock = 20;
-    const std::size_t count = all.abscissa.size();
-    if (count <= kFinalRows) {
-        return all;
-    }
+    constexpr std::size_t kRows = 20; // of a block
+    constexpr std::size_t kMost = 50; // blocks
+    const std::size_t blocks = (all.abscissa.size() + kRows - 1) / kRows;
     std::vector<std::size_t> rows;
-    constexpr std::size_t kBlocks = kFinalRows / kBlock;
-    for (std::size_t block = 0; block < kBlocks; ++block) {
-        const std::size_t first = block * (count - kBlock) / (kBlocks - 1);
-        for (std::size_t i = 0; i < kBlock; ++i) {
-            if (rows.empty() || first + i > rows.back()) {
-                rows.push_back(first + i);
-            }
+    for (std::size_t row = 0; row < all.abscissa.size(); ++row) {
+        const std::size_t block = row / kRows;
+        if ((block + 1) * kMost / blocks > block * kMost / blocks) {
+            rows.push_back(row);
         }
     }
     return selection(all, rows);
@@ -180,42 +153,34 @@ FileSearch searchRows(const Observations &all, const Parameters &given, const st
     return search;
 }
 
-/// Excludes the rows that are outliers of the best candidate, in several rounds because they bias its fit. Returns
-/// whether the mechanism of the other rows is identified; if not, changes nothing.
-bool excludeOutliers(const Observations &all, const Parameters &given, const std::stop_token &stop, FileSearch &search)
+/// Excludes the rows that are outliers of the best candidate, in several rounds because they bias its fit. Changes
+/// nothing if the mechanism of the other rows is not identified.
+void excludeOutliers(const Observations &all, const Parameters &given, const std::stop_token &stop, FileSearch &search)
 {
     constexpr int kRounds = 4;
-    if (search.candidates.empty()) {
-        return false;
-    }
-    Candidate nearest = search.candidates.front();
+    Candidate nearest = search.candidates.empty() ? Candidate() : search.candidates.front();
     std::vector<bool> flags;
-    for (int round = 0; round < kRounds && !stop.stop_requested(); ++round) {
+    for (int round = 0; round < kRounds && nearest.exists() && !stop.stop_requested(); ++round) {
         std::vector<bool> found = outliers(all, nearest);
         if (found == flags || !mayBeExcluded(found)) {
             break;
         }
         flags = std::move(found);
         nearest = fitCandidate(finalRows(without(all, flags)), nearest.hypothesis);
-        if (!nearest.exists()) {
-            return false;
-        }
     }
     // Systematic residuals follow no distribution, so that large ones may be good readings.
     if (flags.empty() || nearest.acceptance != Acceptance::Identified) {
-        return false;
+        return;
     }
     search = searchRows(without(all, flags), given, stop);
-    if (search.candidates.empty() || isBetter(nearest, search.candidates.front())) {
-        search.candidates.insert(search.candidates.begin(), std::move(nearest));
-    }
+    search.candidates.push_back(std::move(nearest));
+    std::ranges::stable_sort(search.candidates, isBetter);
     for (std::size_t i = 0; i < flags.size(); ++i) {
         if (flags[i]) {
             search.excluded.push_back(all.rows[i]);
         }
     }
     std::ranges::sort(search.excluded);
-    return true;
 }
 
 } // namespace
@@ -223,16 +188,12 @@ bool excludeOutliers(const Observations &all, const Parameters &given, const std
 FileSearch searchFile(const Observations &all, const Parameters &given, const std::stop_token &stop)
 {
     FileSearch search = searchRows(all, given, stop);
-    const bool isIdentified =
-        !search.candidates.empty() && search.candidates.front().acceptance == Acceptance::Identified;
     const std::vector<bool> suspicious = suspiciousRows(all);
-    if (!isIdentified && mayBeExcluded(suspicious)) { // they may have prevented the search from finding the motion
+    if (!isIdentified(search.candidates) && mayBeExcluded(suspicious)) { // they may have prevented the search
         FileSearch cleaned = searchRows(without(all, suspicious), given, stop);
-        if (excludeOutliers(all, given, stop, cleaned)) {
-            return cleaned;
-        }
+        search = isIdentified(cleaned.candidates) ? std::move(cleaned) : search;
     }
-    if (!isIdentified || search.data.abscissa.size() < all.abscissa.size()) {
+    if (!isIdentified(search.candidates) || search.data.abscissa.size() < all.abscissa.size()) {
         excludeOutliers(all, given, stop, search);
     }
     return search;

@@ -19,29 +19,24 @@ namespace
 
 using Kind = Convention::Kind;
 
-constexpr std::size_t kFewRows = 1000;
-
 /// Rounds an origin offset to the roundest number within its standard error. Returns false if it is less than five
-/// standard errors, a rounding step, or a thousandth of the column's spread (of the crank's length for R4y, of a radian
-/// for θ2).
+/// standard errors, a rounding step, or a thousandth of the column's size (of a radian for θ2).
 bool settleOrigin(const Observations &data, const Candidate &candidate, const Uncertainty &uncertainty,
                   ConventionFinding &finding)
 {
     constexpr double kErrors = 5.0;
     constexpr double kLeastPart = 1e-3;
-    const Channel channel = finding.convention.channels.front();
-    const auto &columns = candidate.hypothesis.columns;
+    const Channel channel = finding.channels.front();
     double error = uncertainty.parameterErrors[indexOf(Parameter::Theta20)];
     double size = 1.0;
     double step = 0.0;
     if (channel != kCrankAngle) {
-        const auto j =
-            static_cast<std::size_t>(std::ranges::find(columns, channel, &ColumnUse::channel) - columns.begin());
+        const std::size_t j = columnIndex(candidate.hypothesis.columns, channel);
         error = uncertainty.errors[Hypothesis::offsetIndex(j)];
-        size = channel.coordinate == R4y ? candidate.hypothesis.unknowns[0] : data.columns[j].spread;
+        size = sizeOf(data, candidate.hypothesis, j);
         step = data.columns[j].step;
     }
-    double &amount = finding.convention.amount;
+    double &amount = finding.amount;
     if (std::abs(amount) < toFileUnit(channel, std::max({kLeastPart * size, kErrors * error, step}))) {
         return false;
     }
@@ -72,20 +67,19 @@ std::vector<ConventionFinding> findConventions(const Observations &data, const C
     std::vector<ConventionFinding> findings;
     for (Convention &convention : conventionsOf(data, candidate.hypothesis)) {
         ConventionFinding finding{std::move(convention)};
-        std::vector<Channel> &channels = finding.convention.channels;
-        if (finding.convention.kind == Kind::NotDerivative) {
+        std::vector<Channel> &channels = finding.channels;
+        if (finding.kind == Kind::NotDerivative) {
             // Differences of the positions deviate, too, and a filter that differentiates noisy positions may cause any
             // deviation.
             std::erase_if(channels, [&](Channel channel) {
-                const auto column = std::ranges::find(data.columns, channel, &ObservedColumn::channel);
-                const auto j = static_cast<std::size_t>(column - data.columns.begin());
-                return !candidate.isExact || isLikeDifferences(data, candidate.hypothesis, j);
+                return !candidate.isExact ||
+                       isLikeDifferences(data, candidate.hypothesis, columnIndex(data.columns, channel));
             });
             if (channels.empty()) {
                 continue;
             }
         }
-        if (finding.convention.kind != Kind::ZeroPoint || settleOrigin(data, candidate, uncertainty, finding)) {
+        if (finding.kind != Kind::ZeroPoint || settleOrigin(data, candidate, uncertainty, finding)) {
             findings.push_back(std::move(finding));
         }
     }
@@ -118,7 +112,7 @@ std::vector<ConventionFinding> findFaultsOfWholeFile(const ReferenceData &data, 
             ConventionFinding &finding = findings.emplace_back(ConventionFinding{{kind, {}, amount}});
             for (const ReferenceSeries &series : data.series) {
                 if (concerns(series.channel)) {
-                    finding.convention.channels.push_back(series.channel);
+                    finding.channels.push_back(series.channel);
                 }
             }
         }
@@ -161,7 +155,7 @@ std::vector<ChannelComparison> compareTimed(const Parameters &parameters, const 
 ReferenceData allApplied(const std::vector<ConventionFinding> &findings, ReferenceData data)
 {
     for (const ConventionFinding &finding : findings) {
-        data = applied(finding.convention, std::move(data));
+        data = applied(finding, std::move(data));
     }
     return data;
 }
@@ -169,9 +163,9 @@ ReferenceData allApplied(const std::vector<ConventionFinding> &findings, Referen
 bool measureFindings(const ReferenceData &data, const Parameters &found, std::vector<ConventionFinding> &findings)
 {
     bool doAllPay = true;
-    const ReferenceData some = thinnedData(data, kFewRows);
+    const ReferenceData some = thinned(data);
     for (std::size_t i = 0; i < findings.size();) { // a finding that is removed may change those that follow
-        const Convention &convention = findings[i].convention;
+        const Convention &convention = findings[i];
         std::vector<ConventionFinding> others = findings;
         others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
         Parameters without = found;
@@ -194,17 +188,9 @@ bool measureFindings(const ReferenceData &data, const Parameters &found, std::ve
 std::optional<ParameterChange> findParameterChange(const ReferenceData &data, const Parameters &given,
                                                    const Parameters &found)
 {
-    constexpr double kNearlyAll = 0.99; // of the squares: a tenth of the error remains
-    const ReferenceData some = thinnedData(data, kFewRows);
-    const auto squaresOf = [&](const Parameters &p) {
-        double sum = 0.0;
-        for (const ChannelComparison &channel : compareTimed(p, some)) {
-            const double part = channel.peak > 0.0 ? channel.rms.value_or(0.0) / channel.peak : 0.0;
-            sum += channel.missingModel > 0 ? std::numeric_limits<double>::infinity() : part * part;
-        }
-        return sum;
-    };
-    const double before = squaresOf(given);
+    constexpr double kNearlyAll = 0.99; // of the square: a tenth of the error remains
+    const ReferenceData some = thinned(data);
+    const double before = largestDeviation(given, some);
     std::optional<ParameterChange> best;
     for (const Parameter parameter : kAllParameters) {
         Parameters changed = given;
@@ -214,7 +200,7 @@ std::optional<ParameterChange> findParameterChange(const ReferenceData &data, co
         if (findFault(changed)) {
             continue;
         }
-        const double explained = before > 0.0 ? 1.0 - squaresOf(changed) / before : 0.0;
+        const double explained = before > 0.0 ? 1.0 - std::pow(largestDeviation(changed, some) / before, 2.0) : 0.0;
         if (explained >= std::max(kNearlyAll, best ? best->explained : 0.0)) {
             best = {parameter, valueOf(changed, parameter), explained};
         }
@@ -222,23 +208,29 @@ std::optional<ParameterChange> findParameterChange(const ReferenceData &data, co
     return best;
 }
 
-ReferenceData thinnedData(const ReferenceData &data, std::size_t count)
+ReferenceData thinned(ReferenceData data)
 {
-    if (data.time.size() <= count) {
-        return data;
+    const std::vector<std::size_t> rows = spreadRows(data.time.size(), 1000);
+    data.time = valuesAt(data.time, rows);
+    if (data.crank) {
+        data.crank->degrees = valuesAt(data.crank->degrees, rows);
     }
-    ReferenceData some;
-    some.timeRounding = data.timeRounding;
-    some.crank = data.crank;
-    const std::vector<std::size_t> rows = spreadRows(data.time.size(), count);
-    some.time = valuesAt(data.time, rows);
-    if (some.crank) {
-        some.crank->degrees = valuesAt(data.crank->degrees, rows);
+    for (ReferenceSeries &series : data.series) {
+        series.values = valuesAt(series.values, rows);
     }
-    for (const ReferenceSeries &series : data.series) {
-        some.series.push_back({series.channel, valuesAt(series.values, rows), series.rounding});
+    return data;
+}
+
+double largestDeviation(const Parameters &parameters, const ReferenceData &data)
+{
+    double largest = 0.0;
+    for (const ChannelComparison &channel : compareTimed(parameters, data)) {
+        const double range = rangeOf(data.find(channel.channel)->values).width();
+        const double size = isConstantByNature(channel.channel) ? channel.peak : range;
+        const double part = size > 0.0 ? channel.rms.value_or(0.0) / size : 0.0;
+        largest = channel.missingModel > 0 ? std::numeric_limits<double>::infinity() : std::max(largest, part);
     }
-    return some;
+    return largest;
 }
 
 } // namespace slidercrank

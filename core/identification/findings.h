@@ -42,7 +42,11 @@ ReferenceData allApplied(const std::vector<ConventionFinding> &findings, Referen
 std::optional<ParameterChange> findParameterChange(const ReferenceData &data, const Parameters &given,
                                                    const Parameters &found);
 
-/// At most `count` rows, evenly spread.
-ReferenceData thinnedData(const ReferenceData &data, std::size_t count);
+/// At most a thousand rows, evenly spread.
+ReferenceData thinned(ReferenceData data);
+
+/// The largest rms deviation of a column from a mechanism, relative to the column's range, or to its peak if it is
+/// constant by nature; infinite if the mechanism cannot be assembled in some row.
+double largestDeviation(const Parameters &parameters, const ReferenceData &data);
 
 } // namespace slidercrank

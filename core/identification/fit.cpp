@@ -209,7 +209,7 @@ NormalEquations normalEquations(const Observations &data, const Fit &fit)
 
 Fit evaluateHypothesis(const Observations &data, Hypothesis hypothesis)
 {
-    Fit fit{std::move(hypothesis), {}, {}, {}, {}};
+    Fit fit{std::move(hypothesis)};
     if (!fit.hypothesis.unknowns.allFinite() || !weigh(data, fit)) {
         return {};
     }
@@ -229,7 +229,7 @@ Fit fitHypothesis(const Observations &data, Hypothesis hypothesis, int rounds)
 {
     constexpr double kSettled = 1e-3; // relative change of chi-square and of the noise from round to round
     centerOffsets(data, hypothesis);
-    Fit fit{std::move(hypothesis), {}, {}, {}, {}};
+    Fit fit{std::move(hypothesis)};
     double noiseBefore = kInfinity;
     for (int round = 0; round < rounds; ++round) {
         if (!weigh(data, fit)) {

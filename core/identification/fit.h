@@ -11,20 +11,22 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
 namespace slidercrank
 {
 
+/// A hypothesis that was fitted to the data, or only rated by its score.
 struct Fit {
-    Hypothesis hypothesis;                      ///< with the fitted unknowns
-    std::vector<double> noiseVariances;         ///< by column
-    std::vector<double> noiseParts;             ///< by column, relative to its variance; 0 if it does not vary
-    std::vector<std::vector<double>> residuals; ///< by column and row; NaN where there is no value
-    std::vector<std::vector<double>> variances; ///< of the residuals
-    double valueCount = 0.0;                    ///< number of residuals
-    double freeCount = 0.0;                     ///< number of free unknowns
+    Hypothesis hypothesis{};                      ///< with the fitted unknowns
+    std::vector<double> noiseVariances{};         ///< by column
+    std::vector<double> noiseParts{};             ///< by column, relative to its variance; 0 if it does not vary
+    std::vector<std::vector<double>> residuals{}; ///< by column and row; NaN where there is no value
+    std::vector<std::vector<double>> variances{}; ///< of the residuals
+    double valueCount = 0.0;                      ///< number of residuals
+    double freeCount = 0.0;                       ///< number of free unknowns
     double chiSquare = 0.0;
     double logVariance = 0.0;                               ///< Σ ln(V/z²) with the spread z of the column
     double score = std::numeric_limits<double>::infinity(); ///< lower is better; infinite if there is no fit
@@ -32,6 +34,19 @@ struct Fit {
 
     bool exists() const { return score < std::numeric_limits<double>::infinity(); }
 };
+
+/// Whether a list of fits contains a hypothesis, apart from small differences of its parameters.
+bool isKnown(const Hypothesis &hypothesis, const auto &fits)
+{
+    const auto isSame = [&](const Fit &fit) {
+        const Hypothesis &other = fit.hypothesis;
+        return other.timeUnit == hypothesis.timeUnit && other.columns == hypothesis.columns &&
+               other.abscissaFactor == hypothesis.abscissaFactor && other.isFree == hypothesis.isFree &&
+               other.isBalanced == hypothesis.isBalanced &&
+               areNear(middleParameters(other), middleParameters(hypothesis));
+    };
+    return std::ranges::any_of(fits, isSame);
+}
 
 /// Fits the hypothesis in at most `rounds` rounds, each of which estimates the noise anew. The fitted a is positive.
 /// The offsets need no start.

@@ -86,6 +86,13 @@ double interpretedSpread(const Observations &data, const Hypothesis &hypothesis,
     return data.columns[column].spread * std::abs(hypothesis.columns[column].factor());
 }
 
+double sizeOf(const Observations &data, const Hypothesis &hypothesis, std::size_t column)
+{
+    const Channel channel = data.columns[column].channel;
+    return isConstantByNature(channel) ? std::abs(hypothesis.unknowns[channel.coordinate == R4y ? 0 : 3])
+                                       : interpretedSpread(data, hypothesis, column);
+}
+
 double ColumnRegression::unexplained() const
 {
     constexpr double kArithmetic = 1e-15;

@@ -63,12 +63,6 @@ struct Hypothesis {
     double phaseRate(const Observations &data) const { return data.isByCrankAngle ? abscissaFactor : unknowns[3]; }
 };
 
-/// A hypothesis that was compared with the data, but not fitted.
-struct RatedHypothesis {
-    double misfit = 0.0; ///< lower is better
-    Hypothesis hypothesis{};
-};
-
 /// The crank angle in a row, rad.
 inline double crankAngle(const Observations &data, const Hypothesis &hypothesis, std::size_t row)
 {
@@ -98,6 +92,10 @@ std::vector<ColumnUse> plainColumns(const Observations &data);
 
 /// The spread of a column in its interpretation.
 double interpretedSpread(const Observations &data, const Hypothesis &hypothesis, std::size_t column);
+
+/// The size with which deviations of a column are compared: its spread in its interpretation, or, if it is constant by
+/// nature, the parameter that determines its size: a for R4y, ω2 for the crank speed.
+double sizeOf(const Observations &data, const Hypothesis &hypothesis, std::size_t column);
 
 /// A number with its derivatives with respect to a, b, c, ω2 and θ2.
 using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, 5, 1>>;

@@ -31,8 +31,7 @@ constexpr double kPriceOfParameter = 6.0; // about ln N
 
 bool mayHaveOffset(Channel channel)
 {
-    return channel.order == Order::Position &&
-           (channel.coordinate == R4x || channel.coordinate == R4y || channel.coordinate == Theta3);
+    return channel.order == Order::Position && (isPlotted(channel) || channel.coordinate == R4y);
 }
 
 /// The factor that undoes the unit conversion of a heading if an angle has the heading of a length, or the reverse.
@@ -65,20 +64,14 @@ void chooseUnit(const ObservedColumn &column, const ColumnRegression &regression
     }
 }
 
-/// The square of the size with which a misfit of the column is compared.
-double squaredSize(const ObservedColumn &column, const ColumnUse &use, double size, const Hypothesis &hypothesis)
-{
-    const double natural = column.channel.coordinate == R4y ? size * hypothesis.unknowns[0] : hypothesis.unknowns[3];
-    const double spread = use.factor() * column.spread;
-    return isConstantByNature(column.channel) ? natural * natural : spread * spread;
-}
-
 /// Interprets one column in the best allowed way and returns its misfit.
-double interpretColumn(const ObservedColumn &column, const ColumnRegression &regression, double size,
-                       const Hypothesis &hypothesis, bool isPlain, ColumnUse &use)
+double interpretColumn(const Observations &data, std::size_t j, const ColumnRegression &regression, double size,
+                       bool isPlain, Hypothesis &hypothesis)
 {
     constexpr double kResolution = 1e-10; // of the variance: the accuracy of a fitted shape
     constexpr double kExplained = 0.01;   // of the variance: a column with a larger misfit is not explained
+    const ObservedColumn &column = data.columns[j];
+    ColumnUse &use = hypothesis.columns[j];
     if (!isPlain) {
         chooseUnit(column, regression, size, use);
     }
@@ -91,7 +84,7 @@ double interpretColumn(const ObservedColumn &column, const ColumnRegression &reg
         use.turn = part * std::round(offset / part);
         offset -= use.turn;
     }
-    const double size2 = squaredSize(column, use, size, hypothesis);
+    const double size2 = std::pow(sizeOf(data, hypothesis, j), 2.0);
     const auto misfit = [&](double square) {
         return square > kExplained * size2 ? 0.0 : regression.n * std::log(square / size2 + kResolution);
     };
@@ -112,11 +105,13 @@ double interpretColumn(const ObservedColumn &column, const ColumnRegression &reg
 }
 
 /// Chooses the best interpretation of each column. The lengths of the hypothesis are multiplied by `size` first.
-/// Returns nullopt if more than half of the columns were left out.
-std::optional<RatedHypothesis> interpret(const Observations &data, Hypothesis hypothesis,
-                                         const std::vector<ColumnRegression> &regressions, double size, bool isPlain)
+/// Returns no fit if more than half of the columns were left out.
+Fit interpret(const Observations &data, const Hypothesis &hypothesis, const std::vector<ColumnRegression> &regressions,
+              double size, bool isPlain)
 {
-    RatedHypothesis result{0.0, std::move(hypothesis)};
+    Fit result{hypothesis};
+    result.hypothesis.unknowns.head(3) *= size;
+    result.score = 0.0;
     std::size_t leftOut = 0;
     for (std::size_t j = 0; j < data.columns.size(); ++j) {
         ColumnUse &use = result.hypothesis.columns[j];
@@ -124,14 +119,12 @@ std::optional<RatedHypothesis> interpret(const Observations &data, Hypothesis hy
                          std::pow(result.hypothesis.timeUnit, static_cast<int>(use.channel.order));
         const double columnSize = isLength(use.channel) ? size : 1.0;
         if (regressions[j].n > 0.0) {
-            result.misfit +=
-                interpretColumn(data.columns[j], regressions[j], columnSize, result.hypothesis, isPlain, use);
+            result.score += interpretColumn(data, j, regressions[j], columnSize, isPlain, result.hypothesis);
         }
         leftOut += use.isUsed ? 0 : 1;
     }
-    result.misfit += priceOf(data, result.hypothesis);
-    result.hypothesis.unknowns.head(3) *= size;
-    return 2 * leftOut > data.columns.size() ? std::nullopt : std::optional(std::move(result));
+    result.score += priceOf(data, result.hypothesis);
+    return 2 * leftOut > data.columns.size() ? Fit() : result;
 }
 
 /// Continuation from the fit with free scales and origins to the fit with those of the file, in small steps: on a short
@@ -219,15 +212,11 @@ std::vector<double> speedsToldBy(const Observations &data, const std::vector<Col
         if (channel == Channel{Theta2, Order::Velocity}) {
             addDistinct(data.columns[j].mean, speeds);
         }
-        if (!isShapeDerivative(data.columns[j])) {
-            continue;
-        }
-        const double ratio = regressions[j].slope() / (isLength(channel) ? size : 1.0);
-        if (channel.order == Order::Velocity) {
-            addDistinct(ratio, speeds);
-        } else {
-            addDistinct(std::sqrt(std::abs(ratio)), speeds);
-            addDistinct(-std::sqrt(std::abs(ratio)), speeds);
+        if (isShapeDerivative(data.columns[j])) {
+            const double power = std::abs(regressions[j].slope()) / (isLength(channel) ? size : 1.0);
+            const double speed = channel.order == Order::Velocity ? power : std::sqrt(power);
+            addDistinct(speed, speeds);
+            addDistinct(-speed, speeds);
         }
     }
     return speeds;
@@ -263,7 +252,7 @@ std::vector<Hypothesis> crankHypotheses(const Observations &data, const Hypothes
 
 /// Adds the interpretations of one mirror image of the shape for every size and unit of time.
 void addOfImage(const Observations &data, Hypothesis hypothesis, const InterpretationOptions &options,
-                std::vector<RatedHypothesis> &interpretations)
+                std::vector<Fit> &interpretations)
 {
     constexpr double kHardlyExplained = -1.0;
     constexpr std::size_t kValleyRows = 80;
@@ -274,21 +263,18 @@ void addOfImage(const Observations &data, Hypothesis hypothesis, const Interpret
     const bool mayBeOtherTime =
         !options.isPlain && std::ranges::any_of(data.columns, isShapeDerivative) && !data.isByCrankAngle;
     for (const double size : sizesToldBy(data, regressions, options, hypothesis)) {
-        for (const double timeUnit : kTimeFactors) {
-            if (timeUnit != 1.0 && !mayBeOtherTime) {
-                continue;
-            }
+        for (const double timeUnit : std::span(kTimeFactors).first(mayBeOtherTime ? kTimeFactors.size() : 1)) {
             hypothesis.timeUnit = timeUnit;
-            std::optional<RatedHypothesis> result = interpret(data, hypothesis, regressions, size, options.isPlain);
-            if (options.isShortArc && options.isPlain && result && result->misfit > kHardlyExplained) {
+            Fit result = interpret(data, hypothesis, regressions, size, options.isPlain);
+            if (options.isShortArc && options.isPlain && result.exists() && result.score > kHardlyExplained) {
                 if (const auto better = continued(thinned(data, kValleyRows), hypothesis, regressions, size)) {
                     if (const auto again = columnRegressions(data, *better); !again.empty()) {
                         result = interpret(data, *better, again, 1.0, true);
                     }
                 }
             }
-            if (result) {
-                interpretations.push_back(*std::move(result));
+            if (result.exists()) {
+                interpretations.push_back(std::move(result));
             }
         }
     }
@@ -345,7 +331,7 @@ std::vector<Convention> conventionsOf(const Observations &data, const Hypothesis
             add(use.isHalfTurned() ? Kind::HalfTurn : Kind::WholeTurns, -use.turn * kDegreesPerRadian, use.channel);
         }
         if (use.hasOffset) {
-            conventions.push_back({Kind::ZeroPoint, {use.channel}, -toFileUnit(use.channel, hypothesis.offset(j))});
+            add(Kind::ZeroPoint, -toFileUnit(use.channel, hypothesis.offset(j)), use.channel);
         }
     }
     return conventions;
@@ -364,7 +350,7 @@ double priceOf(const Observations &data, const Hypothesis &hypothesis)
         if (kind == Kind::HalfTurn) {
             price += kPriceOfHalfTurn;
         } else if (kind == Kind::ZeroPoint) {
-            price += concerns(convention, kCrankAngle) ? kPriceOfCause : kPriceOfOffset;
+            price += kPriceOfOffset;
         } else if (kind != Kind::WholeTurns) {
             auto columns = std::max(std::ranges::ssize(convention.channels), std::ptrdiff_t{1});
             const auto isAlike = [&](const ObservedColumn &column) {
@@ -381,16 +367,14 @@ double priceOf(const Observations &data, const Hypothesis &hypothesis)
 }
 
 void addInterpretations(const Observations &data, const Fit &shape, const InterpretationOptions &options,
-                        std::vector<RatedHypothesis> &interpretations)
+                        std::vector<Fit> &interpretations)
 {
     constexpr double kFewRowsPerTurn = 6.0;
     const double rowSpeed = kTurn / data.interval();
     const bool mayBeAlias = !data.isByCrankAngle && std::ranges::any_of(data.columns, isShapeDerivative) &&
                             std::abs(shape.hypothesis.unknowns[3]) * kFewRowsPerTurn > rowSpeed;
-    for (const double turns : {0.0, -3.0, -2.0, -1.0, 1.0, 2.0, 3.0}) {
-        if (turns != 0.0 && !mayBeAlias) {
-            continue;
-        }
+    constexpr std::array kTurns{0.0, -3.0, -2.0, -1.0, 1.0, 2.0, 3.0};
+    for (const double turns : std::span(kTurns).first(mayBeAlias ? kTurns.size() : 1)) {
         Parameters alias = middleParameters(shape.hypothesis);
         alias.omega2 += turns * rowSpeed;
         alias.theta20 -= turns * rowSpeed * data.abscissa.front();

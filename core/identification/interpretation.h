@@ -30,8 +30,8 @@ struct InterpretationOptions {
     std::stop_token stop;
 };
 
-/// Adds the interpretations of a shape that was fitted with free scales and offsets. The misfits include the prices.
+/// Adds the interpretations of a shape that was fitted with free scales and offsets. The scores include the prices.
 void addInterpretations(const Observations &data, const Fit &shape, const InterpretationOptions &options,
-                        std::vector<RatedHypothesis> &interpretations);
+                        std::vector<Fit> &interpretations);
 
 } // namespace slidercrank

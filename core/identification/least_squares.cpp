@@ -87,14 +87,11 @@ LinearFit fitLinear(Eigen::MatrixXd basis, std::span<const double> values, doubl
 
 double autocorrelation(std::span<const double> values, std::size_t lag)
 {
-    double squares = 0.0;
-    double products = 0.0;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        squares += values[i] * values[i];
-        products += i >= lag ? values[i] * values[i - lag] : 0.0;
-    }
-    const auto n = static_cast<double>(values.size());
-    return squares > 0.0 ? products / squares * n / std::sqrt(n - static_cast<double>(lag)) : 0.0;
+    const Eigen::Map<const Eigen::VectorXd> all(values.data(), std::ssize(values));
+    const Eigen::Index rest = all.size() - static_cast<Eigen::Index>(lag);
+    const double squares = all.squaredNorm();
+    const auto n = static_cast<double>(all.size());
+    return squares > 0.0 ? all.head(rest).dot(all.tail(rest)) / squares * n / std::sqrt(rest) : 0.0;
 }
 
 } // namespace slidercrank

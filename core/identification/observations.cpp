@@ -140,9 +140,8 @@ std::optional<ObservedColumn> observedColumn(const ReferenceSeries &series, std:
         column.hadJumps = removeJumps(column.values, kTurn);
     }
     learnStatistics(column, series.rounding, unit);
-    const bool isPlotted = column.channel.coordinate == R4x || column.channel.coordinate == Theta3;
-    const bool counts =
-        column.varies || isPlotted || isConstantByNature(column.channel) || column.channel.coordinate == Theta2;
+    const bool counts = column.varies || isPlotted(column.channel) || isConstantByNature(column.channel) ||
+                        column.channel.coordinate == Theta2;
     return counts && column.count >= 2.0 ? std::optional(std::move(column)) : std::nullopt;
 }
 
@@ -236,13 +235,8 @@ Observations observe(const ReferenceData &data)
 
 Observations selection(const Observations &all, std::span<const std::size_t> rows)
 {
-    Observations some;
-    some.origin = all.origin;
-    some.isByCrankAngle = all.isByCrankAngle;
-    some.step = all.step;
-    some.printedStep = all.printedStep;
-    some.rows = valuesAt(all.rows, rows);
-    some.abscissa = valuesAt(all.abscissa, rows);
+    Observations some{valuesAt(all.abscissa, rows), all.origin, all.isByCrankAngle, all.step, all.printedStep,
+                      valuesAt(all.rows, rows),     {}};
     for (const ObservedColumn &whole : all.columns) {
         ObservedColumn &column = some.columns.emplace_back();
         static_cast<ColumnStatistics &>(column) = whole;

@@ -7,6 +7,7 @@
 #include "core/import/reference_data.h"
 #include "core/mechanism/channel.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -48,6 +49,11 @@ inline bool isLength(Channel channel)
     return !isAngle(channel.coordinate);
 }
 
+inline bool isPlotted(Channel channel)
+{
+    return channel.coordinate == R4x || channel.coordinate == Theta3;
+}
+
 /// Whether a channel is constant in every mechanism but depends on it: R4y and the crank speed.
 bool isConstantByNature(Channel channel);
 
@@ -61,7 +67,6 @@ struct Observations {
     std::vector<ObservedColumn> columns;
 
     double span() const { return abscissa.back() - abscissa.front(); }
-    bool isEmpty() const { return abscissa.size() < 2; }
 
     /// The shortest distance of two rows, adjusted so that the span is a whole multiple of it.
     double interval() const;
@@ -80,6 +85,13 @@ std::vector<T> valuesAt(const std::vector<T> &values, std::span<const std::size_
         chosen.push_back(values[index]);
     }
     return chosen;
+}
+
+/// The index of the column of a channel; the number of columns if there is none.
+template <class Column>
+std::size_t columnIndex(const std::vector<Column> &columns, Channel channel)
+{
+    return static_cast<std::size_t>(std::ranges::find(columns, channel, &Column::channel) - columns.begin());
 }
 
 /// Takes some rows only. `rows` must be increasing.

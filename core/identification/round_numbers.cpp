@@ -82,21 +82,6 @@ bool agreesAsWell(const Parameters &rounded, const ReferenceData &data, std::spa
     return growth <= kMostGrowth;
 }
 
-/// The largest rms deviation of the used columns, relative to the column's range.
-double largestDeviation(const Parameters &parameters, const Identification &found, const ReferenceData &data)
-{
-    double largest = 0.0;
-    for (const ChannelComparison &channel : compareTimed(parameters, data)) {
-        const double range = rangeOf(data.find(channel.channel)->values).width();
-        const bool isLeftOut =
-            std::ranges::count(found.leftOut, channel.channel, &Identification::LeftOut::channel) > 0;
-        if (range > 0.0 && !isLeftOut) {
-            largest = std::max(largest, channel.rms.value_or(0.0) / range);
-        }
-    }
-    return largest;
-}
-
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kTurnAMinute = std::numbers::pi / 30.0;
 constexpr std::array kSpeedUnits{1.0, kDegree, kTurnAMinute};
@@ -133,7 +118,8 @@ Parameters inRoundNumbers(const Identification &found, const ReferenceData &data
     // standard errors away, because a filter changes the parameters by more than that.
     constexpr double kEqually = 1.1;
     const bool isApproximate = found.outcome == Identification::Outcome::Approximate;
-    const double most = isApproximate ? kEqually * largestDeviation(found.parameters, found, data) : 0.0;
+    const ReferenceData some = thinned(data);
+    const double most = isApproximate ? kEqually * largestDeviation(found.parameters, some) : 0.0;
     Parameters rounded = found.parameters;
     const auto tryRounding = [&](std::span<const Parameter> parameters, double errorFactor) {
         Parameters tried = rounded;
@@ -146,7 +132,7 @@ Parameters inRoundNumbers(const Identification &found, const ReferenceData &data
             }
         }
         if (!findFault(tried) &&
-            (isApproximate ? largestDeviation(tried, found, data) <= most : agreesAsWell(tried, data, identified))) {
+            (isApproximate ? largestDeviation(tried, some) <= most : agreesAsWell(tried, data, identified))) {
             rounded = tried;
         }
     };
@@ -154,8 +140,11 @@ Parameters inRoundNumbers(const Identification &found, const ReferenceData &data
         tryRounding(kAllParameters, 1.0);
     } else if (isApproximate) {
         const std::span<const Parameter> all = kAllParameters;
-        for (const auto &parameters : {all, all.first(3), all.subspan(0, 1), all.subspan(1, 1), all.subspan(2, 1),
-                                       all.subspan(3, 1), all.subspan(4, 1)}) {
+        std::vector<std::span<const Parameter>> groups{all, all.first(3)};
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            groups.push_back(all.subspan(i, 1));
+        }
+        for (const auto &parameters : groups) {
             for (const double errorFactor : {1000.0, 300.0, 100.0, 30.0, 10.0, 3.0, 1.0}) {
                 tryRounding(parameters, errorFactor);
             }

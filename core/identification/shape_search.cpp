@@ -39,7 +39,7 @@ double dissimilarity(const Observations &data, const Hypothesis &hypothesis, dou
 /// Adds at most `most` of the best shapes of a coarse grid at one speed. With both signs of c, ω2 > 0 and the open
 /// assembly, no shape of the grid is an image of another one.
 void addGridStarts(const Observations &coarse, Hypothesis hypothesis, double speed, std::size_t most, bool isPeriodic,
-                   std::vector<RatedHypothesis> &starts)
+                   std::vector<Fit> &starts)
 {
     if (coarse.isByCrankAngle) { // then the derivatives are with respect to the angle
         hypothesis.abscissaFactor = speed;
@@ -48,49 +48,46 @@ void addGridStarts(const Observations &coarse, Hypothesis hypothesis, double spe
     constexpr std::array kOffsets{0.0, 0.5, -0.5, 1.2, -1.2, 5.0, -5.0, 60.0, -60.0}; // c / a
     constexpr std::array kCouplers{0.85, 1.05, 1.25, 1.7, 2.7, 8.0};                  // b / (a + |c|)
     const int angles = isPeriodic ? 24 : 12;
-    std::vector<RatedHypothesis> found;
+    std::vector<Fit> found;
     for (const double offset : kOffsets) {
         for (const double coupler : kCouplers) {
-            RatedHypothesis best{std::numeric_limits<double>::infinity()};
+            Fit best;
             const double b = coupler * (1.0 + std::abs(offset));
             for (int k = 0; k < angles; ++k) {
                 setMiddleParameters({1.0 / b, 1.0, offset / b, speed, k * kTurn / angles}, hypothesis);
                 const double misfit = dissimilarity(coarse, hypothesis, isPeriodic ? kLeastUnexplained : 0.0);
-                if (misfit < best.misfit) {
-                    best = {misfit, hypothesis};
+                if (misfit < best.score) {
+                    best.hypothesis = hypothesis;
+                    best.score = misfit;
                 }
             }
-            if (std::isfinite(best.misfit)) {
+            if (best.exists()) {
                 found.push_back(std::move(best));
             }
         }
     }
-    std::ranges::sort(found, {}, &RatedHypothesis::misfit);
+    std::ranges::sort(found, {}, &Fit::score);
     found.resize(std::min(found.size(), most));
     starts.insert(starts.end(), found.begin(), found.end());
 }
 
 /// Fits the best starts and adds the distinct fits. Returns whether rounding explains one of them, or nearly explains
 /// it if more than two columns tell the shape.
-bool fitStarts(const Observations &data, std::vector<RatedHypothesis> starts, std::size_t most, std::vector<Fit> &fits)
+bool fitStarts(const Observations &data, std::vector<Fit> starts, std::size_t most, std::vector<Fit> &fits)
 {
     constexpr int kRounds = 6;
     constexpr double kNearly = 1e-6; // of a column's variance
     const double largestOfExact = std::ranges::count_if(data.columns, tellsShape) > 2 ? kNearly : 0.0;
-    std::ranges::sort(starts, {}, &RatedHypothesis::misfit);
+    std::ranges::sort(starts, {}, &Fit::score);
     starts.resize(std::min(starts.size(), most));
     bool isExact = false;
-    for (RatedHypothesis &start : starts) {
+    for (Fit &start : starts) {
         for (ColumnUse &column : start.hypothesis.columns) {
             column.hasOffset = column.hasScale = column.isUsed;
         }
         regressScales(data, start.hypothesis);
         Fit fit = fitHypothesis(data, std::move(start.hypothesis), kRounds);
-        const auto isSame = [&](const Fit &other) {
-            return other.hypothesis.abscissaFactor == fit.hypothesis.abscissaFactor &&
-                   areNear(middleParameters(other.hypothesis), middleParameters(fit.hypothesis));
-        };
-        if (fit.exists() && std::ranges::none_of(fits, isSame)) {
+        if (fit.exists() && !isKnown(fit.hypothesis, fits)) {
             isExact = isExact || std::ranges::max(fit.noiseParts) <= largestOfExact;
             fits.push_back(std::move(fit));
         }
@@ -99,30 +96,7 @@ bool fitStarts(const Observations &data, std::vector<RatedHypothesis> starts, st
     return isExact;
 }
 
-Hypothesis shapeHypothesis(const Observations &data, const std::vector<ColumnUse> &columns,
-                           const SpeedCandidates &speeds)
-{
-    Hypothesis hypothesis;
-    for (std::size_t j = 0; j < columns.size(); ++j) {
-        ColumnUse column{columns[j].channel};
-        column.isUsed = tellsShape(data.columns[j]);
-        hypothesis.columns.push_back(column);
-    }
-    hypothesis.isFree = {true, false, true, !speeds.isKnown, true}; // b = 1: then a short crank is a small number
-    return hypothesis;
-}
-
 } // namespace
-
-double leastDissimilarity(const Observations &data, const std::vector<ColumnUse> &columns,
-                          const SpeedCandidates &speeds)
-{
-    std::vector<RatedHypothesis> starts;
-    for (const double speed : speeds.periodic) {
-        addGridStarts(thinned(data, kCoarseRows), shapeHypothesis(data, columns, speeds), speed, 1, true, starts);
-    }
-    return starts.empty() ? 0.0 : std::ranges::min_element(starts, {}, &RatedHypothesis::misfit)->misfit;
-}
 
 std::vector<Fit> searchShapes(const Observations &data, const std::vector<ColumnUse> &columns,
                               const SpeedCandidates &speeds, const std::stop_token &stop)
@@ -132,16 +106,21 @@ std::vector<Fit> searchShapes(const Observations &data, const std::vector<Column
     constexpr std::size_t kArcs = 8;
     const Observations coarse = thinned(data, kCoarseRows);
     const Observations fine = thinned(data, kFitRows);
-    const Hypothesis hypothesis = shapeHypothesis(data, columns, speeds);
+    Hypothesis hypothesis;
+    for (std::size_t j = 0; j < columns.size(); ++j) {
+        ColumnUse &column = hypothesis.columns.emplace_back(columns[j]);
+        column.isUsed = tellsShape(data.columns[j]);
+    }
+    hypothesis.isFree = {true, false, true, !speeds.isKnown, true}; // b = 1: then a short crank is a small number
     std::vector<Fit> fits;
     for (const double speed : speeds.periodic) {
-        std::vector<RatedHypothesis> starts;
+        std::vector<Fit> starts;
         addGridStarts(coarse, hypothesis, speed, kPerSpeed, true, starts);
         if (fitStarts(fine, std::move(starts), kPerSpeed, fits) || stop.stop_requested()) {
             return fits;
         }
     }
-    std::vector<RatedHypothesis> starts;
+    std::vector<Fit> starts;
     for (const double speed : speeds.shortArc) {
         if (!stop.stop_requested()) {
             addGridStarts(coarse, hypothesis, speed, kPerArc, false, starts);

@@ -13,10 +13,6 @@
 namespace slidercrank
 {
 
-/// The misfit Σ n ln(1 − ρ²) of the best shape of a coarse grid.
-double leastDissimilarity(const Observations &data, const std::vector<ColumnUse> &columns,
-                          const SpeedCandidates &speeds);
-
 /// Returns distinct fits with free scales and origins, from best to worst. `columns`: the channel of each column.
 std::vector<Fit> searchShapes(const Observations &data, const std::vector<ColumnUse> &columns,
                               const SpeedCandidates &speeds, const std::stop_token &stop);

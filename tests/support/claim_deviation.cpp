@@ -44,9 +44,8 @@ double unitFactor(const Claim &claim, Channel channel)
 {
     double factor = 1.0;
     for (const ConventionFinding &finding : claim.diagnosis.conventions) {
-        const Convention &convention = finding.convention;
-        const bool isUnit = convention.kind == Kind::AngleUnit || convention.kind == Kind::LengthUnit;
-        factor *= isUnit && concerns(convention, channel) ? convention.amount : 1.0;
+        const bool isUnit = finding.kind == Kind::AngleUnit || finding.kind == Kind::LengthUnit;
+        factor *= isUnit && concerns(finding, channel) ? finding.amount : 1.0;
     }
     return factor;
 }
@@ -177,8 +176,8 @@ bool explains(const Claim &claim, const Parameters &parameters, bool isStrict)
 std::string falseDeviation(const Claim &claim)
 {
     const Identification &found = claim.found;
-    for (const auto &[convention, before, after, standardError] : claim.diagnosis.conventions) {
-        if (!(after < before) && (before > 0.0 || after > 0.0)) {
+    for (const ConventionFinding &finding : claim.diagnosis.conventions) {
+        if (!(finding.after < finding.before) && (finding.before > 0.0 || finding.after > 0.0)) {
             return "a convention worsens the deviation";
         }
     }

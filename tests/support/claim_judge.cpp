@@ -61,7 +61,7 @@ std::string falseMechanism(const Claim &claim, bool &isRight)
     isRight = isAccurate(claim.found.parameters);
     const bool isFirstRight = isRight;
     const bool hasOrigin = std::ranges::any_of(claim.diagnosis.conventions, [](const ConventionFinding &finding) {
-        return finding.convention.kind == ZeroPoint;
+        return finding.kind == ZeroPoint;
     });
     for (const auto &[reason, parameters] : claim.found.alternatives) {
         const bool isAnother = reason == Why::Alias || reason == Why::AnotherMechanism;
@@ -87,7 +87,7 @@ std::string falseConvention(const Claim &claim)
 {
     std::size_t count = 0;
     for (const ConventionFinding &finding : claim.diagnosis.conventions) {
-        const auto &[kind, channels, amount] = finding.convention;
+        const auto &[kind, channels, amount] = static_cast<const Convention &>(finding);
         const bool isOrigin = kind == ZeroPoint;
         if (isOrigin && claim.found.outcome == Outcome::Approximate) {
             return "an origin of an approximate mechanism";
@@ -138,7 +138,7 @@ Claim::Claim(const ClaimFile &claimFile, const ReferenceData &data)
     , read(data)
 {
     for (const ConventionFinding &finding : diagnosis.conventions) {
-        read = applied(finding.convention, std::move(read));
+        read = applied(finding, std::move(read));
     }
 }
 

@@ -203,7 +203,7 @@ std::vector<Finding> findingsOf(const Result &result, const ReferenceDiagnosis *
         for (std::size_t i = 0; i < found.conventions.size(); ++i) { // the first lines describe the conventions
             findings[i].remedy = Remedy::Apply;
             findings[i].remedyText = ErrorPage::tr("Apply");
-            findings[i].convention = found.conventions[i].convention;
+            findings[i].convention = found.conventions[i];
         }
         if (!found.agreesWithGiven) { // the last line describes the mechanism, the one before it the changed parameter
             if (found.change) {
