@@ -128,19 +128,6 @@ private slots:
             QVERIFY2(found > 25, row.format);
         }
     }
-
-    void keepsParametersThatTheDataDoNotDetermine()
-    {
-        Parameters start;
-        start.a = 31.25;
-        Printing printing;
-        printing.channels = "101010"; // θ3 and its derivatives: ratios only
-        Parameters chosen;            // 20, 65, 25
-        const Diagnosis found = diagnose(printedData(chosen, printing), Mechanism(start));
-        QVERIFY(found.identification.onlyRatios);
-        QCOMPARE(found.rounded.a, 31.25);
-        QVERIFY(std::abs(found.rounded.b - 31.25 * 65.0 / 20.0) < 1e-3);
-    }
 };
 
 const Suite suite("tst_round_numbers", runWithoutApplication<TestRoundNumbers>);
