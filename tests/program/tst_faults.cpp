@@ -124,7 +124,6 @@ QList<Save> commands()
             {"solve to JSON", "x.json", {"solve", "--format", "json"}},
             {"compare", "x.csv", {"compare", kSample, "--format", "csv"}},
             {"identify", "x.json", {"identify", kSample, "--format", "json"}},
-            {"study", "x.json", {"study", "--format", "json"}},
             {"limits", "x.csv", {"limits", "--format", "csv"}},
             {"render PNG", "x.png", {"render"}},
             {"render SVG", "x.svg", {"render", "--what", "mechanism"}},
@@ -223,7 +222,7 @@ private slots:
 
     void standardOutputToAFullDevice()
     {
-        for (const char *line : {"solve", "solve --format json", "limits", "study", "--help", "--version"}) {
+        for (const char *line : {"solve", "solve --format json", "limits", "--help", "--version"}) {
             QProcess program;
             program.setStandardOutputFile(QStringLiteral("/dev/full"));
             program.start(QStringLiteral(SLIDERCRANK_PROGRAM), QProcess::splitCommand(QString::fromLatin1(line)));
