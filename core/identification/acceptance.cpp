@@ -30,7 +30,7 @@ constexpr Eigen::Index kHarmonics = 8;
 bool isWhiteInTime(const std::vector<double> &values)
 {
     constexpr std::size_t kLags = 8;
-    constexpr double kLargestSum = 30.0; // 99.98 % point of chi-square with 8 degrees of freedom
+    constexpr double kLargestSum = 30.0;     // 99.98 % point of chi-square with 8 degrees of freedom
     constexpr double kLargestKurtosis = 9.0; // 3 for normally distributed values
     double sum = 0.0;
     for (std::size_t lag = 1; lag <= std::min(kLags, values.size() / 5); ++lag) {
@@ -136,10 +136,9 @@ Candidate judgedCandidate(const Observations &data, Fit fit)
     double all = 0.0;
     for (std::size_t j = 0; j < data.columns.size(); ++j) {
         const ObservedColumn &column = data.columns[j];
-        const ColumnUse &use = hypothesis.columns[j];
         candidate.judgements.push_back(judgeColumn(data, candidate, j));
         if (tellsShape(column)) {
-            off += column.count * (use.isUsed ? std::min(candidate.noiseParts[j], 1.0) : 1.0);
+            off += column.count * (hypothesis.columns[j].isUsed ? std::min(candidate.noiseParts[j], 1.0) : 1.0);
             all += column.count;
         }
     }
@@ -149,7 +148,7 @@ Candidate judgedCandidate(const Observations &data, Fit fit)
                                    return column.hasOffset || !column.isUsed;
                                });
     candidate.isExact = worst <= Residual::Rounding;
-    candidate.acceptance = worst <= Residual::White                             ? Acceptance::Identified
+    candidate.acceptance = worst <= Residual::White                          ? Acceptance::Identified
                            : worst == Residual::Systematic && !mayHideErrors ? Acceptance::Approximate
                                                                              : Acceptance::Rejected;
     const double spare = all - candidate.freeCount;

@@ -60,22 +60,11 @@ void addWithFewerColumns(const Observations &data, const Candidate &candidate, R
     }
 }
 
-/// Adds a variant of the candidate without the free origins that were fitted to nearly zero.
-void addWithoutIdleOffsets(const Observations &data, const Candidate &candidate, std::vector<Candidate> &all)
-{
-    constexpr double kIdlePart = 2e-2; // of the column's size
-    Hypothesis without = candidate.hypothesis;
-    for (std::size_t j = 0; j < data.columns.size(); ++j) {
-        const double least = std::max(kIdlePart * sizeOf(data, without, j), data.columns[j].step);
-        without.columns[j].hasOffset = std::abs(without.offset(j)) >= least;
-    }
-    addWithVariants(data, std::move(without), all); // unless there is none: then it is known
-}
-
 /// Fits a hypothesis and adds it with its variants, unless it is known.
 void addWithVariants(const Observations &data, Hypothesis hypothesis, std::vector<Candidate> &all)
 {
-    constexpr double kNear = 0.3; // largest Candidate::distance for which equal weights are tried
+    constexpr double kIdlePart = 2e-2; // of the column's size
+    constexpr double kNear = 0.3;      // largest Candidate::distance for which equal weights are tried
     if (isKnown(hypothesis, all)) {
         return;
     }
@@ -84,7 +73,12 @@ void addWithVariants(const Observations &data, Hypothesis hypothesis, std::vecto
         return;
     }
     all.push_back(candidate);
-    addWithoutIdleOffsets(data, candidate, all);
+    Hypothesis withoutIdleOffsets = candidate.hypothesis; // that were fitted to nearly zero
+    for (std::size_t j = 0; j < data.columns.size(); ++j) {
+        const double least = std::max(kIdlePart * sizeOf(data, candidate.hypothesis, j), data.columns[j].step);
+        withoutIdleOffsets.columns[j].hasOffset = std::abs(candidate.hypothesis.offset(j)) >= least;
+    }
+    addWithVariants(data, std::move(withoutIdleOffsets), all); // unless there is none: then it is known
     if (candidate.acceptance == Acceptance::Rejected) {
         addWithFewerColumns(data, candidate, Residual::Unexplained, all);
     }
@@ -104,19 +98,18 @@ std::vector<Fit> exchangedShapes(const Observations &data, SpeedCandidates speed
 {
     constexpr std::size_t kMost = 4;
     constexpr double kLeastGain = 24.0; // the price of an exchange
-    const std::vector<ColumnUse> columns = plainColumns(data);
     speeds.periodic.resize(std::min(speeds.periodic.size(), std::size_t{1}));
     speeds.shortArc.clear();
     const auto mayBeExchanged = [&](std::size_t j) {
         return tellsShape(data.columns[j]) && isPlotted(data.columns[j].channel);
     };
     std::vector<Fit> shapes;
-    for (std::size_t i = 0; i < columns.size(); ++i) {
+    for (std::size_t i = 0; i < data.columns.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
             if (!mayBeExchanged(i) || !mayBeExchanged(j) || stop.stop_requested()) {
                 continue;
             }
-            std::vector<ColumnUse> exchanged = columns;
+            std::vector<ColumnUse> exchanged = plainColumns(data);
             std::swap(exchanged[i].channel, exchanged[j].channel);
             std::vector<Fit> fits = searchShapes(data, exchanged, speeds, stop);
             if (!fits.empty() && fits.front().score < scoreBefore - kLeastGain) {

@@ -37,13 +37,6 @@ bool mayBeExcluded(const std::vector<bool> &flags)
     return count > 0.0 && count <= kMost * static_cast<double>(flags.size());
 }
 
-/// The median of the magnitudes, without NaN; 0 if there are none.
-double medianMagnitude(std::vector<double> values)
-{
-    std::erase_if(values, [](double value) { return std::isnan(value); });
-    return values.empty() ? 0.0 : boost::math::statistics::median_absolute_deviation(values, 0.0);
-}
-
 /// Flags rows in which a deviation, in the unit of its column, exceeds 8 standard deviations, estimated by the median
 /// absolute deviation.
 std::vector<bool> farRows(const Observations &data, const std::vector<std::vector<double>> &deviations)
@@ -52,7 +45,10 @@ std::vector<bool> farRows(const Observations &data, const std::vector<std::vecto
     constexpr double kOfNormal = 1.4826; // standard deviation per median absolute deviation
     std::vector<bool> flags(data.abscissa.size(), false);
     for (std::size_t j = 0; j < deviations.size(); ++j) {
-        const double scale = kOfNormal * medianMagnitude(deviations[j]);
+        std::vector<double> values = deviations[j];
+        std::erase_if(values, [](double value) { return std::isnan(value); });
+        const double scale =
+            values.empty() ? 0.0 : kOfNormal * boost::math::statistics::median_absolute_deviation(values, 0.0);
         for (std::size_t i = 0; i < flags.size(); ++i) {
             const double rounding = std::sqrt(data.columns[j].variances[i]);
             flags[i] = flags[i] || std::abs(deviations[j][i]) > kFar * std::max(scale, rounding);

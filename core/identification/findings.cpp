@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace slidercrank
 {
@@ -225,10 +224,10 @@ double largestDeviation(const Parameters &parameters, const ReferenceData &data)
 {
     double largest = 0.0;
     for (const ChannelComparison &channel : compareTimed(parameters, data)) {
-        const double range = rangeOf(data.find(channel.channel)->values).width();
-        const double size = isConstantByNature(channel.channel) ? channel.peak : range;
+        const double size =
+            isConstantByNature(channel.channel) ? channel.peak : rangeOf(data.find(channel.channel)->values).width();
         const double part = size > 0.0 ? channel.rms.value_or(0.0) / size : 0.0;
-        largest = channel.missingModel > 0 ? std::numeric_limits<double>::infinity() : std::max(largest, part);
+        largest = channel.missingModel > 0 ? kInfinity : std::max(largest, part);
     }
     return largest;
 }

@@ -16,8 +16,6 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 /// The variance that must be added to the variances of a column so that the mean of r²/V is 1; 0 if rounding explains
 /// the residuals.
 double noiseVarianceOf(const std::vector<double> &residuals, const std::vector<double> &variances, double count)

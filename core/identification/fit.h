@@ -12,7 +12,6 @@
 #include <Eigen/Core>
 
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 namespace slidercrank
@@ -28,11 +27,11 @@ struct Fit {
     double valueCount = 0.0;                      ///< number of residuals
     double freeCount = 0.0;                       ///< number of free unknowns
     double chiSquare = 0.0;
-    double logVariance = 0.0;                               ///< Σ ln(V/z²) with the spread z of the column
-    double score = std::numeric_limits<double>::infinity(); ///< lower is better; infinite if there is no fit
+    double logVariance = 0.0; ///< Σ ln(V/z²) with the spread z of the column
+    double score = kInfinity; ///< lower is better; infinite if there is no fit
     int iterations = 0;
 
-    bool exists() const { return score < std::numeric_limits<double>::infinity(); }
+    bool exists() const { return score < kInfinity; }
 };
 
 /// Whether a list of fits contains a hypothesis, apart from small differences of its parameters.

@@ -29,11 +29,6 @@ constexpr double kPriceOfCrossed = 6.0;   // breaks ties only
 constexpr double kPriceOfOffset = 26.0;   // more than a sign, so that a sign beats an offset of twice the value
 constexpr double kPriceOfParameter = 6.0; // about ln N
 
-bool mayHaveOffset(Channel channel)
-{
-    return channel.order == Order::Position && (isPlotted(channel) || channel.coordinate == R4y);
-}
-
 /// The factor that undoes the unit conversion of a heading if an angle has the heading of a length, or the reverse.
 double headingConversion(const ObservedColumn &column, Channel channel)
 {
@@ -89,7 +84,8 @@ double interpretColumn(const Observations &data, std::size_t j, const ColumnRegr
         return square > kExplained * size2 ? 0.0 : regression.n * std::log(square / size2 + kResolution);
     };
     double best = misfit(aboutMean + offset * offset);
-    if (!isPlain && mayHaveOffset(column.channel)) {
+    const bool mayHaveOffset = isPlotted(column.channel) || column.channel.coordinate == R4y;
+    if (!isPlain && mayHaveOffset && column.channel.order == Order::Position) {
         const double price = kPriceOfOffset + kPriceOfParameter - (use.isHalfTurned() ? kPriceOfHalfTurn : 0.0);
         if (misfit(aboutMean) + price < best) {
             use.hasOffset = true;

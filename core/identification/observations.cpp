@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -23,11 +22,6 @@ bool isAlwaysZero(Channel channel)
 {
     return channel.coordinate == R1x || channel.coordinate == R1y || channel.coordinate == Theta1 ||
            channel.coordinate == Theta4;
-}
-
-bool isAnglePosition(Channel channel)
-{
-    return isAngle(channel.coordinate) && channel.order == Order::Position;
 }
 
 /// The number of rows for each independent observation. Rounding errors of equal values, or of values with equal
@@ -136,7 +130,7 @@ std::optional<ObservedColumn> observedColumn(const ReferenceSeries &series, std:
         column.values.push_back(std::isfinite(value) ? value * unit : kNone);
     }
     removeSaturation(column.values, series.rounding.stepAt(rangeOf(series.values).size()) * unit);
-    if (isAnglePosition(column.channel)) {
+    if (isAngle(column.channel.coordinate) && column.channel.order == Order::Position) {
         column.hadJumps = removeJumps(column.values, kTurn);
     }
     learnStatistics(column, series.rounding, unit);
@@ -188,7 +182,7 @@ bool isConstantByNature(Channel channel)
 
 double Observations::interval() const
 {
-    double shortest = std::numeric_limits<double>::infinity();
+    double shortest = kInfinity;
     for (std::size_t i = 1; i < abscissa.size(); ++i) {
         shortest = std::min(shortest, abscissa[i] - abscissa[i - 1]);
     }

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace slidercrank
 {
@@ -25,7 +24,7 @@ constexpr double kLeastUnexplained = 3e-3;
 double dissimilarity(const Observations &data, const Hypothesis &hypothesis, double leastUnexplained)
 {
     const std::vector<ColumnRegression> regressions = columnRegressions(data, hypothesis);
-    double sum = regressions.empty() ? std::numeric_limits<double>::infinity() : 0.0;
+    double sum = regressions.empty() ? kInfinity : 0.0;
     for (std::size_t j = 0; j < regressions.size(); ++j) {
         const ObservedColumn &column = data.columns[j];
         if (hypothesis.columns[j].isUsed && column.count > 0.0) {
@@ -107,9 +106,9 @@ std::vector<Fit> searchShapes(const Observations &data, const std::vector<Column
     const Observations coarse = thinned(data, kCoarseRows);
     const Observations fine = thinned(data, kFitRows);
     Hypothesis hypothesis;
+    hypothesis.columns = columns;
     for (std::size_t j = 0; j < columns.size(); ++j) {
-        ColumnUse &column = hypothesis.columns.emplace_back(columns[j]);
-        column.isUsed = tellsShape(data.columns[j]);
+        hypothesis.columns[j].isUsed = tellsShape(data.columns[j]);
     }
     hypothesis.isFree = {true, false, true, !speeds.isKnown, true}; // b = 1: then a short crank is a small number
     std::vector<Fit> fits;
