@@ -60,9 +60,8 @@ std::string falseMechanism(const Claim &claim, bool &isRight)
     };
     isRight = isAccurate(claim.found.parameters);
     const bool isFirstRight = isRight;
-    const bool hasOrigin = std::ranges::any_of(claim.diagnosis.conventions, [](const ConventionFinding &finding) {
-        return finding.kind == ZeroPoint;
-    });
+    const bool hasOrigin = std::ranges::any_of(
+        claim.diagnosis.conventions, [](const ConventionFinding &finding) { return finding.kind == ZeroPoint; });
     for (const auto &[reason, parameters] : claim.found.alternatives) {
         const bool isAnother = reason == Why::Alias || reason == Why::AnotherMechanism;
         const bool isListed = claim.found.outcome == Outcome::Ambiguous && isTrue(claim, parameters, kRoughly);

@@ -160,8 +160,8 @@ QByteArray described(const std::vector<ConventionFinding> &findings)
         for (const Channel channel : finding.channels) {
             text += ' ' + std::string(nameOf(channel));
         }
-        text += " by " + QByteArray::number(finding.amount) + ": " + QByteArray::number(finding.before) +
-                " % to " + QByteArray::number(finding.after) + " %; ";
+        text += " by " + QByteArray::number(finding.amount) + ": " + QByteArray::number(finding.before) + " % to " +
+                QByteArray::number(finding.after) + " %; ";
     }
     return text.isEmpty() ? "nothing" : text;
 }
@@ -178,8 +178,7 @@ bool areFound(const std::vector<ConventionFinding> &findings, const std::vector<
 {
     return findings.size() == expected.size() && std::ranges::all_of(findings, [&](const ConventionFinding &finding) {
                return finding.before > 1.0 && finding.after < 0.1 &&
-                      std::ranges::any_of(expected,
-                                          [&](const Convention &one) { return isSame(finding, one); });
+                      std::ranges::any_of(expected, [&](const Convention &one) { return isSame(finding, one); });
            });
 }
 
@@ -381,8 +380,8 @@ private slots:
                 const bool hasOrigin = row.angleAdded == 40.0;
                 QVERIFY2(found.size() == (hasOrigin ? 2U : 1U) && isSame(found[0], axis), title);
                 QVERIFY2(found[0].before > 1.0 && found[0].after < 0.1, title);
-                QVERIFY2(!hasOrigin || (found[1].kind == Kind::ZeroPoint &&
-                                        std::abs(found[1].amount + row.angleAdded) < 1e-3),
+                QVERIFY2(!hasOrigin ||
+                             (found[1].kind == Kind::ZeroPoint && std::abs(found[1].amount + row.angleAdded) < 1e-3),
                          title);
                 // After these conventions are applied, the file agrees with the mechanism. They are also found if
                 // another mechanism is given.
