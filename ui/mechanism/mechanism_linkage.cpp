@@ -31,8 +31,8 @@ QPainterPath sliderPath(QPointF centre)
 
 void MechanismSketch::addLinkage()
 {
-    if (!m_scene->result) {
-        return;
+    if (!m_scene->result || std::isnan(m_scene->pose.theta2)) {
+        return; // no pose has been set
     }
     const MechanismSettings &settings = m_scene->settings;
     avoid(QRectF(m_O2 - QPointF(17.0, 0.0), QSizeF(34.0, 24.0))); // the ground below O2

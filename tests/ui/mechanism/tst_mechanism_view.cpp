@@ -134,6 +134,16 @@ private slots:
         QApplication::setPalette(paletteFor(Theme::Light));
     }
 
+    /// An export sets the result and the settings before the first pose.
+    void drawsNoLinkageWithoutAPose()
+    {
+        Bench bench;
+        bench.view.setSettings({.names = true});
+        QVERIFY(bench.text().contains("O₂"));
+        bench.view.setPose({});
+        QVERIFY(!bench.text().contains("O₂"));
+    }
+
     void keepsTheWholeMotionInViewAndToScale()
     {
         for (const Parameters &parameters :
