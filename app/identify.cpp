@@ -33,7 +33,7 @@ QJsonObject jsonIdentification(const Diagnosis &diagnosis)
 {
     const Identification &found = diagnosis.identification;
     QJsonObject standardErrors, identifiable, noise;
-    for (const Parameter parameter : kParameters) {
+    for (const Parameter parameter : kAllParameters) {
         const std::size_t i = indexOf(parameter);
         const QLatin1String name(optionName(parameter));
         standardErrors.insert(name, found.identifiable[i] ? jsonNumber(found.standardError[i]) : QJsonValue());
@@ -71,7 +71,7 @@ QJsonObject jsonIdentification(const Diagnosis &diagnosis)
 QString optionsFor(const Parameters &parameters)
 {
     QString text;
-    for (const Parameter parameter : kParameters) {
+    for (const Parameter parameter : kAllParameters) {
         text += QString("--%1 %2%3 ")
                     .arg(optionName(parameter),
                          QString::number(valueOf(parameters, parameter), 'g', QLocale::FloatingPointShortest),

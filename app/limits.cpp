@@ -71,8 +71,8 @@ std::vector<Record> varyLimits(const OptionReader &options, Parameters parameter
     static const QRegularExpression syntax("^(\\w+)=(.+?)\\.\\.(.+)$");
     const QRegularExpressionMatch match = syntax.match(options.text("vary"));
     const auto parameter =
-        std::ranges::find(kParameters, match.captured(1), [](Parameter each) { return QString(optionName(each)); });
-    if (parameter == kParameters.end()) {
+        std::ranges::find(kAllParameters, match.captured(1), [](Parameter each) { return QString(optionName(each)); });
+    if (parameter == kAllParameters.end()) {
         throw UsageError{CommandLine::tr("--vary must be a parameter and a range of its values, such as b=50..120, not "
                                          "\"%1\".")
                              .arg(options.text("vary"))};

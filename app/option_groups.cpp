@@ -68,7 +68,7 @@ Mechanism readMechanism(const OptionReader &options)
         throw UsageError{CommandLine::tr("--%1 %2: add a unit, %2deg or %2rad.").arg("theta20", angle)};
     }
     Parameters parameters = options.scene().parameters;
-    for (const Parameter parameter : kParameters) {
+    for (const Parameter parameter : kAllParameters) {
         const char *name = optionName(parameter);
         if (options.has(name)) {
             valueOf(parameters, parameter) = parseParameter(name, options.text(name), parameter);

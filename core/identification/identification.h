@@ -14,9 +14,6 @@
 namespace slidercrank
 {
 
-inline constexpr std::array kAllParameters{Parameter::A, Parameter::B, Parameter::C, Parameter::Omega2,
-                                           Parameter::Theta20};
-
 struct Identification {
     enum class Outcome {
         Identified,   ///< the residuals are rounding errors or white noise

@@ -59,6 +59,8 @@ inline double characteristicLength(const Parameters &parameters)
 
 enum class Parameter { A, B, C, Omega2, Theta20 };
 inline constexpr std::size_t kParameterCount = 5;
+inline constexpr std::array<Parameter, kParameterCount> kAllParameters{Parameter::A, Parameter::B, Parameter::C,
+                                                                       Parameter::Omega2, Parameter::Theta20};
 
 constexpr std::size_t indexOf(Parameter parameter)
 {

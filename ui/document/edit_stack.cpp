@@ -46,7 +46,7 @@ EditName nameEdit(const Choices &before, const Choices &after)
     }
     int changed = before.parameters.branch == after.parameters.branch ? 0 : 1 << kParameterCount; // a bit per parameter
     QString symbol;
-    for (const Parameter parameter : kParameters) {
+    for (const Parameter parameter : kAllParameters) {
         if (valueOf(before.parameters, parameter) != valueOf(after.parameters, parameter)) {
             changed |= 1 << indexOf(parameter);
             symbol = symbolText(parameter);

@@ -89,7 +89,7 @@ QString parameterTable(const ReportContent &content)
     const Parameters &model = content.result->mechanism.parameters();
     const Identification &found = content.diagnosis.identification;
     std::vector<QStringList> rows{{QString(), Report::tr("model")}};
-    for (const Parameter parameter : kParameters) {
+    for (const Parameter parameter : kAllParameters) {
         rows.push_back(
             {QStringLiteral("%1, %2").arg(symbolText(parameter), Report::tr(Report::kNames[indexOf(parameter)])),
              parameterText(parameter, valueOf(model, parameter))});
@@ -98,8 +98,8 @@ QString parameterTable(const ReportContent &content)
     if (isFound(content)) {
         rows.front() << (found.outcome == Identification::Outcome::Identified ? Report::tr("found in the file")
                                                                               : Report::tr("one of those found"));
-        for (std::size_t i = 0; i < kParameters.size(); ++i) {
-            rows[i + 1] << measuredText(kParameters[i], found);
+        for (std::size_t i = 0; i < kAllParameters.size(); ++i) {
+            rows[i + 1] << measuredText(kAllParameters[i], found);
         }
         rows.back() << assemblyText(found.parameters.branch);
     }

@@ -237,7 +237,7 @@ void ParameterPanel::edit(Parameter parameter, double value)
 
 void ParameterPanel::showParameters()
 {
-    for (const Parameter parameter : kParameters) {
+    for (const Parameter parameter : kAllParameters) {
         showRow(parameter);
     }
 }

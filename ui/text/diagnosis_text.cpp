@@ -56,7 +56,7 @@ QStringList foundTexts(const Identification &found)
 {
     const QString equation = found.outcome == Outcome::Approximate ? "%1 ≈ %2" : "%1 = %2";
     QStringList texts;
-    for (const Parameter parameter : kParameters) {
+    for (const Parameter parameter : kAllParameters) {
         if (isMeasured(parameter, found)) {
             texts << equation.arg(symbolText(parameter), measuredText(parameter, found));
         }
@@ -68,7 +68,7 @@ QStringList foundTexts(const Identification &found)
 QStringList givenTexts(const Identification &found)
 {
     QStringList texts;
-    for (const Parameter parameter : kParameters) {
+    for (const Parameter parameter : kAllParameters) {
         if (!isMeasured(parameter, found)) {
             texts << equationText(parameter, valueOf(found.parameters, parameter));
         }
@@ -136,7 +136,7 @@ QString notIdentifiedText(const Diagnosis &diagnosis)
     const Identification &found = diagnosis.identification;
     if (found.outcome == Outcome::Insufficient) {
         QStringList open;
-        for (const Parameter parameter : kParameters) {
+        for (const Parameter parameter : kAllParameters) {
             if (found.openParameters[indexOf(parameter)]) {
                 open << symbolText(parameter);
             }

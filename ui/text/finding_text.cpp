@@ -55,7 +55,7 @@ QString joined(const QStringList &words, const QString &pattern)
 QStringList equationTexts(const Parameters &parameters, int digits = 6)
 {
     QStringList parts;
-    for (const Parameter parameter : kParameters) {
+    for (const Parameter parameter : kAllParameters) {
         parts << equationText(parameter, valueOf(parameters, parameter), digits);
     }
     return parts << withNoun(parameters.branch);

@@ -9,7 +9,6 @@
 #include <QString>
 #include <QStringList>
 
-#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -41,9 +40,6 @@ QString unitText(Channel channel);
 
 /// Returns the symbol of a parameter: "a", "ω₂".
 QString symbolText(Parameter parameter);
-
-inline constexpr std::array kParameters{Parameter::A, Parameter::B, Parameter::C, Parameter::Omega2,
-                                        Parameter::Theta20};
 
 /// Returns the name of a parameter in options and JSON: "a", "omega2".
 const char *optionName(Parameter parameter);

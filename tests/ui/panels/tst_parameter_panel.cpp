@@ -63,7 +63,7 @@ private slots:
     void eachControlChangesItsOwnParameterOnly()
     {
         const QStringList texts{"21 mm", "66 mm", "-26 mm", "3", "28.6479"};
-        for (const Parameter parameter : kParameters) {
+        for (const Parameter parameter : kAllParameters) {
             Shown shown;
             QCOMPARE(shown.box(parameter)->text(), texts[static_cast<int>(parameter)]);
             const auto isOnlyChange = [&] {
