@@ -15,7 +15,7 @@
 
 #include <QTest>
 
-#include <latch>
+#include <atomic>
 #include <new>
 #include <thread>
 
@@ -155,9 +155,12 @@ private slots:
         if (std::thread::hardware_concurrency() < 2) {
             QSKIP("needs two processors");
         }
-        std::latch both(2);
-        const auto work = [&both, caller = std::this_thread::get_id()](std::size_t) {
-            both.arrive_and_wait(); // each thread has one piece
+        std::atomic<int> arrived = 0;
+        const auto work = [&arrived, caller = std::this_thread::get_id()](std::size_t) {
+            ++arrived;
+            while (arrived < 2) { // so that each thread has one piece
+                std::this_thread::yield();
+            }
             if (std::this_thread::get_id() != caller) {
                 throw std::bad_alloc();
             }
