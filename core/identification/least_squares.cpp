@@ -70,7 +70,7 @@ Eigen::MatrixXd powerBasis(std::span<const double> times, Eigen::Index terms)
 
 LinearFit fitLinear(Eigen::MatrixXd basis, std::span<const double> values, double center)
 {
-    constexpr double kRegularization = 1e-15;
+    constexpr double kRegularization = 1e-12; // more than the rounding errors of the products
     Eigen::VectorXd known(basis.cols());
     for (Eigen::Index i = 0; i < known.size(); ++i) {
         const double value = values[static_cast<std::size_t>(i)];
