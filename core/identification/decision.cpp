@@ -26,7 +26,7 @@ constexpr double kMargin = 12.0; // of the score, odds of 1 : 400: explanations 
 std::vector<Candidate> equalImages(const Observations &data, const Candidate &candidate, const Parameters &given)
 {
     std::vector<Candidate> equal{candidate};
-    const std::array<Parameters, 8> images = mirrorImages(middleParameters(candidate.hypothesis));
+    const std::array images = mirrorImages(middleParameters(candidate.hypothesis));
     // In a file by crank angle, the origin of the angle distinguishes them.
     for (std::size_t i = 1; i < images.size() && !data.isByCrankAngle; ++i) {
         Hypothesis hypothesis = candidate.hypothesis;
@@ -157,10 +157,11 @@ Uncertainty computeUncertainty(const Observations &data, const Candidate &candid
     return result;
 }
 
-/// The mechanism of a candidate; in a file by crank angle, with the θ20 of the given one.
+/// The mechanism of a candidate, with a of the given one if it was held, and θ20 in a file by crank angle.
 Parameters foundParameters(const Observations &data, const Candidate &candidate, const Parameters &given)
 {
     Parameters found = parametersOf(data, candidate.hypothesis);
+    found.a = candidate.hypothesis.isFree[0] ? found.a : given.a; // exactly
     found.theta20 = data.isByCrankAngle ? given.theta20 : found.theta20;
     return found;
 }
@@ -244,7 +245,7 @@ Decision decide(const Observations &data, std::span<const Candidate> candidates,
     const Uncertainty &uncertainty = decision.uncertainty = computeUncertainty(data, best);
     result.iterations = best.iterations;
     result.conditionNumber = uncertainty.conditionNumber;
-    const std::array<double, kParameterCount> sizes = comparisonSizes(middleParameters(best.hypothesis));
+    const std::array sizes = comparisonSizes(middleParameters(best.hypothesis));
     for (std::size_t i = 0; i < kParameterCount; ++i) { // NaN, the error of a held parameter, is not greater
         result.openParameters[i] = uncertainty.parameterErrors[i] > kLargestPart * sizes[i];
     }

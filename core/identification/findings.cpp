@@ -92,7 +92,7 @@ std::vector<ConventionFinding> findFaultsOfWholeFile(const ReferenceData &data, 
     constexpr double kSamePart = 2e-3;
     // Each fault changes the mechanism by one symmetry (convention.h), which the ratios of the parameters tell.
     Parameters p = found.parameters;
-    std::array<double, kParameterCount> errors = found.standardError;
+    std::array errors = found.standardError;
     const double lengthFactor = nearestFactor(kLengthFactors, given.a / p.a);
     const double timeFactor = nearestFactor(kTimeFactors, p.omega2 / given.omega2);
     const bool isReversed = p.omega2 * given.omega2 < 0.0;

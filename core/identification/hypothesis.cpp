@@ -60,7 +60,7 @@ bool areNear(const Parameters &x, const Parameters &y, double part,
              const std::array<double, kParameterCount> &standardErrors)
 {
     constexpr double kErrors = 5.0;
-    const std::array<double, kParameterCount> sizes = comparisonSizes(x);
+    const std::array sizes = comparisonSizes(x);
     for (std::size_t i = 0; i < kParameterCount; ++i) {
         const auto parameter = static_cast<Parameter>(i);
         double difference = valueOf(x, parameter) - valueOf(y, parameter);

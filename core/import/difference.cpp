@@ -37,8 +37,8 @@ std::optional<Difference> differenceIn(const ReferenceData &data, Channel channe
             return std::nullopt;
         }
         const double central = (x[i + 1] - x[i - 1]) / (2.0 * step);
-        const std::array<double, 4> differences{(x[i + 1] - x[i]) / step, (x[i] - x[i - 1]) / step, central,
-                                                (4.0 * central - (x[i + 2] - x[i - 2]) / (4.0 * step)) / 3.0};
+        const std::array differences{(x[i + 1] - x[i]) / step, (x[i] - x[i - 1]) / step, central,
+                                     (4.0 * central - (x[i + 2] - x[i - 2]) / (4.0 * step)) / 3.0};
         if (!std::isfinite(differences[0] + differences[3] + rate->values[i])) {
             continue;
         }
