@@ -216,10 +216,12 @@ private slots:
     void runsWithoutDisplay()
     {
         QCOMPARE(start({"solve", "--steps", "3"}).output, run("solve --steps 3").output);
-        const RunResult window = start({});
-        QVERIFY(window.status == 2 && window.error.contains("display"));
         QCOMPARE(start({"solve", "--b", "0"}).status, 2);
         QCOMPARE(start({"render", "-o", path("process.png"), "--size", "300x300"}).status, 0);
+#ifndef Q_OS_WIN // where a window can always be opened
+        const RunResult window = start({});
+        QVERIFY(window.status == 2 && window.error.contains("display"));
+#endif
     }
 
     void readsStandardInput()

@@ -53,7 +53,9 @@ void TestReadme::commandsRunAndPrintWhatIsShown()
 {
     QFETCH(QStringList, shownLines);
     const QTemporaryDir folder;
-    QVERIFY(QFile::link(QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data"), folder.filePath(QStringLiteral("data"))));
+    const QString sample = QStringLiteral("data/inventor_sample.csv");
+    QVERIFY(QDir(folder.path()).mkdir("data"));
+    QVERIFY(QFile::copy(QStringLiteral(SLIDERCRANK_SOURCE_DIR "/") + sample, folder.filePath(sample)));
     QProcess process;
     process.setWorkingDirectory(folder.path());
     QStringList arguments = QProcess::splitCommand(QString::fromUtf8(QTest::currentDataTag()));
