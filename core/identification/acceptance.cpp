@@ -46,13 +46,14 @@ bool isWhiteInAngle(const std::vector<double> &values, const std::vector<double>
 {
     constexpr double kSigmas = 3.7;
     constexpr double kDegreesOfFreedom = 2.0 * kHarmonics + 1.0;
-    std::vector<std::pair<double, double>> pairs; // angle and value
+    using AngleAndValue = std::pair<double, double>;
+    std::vector<AngleAndValue> pairs;
     for (std::size_t i = 0; i < values.size(); ++i) {
         pairs.emplace_back(wrapToPi(angles[i]), values[i]);
     }
-    std::ranges::stable_sort(pairs, {}, &std::pair<double, double>::first);
+    std::ranges::stable_sort(pairs, {}, &AngleAndValue::first);
     std::vector<double> sorted(values.size());
-    std::ranges::transform(pairs, sorted.begin(), [](const auto &pair) { return pair.second; });
+    std::ranges::transform(pairs, sorted.begin(), &AngleAndValue::second);
     const double explained =
         fitLinear(harmonicBasis(angles, kHarmonics), values).explained * static_cast<double>(values.size());
     return autocorrelation(sorted, 1) <= kSigmas &&

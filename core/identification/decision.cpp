@@ -31,11 +31,13 @@ std::vector<Candidate> equalImages(const Observations &data, const Candidate &ca
     for (std::size_t i = 1; i < images.size() && !data.isByCrankAngle; ++i) {
         Hypothesis hypothesis = candidate.hypothesis;
         setMiddleParameters(images[i], hypothesis);
-        centerOffsets(data, hypothesis);
-        Fit fit = evaluateHypothesis(data, std::move(hypothesis));
-        if (fit.exists() && std::abs(fit.chiSquare - candidate.chiSquare) <= kMargin &&
-            fit.score < candidate.score + kMargin) {
-            fit.iterations = candidate.iterations;
+        hypothesis.isFree = {}; // only the offsets are fitted
+        Fit fit = fitHypothesis(data, std::move(hypothesis), 1);
+        if (fit.exists()) {
+            fit.hypothesis.isFree = candidate.hypothesis.isFree;
+            fit = evaluateHypothesis(data, std::move(fit.hypothesis));
+        }
+        if (std::abs(fit.chiSquare - candidate.chiSquare) <= kMargin && fit.score < candidate.score + kMargin) {
             equal.push_back(judgedCandidate(data, std::move(fit)));
         }
     }
@@ -222,9 +224,9 @@ Identification decideNearest(const Observations &data, std::span<const Candidate
         }
     }
     if (nearest.exists()) {
+        result.iterations = nearest.iterations;
         nearest = equalImages(data, nearest, given).front();
         result.outcome = Outcome::Nearest;
-        result.iterations = nearest.iterations;
         result.parameters = foundParameters(data, nearest, given);
     }
     return result;
@@ -243,7 +245,7 @@ Decision decide(const Observations &data, std::span<const Candidate> candidates,
     const std::vector<Candidate> images = equalImages(data, candidates.front(), given);
     const Candidate &best = decision.candidate = images.front();
     const Uncertainty &uncertainty = decision.uncertainty = computeUncertainty(data, best);
-    result.iterations = best.iterations;
+    result.iterations = candidates.front().iterations;
     result.conditionNumber = uncertainty.conditionNumber;
     const std::array sizes = comparisonSizes(middleParameters(best.hypothesis));
     for (std::size_t i = 0; i < kParameterCount; ++i) { // NaN, the error of a held parameter, is not greater

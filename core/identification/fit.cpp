@@ -98,6 +98,16 @@ bool weigh(const Observations &data, Fit &fit)
     return true;
 }
 
+/// Sets the free offsets so that the mean residual of their columns is zero.
+void centerOffsets(const Observations &data, Hypothesis &hypothesis)
+{
+    Eigen::VectorXd mean = Eigen::VectorXd::Zero(hypothesis.unknowns.size());
+    forEachResidual<double>(data, hypothesis, [&](std::size_t, std::size_t j, double, double residual) {
+        mean[Hypothesis::offsetIndex(j)] += residual / data.columns[j].count;
+    });
+    hypothesis.unknowns -= mean;
+}
+
 /// One round of Levenberg-Marquardt with fixed variances; returns chi-square before and after.
 std::pair<double, double> minimize(const Observations &data, Fit &fit)
 {
@@ -144,15 +154,6 @@ std::pair<double, double> minimize(const Observations &data, Fit &fit)
 }
 
 } // namespace
-
-void centerOffsets(const Observations &data, Hypothesis &hypothesis)
-{
-    Eigen::VectorXd mean = Eigen::VectorXd::Zero(hypothesis.unknowns.size());
-    forEachResidual<double>(data, hypothesis, [&](std::size_t, std::size_t j, double, double residual) {
-        mean[Hypothesis::offsetIndex(j)] += residual / data.columns[j].count;
-    });
-    hypothesis.unknowns -= mean;
-}
 
 void regressScales(const Observations &data, Hypothesis &hypothesis)
 {

@@ -55,9 +55,6 @@ Fit fitHypothesis(const Observations &data, Hypothesis hypothesis, int rounds);
 /// mechanism cannot be assembled in some row.
 Fit evaluateHypothesis(const Observations &data, Hypothesis hypothesis);
 
-/// Sets the free offsets so that the mean residual of their columns is zero.
-void centerOffsets(const Observations &data, Hypothesis &hypothesis);
-
 /// Sets the free scales, and the offsets of the same columns, by linear regression.
 void regressScales(const Observations &data, Hypothesis &hypothesis);
 

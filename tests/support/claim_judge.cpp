@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/claim_judge.h"
 
+#include "core/identification/hypothesis.h"
 #include "core/mechanism/turn.h"
 
 #include <algorithm>
@@ -74,6 +75,12 @@ std::string falseMechanism(const Claim &claim, bool &isRight)
     if (!isRight) {
         return "is " + describe(claim.found.parameters) + ", not " +
                (file.truth ? describe(*file.truth) : "a slider-crank");
+    }
+    const auto isTruth = [&](const Parameters &parameters) { return areNear(*file.truth, parameters, kRoughly); };
+    const bool hasOnlyOrigin = hasOrigin && claim.diagnosis.conventions.size() == 1 && !file.isByAngle;
+    if (file.truth && hasOnlyOrigin && !claim.found.onlyRatios && !isTruth(claim.found.parameters) &&
+        std::ranges::none_of(claim.found.alternatives, isTruth, &Identification::Alternative::parameters)) {
+        return "names only an image, " + describe(claim.found.parameters) + ", of " + describe(*file.truth);
     }
     return claim.found.outcome == Outcome::Identified && !isAccurate(claim.diagnosis.rounded) ? "false round numbers"
                                                                                               : "";

@@ -290,7 +290,7 @@ private slots:
             }
             const Identification result = identified(data);
             QVERIFY2(result.outcome == (row.isUnique ? Outcome::Identified : Outcome::Ambiguous), row.name);
-            double least = distance(result.parameters, truth, data.series.size() == 1);
+            double least = distance(result.parameters, truth);
             for (const Identification::Alternative &alternative : result.alternatives) {
                 least = std::min(least, distance(alternative.parameters, truth));
             }
