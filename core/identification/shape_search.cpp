@@ -13,8 +13,8 @@ namespace slidercrank
 namespace
 {
 
-constexpr std::size_t kCoarseRows = 40; // on which the grid is evaluated
-constexpr std::size_t kFitRows = 80;
+constexpr std::size_t kCoarseRows = 20; // on which the grid is evaluated
+constexpr std::size_t kFitRows = 60;
 
 /// Added to 1 − ρ² on the grid of periodic files, so that a shape that fits all columns roughly beats one that fits
 /// half of them exactly.
@@ -74,7 +74,7 @@ void addGridStarts(const Observations &coarse, Hypothesis hypothesis, double spe
 /// it if more than two columns tell the shape.
 bool fitStarts(const Observations &data, std::vector<Fit> starts, std::size_t most, std::vector<Fit> &fits)
 {
-    constexpr int kRounds = 6;
+    constexpr int kRounds = 3;
     constexpr double kNearly = 1e-6; // of a column's variance
     const double largestOfExact = std::ranges::count_if(data.columns, tellsShape) > 2 ? kNearly : 0.0;
     std::ranges::sort(starts, {}, &Fit::score);

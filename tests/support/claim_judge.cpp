@@ -78,7 +78,8 @@ std::string falseMechanism(const Claim &claim, bool &isRight)
     }
     const auto isTruth = [&](const Parameters &parameters) { return areNear(*file.truth, parameters, kRoughly); };
     const bool hasOnlyOrigin = hasOrigin && claim.diagnosis.conventions.size() == 1 && !file.isByAngle;
-    if (file.truth && hasOnlyOrigin && !claim.found.onlyRatios && !isTruth(claim.found.parameters) &&
+    if (file.truth && !file.mayBeApproximate && hasOnlyOrigin && !claim.found.onlyRatios &&
+        !isTruth(claim.found.parameters) &&
         std::ranges::none_of(claim.found.alternatives, isTruth, &Identification::Alternative::parameters)) {
         return "names only an image, " + describe(claim.found.parameters) + ", of " + describe(*file.truth);
     }
