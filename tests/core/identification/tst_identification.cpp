@@ -225,7 +225,7 @@ private slots:
             for (const Channel channel : kPlottedChannels) {
                 data.series.push_back({channel, {}, {Rounding::Rule::SignificantDigits, 17}});
             }
-            for (int i = 0; i < 1000000; ++i) {
+            for (int i = 0; i < numericRuns(1000000, 1000000); ++i) {
                 data.time.push_back(turns * i * 1e-6);
                 const PrintedRow row = textbookMotion(p, data.time.back());
                 for (std::size_t k = 0; k < row.size(); ++k) {
