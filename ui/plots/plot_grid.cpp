@@ -129,7 +129,9 @@ void PlotGrid::refreshIfStale()
 void PlotGrid::refresh()
 {
     compose({plotsToShow(m_maximized), font(), palette()}, size());
-    m_picture = QPixmap(size() * devicePixelRatioF());
+    if (const QSize pixels = size() * devicePixelRatioF(); m_picture.size() != pixels) {
+        m_picture = QPixmap(pixels);
+    }
     m_picture.setDevicePixelRatio(devicePixelRatioF());
     drawInto(m_picture);
     for (std::size_t index = 0; index < kPlotCount; ++index) {
