@@ -22,7 +22,7 @@ StudyRequest quick(std::vector<Case> cases)
 {
     StudyRequest request;
     request.cases = std::move(cases);
-    request.rounds = 3;
+    request.rounds = 1;
     request.secondsPerRound = 0.0;
     return request;
 }
@@ -256,5 +256,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_study", runWithoutApplication<tst_study>);
+const Suite studySuite("tst_study", runWithoutApplication<tst_study>);
 #include "tst_study.moc"
