@@ -266,5 +266,5 @@ private:
     QTemporaryDir m_folder;
 };
 
-const Suite suite("tst_command_line", runWithWidgets<TestCommandLine>);
+const Suite commandLineSuite("tst_command_line", runWithWidgets<TestCommandLine>);
 #include "tst_command_line.moc"

@@ -3,6 +3,7 @@
 // Files and pictures that the window and the command line export. Programs that do not use Qt read them.
 
 #include "tests/program/picture_fault.h"
+#include "tests/support/initial_mechanism.h"
 #include "tests/support/printed_picture.h"
 #include "tests/support/study_of_a_turn.h"
 #include "tests/support/suite.h"
@@ -50,13 +51,6 @@ using namespace slidercrank;
 
 namespace
 {
-
-Parameters withCoupler(double b)
-{
-    Parameters parameters;
-    parameters.b = b;
-    return parameters;
-}
 
 /// Whether both numbers have the same bits or are NaN. The sign of a zero may differ, because it is not written.
 bool isSame(double written, double read)
@@ -425,6 +419,6 @@ private:
     MessageBar *m_messages = nullptr;
 };
 
-const Suite suite("tst_exports", runWithWidgets<TestExports>);
+const Suite exportsSuite("tst_exports", runWithWidgets<TestExports>);
 
 #include "tst_exports.moc"

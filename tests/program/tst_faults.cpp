@@ -418,5 +418,5 @@ private:
     QStringList m_faults; ///< of the current test
 };
 
-const Suite suite("tst_faults", runWithWidgets<TestFaults>);
+const Suite faultsSuite("tst_faults", runWithWidgets<TestFaults>);
 #include "tst_faults.moc"

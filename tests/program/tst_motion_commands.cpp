@@ -332,5 +332,5 @@ private:
     QTemporaryDir m_folder;
 };
 
-const Suite suite("tst_motion_commands", runWithWidgets<TestMotionCommands>);
+const Suite motionCommandsSuite("tst_motion_commands", runWithWidgets<TestMotionCommands>);
 #include "tst_motion_commands.moc"

@@ -70,5 +70,5 @@ void TestReadme::commandsRunAndPrintWhatIsShown()
     }
 }
 
-const slidercrank::Suite suite("tst_readme", slidercrank::runWithEventLoop<TestReadme>);
+const slidercrank::Suite readmeSuite("tst_readme", slidercrank::runWithEventLoop<TestReadme>);
 #include "tst_readme.moc"

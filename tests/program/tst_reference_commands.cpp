@@ -265,5 +265,5 @@ private:
     QTemporaryDir m_folder;
 };
 
-const Suite suite("tst_reference_commands", runWithWidgets<TestReferenceCommands>);
+const Suite referenceCommandsSuite("tst_reference_commands", runWithWidgets<TestReferenceCommands>);
 #include "tst_reference_commands.moc"

@@ -187,6 +187,6 @@ private slots:
     }
 };
 
-const Suite suite("tst_simulation_files", runWithoutApplication<TestSimulationFiles>);
+const Suite simulationFilesSuite("tst_simulation_files", runWithoutApplication<TestSimulationFiles>);
 
 #include "tst_simulation_files.moc"

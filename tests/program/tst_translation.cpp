@@ -41,7 +41,7 @@ namespace
 {
 
 /// A message of a .ts file.
-struct Message {
+struct TranslatedText {
     QString context;
     QString source;
     QString comment;
@@ -50,13 +50,13 @@ struct Message {
     bool isPlural = false;
 };
 
-QList<Message> readMessages(const QString &path)
+QList<TranslatedText> readMessages(const QString &path)
 {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly)) {
         return {};
     }
-    QList<Message> messages;
+    QList<TranslatedText> messages;
     QXmlStreamReader xml(&file);
     QString context;
     while (!xml.atEnd()) {
@@ -111,7 +111,7 @@ QSet<QString> englishWords(const QString &text)
     static const QSet<QString> english = [] {
         QSet<QString> sources;
         QSet<QString> translations{QStringLiteral("time"), QStringLiteral("light")}; // names in files and options
-        for (const Message &message : readMessages(kSpanish)) {
+        for (const TranslatedText &message : readMessages(kSpanish)) {
             sources += wordsOf(message.source);
             for (const QString &translation : message.translations) {
                 translations += wordsOf(translation);
@@ -284,9 +284,9 @@ private slots:
 
     void everythingIsTranslated()
     {
-        const QList<Message> messages = readMessages(kSpanish);
+        const QList<TranslatedText> messages = readMessages(kSpanish);
         QVERIFY(messages.size() > 900);
-        for (const Message &message : messages) {
+        for (const TranslatedText &message : messages) {
             const QByteArray texts = (message.context + QStringLiteral(": ") + message.source).toUtf8();
             QVERIFY2(message.state.isEmpty(), texts + " is " + message.state.toUtf8());
             QCOMPARE(message.translations.size(), message.isPlural ? 2 : 1);
@@ -313,7 +313,7 @@ private slots:
         QCOMPARE(process.exitCode(), 0);
         const auto keysOf = [](const QString &file) {
             QStringList keys;
-            for (const Message &message : readMessages(file)) {
+            for (const TranslatedText &message : readMessages(file)) {
                 keys += QStringList{message.context, message.source, message.comment}.join(u'|');
             }
             keys.sort();
@@ -331,7 +331,7 @@ private slots:
 
     void translationsKeepPlaceholdersKeysAndTags()
     {
-        for (const Message &message : readMessages(kSpanish)) {
+        for (const TranslatedText &message : readMessages(kSpanish)) {
             for (const QString &translation : message.translations) {
                 const QByteArray texts = (message.source + QStringLiteral(" -> ") + translation).toUtf8();
                 for (const char *pattern : {"%(L?[1-9]|n)", "&(?=[^ ;&])", "<[^>]*>", "^\\s+", "\\s+$", "…$", "\n$"}) {
@@ -352,7 +352,7 @@ private slots:
         const QSet<QString> common{QStringLiteral("rms"),   QStringLiteral("rad"),     QStringLiteral("rpm"),
                                    QStringLiteral("error"), QStringLiteral("newton"),  QStringLiteral("raphson"),
                                    QStringLiteral("det"),   QStringLiteral("decimal"), QStringLiteral("cos")};
-        for (const Message &message : readMessages(kSpanish)) {
+        for (const TranslatedText &message : readMessages(kSpanish)) {
             if (message.translations.value(0) == message.source) {
                 QVERIFY2((wordsOf(message.source) - common).isEmpty(), qPrintable(message.source));
             }
@@ -496,5 +496,5 @@ private:
     QTemporaryDir m_settings;
 };
 
-const Suite suite("tst_translation", runWithWidgets<TestTranslation>);
+const Suite translationSuite("tst_translation", runWithWidgets<TestTranslation>);
 #include "tst_translation.moc"

@@ -21,7 +21,7 @@ using namespace slidercrank;
 namespace
 {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef SLIDERCRANK_SANITIZED
 constexpr bool kIsSanitized = true; // the sanitizer needs much memory
 #else
 constexpr bool kIsSanitized = false;
@@ -194,5 +194,5 @@ private:
     QString m_file;
 };
 
-const Suite suite("tst_wrong_files", runWithEventLoop<TestWrongFiles>);
+const Suite wrongFilesSuite("tst_wrong_files", runWithEventLoop<TestWrongFiles>);
 #include "tst_wrong_files.moc"

@@ -19,7 +19,7 @@ inline int runs(int usual, int many)
 /// run an eighth.
 inline int numericRuns(int usual, int many)
 {
-#ifdef __SANITIZE_ADDRESS__
+#ifdef SLIDERCRANK_SANITIZED
     return runs(std::max(usual / 8, 1), many);
 #else
     return runs(usual, many);

@@ -3,7 +3,7 @@
 
 // The test suites of a module share one executable (see tests/README.md). A suite is one file with one class of tests,
 // which ends with a line such as
-//     const Suite suite("tst_newton", runWithoutApplication<TestNewton>);
+//     const Suite newtonSuite("tst_newton", runWithoutApplication<TestNewton>);
 
 #include <QApplication>
 #include <QTest>

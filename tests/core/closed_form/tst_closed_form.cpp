@@ -391,5 +391,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_closed_form", runWithoutApplication<tst_closed_form>);
+const Suite closedFormSuite("tst_closed_form", runWithoutApplication<tst_closed_form>);
 #include "tst_closed_form.moc"

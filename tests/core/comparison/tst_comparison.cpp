@@ -324,5 +324,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_comparison", runWithoutApplication<TestComparison>);
+const Suite comparisonSuite("tst_comparison", runWithoutApplication<TestComparison>);
 #include "tst_comparison.moc"

@@ -15,7 +15,7 @@ using namespace slidercrank;
 namespace
 {
 
-constexpr int kRows = 50; // intervals per turn: few, so that the interpolation matters
+constexpr int kIntervals = 50; // intervals per turn: few, so that the interpolation matters
 
 const Mechanism kOfTheFile({.b = 60.0});
 const Mechanism kOnShow({.b = 65.0});
@@ -29,8 +29,8 @@ ReferenceData fileWith(const std::vector<Channel> &channels)
 {
     ReferenceData data;
     const ClosedForm motion(kOfTheFile);
-    for (int i = 0; i <= kRows; ++i) {
-        data.time.push_back(static_cast<double>(i) / kRows);
+    for (int i = 0; i <= kIntervals; ++i) {
+        data.time.push_back(static_cast<double>(i) / kIntervals);
     }
     for (const Channel channel : channels) {
         ReferenceSeries series{channel, {}, {}};
@@ -48,8 +48,8 @@ ReferenceData fileWith(const std::vector<Channel> &channels)
 double farthest(const ReferenceData &data)
 {
     double farthest = 0.0;
-    for (int i = 0; i <= 7 * kRows; ++i) {
-        const double t = i / (7.0 * kRows);
+    for (int i = 0; i <= 7 * kIntervals; ++i) {
+        const double t = i / (7.0 * kIntervals);
         const ReferencePose pose = referencePoseAt(data, kOfTheFile, t);
         const Motion motion = ClosedForm(kOfTheFile).motionAt(t);
         if (!pose.exists) {
@@ -101,8 +101,8 @@ private slots:
         data.series[1].values[10] = kNone;
         for (const auto &[time, exists] :
              {std::pair(-0.001, false), std::pair(0.0, true), std::pair(1.0, true), std::pair(1.001, false),
-              std::pair(kNone, false), std::pair(8.5 / kRows, true), std::pair(9.5 / kRows, false),
-              std::pair(10.5 / kRows, false), std::pair(11.5 / kRows, true)}) {
+              std::pair(kNone, false), std::pair(8.5 / kIntervals, true), std::pair(9.5 / kIntervals, false),
+              std::pair(10.5 / kIntervals, false), std::pair(11.5 / kIntervals, true)}) {
             QCOMPARE(referencePoseAt(data, kOfTheFile, time).exists, exists);
         }
     }
@@ -114,5 +114,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_reference_pose", runWithoutApplication<TestReferencePose>);
+const Suite referencePoseSuite("tst_reference_pose", runWithoutApplication<TestReferencePose>);
 #include "tst_reference_pose.moc"

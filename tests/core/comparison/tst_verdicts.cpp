@@ -174,5 +174,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_verdicts", runWithoutApplication<TestVerdicts>);
+const Suite verdictsSuite("tst_verdicts", runWithoutApplication<TestVerdicts>);
 #include "tst_verdicts.moc"

@@ -29,7 +29,7 @@ namespace
 {
 
 /// Sanitizer builds are thirty times slower and check memory, not numbers, so they run only a few files.
-#ifdef __SANITIZE_ADDRESS__
+#ifdef SLIDERCRANK_SANITIZED
 constexpr bool kIsMemoryCheck = true;
 #else
 constexpr bool kIsMemoryCheck = false;
@@ -209,5 +209,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_claims", runWithoutApplication<TestClaims>);
+const Suite claimsSuite("tst_claims", runWithoutApplication<TestClaims>);
 #include "tst_claims.moc"

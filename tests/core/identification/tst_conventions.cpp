@@ -37,7 +37,7 @@ const std::vector<Channel> kLengths{kX, kXDot, kXDDot};
 int filesOf(int all)
 {
     const int some = (all + 9) / 10;
-#ifdef __SANITIZE_ADDRESS__
+#ifdef SLIDERCRANK_SANITIZED
     return runs((all + 49) / 50, some);
 #else
     return runs(some, all);
@@ -443,5 +443,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_conventions", runWithoutApplication<TestConventions>);
+const Suite conventionsSuite("tst_conventions", runWithoutApplication<TestConventions>);
 #include "tst_conventions.moc"

@@ -359,5 +359,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_identification", runWithoutApplication<TestIdentification>);
+const Suite identificationSuite("tst_identification", runWithoutApplication<TestIdentification>);
 #include "tst_identification.moc"

@@ -130,5 +130,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_round_numbers", runWithoutApplication<TestRoundNumbers>);
+const Suite roundNumbersSuite("tst_round_numbers", runWithoutApplication<TestRoundNumbers>);
 #include "tst_round_numbers.moc"

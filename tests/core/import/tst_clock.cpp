@@ -65,5 +65,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_clock", runWithoutApplication<TestClock>);
+const Suite clockSuite("tst_clock", runWithoutApplication<TestClock>);
 #include "tst_clock.moc"

@@ -80,5 +80,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_crank_angles", runWithoutApplication<TestCrankAngles>);
+const Suite crankAnglesSuite("tst_crank_angles", runWithoutApplication<TestCrankAngles>);
 #include "tst_crank_angles.moc"

@@ -48,5 +48,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_difference", runWithoutApplication<TestDifference>);
+const Suite differenceSuite("tst_difference", runWithoutApplication<TestDifference>);
 #include "tst_difference.moc"

@@ -106,5 +106,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_joined_files", runWithoutApplication<TestJoinedFiles>);
+const Suite joinedFilesSuite("tst_joined_files", runWithoutApplication<TestJoinedFiles>);
 #include "tst_joined_files.moc"

@@ -114,5 +114,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_quantity", runWithEventLoop<TestQuantity>);
+const Suite quantitySuite("tst_quantity", runWithEventLoop<TestQuantity>);
 #include "tst_quantity.moc"

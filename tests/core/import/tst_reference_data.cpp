@@ -349,5 +349,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_reference_data", runWithoutApplication<TestReferenceData>);
+const Suite referenceDataSuite("tst_reference_data", runWithoutApplication<TestReferenceData>);
 #include "tst_reference_data.moc"

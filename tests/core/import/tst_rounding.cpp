@@ -178,5 +178,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_rounding", runWithoutApplication<TestRounding>);
+const Suite roundingSuite("tst_rounding", runWithoutApplication<TestRounding>);
 #include "tst_rounding.moc"

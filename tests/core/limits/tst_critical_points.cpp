@@ -127,5 +127,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_critical_points", runWithEventLoop<TestCriticalPoints>);
+const Suite criticalPointsSuite("tst_critical_points", runWithEventLoop<TestCriticalPoints>);
 #include "tst_critical_points.moc"

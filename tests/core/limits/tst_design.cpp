@@ -111,5 +111,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_design", runWithoutApplication<TestDesign>);
+const Suite designSuite("tst_design", runWithoutApplication<TestDesign>);
 #include "tst_design.moc"

@@ -13,7 +13,7 @@ using namespace slidercrank;
 namespace
 {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Tolerance relative to a + b + |c|, or in rad: a few rounding errors. Square roots of small differences need more.
 constexpr double kTolerance = 1e-12;
@@ -77,7 +77,7 @@ double sliderIn(const ExactState<Real> &exact, Order order = Order::Position)
 /// Maps 0 … 1 to 0 … 1 with denser samples at both ends.
 double crowded(double x)
 {
-    return 0.5 - 0.5 * std::cos(kPi * x);
+    return 0.5 - 0.5 * std::cos(pi * x);
 }
 
 bool isWithin(const MotionLimits &limits, double theta2)
@@ -164,7 +164,7 @@ private slots:
                        limits.mobility != Mobility::FullTurn || near(ranges[0].to - ranges[0].from, kTurn, kTolerance));
             VERIFY_FOR(p, limits.mobility != Mobility::Locked || (ranges[0].from == ranges[0].to && !limits.inner));
             for (std::size_t i = 0; i < ranges.size(); ++i) {
-                VERIFY_FOR(p, ranges[i].from >= -kPi && ranges[i].from < kPi && ranges[i].from <= ranges[i].to);
+                VERIFY_FOR(p, ranges[i].from >= -pi && ranges[i].from < pi && ranges[i].from <= ranges[i].to);
                 VERIFY_FOR(p, (i == 0 || ranges[i - 1].to < ranges[i].from) && ranges[i].to <= ranges[0].from + kTurn);
                 for (const double end : {ranges[i].from, ranges[i].to}) {
                     const double height = std::abs(p.c - p.a * std::sin(end));
@@ -173,7 +173,7 @@ private slots:
                 }
             }
             for (int i = 0; i < 200; ++i) {
-                const double theta2 = -kPi + kTurn * i / 200.0;
+                const double theta2 = -pi + kTurn * i / 200.0;
                 const ExactState<long double> exact = atAngle(p, theta2);
                 if (std::abs(exact.clearance) > kBesideAnEnd) {
                     VERIFY_FOR(p, isWithin(limits, theta2) == (exact.status != Status::NotAssemblable));
@@ -194,7 +194,7 @@ private slots:
                 if (!centre) {
                     continue;
                 }
-                VERIFY_FOR(p, centre->theta2 >= -kPi && centre->theta2 < kPi);
+                VERIFY_FOR(p, centre->theta2 >= -pi && centre->theta2 < pi);
                 // The distance of B from O2 is b + a or |b - a|.
                 const double distance = stretched ? p.b + p.a : std::abs(p.b - p.a);
                 VERIFY_FOR(p, near(std::hypot(centre->R4x, p.c), distance, kTolerance * characteristicLength(p)));
@@ -210,7 +210,7 @@ private slots:
                 // An error u of θ2 causes a velocity of u R̈4x, and more if larger terms cancel.
                 const double acceleration = std::abs(sliderIn(exact, Order::Acceleration));
                 VERIFY_FOR(
-                    p, near(sliderIn(exact, Order::Velocity), 0.0, 16.0 * kUnitRoundoff * (kPi * acceleration + size)));
+                    p, near(sliderIn(exact, Order::Velocity), 0.0, 16.0 * kUnitRoundoff * (pi * acceleration + size)));
             }
         }
     }
@@ -227,7 +227,7 @@ private slots:
                 double least = std::numeric_limits<double>::infinity();
                 double most = -least;
                 double from = range.from;
-                for (const double square : {-0.5 * kPi, 0.5 * kPi, 1.5 * kPi, 2.5 * kPi, kTurn + range.to}) {
+                for (const double square : {-0.5 * pi, 0.5 * pi, 1.5 * pi, 2.5 * pi, kTurn + range.to}) {
                     const double to = std::clamp(square, range.from, range.to);
                     for (int i = 0; i <= kSamples; ++i) {
                         const double along = crowded(crowded(static_cast<double>(i) / kSamples));
@@ -311,7 +311,7 @@ private slots:
             const auto motionAt = [&](double theta2) {
                 return ClosedForm(withCrankAt(mechanism, theta2)).motionAt(0.0);
             };
-            const Motion motion = motionAt(random.uniform(-kPi, kPi));
+            const Motion motion = motionAt(random.uniform(-pi, pi));
             if (!(std::abs(motion.s) > kPerpendicular * p.b)) {
                 continue;
             }
@@ -329,5 +329,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_mobility", runWithoutApplication<tst_mobility>);
+const Suite mobilitySuite("tst_mobility", runWithoutApplication<tst_mobility>);
 #include "tst_mobility.moc"

@@ -128,5 +128,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_mechanism", runWithoutApplication<tst_mechanism>);
+const Suite mechanismSuite("tst_mechanism", runWithoutApplication<tst_mechanism>);
 #include "tst_mechanism.moc"

@@ -101,5 +101,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_two_part_angle", runWithoutApplication<tst_two_part_angle>);
+const Suite twoPartAngleSuite("tst_two_part_angle", runWithoutApplication<tst_two_part_angle>);
 #include "tst_two_part_angle.moc"

@@ -159,5 +159,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_constraints", runWithoutApplication<tst_constraints>);
+const Suite constraintsSuite("tst_constraints", runWithoutApplication<tst_constraints>);
 #include "tst_constraints.moc"

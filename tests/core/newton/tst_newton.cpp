@@ -334,5 +334,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_newton", runWithoutApplication<TestNewton>);
+const Suite newtonSuite("tst_newton", runWithoutApplication<TestNewton>);
 #include "tst_newton.moc"

@@ -223,5 +223,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_newton_random", runWithoutApplication<TestNewtonRandom>);
+const Suite newtonRandomSuite("tst_newton_random", runWithoutApplication<TestNewtonRandom>);
 #include "tst_newton_random.moc"

@@ -9,6 +9,7 @@
 #include "core/sampling/crank_time.h"
 #include "core/sampling/time_step_equations.h"
 #include "core/study/cases.h"
+#include "tests/support/channels.h"
 #include "tests/support/deviation.h"
 #include "tests/support/random_mechanisms.h"
 #include "tests/support/suite.h"
@@ -24,7 +25,6 @@ using namespace slidercrank;
 namespace
 {
 
-constexpr Channel kSlider{R4x, Order::Position};
 constexpr SolverSettings kClosedForm;
 constexpr SolverSettings kNewton{Method::Newton, {}};
 
@@ -233,5 +233,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_sampling", runWithoutApplication<TestSampling>);
+const Suite samplingSuite("tst_sampling", runWithoutApplication<TestSampling>);
 #include "tst_sampling.moc"

@@ -191,5 +191,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_background_task", runWithEventLoop<TestBackgroundTask>);
+const Suite backgroundTaskSuite("tst_background_task", runWithEventLoop<TestBackgroundTask>);
 #include "tst_background_task.moc"

@@ -280,5 +280,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_scene", runWithWidgets<TestScene>);
+const Suite sceneSuite("tst_scene", runWithWidgets<TestScene>);
 #include "tst_scene.moc"

@@ -4,6 +4,7 @@
 
 #include "core/closed_form/closed_form.h"
 #include "tests/support/files.h"
+#include "tests/support/initial_mechanism.h"
 #include "tests/support/suite.h"
 #include "tests/support/waiting.h"
 #include "ui/document/session.h"
@@ -18,13 +19,6 @@ using namespace slidercrank;
 
 namespace
 {
-
-Parameters withCoupler(double b)
-{
-    Parameters parameters;
-    parameters.b = b;
-    return parameters;
-}
 
 /// Reference data of one column that take long to compare.
 std::shared_ptr<Reference> largeReference()
@@ -304,5 +298,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_session", runWithEventLoop<TestSession>);
+const Suite sessionSuite("tst_session", runWithEventLoop<TestSession>);
 #include "tst_session.moc"

@@ -3,6 +3,7 @@
 // The reference file of a session: reading, time range, diagnosis and conventions.
 
 #include "tests/support/files.h"
+#include "tests/support/initial_mechanism.h"
 #include "tests/support/suite.h"
 #include "tests/support/waiting.h"
 #include "ui/document/session.h"
@@ -40,13 +41,6 @@ bool allAgree(const std::vector<ChannelComparison> &comparison)
     return !comparison.empty() && std::ranges::all_of(comparison, [](const ChannelComparison &channel) {
         return channel.verdict == Verdict::Agrees;
     });
-}
-
-Parameters withCoupler(double b)
-{
-    Parameters parameters;
-    parameters.b = b;
-    return parameters;
 }
 
 const QByteArray kSmallFile = "time,R4_x\n0,85\n0.5,45\n";
@@ -317,5 +311,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_session_reference", runWithEventLoop<TestSessionReference>);
+const Suite sessionReferenceSuite("tst_session_reference", runWithEventLoop<TestSessionReference>);
 #include "tst_session_reference.moc"

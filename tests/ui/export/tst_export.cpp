@@ -333,5 +333,5 @@ private:
     std::unique_ptr<QTemporaryDir> m_folder;
 };
 
-const Suite suite("tst_export", runWithWidgets<TestExport>);
+const Suite exportSuite("tst_export", runWithWidgets<TestExport>);
 #include "tst_export.moc"

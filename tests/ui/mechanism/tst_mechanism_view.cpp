@@ -504,5 +504,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_mechanism_view", runWithWidgets<TestMechanismView>);
+const Suite mechanismViewSuite("tst_mechanism_view", runWithWidgets<TestMechanismView>);
 #include "tst_mechanism_view.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/channels.h"
 #include "tests/support/suite.h"
 #include "ui/document/column_choices.h"
 #include "ui/document/reference_file.h"
@@ -25,9 +26,6 @@ using namespace slidercrank;
 
 namespace
 {
-
-constexpr Channel kTheta3{Theta3, Order::Position};
-constexpr Channel kSlider{R4x, Order::Position};
 
 /// Columns whose headings do not name a quantity; all but the last one have a unit.
 QByteArray inventorFile()
@@ -233,5 +231,5 @@ private:
     QTemporaryDir m_folder;
 };
 
-const Suite suite("tst_column_mapping", runWithWidgets<TestColumnMapping>);
+const Suite columnMappingSuite("tst_column_mapping", runWithWidgets<TestColumnMapping>);
 #include "tst_column_mapping.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/channels.h"
 #include "tests/support/page_text.h"
 #include "tests/support/suite.h"
 #include "ui/panels/error_page.h"
@@ -15,8 +16,6 @@ using namespace slidercrank;
 namespace
 {
 
-constexpr Channel kTheta3{Theta3, Order::Position};
-constexpr Channel kSlider{R4x, Order::Position};
 const Convention kDegrees{Convention::Kind::AngleUnit, {kTheta3}, kDegreesPerRadian};
 const Convention kLate{Convention::Kind::TimeShift, {}, 0.1};
 const std::vector<ConventionFinding> kConventions{{kDegrees, 98.0, 1e-3}, {kLate, 30.0, 1e-3}};
@@ -285,5 +284,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_error_page", runWithoutApplication<TestErrorPage>);
+const Suite errorPageSuite("tst_error_page", runWithoutApplication<TestErrorPage>);
 #include "tst_error_page.moc"

@@ -196,5 +196,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_limits_page", runWithoutApplication<TestLimitsPage>);
+const Suite limitsPageSuite("tst_limits_page", runWithoutApplication<TestLimitsPage>);
 #include "tst_limits_page.moc"

@@ -337,5 +337,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_limits_panel", runWithWidgets<TestLimitsPanel>);
+const Suite limitsPanelSuite("tst_limits_panel", runWithWidgets<TestLimitsPanel>);
 #include "tst_limits_panel.moc"

@@ -31,7 +31,7 @@ double number(const Page &page, Eigen::Index row, Eigen::Index column)
     return cell(page, row, column).number.value_or(NAN);
 }
 
-std::shared_ptr<const Result> resultWith(const SolverSettings &solver, double b = 65.0)
+std::shared_ptr<const Result> resultOf(const SolverSettings &solver, double b = 65.0)
 {
     Session session;
     session.setParameter(Parameter::B, b);
@@ -50,7 +50,7 @@ private slots:
 
     void showsEquationsAndJacobianOfTheMotion()
     {
-        const auto result = resultWith({});
+        const auto result = resultOf({});
         const State state = ClosedForm(Mechanism()).stateAt(0.2);
         const Page equations = NewtonPages::equations(*result, 0.2);
         const Vector12 Qd = quadraticVelocityTerm(Mechanism(), state.q, state.qDot);
@@ -75,7 +75,7 @@ private slots:
 
     void showsTheCoordinatesInTheUnitsOfTheReferenceReport()
     {
-        const Page page = NewtonPages::coordinates(*resultWith({}), 0.3);
+        const Page page = NewtonPages::coordinates(*resultOf({}), 0.3);
         const State state = ClosedForm(Mechanism()).stateAt(0.3);
         for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
             const double scale = isAngle(static_cast<Coordinate>(i)) ? kDegreesPerRadian : 1.0;
@@ -89,7 +89,7 @@ private slots:
 
     void showsTheIterationsFromARoughStartAndFromTheTimeStepBefore()
     {
-        const auto result = resultWith({});
+        const auto result = resultOf({});
         const NewtonOptions options = result->solver.newton;
         IterationHistory rough;
         IterationHistory warm;
@@ -111,7 +111,7 @@ private slots:
 
     void saysWhyNumbersAreMissing()
     {
-        const auto rocker = resultWith({}, 40.0);
+        const auto rocker = resultOf({}, 40.0);
         for (const auto page :
              {NewtonPages::equations, NewtonPages::jacobian, NewtonPages::iterations, NewtonPages::coordinates}) {
             QVERIFY(page(*rocker, 0.75).sentence.contains("too short"));
@@ -120,7 +120,7 @@ private slots:
         const Page nothing = NewtonPages::coordinates(*rocker, 0.75);
         QCOMPARE(cell(nothing, R4x, 2).text, "–");
         QVERIFY(!cell(nothing, R4x, 2).number);
-        const auto limited = resultWith({Method::Newton, {1, 1e-14}});
+        const auto limited = resultOf({Method::Newton, {1, 1e-14}});
         QVERIFY(NewtonPages::coordinates(*limited, 0.3).sentence.contains("did not converge within 1 iterations"));
     }
 
@@ -182,5 +182,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_newton_panel", runWithWidgets<TestNewtonPanel>);
+const Suite newtonPanelSuite("tst_newton_panel", runWithWidgets<TestNewtonPanel>);
 #include "tst_newton_panel.moc"

@@ -31,11 +31,11 @@ Parameters givenParameters()
     return {.a = 21.0, .b = 66.0, .c = -26.0, .omega2 = 3.0, .theta20 = 0.5, .branch = Branch::Crossed};
 }
 
-struct Shown {
+struct ShownParameters {
     Session session;
     ParameterPanel panel{&session};
 
-    explicit Shown(const Parameters &parameters = givenParameters())
+    explicit ShownParameters(const Parameters &parameters = givenParameters())
     {
         session.setParameters(parameters);
         session.endDrag(); // what follows is another step
@@ -64,7 +64,7 @@ private slots:
     {
         const QStringList texts{"21 mm", "66 mm", "-26 mm", "3", "28.6479"};
         for (const Parameter parameter : kAllParameters) {
-            Shown shown;
+            ShownParameters shown;
             QCOMPARE(shown.box(parameter)->text(), texts[static_cast<int>(parameter)]);
             const auto isOnlyChange = [&] {
                 Parameters changed = shown.session.parameters();
@@ -91,7 +91,7 @@ private slots:
         exact.b = 60.12345678901234;
         exact.omega2 = std::nextafter(1.0 / 3.0, 1.0);
         exact.theta20 = 0.1234567890123456;
-        const Shown given(exact);
+        const ShownParameters given(exact);
         for (const Parameter parameter : {Parameter::Omega2, Parameter::Theta20, Parameter::B}) {
             given.box(parameter)->setFocus();
             QTest::keyClick(given.box(parameter), Qt::Key_Return);
@@ -110,7 +110,7 @@ private slots:
               Row{Parameter::Omega2, 1, "360", 2.0 * kPi}, Row{Parameter::Omega2, 2, "4 rad/s", 4.0},
               Row{Parameter::Omega2, 2, "−90 °/s", -kPi / 2.0}, Row{Parameter::Theta20, 0, "90", kPi / 2.0},
               Row{Parameter::Theta20, 1, "30 deg", kPi / 6.0}, Row{Parameter::Theta20, 0, "0.25rad", 0.25}}) {
-            const Shown shown;
+            const ShownParameters shown;
             shown.part<QComboBox>("unit", row.parameter)->setCurrentIndex(row.shownUnit);
             QCOMPARE(shown.session.parameters(), givenParameters()); // another unit does not change the number
             typeNumber(shown.box(row.parameter), QString::fromUtf8(row.typed));
@@ -118,7 +118,7 @@ private slots:
                      row.typed);
         }
         for (const char *degrees : {"370", "10", "123", "-725"}) {
-            const Shown shown;
+            const ShownParameters shown;
             typeNumber(shown.box(Parameter::Theta20), degrees);
             QCOMPARE(shown.box(Parameter::Theta20)->text(), QString(degrees));
         }
@@ -126,7 +126,7 @@ private slots:
 
     void adaptsTheSliderRangeToTheMechanism()
     {
-        Shown shown{Parameters()};
+        ShownParameters shown{Parameters()};
         auto *slider = shown.part<QSlider>("slider", Parameter::B);
         const int usual = slider->maximum();
         shown.session.setParameters({.b = 5000.0});
@@ -153,7 +153,7 @@ private slots:
                                Row{15.0, Parameter::A, {}, {0.05, 0.5, 0.9}, "no value of a"},
                                Row{15.0, Parameter::C, {}, {0.1, 0.5, 0.9}, "no value of c"}}) {
             for (const Theme theme : {Theme::Light, Theme::Dark}) {
-                Shown shown({.b = row.b});
+                ShownParameters shown({.b = row.b});
                 shown.panel.setPalette(paletteFor(theme));
                 auto *slider = shown.part<QSlider>("slider", row.parameter);
                 const QImage image = slider->grab().toImage();
@@ -172,5 +172,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_parameter_panel", runWithWidgets<TestParameterPanel>);
+const Suite parameterPanelSuite("tst_parameter_panel", runWithWidgets<TestParameterPanel>);
 #include "tst_parameter_panel.moc"

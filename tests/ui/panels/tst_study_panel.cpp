@@ -88,5 +88,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_study_panel", runWithWidgets<TestStudyPanel>);
+const Suite studyPanelSuite("tst_study_panel", runWithWidgets<TestStudyPanel>);
 #include "tst_study_panel.moc"

@@ -37,7 +37,7 @@ PageTable tableOf(const QString &name, const std::vector<double> &numbers)
     return table;
 }
 
-struct Shown {
+struct ShownTable {
     Page page;
     int made = 0; ///< pages
     Session session;
@@ -46,7 +46,7 @@ struct Shown {
                          return page;
                      }};
 
-    explicit Shown(const Page &first, const QSize &size = QSize(900, 220))
+    explicit ShownTable(const Page &first, const QSize &size = QSize(900, 220))
         : page(first)
     {
         panel.resize(size);
@@ -80,7 +80,7 @@ class TestTablePanel : public QObject
 private slots:
     void showsTheSentenceAndTheTablesOfThePage()
     {
-        Shown shown(pageWith({1.0, 2.5}));
+        ShownTable shown(pageWith({1.0, 2.5}));
         QCOMPARE(child<QLabel>(shown.panel, "panelSentence")->text(), "A sentence.");
         QCOMPARE(shown.text(1), "2.5");
         Page other;
@@ -94,7 +94,7 @@ private slots:
 
     void computesNothingWhileHiddenAndRarelyDuringADrag()
     {
-        Shown shown(pageWith({1.0}));
+        ShownTable shown(pageWith({1.0}));
         QCOMPARE(shown.made, 1);
         for (int i = 0; i < 50; ++i) {
             shown.panel.refresh();
@@ -115,7 +115,7 @@ private slots:
     /// Only cells whose text changes are reported, so that a drag costs little.
     void repaintsOnlyTheCellsThatChange()
     {
-        Shown shown(pageWith({1.0, 2.0, 3.0}));
+        ShownTable shown(pageWith({1.0, 2.0, 3.0}));
         QSignalSpy changes(shown.table()->model(), &QAbstractItemModel::dataChanged);
         QSignalSpy removals(shown.table()->model(), &QAbstractItemModel::rowsRemoved);
         shown.show(pageWith({1.0, 2.0001, 4.0})); // one number has the same text
@@ -127,7 +127,7 @@ private slots:
 
     void requestsTheTimeAndReportsThePartOfARow()
     {
-        Shown shown(pageWith({1.0, 2.0}));
+        ShownTable shown(pageWith({1.0, 2.0}));
         shown.panel.activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&shown.panel));
         QSignalSpy times(&shown.panel, &TablePanel::timeRequested);
@@ -151,7 +151,7 @@ private slots:
     {
         Page page = pageWith({1.0 / 3.0});
         page.chart = PageChart{"chart", "Chart", {{"x", {0.0, 1.0}}, {"y", {0.0, 1.0}}}};
-        const Shown shown(page);
+        const ShownTable shown(page);
         QVERIFY(child<Chart>(shown.panel, "chart")->isVisible());
         const QTemporaryDir folder;
         QCOMPARE(shown.panel.exportTo(folder.filePath("x.csv")), std::nullopt);
@@ -172,7 +172,7 @@ private slots:
         Page page = pageWith({1.0});
         page.findings = {{"Only a sentence."},
                          {"It is another mechanism.", Remedy::UseFoundMechanism, "Use it", "details"}};
-        Shown shown(page);
+        ShownTable shown(page);
         auto *button = child<QPushButton>(shown.panel, "remedyButton");
         QCOMPARE(button->toolTip(), "details");
         QSignalSpy remedies(&shown.panel, &TablePanel::remedyRequested);
@@ -194,7 +194,7 @@ private slots:
     {
         Page page = pageWith({1.0, 2.0, 3.0, 4.0});
         page.tables.push_back(tableOf("second", {1.0, 2.0, 3.0, 4.0}));
-        Shown shown(page);
+        ShownTable shown(page);
         settle();
         QCOMPARE(shown.table()->y(), shown.table("second")->y());
         shown.panel.resize(210, 140);
@@ -215,7 +215,7 @@ private slots:
     {
         Page page = pageWith({1.0, 2.0, 3.0});
         page.findings = {{"It is another mechanism.", Remedy::UseFoundMechanism, "Use it"}};
-        Shown shown(page);
+        ShownTable shown(page);
         settle(shown.panel);
         for (const auto *scroll : shown.panel.findChildren<QScrollBar *>()) {
             QVERIFY(!scroll->isVisible());
@@ -223,5 +223,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_table_panel", runWithWidgets<TestTablePanel>);
+const Suite tablePanelSuite("tst_table_panel", runWithWidgets<TestTablePanel>);
 #include "tst_table_panel.moc"

@@ -246,5 +246,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_timeline", runWithWidgets<TestTimeline>);
+const Suite timelineSuite("tst_timeline", runWithWidgets<TestTimeline>);
 #include "tst_timeline.moc"

@@ -3,6 +3,7 @@
 
 // Motions for the tests of the plots, and textbook formulas for them.
 
+#include "tests/support/initial_mechanism.h"
 #include "ui/document/result.h"
 #include "ui/plots/curve_sampling.h"
 
@@ -12,13 +13,6 @@
 
 namespace slidercrank
 {
-
-inline Parameters withCoupler(double b)
-{
-    Parameters parameters;
-    parameters.b = b;
-    return parameters;
-}
 
 struct Shown {
     Parameters model = withCoupler(60.0);

@@ -111,5 +111,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_chart", runWithWidgets<TestChart>);
+const Suite chartSuite("tst_chart", runWithWidgets<TestChart>);
 #include "tst_chart.moc"

@@ -126,5 +126,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_curve_sampling", runWithoutApplication<TestCurveSampling>);
+const Suite curveSamplingSuite("tst_curve_sampling", runWithoutApplication<TestCurveSampling>);
 #include "tst_curve_sampling.moc"

@@ -305,5 +305,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_plot_figure", runWithWidgets<TestPlotFigure>);
+const Suite plotFigureSuite("tst_plot_figure", runWithWidgets<TestPlotFigure>);
 #include "tst_plot_figure.moc"

@@ -409,5 +409,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_plot_grid", runWithWidgets<TestPlotGrid>);
+const Suite plotGridSuite("tst_plot_grid", runWithWidgets<TestPlotGrid>);
 #include "tst_plot_grid.moc"

@@ -70,5 +70,5 @@ private:
     static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 };
 
-const Suite suite("tst_axis_scale", runWithoutApplication<TstAxisScale>);
+const Suite axisScaleSuite("tst_axis_scale", runWithoutApplication<TstAxisScale>);
 #include "tst_axis_scale.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/channels.h"
 #include "tests/support/suite.h"
 #include "ui/text/convention_text.h"
 
@@ -9,11 +10,6 @@ using namespace slidercrank;
 
 namespace
 {
-
-constexpr Channel kTheta2{Theta2, Order::Position};
-constexpr Channel kTheta3{Theta3, Order::Position};
-constexpr Channel kSlider{R4x, Order::Position};
-constexpr Channel kSliderSpeed{R4x, Order::Velocity};
 
 } // namespace
 
@@ -85,5 +81,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_convention_text", runWithEventLoop<TestConventionText>);
+const Suite conventionTextSuite("tst_convention_text", runWithEventLoop<TestConventionText>);
 #include "tst_convention_text.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/channels.h"
 #include "tests/support/suite.h"
 #include "ui/text/diagnosis_text.h"
 #include "ui/text/finding_text.h"
@@ -16,9 +17,6 @@ namespace
 using Lack = Identification::Lack;
 using Outcome = Identification::Outcome;
 using Why = Identification::Alternative::Why;
-
-constexpr Channel kTheta3{Theta3, Order::Position};
-constexpr Channel kSlider{R4x, Order::Position};
 
 /// A mechanism that was identified; standard errors in mm, rad/s, rad.
 Diagnosis identified()
@@ -243,5 +241,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_diagnosis_text", runWithEventLoop<TestDiagnosisText>);
+const Suite diagnosisTextSuite("tst_diagnosis_text", runWithEventLoop<TestDiagnosisText>);
 #include "tst_diagnosis_text.moc"

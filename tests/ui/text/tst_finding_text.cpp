@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/channels.h"
 #include "tests/support/suite.h"
 #include "ui/text/finding_text.h"
 
@@ -13,8 +14,6 @@ using namespace slidercrank;
 
 namespace
 {
-
-constexpr Channel kTheta3{Theta3, Order::Position};
 
 ChannelComparison compared(Verdict verdict, double worstOver)
 {
@@ -155,5 +154,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_finding_text", runWithEventLoop<TestFindingText>);
+const Suite findingTextSuite("tst_finding_text", runWithEventLoop<TestFindingText>);
 #include "tst_finding_text.moc"

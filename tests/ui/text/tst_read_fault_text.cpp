@@ -71,5 +71,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_read_fault_text", runWithEventLoop<TestReadFaultText>);
+const Suite readFaultTextSuite("tst_read_fault_text", runWithEventLoop<TestReadFaultText>);
 #include "tst_read_fault_text.moc"

@@ -257,5 +257,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_number_box", runWithWidgets<TestNumberBox>);
+const Suite numberBoxSuite("tst_number_box", runWithWidgets<TestNumberBox>);
 #include "tst_number_box.moc"

@@ -257,5 +257,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_accessibility", runWithWidgets<TestAccessibility>);
+const Suite accessibilitySuite("tst_accessibility", runWithWidgets<TestAccessibility>);
 #include "tst_accessibility.moc"

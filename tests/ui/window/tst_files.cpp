@@ -374,5 +374,5 @@ private:
     std::unique_ptr<QTemporaryDir> m_folder;
 };
 
-const Suite suite("tst_files", runWithWidgets<TestFiles>);
+const Suite filesSuite("tst_files", runWithWidgets<TestFiles>);
 #include "tst_files.moc"

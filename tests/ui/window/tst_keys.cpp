@@ -357,5 +357,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_keys", runWithWidgets<TestKeys>);
+const Suite keysSuite("tst_keys", runWithWidgets<TestKeys>);
 #include "tst_keys.moc"

@@ -465,5 +465,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_main_window", runWithWidgets<TestMainWindow>);
+const Suite mainWindowSuite("tst_main_window", runWithWidgets<TestMainWindow>);
 #include "tst_main_window.moc"

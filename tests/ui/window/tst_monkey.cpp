@@ -402,5 +402,5 @@ static int run(int argc, char *argv[])
     TestMonkey test;
     return QTest::qExec(&test, argc, argv);
 }
-const Suite suite("tst_monkey", run);
+const Suite monkeySuite("tst_monkey", run);
 #include "tst_monkey.moc"

@@ -261,5 +261,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_readability", runWithWidgets<TestReadability>);
+const Suite readabilitySuite("tst_readability", runWithWidgets<TestReadability>);
 #include "tst_readability.moc"

@@ -223,7 +223,7 @@ private:
     QProcess m_other;
 };
 
-static int run(int argc, char *argv[])
+static int runOrEdit(int argc, char *argv[])
 {
     QApplication application(argc, argv);
     QStandardPaths::setTestModeEnabled(true);
@@ -234,5 +234,5 @@ static int run(int argc, char *argv[])
     TestRecovery tests;
     return QTest::qExec(&tests, argc, argv);
 }
-const Suite suite("tst_recovery", run);
+const Suite recoverySuite("tst_recovery", runOrEdit);
 #include "tst_recovery.moc"

@@ -135,7 +135,7 @@ private slots:
     }
 };
 
-static int run(int argc, char *argv[])
+static int runOnTwoScreens(int argc, char *argv[])
 {
     const QTemporaryDir folder;
     QFile screens(folder.filePath("screens.json"));
@@ -149,5 +149,5 @@ static int run(int argc, char *argv[])
     TestSharpness test;
     return QTest::qExec(&test, argc, argv);
 }
-const Suite suite("tst_sharpness", run);
+const Suite sharpnessSuite("tst_sharpness", runOnTwoScreens);
 #include "tst_sharpness.moc"

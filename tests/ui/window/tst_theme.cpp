@@ -132,5 +132,5 @@ private slots:
     }
 };
 
-const Suite suite("tst_theme", runWithWidgets<TestTheme>);
+const Suite themeSuite("tst_theme", runWithWidgets<TestTheme>);
 #include "tst_theme.moc"
