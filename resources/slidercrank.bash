@@ -32,6 +32,10 @@ _slidercrank() {
         mapfile -t COMPREPLY < <(compgen -W "$(grep -o '^  --[a-z0-9-]*' <<<"$help")" -- "$current")
         return
     fi
+    if [[ ${COMP_WORDS[1]} == help ]] && ((COMP_CWORD > 1)); then
+        mapfile -t COMPREPLY < <(compgen -W "solve limits compare identify study render" -- "$current")
+        return
+    fi
     mapfile -t COMPREPLY < <(compgen -f -- "$current")
     if ((COMP_CWORD == 1)); then
         mapfile -t -O "${#COMPREPLY[@]}" COMPREPLY < <(compgen -W "solve limits compare identify study render help" -- "$current")

@@ -218,6 +218,31 @@ private slots:
         QCOMPARE(start({"solve", "--steps", "3"}).output, run("solve --steps 3").output);
         QCOMPARE(start({"solve", "--b", "0"}).status, 2);
         QCOMPARE(start({"render", "-o", path("process.png"), "--size", "300x300"}).status, 0);
+    void bashCompletesWhatTheParserTakes()
+    {
+#ifdef Q_OS_UNIX
+        const auto completionsOf = [](const QString &line) {
+            const QString script =
+                "source '" SLIDERCRANK_SOURCE_DIR "/resources/slidercrank.bash'; COMP_WORDS=(\"$@\"); "
+                "COMP_CWORD=$(($# - 1)); _slidercrank; echo ${COMPREPLY[*]}";
+            QProcess bash;
+            bash.start("bash", QStringList{"-c", script, "bash", SLIDERCRANK_PROGRAM} + line.split(' '));
+            return resultOf(bash).output.trimmed();
+        };
+        for (const CommandDescription &command : allCommands().subspan(1)) {
+            QByteArrayList options;
+            for (const OptionDescription &option : optionsOf(command)) {
+                options += QByteArray("--") + option.name;
+            }
+            QCOMPARE(completionsOf(QString(command.name) + " --"), options.join(' '));
+        }
+        QCOMPARE(completionsOf("limits --format "), QByteArray("text csv json"));
+        QCOMPARE(completionsOf("help s"), QByteArray("solve study"));
+#else
+        QSKIP("Needs bash.");
+#endif
+    }
+
 #ifndef Q_OS_WIN // where a window can always be opened
         const RunResult window = start({});
         QVERIFY(window.status == 2 && window.error.contains("display"));
