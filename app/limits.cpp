@@ -20,7 +20,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <limits>
 
 namespace slidercrank
@@ -47,18 +46,21 @@ std::vector<Record> listLimits(const std::vector<MotionFact> &facts)
 {
     std::vector<Record> records;
     for (const LimitDescription &limit : limitsInFiles()) {
-        std::vector<MotionFact> found;
-        std::ranges::copy_if(facts, std::back_inserter(found),
-                             [&limit](const auto &fact) { return fact.key == limit.key; });
-        if (found.empty()) {
-            found.push_back({.number = std::numeric_limits<double>::quiet_NaN()});
-        }
-        for (const MotionFact &fact : found) {
+        const auto add = [&](const MotionFact &fact) {
             records.push_back({{"name", limit.key},
                                {"value", jsonNumber(fact.number)},
                                {"unit", limit.unit},
                                {"theta2", fact.theta2 ? degreesFromZero(*fact.theta2) : QJsonValue()},
                                {"time", jsonNumber(fact.time)}});
+        };
+        const std::size_t before = records.size();
+        for (const MotionFact &fact : facts) {
+            if (fact.key == limit.key) {
+                add(fact);
+            }
+        }
+        if (records.size() == before) {
+            add({.number = std::numeric_limits<double>::quiet_NaN()});
         }
     }
     return records;
@@ -160,14 +162,18 @@ ExitStatus limitsCommand(const OptionReader &options, const Streams &streams)
     const std::vector<MotionFact> facts = findFacts(mechanism, limits);
     const QString sentence = mobilitySentence(mechanism, limits);
     const std::vector<Record> rows = listLimits(facts);
-    return question.write(streams, {.text = design + sentence + '\n' + alignedTable(limitTable(facts)),
-                                    .rows = rows,
-                                    .json = {{"mechanism", toJson(mechanism.parameters())},
-                                             {"mobility", kMobilityNames[static_cast<std::size_t>(limits.mobility)]},
-                                             {"reason", sentence},
-                                             {"limits", jsonList(rows, jsonObject)}},
-                                    .status = limits.mobility == Mobility::Impossible ? ExitStatus::NotAssemblable
-                                                                                      : ExitStatus::Success});
+    Answer answer{.rows = rows,
+                  .json = {{"mechanism", toJson(mechanism.parameters())},
+                           {"mobility", kMobilityNames[static_cast<std::size_t>(limits.mobility)]},
+                           {"reason", sentence},
+                           {"limits", jsonList(rows, jsonObject)}}};
+    if (limits.mobility == Mobility::Impossible) {
+        streams.report(sentence);
+        answer.status = ExitStatus::NotAssemblable;
+    } else {
+        answer.text = design + sentence + '\n' + alignedTable(limitTable(facts));
+    }
+    return question.write(streams, answer);
 }
 
 } // namespace slidercrank

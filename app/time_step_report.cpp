@@ -18,9 +18,10 @@ constexpr std::array kMessages{
     QT_TRANSLATE_NOOP("slidercrank::CommandLine",
                       "Velocity and acceleration do not exist at %1: the coupler is perpendicular to the slider's line "
                       "there; a longer coupler (--b) avoids it."),
-    QT_TRANSLATE_NOOP("slidercrank::CommandLine",
-                      "Newton-Raphson did not converge at %1: allow more than %3 iterations (--max-iterations) or a "
-                      "larger residual (--tolerance); very long links need --tolerance-kind relative."),
+    QT_TRANSLATE_NOOP(
+        "slidercrank::CommandLine",
+        "Newton-Raphson did not converge at %1: choose a greater --max-iterations (now %3) or --tolerance; "
+        "very long links need --tolerance-kind relative."),
     QT_TRANSLATE_NOOP("slidercrank::CommandLine",
                       "The mechanism cannot be assembled at %1: the coupler must be at least %2 mm long for the crank "
                       "to make full turns (--b)."),
@@ -42,9 +43,12 @@ ExitStatus reportTimeSteps(const Streams &streams, const SamplingSummary &summar
         }
         const double first = summary.firstTimes[static_cast<std::size_t>(status)];
         const QString where =
-            CommandLine::tr("%1 of %2 time steps, first at t = %3 s (θ₂ = %4°)")
-                .arg(QString::number(summary.count(status)), QString::number(summary.timeSteps), numberText(first),
-                     crankAngleText(mechanism.omega2() * first + mechanism.theta20()));
+            (summary.timeSteps == 1
+                 ? QString()
+                 : CommandLine::tr("%1 of %2 time steps, first at ")
+                       .arg(QString::number(summary.count(status)), QString::number(summary.timeSteps))) +
+            QString("t = %1 s (θ₂ = %2°)")
+                .arg(numberText(first), crankAngleText(mechanism.omega2() * first + mechanism.theta20()));
         messages += CommandLine::tr(kMessages[static_cast<std::size_t>(status)])
                         .replace("%3", QString::number(newton.maxIterations))
                         .replace("%2", atLeastText(shortestCouplerForFullTurn(mechanism)))

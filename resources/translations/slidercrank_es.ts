@@ -623,10 +623,6 @@
         <translation>%1: %2; %3 instantes</translation>
     </message>
     <message>
-        <source>%1 of %2 time steps, first at t = %3 s (θ₂ = %4°)</source>
-        <translation>%1 de %2 pasos de tiempo, el primero en t = %3 s (θ₂ = %4°)</translation>
-    </message>
-    <message>
         <source>The mechanism cannot be assembled at %1: the coupler must be at least %2 mm long for the crank to make full turns (--b).</source>
         <translation>El mecanismo no se puede ensamblar en %1: la biela debe medir al menos %2 mm para que la manivela dé vueltas completas (--b).</translation>
     </message>
@@ -737,10 +733,6 @@ Equipo: %1. Tiempo: %2 s.
         <translation>--column: «%1» no es una unidad de %2.</translation>
     </message>
     <message>
-        <source>Newton-Raphson did not converge at %1: allow more than %3 iterations (--max-iterations) or a larger residual (--tolerance); very long links need --tolerance-kind relative.</source>
-        <translation>Newton-Raphson no convergió en %1: permita más de %3 iteraciones (--max-iterations) o un residuo mayor (--tolerance); los eslabones muy largos necesitan --tolerance-kind relative.</translation>
-    </message>
-    <message>
         <source>Commands</source>
         <translation>Órdenes</translation>
     </message>
@@ -789,8 +781,44 @@ Equipo: %1. Tiempo: %2 s.
         <translation>Solo --what frames tiene velocidad: quite %1.</translation>
     </message>
     <message>
-        <source>--column describes a reference file: name the file with --reference.</source>
-        <translation>--column describe un archivo de referencia: indíquelo con --reference.</translation>
+        <source>Exit status: 0 success; 1 --fail-on-difference was given and a channel differs; 2 usage error; 3 a file cannot be read or written; 4 the mechanism cannot be assembled at some time step (the other steps are still written), or --design is impossible; 5 not converged or singular at some time step, or no mechanism identified. If several apply: 3 before 4 before 5 before 1.</source>
+        <translation>Estado de salida: 0 correcto; 1 se dio --fail-on-difference y un canal difiere; 2 error de uso; 3 un archivo no se puede leer o escribir; 4 el mecanismo no se puede ensamblar en algún paso de tiempo (los demás se escriben igualmente), o --design es imposible; 5 sin convergencia o singular en algún paso de tiempo, o ningún mecanismo identificado. Si se dan varios: 3 antes que 4, antes que 5, antes que 1.</translation>
+    </message>
+    <message>
+        <source>--design must be a list such as stroke=80,time-ratio=1.2,transmission-angle=40, not &quot;%1&quot;.</source>
+        <translation>--design debe ser una lista como stroke=80,time-ratio=1.2,transmission-angle=40, y no «%1».</translation>
+    </message>
+    <message>
+        <source>instead of --steps and --duration: a row for each step of this crank angle, over one revolution</source>
+        <translation>en lugar de --steps y --duration: una fila por cada paso de este ángulo de la manivela, durante una vuelta</translation>
+    </message>
+    <message>
+        <source>instead of --steps and --duration: one row, for this time</source>
+        <translation>en lugar de --steps y --duration: una sola fila, para este instante</translation>
+    </message>
+    <message>
+        <source>the time that is drawn, and marked in the plots (--start)</source>
+        <translation>el instante que se dibuja, marcado en las gráficas (--start)</translation>
+    </message>
+    <message>
+        <source>find the mechanism with this stroke, this time ratio (1) and at least this minimum transmission angle: stroke=80,time-ratio=1.2,transmission-angle=40; of several, the one with the largest is chosen</source>
+        <translation>busca el mecanismo con esta carrera, esta relación de tiempos (1) y al menos este ángulo de transmisión mínimo: stroke=80,time-ratio=1.2,transmission-angle=40; de varios, se elige el que tiene el mayor</translation>
+    </message>
+    <message>
+        <source>write to this file instead of standard output (-)</source>
+        <translation>escribe en este archivo en lugar de la salida estándar (-)</translation>
+    </message>
+    <message>
+        <source>%1 describes a reference file: name the file with --reference.</source>
+        <translation>%1 describe un archivo de referencia: indíquelo con --reference.</translation>
+    </message>
+    <message>
+        <source>Newton-Raphson did not converge at %1: choose a greater --max-iterations (now %3) or --tolerance; very long links need --tolerance-kind relative.</source>
+        <translation>Newton-Raphson no convergió en %1: elija un valor mayor de --max-iterations (ahora %3) o de --tolerance; los eslabones muy largos necesitan --tolerance-kind relative.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 time steps, first at </source>
+        <translation>%1 de %2 pasos de tiempo, el primero en </translation>
     </message>
 </context>
 <context>
@@ -2221,6 +2249,10 @@ difiere: lo demás</translation>
         <translation>No acotado donde la biela es perpendicular a la línea de la corredera</translation>
     </message>
     <message>
+        <source>The mechanism cannot be assembled: b = %1 &lt; |c| − a = %2. The crank makes full turns if b ≥ a + |c| = %3.</source>
+        <translation>El mecanismo no se puede ensamblar: b = %1 &lt; |c| − a = %2. La manivela da vueltas completas si b ≥ a + |c| = %3.</translation>
+    </message>
+    <message>
         <source>The crank can make full turns: b = %1 ≥ a + |c| = %2.</source>
         <translation>La manivela puede dar vueltas completas: b = %1 ≥ a + |c| = %2.</translation>
     </message>
@@ -2239,10 +2271,6 @@ difiere: lo demás</translation>
     <message>
         <source>The crank is locked in a single position: b = |c| − a = %1. It makes full turns if b ≥ a + |c| = %2.</source>
         <translation>La manivela está bloqueada en una única posición: b = |c| − a = %1. Da vueltas completas si b ≥ a + |c| = %2.</translation>
-    </message>
-    <message>
-        <source>It cannot be assembled: b = %1 &lt; |c| − a = %2. The crank makes full turns if b ≥ a + |c| = %3.</source>
-        <translation>No se puede ensamblar: b = %1 &lt; |c| − a = %2. La manivela da vueltas completas si b ≥ a + |c| = %3.</translation>
     </message>
     <message>
         <source>%1 samples per revolution are too few for a curve: at least %2 are needed.</source>

@@ -142,12 +142,12 @@ private slots:
         const Row rows[] = {
             {"solve --b 40", 4, "The mechanism cannot be assembled at"},
             {"solve --b 40", 4, "45 mm"},
-            {"solve --b 25 --at-angle 0", 5, "Velocity and acceleration do not exist at 1 of 1 time steps"},
+            {"solve --b 25 --at-angle 0", 5, "Velocity and acceleration do not exist at t = 0 s (θ₂ = 0.00°):"},
             {"solve --b 25 --steps 4", 4, "cannot be assembled"}, // at some time steps, and singular at others
             {"solve --method newton --max-iterations 1 --tolerance 1e-14", 5, "--max-iterations"},
             {"solve --method newton --a 2e9 --b 6.5e9 --c 2.5e9", 5, "--tolerance-kind relative"},
             {"solve --method newton --a 2e9 --b 6.5e9 --c 2.5e9 --tolerance-kind relative", 0, ""},
-            {"limits --c 100", 4, ""},
+            {"limits --c 100 --format csv", 4, "The mechanism cannot be assembled: b = 65 mm < |c| − a"},
             {"compare " SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv --b 40", 4, "first at t ="},
         };
         for (const Row &row : rows) {
@@ -220,6 +220,7 @@ private slots:
         QVERIFY(run("limits --b 40 --format csv").output.contains("\nforward-time,,s,,\n"));
         const RunResult impossible = run("limits --c 100 --format json");
         QVERIFY(impossible.output.contains("\"mobility\":\"impossible\"") && !impossible.output.contains("nan"));
+        QVERIFY(run("limits --c 100").output.isEmpty());
         QVERIFY(run("limits").output.contains("43.8238 mm"));
     }
 

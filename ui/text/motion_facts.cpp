@@ -171,8 +171,9 @@ QString mobilitySentence(const Mechanism &mechanism, const MotionLimits &limits)
             .arg(turning[0], turning[1]);
     case Mobility::Impossible: {
         const QStringList reaching = distinctTexts(mechanism.b(), shortestCouplerForAnyPose(mechanism));
-        return MotionFacts::tr("It cannot be assembled: b = %1 < |c| − a = %2. The crank makes full turns if "
-                               "b ≥ a + |c| = %3.")
+        return MotionFacts::tr(
+                   "The mechanism cannot be assembled: b = %1 < |c| − a = %2. The crank makes full turns if "
+                   "b ≥ a + |c| = %3.")
             .arg(reaching[0], reaching[1], turning[1]);
     }
     }

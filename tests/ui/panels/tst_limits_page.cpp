@@ -63,7 +63,8 @@ private slots:
                   "The crank is locked in a single position: b = |c| − a = 5 mm. It makes full turns if b ≥ a + |c| = "
                   "45 mm."},
               Row{{20, 4, 25},
-                  "It cannot be assembled: b = 4 mm < |c| − a = 5 mm. The crank makes full turns if b ≥ a + |c| = 45 "
+                  "The mechanism cannot be assembled: b = 4 mm < |c| − a = 5 mm. The crank makes full turns if b ≥ a + "
+                  "|c| = 45 "
                   "mm."},
               Row{{20, 45, 25}, "The crank can make full turns: b = 45 mm ≥ a + |c| = 45 mm. " + jump},
               Row{{20, 45, -25}, "The crank can make full turns: b = 45 mm ≥ a + |c| = 45 mm. " + jump},
