@@ -14,7 +14,7 @@ namespace slidercrank
 Question::Question(const OptionReader &options)
     : mechanism(readMechanism(options))
     , format(options.word("format", "text"))
-    , output(readOutput(options, options.files()))
+    , output(readOutput(options))
 {
     if (format != u"text") {
         setLanguage(Language::English);

@@ -20,10 +20,12 @@ QString findHelp(const QStringList &topics)
     if (topics == QStringList("--man-page")) {
         return manualPage();
     }
-    const CommandDescription *command = topics.isEmpty() ? &allCommands().front() : findCommand(topics.front());
-    if (!command || topics.size() > 1) {
-        throw UsageError{CommandLine::tr("There is no help for \"%1\": choose one of %2.")
-                             .arg(topics.join(' '), commandNames().join(", "))};
+    const QString topic = topics.join(' ');
+    const bool isAboutAll = QStringList{"", "-h", "--help"}.contains(topic);
+    const CommandDescription *command = isAboutAll ? &allCommands().front() : findCommand(topic);
+    if (!command) {
+        throw UsageError{
+            CommandLine::tr("There is no help for \"%1\": choose one of %2.").arg(topic, commandNames().join(", "))};
     }
     return helpText(*command);
 }

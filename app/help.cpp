@@ -27,10 +27,11 @@ QString usage(const CommandDescription &command)
 
 QString exitStatusText()
 {
-    return CommandLine::tr("Exit status: 0 success; 1 --fail-on-difference was given and a channel differs; 2 usage "
-                           "error; 3 a file cannot be read or written; 4 the mechanism cannot be assembled at some "
-                           "time step (the other steps are still written); 5 not converged or singular at some time "
-                           "step, or no mechanism identified. If several apply: 3 before 4 before 5 before 1.");
+    return CommandLine::tr(
+        "Exit status: 0 success; 1 --fail-on-difference was given and a channel differs; 2 usage "
+        "error; 3 a file cannot be read or written; 4 the mechanism cannot be assembled at some "
+        "time step (the other steps are still written), or --design is impossible; 5 not converged or singular at some "
+        "time step, or no mechanism identified. If several apply: 3 before 4 before 5 before 1.");
 }
 
 QString unitsText()

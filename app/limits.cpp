@@ -108,18 +108,20 @@ DesignRequest readDesign(const OptionReader &options)
         const QString key = part.section('=', 0, 0).trimmed();
         const QString value = part.section('=', 1);
         if (key == u"stroke") {
-            request.stroke = parseNumber("design", value, kMillimetre, kShortestLink);
+            request.stroke = parseNumber("design stroke", value, kMillimetre, kShortestLink);
         } else if (key == u"time-ratio") {
-            request.timeRatio = parseNumber("design", value, {}, kShortestLink);
+            request.timeRatio = parseNumber("design time-ratio", value, {}, kShortestLink);
         } else if (key == u"transmission-angle") {
-            request.transmissionAngle = parseNumber("design", value, kDegree, kShortestLink) / kDegreesPerRadian;
+            request.transmissionAngle =
+                parseNumber("design transmission-angle", value, kDegree, kShortestLink) / kDegreesPerRadian;
         } else {
             isKnown = false;
         }
     }
     if (!isKnown || !(request.stroke > 0.0)) {
         throw UsageError{
-            CommandLine::tr("--design must be such as stroke=80,time-ratio=1.2,transmission-angle=40, not \"%1\".")
+            CommandLine::tr(
+                "--design must be a list such as stroke=80,time-ratio=1.2,transmission-angle=40, not \"%1\".")
                 .arg(options.text("design"))};
     }
     return request;

@@ -45,6 +45,10 @@ ColumnChoice parseMeaning(const QString &text)
 double parseParameter(const char *option, const QString &text, Parameter parameter)
 {
     const bool isLink = parameter == Parameter::A || parameter == Parameter::B;
+    const Quantity withoutUnit = readQuantity(text, {}, QLocale::c());
+    if (parameter == Parameter::Theta20 && !withoutUnit.fault && withoutUnit.value != 0.0) { // degrees or radians?
+        throw UsageError{CommandLine::tr("--%1 %2: add a unit, %2deg or %2rad.").arg(option, text)};
+    }
     const Unit unit = parameter == Parameter::Omega2    ? kRadianPerSecond
                       : parameter == Parameter::Theta20 ? kRadian
                                                         : kMillimetre;
@@ -62,11 +66,6 @@ QStringList channelNames()
 
 Mechanism readMechanism(const OptionReader &options)
 {
-    const QString angle = options.text("theta20");
-    const Quantity withoutUnit = readQuantity(angle, {}, QLocale::c());
-    if (!withoutUnit.fault && withoutUnit.value != 0.0) { // degrees or radians?
-        throw UsageError{CommandLine::tr("--%1 %2: add a unit, %2deg or %2rad.").arg("theta20", angle)};
-    }
     Parameters parameters = options.scene().parameters;
     for (const Parameter parameter : kAllParameters) {
         const char *name = optionName(parameter);
@@ -78,10 +77,15 @@ Mechanism readMechanism(const OptionReader &options)
     return Mechanism(parameters);
 }
 
+double readStart(const OptionReader &options)
+{
+    return options.number("start", options.scene().sampling.start, kSecond);
+}
+
 Sampling readSampling(const OptionReader &options)
 {
     Sampling sampling = options.scene().sampling;
-    sampling.start = options.number("start", sampling.start, kSecond);
+    sampling.start = readStart(options);
     sampling.duration = options.number("duration", sampling.duration, kSecond, kShortestTime);
     sampling.steps = options.integer("steps", sampling.steps, 1, kLargestStepCount);
     constexpr double kSpacing = 4.5e-16; // of doubles, relative to their size, twice
@@ -102,7 +106,7 @@ SolverSettings readSolver(const OptionReader &options)
     return solver;
 }
 
-std::optional<double> readTimeStamp(const OptionReader &options, const Mechanism &mechanism, double start)
+std::optional<double> readTimeStamp(const OptionReader &options, const Mechanism &mechanism)
 {
     if (options.has("at")) {
         options.refuse({"at-angle"}, CommandLine::tr("--at chooses the time already: remove %1."));
@@ -112,7 +116,7 @@ std::optional<double> readTimeStamp(const OptionReader &options, const Mechanism
         return std::nullopt;
     }
     const double degrees = options.number("at-angle", 0.0, kDegree);
-    const std::optional<double> time = timeAtCrankAngle(mechanism, degrees / kDegreesPerRadian, start);
+    const std::optional<double> time = timeAtCrankAngle(mechanism, degrees / kDegreesPerRadian, readStart(options));
     if (!time || std::abs(*time) > kLargestParameter) {
         throw UsageError{
             CommandLine::tr("The crank does not reach %1° within 1e12 s: choose another --omega2 or --theta20.")
@@ -146,10 +150,13 @@ std::vector<ColumnChoice> readColumns(const OptionReader &options)
     return choices;
 }
 
-QString readOutput(const OptionReader &options, const QStringList &inputFiles)
+QString readOutput(const OptionReader &options)
 {
     const QString output = options.text("output");
-    for (const QString &file : inputFiles + options.texts("scene")) {
+    if (output == u"-") {
+        return {};
+    }
+    for (const QString &file : options.inputFiles()) {
         if (!output.isEmpty() && QFileInfo::exists(output) && QFileInfo(output) == QFileInfo(file)) {
             throw UsageError{CommandLine::tr("--output would overwrite the input file %1: choose another name.")
                                  .arg(QDir::toNativeSeparators(file))};

@@ -17,21 +17,24 @@ namespace slidercrank
 /// The names of all 36 channels.
 QStringList channelNames();
 
-/// Parses the value of a parameter in an option. A number without a unit is in mm, rad/s or rad.
+/// Parses the value of a parameter in an option. A length without a unit is in mm, a speed in rad/s. An angle needs a
+/// unit unless it is 0.
 double parseParameter(const char *option, const QString &text, Parameter parameter);
 
 Mechanism readMechanism(const OptionReader &options);
 Sampling readSampling(const OptionReader &options);
 SolverSettings readSolver(const OptionReader &options);
 
+double readStart(const OptionReader &options); ///< --start, in s
+
 /// The time (s) that --at or --at-angle asks for, if one of them is given. An angle stands for the first time from
-/// `start` on at which the crank has it.
-std::optional<double> readTimeStamp(const OptionReader &options, const Mechanism &mechanism, double start);
+/// --start on at which the crank has it.
+std::optional<double> readTimeStamp(const OptionReader &options, const Mechanism &mechanism);
 
 /// Reads --column and --abscissa.
 std::vector<ColumnChoice> readColumns(const OptionReader &options);
 
 /// Reads --output, which must not name an input file. Empty: standard output.
-QString readOutput(const OptionReader &options, const QStringList &inputFiles = {});
+QString readOutput(const OptionReader &options);
 
 } // namespace slidercrank

@@ -58,7 +58,6 @@ OptionReader::OptionReader(const CommandDescription &command, const QStringList 
 void OptionReader::checkRepetitions() const
 {
     const QStringList repeatable{"column", "reference"};
-    QStringList values = files();
     for (const OptionDescription &option : m_options) {
         const QStringList given = texts(option.name);
         if (given.size() > 1 && !repeatable.contains(option.name)) {
@@ -67,9 +66,8 @@ void OptionReader::checkRepetitions() const
         if (option.value == QLatin1String("FILE") && given.contains("")) {
             throw UsageError{CommandLine::tr("--%1 needs the name of a file.").arg(option.name)};
         }
-        values += given;
     }
-    if (values.count("-") > 1) {
+    if (inputFiles().count("-") > 1) {
         throw UsageError{CommandLine::tr("Standard input can be read only once: give one \"-\".")};
     }
 }
@@ -84,6 +82,11 @@ void OptionReader::readScene()
         throw UsageError{*message, ExitStatus::FileError};
     }
     m_scene = std::get<Scene>(std::move(scene));
+}
+
+QStringList OptionReader::inputFiles() const
+{
+    return files() + texts("reference") + texts("scene");
 }
 
 void OptionReader::refuseFiles() const

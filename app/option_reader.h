@@ -45,6 +45,7 @@ public:
 
     QStringList files() const { return m_parser.positionalArguments(); } ///< the arguments that are not options
     void refuseFiles() const;                                            ///< throws if there are any
+    QStringList inputFiles() const;                                      ///< all files that the command reads
 
     /// The number that parseNumber() finds in the option.
     double number(const char *name, double defaultValue, const std::optional<Unit> &unit = {},

@@ -93,10 +93,10 @@ public:
           {"solve render", "duration", "SECONDS", QT_TR_NOOP("time span (1)")},
           {"solve render", "start", "SECONDS", QT_TR_NOOP("first time stamp (0)")},
           {"solve", "step-angle", "DEGREES",
-           QT_TR_NOOP("instead: a row for each step of this crank angle, over one revolution")},
-          {"solve render", "at", "SECONDS",
            QT_TR_NOOP(
-               "solve: only this time stamp; render: the time that is drawn, and marked in the plots (--start)")},
+               "instead of --steps and --duration: a row for each step of this crank angle, over one revolution")},
+          {"solve", "at", "SECONDS", QT_TR_NOOP("instead of --steps and --duration: one row, for this time")},
+          {"render", "at", "SECONDS", QT_TR_NOOP("the time that is drawn, and marked in the plots (--start)")},
           {"solve render", "at-angle", "DEGREES",
            QT_TR_NOOP("the same by crank angle: the first time from --start on at which the crank has this angle")}}},
         {QT_TR_NOOP("Method"),
@@ -131,8 +131,9 @@ public:
                "a row of limits for each of several values of a parameter: b=50..120 (CSV unless --format json)")},
           {"limits", "count", "N", QT_TR_NOOP("number of values of --vary (100)")},
           {"limits", "design", "LIST",
-           QT_TR_NOOP("find the mechanism with this stroke and time ratio and the largest minimum transmission angle: "
-                      "stroke=80,time-ratio=1.2; ,transmission-angle=40 adds a lower bound")},
+           QT_TR_NOOP(
+               "find the mechanism with this stroke, this time ratio (1) and at least this minimum transmission angle: "
+               "stroke=80,time-ratio=1.2,transmission-angle=40; of several, the one with the largest is chosen")},
           {"compare", "fail-on-difference", nullptr, QT_TR_NOOP("exit with status 1 if a channel differs")},
           {"study", "cases", "nominal|hard|all",
            QT_TR_NOOP("the mechanism of the options, the hard cases (after the mechanism, if one is given), or ten "
@@ -153,7 +154,7 @@ public:
                       "video that ends in .mp4, .webm or .gif (needs ffmpeg)"),
            "o"},
           {"solve limits compare identify study", "output", "FILE",
-           QT_TR_NOOP("write to this file instead of standard output"), "o"}}},
+           QT_TR_NOOP("write to this file instead of standard output (-)"), "o"}}},
         {QT_TR_NOOP("Other"),
          {{"window", "reset-settings", nullptr,
            QT_TR_NOOP("remove the window's settings: layout, recent files, language, theme, meanings of columns")},

@@ -77,7 +77,7 @@ void readSize(const OptionReader &options, FigureSize &size)
 /// Reads --output, and checks that it suits the subject.
 void readTarget(const OptionReader &options, RenderRequest &request)
 {
-    request.output = readOutput(options, options.texts("reference"));
+    request.output = readOutput(options);
     const std::optional<FigureFormat> format = figureFormat(request.output);
     const bool isFrames = request.subject == Subject::Frames;
     const bool isReport = request.subject == Subject::Report;
@@ -105,17 +105,17 @@ void readTime(const OptionReader &options, RenderRequest &request)
             {"at", "at-angle"},
             CommandLine::tr(
                 "Frames show the whole time range: remove %1, or choose the range with --start and --duration."));
+        if (request.animation.frameCount() > Animation::kMostFrames) {
+            throw UsageError{
+                CommandLine::tr("There would be more than %1 frames: choose a shorter --duration or a greater --speed.")
+                    .arg(Animation::kMostFrames)};
+        }
     } else {
         options.refuse({"speed"}, CommandLine::tr("Only --what frames has a speed: remove %1."));
     }
-    if (request.subject == Subject::Frames && request.animation.frameCount() > Animation::kMostFrames) {
-        throw UsageError{
-            CommandLine::tr("There would be more than %1 frames: choose a shorter --duration or a greater --speed.")
-                .arg(Animation::kMostFrames)};
-    }
     double &time = request.scene.time;
     time = options.has("scene") ? std::clamp(time, sampling.start, end) : sampling.start;
-    time = readTimeStamp(options, Mechanism(request.scene.parameters), sampling.start).value_or(time);
+    time = readTimeStamp(options, Mechanism(request.scene.parameters)).value_or(time);
     if (request.subject != Subject::Mechanism && (time < sampling.start || time > end)) {
         throw UsageError{CommandLine::tr("t = %1 s lies outside the time range from %2 s to %3 s: choose another time, "
                                          "or another --start or --duration.")
@@ -206,8 +206,9 @@ ExitStatus renderCommand(const OptionReader &options, const Streams &streams)
     RenderRequest request = readRequest(options);
     Scene &scene = request.scene;
     const std::vector<ColumnChoice> columns = readColumns(options);
-    if (!columns.empty() && !scene.reference) {
-        throw UsageError{CommandLine::tr("--column describes a reference file: name the file with --reference.")};
+    if (!scene.reference) {
+        options.refuse({"column", "abscissa"},
+                       CommandLine::tr("%1 describes a reference file: name the file with --reference."));
     }
     if (request.subject == Subject::Mechanism) {
         scene.sampling.start = scene.time; // the mechanism can be drawn at any time

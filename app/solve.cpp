@@ -43,8 +43,8 @@ Sampling oneRevolution(const OptionReader &options, const Mechanism &mechanism)
     if (mechanism.omega2() == 0.0) {
         throw UsageError{CommandLine::tr("The crank stands still: --step-angle needs an --omega2 that is not 0.")};
     }
-    Sampling sampling = options.scene().sampling;
-    sampling.start = options.number("start", sampling.start, kSecond);
+    Sampling sampling;
+    sampling.start = readStart(options);
     sampling.duration = kTurn / std::abs(mechanism.omega2());
     sampling.steps = static_cast<int>(std::lround(steps));
     return sampling;
@@ -78,8 +78,7 @@ ExitStatus solveCommand(const OptionReader &options, const Streams &streams)
     if (options.has("at") || options.has("at-angle")) {
         options.refuse({"steps", "duration", "step-angle"},
                        CommandLine::tr("--at and --at-angle ask for one time and %1 for several: remove one of them."));
-        const double start = options.number("start", options.scene().sampling.start, kSecond);
-        timeStamp = readTimeStamp(options, mechanism, start);
+        timeStamp = readTimeStamp(options, mechanism);
     } else if (options.has("step-angle")) {
         options.refuse({"steps", "duration"}, CommandLine::tr("--step-angle covers one revolution: remove %1."));
         sampling = oneRevolution(options, mechanism);

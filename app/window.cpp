@@ -58,7 +58,7 @@ void requireFile(const QString &argument)
 
 ExitStatus windowCommand(const OptionReader &options, const Streams &streams)
 {
-    const QStringList files = options.files() + options.texts("reference");
+    const QStringList files = options.inputFiles();
     if (options.has("reset-settings")) {
         if (!files.isEmpty()) {
             throw UsageError{CommandLine::tr("--reset-settings opens no window: remove the other arguments.")};

@@ -380,7 +380,7 @@
     </message>
     <message>
         <source>&quot;slidercrank %1&quot; needs a file: slidercrank %1 FILE…</source>
-        <translation>«slidercrank %1» necesita un archivo: slidercrank %1 ARCHIVO…</translation>
+        <translation>«slidercrank %1» necesita un archivo: slidercrank %1 FILE…</translation>
     </message>
     <message>
         <source>Files</source>
@@ -440,7 +440,7 @@
     </message>
     <message>
         <source>Reads CSV files of simulations (time,R4_x,theta3_diff,…) and prints how far each column is from the model at the file&apos;s own time stamps. A value is uncertain by half a unit of its last digit and by the motion within half a unit of its time stamp. A column agrees if at least 95 % of its errors are within that bound and none exceeds ten times the bound; it is close if none exceeds a hundred times the bound; otherwise it differs. It also differs if an error exceeds its bound by 1 % of half the range of the motion. For a file that differs, the program says what would explain the difference. A file that cannot be read is reported, and the others are still compared. FILE may be - for standard input.</source>
-        <translation>Lee archivos CSV de simulaciones (time,R4_x,theta3_diff,…) e indica cuánto se aparta cada columna del modelo en los instantes del propio archivo. Un valor es incierto en media unidad de su última cifra y en lo que el mecanismo se mueve en media unidad de su instante. Una columna coincide si al menos el 95 % de sus errores está dentro de esa cota y ninguno supera diez veces la cota; es próxima si ninguno supera cien veces la cota; en otro caso difiere. También difiere si un error supera su cota en un 1 % de la mitad del recorrido del movimiento. Si un archivo difiere, el programa dice qué explicaría la diferencia. Un archivo que no se puede leer se notifica, y los demás se comparan igualmente. ARCHIVO puede ser - para la entrada estándar.</translation>
+        <translation>Lee archivos CSV de simulaciones (time,R4_x,theta3_diff,…) e indica cuánto se aparta cada columna del modelo en los instantes del propio archivo. Un valor es incierto en media unidad de su última cifra y en lo que el mecanismo se mueve en media unidad de su instante. Una columna coincide si al menos el 95 % de sus errores está dentro de esa cota y ninguno supera diez veces la cota; es próxima si ninguno supera cien veces la cota; en otro caso difiere. También difiere si un error supera su cota en un 1 % de la mitad del recorrido del movimiento. Si un archivo difiere, el programa dice qué explicaría la diferencia. Un archivo que no se puede leer se notifica, y los demás se comparan igualmente. FILE puede ser - para la entrada estándar.</translation>
     </message>
     <message>
         <source>Times every method on the same time stamps and measures its error against the exact motion in 50 to 100 digits: the largest error of the six plotted channels, relative to the channel&apos;s peak, over the time stamps that the method reports as solved. Times depend on the machine: compare them within one run.</source>
@@ -451,16 +451,8 @@
         <translation>Dibuja en un archivo lo que muestra la ventana, o escribe un informe. No necesita pantalla. Una escena (--scene) aporta también lo que mostraba la ventana: flechas, trayectoria, nombres, cotas, ampliación, abscisa y medida del error.</translation>
     </message>
     <message>
-        <source>Exit status: 0 success; 1 --fail-on-difference was given and a channel differs; 2 usage error; 3 a file cannot be read or written; 4 the mechanism cannot be assembled at some time step (the other steps are still written); 5 not converged or singular at some time step, or no mechanism identified. If several apply: 3 before 4 before 5 before 1.</source>
-        <translation>Estado de salida: 0 correcto; 1 se dio --fail-on-difference y un canal difiere; 2 error de uso; 3 un archivo no se puede leer o escribir; 4 el mecanismo no se puede ensamblar en algún paso de tiempo (los demás se escriben igualmente); 5 sin convergencia o singular en algún paso de tiempo, o ningún mecanismo identificado. Si se dan varios: 3 antes que 4, antes que 5, antes que 1.</translation>
-    </message>
-    <message>
         <source>Usage:</source>
         <translation>Uso:</translation>
-    </message>
-    <message>
-        <source>--design must be such as stroke=80,time-ratio=1.2,transmission-angle=40, not &quot;%1&quot;.</source>
-        <translation>--design debe ser como stroke=80,time-ratio=1.2,transmission-angle=40, y no «%1».</translation>
     </message>
     <message>
         <source>--design computes a, b and c: remove %1.</source>
@@ -575,10 +567,6 @@
         <translation>necesario: un nombre que termine en .png, .svg o .pdf; para frames el nombre de una carpeta nueva, o de un vídeo que termine en .mp4, .webm o .gif (necesita ffmpeg)</translation>
     </message>
     <message>
-        <source>write to this file instead of standard output</source>
-        <translation>escribe en este archivo en lugar de la salida estándar</translation>
-    </message>
-    <message>
         <source>remove the window&apos;s settings: layout, recent files, language, theme, meanings of columns</source>
         <translation>borra los ajustes de la ventana: disposición, archivos recientes, idioma, tema, significados de columnas</translation>
     </message>
@@ -677,10 +665,6 @@ Equipo: %1. Tiempo: %2 s.
         <translation>lee todos los ajustes de una escena guardada por la ventana; las opciones prevalecen</translation>
     </message>
     <message>
-        <source>instead: a row for each step of this crank angle, over one revolution</source>
-        <translation>en su lugar: una fila por cada paso de este ángulo de la manivela, durante una vuelta</translation>
-    </message>
-    <message>
         <source>read the files as parts of one motion; columns are numbered on from file to file</source>
         <translation>lee los archivos como partes de un solo movimiento; las columnas se numeran de corrido</translation>
     </message>
@@ -691,10 +675,6 @@ Equipo: %1. Tiempo: %2 s.
     <message>
         <source>whether the first column holds time stamps or crank angles, which --omega2 and --theta20 convert to time</source>
         <translation>si la primera columna contiene instantes o ángulos de la manivela, que --omega2 y --theta20 convierten en tiempo</translation>
-    </message>
-    <message>
-        <source>find the mechanism with this stroke and time ratio and the largest minimum transmission angle: stroke=80,time-ratio=1.2; ,transmission-angle=40 adds a lower bound</source>
-        <translation>busca el mecanismo con esta carrera y relación de tiempos y el mayor ángulo de transmisión mínimo: stroke=80,time-ratio=1.2; ,transmission-angle=40 añade una cota inferior</translation>
     </message>
     <message>
         <source>the same by crank angle: the first time from --start on at which the crank has this angle</source>
@@ -737,10 +717,6 @@ Equipo: %1. Tiempo: %2 s.
         <translation>Órdenes</translation>
     </message>
     <message>
-        <source>solve: only this time stamp; render: the time that is drawn, and marked in the plots (--start)</source>
-        <translation>solve: solo este instante; render: el instante que se dibuja, marcado en las gráficas (--start)</translation>
-    </message>
-    <message>
         <source>--output must be a name that ends in .png, .svg or .pdf (report: .pdf; frames: a new folder, .mp4, .webm or .gif), not &quot;%1&quot;.</source>
         <translation>--output debe ser un nombre que termine en .png, .svg o .pdf (report: .pdf; frames: una carpeta nueva, .mp4, .webm o .gif), y no «%1».</translation>
     </message>
@@ -754,7 +730,7 @@ Equipo: %1. Tiempo: %2 s.
     </message>
     <message>
         <source>Finds the mechanism that a simulation&apos;s file belongs to, from all of its columns, and how certain each parameter is (± one standard error). If the meaning of a column differs from its heading (radians, another origin, another sign …), the program reports that and reads the file accordingly. The options of the mechanism supply what the file does not determine. R4_x and R4_y are measured from the crank pivot O₂, angles counter-clockwise from x. FILE may be - for standard input. Outcomes: identified, the residuals are rounding or white noise; approximate, a mechanism explains the file up to a systematic deviation of at most 1 %; ambiguous, several mechanisms explain the file equally well; insufficient, the file holds too little to decide; nearest, no mechanism explains the file and the nearest one is printed; none, no mechanism was found.</source>
-        <translation>Halla el mecanismo al que pertenece el archivo de una simulación, a partir de todas sus columnas, y la certeza de cada parámetro (± un error estándar). Si el significado de una columna difiere de su encabezado (radianes, otro origen, otro signo …), el programa lo indica y lee así el archivo. Las opciones del mecanismo aportan lo que el archivo no determina. R4_x y R4_y se miden desde el eje O₂ de la manivela; los ángulos, en sentido antihorario desde x. ARCHIVO puede ser - para la entrada estándar. Resultados: identified, los residuos son redondeo o ruido blanco; approximate, un mecanismo explica el archivo salvo una desviación sistemática de un 1 % como máximo; ambiguous, varios mecanismos explican el archivo igual de bien; insufficient, el archivo contiene demasiado poco para decidir; nearest, ningún mecanismo explica el archivo y se muestra el más próximo; none, no se encontró ningún mecanismo.</translation>
+        <translation>Halla el mecanismo al que pertenece el archivo de una simulación, a partir de todas sus columnas, y la certeza de cada parámetro (± un error estándar). Si el significado de una columna difiere de su encabezado (radianes, otro origen, otro signo …), el programa lo indica y lee así el archivo. Las opciones del mecanismo aportan lo que el archivo no determina. R4_x y R4_y se miden desde el eje O₂ de la manivela; los ángulos, en sentido antihorario desde x. FILE puede ser - para la entrada estándar. Resultados: identified, los residuos son redondeo o ruido blanco; approximate, un mecanismo explica el archivo salvo una desviación sistemática de un 1 % como máximo; ambiguous, varios mecanismos explican el archivo igual de bien; insufficient, el archivo contiene demasiado poco para decidir; nearest, ningún mecanismo explica el archivo y se muestra el más próximo; none, no se encontró ningún mecanismo.</translation>
     </message>
     <message>
         <source>As options: %1</source>
@@ -2249,10 +2225,6 @@ difiere: lo demás</translation>
         <translation>No acotado donde la biela es perpendicular a la línea de la corredera</translation>
     </message>
     <message>
-        <source>The mechanism cannot be assembled: b = %1 &lt; |c| − a = %2. The crank makes full turns if b ≥ a + |c| = %3.</source>
-        <translation>El mecanismo no se puede ensamblar: b = %1 &lt; |c| − a = %2. La manivela da vueltas completas si b ≥ a + |c| = %3.</translation>
-    </message>
-    <message>
         <source>The crank can make full turns: b = %1 ≥ a + |c| = %2.</source>
         <translation>La manivela puede dar vueltas completas: b = %1 ≥ a + |c| = %2.</translation>
     </message>
@@ -2275,6 +2247,10 @@ difiere: lo demás</translation>
     <message>
         <source>%1 samples per revolution are too few for a curve: at least %2 are needed.</source>
         <translation>%1 muestras por vuelta son muy pocas para una curva: se necesitan al menos %2.</translation>
+    </message>
+    <message>
+        <source>The mechanism cannot be assembled: b = %1 &lt; |c| − a = %2. The crank makes full turns if b ≥ a + |c| = %3.</source>
+        <translation>El mecanismo no se puede ensamblar: b = %1 &lt; |c| − a = %2. La manivela da vueltas completas si b ≥ a + |c| = %3.</translation>
     </message>
 </context>
 <context>

@@ -87,7 +87,9 @@ private slots:
             {"limits --vary b=50 --format csv", "b=50..120"},
             {"limits --vary x=1..2 --format csv", "must be a parameter"},
             {"limits --vary b=0..2 --format csv", "--vary must be from 1e-9"},
-            {"limits --design ratio=2", "stroke=80"},
+            {"limits --vary theta20=0..90", "--vary 90: add a unit"},
+            {"limits --design ratio=2", "a list such as stroke=80"},
+            {"limits --design stroke=0", "--design stroke must be from"},
             {"limits --design time-ratio=2", "stroke=80"},
             {"limits --design stroke=80 --b 3", "remove --b"},
             {"limits --count 3", "belongs to --vary"},
@@ -112,7 +114,8 @@ private slots:
             {"render --output x.png --size 9000x9000 --scale 9", "--size must be"},
             {"render --output x.png --at 0.5 --at-angle 30", "remove --at-angle"},
             {"render --output x.png --at 3", "outside"},
-            {"render --output x.png --column x=R4_x", "--reference"},
+            {"render --output x.png --column x=R4_x", "--column describes a reference file"},
+            {"render --output x.png --abscissa angle", "--abscissa describes a reference file"},
             {"render --what frames --output x --at 0.5", "remove --at"},
             {"render --what frames --output x --duration 1e6", "100000 frames"},
             {"render --what mechanism --output x.png --speed 2", "remove --speed"},
@@ -167,6 +170,7 @@ private slots:
             QCOMPARE(outcome.output, QByteArray());
             QCOMPARE(contentOf(file), run("solve").output);
         }
+        QCOMPARE(run("solve -o -").output, run("solve").output);
         for (const QString &target : {path("no folder/motion.csv"), m_folder.path()}) {
             const RunResult outcome = run({"solve", "-o", target});
             QVERIFY2(outcome.status == 3 && outcome.hasOneLineError(), outcome.error);
@@ -210,14 +214,10 @@ private slots:
                          option.name);
             }
         }
+        QCOMPARE(run("help --help").output, run("help").output);
         QVERIFY(run("--version").output.startsWith("slidercrank "));
     }
 
-    void runsWithoutDisplay()
-    {
-        QCOMPARE(start({"solve", "--steps", "3"}).output, run("solve --steps 3").output);
-        QCOMPARE(start({"solve", "--b", "0"}).status, 2);
-        QCOMPARE(start({"render", "-o", path("process.png"), "--size", "300x300"}).status, 0);
     void bashCompletesWhatTheParserTakes()
     {
 #ifdef Q_OS_UNIX
@@ -243,6 +243,11 @@ private slots:
 #endif
     }
 
+    void runsWithoutDisplay()
+    {
+        QCOMPARE(start({"solve", "--steps", "3"}).output, run("solve --steps 3").output);
+        QCOMPARE(start({"solve", "--b", "0"}).status, 2);
+        QCOMPARE(start({"render", "-o", path("process.png"), "--size", "300x300"}).status, 0);
 #ifndef Q_OS_WIN // where a window can always be opened
         const RunResult window = start({});
         QVERIFY(window.status == 2 && window.error.contains("display"));
