@@ -122,10 +122,10 @@ QList<Save> commands()
 {
     return {{"solve to CSV", "x.csv", {"solve"}},
             {"solve to JSON", "x.json", {"solve", "--format", "json"}},
-            {"compare", "x.csv", {"compare", kSample, "--format", "csv"}},
+            {"compare", "x.csv", {"compare", kSample, "--b", "60", "--format", "csv"}},
             {"identify", "x.json", {"identify", kSample, "--format", "json"}},
             {"limits", "x.csv", {"limits", "--format", "csv"}},
-            {"render PNG", "x.png", {"render"}},
+            {"render PNG", "x.png", {"render", "--size", "400x400"}},
             {"render SVG", "x.svg", {"render", "--what", "mechanism"}},
             {"render PDF", "x.pdf", {"render"}},
             {"render a report", "x.pdf", {"render", "--what", "report"}}};
@@ -143,6 +143,7 @@ private slots:
         QStandardPaths::setTestModeEnabled(true);
         QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_settings.path());
         m_window = std::make_unique<MainWindow>();
+        m_window->resize(600, 500); // pictures of that size are written quickly
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
     }
