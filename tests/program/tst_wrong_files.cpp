@@ -174,9 +174,9 @@ private slots:
             smallest += 32;
             QVERIFY(smallest < 8192);
         }
-        QVERIFY(write(m_file, rows(1'000'000), rows(1'000'000).size()));
+        QVERIFY(write(m_file, rows(300'000), rows(300'000).size()));
         int refused = 0;
-        for (rlim_t additional = 0; additional < 512; additional += 16) {
+        for (rlim_t additional = 0; additional < 128; additional += 4) {
             const RunResult outcome = runWithin(smallest + additional);
             if (outcome.status == 0) {
                 break;
