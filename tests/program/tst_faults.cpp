@@ -123,8 +123,7 @@ QList<Save> commands()
     return {{"solve to CSV", "x.csv", {"solve"}},
             {"solve to JSON", "x.json", {"solve", "--format", "json"}},
             {"compare", "x.csv", {"compare", kSample, "--b", "60", "--format", "csv"}},
-            {"identify", "x.json", {"identify", kSample, "--format", "json"}},
-            {"limits", "x.csv", {"limits", "--format", "csv"}},
+            {"limits", "x.json", {"limits", "--format", "json"}},
             {"render PNG", "x.png", {"render", "--size", "400x400"}},
             {"render SVG", "x.svg", {"render", "--what", "mechanism"}},
             {"render PDF", "x.pdf", {"render"}},
@@ -345,7 +344,7 @@ private:
             {"figure as SVG", "x.svg", {}, plot({})},
             {"figure as PDF", "x.pdf", {}, plot({})},
             {"mechanism", "x.pdf", {}, [&exports](const QString &path) { exports.write(exports.mechanism(), path); }},
-            {"plot", "x.png", {}, plot("plot_theta3")},
+            {"plot", "x.svg", {}, plot("plot_theta3")},
             {"report", "x.pdf", {}, [&exports](const QString &path) { exports.writeReport(path); }},
             {"data", "x.csv", {}, [&exports](const QString &path) { exports.writeData(path, plottedChannels()); }}};
     }
