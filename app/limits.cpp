@@ -159,7 +159,7 @@ ExitStatus limitsCommand(const OptionReader &options, const Streams &streams)
         return question.write(streams,
                               {.text = csvText(rows), .rows = rows, .json = {{"rows", jsonList(rows, jsonObject)}}});
     }
-    options.refuse({"count"}, CommandLine::tr("%1 belongs to --vary: remove it."));
+    options.refuse({"count"}, CommandLine::tr("%1 applies to --vary only: remove it."));
     const MotionLimits limits = motionLimits(mechanism);
     const std::vector<MotionFact> facts = findFacts(mechanism, limits);
     const QString sentence = mobilitySentence(mechanism, limits);

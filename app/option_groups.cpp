@@ -109,7 +109,7 @@ SolverSettings readSolver(const OptionReader &options)
 std::optional<double> readTimeStamp(const OptionReader &options, const Mechanism &mechanism)
 {
     if (options.has("at")) {
-        options.refuse({"at-angle"}, CommandLine::tr("--at chooses the time already: remove %1."));
+        options.refuse({"at-angle"}, CommandLine::tr("--at already sets the time: remove %1."));
         return options.number("at", 0.0, kSecond);
     }
     if (!options.has("at-angle")) {

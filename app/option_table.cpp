@@ -39,13 +39,14 @@ public:
                     "accelerations, and where and when they occur. Angles in JSON and CSV are in degrees. The exit "
                     "status is 4 if the mechanism cannot be assembled at all."),
          limitsCommand},
-        {"compare", "FILE… [options]", QT_TR_NOOP("errors of simulation files against the model"),
+        {"compare", "FILE… [options]", QT_TR_NOOP("how far simulation files are from the model"),
          QT_TR_NOOP(
              "Reads CSV files of simulations (time,R4_x,theta3_diff,…) and prints how far each column is from the "
              "model at the file's own time stamps. A value is uncertain by half a unit of its last digit and by the "
              "motion within half a unit of its time stamp. A column agrees if at least 95 % of its errors are within "
              "that bound and none exceeds ten times the bound; it is close if none exceeds a hundred times the bound; "
-             "otherwise it differs. It also differs if an error exceeds its bound by 1 % of half the range of the "
+             "otherwise it differs. It also differs if an error exceeds its bound by more than 1 % of half the range "
+             "of the "
              "motion. For a file that differs, the program says what would explain the difference. A file that cannot "
              "be read is reported, and the others are still compared. FILE may be - for standard input."),
          compareCommand},
@@ -110,7 +111,7 @@ public:
            QT_TR_NOOP("absolute: ‖C‖ in mm and rad; relative: lengths divided by a + b + |c| (absolute)")}}},
         {QT_TR_NOOP("Files"),
          {{"compare identify", "join", nullptr,
-           QT_TR_NOOP("read the files as parts of one motion; columns are numbered on from file to file")},
+           QT_TR_NOOP("read the files as parts of one motion; column numbers continue from file to file")},
           {"window render", "reference", "FILE",
            QT_TR_NOOP("CSV file of a simulation; may be repeated for several files of one motion")},
           {"compare identify render", "column", "HEADING=MEANING",
@@ -133,7 +134,7 @@ public:
           {"limits", "design", "LIST",
            QT_TR_NOOP(
                "find the mechanism with this stroke, this time ratio (1) and at least this minimum transmission angle: "
-               "stroke=80,time-ratio=1.2,transmission-angle=40; of several, the one with the largest is chosen")},
+               "stroke=80,time-ratio=1.2,transmission-angle=40; of several, the one with the largest angle is chosen")},
           {"compare", "fail-on-difference", nullptr, QT_TR_NOOP("exit with status 1 if a channel differs")},
           {"study", "cases", "nominal|hard|all",
            QT_TR_NOOP("the mechanism of the options, the hard cases (after the mechanism, if one is given), or ten "

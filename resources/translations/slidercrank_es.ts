@@ -388,7 +388,7 @@
     </message>
     <message>
         <source>Velocity and acceleration do not exist at %1: the coupler is perpendicular to the slider&apos;s line there; a longer coupler (--b) avoids it.</source>
-        <translation>La velocidad y la aceleración no existen en %1: allí la biela está perpendicular a la línea de la corredera; una biela más larga (--b) lo evita.</translation>
+        <translation>La velocidad y la aceleración no existen en %1: allí la biela es perpendicular a la línea de la corredera; una biela más larga (--b) lo evita.</translation>
     </message>
     <message>
         <source>offset of the slider&apos;s line from O₂ (25)</source>
@@ -439,8 +439,8 @@
         <translation>Indica si la manivela da vueltas completas y por qué, los puntos muertos, la carrera, los ángulos y tiempos de ida y de retorno, la relación de tiempos, el ángulo de transmisión mínimo, las velocidades medias y máximas y las aceleraciones máximas, y dónde y cuándo se dan. En JSON y CSV los ángulos están en grados. El estado de salida es 4 si el mecanismo no se puede ensamblar en ninguna posición.</translation>
     </message>
     <message>
-        <source>Reads CSV files of simulations (time,R4_x,theta3_diff,…) and prints how far each column is from the model at the file&apos;s own time stamps. A value is uncertain by half a unit of its last digit and by the motion within half a unit of its time stamp. A column agrees if at least 95 % of its errors are within that bound and none exceeds ten times the bound; it is close if none exceeds a hundred times the bound; otherwise it differs. It also differs if an error exceeds its bound by 1 % of half the range of the motion. For a file that differs, the program says what would explain the difference. A file that cannot be read is reported, and the others are still compared. FILE may be - for standard input.</source>
-        <translation>Lee archivos CSV de simulaciones (time,R4_x,theta3_diff,…) e indica cuánto se aparta cada columna del modelo en los instantes del propio archivo. Un valor es incierto en media unidad de su última cifra y en lo que el mecanismo se mueve en media unidad de su instante. Una columna coincide si al menos el 95 % de sus errores está dentro de esa cota y ninguno supera diez veces la cota; es próxima si ninguno supera cien veces la cota; en otro caso difiere. También difiere si un error supera su cota en un 1 % de la mitad del recorrido del movimiento. Si un archivo difiere, el programa dice qué explicaría la diferencia. Un archivo que no se puede leer se notifica, y los demás se comparan igualmente. FILE puede ser - para la entrada estándar.</translation>
+        <source>Reads CSV files of simulations (time,R4_x,theta3_diff,…) and prints how far each column is from the model at the file&apos;s own time stamps. A value is uncertain by half a unit of its last digit and by the motion within half a unit of its time stamp. A column agrees if at least 95 % of its errors are within that bound and none exceeds ten times the bound; it is close if none exceeds a hundred times the bound; otherwise it differs. It also differs if an error exceeds its bound by more than 1 % of half the range of the motion. For a file that differs, the program says what would explain the difference. A file that cannot be read is reported, and the others are still compared. FILE may be - for standard input.</source>
+        <translation>Lee archivos CSV de simulaciones (time,R4_x,theta3_diff,…) e indica cuánto se aparta cada columna del modelo en los instantes del propio archivo. Un valor es incierto en media unidad de su última cifra y en lo que el mecanismo se mueve en media unidad de su instante. Una columna coincide si al menos el 95 % de sus errores está dentro de esa cota y ninguno supera diez veces la cota; es próxima si ninguno supera cien veces la cota; en otro caso difiere. También difiere si un error supera su cota en más de un 1 % de la mitad del recorrido del movimiento. Si un archivo difiere, el programa dice qué explicaría la diferencia. Un archivo que no se puede leer se notifica, y los demás se comparan igualmente. FILE puede ser - para la entrada estándar.</translation>
     </message>
     <message>
         <source>Times every method on the same time stamps and measures its error against the exact motion in 50 to 100 digits: the largest error of the six plotted channels, relative to the channel&apos;s peak, over the time stamps that the method reports as solved. Times depend on the machine: compare them within one run.</source>
@@ -653,8 +653,8 @@ Equipo: %1. Tiempo: %2 s.
         <translation>Los números sin unidad están en la unidad indicada; también se aceptan 2.5cm, 1in, 60rpm, 360deg/s, 30deg, 5ms.</translation>
     </message>
     <message>
-        <source>errors of simulation files against the model</source>
-        <translation>errores de archivos de simulación respecto al modelo</translation>
+        <source>how far simulation files are from the model</source>
+        <translation>cuánto se apartan del modelo los archivos de simulación</translation>
     </message>
     <message>
         <source>speed and error of every method</source>
@@ -665,8 +665,8 @@ Equipo: %1. Tiempo: %2 s.
         <translation>lee todos los ajustes de una escena guardada por la ventana; las opciones prevalecen</translation>
     </message>
     <message>
-        <source>read the files as parts of one motion; columns are numbered on from file to file</source>
-        <translation>lee los archivos como partes de un solo movimiento; las columnas se numeran de corrido</translation>
+        <source>read the files as parts of one motion; column numbers continue from file to file</source>
+        <translation>lee los archivos como partes de un solo movimiento; los números de columna continúan de un archivo a otro</translation>
     </message>
     <message>
         <source>CSV file of a simulation; may be repeated for several files of one motion</source>
@@ -697,8 +697,8 @@ Equipo: %1. Tiempo: %2 s.
         <translation>--%1 debe ser un número entero, y no «%2».</translation>
     </message>
     <message>
-        <source>--at chooses the time already: remove %1.</source>
-        <translation>--at ya elige el instante: quite %1.</translation>
+        <source>--at already sets the time: remove %1.</source>
+        <translation>--at ya fija el instante: quite %1.</translation>
     </message>
     <message>
         <source>%1 --help describes the options.</source>
@@ -737,8 +737,8 @@ Equipo: %1. Tiempo: %2 s.
         <translation>Como opciones: %1</translation>
     </message>
     <message>
-        <source>%1 belongs to --vary: remove it.</source>
-        <translation>%1 pertenece a --vary: quítelo.</translation>
+        <source>%1 applies to --vary only: remove it.</source>
+        <translation>%1 solo se aplica a --vary: quítelo.</translation>
     </message>
     <message>
         <source>--column gives &quot;%1&quot; two meanings: keep one of them.</source>
@@ -777,8 +777,8 @@ Equipo: %1. Tiempo: %2 s.
         <translation>el instante que se dibuja, marcado en las gráficas (--start)</translation>
     </message>
     <message>
-        <source>find the mechanism with this stroke, this time ratio (1) and at least this minimum transmission angle: stroke=80,time-ratio=1.2,transmission-angle=40; of several, the one with the largest is chosen</source>
-        <translation>busca el mecanismo con esta carrera, esta relación de tiempos (1) y al menos este ángulo de transmisión mínimo: stroke=80,time-ratio=1.2,transmission-angle=40; de varios, se elige el que tiene el mayor</translation>
+        <source>find the mechanism with this stroke, this time ratio (1) and at least this minimum transmission angle: stroke=80,time-ratio=1.2,transmission-angle=40; of several, the one with the largest angle is chosen</source>
+        <translation>busca el mecanismo con esta carrera, esta relación de tiempos (1) y al menos este ángulo de transmisión mínimo: stroke=80,time-ratio=1.2,transmission-angle=40; de varios, se elige el que tiene el mayor ángulo</translation>
     </message>
     <message>
         <source>write to this file instead of standard output (-)</source>

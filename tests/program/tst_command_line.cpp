@@ -92,7 +92,7 @@ private slots:
             {"limits --design stroke=0", "--design stroke must be from"},
             {"limits --design time-ratio=2", "stroke=80"},
             {"limits --design stroke=80 --b 3", "remove --b"},
-            {"limits --count 3", "belongs to --vary"},
+            {"limits --count 3", "applies to --vary only"},
             {"compare", "needs a file"},
             {"compare - -", "only once"},
             {"solve --b 60 --b 61", "more than once"},
