@@ -13,6 +13,7 @@
 #include <QFileInfo>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace slidercrank
@@ -49,10 +50,8 @@ double parseParameter(const char *option, const QString &text, Parameter paramet
     if (parameter == Parameter::Theta20 && !withoutUnit.fault && withoutUnit.value != 0.0) { // degrees or radians?
         throw UsageError{CommandLine::tr("--%1 %2: add a unit, %2deg or %2rad.").arg(option, text)};
     }
-    const Unit unit = parameter == Parameter::Omega2    ? kRadianPerSecond
-                      : parameter == Parameter::Theta20 ? kRadian
-                                                        : kMillimetre;
-    return parseNumber(option, text, unit, isLink ? kShortestLink : -kLargestParameter);
+    constexpr std::array kUnits{kMillimetre, kMillimetre, kMillimetre, kRadianPerSecond, kRadian}; // by Parameter
+    return parseNumber(option, text, kUnits[indexOf(parameter)], isLink ? kShortestLink : -kLargestParameter);
 }
 
 QStringList channelNames()

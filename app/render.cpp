@@ -33,7 +33,7 @@ enum class Subject { Figure, Mechanism, Report, Frames, Plot };
 
 struct RenderRequest {
     Subject subject = Subject::Figure;
-    QString plot;        ///< for Subject::Plot: the name of a channel, or error_position, error_velocity …
+    QString plot;        ///< for Subject::Plot: its name in PlotGrid; empty: all plots
     Scene scene;         ///< the settings and the time that is drawn
     Animation animation; ///< for Subject::Frames; its size is that of every picture
     Theme theme = Theme::Light;
@@ -51,7 +51,7 @@ void readSubject(const OptionReader &options, RenderRequest &request)
     names += {"error_position", "error_velocity", "error_acceleration"};
     const qsizetype index = options.has("what") ? indexAmong(names, options.text("what"), "what") : 0;
     request.subject = static_cast<Subject>(std::min(index, firstPlot));
-    request.plot = names[index];
+    request.plot = index < firstPlot ? QString() : "plot_" + names[index];
     constexpr std::array kSizes{QSize(1400, 1800), QSize(900, 700), QSize(), QSize(900, 700),
                                 QSize(900, 600)}; // by Subject
     request.animation.size.size = kSizes[static_cast<std::size_t>(request.subject)];
@@ -179,18 +179,15 @@ std::optional<QString> draw(const RenderRequest &request, const std::shared_ptr<
         drawFrame(painter, size, scene.time);
     };
     const FigureDrawing drawFigure = [&](QPainter &painter, const QSize &size) {
-        plots.paintFigure(painter, {}, size, palette);
+        plots.paintFigure(painter, request.plot, size, palette);
     };
     const auto write = [&](const FigureDrawing &drawing) {
         return exportFigure(request.output, request.animation.size, CommandLine::tr("Motion of an offset slider-crank"),
                             drawing);
     };
     switch (request.subject) {
-    case Subject::Figure: return write(drawFigure);
-    case Subject::Plot:
-        return write([&](QPainter &painter, const QSize &size) {
-            plots.paintFigure(painter, "plot_" + request.plot, size, palette);
-        });
+    case Subject::Figure:
+    case Subject::Plot: return write(drawFigure);
     case Subject::Mechanism: return write(withParameters(drawMechanism, result->mechanism, palette));
     case Subject::Frames:
         return exportAnimation(request.output, request.animation, drawFrame, [](int) { return true; });

@@ -45,13 +45,14 @@ void requireFile(const QString &argument)
             CommandLine::tr("The window does not read standard input: save it in a file, or use a command, "
                             "such as compare, which reads it.")};
     }
-    if (!QFileInfo::exists(argument) && argument.contains('.')) {
+    if (QFileInfo::exists(argument)) {
+        return;
+    }
+    if (argument.contains('.')) {
         throw UsageError{CommandLine::tr("There is no file %1.").arg(name), ExitStatus::FileError};
     }
-    if (!QFileInfo::exists(argument)) {
-        throw UsageError{CommandLine::tr("There is no file \"%1\". A command must come first: choose one of %2.")
-                             .arg(name, commandNames().join(", "))};
-    }
+    throw UsageError{CommandLine::tr("There is no file \"%1\". A command must come first: choose one of %2.")
+                         .arg(name, commandNames().join(", "))};
 }
 
 } // namespace
