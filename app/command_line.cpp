@@ -60,7 +60,7 @@ ExitStatus moreSevere(ExitStatus x, ExitStatus y)
 
 void Streams::report(const QString &message) const
 {
-    error.write(message.toUtf8() + '\n');
+    error.write(message.toUtf8().replace('\n', ' ') + '\n'); // an argument that it quotes may contain line breaks
 }
 
 Platform platformFor(const QString &firstArgument)

@@ -67,6 +67,7 @@ private slots:
             {"solve --c 2e12", "--c must be from -1e12 to 1e12"},
             {"solve --theta20 30", "--theta20 30: add a unit, 30deg or 30rad."},
             {"solve --branch up", "--branch must be open or crossed"},
+            {"solve --branch \"up\ndown\"", "not \"up down\""},
             {"solve --steps 1.5", "--steps must be a whole number"},
             {"solve --steps 100000001", "--steps must be from 1 to"},
             {"solve --duration 0", "--duration must be from"},
