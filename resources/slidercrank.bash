@@ -12,7 +12,7 @@ _slidercrank() {
     COMPREPLY=()
     [[ $previous == -o ]] && previous=--output
     if [[ $previous == --* ]]; then
-        line=$(grep -m 1 -E -- "^  $previous[ ,]" <<<"$help")
+        line=$(grep -m 1 -E -- "^  ${previous}[ ,]" <<<"$help")
         choices=${line#"  $previous"}
         choices=${choices#, -?}
         choices=${choices# }

@@ -64,8 +64,7 @@ private slots:
                   "45 mm."},
               Row{{20, 4, 25},
                   "The mechanism cannot be assembled: b = 4 mm < |c| − a = 5 mm. The crank makes full turns if b ≥ a + "
-                  "|c| = 45 "
-                  "mm."},
+                  "|c| = 45 mm."},
               Row{{20, 45, 25}, "The crank can make full turns: b = 45 mm ≥ a + |c| = 45 mm. " + jump},
               Row{{20, 45, -25}, "The crank can make full turns: b = 45 mm ≥ a + |c| = 45 mm. " + jump},
               Row{{20, 20, 0}, "The crank can make full turns: b = 20 mm ≥ a + |c| = 20 mm. " + jump},
