@@ -1584,28 +1584,12 @@ difiere: lo demás</translation>
         <translation>límite</translation>
     </message>
     <message>
-        <source>Where slider and crank reverse, and the stroke times</source>
-        <translation>Dónde se invierten la corredera y la manivela, y los tiempos de las carreras</translation>
+        <source>Where slider and crank reverse, the stroke times, and the largest velocities and accelerations over a whole revolution of the crank, whatever part of it is simulated</source>
+        <translation>Dónde se invierten la corredera y la manivela, los tiempos de las carreras, y las mayores velocidades y aceleraciones en una vuelta completa de la manivela, sea cual sea la parte simulada</translation>
     </message>
     <message>
-        <source>Positions are those of the slider, Rₓ⁴, measured from O₂</source>
-        <translation>Las posiciones son las de la corredera, Rₓ⁴, medidas desde O₂</translation>
-    </message>
-    <message>
-        <source>Peak velocities and accelerations</source>
-        <translation>Velocidades y aceleraciones máximas</translation>
-    </message>
-    <message>
-        <source>peak value per revolution</source>
-        <translation>valor máximo por vuelta</translation>
-    </message>
-    <message>
-        <source>Largest velocities and accelerations over a whole revolution of the crank, whatever part of it is simulated</source>
-        <translation>Las mayores velocidades y aceleraciones en una vuelta completa de la manivela, sea cual sea la parte simulada</translation>
-    </message>
-    <message>
-        <source>With its sign: x to the right, angles counter-clockwise</source>
-        <translation>Con su signo: x hacia la derecha, ángulos en sentido antihorario</translation>
+        <source>Positions are those of the slider, Rₓ⁴, measured from O₂; x points to the right, angles are counter-clockwise</source>
+        <translation>Las posiciones son las de la corredera, Rₓ⁴, medidas desde O₂; x hacia la derecha, ángulos en sentido antihorario</translation>
     </message>
 </context>
 <context>
@@ -2251,6 +2235,11 @@ difiere: lo demás</translation>
     <message>
         <source>The mechanism cannot be assembled: b = %1 &lt; |c| − a = %2. The crank makes full turns if b ≥ a + |c| = %3.</source>
         <translation>El mecanismo no se puede ensamblar: b = %1 &lt; |c| − a = %2. La manivela da vueltas completas si b ≥ a + |c| = %3.</translation>
+    </message>
+    <message>
+        <source>peak %1</source>
+        <comment>of a velocity or an acceleration</comment>
+        <translation>pico de %1</translation>
     </message>
 </context>
 <context>

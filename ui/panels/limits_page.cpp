@@ -19,14 +19,6 @@ struct LimitsPage {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::LimitsPage)
 };
 
-std::vector<TableColumn> columnsWith(const QString &first, const QString &explanation, const QString &valueExplanation)
-{
-    return {{first, explanation, "limit", false},
-            {LimitsPage::tr("value"), valueExplanation, "value"},
-            {LimitsPage::tr("θ₂ [°]"), LimitsPage::tr("Crank angle, 0 to 360°"), "theta2 [°]"},
-            {LimitsPage::tr("t [s]"), LimitsPage::tr("First time at which the crank is there"), "time [s]"}};
-}
-
 std::vector<TableRow> rowsOf(const std::vector<MotionFact> &facts)
 {
     std::vector<TableRow> rows;
@@ -57,21 +49,23 @@ std::vector<TableRow> rowsOf(const std::vector<MotionFact> &facts)
 Page limitsPage(const Result &result)
 {
     const Mechanism &mechanism = result.mechanism;
-    const std::vector<MotionFact> facts = motionFacts(mechanism, result.limits, result.sampling);
-    const auto peaks = std::ranges::find_if(facts, [](const auto &fact) { return fact.key.starts_with("peak"); });
     Page page;
     page.sentence = mobilitySentence(mechanism, result.limits);
     page.tables = {
-        {"positionTable", LimitsPage::tr("Limits of the motion"),
-         columnsWith(LimitsPage::tr("limit"), LimitsPage::tr("Where slider and crank reverse, and the stroke times"),
-                     LimitsPage::tr("Positions are those of the slider, Rₓ⁴, measured from O₂")),
-         rowsOf({facts.begin(), peaks})},
-        {"peakTable", LimitsPage::tr("Peak velocities and accelerations"),
-         columnsWith(LimitsPage::tr("peak value per revolution"),
-                     LimitsPage::tr("Largest velocities and accelerations over a whole revolution of the crank, "
-                                    "whatever part of it is simulated"),
-                     LimitsPage::tr("With its sign: x to the right, angles counter-clockwise")),
-         rowsOf({peaks, facts.end()})}};
+        {"limitTable",
+         LimitsPage::tr("Limits of the motion"),
+         {{LimitsPage::tr("limit"),
+           LimitsPage::tr(
+               "Where slider and crank reverse, the stroke times, and the largest velocities and accelerations "
+               "over a whole revolution of the crank, whatever part of it is simulated"),
+           "limit", false},
+          {LimitsPage::tr("value"),
+           LimitsPage::tr("Positions are those of the slider, Rₓ⁴, measured from O₂; x points to the right, angles are "
+                          "counter-clockwise"),
+           "value"},
+          {LimitsPage::tr("θ₂ [°]"), LimitsPage::tr("Crank angle, 0 to 360°"), "theta2 [°]"},
+          {LimitsPage::tr("t [s]"), LimitsPage::tr("First time at which the crank is there"), "time [s]"}},
+         rowsOf(motionFacts(mechanism, result.limits, result.sampling))}};
     return page;
 }
 

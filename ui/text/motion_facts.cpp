@@ -115,7 +115,7 @@ void addPeaks(std::vector<MotionFact> &facts, const Mechanism &mechanism)
     for (std::size_t i = 0; i < peaks.size(); ++i) {
         const Peak &peak = peaks[i];
         MotionFact fact = makeFact(kFirstPeak + i, toFileUnit(peak.channel, peak.magnitude));
-        fact.name = quantityName(peak.channel);
+        fact.name = MotionFacts::tr("peak %1", "of a velocity or an acceleration").arg(quantityName(peak.channel));
         fact.explanation =
             std::isinf(peak.magnitude)
                 ? MotionFacts::tr("Unbounded where the coupler is perpendicular to the slider's line")

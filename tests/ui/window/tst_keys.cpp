@@ -109,7 +109,7 @@ private slots:
     /// A former defect: Home set b to 1 mm after its slider had been dragged.
     void homeAndEndMoveTheTimeUnlessATextIsEdited()
     {
-        for (const char *name : {"slider_b", "timeSlider", "positionTable", "unit_theta20", "playButton", "tabBar"}) {
+        for (const char *name : {"slider_b", "timeSlider", "limitTable", "unit_theta20", "playButton", "tabBar"}) {
             part(name)->setFocus();
             press(Qt::Key_End);
             QCOMPARE(session().time(), 1.0);
@@ -282,7 +282,7 @@ private slots:
         for (const Row &row :
              {Row{1, "errorTable", "channel,verdict,max_error,percent_of_peak,max_error_at [s]",
                   "\"R4_x_diff [mm/s]\",differs,9.46935096"},
-              Row{0, "peakTable", "limit,value,theta2 [°],time [s]", "\"slider acceleration [mm/s²]\",-1109.55770"}}) {
+              Row{0, "limitTable", "limit,value,theta2 [°],time [s]", "\"inner dead centre [mm]\",37.4165738"}}) {
             showTab(row.tab);
             auto *table = part<QTableView>(row.table);
             table->setFocus();
