@@ -30,7 +30,6 @@ const QString kTheme = "theme";
 const QString kWindow = "layout/window";
 const QString kFolded = "layout/folded";
 const QString kSplitterState = "layout/";
-const QString kTab = "view/tab";
 const QString kSpeed = "view/speed";
 const QString kChoice = "view/";
 
@@ -82,7 +81,6 @@ void saveLayout(const QMainWindow &window)
     QSettings settings;
     const FoldingTabs &tabs = tabsIn(window);
     settings.setValue(kWindow, window.saveGeometry());
-    settings.setValue(kTab, tabs.currentIndex());
     settings.setValue(kSpeed, window.findChild<Timeline *>()->speed());
     settings.setValue(kFolded, tabs.isFolded());
     for (const auto *splitter : window.findChildren<QSplitter *>()) {
@@ -103,7 +101,6 @@ void restoreLayout(QMainWindow &window)
     const QSettings settings;
     FoldingTabs &tabs = tabsIn(window);
     window.restoreGeometry(settings.value(kWindow).toByteArray());
-    tabs.setCurrentIndex(settings.value(kTab).toInt());
     window.findChild<Timeline *>()->setSpeed(settings.value(kSpeed, 1.0).toDouble());
     for (auto *splitter : window.findChildren<QSplitter *>()) {
         splitter->restoreState(settings.value(kSplitterState + splitter->objectName()).toByteArray());
