@@ -67,7 +67,8 @@ void Presentation::setOn(bool on)
     m_views.columns->setSizes(on ? QList<int>{400, 600} : m_widths); // the proportion of the widths
     // The maximized state remains set: a Wayland compositor may end a program that changes both states at once.
     m_window->setWindowState(m_window->windowState().setFlag(Qt::WindowFullScreen, on));
-    if (const QWidget *focus = m_window->focusWidget(); !focus || !focus->isVisible()) {
+    // The hidden menu bar, which keeps the focus after its menus are left by a key, would take Escape.
+    if (const QWidget *focus = m_window->focusWidget(); !focus || !focus->isVisible() || focus == m_window->menuBar()) {
         m_views.mechanism->setFocus();
     }
     emit changed(on);

@@ -375,6 +375,10 @@ private slots:
         settle(*m_window);
         QCOMPARE(picture("errorPanel"), errors);
 
+        m_window->menuBar()->setFocus(); // as after a menu that was left by a key
+        press(Qt::Key_F11);
+        press(Qt::Key_Escape);
+        QVERIFY(!m_window->isFullScreen());
         m_window->setWindowState(Qt::WindowMaximized);
         for (const bool isOn : {true, false}) {
             press(Qt::Key_F11);
