@@ -62,8 +62,6 @@ void Presentation::setOn(bool on)
     m_window->centralWidget()->setFont(on ? largeFont(*m_window) : QFont());
     m_views.tabs->setFolded(false); // sets the height for the font, and so does folding
     m_views.tabs->setFolded(on || m_wasFolded);
-    m_views.columns->setStretchFactor(0, on ? 2 : 0);
-    m_views.columns->setStretchFactor(1, on ? 3 : 1);
     m_views.columns->setSizes(on ? QList<int>{400, 600} : m_widths); // the proportion of the widths
     // The maximized state remains set: a Wayland compositor may end a program that changes both states at once.
     m_window->setWindowState(m_window->windowState().setFlag(Qt::WindowFullScreen, on));

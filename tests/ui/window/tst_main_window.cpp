@@ -370,6 +370,12 @@ private slots:
         press(Qt::Key_Escape);
         settle(*m_window);
         AWAIT_COMPARE(state(), usual);
+        const double share = usual[0].toDouble() / m_window->width();
+        m_window->resize(1000, 850); // a former defect: afterwards, only the plots became narrower
+        settle(*m_window);
+        QVERIFY(std::abs(part<QSplitter>("columns")->sizes().first() / 1000.0 - share) < 0.02);
+        m_window->resize(1250, 850);
+        settle(*m_window);
         QVERIFY(messages()->isVisible());
         session().unpinMotions();
         settle(*m_window);
