@@ -170,6 +170,8 @@ bool NumberTable::event(QEvent *event)
     if (event->type() == QEvent::FontChange) {
         horizontalHeader()->setFont(font()); // a hidden header would keep the old font
         fitColumns(false);
+    } else if (event->type() == QEvent::PaletteChange) {
+        fillCells();
     } else if (event->type() == QEvent::Leave) {
         emit partHovered(MechanismPart::None);
     }
