@@ -2039,7 +2039,7 @@ difiere: lo demás</translation>
         <translation>&amp;Quitar los movimientos fijados</translation>
     </message>
     <message>
-        <source>Show the mo&amp;tion of the file or pinned</source>
+        <source>Show the mo&amp;tion of the file or the pinned one</source>
         <translation>Mostrar el &amp;movimiento del archivo o el fijado</translation>
     </message>
     <message>

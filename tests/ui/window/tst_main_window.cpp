@@ -219,7 +219,7 @@ private slots:
         const QImage both = picture("plot_R4_x");
         const QImage ghost = picture("mechanismView");
         for (const bool isShown : {false, true}) {
-            action("Show the motion of the file or pinned")->trigger();
+            action("Show the motion of the file or the pinned one")->trigger();
             QCOMPARE(picture("mechanismView") == ghost, isShown);
         }
         showTab(1);
