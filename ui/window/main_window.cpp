@@ -303,8 +303,10 @@ void MainWindow::openReference(const QStringList &paths)
         sorted += QFileInfo(path).absoluteFilePath(); // scenes and settings store it
     }
     sorted.sort(); // the order in which files are picked does not matter
+    connect(
+        m_session, &Session::referenceLoaded, m_views.errors,
+        [this] { m_views.tabs->setCurrentWidget(m_views.errors); }, Qt::SingleShotConnection);
     m_session->loadReference(sorted);
-    m_views.tabs->setCurrentWidget(m_views.errors);
 }
 
 void MainWindow::followReference(const std::shared_ptr<const Reference> &reference)

@@ -161,7 +161,11 @@ private slots:
     void aWrongFileIsReportedAndTheReferenceRemains()
     {
         const QTemporaryDir folder;
+        m_window->openReference(writeFile(folder, "empty.csv", ""));
+        AWAIT(said().contains("empty.csv"));
+        QCOMPARE(part<QTabBar>("tabBar")->currentIndex(), 0); // the errors would be empty
         openSample();
+        QCOMPARE(part<QTabBar>("tabBar")->currentIndex(), 1);
         drop({writeFile(folder, "bad.csv", "hello\n")});
         AWAIT(said().contains("bad.csv"));
         QCOMPARE(session().result()->comparison.size(), std::size_t(6));
