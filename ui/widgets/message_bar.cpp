@@ -6,7 +6,7 @@
 
 #include <QEvent>
 #include <QFrame>
-#include <QHBoxLayout>
+#include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QStyle>
@@ -52,11 +52,14 @@ void MessageBar::showMessage(const Message &message)
                           .pixmap(fontMetrics().height() + 2));
     auto *text = named("messageText", plainText(message.text));
     text->setForegroundRole(QPalette::ToolTipText);
-    auto *line = new QHBoxLayout(row);
-    line->setContentsMargins(8, 3, 4, 3);
-    line->addWidget(symbol);
-    line->addWidget(text, 1);
-    const auto addButton = [&](const char *name, const QString &label, const std::function<void()> &action) {
+    const bool isAbove = message.action != nullptr; // two buttons beside the text would leave it little width
+    auto *grid = new QGridLayout(row);
+    grid->setContentsMargins(8, 3, 4, 3);
+    grid->setColumnStretch(1, 1);
+    grid->addWidget(symbol, 0, 0);
+    grid->addWidget(text, 0, 1, 1, isAbove ? 3 : 1);
+    const auto addButton = [&](int column, const char *name, const QString &label,
+                               const std::function<void()> &action) {
         // The accessible name includes the message, because there may be several such buttons.
         auto *button = named(name, new QPushButton(label), label + ": " + message.text);
         button->setFocusPolicy(Qt::TabFocus); // the button disappears when clicked and must not have the focus then
@@ -66,12 +69,13 @@ void MessageBar::showMessage(const Message &message)
                 action();
             }
         });
-        line->addWidget(button);
+        grid->addWidget(button, isAbove ? 1 : 0, column);
     };
     if (message.action) {
-        addButton("messageRemedy", message.actionText, message.action);
+        addButton(2, "messageRemedy", message.actionText, message.action);
     }
-    addButton("messageDismiss", message.dismissText.isEmpty() ? tr("Dismiss") : message.dismissText, message.dismissed);
+    addButton(3, "messageDismiss", message.dismissText.isEmpty() ? tr("Dismiss") : message.dismissText,
+              message.dismissed);
     m_rows->insertWidget(0, row);
     if (message.kind == Message::Kind::Hint) {
         auto *fade = new QTimer(row);

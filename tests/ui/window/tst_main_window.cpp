@@ -164,6 +164,8 @@ private slots:
         m_window->openReference(writeFile(folder, "empty.csv", ""));
         AWAIT(said().contains("empty.csv"));
         QCOMPARE(part<QTabBar>("tabBar")->currentIndex(), 0); // the errors would be empty
+        // A former defect: the text was squeezed into many short lines beside two buttons.
+        QVERIFY(part("messageText")->height() < 5 * m_window->fontMetrics().lineSpacing());
         openSample();
         QCOMPARE(part<QTabBar>("tabBar")->currentIndex(), 1);
         drop({writeFile(folder, "bad.csv", "hello\n")});
