@@ -1663,8 +1663,8 @@ difiere: lo demás</translation>
         <translation>Coordenadas</translation>
     </message>
     <message>
-        <source>Open a scene, a reference, or the plots of one motion together</source>
-        <translation>Abrir una escena, una referencia, o las gráficas de un mismo movimiento juntas</translation>
+        <source>Open</source>
+        <translation>Abrir</translation>
     </message>
     <message>
         <source>Scenes and simulation results (*.slidercrank *.json *.csv *.txt *.tsv *.tab *.dat *.dta *.mot);;All files (*)</source>

@@ -325,7 +325,7 @@ void MainWindow::openSample()
 void MainWindow::chooseFiles()
 {
     const QStringList paths = QFileDialog::getOpenFileNames(
-        this, tr("Open a scene, a reference, or the plots of one motion together"), recentFolder(),
+        this, tr("Open"), recentFolder(),
         tr("Scenes and simulation results (*.slidercrank *.json *.csv *.txt *.tsv *.tab *.dat *.dta *.mot);;"
            "All files (*)"));
     if (!paths.isEmpty()) {

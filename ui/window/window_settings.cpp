@@ -7,6 +7,7 @@
 
 #include <QAction>
 #include <QComboBox>
+#include <QDir>
 #include <QFileInfo>
 #include <QMainWindow>
 #include <QScreen>
@@ -62,8 +63,9 @@ void rememberFiles(const QStringList &paths)
 QString recentFolder()
 {
     const QList<QStringList> files = recentFiles();
-    return files.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)
-                           : QFileInfo(files.first().first()).absolutePath();
+    const QString folder = files.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)
+                                           : QFileInfo(files.first().first()).absolutePath();
+    return QDir(folder).exists() ? folder : QDir::homePath();
 }
 
 Theme chosenTheme()

@@ -179,6 +179,8 @@ private slots:
         QVERIFY(!m_window->scene().saveTo("/no/such/folder/other.json"));
         QVERIFY(said().contains("other.json") && m_window->isWindowModified());
         QCOMPARE(m_window->scene().path(), QString());
+        rememberFiles({"/no/such/folder/deleted.csv"});
+        QCOMPARE(recentFolder(), QDir::homePath()); // the dialog would take the folder for the name of a file
     }
 
     void opensASceneWithoutItsReferenceOrWithAnother()
