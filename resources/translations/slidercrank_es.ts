@@ -1486,6 +1486,14 @@ difiere: lo demás</translation>
         <translation>Coincidencia aproximada: %1 de %2 magnitudes concuerdan dentro del redondeo del archivo; las demás, casi.</translation>
     </message>
     <message>
+        <source>No match: the mechanism cannot be assembled at any time step of the file.</source>
+        <translation>No coincide: el mecanismo no se puede ensamblar en ningún instante del archivo.</translation>
+    </message>
+    <message>
+        <source>No match: %1 of %2 quantities differ.</source>
+        <translation>No coincide: difieren %1 de %2 magnitudes.</translation>
+    </message>
+    <message>
         <source>No match: %1 of %2 quantities differ, most of all the %3, by %4 % of its peak.</source>
         <translation>No coincide: difieren %1 de %2 magnitudes; la mayor diferencia: %3, un %4 % de su máximo.</translation>
     </message>

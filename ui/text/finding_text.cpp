@@ -225,6 +225,11 @@ QString summaryText(std::span<const ChannelComparison> channels)
                    "Close match: %1 of %2 quantities agree within the rounding of the file, the others nearly.")
             .arg(count(Verdict::Agrees), all);
     }
+    if (!worst->percentOfPeak) {
+        return worst->count == 0 && worst->missingModel > 0
+                   ? FindingText::tr("No match: the mechanism cannot be assembled at any time step of the file.")
+                   : FindingText::tr("No match: %1 of %2 quantities differ.").arg(count(Verdict::Differs), all);
+    }
     return FindingText::tr("No match: %1 of %2 quantities differ, most of all the %3, by %4 % of its peak.")
         .arg(count(Verdict::Differs), all, quantityName(worst->channel), errorText(worst->percentOfPeak));
 }

@@ -139,6 +139,11 @@ private slots:
         ChannelComparison coarse = agrees; // whole millimetres: far off, and yet within its rounding
         coarse.channel = {R4x, Order::Position};
         coarse.percentOfPeak = 50.0;
+        ChannelComparison unknown = differs; // the file contains only zeros
+        unknown.percentOfPeak.reset();
+        ChannelComparison missing;
+        missing.channel = differs.channel;
+        missing.missingModel = 201;
         const QString most = ", most of all the coupler angle, by 9.83 % of its peak.";
         const std::pair<std::vector<ChannelComparison>, QString> rows[] = {
             {{agrees, agrees}, "Match: 2 of 2 quantities agree within the rounding of the file."},
@@ -146,6 +151,8 @@ private slots:
              "Close match: 1 of 2 quantities agree within the rounding of the file, the others nearly."},
             {{agrees, close, differs}, "No match: 1 of 3 quantities differ" + most},
             {{coarse, differs}, "No match: 1 of 2 quantities differ" + most},
+            {{agrees, unknown}, "No match: 1 of 2 quantities differ."},
+            {{missing, missing}, "No match: the mechanism cannot be assembled at any time step of the file."},
             {{}, "The file has no column that this program knows."},
         };
         for (const auto &[channels, text] : rows) {
