@@ -1261,8 +1261,16 @@ difiere: lo demás</translation>
         <translation>Valor eficaz: %1 %2</translation>
     </message>
     <message>
-        <source>Rows that were skipped: %1. Columns that were not used: %2. See the tab Reference.</source>
-        <translation>Filas omitidas: %1. Columnas no usadas: %2. Véase la pestaña Referencia.</translation>
+        <source>Rows that were skipped: %1.</source>
+        <translation>Filas omitidas: %1.</translation>
+    </message>
+    <message>
+        <source>Columns that were not used: %1.</source>
+        <translation>Columnas no usadas: %1.</translation>
+    </message>
+    <message>
+        <source>See the tab Reference.</source>
+        <translation>Véase la pestaña Referencia.</translation>
     </message>
 </context>
 <context>

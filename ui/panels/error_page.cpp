@@ -113,10 +113,14 @@ QString leftOutText(const ReferenceData &data)
 {
     const std::size_t rows = data.skippedCount;
     const qsizetype columns = ignoredHeadings(data.layout).size();
-    return rows == 0 && columns == 0
-               ? QString()
-               : ErrorPage::tr("Rows that were skipped: %1. Columns that were not used: %2. See the tab Reference.")
-                     .arg(QString::number(rows), QString::number(columns));
+    QStringList sentences;
+    if (rows > 0) {
+        sentences << ErrorPage::tr("Rows that were skipped: %1.").arg(rows);
+    }
+    if (columns > 0) {
+        sentences << ErrorPage::tr("Columns that were not used: %1.").arg(columns);
+    }
+    return sentences.isEmpty() ? QString() : sentences.join(u' ') + u' ' + ErrorPage::tr("See the tab Reference.");
 }
 
 Page filePage(const Result &result, const ReferenceDiagnosis *diagnosis)
