@@ -3171,12 +3171,12 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>Hallado por mínimos cuadrados ponderados; ± es un error estándar.</translation>
     </message>
     <message>
-        <source>Thin, if it differs: the mechanism as in the file.</source>
-        <translation>Fino, si difiere: el mecanismo según el archivo.</translation>
+        <source>Thin lines: the motion in the file.</source>
+        <translation>Líneas finas: el movimiento del archivo.</translation>
     </message>
     <message>
-        <source>Thin, if it differs: the pinned mechanism.</source>
-        <translation>Fino, si difiere: el mecanismo fijado.</translation>
+        <source>Thin lines: the pinned mechanism.</source>
+        <translation>Líneas finas: el mecanismo fijado.</translation>
     </message>
 </context>
 <context>

@@ -217,8 +217,8 @@ QString reportHtml(const ReportContent &content)
     const Result &result = *content.result;
     QString caption;
     if (result.isCompared()) {
-        caption = result.reference ? Report::tr("Thin, if it differs: the mechanism as in the file.")
-                                   : Report::tr("Thin, if it differs: the pinned mechanism.");
+        caption = result.reference ? Report::tr("Thin lines: the motion in the file.")
+                                   : Report::tr("Thin lines: the pinned mechanism.");
     }
     return element("h1", Report::tr("Motion of an offset slider-crank")) +
            note(Report::tr("%1, by %2 %3")
