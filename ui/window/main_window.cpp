@@ -303,16 +303,18 @@ void MainWindow::openReference(const QStringList &paths)
         sorted += QFileInfo(path).absoluteFilePath(); // scenes and settings store it
     }
     sorted.sort(); // the order in which files are picked does not matter
-    connect(
-        m_session, &Session::referenceLoaded, m_views.errors,
-        [this] { m_views.tabs->setCurrentWidget(m_views.errors); }, Qt::SingleShotConnection);
     m_session->loadReference(sorted);
 }
 
 void MainWindow::followReference(const std::shared_ptr<const Reference> &reference)
 {
     showTitle();
-    if (reference && reference->paths != QStringList(kSamplePath)) {
+    const std::shared_ptr<const Reference> &shown = m_session->result()->choices.reference;
+    if (!reference || (shown && shown->paths == reference->paths)) { // the same file is interpreted differently
+        return;
+    }
+    m_views.tabs->setCurrentWidget(m_views.errors);
+    if (reference->paths != QStringList(kSamplePath)) {
         rememberFiles(reference->paths);
     }
 }

@@ -70,6 +70,7 @@ private slots:
         openWindow();
         drop({rig});
         AWAIT(session().reference());
+        QCOMPARE(part<QTabBar>("tabBar")->currentIndex(), 1); // the errors against its reference
         QCOMPARE(sceneToJson(m_window->scene().scene(), rig), contentOf(rig));
         for (const Channel channel : kPlottedChannels) {
             QVERIFY(session().result()->trajectory[channel] == before[channel]);
