@@ -77,16 +77,14 @@ void DesignForm::createControls()
         tr("The ratio b/a with the largest minimum transmission angle, at most %1").arg(kLongestCoupler));
     m_best->setFocusPolicy(Qt::TabFocus);
 
-    auto *outcome = new QVBoxLayout;
-    for (QWidget *widget : std::initializer_list<QWidget *>{m_lengths, m_best, m_refusal}) {
-        outcome->addWidget(widget);
-    }
-    outcome->addStretch(1);
-    auto *columns = new QHBoxLayout(this);
-    columns->setContentsMargins(4, 0, 0, 0);
-    columns->setSpacing(20);
-    columns->addLayout(form);
-    columns->addLayout(outcome, 1);
+    form->addRow(QString(), m_best);
+
+    auto *rows = new QVBoxLayout(this);
+    rows->setContentsMargins(4, 0, 0, 0);
+    rows->addLayout(form);
+    rows->addWidget(m_refusal);
+    rows->addWidget(m_lengths);
+    rows->addStretch(1);
 }
 
 void DesignForm::showParameters()

@@ -264,6 +264,13 @@ private slots:
         QVERIFY(!QApplication::clipboard()->image().isNull());
     }
 
+    /// A former defect: the outcome stood beside the fields, outside a window of 1024 px.
+    void theDesignFormFitsBesideTheMechanism()
+    {
+        const ShownDesign shown;
+        QVERIFY(shown.form.minimumSizeHint().width() < 400); // px
+    }
+
     void scalesTheMechanismToAGivenStroke()
     {
         ShownDesign shown;
