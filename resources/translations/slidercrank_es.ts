@@ -2393,10 +2393,6 @@ difiere: lo demás</translation>
         <translation>Iteraciones, una fila por iteración</translation>
     </message>
     <message>
-        <source>step</source>
-        <translation>paso</translation>
-    </message>
-    <message>
         <source>0: the start</source>
         <translation>0: la estimación inicial</translation>
     </message>
@@ -2552,7 +2548,7 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     </message>
     <message>
         <source>offset</source>
-        <translation>excentr.</translation>
+        <translation>excentricidad</translation>
     </message>
     <message>
         <source>Height of the slider&apos;s line above O₂; may be negative</source>

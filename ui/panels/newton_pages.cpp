@@ -249,7 +249,7 @@ Page NewtonPages::iterations(const Result &result, double time)
                                          options)};
     PageTable table{"iterationTable",
                     tr("Iterations, a row for each"),
-                    {{tr("step"), tr("0: the start"), "step"},
+                    {{tr("iteration"), tr("0: the start"), "step"},
                      {tr("● ‖C‖"), roughStart, "residual_from_afar"},
                      {tr("● θ³ [°]"), roughStart, "theta3_from_afar"},
                      {tr("□ ‖C‖"), warmStart, "residual_from_before"},
