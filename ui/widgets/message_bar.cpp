@@ -77,6 +77,7 @@ void MessageBar::showMessage(const Message &message)
     addButton(3, "messageDismiss", message.dismissText.isEmpty() ? tr("Dismiss") : message.dismissText,
               message.dismissed);
     m_rows->insertWidget(0, row);
+    row->show(); // the layout leaves out a row that is not shown yet
     if (message.kind == Message::Kind::Hint) {
         auto *fade = new QTimer(row);
         connect(fade, &QTimer::timeout, this, [this, row] { remove(row); });

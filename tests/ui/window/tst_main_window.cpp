@@ -72,6 +72,10 @@ private slots:
         setB(-1.0); // a problem of another kind
         m_window->exports().copy(m_window->exports().plot());
         QCOMPARE(said().count('\n'), 2);
+        settle();
+        for (const QLabel *text : messages()->findChildren<QLabel *>("messageText")) {
+            QVERIFY(text->height() >= text->heightForWidth(text->width())); // a former defect: cut off
+        }
         setB(64.0);
         QVERIFY(!said().contains("at least")); // the length is valid again
         letTimePass(*part("confirmation"));    // until the hint disappears
