@@ -33,7 +33,7 @@ void StudyPanel::run()
 void StudyPanel::setResult(const std::shared_ptr<const StudyResult> &result)
 {
     m_result = result;
-    refreshNow();
+    refresh();
 }
 
 Page StudyPanel::makePage() const

@@ -105,12 +105,6 @@ void TablePanel::refresh()
     }
 }
 
-void TablePanel::refreshNow()
-{
-    m_pause.stop();
-    refresh();
-}
-
 void TablePanel::fill()
 {
     m_stale = false;

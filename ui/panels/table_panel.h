@@ -37,7 +37,6 @@ public:
 
 public slots:
     void refresh();
-    void refreshNow(); ///< without delay, for a different page
 
 signals:
     void timeRequested(double seconds);

@@ -56,7 +56,8 @@ struct ShownTable {
     void show(const Page &next)
     {
         page = next;
-        panel.refreshNow();
+        panel.refresh();
+        letTimePass(panel);
     }
     NumberTable *table(const QString &name = "table") const { return child<NumberTable>(panel, name); }
     QModelIndex index(int row) const { return table()->model()->index(row, 1); }
