@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 
 namespace slidercrank
 {
@@ -20,76 +21,35 @@ constexpr char kApostrophe = '\'';
 /// Minus signs, Fortran's exponents, and the characters that only separate thousands.
 constexpr std::string_view kNumberSpellings = "\u2212=-| ='|\u00A0='|\u2009='|\u202F='|D=e|d=e";
 
-/// Parses "e-12" or nothing. Returns false for any other text. An exponent beyond any double is limited, so that no sum
-/// overflows.
-bool parseExponent(std::string_view text, int &exponent)
+/// Parses an optional minus sign, digits with at most one point, and an optional exponent.
+CellNumber parsePlain(std::string_view text)
 {
-    constexpr int kLargest = 100'000;
-    if (text.empty()) {
-        return true;
-    }
-    const std::size_t digits = text.find_first_not_of("+-", 1);
-    for (const char c : text.substr(std::min(digits, text.size()))) {
-        if (!isDigit(c)) {
-            return false;
-        }
-        exponent = std::min(10 * exponent + (c - '0'), kLargest);
-    }
-    exponent = text.substr(1).starts_with('-') ? -exponent : exponent;
-    return digits == 1 || digits == 2;
-}
-
-/// Parses an optional minus sign, digits with at most one decimal sign, and an optional exponent. Large files consist
-/// of such numbers, so that they are parsed without a copy.
-CellNumber parsePlain(std::string_view text, char decimal)
-{
+    constexpr double kLargestExponent = 1e5; // beyond any double, so that no sum overflows
     CellNumber number;
-    int count = 0;             // of digits
-    int zeros = 0;             // leading ones
-    int last = 0;              // number of digits up to the last one that is not 0
-    std::optional<int> before; // digits before the decimal sign
-    const bool isNegative = text.starts_with('-');
-    std::size_t end = isNegative ? 1 : 0;
-    std::uint64_t digits = 0; // as a whole number
-    for (; end < text.size(); ++end) {
-        if (isDigit(text[end])) {
-            ++count;
-            digits = 10 * digits + static_cast<unsigned>(text[end] - '0');
-            last = text[end] == '0' ? last : count;
-            zeros += last == 0 ? 1 : 0;
-        } else if (text[end] == decimal && !before) {
-            before = count;
-        } else {
-            break;
-        }
+    const char *const end = text.data() + text.size();
+    double value = 0.0; // of a number that is too small
+    double exponent = 0.0;
+    std::from_chars_result parsed = std::from_chars(text.data(), end, value, std::chars_format::fixed);
+    const std::string_view digits(text.data(), parsed.ptr); // with sign and point
+    if (!digits.empty() && parsed.ptr != end) {
+        const std::string_view power = text.substr(digits.size() + 1);
+        std::from_chars(power.data() + (power.starts_with('+') ? 1 : 0), end, exponent);
+        parsed = std::from_chars(text.data(), end, value);
     }
-    const std::string_view rest = text.substr(end);
-    int exponent = 0;
-    if (count == 0 || !(rest.empty() || rest[0] == 'e' || rest[0] == 'E') || !parseExponent(rest, exponent)) {
+    if (parsed.ptr != end || parsed.ec == std::errc::invalid_argument || !std::isfinite(value)) {
         number.fault = RowFault::NotANumber;
         return number;
     }
-    const int top = exponent + before.value_or(count); // power of ten one above the first digit
-    number.places = {zeros == count, top - zeros - 1, top - last, top - count};
-    constexpr int kExactDigits = 15; // fit into a double
-    constexpr int kExactPower = 22;  // the same of a power of ten
-    const int power = number.places.printed;
-    if (count - zeros <= kExactDigits && std::abs(power) <= kExactPower) {
-        // Both factors are exact, so that the result is correctly rounded.
-        const auto whole = static_cast<double>(digits);
-        const double size = power < 0 ? whole / powerOfTen(-power) : whole * powerOfTen(power);
-        number.value = isNegative ? -size : size;
-        return number;
-    }
-    std::string pointed;
-    if (decimal != '.' && before) {
-        pointed = text;
-        std::ranges::replace(pointed, decimal, '.');
-        text = pointed;
-    }
-    double value = 0.0; // of a number that is too small
-    const std::errc fault = std::from_chars(text.data(), text.data() + text.size(), value).ec;
-    if (fault == std::errc::result_out_of_range && number.places.first > 0) {
+    const auto counts = [](char c) { return c > '0'; }; // sign and point come before the digits
+    const auto first = std::ranges::find_if(digits, counts);
+    const auto last = std::find_if(digits.rbegin(), digits.rend(), counts);
+    const auto point = static_cast<std::ptrdiff_t>(std::min(digits.find('.'), digits.size()));
+    const int top =
+        static_cast<int>(std::clamp(exponent, -kLargestExponent, kLargestExponent) + static_cast<double>(point));
+    const auto powerAt = [&](std::ptrdiff_t at) { return top - static_cast<int>(at) - (at < point ? 1 : 0); };
+    number.places = {first == digits.end(), powerAt(first - digits.begin()), powerAt(digits.rend() - last - 1),
+                     powerAt(std::ssize(digits) - 1)};
+    if (parsed.ec == std::errc::result_out_of_range && number.places.first > 0) {
         number.fault = RowFault::TooLarge;
     } else {
         number.value = value;
@@ -98,7 +58,7 @@ CellNumber parsePlain(std::string_view text, char decimal)
 }
 
 /// Returns the number without plus sign and thousands separators, or an empty text where these are ambiguous.
-std::string withoutSeparators(std::string_view text, char decimal, char separator)
+std::string withoutSeparators(std::string_view text)
 {
     std::string plain = respelled(text, kNumberSpellings);
     plain.erase(plain.find_last_not_of(kApostrophe) + 1);
@@ -108,8 +68,8 @@ std::string withoutSeparators(std::string_view text, char decimal, char separato
     if (plain.starts_with('-') || plain.starts_with('+')) {
         return {};
     }
-    const std::string whole = plain.substr(0, plain.find(decimal));
-    separator = whole.find(kApostrophe) != whole.npos ? kApostrophe : separator;
+    const std::string whole = plain.substr(0, plain.find('.'));
+    const char separator = whole.find(kApostrophe) != whole.npos ? kApostrophe : ',';
     std::string digits = whole;
     const std::size_t separators = std::erase(digits, separator);
     plain.replace(0, whole.size(), digits);
@@ -199,10 +159,13 @@ Cells splitAtBlanks(std::string_view line, std::size_t least)
 
 CellNumber parseNumber(std::string_view text, DecimalSign decimalSign)
 {
-    const bool isComma = decimalSign == DecimalSign::Comma;
-    const char decimal = isComma ? ',' : '.';
-    const char separator = isComma ? '.' : ',';
-    CellNumber number = parsePlain(text, decimal); // the only object to be returned, so that none is copied
+    std::string pointed; // with the point as decimal sign
+    if (decimalSign == DecimalSign::Comma) {
+        pointed = text;
+        std::ranges::for_each(pointed, [](char &c) { c = c == ',' ? '.' : c == '.' ? ',' : c; });
+        text = pointed;
+    }
+    CellNumber number = parsePlain(text); // the only object to be returned, so that none is copied
     if (number.fault != RowFault::NotANumber) {
         return number;
     }
@@ -210,9 +173,9 @@ CellNumber parseNumber(std::string_view text, DecimalSign decimalSign)
         number.fault.reset();
         return number;
     }
-    number = parsePlain(withoutSeparators(text, decimal, separator), decimal);
-    if (number.fault == RowFault::NotANumber && looksNumeric(text) && text.find(separator) != text.npos) {
-        number.fault = isComma ? RowFault::PointForComma : RowFault::CommaForPoint;
+    number = parsePlain(withoutSeparators(text));
+    if (number.fault == RowFault::NotANumber && looksNumeric(text) && text.find(',') != text.npos) {
+        number.fault = decimalSign == DecimalSign::Comma ? RowFault::PointForComma : RowFault::CommaForPoint;
     }
     return number;
 }
