@@ -104,19 +104,6 @@ bool merge(std::optional<Value> &all, const std::optional<Value> &value)
     return agrees;
 }
 
-/// Returns the body that a name mentions, or nullopt if it mentions none or several.
-std::optional<Body> findBody(std::string_view name)
-{
-    std::optional<Body> body;
-    for (const std::string &word : wordsOf(name)) {
-        const WordMeaning *const known = find(word);
-        if (known && !merge(body, known->body)) {
-            return std::nullopt;
-        }
-    }
-    return body;
-}
-
 /// Returns the channel whose name has the same letters and digits, regardless of punctuation. "dot" is a derivative.
 std::optional<Channel> channelSpelled(const Words &words)
 {
@@ -141,41 +128,48 @@ bool isTime(const Words &words)
     return std::ranges::count_if(words, isNamed) == 1 && std::ranges::all_of(words, suits);
 }
 
-/// A name that a program composes of a quantity and the joint or body to which it belongs:
+/// The words of a name, which some programs compose of a quantity and the joint or body to which it belongs:
 ///
 ///     P[3.1]   V[3,1]                    Inventor's Output Grapher
 ///     slider.s   crank.phi               Modelica's library
 ///     Pos_TX@Slider   Y:Pos_TX-Slider    RecurDyn
-struct CompoundName {
-    Words words{};
+struct SplitName {
+    Words words{}; ///< with those of the owner that name a body
     std::string owner{};
     ColumnReason reason = ColumnReason::UnknownName; ///< that a name of this program implies
 };
 
-std::optional<CompoundName> splitCompound(std::string_view name)
+SplitName splitName(std::string_view name)
 {
-    if (name.size() >= 4 && isAmong(name.substr(0, 1), "P V A") && name[1] == '[' && name.ends_with(']')) {
-        return CompoundName{{std::string(name.substr(0, 1))},
-                            std::string(name.substr(2, name.size() - 3)),
-                            ColumnReason::AngleOrLength};
-    }
+    SplitName split;
     const std::size_t prefix = name.starts_with("Y:") ? 2 : 0;
-    if (const std::size_t end = name.find(prefix > 0 ? '-' : '@'); end != name.npos) {
-        return CompoundName{wordsOf(name.substr(prefix, end - prefix)), std::string(name.substr(end + 1))};
+    const std::size_t sign = name.find(prefix > 0 ? '-' : '@');
+    const std::size_t dot = std::min(name.rfind('.'), name.size());
+    if (name.size() >= 4 && isAmong(name.substr(0, 1), "P V A") && name[1] == '[' && name.ends_with(']')) {
+        split = {{std::string(name.substr(0, 1))},
+                 std::string(name.substr(2, name.size() - 3)),
+                 ColumnReason::AngleOrLength};
+    } else if (sign != name.npos) {
+        split = {wordsOf(name.substr(prefix, sign - prefix)), std::string(name.substr(sign + 1))};
+    } else if (dot > 0 && isLetter(name[0]) && name.find_first_of(" ,;:(") == name.npos && find(name.substr(dot)) &&
+               !isTime(wordsOf(name.substr(0, dot)))) { // "time.s" is the time in seconds
+        split = {{std::string(name.substr(dot))}, std::string(name.substr(0, dot)), ColumnReason::ModelicaName};
+    } else {
+        split.words = wordsOf(name);
     }
-    const std::size_t dot = name.rfind('.');
-    const bool isPath = dot != name.npos && dot > 0 && isLetter(name[0]) && name.find_first_of(" ,;:(") == name.npos;
-    if (!isPath || !find(name.substr(dot)) || isTime(wordsOf(name.substr(0, dot)))) { // "time.s" is the time in seconds
-        return std::nullopt;
+    for (const std::string &word : wordsOf(split.owner.substr(split.owner.rfind('.') + 1))) {
+        if (const WordMeaning *const known = find(word); known && known->body) {
+            split.words.push_back(word);
+        }
     }
-    return CompoundName{{std::string(name.substr(dot))}, std::string(name.substr(0, dot)), ColumnReason::ModelicaName};
+    return split;
 }
 
 /// Returns what several words mean together, or nullopt if one of them is unknown or they contradict each other:
 /// "rotation about x", "linear velocity of the crank".
-std::optional<WordMeaning> combine(const Words &words, std::optional<Body> body)
+std::optional<WordMeaning> combine(const Words &words)
 {
-    WordMeaning all{.body = body};
+    WordMeaning all;
     std::optional<Body> link; // by its number after θ, ω or α
     bool isGreek = false;
     for (const std::string &word : words) {
@@ -204,10 +198,9 @@ std::optional<WordMeaning> combine(const Words &words, std::optional<Body> body)
 }
 
 /// Returns the channel or quantity of a name, given the unit if it is known; nullopt if it has none.
-std::optional<NameMeaning> meaningOfWords(const CompoundName &name, const std::string &unitText)
+std::optional<NameMeaning> meaningOfWords(const SplitName &name, const std::string &unitText)
 {
-    const std::string_view owner = name.owner;
-    const std::optional<WordMeaning> all = combine(name.words, findBody(owner.substr(owner.rfind('.') + 1)));
+    const std::optional<WordMeaning> all = combine(name.words);
     if (!all) {
         return std::nullopt;
     }
@@ -219,7 +212,7 @@ std::optional<NameMeaning> meaningOfWords(const CompoundName &name, const std::s
     if (!order || (all->body == Body::Coupler && !isAngle)) {
         return std::nullopt;
     }
-    if (name.reason == ColumnReason::AngleOrLength && !all->body && !all->dimension && !unit) {
+    if (name.reason == ColumnReason::AngleOrLength && !all->dimension && !unit) {
         return NameMeaning{.reason = unitText.empty() ? name.reason : ColumnReason::UnknownUnit};
     }
     const Coordinate coordinate = all->body == Body::Crank ? Theta2 : isAngle ? Theta3 : all->axis == 'y' ? R4y : R4x;
@@ -248,8 +241,7 @@ Heading parseHeading(std::string_view cell)
         heading.name = "time";
         return heading;
     }
-    const std::optional<CompoundName> compound = splitCompound(name);
-    if (compound && compound->reason == ColumnReason::ModelicaName) {
+    if (splitName(name).reason == ColumnReason::ModelicaName) {
         return heading;
     }
     const bool hasBrackets = name.ends_with(']') || name.ends_with(')');
@@ -275,12 +267,8 @@ Heading parseHeading(std::string_view cell)
 NameMeaning meaningOf(const Heading &heading)
 {
     const std::string &unit = heading.use.unit;
-    if (const std::optional<CompoundName> compound = splitCompound(heading.name)) {
-        if (const auto meaning = meaningOfWords(*compound, unit)) {
-            return *meaning;
-        }
-    }
-    Words words = wordsOf(heading.name);
+    SplitName name = splitName(heading.name);
+    Words &words = name.words;
     if (words.size() == 2 && isAmong(words[0], "v a") && isAmong(words[1], "x y")) {
         words = {words[0] + words[1]}; // "v_x", "v_{x}"
     }
@@ -294,8 +282,9 @@ NameMeaning meaningOf(const Heading &heading)
     if (const std::optional<Channel> channel = channelSpelled(words)) {
         return {Kind::ChannelName, *channel, ColumnReason::KnownName};
     }
-    const ColumnReason unknown = endsInQuantity(words) ? ColumnReason::UnknownBody : ColumnReason::UnknownName;
-    return meaningOfWords({std::move(words)}, unit).value_or(NameMeaning{.reason = unknown});
+    const ColumnReason unknown =
+        endsInQuantity(wordsOf(heading.name)) ? ColumnReason::UnknownBody : ColumnReason::UnknownName;
+    return meaningOfWords(name, unit).value_or(NameMeaning{.reason = unknown});
 }
 
 void interpretHeadings(std::vector<Heading> &row, const std::string &unitOfLengths, const std::string &unitOfAngles)
