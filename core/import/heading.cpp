@@ -18,7 +18,8 @@ using Kind = NameMeaning::Kind;
 
 /// Letters outside ASCII, and their plain spelling.
 constexpr std::string_view kLetterSpellings =
-    "á=a|é=e|í=i|ó=o|ú=u|ü=u|ñ=n|Á=A|É=E|Í=I|Ó=O|Ú=U|Ü=U|Ñ=N|\u0301=|\u0303=|θ=theta|ϑ=theta|Θ=theta|ω=omega|α=alpha|"
+    "á=a|à=a|â=a|ã=a|ä=a|ç=c|é=e|è=e|ê=e|í=i|ì=i|ó=o|ò=o|ô=o|õ=o|ö=o|ú=u|ù=u|ü=u|ñ=n|Á=A|Â=A|Ä=A|É=E|Í=I|Ó=O|Ö=O|Ú=U|"
+    "Ü=U|Ñ=N|\u0300=|\u0301=|\u0303=|\u0308=|θ=theta|ϑ=theta|Θ=theta|φ=phi|ϕ=phi|ψ=psi|ω=omega|α=alpha|"
     "²=2|³=3|⁴=4|₂=2|₃=3|₄=4|°=";
 
 /// Also true for the bytes of other letters outside ASCII, which no known word contains.
@@ -44,8 +45,9 @@ Words wordsOf(std::string_view name)
     return words;
 }
 
-constexpr std::string_view kTimeWords = "time times t tiempo timestamp zeit temps tempo instante";
-constexpr std::string_view kTimeCompanions = "elapsed row sim simulation simulacion transcurrido de la stamp latest";
+constexpr std::string_view kTimeWords = "time times t tiempo timestamp zeit temps tempo instante millis micros";
+constexpr std::string_view kTimeCompanions =
+    "elapsed row sim simulation simulacion transcurrido de la stamp latest since start relative";
 constexpr std::string_view kRowNumbers =
     "n no nr num index row id fila frame paso step sample point node nodo element elemento";
 constexpr std::string_view kCountedUnits = "steps step frames frame samples sample rows points pasos muestras";
@@ -62,30 +64,36 @@ struct WordMeaning {
 
 /// Words with a dot are variables of Modelica, capital letters those of Inventor.
 constexpr std::nullopt_t kOpen = std::nullopt;
-constexpr std::array<WordMeaning, 22> kVocabulary{{
-    {"position posicion pos displacement disp desplazamiento weg P", Order::Position},
-    {"coordinate coordenada stroke carrera .s", Order::Position, Dimension::Length},
-    {"velocity velocidad speed vel v geschwindigkeit V", Order::Velocity},
-    {"acceleration aceleracion accel acel acc a beschleunigung A .a", Order::Acceleration},
+constexpr std::array<WordMeaning, 23> kVocabulary{{
+    {"position posicion posizione posicao lage pos displacement disp desplazamiento deplacement spostamento "
+     "deslocamento "
+     "verschiebung weg P",
+     Order::Position},
+    {"coordinate coordenada distance distancia abstand stroke carrera hub .s", Order::Position, Dimension::Length},
+    {"velocity velocidad velocita velocidade vitesse speed vel v geschwindigkeit V", Order::Velocity},
+    {"acceleration aceleracion accelerazione aceleracao accelerometer accel acel acc a beschleunigung A .a",
+     Order::Acceleration},
     {"x tx", kOpen, Dimension::Length, 'x'},
     {"y ty", kOpen, Dimension::Length, 'y'},
     {"vx", Order::Velocity, Dimension::Length, 'x'},
     {"vy", Order::Velocity, Dimension::Length, 'y'},
     {"ax", Order::Acceleration, Dimension::Length, 'x'},
     {"ay", Order::Acceleration, Dimension::Length, 'y'},
-    {"angle angulo rotation rotacion giro orientation theta tita winkel .phi", Order::Position, Dimension::Angle},
+    {"angle angulo angolo rotation rotacion rotazione giro orientation theta tita phi winkel .phi", Order::Position,
+     Dimension::Angle},
     {"omega w .w", Order::Velocity, Dimension::Angle},
     {"alpha alfa", Order::Acceleration, Dimension::Angle},
     {".v", Order::Velocity, Dimension::Length},
-    {"ang angular rotational rz psi", kOpen, Dimension::Angle},
-    {"linear lineal", kOpen, Dimension::Length},
-    {"crank manivela kurbel", kOpen, Dimension::Angle, ' ', Body::Crank},
-    {"ca cad kurbelwinkel", Order::Position, Dimension::Angle, ' ', Body::Crank},
-    {"coupler rod conrod connecting biela acoplador pleuel", kOpen, kOpen, ' ', Body::Coupler},
+    {"ang angular angulaire angolare rotational rz psi", kOpen, Dimension::Angle},
+    {"linear lineal lineaire lineare", kOpen, Dimension::Length},
+    {"crank input manivela manivelle manovella kurbel", kOpen, Dimension::Angle, ' ', Body::Crank},
+    {"ca cad kurbelwinkel drehwinkel", Order::Position, Dimension::Angle, ' ', Body::Crank},
+    {"coupler rod conrod connecting biela bielle biella acoplador pleuel", kOpen, kOpen, ' ', Body::Coupler},
     {"pleuelwinkel", Order::Position, Dimension::Angle, ' ', Body::Coupler},
-    {"slider piston corredera deslizadera deslizador deslizante embolo block bloque", kOpen, Dimension::Length, ' ',
-     Body::Slider},
-    {"de del la el of the en component componente comp trans translational latest"},
+    {"slider piston pistone pistao corredera deslizadera deslizador deslizante embolo block bloque kolben schieber",
+     kOpen, Dimension::Length, ' ', Body::Slider},
+    {"kolbenweg kolbenposition kolbenhub schieberweg", Order::Position, Dimension::Length, ' ', Body::Slider},
+    {"de del la el da do du of the en component componente comp trans translational latest"},
 }};
 
 const WordMeaning *find(std::string_view word)
@@ -125,7 +133,7 @@ bool isTime(const Words &words)
 {
     const auto isNamed = [](const std::string &word) { return isAmong(word, kTimeWords); };
     const auto suits = [&](const std::string &word) { return isNamed(word) || isAmong(word, kTimeCompanions); };
-    return std::ranges::count_if(words, isNamed) == 1 && std::ranges::all_of(words, suits);
+    return std::ranges::any_of(words, isNamed) && std::ranges::all_of(words, suits);
 }
 
 /// The words of a name, which some programs compose of a quantity and the joint or body to which it belongs:
@@ -237,6 +245,7 @@ Heading parseHeading(std::string_view cell)
     Heading heading{.use = {.heading = respelled(cell, "\"\"=\"")}};
     const std::string_view name = heading.use.heading;
     heading.name = name;
+    heading.use.unit = isAmong(lowered(name), "millis micros") ? name : ""; // functions of Arduino
     if (name.starts_with("X:")) { // RecurDyn writes pairs "X:Pos_TX-Slider(mm)" of time stamps, "Y:…" of values
         heading.name = "time";
         return heading;
@@ -251,8 +260,8 @@ Heading parseHeading(std::string_view cell)
             continue;
         }
         const std::string_view unit = trimmed(name.substr(at + 1, name.size() - at - (hasBrackets ? 2 : 1)));
-        const bool isIndex = separator == '[' && looksNumeric(unit);      // "P[3.1]"
-        const bool isKnown = !isAmong(unit, "in min") && parseUnit(unit); // these are also words
+        const bool isIndex = separator == '[' && looksNumeric(unit);            // "P[3.1]"
+        const bool isKnown = !isAmong(unit, "in min h r u") && parseUnit(unit); // these are also words
         if (hasBrackets ? !isIndex : isKnown) {
             std::string_view rest = trimmed(name.substr(0, at));
             rest.remove_suffix(rest.ends_with(" in") ? 3 : 0); // "Time in s"

@@ -17,23 +17,33 @@ struct NamedUnit {
     Unit unit;
 };
 
-constexpr std::array<NamedUnit, 11> kUnits{{
+constexpr std::array<NamedUnit, 19> kUnits{{
     {"mm millimeter millimetre millimeters millimetres milimetros", {Dimension::Length, 0, 1.0}},
     {"cm centimeter centimetre centimeters centimetres centimetros", {Dimension::Length, 0, 10.0}},
     {"m meter metre meters metres metros", {Dimension::Length, 0, 1e3}},
+    {"um micron microns", {Dimension::Length, 0, 1e-3}},
     {"in inch inches", {Dimension::Length, 0, 25.4}},
-    {"deg degree degrees grado grados grad ca cad degca cadeg", {Dimension::Angle, 0, 1.0}},
+    {"ft foot feet", {Dimension::Length, 0, 304.8}},
+    {"g", {Dimension::Length, 2, 9806.65}},
+    {"deg degs degree degrees grado grados grad grd ca cad degca cadeg", {Dimension::Angle, 0, 1.0}},
     {"rad radian radians radianes", {Dimension::Angle, 0, kDegreesPerRadian}},
+    {"mrad", {Dimension::Angle, 0, 1e-3 * kDegreesPerRadian}},
+    {"gon gons gradian gradians grads", {Dimension::Angle, 0, 0.9}},
+    {"rev revs revolution revolutions turn turns r u tr", {Dimension::Angle, 0, 360.0}},
     {"rpm", {Dimension::Angle, 1, 6.0}},
-    {"s sec secs second seconds seg segundo segundos", {Dimension::Time, 0, 1.0}},
-    {"ms msec milliseconds", {Dimension::Time, 0, 1e3}},
-    {"us", {Dimension::Time, 0, 1e6}},
-    {"min minute minutes minuto minutos", {Dimension::Time, 0, 1.0 / 60.0}},
+    {"s sec secs second seconds sek sekunde sekunden seconde secondes secondi seg segundo segundos",
+     {Dimension::Time, 0, 1.0}},
+    {"ms msec msecs millis millisecond milliseconds milisegundos", {Dimension::Time, 0, 1e3}},
+    {"us usec micros microsecond microseconds microsegundos", {Dimension::Time, 0, 1e6}},
+    {"ns nanosecond nanoseconds", {Dimension::Time, 0, 1e9}},
+    {"min mins minute minutes minuto minutos", {Dimension::Time, 0, 1.0 / 60.0}},
+    {"h hr hour hours hora horas stunde stunden", {Dimension::Time, 0, 1.0 / 3600.0}},
 }};
 
 /// On Spanish keyboards, the ordinal sign º stands for degrees. Micro has two code points, one is the Greek letter.
 constexpr std::string_view kUnitSpellings =
-    "s^-1=/s|s^-2=/s2|s-1=/s|s-2=/s2|s⁻¹=/s|s⁻²=/s2| =|\t=|^=|*=|·=|(=|)=|²=2|°=deg|º=deg|\u00B5=u|\u03BC=u";
+    "1/min=rpm|min^-1=rpm|min-1=rpm|min⁻¹=rpm|s^-1=/s|s^-2=/s2|s-1=/s|s-2=/s2|s⁻¹=/s|s⁻²=/s2| "
+    "=|\t=|.=|^=|*=|·=|(=|)=|²=2|°=deg|º=deg|\u00B5=u|\u03BC=u";
 
 std::optional<Unit> unitNamed(std::string_view name)
 {
