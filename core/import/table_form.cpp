@@ -65,13 +65,13 @@ std::optional<SplitLine> findFirstRow(Lines lines)
     return std::nullopt;
 }
 
-/// Removes the comment mark that some programs write before the headings, unless it is the first heading.
+/// Removes the comment mark that some programs write before the headings.
 std::string_view withoutMark(std::string_view line)
 {
     const std::string_view text = trimmed(line);
     for (const std::string_view mark : {"#", "%", "//"}) {
         const std::size_t end = text.starts_with(mark) ? text.find_first_not_of(mark[0]) : text.npos;
-        if (end != text.npos && kDelimiters.find(text[end]) == kDelimiters.npos) {
+        if (end != text.npos) {
             return trimmed(text.substr(end));
         }
     }
@@ -91,31 +91,37 @@ SplitLine makeNames(Cells cells, char delimiter)
 }
 
 /// Splits a line at the delimiter that yields most known names. Names above rows that are separated by spaces, or
-/// after a comment mark, may have another delimiter than the numbers. Then there have to be as many as numbers, and
-/// only one of those after a comment mark may be unknown.
+/// after a comment mark, may have another delimiter than the numbers. Then there have to be as many as numbers, or,
+/// after a mark, more; and if only the names are separated by spaces, one of them may be unknown.
 SplitLine readNames(std::string_view line, const std::optional<SplitLine> &row)
 {
-    const std::string_view text = withoutMark(line);
     const bool bySpaces = row && row->delimiter == ' ';
-    const bool hasToFit = row && (bySpaces || text.size() != line.size());
-    std::vector<SplitLine> candidates;
-    for (const char delimiter : kDelimiters) {
-        candidates.push_back(makeNames(splitCells(text, delimiter), delimiter));
-    }
-    if (hasToFit) {
-        for (const Cells &cells : {splitCells(text, ' '), splitAtBlanks(text, 2), splitAtBlanks(text, 1)}) {
-            const SplitLine names = makeNames(cells, ' ');
-            if (bySpaces || (names.isComplete() && names.known() + 1 >= names.cells.size())) {
-                candidates.push_back(names);
+    const std::string_view unmarked = withoutMark(line);
+    SplitLine best;
+    for (const std::string_view text : {unmarked, line}) {
+        const auto consider = [&](const Cells &cells, char delimiter) {
+            const SplitLine names = makeNames(cells, delimiter);
+            const bool isKnown = names.isComplete() && names.known() + 1 >= cells.size();
+            const bool fits = row && cells.size() == row->cells.size();
+            const bool isFree =
+                !row || unmarked.size() == line.size() || (names.isComplete() && cells.size() > row->cells.size());
+            const bool isAllowed =
+                fits ? delimiter != ' ' || bySpaces || isKnown : isFree && delimiter != ' ' && !bySpaces;
+            if (isAllowed && std::pair(names.known(), cells.size()) > std::pair(best.known(), best.cells.size())) {
+                best = names;
             }
+        };
+        for (const char delimiter : kDelimiters) {
+            consider(splitCells(text, delimiter), delimiter);
         }
-        std::erase_if(candidates, [&](const SplitLine &names) { return names.cells.size() != row->cells.size(); });
+        for (const Cells &cells : {splitCells(text, ' '), splitAtBlanks(text, 2), splitAtBlanks(text, 1)}) {
+            consider(cells, ' ');
+        }
+        if (!best.cells.empty()) {
+            return best;
+        }
     }
-    if (candidates.empty()) {
-        return bySpaces ? makeNames(splitCells(text, ' '), ' ') : SplitLine();
-    }
-    return *std::ranges::max_element(
-        candidates, {}, [](const SplitLine &names) { return std::pair(names.known(), names.cells.size()); });
+    return bySpaces ? makeNames(splitCells(unmarked, ' '), ' ') : best;
 }
 
 /// Returns the first line that names a time and a quantity; else the line above the numbers with most names of either;
