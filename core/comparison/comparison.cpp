@@ -124,6 +124,8 @@ ChannelComparison compareSeries(const Mechanism &mechanism, const Trajectory &tr
     result.channel = channel;
     result.peak = scale.peak;
     const double unit = scale.size > 0.0 ? scale.size : 1.0; // in this unit no square overflows or underflows
+    constexpr double kDegreesPerTurn = 360.0;                // after which files may count from zero
+    const bool isCrankAngle = channel == Channel{Theta2, Order::Position};
     double squares = 0.0;
     double largestStep = 0.0;
     for (std::size_t i = 0; i < models.size(); ++i) {
@@ -140,7 +142,8 @@ ChannelComparison compareSeries(const Mechanism &mechanism, const Trajectory &tr
         }
         ++result.count;
         const double magnitude = std::abs(value);
-        const double error = std::abs(model - value);
+        const double difference = model - value;
+        const double error = std::abs(isCrankAngle ? std::remainder(difference, kDegreesPerTurn) : difference);
         const double halfStep = 0.5 * std::max(step, scale.smallestStep);
         squares += (error / unit) * (error / unit);
         measure(result, reference.time[i], error, magnitude, magnitude <= halfStep);

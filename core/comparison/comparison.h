@@ -3,7 +3,7 @@
 
 // Compares reference data with the model: largest and rms errors, the largest pointwise percentage, and whether
 // rounding in the file explains the difference. All values are in the units of files (mm, °, s); an error is model -
-// reference.
+// reference. Crank angles are compared up to whole turns, as files may count them from zero again after each turn.
 //
 // Rounding explains an error within a bound: half the rounding step of the value, plus the change of the motion f
 // within half the rounding step τ of the time stamp t:

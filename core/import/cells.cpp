@@ -180,6 +180,29 @@ CellNumber parseNumber(std::string_view text, DecimalSign decimalSign)
     return number;
 }
 
+CellNumber parseClock(std::string_view text, DecimalSign decimalSign)
+{
+    constexpr double kPerUnit = 60.0; // seconds a minute, minutes an hour
+    text.remove_prefix(text.substr(0, text.find(':')).find_last_not_of("0123456789") + 1);
+    std::string_view rest = text.substr(0, text.find_first_not_of("0123456789:.,"));
+    const bool isKnown = std::ranges::count(rest, ':') == (rest.find_first_of(".,") == rest.npos ? 2 : 1) ||
+                         std::ranges::count(rest, ':') == 2;
+    CellNumber number{.fault = RowFault::NotANumber};
+    double sum = 0.0;
+    while (isKnown && !rest.empty()) {
+        number = parseNumber(takeUntil(':', rest), decimalSign);
+        sum = kPerUnit * sum + number.value;
+    }
+    number.value = sum;
+    number.fault = isKnown && std::isfinite(sum) ? std::nullopt : std::optional(RowFault::NotANumber);
+    return number;
+}
+
+bool isClock(std::string_view text)
+{
+    return !parseClock(text, DecimalSign::Point).fault || !parseClock(text, DecimalSign::Comma).fault;
+}
+
 bool looksNumeric(std::string_view text)
 {
     const std::string plain = respelled(text, kNumberSpellings);

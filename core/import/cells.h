@@ -54,6 +54,13 @@ struct CellNumber {
 /// ("1.234,56" and "1.234.567", but not "1.234", in a file with decimal commas).
 CellNumber parseNumber(std::string_view text, DecimalSign decimalSign);
 
+/// Parses the time of a clock, "12:34:56.789" or "05:06.7", with or without a date before it and a time zone after it:
+/// the seconds since midnight.
+CellNumber parseClock(std::string_view text, DecimalSign decimalSign);
+
+/// Returns whether the text is the time of a clock with either decimal sign.
+bool isClock(std::string_view text);
+
 /// Returns whether the text consists of the characters of a number with either decimal sign.
 bool looksNumeric(std::string_view text);
 

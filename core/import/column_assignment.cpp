@@ -36,6 +36,28 @@ bool areSameTimes(const Values &x, const Values &y)
     });
 }
 
+/// Time stamps of a clock, or in ms, µs or ns since 1970, count from the first row.
+void countFromFirstRow(RawColumn &column)
+{
+    constexpr double kHalfDay = 43'200.0;  // s: a clock may have twelve hours
+    constexpr double kHour = 3'600.0;      // s: below, the file counts from its start
+    constexpr double kLatestSecond = 1e11; // since 1970: larger numbers are in a smaller unit
+    if (column.isClock) {
+        column.values = unwrapped(std::move(column.values), kHalfDay);
+    }
+    const double first = rangeOf(column.values).low;
+    double scale = 1.0; // number of units in a second
+    while (column.use.unit.empty() && first < std::numeric_limits<double>::infinity() &&
+           first > kLatestSecond * scale) {
+        scale *= 1000.0;
+    }
+    if (scale > 1.0 || (column.isClock && first >= kHour)) {
+        column.origin = first / scale;
+        column.factor /= scale;
+        std::ranges::for_each(column.values, [&](double &value) { value = (value - first) / scale; });
+    }
+}
+
 /// Makes a column the time or the crank angle. If there is such a column already, in another file or for another
 /// signal, both must contain the same.
 void setAbscissa(RawTable &table, RawColumn &column, ColumnRole role, ColumnReason reason)
@@ -47,6 +69,9 @@ void setAbscissa(RawTable &table, RawColumn &column, ColumnRole role, ColumnReas
                       isTime ? ReadFault{Fault::UnknownTimeUnit} : ReadFault{Fault::UnknownUnit, kCrankAngle});
     }
     convert(column, *unit);
+    if (role == ColumnRole::Time) {
+        countFromFirstRow(column);
+    }
     table.files[column.use.file].hasAbscissa = true;
     const RawColumn *const first = table.abscissa();
     if (!first) {
@@ -125,7 +150,7 @@ void assignAbscissas(RawTable &table)
             return column.meaning.kind == Kind::Time && column.isUndecided();
         };
         const auto isNumeric = [&](const RawColumn &column) {
-            return isTime(column) && rangeOf(column.values).count > 0;
+            return isTime(column) && !column.isClock && rangeOf(column.values).count > 0;
         };
         const bool isAnyNumeric = std::ranges::any_of(table.columnsOf(file), isNumeric);
         for (RawColumn &column : table.columnsOf(file)) {
@@ -226,9 +251,14 @@ std::vector<RawColumn *> findCandidates(RawTable &table)
 
 /// Reassigns angles of an unnamed body that have to be the crank angle, and the derivatives that belong to them. If
 /// another angle of the same owner does not, it is open whose derivatives they are, and they are no candidates.
-void findCrank(std::vector<RawColumn *> &candidates)
+void findCrank(RawTable &table, std::vector<RawColumn *> &candidates)
 {
     constexpr double kHalfTurn = 180.0; // the coupler swings less in every mechanism that makes full turns
+    constexpr double kEvenness = 1e-3;  // of the range: the coupler never turns evenly by so many degrees
+    constexpr double kEvenRange = 6.0;  // in the unit of the file, which may be rad though the heading does not say so
+    constexpr double kVariation = 0.01; // of a speed that is constant
+    constexpr std::size_t kFewestRows = 10;
+    const RawColumn *const abscissa = table.abscissa();
     std::vector<RawColumn *> angles;
     std::vector<RawColumn *> derivatives;
     for (RawColumn *const column : candidates) {
@@ -239,12 +269,18 @@ void findCrank(std::vector<RawColumn *> &candidates)
     for (RawColumn *const column : angles) {
         Values degrees = column->values;
         std::erase_if(degrees, [](double value) { return !std::isfinite(value); });
-        if (rangeOf(unwrapped(std::move(degrees))).width() > kHalfTurn) { // without the jumps after one turn
+        const double width = rangeOf(unwrapped(std::move(degrees))).width(); // without the jumps after one turn
+        const bool isEven = abscissa && column->values.size() >= kFewestRows && width > kEvenRange * column->factor &&
+                            isStraight(column->values, abscissa->values, kEvenness * width);
+        if (width > kHalfTurn || isEven) {
             column->use.channel = kCrankAngle;
             column->meaning.reason = ColumnReason::WideAngle;
         }
     }
     for (RawColumn *const column : derivatives) {
+        const ValueRange range = rangeOf(column->values);
+        const bool isConstant =
+            range.count >= kFewestRows && range.size() > 0.0 && range.width() <= kVariation * range.size();
         const RawColumn *crank = nullptr; // whose derivative the column may be
         bool isAmbiguous = false;
         for (const RawColumn *const angle : angles) {
@@ -257,7 +293,7 @@ void findCrank(std::vector<RawColumn *> &candidates)
         if (crank && isAmbiguous) {
             column->use.reason = ColumnReason::LikeOther;
             std::erase(candidates, column);
-        } else if (crank) {
+        } else if (crank || isConstant) {
             column->use.channel.coordinate = Theta2;
             column->meaning.reason = ColumnReason::WideAngle;
         }
@@ -268,7 +304,7 @@ void findCrank(std::vector<RawColumn *> &candidates)
 void assignChannels(RawTable &table)
 {
     std::vector<RawColumn *> candidates = findCandidates(table);
-    findCrank(candidates);
+    findCrank(table, candidates);
     for (RawColumn *const column : candidates) {
         const Kind evidence = column->meaning.kind;
         const auto rival = std::ranges::find_if(candidates, [&](const RawColumn *other) {

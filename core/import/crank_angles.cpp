@@ -11,19 +11,29 @@
 namespace slidercrank
 {
 
-std::vector<double> unwrapped(std::vector<double> degrees)
+std::vector<double> unwrapped(std::vector<double> angles, double period)
 {
-    if (!findReversal(degrees)) {
-        return degrees;
+    if (!findReversal(angles)) {
+        return angles;
     }
-    constexpr double kTurn = 360.0;
     double turns = 0.0;
-    for (std::size_t i = 1; i < degrees.size(); ++i) {
-        const double step = degrees[i] + turns - degrees[i - 1];
-        turns -= std::abs(step) > 0.5 * kTurn ? kTurn * std::round(step / kTurn) : 0.0;
-        degrees[i] += turns;
+    for (std::size_t i = 1; i < angles.size(); ++i) {
+        const double step = angles[i] + turns - angles[i - 1];
+        turns -= std::abs(step) > 0.5 * period && std::isfinite(step) ? period * std::round(step / period) : 0.0;
+        angles[i] += turns;
     }
-    return degrees;
+    return angles;
+}
+
+bool isStraight(std::span<const double> values, std::span<const double> time, double tolerance)
+{
+    const double slope = (values.back() - values.front()) / (time.back() - time.front());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (!(std::abs(values[i] - values.front() - slope * (time[i] - time.front())) <= tolerance)) {
+            return false;
+        }
+    }
+    return true;
 }
 
 std::optional<std::size_t> findReversal(std::span<const double> degrees)

@@ -21,8 +21,11 @@ namespace slidercrank
 inline constexpr Channel kCrankAngle{Theta2, Order::Position};
 
 /// Removes the jumps of angles that are limited to one turn: 359, 0, 1 becomes 359, 360, 361. Angles that already go in
-/// one direction throughout are returned unchanged.
-std::vector<double> unwrapped(std::vector<double> degrees);
+/// one direction throughout are returned unchanged. A clock has another `period` than a turn.
+std::vector<double> unwrapped(std::vector<double> angles, double period = 360.0);
+
+/// Returns whether the values are points of a straight line over the time, apart from a tolerance.
+bool isStraight(std::span<const double> values, std::span<const double> time, double tolerance);
 
 /// Returns the index of the first angle that does not continue in the direction of the first two, or nullopt.
 std::optional<std::size_t> findReversal(std::span<const double> degrees);

@@ -42,8 +42,9 @@ bool isUtf8(std::string_view bytes)
     return surplus >= 0;
 }
 
-/// Throws if the file begins like one of another format. "[s]" is a unit, though, and "<" may begin any text.
-void refuseFormats(std::string_view text)
+/// Throws if the file begins like one of another format. "[s]" is a unit, though, and "<" may begin any text. Markup
+/// and JSON are text: binary data may begin like them.
+void refuseFormats(std::string_view text, bool mayBeBinary)
 {
     using enum ReadFault::Kind;
     constexpr std::array<std::pair<std::string_view, ReadFault::Kind>, 10> kBeginnings{
@@ -60,7 +61,7 @@ void refuseFormats(std::string_view text)
     std::string beginning = lowered(text.substr(0, 1000));
     std::erase_if(beginning, [](char c) { return isBlank(c) || c == '\r' || c == '\n'; });
     for (const auto &[bytes, format] : kBeginnings) {
-        if (beginning.starts_with(bytes)) {
+        if (beginning.starts_with(bytes) && (format <= Pdf || !mayBeBinary)) {
             throw ReadError{.fault = {format}};
         }
     }
@@ -93,7 +94,7 @@ std::string_view withoutPadding(std::string_view text)
 std::string_view decodeText(std::string_view bytes, std::string &converted)
 {
     constexpr std::size_t kExamined = std::size_t{1} << 20U; // bytes, for the encoding
-    refuseFormats(bytes);
+    refuseFormats(bytes, true);
     std::string_view text = bytes;
     std::u16string units; // of other encodings than UTF-8
     const auto byteAt = [bytes](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
@@ -120,7 +121,7 @@ std::string_view decodeText(std::string_view bytes, std::string &converted)
         const auto lines = static_cast<std::size_t>(std::ranges::count(text.substr(0, binary), '\n'));
         throw ReadError{.line = lines + 1, .fault = {ReadFault::Kind::NotText}};
     }
-    refuseFormats(text);
+    refuseFormats(text, false);
     return text;
 }
 

@@ -26,7 +26,7 @@ enum class QuantityFault {
     NotANumber,    ///< empty, words, "20/3"
     CommaForPoint, ///< "30,5"; but "1,234.5" and "1,234,567" are NotANumber
     TooLarge,      ///< for a double
-    UnknownUnit,   ///< "3 feet"
+    UnknownUnit,   ///< "3 miles"
     WrongUnit,     ///< "3 s" if a length is expected, or any unit if none is expected
 };
 

@@ -23,7 +23,7 @@ CellNumber parseCell(const RawColumn &column, std::string_view cell, DecimalSign
     if (!unit.empty() && cell.ends_with(unit)) {
         cell = trimmed(cell.substr(0, cell.size() - unit.size()));
     }
-    return parseNumber(cell, decimalSign);
+    return column.isClock ? parseClock(cell, decimalSign) : parseNumber(cell, decimalSign);
 }
 
 void readRow(RawTable &table, const TableFile &file, std::size_t row)

@@ -26,6 +26,7 @@ struct RawColumn : Heading {
     std::vector<double> values{};
     RoundingObserver rounding{};
     double factor = 1.0; ///< to the default unit
+    double origin = 0.0; ///< that is subtracted from time stamps, s
 
     bool isUsed() const { return use.role != ColumnRole::Ignored; }
     bool isUndecided() const { return !isUsed() && use.reason == ColumnReason::UnknownName; }

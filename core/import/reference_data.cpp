@@ -86,7 +86,8 @@ ReferenceData collect(RawTable &table)
             values[i] = values[rows[i]];
         }
         values.resize(rows.size());
-        const Rounding rounding = column.rounding.infer(column.factor, column.isAbscissa());
+        const Rounding inferred = column.rounding.infer(column.factor, column.isAbscissa());
+        const Rounding rounding = column.origin == 0.0 ? inferred : inferred.withDecimalsAt(column.origin);
         if (column.isAbscissa()) {
             data.time = std::move(values);
             data.timeRounding = rounding;
@@ -124,12 +125,8 @@ void findStep(ReferenceSeries &series, std::span<const double> time)
     const std::size_t rows = std::min(series.values.size(), kExaminedRows);
     const auto values = std::span(series.values).first(rows);
     const double step = series.rounding.stepAt(rangeOf(values).size());
-    const double slope = (values.back() - values.front()) / (time[rows - 1] - time[0]);
-    bool isLine = true; // with even time stamps, its values are also multiples of a step
-    for (std::size_t row = 0; row < rows && isLine; ++row) {
-        const double line = values.front() + slope * (time[row] - time[0]);
-        isLine = std::abs(values[row] - line) <= 2.0 * step + 1e-9 * std::abs(line);
-    }
+    // With even time stamps, the points of a straight line are also multiples of a step.
+    const bool isLine = isStraight(values, time.first(rows), 2.0 * step + 1e-9 * rangeOf(values).size());
     if (const std::optional<double> quantum = isLine ? std::nullopt : findQuantum(values, step)) {
         series.rounding.rule = Rounding::Rule::Multiples;
         series.rounding.quantum = *quantum / series.rounding.unitFactor;

@@ -262,6 +262,10 @@ std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout)
         headings[i].cellUnit = splitUnit(row->cells[i]).unit;
         setUnit(headings, i, headings[i].cellUnit, lines[row->line].number);
     }
+    const Cells cells = rows.empty() ? Cells() : splitCells(rows.front().text, layout.delimiter);
+    for (std::size_t i = 0; i < std::min(cells.size(), headings.size()); ++i) {
+        headings[i].isClock = isClock(cells[i]);
+    }
     const auto isAbove = [&](std::string_view beginning) {
         return std::ranges::any_of(examined.first(first),
                                    [&](const Line &line) { return line.text.starts_with(beginning); });

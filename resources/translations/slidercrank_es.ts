@@ -232,8 +232,8 @@
         <translation>encabezados en la línea %1</translation>
     </message>
     <message>
-        <source>assumed from its values: an angle beyond half a turn, or its derivative</source>
-        <translation>supuesta por sus valores: un ángulo de más de media vuelta, o su derivada</translation>
+        <source>assumed from its values: an angle beyond half a turn, an even one, or a derivative</source>
+        <translation>supuesta por sus valores: un ángulo de más de media vuelta, uno uniforme, o una derivada</translation>
     </message>
     <message>
         <source>assumed: the first column, whose values only increase</source>
@@ -2907,8 +2907,8 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>ninguna columna, aparte del tiempo, contiene un número.</translation>
     </message>
     <message>
-        <source>the time does not increase: sort the rows by time, and keep one row for each time.</source>
-        <translation>el tiempo no crece: ordene las filas por tiempo y deje una fila por instante.</translation>
+        <source>the time does not increase: sort the rows by time, and write it with more decimals if many rows have the same.</source>
+        <translation>el tiempo no crece: ordene las filas por tiempo, y escríbalo con más decimales si muchas filas tienen el mismo.</translation>
     </message>
     <message>
         <source>the crank angle goes back: sort the rows by it, and keep one row for each angle.</source>

@@ -46,7 +46,8 @@ public:
                    "separated by semicolons or tabs."),             // NoRow
         QT_TR_NOOP("no column beside the time contains a number."), // NoValues
         QT_TR_NOOP(
-            "the time does not increase: sort the rows by time, and keep one row for each time."), // TimeNotRising
+            "the time does not increase: sort the rows by time, and write it with more decimals if many rows have the "
+            "same."), // TimeNotRising
         QT_TR_NOOP(
             "the crank angle goes back: sort the rows by it, and keep one row for each angle."), // AngleTurnsBack
         QT_TR_NOOP("its time stamps are not those of %1: export the plots with the same start, end and step, or "

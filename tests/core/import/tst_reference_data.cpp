@@ -55,6 +55,11 @@ const std::vector<ReadRow> kRead{
      "time 0 1 2; R4_x 1234.5 -1234.5 1234.5; skipped 5:2 12 34,5 (not a number)"},
     {"vertical bars", "|time|R4_x|\n|---|---|\n|0|1|\n|1|2|\n", "time 0 1; R4_x 1 2"},
     {"padding after the text", QByteArray("time,R4_x\n0,1\n1,2\n\x1A\0\0\0", 22), "time 0 1; R4_x 1 2"},
+    // Clocks.
+    {"a clock", "time;R4_x\n12:59:59,5;1,5\n01:00:00,25;2,5\n", "time 0 0.75; R4_x 1.5 2.5"},
+    {"a duration", "time,R4_x\n0 days 00:00:01.5,1\n0 days 00:01:00,2\n", "time 1.5 60; R4_x 1 2"},
+    {"dates and a time zone", "Time,R4_x\n2024-03-01T23:59:59Z,1\n2024-03-02T00:00:01Z,2\n", "time 0 2; R4_x 1 2"},
+    {"ms since 1970", "time,R4_x\n1709290000000,1\n1709290000005,2\n", "time 0 0.005; R4_x 1 2"},
     // Names.
     {"columns in any order and case", "THETA3_Diff2,r4_X,Time\n3,2,1\n", "time 1; theta3_diff2 3; R4_x 2"},
     {"names after a percent sign, with another delimiter", "% time R4_x\n0,1\n1,2\n", "time 0 1; R4_x 1 2"},
@@ -96,6 +101,7 @@ struct NamesRow {
 
 const QByteArray kRows = "\n0,1,2\n1,2,3\n2,4,1\n";
 const QByteArray kUneven = "\n0,0,0\n1,1,2\n2,4,4\n3,9,6\n4,16,8\n5,25,10\n6,36,12\n7,49,14\n8,64,16\n";
+const QByteArray kEven = "0,0,60\n1,1,60\n2,2,60\n3,3,60\n4,4,60\n5,5,60\n6,6,60\n7,7,60\n8,8,60\n9,9,60\n";
 const QByteArray kSpanish = "Tiempo (s);Posición de la corredera (mm);Ángulo de la biela (°)\n0;1,5;2\n1;2,5;3\n";
 
 const std::vector<NamesRow> kNames{
@@ -109,6 +115,10 @@ const std::vector<NamesRow> kNames{
     {"% t R4_x theta3\n% s mm deg\n0 1 2\n1 2 3\n", "time R4_x theta3", "  point line 1"},
     {"Time_ms,SliderPosition_m,couplerAngle_rad" + kRows, "time R4_x theta3"},
     {"Zeit in s,Weg in mm,Pleuelwinkel in Grad" + kRows, "time R4_x? theta3"},
+    {"% time, R4_x, theta3, comment\n0,1,2\n1,2,3\n", "time R4_x theta3 -", ", point line 1"},
+    {"%\ttime\tR4_x\n0,1\n1,2\n", "time R4_x", ", point line 1"},
+    {"t theta3 R4_x\n0\t1\t2\n1\t2\t3\n", "time theta3 R4_x", "\t point line 1"},
+    {"time,angle,speed (rpm)\n" + kEven, "time theta2? theta2_diff?", ", point line 1"},
     {"timestamp,t (s),R4_x\n2024-03-01 12:00:00,0,1\n2024-03-01 12:00:01,1,2\n", "- time R4_x"},
     {"t,θ3 [°],ω3 (rad/s),θ₂,R4x ddot\n0,1,2,3,4\n", "time theta3 theta3_diff theta2 R4_x_diff2"},
     {"no.,X_Value,R4_x\n1,0,5\n1,2,6\n", "- time? R4_x"},
@@ -138,7 +148,7 @@ const std::vector<Refusal> kRefused{
     {"HTML in UTF-16", utf16Of("\n<!DOCTYPE html>\n", true, true), "0:0 ", {Kind::Markup}},
     {"JSON", "{ \"time\": [0, 1]}", "0:0 ", {Kind::Json}},
     {"a zero byte", QByteArray("time,R4_x\n0,1\n1,\0\n2,3\n", 22), "3:0 ", {Kind::NotText}},
-    {"binary data that begin like markup", QByteArray("<a\x02\x05\x80", 5).repeated(9), "1:0 ", {Kind::NotText}},
+    {"binary data that begin like markup", QByteArray("<!\x02\x05\x80", 5).repeated(9), "1:0 ", {Kind::NotText}},
     {"a long line", QByteArray(1'100'000, 'a'), "1:0 ", {Kind::LineTooLong}},
     {"numbers without headings", "\n0.0,74.5\n0.1,74.8\n", "2:0 ", {Kind::NamesMissing}},
     {"no time", "n,R4_x\n1,5\n2,6\n", "1:0 ", {Kind::NoTime}},
@@ -148,7 +158,7 @@ const std::vector<Refusal> kRefused{
     {"the unit of another derivative", "time,R4_x_diff [m]\n0,1\n", "1:2 R4_x_diff [m]", {Kind::UnknownUnit, kV}},
     {"half a unit", "time,R4_x_diff [m/]\n0,1\n", "1:2 R4_x_diff [m/]", {Kind::UnknownUnit, kV}},
     {"contradicting units", "time,theta3 [rad]\ns,deg\n0,1\n", "2:2 deg", {Kind::UnitsContradict, {}, "theta3 [rad]"}},
-    {"an unknown unit of time", "time [h],R4_x\n0,1\n", "1:1 time [h]", {Kind::UnknownTimeUnit}},
+    {"an unknown unit of time", "time [days],R4_x\n0,1\n", "1:1 time [days]", {Kind::UnknownTimeUnit}},
     {"a channel twice", "time,R4_x,r4x [m]\n0,1,2\n", "1:3 r4x [m]", {Kind::ChannelTwice, kX}},
     {"two different times", "time,R4_x,Tiempo\n0,1,2\n", "1:3 Tiempo", {Kind::TimeTwice}},
     {"only headings", "time,R4_x\n", "1:0 ", {Kind::NoNumbers}},
@@ -287,6 +297,9 @@ private slots:
         const std::vector<std::pair<QByteArray, double>> rows{{"theta3 []", 1.0},
                                                               {"R4_x[cm]", 10.0},
                                                               {"R4_x ( in )", 25.4},
+                                                              {"theta3 [gon]", 0.9},
+                                                              {"theta3_diff (1/min)", 6.0},
+                                                              {"R4_x_diff2 (g)", 9806.65},
                                                               {"theta3 [º]", 1.0},
                                                               {"theta3 [\xB0]", 1.0},
                                                               {"theta3 [RAD]", degree},
