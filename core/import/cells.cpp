@@ -185,16 +185,17 @@ CellNumber parseClock(std::string_view text, DecimalSign decimalSign)
     constexpr double kPerUnit = 60.0; // seconds a minute, minutes an hour
     text.remove_prefix(text.substr(0, text.find(':')).find_last_not_of("0123456789") + 1);
     std::string_view rest = text.substr(0, text.find_first_not_of("0123456789:.,"));
-    const bool isKnown = std::ranges::count(rest, ':') == (rest.find_first_of(".,") == rest.npos ? 2 : 1) ||
-                         std::ranges::count(rest, ':') == 2;
+    const auto colons = std::ranges::count(rest, ':');
     CellNumber number{.fault = RowFault::NotANumber};
-    double sum = 0.0;
-    while (isKnown && !rest.empty()) {
-        number = parseNumber(takeUntil(':', rest), decimalSign);
-        sum = kPerUnit * sum + number.value;
+    if (colons == 2 || (colons == 1 && rest.find_first_of(".,") != rest.npos)) {
+        double sum = 0.0;
+        while (!rest.empty()) {
+            number = parseNumber(takeUntil(':', rest), decimalSign);
+            sum = kPerUnit * sum + number.value;
+        }
+        number.value = sum;
+        number.fault = std::isfinite(sum) ? number.fault : RowFault::NotANumber;
     }
-    number.value = sum;
-    number.fault = isKnown && std::isfinite(sum) ? std::nullopt : std::optional(RowFault::NotANumber);
     return number;
 }
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/import/clock.h"
 
+#include "core/import/crank_angles.h"
 #include "core/import/reference_data.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace slidercrank
 {
@@ -17,13 +19,9 @@ namespace
 /// and so have the first and the last one, which determine the spacing.
 bool isRoundedGrid(std::span<const double> time, double step)
 {
-    const double spacing = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
-    for (std::size_t i = 0; i < time.size(); ++i) {
-        if (!(std::abs(time.front() + spacing * static_cast<double>(i) - time[i]) <= step)) {
-            return false;
-        }
-    }
-    return true;
+    std::vector<double> rows(time.size());
+    std::iota(rows.begin(), rows.end(), 0.0);
+    return isStraight(time, rows, step);
 }
 
 } // namespace

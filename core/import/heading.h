@@ -36,7 +36,7 @@ struct Heading {
     FileColumn use{}; ///< heading and unit; assignColumns() sets the role
     std::string name{};
     std::string_view cellUnit{}; ///< after the number in each cell
-    bool isClock = false;        ///< whether the cells contain times of a clock
+    bool isClock = false;        ///< the cells contain times of a clock
     NameMeaning meaning{};       ///< set by interpretHeadings()
 };
 

@@ -119,17 +119,9 @@ void readTable(const FileBytes &bytes, const std::function<bool(double part)> &p
 
 SkippedRow findRowFault(RawTable &table, std::size_t row)
 {
-    std::optional<SkippedRow> first;
-    for (const RawColumn &column : table.columns) {
-        if (column.isUnreadable(row)) {
-            const SkippedRow fault = faultAt(table, column, row);
-            if (fault.fault <= RowFault::CommaForPoint) {
-                return fault;
-            }
-            first = first.value_or(fault);
-        }
-    }
-    return first.value_or(faultAt(table, *table.abscissa(), row));
+    const auto found =
+        std::ranges::find_if(table.columns, [row](const RawColumn &column) { return column.isUnreadable(row); });
+    return faultAt(table, found == table.columns.end() ? *table.abscissa() : *found, row);
 }
 
 FileLayout takeLayout(RawTable &table)

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -22,9 +21,7 @@ namespace
 int decadeOf(double magnitude)
 {
     constexpr double kConversionSlack = 1e-12;
-    const double nudged = magnitude * (1.0 + kConversionSlack);
-    const int decade = static_cast<int>(std::floor(std::ilogb(nudged) * std::numbers::ln2 / std::numbers::ln10));
-    return nudged >= powerOfTen(decade + 1) ? decade + 1 : decade;
+    return static_cast<int>(std::floor(std::log10(magnitude * (1.0 + kConversionSlack))));
 }
 
 /// A number of at most so many digits may have been chosen by a person (25, 360, 12.75). Then it does not show how the
@@ -60,14 +57,7 @@ PrintedPlaces shortestPlaces(PrintedPlaces places, double value)
 
 double powerOfTen(int exponent)
 {
-    static const auto powers = [] {
-        std::array<double, 330> all{};
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            all[i] = std::pow(10.0, i); // exact as far as a double is
-        }
-        return all;
-    }();
-    const double power = powers[std::min<std::size_t>(static_cast<std::size_t>(std::abs(exponent)), powers.size() - 1)];
+    const double power = std::pow(10.0, std::abs(exponent)); // exact as far as a double is
     return exponent < 0 ? 1.0 / power : power;
 }
 
@@ -237,12 +227,7 @@ std::optional<double> findQuantum(std::span<const double> values, double printed
     double mostSteps = 1.0; // in the longest distance that has refined the quantum
     for (const double level : levels) {
         const double distance = level - levels.front();
-        const double steps = std::round(distance / quantum);
-        const double allowed = uncertainty * (1.0 + steps / mostSteps);
-        if (allowed > 0.5 * quantum || std::abs(distance - steps * quantum) > allowed) {
-            return std::nullopt;
-        }
-        if (steps > mostSteps) {
+        if (const double steps = std::round(distance / quantum); steps > mostSteps) {
             quantum = distance / steps;
             mostSteps = steps;
         }
