@@ -27,13 +27,14 @@ CellNumber parsePlain(std::string_view text)
     constexpr double kLargestExponent = 1e5; // beyond any double, so that no sum overflows
     CellNumber number;
     const char *const end = text.data() + text.size();
-    double value = 0.0; // of a number that is too small
+    double value = 0.0;
     double exponent = 0.0;
     std::from_chars_result parsed = std::from_chars(text.data(), end, value, std::chars_format::fixed);
     const std::string_view digits(text.data(), parsed.ptr); // with sign and point
     if (!digits.empty() && parsed.ptr != end) {
         const std::string_view power = text.substr(digits.size() + 1);
         std::from_chars(power.data() + (power.starts_with('+') ? 1 : 0), end, exponent);
+        value = 0.0; // not changed by a number that is too small
         parsed = std::from_chars(text.data(), end, value);
     }
     if (parsed.ptr != end || parsed.ec == std::errc::invalid_argument || !std::isfinite(value)) {

@@ -29,10 +29,9 @@ void convert(RawColumn &column, const Unit &unit)
 /// Returns whether two columns contain the same time stamps, apart from the rounding errors of a unit conversion.
 bool areSameTimes(const Values &x, const Values &y)
 {
-    constexpr double kUlps = 4.0;
+    constexpr double kRoundingError = 1e-15; // of a unit conversion
     return std::ranges::equal(x, y, [](double a, double b) {
-        const double allowed = kUlps * std::numeric_limits<double>::epsilon() * std::max(std::abs(a), std::abs(b));
-        return !std::isfinite(a - b) || std::abs(a - b) <= allowed;
+        return !std::isfinite(a - b) || std::abs(a - b) <= kRoundingError * std::abs(a);
     });
 }
 
@@ -97,15 +96,12 @@ bool mayBeTime(const RawColumn &column)
 }
 
 /// Returns whether the column is an angle of an unnamed body that does not change its direction.
-bool isTurningAngle(RawColumn column)
+bool isTurningAngle(const RawColumn &column)
 {
-    const NameMeaning &meaning = column.meaning;
+    constexpr double kTurn = 360.0;
     const std::optional<Unit> unit = column.unitAs(ColumnRole::CrankAngle);
-    if (meaning.kind != Kind::Quantity || meaning.channel != Channel{Theta3, Order::Position} || !unit) {
-        return false;
-    }
-    convert(column, *unit);
-    return !findReversal(unwrapped(std::move(column.values)));
+    return column.meaning.kind == Kind::Quantity && column.meaning.channel == Channel{Theta3, Order::Position} &&
+           unit && !findReversal(unwrapped(column.values, kTurn / unit->factor));
 }
 
 /// Finds the abscissa of a file in which no column is named as the time. If another file has one, it is the column with

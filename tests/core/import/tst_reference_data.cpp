@@ -58,7 +58,8 @@ const std::vector<ReadRow> kRead{
     // Clocks.
     {"a clock", "time;R4_x\n12:59:59,5;1,5\n01:00:00,25;2,5\n01:00:01;3,5\n", "time 0 0.75 1.5; R4_x 1.5 2.5 3.5"},
     {"a duration", "time,R4_x\n0 days 00:00:01.5,1\n0 days 00:01:00,2\n", "time 1.5 60; R4_x 1 2"},
-    {"dates and a time zone", "Time,R4_x\n2024-03-01T23:59:59Z,1\n2024-03-02T00:00:01Z,2\n", "time 0 2; R4_x 1 2"},
+    {"dates and a time zone", "Time,R4_x\n2024-03-01T23:59:59Z,1\n2024-03-02T00:00:01Z,2\n2024-03-02T00:00:02Z,3\n",
+     "time 0 2 3; R4_x 1 2 3"},
     {"ms since 1970", "time,R4_x\n1709290000000,1\n1709290000005,2\n", "time 0 0.005; R4_x 1 2"},
     // Names.
     {"columns in any order and case", "THETA3_Diff2,r4_X,Time\n3,2,1\n", "time 1; theta3_diff2 3; R4_x 2"},
