@@ -79,21 +79,24 @@ private slots:
             const std::vector<double> times = timeStampsOf(which);
             const std::vector<double> square = perpendicularTimes(which);
             Deviation worst;
+            std::vector<std::vector<NewtonTimeStep>> runs;
             for (const WarmStart start : {WarmStart::Previous, WarmStart::Taylor}) {
-                const std::vector<NewtonTimeStep> done =
-                    run(p, times, {50, 0.0, ToleranceKind::Absolute, start, Elimination::Structured});
-                for (std::size_t i = 0; i < times.size(); ++i) {
-                    const bool isJudged = i % 2 == 0 || std::binary_search(square.begin(), square.end(), times[i]);
-                    if (!isJudged || done[i].state.status != Status::Solved) {
-                        continue;
+                runs.push_back(run(p, times, {50, 0.0, ToleranceKind::Absolute, start, Elimination::Structured}));
+            }
+            for (std::size_t i = 0; i < times.size(); ++i) {
+                const bool isJudged = i % 2 == 0 || std::binary_search(square.begin(), square.end(), times[i]);
+                const auto judge = [&]<class Real>(const ExactState<Real> &exact) {
+                    if (exact.status != Status::Solved) {
+                        return;
                     }
-                    const auto judge = [&]<class Real>(const ExactState<Real> &exact) {
-                        if (exact.status == Status::Solved) {
-                            const auto sizes = roundingSizes<Real>(p, times[i], exact);
-                            worst = worse(worst, worstDeviation(done[i].state, exact, times[i],
-                                                                scaled(sizes, 2.0 * kUnitRoundoff)));
+                    const auto tolerances = scaled(roundingSizes<Real>(p, times[i], exact), 2.0 * kUnitRoundoff);
+                    for (const std::vector<NewtonTimeStep> &done : runs) {
+                        if (done[i].state.status == Status::Solved) {
+                            worst = worse(worst, worstDeviation(done[i].state, exact, times[i], tolerances));
                         }
-                    };
+                    }
+                };
+                if (isJudged) {
                     constexpr double kEnoughClearance = 1e-4; // resolved by 50 digits
                     const ExactState<Digits50> exact = exactState<Digits50>(p, times[i]);
                     exact.clearance > kEnoughClearance ? judge(exact) : judge(exactState<Digits100>(p, times[i]));
