@@ -3,6 +3,7 @@
 
 #include <QFontInfo>
 #include <QFontMetricsF>
+#include <QPaintEngine>
 #include <QPainter>
 
 #include <algorithm>
@@ -26,13 +27,33 @@ MechanismDrawing::MechanismDrawing(const MechanismProjection &projection, const 
     m_smallFont.setPixelSize(std::max(9, pixels - 2));
 }
 
+/// Returns the lines of a path, with curves divided into short lines.
+static QList<QLineF> lines(const QPainterPath &path)
+{
+    QList<QLineF> lines;
+    for (const QPolygonF &part : path.toSubpathPolygons()) {
+        for (qsizetype i = 1; i < part.size(); ++i) {
+            lines << QLineF(part[i - 1], part[i]);
+        }
+    }
+    return lines;
+}
+
 void MechanismDrawing::paint(QPainter &painter) const
 {
+    const bool isScreen = painter.paintEngine()->type() == QPaintEngine::Raster;
     painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(m_colours.grid);
+    painter.drawRects(m_grid);
     for (const DrawnShape &shape : m_shapes) {
         painter.setPen(shape.pen);
         painter.setBrush(shape.brush);
-        painter.drawPath(shape.path);
+        if (isScreen && shape.brush == Qt::NoBrush) {
+            painter.drawLines(lines(shape.path)); // several times faster than a path with dashes or on a fine screen
+        } else {
+            painter.drawPath(shape.path);
+        }
     }
     for (const Label &label : m_labels) {
         painter.fillRect(label.box, label.paper);

@@ -108,6 +108,7 @@ protected:
     QColor m_muted; ///< text and lines of less importance
     QFont m_font;   ///< in pixels, so that text has the same size relative to the drawing on every device
     QFont m_smallFont;
+    QList<QRectF> m_grid; ///< thin rectangles, which Qt paints ten times as fast as smooth lines of width 1 or a path
     std::vector<DrawnShape> m_shapes;
     std::vector<Label> m_labels;
 

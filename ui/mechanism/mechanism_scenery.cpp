@@ -32,9 +32,6 @@ MechanismSketch::MechanismSketch(const MechanismScene &scene, const MechanismPro
 
 void MechanismSketch::addScenery()
 {
-    QPainterPath paper;
-    paper.addRect(QRectF(QPointF(), size));
-    add(paper, Qt::NoPen, m_paper);
     if (m_scene->result) {
         addGrid();
         addCrankCircle();
@@ -58,11 +55,9 @@ void MechanismSketch::addGrid()
         return box;
     };
     const QRectF corner = addNumber({1.0, size.height()}, tr("mm"));
-    QPainterPath grid; // filled rectangles: painting smooth lines of width 1 takes ten times as long
-    grid.setFillRule(Qt::WindingFill);
     for (double i = std::ceil(shown.left() / step); i <= std::floor(shown.right() / step); i += 1.0) {
         const double x = std::floor(toPixels({i * step, 0.0}).x());
-        grid.addRect(x, 0.0, 1.0, size.height());
+        m_grid << QRectF(x, 0.0, 1.0, size.height());
         const QString text = numberText(i * step);
         if (x > corner.right() && x + textSize(text, true).width() < size.width()) {
             addNumber({x, size.height()}, text);
@@ -71,12 +66,11 @@ void MechanismSketch::addGrid()
     const double top = cornerLineCount() > 0 ? cornerLineTop(cornerLineCount()) : 0.0;
     for (double i = std::ceil(shown.top() / step); i <= std::floor(shown.bottom() / step); i += 1.0) {
         const double y = std::floor(toPixels({0.0, i * step}).y());
-        grid.addRect(0.0, y, size.width(), 1.0);
+        m_grid << QRectF(0.0, y, size.width(), 1.0);
         if (y - corner.height() > top && y < corner.top()) {
             addNumber({1.0, y}, numberText(i * step));
         }
     }
-    add(grid, Qt::NoPen, m_colours.grid);
 }
 
 /// Adds a line of ground, with hatching below it.

@@ -56,8 +56,6 @@ QLabel *makeNote(QWidget *parent)
 
 MechanismView::MechanismView(QWidget *parent)
     : QWidget(parent)
-    , m_scenery(newSketch(size(), palette()))
-    , m_linkage(m_scenery)
     , m_flip(new QToolButton(this))
     , m_note(makeNote(this))
     , m_noteDelay(makeTimer(this, kNoteDelay))
@@ -266,8 +264,7 @@ MechanismSketch MechanismView::newSketch(const QSizeF &size, const QPalette &pal
 /// Draws everything anew.
 void MechanismView::refresh()
 {
-    m_scenery = newSketch(size(), palette());
-    m_scenery.addScenery();
+    m_scenery.reset();
     m_sceneryPicture = QPixmap();
     m_flip->resize(m_flip->sizeHint());
     m_flip->move(width() - m_flip->width() - kInset, kInset);
@@ -277,9 +274,26 @@ void MechanismView::refresh()
 /// Draws the linkage in the current pose.
 void MechanismView::updateLinkage()
 {
-    m_linkage = newSketch(size(), palette());
-    m_linkage.addLinkage();
+    m_linkage.reset();
     update();
+}
+
+const MechanismSketch &MechanismView::scenery() const
+{
+    if (!m_scenery) {
+        m_scenery = newSketch(size(), palette());
+        m_scenery->addScenery();
+    }
+    return *m_scenery;
+}
+
+const MechanismSketch &MechanismView::linkage() const
+{
+    if (!m_linkage) {
+        m_linkage = newSketch(size(), palette());
+        m_linkage->addLinkage();
+    }
+    return *m_linkage;
 }
 
 void MechanismView::paintEvent(QPaintEvent *)
@@ -291,17 +305,17 @@ void MechanismView::paintEvent(QPaintEvent *)
         m_sceneryPicture =
             QPixmap(static_cast<int>(std::ceil(width() * ratio)), static_cast<int>(std::ceil(height() * ratio)));
         m_sceneryPicture.setDevicePixelRatio(ratio);
-        m_sceneryPicture.fill(palette().color(QPalette::Base)); // the drawing covers the last half pixel only by half
+        m_sceneryPicture.fill(scenery().colours().background);
         QPainter painter(&m_sceneryPicture);
         painter.scale(magnified, magnified);
-        m_scenery.paint(painter);
+        scenery().paint(painter);
     }
     QPainter painter(this);
     painter.drawPixmap(0, 0, m_sceneryPicture);
     painter.scale(magnified, magnified);
-    m_linkage.paint(painter);
+    linkage().paint(painter);
     const QColor colour = palette().color(QPalette::Highlight);
-    for (const MechanismSketch *sketch : {&m_scenery, &m_linkage}) {
+    for (const MechanismSketch *sketch : {&scenery(), &linkage()}) {
         sketch->paintHighlight(painter, m_pointed, colour);
         sketch->paintHighlight(painter, m_highlighted, sketch->colours().error);
     }
@@ -320,6 +334,7 @@ void MechanismView::paintMechanism(QPainter &painter, const QSize &size, const Q
     sketch.addLinkage();
     painter.save();
     painter.setClipRect(QRect(QPoint(0, 0), size), Qt::IntersectClip);
+    painter.fillRect(QRect(QPoint(0, 0), size), sketch.colours().background);
     painter.scale(magnification(), magnification());
     sketch.paint(painter);
     painter.restore();
