@@ -20,12 +20,14 @@ bool isGap(const CurvePoint &point)
 }
 
 /// Cuts off the parts of the polyline where a coordinate is below an edge, or above it if `sign` is -1.
-std::vector<CurvePoint> cutOff(std::span<const CurvePoint> points, double CurvePoint::*coordinate, double edge,
-                               double sign)
+std::vector<CurvePoint> cutOff(std::vector<CurvePoint> points, double CurvePoint::*coordinate, double edge, double sign)
 {
+    const auto isInside = [&](const CurvePoint &point) { return sign * (point.*coordinate - edge) >= 0.0; };
+    if (std::ranges::all_of(points, isInside)) {
+        return points;
+    }
     std::vector<CurvePoint> kept;
     kept.reserve(points.size());
-    const auto isInside = [&](const CurvePoint &point) { return sign * (point.*coordinate - edge) >= 0.0; };
     for (std::size_t i = 0; i < points.size(); ++i) {
         const CurvePoint &to = points[i];
         const CurvePoint &from = points[i > 0 ? i - 1 : 0];
@@ -148,9 +150,10 @@ std::optional<Interval> usualRange(std::span<const CurvePoint> points, const Int
 
 std::vector<CurvePoint> clip(std::span<const CurvePoint> points, const Interval &time, const Interval &values)
 {
-    const std::vector<CurvePoint> after = cutOff(points, &CurvePoint::t, time.lower, 1.0);
-    const std::vector<CurvePoint> within = cutOff(after, &CurvePoint::t, time.upper, -1.0);
-    return cutOff(cutOff(within, &CurvePoint::value, values.lower, 1.0), &CurvePoint::value, values.upper, -1.0);
+    std::vector<CurvePoint> kept = cutOff({points.begin(), points.end()}, &CurvePoint::t, time.lower, 1.0);
+    kept = cutOff(std::move(kept), &CurvePoint::t, time.upper, -1.0);
+    kept = cutOff(std::move(kept), &CurvePoint::value, values.lower, 1.0);
+    return cutOff(std::move(kept), &CurvePoint::value, values.upper, -1.0);
 }
 
 std::vector<CurvePoint> isolatedPoints(std::span<const CurvePoint> points)

@@ -26,6 +26,24 @@ int lineHeight(const QFont &font)
     return static_cast<int>(std::ceil(QFontMetricsF(font).height()));
 }
 
+/// Measures its text once; the layout asks for its size several times.
+class LegendItem : public QCPPlottableLegendItem
+{
+public:
+    using QCPPlottableLegendItem::QCPPlottableLegendItem;
+
+private:
+    QSize minimumOuterSizeHint() const override
+    {
+        if (m_size.isNull()) {
+            m_size = QCPPlottableLegendItem::minimumOuterSizeHint();
+        }
+        return m_size;
+    }
+
+    mutable QSize m_size{0, 0};
+};
+
 /// Clips the curve to the axes and removes the points that make no visible difference.
 void fit(PlotCurve &curve, const Interval &time, const Interval &values, int height)
 {
@@ -112,14 +130,17 @@ void PlotFigure::compose(const PlotStyle &style, const QSize &size, const std::o
                          const QString &footer)
 {
     m_isStale = false;
-    if (style != m_style) {
+    const bool isOtherStyle = style != m_style;
+    if (isOtherStyle) {
         applyStyle(style);
     }
     m_footer->setText(footer);
     m_footer->setVisible(!footer.isEmpty());
     const QCPAxisRect &axes = *m_plots[style.plots.front()].axes; // all have the same size
     QSize before;
-    layOut(size);
+    if (isOtherStyle || size != viewport().size()) {
+        layOut(size);
+    }
     constexpr int kPasses = 4; // the labels and the legend change the size of the axes
     for (int pass = 0; pass < kPasses && axes.size() != before; ++pass) {
         before = axes.size();
@@ -170,11 +191,13 @@ void PlotFigure::fill(const std::optional<double> &markedTime)
             QCPGraph *graph = addCurve(plot, curve);
             if (!names.contains(curve.name)) {
                 names << curve.name;
-                graph->addToLegend();
-                legend->itemWithPlottable(graph)->setMargins(QMargins(0, 2, 0, 2)); // else descenders are cut off
+                addToLegend(graph, curve.name);
             }
         }
-        addTexts(plot);
+        if (!plot.note.isEmpty()) {
+            addText(plot.axes, plot.note, {0.5, plot.values ? 0.1 : 0.5}, Qt::AlignCenter)
+                ->setBrush(m_colours.background);
+        }
         if (markedTime && time.contains(*markedTime) && plot.values) {
             const std::array line{CurvePoint{*markedTime, plot.values->lower},
                                   CurvePoint{*markedTime, plot.values->upper}};
@@ -265,7 +288,6 @@ QStringList PlotFigure::titles(std::size_t index) const
 
 QCPGraph *PlotFigure::addCurve(const Plot &plot, const PlotCurve &curve)
 {
-    constexpr int kLongestName = 300; // px
     const QColor colour = m_colours.*curve.ink;
     QCPGraph *line = PlotDrawing::addCurve(plot.axes, curve.points);
     QPen pen(colour, curve.width * m_fonts.lineFactor, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin); // these draw fastest
@@ -279,23 +301,34 @@ QCPGraph *PlotFigure::addCurve(const Plot &plot, const PlotCurve &curve)
         dots->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, colour, 4.0));
         line = curve.points.empty() ? dots : line;
     }
-    line->setName(QFontMetrics(legend->font()).elidedText(curve.name, Qt::ElideMiddle, kLongestName));
     return line;
 }
 
-void PlotFigure::addTexts(const Plot &plot)
+void PlotFigure::addToLegend(QCPGraph *graph, const QString &name)
 {
+    constexpr int kLongestName = 300; // px
+    graph->setName(QFontMetrics(legend->font()).elidedText(name, Qt::ElideMiddle, kLongestName));
+    auto *item = new LegendItem(legend, graph);
+    item->setMargins(QMargins(0, 2, 0, 2)); // else descenders are cut off
+    legend->addItem(item);
+}
+
+/// Draws the titles over the rest.
+void PlotFigure::draw(QCPPainter *painter)
+{
+    constexpr double kAboveAxes = 3.0; // px
+    PlotDrawing::draw(painter);
     const QFontMetricsF metrics(m_fonts.title);
-    const auto fits = [&, space = plot.axes->outerRect().right() - plot.axes->left()](const QString &text) {
-        return metrics.horizontalAdvance(text) <= space;
-    };
-    const auto longest = std::ranges::find_if(plot.titles, fits);
-    QCPItemText *title = addText(plot.axes, longest == plot.titles.end() ? plot.titles.last() : *longest, {0.0, 0.0},
-                                 Qt::AlignLeft | Qt::AlignBottom);
-    title->setFont(m_fonts.title);
-    title->setPadding(QMargins(0, 0, 0, 3));
-    if (!plot.note.isEmpty()) {
-        addText(plot.axes, plot.note, {0.5, plot.values ? 0.1 : 0.5}, Qt::AlignCenter)->setBrush(m_colours.background);
+    painter->setFont(m_fonts.title);
+    painter->setPen(m_colours.text);
+    for (const std::size_t index : plots()) {
+        const Plot &plot = m_plots[index];
+        const auto fits = [&, space = plot.axes->outerRect().right() - plot.axes->left()](const QString &text) {
+            return metrics.horizontalAdvance(text) <= space;
+        };
+        const auto longest = std::ranges::find_if(plot.titles, fits);
+        painter->drawText(QPointF(plot.axes->left(), plot.axes->top() - kAboveAxes - metrics.descent()),
+                          longest == plot.titles.end() ? plot.titles.last() : *longest);
     }
 }
 

@@ -139,7 +139,16 @@ void PlotGrid::refresh()
         m_panes[index]->setVisible(plot.axes != nullptr);
         if (plot.axes) {
             m_panes[index]->setFont(PlotFonts(font()).tick);
-            m_panes[index]->setGeometry(plot.axes->outerRect());
+            // The panes cover all below the legend, so that the rest is one rectangle: where the region to paint has
+            // several, Qt starts threads to fill it, which costs far more.
+            QRect place = plot.axes->outerRect();
+            if (place.right() >= width() - static_cast<int>(kPlotColumns)) {
+                place.setRight(width() - 1);
+            }
+            if (axis(index, QCPAxis::atBottom).tickLabels()) {
+                place.setBottom(height() - 1); // with the title of the time axis
+            }
+            m_panes[index]->setGeometry(place);
             m_panes[index]->setAccessibleDescription(plot.titles.first() + ". " + plot.note);
             m_panes[index]->update();
         }
