@@ -3,7 +3,6 @@
 
 #include <QFontInfo>
 #include <QFontMetricsF>
-#include <QPaintEngine>
 #include <QPainter>
 
 #include <algorithm>
@@ -27,21 +26,8 @@ MechanismDrawing::MechanismDrawing(const MechanismProjection &projection, const 
     m_smallFont.setPixelSize(std::max(9, pixels - 2));
 }
 
-/// Returns the lines of a path, with curves divided into short lines.
-static QList<QLineF> lines(const QPainterPath &path)
-{
-    QList<QLineF> lines;
-    for (const QPolygonF &part : path.toSubpathPolygons()) {
-        for (qsizetype i = 1; i < part.size(); ++i) {
-            lines << QLineF(part[i - 1], part[i]);
-        }
-    }
-    return lines;
-}
-
 void MechanismDrawing::paint(QPainter &painter) const
 {
-    const bool isScreen = painter.paintEngine()->type() == QPaintEngine::Raster;
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(Qt::NoPen);
     painter.setBrush(m_colours.grid);
@@ -49,11 +35,7 @@ void MechanismDrawing::paint(QPainter &painter) const
     for (const DrawnShape &shape : m_shapes) {
         painter.setPen(shape.pen);
         painter.setBrush(shape.brush);
-        if (isScreen && shape.brush == Qt::NoBrush) {
-            painter.drawLines(lines(shape.path)); // several times faster than a path with dashes or on a fine screen
-        } else {
-            painter.drawPath(shape.path);
-        }
+        painter.drawPath(shape.path);
     }
     for (const Label &label : m_labels) {
         painter.fillRect(label.box, label.paper);
@@ -183,13 +165,6 @@ void MechanismDrawing::avoid(const QLineF &line, double width)
         box.moveCenter(line.pointAt(static_cast<double>(i) / pieces));
         avoid(box);
     }
-}
-
-QColor MechanismDrawing::faded(const QColor &colour, double share) const
-{
-    const auto blend = [share](float x, float y) { return std::lerp(y, x, static_cast<float>(share)); };
-    return QColor::fromRgbF(blend(colour.redF(), m_paper.redF()), blend(colour.greenF(), m_paper.greenF()),
-                            blend(colour.blueF(), m_paper.blueF()));
 }
 
 QColor withAlpha(QColor colour, double alpha)

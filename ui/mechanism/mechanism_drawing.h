@@ -100,7 +100,8 @@ protected:
     void avoid(const QRectF &box) { m_occupied.push_back(box); }
     void avoid(const QLineF &line, double width);
 
-    QColor faded(const QColor &colour, double share) const; ///< mixed with the background
+    /// Returns the colour mixed with the background.
+    QColor faded(const QColor &colour, double share) const { return mixed(colour, m_paper, share); }
 
     SeriesColours m_colours;
     QColor m_ink;

@@ -56,6 +56,8 @@ QLabel *makeNote(QWidget *parent)
 
 MechanismView::MechanismView(QWidget *parent)
     : QWidget(parent)
+    , m_scenery(newSketch(size(), palette()))
+    , m_linkage(m_scenery)
     , m_flip(new QToolButton(this))
     , m_note(makeNote(this))
     , m_noteDelay(makeTimer(this, kNoteDelay))
@@ -214,8 +216,11 @@ void MechanismView::setGhostBounds(const QRectF &ghostBounds)
     if (ghostBounds != m_ghostBounds) {
         m_ghostBounds = ghostBounds;
         if (m_scene.result) {
+            const QRectF before = m_frame.fitted();
             m_frame.follow(bounds());
-            refresh();
+            if (m_frame.fitted() != before) {
+                refresh();
+            }
         }
     }
 }
@@ -264,7 +269,8 @@ MechanismSketch MechanismView::newSketch(const QSizeF &size, const QPalette &pal
 /// Draws everything anew.
 void MechanismView::refresh()
 {
-    m_scenery.reset();
+    m_scenery = newSketch(size(), palette());
+    m_scenery.addScenery();
     m_sceneryPicture = QPixmap();
     m_flip->resize(m_flip->sizeHint());
     m_flip->move(width() - m_flip->width() - kInset, kInset);
@@ -274,26 +280,9 @@ void MechanismView::refresh()
 /// Draws the linkage in the current pose.
 void MechanismView::updateLinkage()
 {
-    m_linkage.reset();
+    m_linkage = newSketch(size(), palette());
+    m_linkage.addLinkage();
     update();
-}
-
-const MechanismSketch &MechanismView::scenery() const
-{
-    if (!m_scenery) {
-        m_scenery = newSketch(size(), palette());
-        m_scenery->addScenery();
-    }
-    return *m_scenery;
-}
-
-const MechanismSketch &MechanismView::linkage() const
-{
-    if (!m_linkage) {
-        m_linkage = newSketch(size(), palette());
-        m_linkage->addLinkage();
-    }
-    return *m_linkage;
 }
 
 void MechanismView::paintEvent(QPaintEvent *)
@@ -305,17 +294,17 @@ void MechanismView::paintEvent(QPaintEvent *)
         m_sceneryPicture =
             QPixmap(static_cast<int>(std::ceil(width() * ratio)), static_cast<int>(std::ceil(height() * ratio)));
         m_sceneryPicture.setDevicePixelRatio(ratio);
-        m_sceneryPicture.fill(scenery().colours().background);
+        m_sceneryPicture.fill(m_scenery.colours().background);
         QPainter painter(&m_sceneryPicture);
         painter.scale(magnified, magnified);
-        scenery().paint(painter);
+        m_scenery.paint(painter);
     }
     QPainter painter(this);
     painter.drawPixmap(0, 0, m_sceneryPicture);
     painter.scale(magnified, magnified);
-    linkage().paint(painter);
+    m_linkage.paint(painter);
     const QColor colour = palette().color(QPalette::Highlight);
-    for (const MechanismSketch *sketch : {&scenery(), &linkage()}) {
+    for (const MechanismSketch *sketch : {&m_scenery, &m_linkage}) {
         sketch->paintHighlight(painter, m_pointed, colour);
         sketch->paintHighlight(painter, m_highlighted, sketch->colours().error);
     }

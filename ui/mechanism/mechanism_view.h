@@ -117,8 +117,6 @@ private:
     QRectF bounds() const;
     void refresh();
     void updateLinkage();
-    const MechanismSketch &scenery() const;
-    const MechanismSketch &linkage() const;
     void describe();
     void fitFrame();
     void zoomBy(double steps, QPointF pixel);
@@ -134,10 +132,10 @@ private:
 
     MechanismScene m_scene;
     MechanismFrame m_frame;
-    QRectF m_ghostBounds;                             ///< mm; may be null
-    mutable std::optional<MechanismSketch> m_scenery; ///< the parts that do not move; nullopt if it is out of date
-    mutable std::optional<MechanismSketch> m_linkage; ///< the parts that move; nullopt if it is out of date
-    QPixmap m_sceneryPicture;                         ///< null if it is out of date
+    QRectF m_ghostBounds;      ///< mm; may be null
+    MechanismSketch m_scenery; ///< the parts that do not move
+    QPixmap m_sceneryPicture;  ///< null if it is out of date
+    MechanismSketch m_linkage; ///< the parts that move, in the current pose
     std::optional<PressedButton> m_pressed;
     DrawnPart m_pointed = DrawnPart::Background;     ///< under the pointer
     DrawnPart m_highlighted = DrawnPart::Background; ///< by highlight()

@@ -3,6 +3,8 @@
 
 #include <QWidget>
 
+#include <cmath>
+
 namespace slidercrank
 {
 
@@ -55,6 +57,13 @@ SeriesColours seriesColours(const QPalette &palette)
             .grid = pick(0xe2e2e2, 0x3c3f44),
             .text = palette.color(QPalette::Text),
             .background = palette.color(QPalette::Base)};
+}
+
+QColor mixed(const QColor &colour, const QColor &background, double share)
+{
+    const auto blend = [share](float x, float y) { return std::lerp(y, x, static_cast<float>(share)); };
+    return QColor::fromRgbF(blend(colour.redF(), background.redF()), blend(colour.greenF(), background.greenF()),
+                            blend(colour.blueF(), background.blueF()));
 }
 
 void setInk(QWidget &widget, const QColor &ink)

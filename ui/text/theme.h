@@ -32,6 +32,9 @@ struct SeriesColours {
 };
 SeriesColours seriesColours(const QPalette &palette);
 
+/// Returns an opaque mixture that contains that share of the colour.
+QColor mixed(const QColor &colour, const QColor &background, double share);
+
 /// Sets the text colour of a widget.
 void setInk(QWidget &widget, const QColor &ink);
 
