@@ -16,8 +16,7 @@ namespace slidercrank
 namespace
 {
 
-/// Draws a line on the screen as separate segments. Qt draws them several times faster than a polyline, above all a
-/// dashed one.
+/// Draws a line as separate segments and dashes. Qt draws them several times faster than a polyline.
 class SegmentedGraph : public QCPGraph
 {
 public:
@@ -26,18 +25,34 @@ public:
 protected:
     void drawLinePlot(QCPPainter *painter, const QVector<QPointF> &points) const override
     {
-        if (painter->paintEngine()->type() != QPaintEngine::Raster) { // dashes would begin anew in every segment
-            QCPGraph::drawLinePlot(painter, points);
-            return;
+        if (painter->modes().testFlag(QCPPainter::pmVectorized)) {
+            return QCPGraph::drawLinePlot(painter, points);
         }
+        constexpr double kEndless = 1e9;
+        constexpr double kShortest = 1e-3; // px
+        QPen pen = painter->pen();
+        const QVector<double> dashes = pen.style() == Qt::SolidLine ? QVector{kEndless} : pen.dashPattern();
+        qsizetype dash = 0; // odd in a gap between two dashes
+        double left = dashes[0] * pen.widthF();
         QVector<QLineF> segments;
-        segments.reserve(points.size());
         for (qsizetype i = 1; i < points.size(); ++i) {
-            if (!std::isnan(points[i - 1].y() + points[i].y())) {
-                segments << QLineF(points[i - 1], points[i]);
+            QLineF rest(points[i - 1], points[i]);
+            while (rest.length() > kShortest) { // not if a value is NaN
+                QLineF piece = rest;
+                piece.setLength(std::min(left, rest.length()));
+                rest.setP1(piece.p2());
+                left -= piece.length();
+                if (dash % 2 == 0) {
+                    segments << piece;
+                }
+                if (left < kShortest) {
+                    dash = (dash + 1) % dashes.size();
+                    left = dashes[dash] * pen.widthF();
+                }
             }
         }
-        applyDefaultAntialiasingHint(painter);
+        pen.setStyle(Qt::SolidLine);
+        painter->setPen(pen);
         painter->drawLines(segments);
     }
 };
@@ -90,7 +105,6 @@ PlotDrawing::PlotDrawing()
 {
     mReplotting = true; // otherwise QCustomPlot replots into buffers that are not used
     setInteractions(QCP::Interactions());
-    setPlottingHint(QCP::phFastPolylines, true); // without it a line of width 2 costs four times as much
     setAutoAddPlottableToLegend(false);
 }
 
@@ -124,8 +138,7 @@ void PlotDrawing::paint(QPainter &painter, const QSize &size)
 void PlotDrawing::setStyle(const PlotFonts &fonts, const SeriesColours &colours)
 {
     setBackground(QBrush(colours.background));
-    QColor frame = colours.text;
-    frame.setAlphaF(0.55F);
+    const QColor frame = mixed(colours.text, colours.background, 0.55); // Qt starts threads to blend transparent lines
     for (QCPAxisRect *rect : axisRects()) {
         for (QCPAxis *axis : rect->axes()) {
             axis->setBasePen(QPen(frame, 1));
@@ -157,20 +170,6 @@ QCPGraph *PlotDrawing::addCurve(QCPAxisRect *axes, std::span<const CurvePoint> p
     curve->setSelectable(QCP::stNone);
     curve->data()->set(graphData, true);
     return curve;
-}
-
-QCPItemText *PlotDrawing::addText(QCPAxisRect *axes, const QString &text, const QPointF &place, Qt::Alignment alignment)
-{
-    auto *item = new QCPItemText(this);
-    item->position->setAxisRect(axes);
-    item->position->setType(QCPItemPosition::ptAxisRectRatio);
-    item->position->setCoords(place);
-    item->setClipToAxisRect(false);
-    item->setPositionAlignment(alignment);
-    item->setText(text);
-    item->setFont(axes->axis(QCPAxis::atBottom)->tickLabelFont());
-    item->setColor(axes->axis(QCPAxis::atBottom)->tickLabelColor());
-    return item;
 }
 
 } // namespace slidercrank

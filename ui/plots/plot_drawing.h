@@ -60,9 +60,6 @@ public:
 
     QCPGraph *addCurve(QCPAxisRect *axes, std::span<const CurvePoint> points);
 
-    /// Adds text in the axes, where (0, 0) is the upper left corner and (1, 1) the lower right one.
-    QCPItemText *addText(QCPAxisRect *axes, const QString &text, const QPointF &place, Qt::Alignment alignment);
-
 private:
     void updateLayout() override {} ///< called by QCustomPlot whenever it draws; layOut() is enough
 };

@@ -98,7 +98,6 @@ void PlotFigure::applyStyle(const PlotStyle &style)
     m_fonts = PlotFonts(style.font);
     m_colours = seriesColours(style.palette);
     clearGraphs();
-    clearItems();
     m_grid->clear();
     m_plots = {};
     const int line = lineHeight(m_fonts.tick);
@@ -130,15 +129,14 @@ void PlotFigure::compose(const PlotStyle &style, const QSize &size, const std::o
                          const QString &footer)
 {
     m_isStale = false;
-    const bool isOtherStyle = style != m_style;
-    if (isOtherStyle) {
+    if (style != m_style) {
         applyStyle(style);
     }
     m_footer->setText(footer);
     m_footer->setVisible(!footer.isEmpty());
     const QCPAxisRect &axes = *m_plots[style.plots.front()].axes; // all have the same size
     QSize before;
-    if (isOtherStyle || size != viewport().size()) {
+    if (axes.size().isEmpty() || size != viewport().size()) {
         layOut(size);
     }
     constexpr int kPasses = 4; // the labels and the legend change the size of the axes
@@ -159,7 +157,6 @@ void PlotFigure::compose(const PlotStyle &style, const QSize &size, const std::o
 void PlotFigure::fill(const std::optional<double> &markedTime)
 {
     clearGraphs();
-    clearItems();
     m_columns = static_cast<std::size_t>(std::max(1, m_plots[plots().front()].axes->width()));
     const Interval time = timeRange();
     m_curves.clear();
@@ -193,10 +190,6 @@ void PlotFigure::fill(const std::optional<double> &markedTime)
                 names << curve.name;
                 addToLegend(graph, curve.name);
             }
-        }
-        if (!plot.note.isEmpty()) {
-            addText(plot.axes, plot.note, {0.5, plot.values ? 0.1 : 0.5}, Qt::AlignCenter)
-                ->setBrush(m_colours.background);
         }
         if (markedTime && time.contains(*markedTime) && plot.values) {
             const std::array line{CurvePoint{*markedTime, plot.values->lower},
@@ -313,22 +306,28 @@ void PlotFigure::addToLegend(QCPGraph *graph, const QString &name)
     legend->addItem(item);
 }
 
-/// Draws the titles over the rest.
+/// Draws the titles and the notes over the rest.
 void PlotFigure::draw(QCPPainter *painter)
 {
-    constexpr double kAboveAxes = 3.0; // px
+    constexpr double kAboveAxes = 2.0; // px
     PlotDrawing::draw(painter);
     const QFontMetricsF metrics(m_fonts.title);
-    painter->setFont(m_fonts.title);
     painter->setPen(m_colours.text);
     for (const std::size_t index : plots()) {
         const Plot &plot = m_plots[index];
-        const auto fits = [&, space = plot.axes->outerRect().right() - plot.axes->left()](const QString &text) {
+        const QRect axes = plot.axes->rect();
+        const auto fits = [&, space = plot.axes->outerRect().right() - axes.left()](const QString &text) {
             return metrics.horizontalAdvance(text) <= space;
         };
         const auto longest = std::ranges::find_if(plot.titles, fits);
-        painter->drawText(QPointF(plot.axes->left(), plot.axes->top() - kAboveAxes - metrics.descent()),
+        painter->setFont(m_fonts.title);
+        painter->drawText(QPointF(axes.left(), axes.top() - kAboveAxes - metrics.descent()),
                           longest == plot.titles.end() ? plot.titles.last() : *longest);
+        painter->setFont(m_fonts.tick);
+        QRect note = painter->fontMetrics().boundingRect(plot.note);
+        note.moveCenter({axes.center().x(), plot.values ? axes.top() + axes.height() / 10 : axes.center().y()});
+        painter->fillRect(note, m_colours.background);
+        painter->drawText(note, Qt::AlignCenter, plot.note);
     }
 }
 

@@ -134,6 +134,7 @@ void PlotGrid::refresh()
     }
     m_picture.setDevicePixelRatio(devicePixelRatioF());
     drawInto(m_picture);
+    constexpr int kRounding = 3; // px that the columns may lack
     for (std::size_t index = 0; index < kPlotCount; ++index) {
         const Plot &plot = shownPlot(index);
         m_panes[index]->setVisible(plot.axes != nullptr);
@@ -142,7 +143,7 @@ void PlotGrid::refresh()
             // The panes cover all below the legend, so that the rest is one rectangle: where the region to paint has
             // several, Qt starts threads to fill it, which costs far more.
             QRect place = plot.axes->outerRect();
-            if (place.right() >= width() - static_cast<int>(kPlotColumns)) {
+            if (place.right() + kRounding >= width()) {
                 place.setRight(width() - 1);
             }
             if (axis(index, QCPAxis::atBottom).tickLabels()) {
