@@ -26,28 +26,10 @@ int lineHeight(const QFont &font)
     return static_cast<int>(std::ceil(QFontMetricsF(font).height()));
 }
 
-/// Measures its text once; the layout asks for its size several times.
-class LegendItem : public QCPPlottableLegendItem
-{
-public:
-    using QCPPlottableLegendItem::QCPPlottableLegendItem;
-
-private:
-    QSize minimumOuterSizeHint() const override
-    {
-        if (m_size.isNull()) {
-            m_size = QCPPlottableLegendItem::minimumOuterSizeHint();
-        }
-        return m_size;
-    }
-
-    mutable QSize m_size{0, 0};
-};
-
 /// Clips the curve to the axes and removes the points that make no visible difference.
 void fit(PlotCurve &curve, const Interval &time, const Interval &values, int height)
 {
-    constexpr double kInvisible = 0.1; // px
+    constexpr double kInvisible = 0.2; // px
     constexpr double kBelowEdge = 3.0; // px
     const double pixel = values.length() / std::max(height, 1);
     for (CurvePoint &dot : curve.dots) {
@@ -156,6 +138,7 @@ void PlotFigure::compose(const PlotStyle &style, const QSize &size, const std::o
 
 void PlotFigure::fill(const std::optional<double> &markedTime)
 {
+    constexpr int kLongestName = 300; // px
     clearGraphs();
     m_columns = static_cast<std::size_t>(std::max(1, m_plots[plots().front()].axes->width()));
     const Interval time = timeRange();
@@ -188,7 +171,9 @@ void PlotFigure::fill(const std::optional<double> &markedTime)
             QCPGraph *graph = addCurve(plot, curve);
             if (!names.contains(curve.name)) {
                 names << curve.name;
-                addToLegend(graph, curve.name);
+                graph->setName(QFontMetrics(legend->font()).elidedText(curve.name, Qt::ElideMiddle, kLongestName));
+                graph->addToLegend();
+                legend->itemWithPlottable(graph)->setMargins(QMargins(0, 2, 0, 2)); // else descenders are cut off
             }
         }
         if (markedTime && time.contains(*markedTime) && plot.values) {
@@ -297,15 +282,6 @@ QCPGraph *PlotFigure::addCurve(const Plot &plot, const PlotCurve &curve)
     return line;
 }
 
-void PlotFigure::addToLegend(QCPGraph *graph, const QString &name)
-{
-    constexpr int kLongestName = 300; // px
-    graph->setName(QFontMetrics(legend->font()).elidedText(name, Qt::ElideMiddle, kLongestName));
-    auto *item = new LegendItem(legend, graph);
-    item->setMargins(QMargins(0, 2, 0, 2)); // else descenders are cut off
-    legend->addItem(item);
-}
-
 /// Draws the titles and the notes over the rest.
 void PlotFigure::draw(QCPPainter *painter)
 {
@@ -316,13 +292,13 @@ void PlotFigure::draw(QCPPainter *painter)
     for (const std::size_t index : plots()) {
         const Plot &plot = m_plots[index];
         const QRect axes = plot.axes->rect();
-        const auto fits = [&, space = plot.axes->outerRect().right() - axes.left()](const QString &text) {
-            return metrics.horizontalAdvance(text) <= space;
-        };
-        const auto longest = std::ranges::find_if(plot.titles, fits);
+        const int space = plot.axes->outerRect().right() - axes.left();
+        auto title = plot.titles.begin(); // the longest one that fits
+        while (title + 1 != plot.titles.end() && metrics.horizontalAdvance(*title) > space) {
+            ++title;
+        }
         painter->setFont(m_fonts.title);
-        painter->drawText(QPointF(axes.left(), axes.top() - kAboveAxes - metrics.descent()),
-                          longest == plot.titles.end() ? plot.titles.last() : *longest);
+        painter->drawText(QPointF(axes.left(), axes.top() - kAboveAxes - metrics.descent()), *title);
         painter->setFont(m_fonts.tick);
         QRect note = painter->fontMetrics().boundingRect(plot.note);
         note.moveCenter({axes.center().x(), plot.values ? axes.top() + axes.height() / 10 : axes.center().y()});

@@ -148,7 +148,6 @@ private:
     void setValueScale(std::size_t index);
     QStringList titles(std::size_t index) const;
     QCPGraph *addCurve(const Plot &plot, const PlotCurve &curve);
-    void addToLegend(QCPGraph *graph, const QString &name);
     void draw(QCPPainter *painter) override;
 
     std::shared_ptr<const Result> m_result;

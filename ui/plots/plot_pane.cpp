@@ -14,7 +14,7 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kRadius = 3.0; // px, of a dot
+constexpr double kRadius = 3.5; // px, of a dot
 
 } // namespace
 
@@ -96,11 +96,9 @@ void PlotPane::paintEvent(QPaintEvent *)
         painter.fillRect(QRect(static_cast<int>(cursor.x), m_axes.top(), 1, m_axes.height()), colours.cursor);
         painter.setOpacity(1.0);
         painter.setRenderHint(QPainter::Antialiasing);
-        painter.setPen(Qt::NoPen);
+        painter.setPen(colours.background); // separates a dot from its curve
         for (const Label &label : cursor.labels) {
             if (label.dot) {
-                painter.setBrush(colours.background); // separates the dot from its curve
-                painter.drawEllipse(*label.dot, kRadius + 1.0, kRadius + 1.0);
                 painter.setBrush(label.colour);
                 painter.drawEllipse(*label.dot, kRadius, kRadius);
             }
