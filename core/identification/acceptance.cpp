@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace slidercrank
@@ -104,11 +105,16 @@ double Candidate::pricedScore() const
 bool isLikeDifferences(const Observations &data, const Hypothesis &hypothesis, std::size_t column)
 {
     constexpr double kLargestPart = 0.03;        // of the spread
+    constexpr double kLargestUnexplained = 0.2;  // of the variance, in any unit
     constexpr double kLargestHarmonicPart = 0.6; // smoothed differences have systematic errors, too
     constexpr double kSmooth = 0.92;             // correlation of neighbouring rows of a smooth signal
     Hypothesis alone = hypothesis;
     for (std::size_t j = 0; j < alone.columns.size(); ++j) {
         alone.columns[j].isUsed = j == column;
+    }
+    const bool isDerivative = data.columns[column].channel.order != Order::Position;
+    if (isDerivative && columnRegressions(data, alone)[column].unexplained() <= kLargestUnexplained) {
+        return true;
     }
     std::vector<double> residuals;
     std::vector<double> angles;
@@ -123,9 +129,17 @@ bool isLikeDifferences(const Observations &data, const Hypothesis &hypothesis, s
         return true;
     }
     const double largest = std::min(kLargestHarmonicPart + (2.0 * kHarmonics + 1.0) / count, 0.95);
-    return data.columns[column].channel.order != Order::Position &&
-           fitLinear(harmonicBasis(angles, kHarmonics), residuals).explained <= largest &&
+    return isDerivative && fitLinear(harmonicBasis(angles, kHarmonics), residuals).explained <= largest &&
            autocorrelation(residuals, 1) <= kSmooth * std::sqrt(count);
+}
+
+bool isIdleOffset(const Observations &data, const Hypothesis &hypothesis, std::size_t column)
+{
+    constexpr double kIdlePart = 2e-2; // of the column's size
+    const double offset = hypothesis.offset(column);
+    const double fromHalfTurn =
+        isLength(hypothesis.columns[column].channel) ? offset : std::remainder(offset, std::numbers::pi);
+    return std::abs(fromHalfTurn) < std::max(kIdlePart * sizeOf(data, hypothesis, column), data.columns[column].step);
 }
 
 Candidate judgedCandidate(const Observations &data, Fit fit)
@@ -135,8 +149,15 @@ Candidate judgedCandidate(const Observations &data, Fit fit)
     candidate.price = priceOf(data, hypothesis);
     double off = 0.0;
     double all = 0.0;
+    bool hasIdleOffset = false;
+    candidate.hasFreeOrigin = data.isByCrankAngle && hypothesis.isFree[indexOf(Parameter::Theta20)];
+    bool mayHideErrors = candidate.hasFreeOrigin;
     for (std::size_t j = 0; j < data.columns.size(); ++j) {
         const ObservedColumn &column = data.columns[j];
+        const ColumnUse &use = hypothesis.columns[j];
+        candidate.hasFreeOrigin = candidate.hasFreeOrigin || use.hasOffset;
+        hasIdleOffset = hasIdleOffset || (use.hasOffset && isIdleOffset(data, hypothesis, j));
+        mayHideErrors = mayHideErrors || use.hasOffset || !use.isUsed;
         candidate.judgements.push_back(judgeColumn(data, candidate, j));
         if (tellsShape(column)) {
             off += column.count * (hypothesis.columns[j].isUsed ? std::min(candidate.noiseParts[j], 1.0) : 1.0);
@@ -144,12 +165,8 @@ Candidate judgedCandidate(const Observations &data, Fit fit)
         }
     }
     const Residual worst = std::ranges::max(candidate.judgements);
-    const bool mayHideErrors = (data.isByCrankAngle && hypothesis.isFree[indexOf(Parameter::Theta20)]) ||
-                               std::ranges::any_of(hypothesis.columns, [](const ColumnUse &column) {
-                                   return column.hasOffset || !column.isUsed;
-                               });
     candidate.isExact = worst <= Residual::Rounding;
-    candidate.acceptance = worst <= Residual::White                          ? Acceptance::Identified
+    candidate.acceptance = worst <= Residual::White && !hasIdleOffset        ? Acceptance::Identified
                            : worst == Residual::Systematic && !mayHideErrors ? Acceptance::Approximate
                                                                              : Acceptance::Rejected;
     const double spare = all - candidate.freeCount;

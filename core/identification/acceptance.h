@@ -28,7 +28,8 @@ struct Candidate : Fit {
     double price = 0.0;
     std::vector<Residual> judgements{}; ///< by column
     Acceptance acceptance = Acceptance::Rejected;
-    bool isExact = false; ///< rounding explains all residuals
+    bool isExact = false;       ///< rounding explains all residuals
+    bool hasFreeOrigin = false; ///< of a used column, or of the crank angle in the file
     /// Noise²/spread², at most 1, per degree of freedom of the columns with information on the shape.
     double distance = 1.0;
 
@@ -39,11 +40,16 @@ struct Candidate : Fit {
 /// Judges a fit and sets the price of its hypothesis.
 Candidate judgedCandidate(const Observations &data, Fit fit);
 
+/// Whether the fitted offset of a column is nearly zero or, for an angle, a number of half turns: then it describes an
+/// error of the values, and not their origin.
+bool isIdleOffset(const Observations &data, const Hypothesis &hypothesis, std::size_t column);
+
 /// Orders accepted candidates before rejected ones, then by score.
 bool isBetter(const Candidate &x, const Candidate &y);
 
-/// Whether a derivative deviates from the motion as differences of the positions do: by at most 3 % of its spread, or
-/// by noise, white or not, that is neither a function of the crank angle nor another smooth signal.
+/// Whether a column deviates from the motion as differences of the positions do: by at most 3 % of its spread; or, if
+/// it is a derivative, by its unit, by a lag or a filter, or by noise, white or not, that is neither a function of the
+/// crank angle nor another smooth signal.
 bool isLikeDifferences(const Observations &data, const Hypothesis &hypothesis, std::size_t column);
 
 } // namespace slidercrank

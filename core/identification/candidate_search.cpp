@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <span>
 #include <utility>
 
@@ -63,8 +64,7 @@ void addWithFewerColumns(const Observations &data, const Candidate &candidate, R
 /// Fits a hypothesis and adds it with its variants, unless it is known.
 void addWithVariants(const Observations &data, Hypothesis hypothesis, std::vector<Candidate> &all)
 {
-    constexpr double kIdlePart = 2e-2; // of the column's size
-    constexpr double kNear = 0.3;      // largest Candidate::distance for which equal weights are tried
+    constexpr double kNear = 0.3; // largest Candidate::distance for which equal weights are tried
     if (isKnown(hypothesis, all)) {
         return;
     }
@@ -75,8 +75,13 @@ void addWithVariants(const Observations &data, Hypothesis hypothesis, std::vecto
     all.push_back(candidate);
     Hypothesis withoutIdleOffsets = candidate.hypothesis; // that were fitted to nearly zero
     for (std::size_t j = 0; j < data.columns.size(); ++j) {
-        const double least = std::max(kIdlePart * sizeOf(data, candidate.hypothesis, j), data.columns[j].step);
-        withoutIdleOffsets.columns[j].hasOffset = std::abs(candidate.hypothesis.offset(j)) >= least;
+        ColumnUse &use = withoutIdleOffsets.columns[j];
+        if (use.hasOffset && isIdleOffset(data, candidate.hypothesis, j)) {
+            use.hasOffset = false;
+            use.turn += isLength(use.channel)
+                            ? 0.0
+                            : std::numbers::pi * std::round(candidate.hypothesis.offset(j) / std::numbers::pi);
+        }
     }
     addWithVariants(data, std::move(withoutIdleOffsets), all); // unless there is none: then it is known
     if (candidate.acceptance == Acceptance::Rejected) {
@@ -160,7 +165,7 @@ bool isAsWritten(const Observations &data, const Hypothesis &hypothesis)
     const auto isSameAsHeading = [](const ColumnUse &use, const ObservedColumn &column) {
         return use.isPlain() && use.channel == column.channel;
     };
-    return std::ranges::equal(hypothesis.columns, data.columns, isSameAsHeading) &&
+    return hypothesis.timeUnit == 1.0 && std::ranges::equal(hypothesis.columns, data.columns, isSameAsHeading) &&
            (!data.isByCrankAngle ||
             (hypothesis.abscissaFactor == 1.0 && !hypothesis.isFree[indexOf(Parameter::Theta20)]));
 }

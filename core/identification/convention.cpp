@@ -65,10 +65,19 @@ void turn(ReferenceSeries &series)
 
 } // namespace
 
-double nearestFactor(std::span<const double> factors, double wanted)
+double nearestFactor(std::span<const double> units, double wanted, double unitOfHeading)
 {
-    return *std::ranges::min_element(factors, {},
-                                     [&](double factor) { return std::abs(std::log(std::abs(wanted) / factor)); });
+    constexpr double kSameUnit = 1e-9;
+    double nearest = 1.0;
+    for (const double unit : units) {
+        const bool isDefault = unitOfHeading == 1.0;
+        const double factor = isDefault ? unit : 1.0 / unit;
+        const auto distance = [&](double other) { return std::abs(std::log(std::abs(wanted) / other)); };
+        if ((isDefault || std::abs(unitOfHeading / unit - 1.0) < kSameUnit) && distance(factor) < distance(nearest)) {
+            nearest = factor;
+        }
+    }
+    return nearest;
 }
 
 bool concerns(const Convention &convention, Channel channel)

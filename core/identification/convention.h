@@ -47,13 +47,14 @@
 namespace slidercrank
 {
 
-// The factors between units that occur in files.
-inline constexpr std::array kAngleFactors{1.0, kDegreesPerRadian, 1.0 / kDegreesPerRadian};
-inline constexpr std::array kLengthFactors{1.0, 10.0, 25.4, 1000.0, 0.1, 1.0 / 25.4, 1e-3};
-inline constexpr std::array kTimeFactors{1.0, 1e-3, 1e3}; // 1 first
+// The units that occur in files, in the default unit.
+inline constexpr std::array kAngleFactors{1.0, kDegreesPerRadian};
+inline constexpr std::array kLengthFactors{1.0, 10.0, 25.4, 1000.0};
+inline constexpr std::array kTimeFactors{1.0, 1e-3};
 
-/// The factor whose ratio to |wanted| is nearest to 1.
-double nearestFactor(std::span<const double> factors, double wanted);
+/// The factor nearest to |wanted| that corrects a wrong unit: values in the default unit, which includes those without
+/// a unit, may be in one of `units`, and those in one of `units` may be in the default unit.
+double nearestFactor(std::span<const double> units, double wanted, double unitOfHeading);
 
 /// A convention and the columns that it changes. In a file by crank angle, AngleUnit, Sign and ZeroPoint of θ2 change
 /// the abscissa.

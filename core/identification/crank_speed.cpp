@@ -114,9 +114,7 @@ double roughTurns(const Observations &data)
 SpeedCandidates speedCandidates(const Observations &data)
 {
     if (data.isByCrankAngle) {
-        return {{1.0, kDegreesPerRadian, 1.0 / kDegreesPerRadian},
-                {},
-                true}; // in the unit of the heading or in another one
+        return {{1.0, data.unitOfHeading == 1.0 ? kDegreesPerRadian : 1.0 / data.unitOfHeading}, {}, true};
     }
     if (const double known = givenCrankSpeed(data); known != 0.0) {
         return {{std::abs(known)}, {}, true};

@@ -130,6 +130,20 @@ void addAlternatives(const Observations &data, std::span<const Candidate> candid
     }
 }
 
+/// The best candidate. If it frees an origin, this may only absorb the systematic errors of a filter or sensor: then
+/// the best one that explains the file approximately without such freedom, unless rounding explains all residuals of
+/// the first one and this one deviates by more.
+const Candidate &believedCandidate(std::span<const Candidate> candidates)
+{
+    constexpr double kSmallPart = 1e-6; // of the variance
+    const Candidate &best = candidates.front();
+    const auto simpler = std::ranges::find_if(candidates, [&](const Candidate &other) {
+        return other.acceptance == Acceptance::Approximate &&
+               (!best.isExact || std::ranges::max(other.noiseParts) <= kSmallPart);
+    });
+    return best.hasFreeOrigin && simpler != candidates.end() ? *simpler : best;
+}
+
 Uncertainty computeUncertainty(const Observations &data, const Candidate &candidate)
 {
     // A systematic residual counts as ten independent errors, whatever the number of rows. An estimated noise is itself
@@ -242,10 +256,11 @@ Decision decide(const Observations &data, std::span<const Candidate> candidates,
     if (candidates.empty() || candidates.front().acceptance == Acceptance::Rejected) {
         return decision;
     }
-    const std::vector<Candidate> images = equalImages(data, candidates.front(), given);
+    const Candidate &first = believedCandidate(candidates);
+    const std::vector<Candidate> images = equalImages(data, first, given);
     const Candidate &best = decision.candidate = images.front();
     const Uncertainty &uncertainty = decision.uncertainty = computeUncertainty(data, best);
-    result.iterations = candidates.front().iterations;
+    result.iterations = first.iterations;
     result.conditionNumber = uncertainty.conditionNumber;
     const std::array sizes = comparisonSizes(middleParameters(best.hypothesis));
     for (std::size_t i = 0; i < kParameterCount; ++i) { // NaN, the error of a held parameter, is not greater

@@ -93,8 +93,11 @@ std::vector<ConventionFinding> findFaultsOfWholeFile(const ReferenceData &data, 
     // Each fault changes the mechanism by one symmetry (convention.h), which the ratios of the parameters tell.
     Parameters p = found.parameters;
     std::array errors = found.standardError;
-    const double lengthFactor = nearestFactor(kLengthFactors, given.a / p.a);
-    const double timeFactor = nearestFactor(kTimeFactors, p.omega2 / given.omega2);
+    const auto length =
+        std::ranges::find_if(data.series, [](const ReferenceSeries &series) { return isLength(series.channel); });
+    const double lengthFactor =
+        nearestFactor(kLengthFactors, given.a / p.a, length != data.series.end() ? length->rounding.unitFactor : 1.0);
+    const double timeFactor = nearestFactor(kTimeFactors, p.omega2 / given.omega2, data.timeRounding.unitFactor);
     const bool isReversed = p.omega2 * given.omega2 < 0.0;
     const double sense = isReversed ? -1.0 : 1.0;
     for (const Parameter parameter : {Parameter::A, Parameter::B, Parameter::C}) {

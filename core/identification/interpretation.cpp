@@ -49,9 +49,10 @@ void chooseUnit(const ObservedColumn &column, const ColumnRegression &regression
     if (tellsShape(column)) {
         const double slope = regression.slope();
         const double wanted = slope != 0.0 ? size / slope / use.conversion : 1.0;
-        use.unit = std::copysign(
-            nearestFactor(isLength(use.channel) ? std::span<const double>(kLengthFactors) : kAngleFactors, wanted),
-            wanted);
+        use.unit =
+            std::copysign(nearestFactor(isLength(use.channel) ? std::span<const double>(kLengthFactors) : kAngleFactors,
+                                        wanted, column.unitOfHeading),
+                          wanted);
     } else if (use.channel == Channel{R4y, Order::Position}) {
         constexpr double kAbout = 0.1;
         const double model = size * regression.meanModel;
@@ -258,8 +259,10 @@ void addOfImage(const Observations &data, Hypothesis hypothesis, const Interpret
     }
     const bool mayBeOtherTime =
         !options.isPlain && std::ranges::any_of(data.columns, isShapeDerivative) && !data.isByCrankAngle;
+    const double wrongTime = data.unitOfHeading == 1.0 ? kTimeFactors[1] : 1.0 / kTimeFactors[1];
+    const std::array timeUnits{1.0, nearestFactor(kTimeFactors, wrongTime, data.unitOfHeading)};
     for (const double size : sizesToldBy(data, regressions, options, hypothesis)) {
-        for (const double timeUnit : std::span(kTimeFactors).first(mayBeOtherTime ? kTimeFactors.size() : 1)) {
+        for (const double timeUnit : std::span(timeUnits).first(mayBeOtherTime ? timeUnits.size() : 1)) {
             hypothesis.timeUnit = timeUnit;
             Fit result = interpret(data, hypothesis, regressions, size, options.isPlain);
             if (options.isShortArc && options.isPlain && result.exists() && result.score > kHardlyExplained) {

@@ -123,6 +123,7 @@ std::optional<ObservedColumn> observedColumn(const ReferenceSeries &series, std:
 {
     ObservedColumn column;
     column.channel = series.channel;
+    column.unitOfHeading = series.rounding.unitFactor;
     const double unit = isAngle(series.channel.coordinate) ? 1.0 / kDegreesPerRadian : 1.0;
     column.values.reserve(rows.size());
     for (const std::size_t row : rows) {
@@ -217,6 +218,7 @@ Observations observe(const ReferenceData &data)
     const Clock clock = data.crank ? clockOf(data.crank->degrees, data.crank->rounding) : clockOf(data);
     all.step = clock.step() * unit;
     all.printedStep = clock.printedStep * unit;
+    all.unitOfHeading = (data.crank ? data.crank->rounding : data.timeRounding).unitFactor;
     for (const ReferenceSeries &series : data.series) {
         if (!isAlwaysZero(series.channel) && !(data.crank && series.channel == Channel{Theta2, Order::Position})) {
             if (std::optional<ObservedColumn> column = observedColumn(series, all.rows)) {
@@ -229,8 +231,9 @@ Observations observe(const ReferenceData &data)
 
 Observations selection(const Observations &all, std::span<const std::size_t> rows)
 {
-    Observations some{valuesAt(all.abscissa, rows), all.origin, all.isByCrankAngle, all.step, all.printedStep,
-                      valuesAt(all.rows, rows),     {}};
+    Observations some{
+        valuesAt(all.abscissa, rows), all.origin, all.isByCrankAngle, all.step, all.printedStep, all.unitOfHeading,
+        valuesAt(all.rows, rows),     {}};
     for (const ObservedColumn &whole : all.columns) {
         ObservedColumn &column = some.columns.emplace_back();
         static_cast<ColumnStatistics &>(column) = whole;

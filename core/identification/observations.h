@@ -26,6 +26,7 @@ struct ColumnStatistics {
     double range = 0.0;  ///< largest minus smallest value
     double step = 0.0;   ///< largest rounding step
     double meanVariance = 0.0;
+    double unitOfHeading = 1.0; ///< in the default unit
     bool varies = false;
     bool hadJumps = false; ///< jumps by whole turns were removed from an angle
 };
@@ -66,6 +67,7 @@ struct Observations {
     bool isByCrankAngle = false;
     double step = 0.0;             ///< rounding step of the abscissa; 0 if the abscissa is even
     double printedStep = 0.0;      ///< rounding step of the abscissa as printed
+    double unitOfHeading = 1.0;    ///< of the abscissa, in the default unit
     std::vector<std::size_t> rows; ///< indices in the file
     std::vector<ObservedColumn> columns;
 
