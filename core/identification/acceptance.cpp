@@ -26,19 +26,21 @@ constexpr double kLargestSystematicPart = 0.01;
 
 constexpr Eigen::Index kHarmonics = 8;
 
-/// Whether the values, in the order of time, look like independent noise of one distribution: tests the sum of eight
-/// squared autocorrelations (Ljung-Box), and the kurtosis, which single bad readings raise.
+/// Whether the values, in the order of time, look like independent noise without bad readings: tests the sum of eight
+/// squared autocorrelations (Ljung-Box), the kurtosis and the largest value.
 bool isWhiteInTime(const std::vector<double> &values)
 {
     constexpr std::size_t kLags = 8;
     constexpr double kLargestSum = 30.0;     // 99.98 % point of chi-square with 8 degrees of freedom
-    constexpr double kLargestKurtosis = 9.0; // 3 for normally distributed values
+    constexpr double kLargestKurtosis = 9.0; // 3 for normally distributed values; single bad readings raise it
     double sum = 0.0;
     for (std::size_t lag = 1; lag <= std::min(kLags, values.size() / 5); ++lag) {
         const double deviations = autocorrelation(values, lag);
         sum += deviations * deviations;
     }
-    return sum <= kLargestSum && boost::math::statistics::kurtosis(values) <= kLargestKurtosis;
+    const auto [lowest, highest] = std::ranges::minmax(values);
+    return sum <= kLargestSum && (boost::math::statistics::kurtosis(values) <= kLargestKurtosis ||
+                                  std::max(-lowest, highest) <= kFarReading * robustDeviation(values));
 }
 
 /// Whether the values, in the order of the crank angle, are not correlated with their neighbours and are no function of
@@ -95,6 +97,13 @@ Residual judgeColumn(const Observations &data, const Fit &fit, std::size_t j)
 }
 
 } // namespace
+
+double robustDeviation(std::vector<double> values)
+{
+    constexpr double kOfNormal = 1.4826; // standard deviation per median absolute deviation
+    std::erase_if(values, [](double value) { return std::isnan(value); });
+    return values.empty() ? 0.0 : kOfNormal * boost::math::statistics::median_absolute_deviation(values, 0.0);
+}
 
 double Candidate::pricedScore() const
 {

@@ -12,6 +12,12 @@
 namespace slidercrank
 {
 
+/// Readings beyond so many robust standard deviations are bad.
+inline constexpr double kFarReading = 8.0;
+
+/// The standard deviation from zero that normally distributed values with the same median absolute value have.
+double robustDeviation(std::vector<double> values);
+
 /// What the residuals of a column are.
 enum class Residual {
     NotUsed,

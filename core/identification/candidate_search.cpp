@@ -25,8 +25,8 @@ bool isPlottedDerivative(Channel channel)
 void addWithVariants(const Observations &data, Hypothesis hypothesis, std::vector<Candidate> &all);
 
 /// Adds a variant of the candidate without the columns whose residuals are as bad as `least` or worse, if these are
-/// derivatives. If positions fail as well, and all columns deviate as differences do, adds the variant with the lowest
-/// order of each coordinate only, because differences may have biased the fit.
+/// derivatives. If positions fail as well, adds the variant with the lowest order of each coordinate only, because
+/// derivatives that are differences may have biased the fit.
 void addWithFewerColumns(const Observations &data, const Candidate &candidate, Residual least,
                          std::vector<Candidate> &all)
 {
@@ -44,7 +44,7 @@ void addWithFewerColumns(const Observations &data, const Candidate &candidate, R
     const auto leftOut = static_cast<std::size_t>(std::ranges::count(hypothesis.columns, false, &ColumnUse::isUsed));
     if (onlyDerivatives && (areDifferences || 2 * leftOut <= data.columns.size()) && leftOut < data.columns.size()) {
         addWithVariants(data, std::move(hypothesis), all);
-    } else if (areDifferences && isAsWritten(data, candidate.hypothesis)) {
+    } else if (isAsWritten(data, candidate.hypothesis)) {
         hypothesis = candidate.hypothesis;
         for (std::size_t j = 0; j < data.columns.size(); ++j) {
             const Channel channel = data.columns[j].channel;

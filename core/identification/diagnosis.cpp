@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace slidercrank
 {
@@ -24,20 +25,23 @@ bool differs(const std::vector<ChannelComparison> &channels)
     return std::ranges::find(channels, Verdict::Differs, &ChannelComparison::verdict) != channels.end();
 }
 
-/// The data with gaps in place of excluded values: outliers, and values of a saturated sensor.
-ReferenceData withoutExcluded(ReferenceData data, const Observations &all, const std::vector<std::size_t> &excluded)
+/// The data with gaps in place of excluded values: outliers, and values of a saturated sensor, whose rows are added to
+/// `excluded`.
+ReferenceData withoutExcluded(ReferenceData data, const Observations &all, std::set<std::size_t> &excluded)
 {
-    for (const ObservedColumn &column : all.columns) {
-        const auto series = std::ranges::find(data.series, column.channel, &ReferenceSeries::channel);
-        for (std::size_t i = 0; i < all.rows.size(); ++i) {
-            if (std::isnan(column.values[i])) {
-                series->values[all.rows[i]] = kNone;
-            }
-        }
-    }
     for (ReferenceSeries &series : data.series) {
         for (const std::size_t row : excluded) {
             series.values[row] = kNone;
+        }
+    }
+    for (const ObservedColumn &column : all.columns) {
+        const auto series = std::ranges::find(data.series, column.channel, &ReferenceSeries::channel);
+        for (std::size_t i = 0; i < all.rows.size(); ++i) {
+            double &value = series->values[all.rows[i]];
+            if (std::isnan(column.values[i]) && std::isfinite(value)) {
+                value = kNone;
+                excluded.insert(all.rows[i]);
+            }
         }
     }
     return data;
@@ -79,7 +83,8 @@ bool interpret(const ReferenceData &data, const Observations &all, const FileSea
         return found.outcome == Outcome::Insufficient;
     }
     result.conventions = findConventions(search.data, candidate, uncertainty);
-    const ReferenceData good = withoutExcluded(data, all, search.excluded);
+    std::set<std::size_t> excluded(search.excluded.begin(), search.excluded.end());
+    const ReferenceData good = withoutExcluded(data, all, excluded);
     if (!found.onlyRatios) {
         std::ranges::copy(findFaultsOfWholeFile(good, given, found), std::back_inserter(result.conventions));
     }
@@ -87,7 +92,7 @@ bool interpret(const ReferenceData &data, const Observations &all, const FileSea
         isOfTwoMechanisms(search, candidate, given, stop)) {
         return false;
     }
-    for (const std::size_t row : search.excluded) {
+    for (const std::size_t row : excluded) {
         found.excludedRows.push_back(data.lineOfRow(row));
     }
     std::vector<ConventionFinding> ofUsed = result.conventions;

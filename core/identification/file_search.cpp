@@ -3,9 +3,8 @@
 
 #include "core/identification/crank_speed.h"
 
-#include <boost/math/statistics/univariate_statistics.hpp>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -41,32 +40,39 @@ bool mayBeExcluded(const std::vector<bool> &flags)
 /// absolute deviation.
 std::vector<bool> farRows(const Observations &data, const std::vector<std::vector<double>> &deviations)
 {
-    constexpr double kFar = 8.0;
-    constexpr double kOfNormal = 1.4826; // standard deviation per median absolute deviation
     std::vector<bool> flags(data.abscissa.size(), false);
     for (std::size_t j = 0; j < deviations.size(); ++j) {
-        std::vector<double> values = deviations[j];
-        std::erase_if(values, [](double value) { return std::isnan(value); });
-        const double scale =
-            values.empty() ? 0.0 : kOfNormal * boost::math::statistics::median_absolute_deviation(values, 0.0);
+        const double scale = robustDeviation(deviations[j]);
         for (std::size_t i = 0; i < flags.size(); ++i) {
             const double rounding = std::sqrt(data.columns[j].variances[i]);
-            flags[i] = flags[i] || std::abs(deviations[j][i]) > kFar * std::max(scale, rounding);
+            flags[i] = flags[i] || std::abs(deviations[j][i]) > kFarReading * std::max(scale, rounding);
         }
     }
     return flags;
 }
 
-/// Flags rows with a position far outside the range of the others, such as a code for lost values. Derivatives may have
-/// high peaks near a toggle position.
-std::vector<bool> suspiciousRows(const Observations &data)
+/// Flags rows with a position far outside the range of the others, such as a code for lost values; or rows with a value
+/// that is far from the median of the neighbouring rows. Derivatives may have high peaks near a toggle position.
+std::vector<bool> suspiciousRows(const Observations &data, bool amongNeighbours)
 {
-    std::vector<std::vector<double>> deviations;
+    constexpr std::size_t kBeside = 2; // rows on either side
+    std::vector<bool> flags(data.abscissa.size(), false);
     for (const ObservedColumn &column : data.columns) {
-        const double mean = column.channel.order == Order::Position ? column.mean : kNone;
-        std::ranges::for_each(deviations.emplace_back(column.values), [&](double &value) { value -= mean; });
+        std::vector<double> values = column.values;
+        std::ranges::for_each(values, [&](double &value) { value -= column.mean; });
+        const double spread = robustDeviation(values);
+        for (std::size_t row = kBeside; amongNeighbours && row + kBeside < flags.size(); ++row) {
+            std::array<double, 2 * kBeside + 1> window{};
+            std::copy_n(&values[row - kBeside], window.size(), window.begin());
+            std::ranges::sort(window);
+            flags[row] = flags[row] || std::abs(values[row] - window[kBeside]) > spread;
+        }
+        for (std::size_t row = 0; !amongNeighbours && row < flags.size(); ++row) {
+            flags[row] =
+                flags[row] || (column.channel.order == Order::Position && std::abs(values[row]) > kFarReading * spread);
+        }
     }
-    return farRows(data, deviations);
+    return flags;
 }
 
 /// Flags rows that are far from a candidate.
@@ -184,10 +190,15 @@ void excludeOutliers(const Observations &all, const Parameters &given, const std
 FileSearch searchFile(const Observations &all, const Parameters &given, const std::stop_token &stop)
 {
     FileSearch search = searchRows(all, given, stop);
-    const std::vector<bool> suspicious = suspiciousRows(all);
-    if (!isIdentified(search.candidates) && mayBeExcluded(suspicious)) { // they may have prevented the search
-        FileSearch cleaned = searchRows(without(all, suspicious), given, stop);
-        search = isIdentified(cleaned.candidates) ? std::move(cleaned) : search;
+    for (const bool amongNeighbours : {false, true}) { // bad readings may have prevented the search
+        const std::vector<bool> suspicious = suspiciousRows(all, amongNeighbours);
+        if (!isIdentified(search.candidates) && mayBeExcluded(suspicious)) {
+            FileSearch cleaned = searchRows(without(all, suspicious), given, stop);
+            excludeOutliers(all, given, stop, cleaned);
+            if (!cleaned.excluded.empty()) {
+                return cleaned;
+            }
+        }
     }
     if (!isIdentified(search.candidates) || search.data.abscissa.size() < all.abscissa.size()) {
         excludeOutliers(all, given, stop, search);

@@ -28,9 +28,10 @@ bool isAlwaysZero(Channel channel)
 /// differences, are not independent.
 double repetitionOf(const ObservedColumn &column)
 {
-    constexpr double kSamePart = 1e-3; // of a step: closer differences are equal
-    double runs = 1.0;                 // groups of consecutive equal values
-    double stretches = 0.0;            // groups of consecutive equal differences
+    constexpr double kSamePart = 1e-3;  // of a step: closer differences are equal
+    constexpr double kManySteps = 10.0; // for each value: few are equal by chance
+    double runs = 1.0;                  // groups of consecutive equal values
+    double stretches = 0.0;             // groups of consecutive equal differences
     double last = kNone;
     double difference = kNone;
     for (const double value : column.values) {
@@ -44,14 +45,22 @@ double repetitionOf(const ObservedColumn &column)
         }
         last = value;
     }
-    return column.count / (runs > 1.0 ? std::min({runs, 2.0 * stretches, column.count}) : 1.0);
+    std::vector<double> sorted = column.values;
+    std::erase_if(sorted, [](double value) { return std::isnan(value); });
+    std::ranges::sort(sorted);
+    const auto repeated = static_cast<double>(std::ranges::unique(sorted).size());
+    // If the values have many digits, equal ones are those of equal crank angles.
+    const double distinct =
+        column.range > kManySteps * column.count * column.step ? column.count - repeated : column.count;
+    return column.count / (runs > 1.0 ? std::min({runs, 2.0 * stretches, distinct}) : 1.0);
 }
 
-/// Replaces the values of a saturated sensor by gaps. Such a value is an extreme that repeats much more often than
-/// rounding explains at a turning point, and that neighbouring rows approach gradually.
+/// Replaces the values of a saturated sensor by gaps. Such a value is an extreme that several consecutive rows repeat,
+/// much more often than rounding explains at a turning point, and that neighbouring rows approach gradually.
 void removeSaturation(std::vector<double> &values, double step)
 {
     constexpr std::ptrdiff_t kFewestRepeats = 5;
+    constexpr std::ptrdiff_t kShortestRun = 3;
     constexpr double kMostPart = 0.5; // of the rows; with more it is a square wave
     constexpr double kFewSteps =
         8.0; // steps below the peak within which a parabola has twice as many values as at the peak
@@ -66,13 +75,14 @@ void removeSaturation(std::vector<double> &values, double step)
         });
         double neighbours = 0.0;
         double jumps = 0.0;
+        const bool hasRun = !std::ranges::search_n(values, kShortestRun, limit).empty();
         for (std::size_t i = 1; i < values.size(); ++i) {
             if ((values[i] == limit) != (values[i - 1] == limit)) {
                 neighbours += 1.0;
                 jumps += std::abs(values[i] - values[i - 1]) > kLargestJumpPart * range.width() ? 1.0 : 0.0;
             }
         }
-        if (repeats >= kFewestRepeats && 2 * besideLimit < repeats && neighbours > 0.0 &&
+        if (repeats >= kFewestRepeats && hasRun && 2 * besideLimit < repeats && neighbours > 0.0 &&
             jumps <= kMostJumps * neighbours &&
             static_cast<double>(repeats) <= kMostPart * static_cast<double>(values.size())) {
             std::ranges::replace(values, limit, kNone);
