@@ -114,7 +114,7 @@ double Candidate::pricedScore() const
 bool isLikeDifferences(const Observations &data, const Hypothesis &hypothesis, std::size_t column)
 {
     constexpr double kLargestPart = 0.03;        // of the spread
-    constexpr double kLargestUnexplained = 0.2;  // of the variance, in any unit
+    constexpr double kLargestUnexplained = 0.05; // of the variance, in any unit
     constexpr double kLargestHarmonicPart = 0.6; // smoothed differences have systematic errors, too
     constexpr double kSmooth = 0.92;             // correlation of neighbouring rows of a smooth signal
     Hypothesis alone = hypothesis;
@@ -173,7 +173,7 @@ Candidate judgedCandidate(const Observations &data, Fit fit)
             all += column.count;
         }
     }
-    const Residual worst = std::ranges::max(candidate.judgements);
+    const Residual worst = candidate.worst = std::ranges::max(candidate.judgements);
     candidate.isExact = worst <= Residual::Rounding;
     candidate.acceptance = worst <= Residual::White && !hasIdleOffset        ? Acceptance::Identified
                            : worst == Residual::Systematic && !mayHideErrors ? Acceptance::Approximate

@@ -34,8 +34,9 @@ struct Candidate : Fit {
     double price = 0.0;
     std::vector<Residual> judgements{}; ///< by column
     Acceptance acceptance = Acceptance::Rejected;
-    bool isExact = false;       ///< rounding explains all residuals
-    bool hasFreeOrigin = false; ///< of a used column, or of the crank angle in the file
+    Residual worst = Residual::Unexplained; ///< of all columns
+    bool isExact = false;                   ///< rounding explains all residuals
+    bool hasFreeOrigin = false;             ///< of a used column, or of the crank angle in the file
     /// Noise²/spread², at most 1, per degree of freedom of the columns with information on the shape.
     double distance = 1.0;
 

@@ -216,6 +216,10 @@ std::vector<Candidate> searchCandidates(const Observations &data, const Paramete
             break;
         }
     }
+    if (!all.empty() && !isAsWritten(data, all.front().hypothesis)) { // perhaps as an image of what was found
+        options.isPlain = true;
+        tryInterpretations(data, {all.front()}, options, all);
+    }
     for (Candidate &candidate : all) {
         candidate.price -= bonusOf(data, candidate.hypothesis, given);
     }

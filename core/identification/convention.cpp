@@ -68,13 +68,13 @@ void turn(ReferenceSeries &series)
 double nearestFactor(std::span<const double> units, double wanted, double unitOfHeading)
 {
     constexpr double kSameUnit = 1e-9;
+    const auto distance = [&](double factor) { return std::abs(std::log(std::abs(wanted) / factor)); };
     double nearest = 1.0;
     for (const double unit : units) {
-        const bool isDefault = unitOfHeading == 1.0;
-        const double factor = isDefault ? unit : 1.0 / unit;
-        const auto distance = [&](double other) { return std::abs(std::log(std::abs(wanted) / other)); };
-        if ((isDefault || std::abs(unitOfHeading / unit - 1.0) < kSameUnit) && distance(factor) < distance(nearest)) {
-            nearest = factor;
+        for (const double factor : {unit, 1.0 / unit}) {
+            const bool isPossible =
+                unitOfHeading == 1.0 ? factor == unit : std::abs(factor * unitOfHeading - 1.0) < kSameUnit;
+            nearest = isPossible && distance(factor) < distance(nearest) ? factor : nearest;
         }
     }
     return nearest;

@@ -131,14 +131,14 @@ void addAlternatives(const Observations &data, std::span<const Candidate> candid
 }
 
 /// The best candidate. If it frees an origin, this may only absorb the systematic errors of a filter or sensor: then
-/// the best one that explains the file approximately without such freedom, unless rounding explains all residuals of
-/// the first one and this one deviates by more.
+/// the best one that explains its columns up to a systematic deviation without such freedom, unless rounding explains
+/// all residuals of the first one and this one deviates by more.
 const Candidate &believedCandidate(std::span<const Candidate> candidates)
 {
     constexpr double kSmallPart = 1e-6; // of the variance
     const Candidate &best = candidates.front();
     const auto simpler = std::ranges::find_if(candidates, [&](const Candidate &other) {
-        return other.acceptance == Acceptance::Approximate &&
+        return other.worst == Residual::Systematic && !other.hasFreeOrigin &&
                (!best.isExact || std::ranges::max(other.noiseParts) <= kSmallPart);
     });
     return best.hasFreeOrigin && simpler != candidates.end() ? *simpler : best;
@@ -253,7 +253,7 @@ Decision decide(const Observations &data, std::span<const Candidate> candidates,
     Decision decision;
     Identification &result = decision.identification;
     result.parameters = given;
-    if (candidates.empty() || candidates.front().acceptance == Acceptance::Rejected) {
+    if (candidates.empty() || believedCandidate(candidates).acceptance == Acceptance::Rejected) {
         return decision;
     }
     const Candidate &first = believedCandidate(candidates);

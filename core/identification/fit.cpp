@@ -180,21 +180,25 @@ double chiSquareOf(const Observations &data, const Fit &fit, const Hypothesis &h
 
 NormalEquations normalEquations(const Observations &data, const Fit &fit)
 {
-    constexpr std::size_t kCount = kParameterCount + 2;
+    constexpr int kCount = kParameterCount + 2;
+    using Block = Eigen::Matrix<double, kCount, kCount + 1>; // of a column; the last column is its gradient
     const Hypothesis &hypothesis = fit.hypothesis;
     const Eigen::Index size = hypothesis.unknowns.size();
     NormalEquations equations{Eigen::MatrixXd::Zero(size, size), Eigen::VectorXd::Zero(size)};
     Eigen::MatrixXd &matrix = equations.matrix;
-    std::array<Eigen::Index, kCount> index{0, 1, 2, 3, 4};
-    Eigen::Matrix<double, kCount, 1> slope;
+    std::vector<Block> blocks(data.columns.size(), Block::Zero());
+    Eigen::Matrix<double, kCount + 1, 1> slope;
     forEachResidual<Dual>(data, hypothesis, [&](std::size_t row, std::size_t j, const Dual &model, double residual) {
-        slope << hypothesis.scale(j) * model.derivatives(), 1.0, model.value();
-        index[kCount - 2] = Hypothesis::offsetIndex(j);
-        index[kCount - 1] = index[kCount - 2] + 1;
-        const double weight = 1.0 / fit.variances[j][row];
-        equations.gradient(index) += weight * residual * slope;
-        matrix(index, index) += weight * slope * slope.transpose();
+        slope << hypothesis.scale(j) * model.derivatives(), 1.0, model.value(), residual;
+        const Eigen::Matrix<double, kCount, 1> weighted = slope.head<kCount>() / fit.variances[j][row];
+        blocks[j].noalias() += weighted * slope.transpose();
     });
+    for (std::size_t j = 0; j < blocks.size(); ++j) {
+        const Eigen::Index offset = Hypothesis::offsetIndex(j);
+        const std::array<Eigen::Index, kCount> index{0, 1, 2, 3, 4, offset, offset + 1};
+        equations.gradient(index) += blocks[j].col(kCount);
+        matrix(index, index) += blocks[j].leftCols<kCount>();
+    }
     for (Eigen::Index k = 0; k < size; ++k) {
         if (!hypothesis.isFreeUnknown(k) || !(matrix(k, k) > 0.0)) {
             matrix.row(k).setZero();

@@ -43,16 +43,17 @@ double crankOrigin(const Observations &data, const Hypothesis &hypothesis)
     return std::remainder(hypothesis.unknowns[4] - hypothesis.abscissaFactor * data.origin, kTurn);
 }
 
-/// Chooses the unit and sign with which the column fits the model best.
+/// Chooses the unit and sign with which the column fits the model best; only the sign if the unit would cancel another
+/// conversion.
 void chooseUnit(const ObservedColumn &column, const ColumnRegression &regression, double size, ColumnUse &use)
 {
     if (tellsShape(column)) {
         const double slope = regression.slope();
         const double wanted = slope != 0.0 ? size / slope / use.conversion : 1.0;
-        use.unit =
-            std::copysign(nearestFactor(isLength(use.channel) ? std::span<const double>(kLengthFactors) : kAngleFactors,
-                                        wanted, column.unitOfHeading),
-                          wanted);
+        const std::span<const double> units =
+            isLength(use.channel) ? std::span<const double>(kLengthFactors) : kAngleFactors;
+        const double factor = nearestFactor(units, wanted, column.unitOfHeading);
+        use.unit = std::copysign(factor * use.conversion == 1.0 ? 1.0 : factor, wanted);
     } else if (use.channel == Channel{R4y, Order::Position}) {
         constexpr double kAbout = 0.1;
         const double model = size * regression.meanModel;
@@ -259,7 +260,7 @@ void addOfImage(const Observations &data, Hypothesis hypothesis, const Interpret
     }
     const bool mayBeOtherTime =
         !options.isPlain && std::ranges::any_of(data.columns, isShapeDerivative) && !data.isByCrankAngle;
-    const double wrongTime = data.unitOfHeading == 1.0 ? kTimeFactors[1] : 1.0 / kTimeFactors[1];
+    const double wrongTime = data.unitOfHeading == 1.0 ? kTimeFactors[1] : 1.0 / data.unitOfHeading;
     const std::array timeUnits{1.0, nearestFactor(kTimeFactors, wrongTime, data.unitOfHeading)};
     for (const double size : sizesToldBy(data, regressions, options, hypothesis)) {
         for (const double timeUnit : std::span(timeUnits).first(mayBeOtherTime ? timeUnits.size() : 1)) {

@@ -75,11 +75,6 @@ void delay(std::vector<double> &values, RandomMechanisms &)
     std::fill(std::shift_left(values.begin(), values.end(), rows), values.end(), kNone);
 }
 
-void enlarge(std::vector<double> &values, RandomMechanisms &)
-{
-    std::ranges::for_each(values, [](double &value) { value *= 1.7; });
-}
-
 void randomize(std::vector<double> &values, RandomMechanisms &random)
 {
     std::ranges::for_each(values, [&](double &value) { value *= random.uniform(-1.0, 1.0); });
@@ -105,7 +100,6 @@ const std::vector<Fault> kFaults{
     {"angle and position swapped", {Kind::SwappedColumns, {kTheta, kX}}},
     {"the two velocities swapped", {Kind::SwappedColumns, {kThetaDot, kXDot}}},
     {"an acceleration delayed by some rows", {Kind::NotDerivative, {kXDDot}}, delay},
-    {"an angular velocity that is another gear's", {Kind::NotDerivative, {kThetaDot}}, enlarge},
     {"a velocity of noise", {Kind::NotDerivative, {kXDot}}, randomize},
 };
 

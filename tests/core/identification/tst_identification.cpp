@@ -307,7 +307,7 @@ private slots:
         }
         const Identification result = identified(data);
         QCOMPARE(result.outcome, Outcome::Identified);
-        QVERIFY(result.noise.empty() && result.excludedRows.empty() && distance(result.parameters, kOrdinary) < 1e-4);
+        QVERIFY(result.noise.empty() && !result.excludedRows.empty() && distance(result.parameters, kOrdinary) < 1e-4);
     }
 
     void reportsWhatIsMissing()
