@@ -203,7 +203,7 @@ std::vector<Candidate> searchCandidates(const Observations &data, const Paramete
     const SpeedCandidates speeds = speedCandidates(data);
     std::vector<Fit> shapes = searchShapes(data, plainColumns(data), speeds, stop);
     shapes.resize(std::min(shapes.size(), kMostShapes));
-    InterpretationOptions options{true, given, !speeds.shortArc.empty(), stop};
+    InterpretationOptions options{true, given, stop};
     for (const bool isPlain : {true, false}) {
         options.isPlain = isPlain;
         if (!isPlain && !shapes.empty() && std::ranges::max(shapes.front().noiseParts) > kFarOff) {
@@ -215,10 +215,6 @@ std::vector<Candidate> searchCandidates(const Observations &data, const Paramete
         if (stop.stop_requested() || (isIdentified(all) && isAsWritten(data, all.front().hypothesis))) {
             break;
         }
-    }
-    if (!all.empty() && !isAsWritten(data, all.front().hypothesis)) { // perhaps as an image of what was found
-        options.isPlain = true;
-        tryInterpretations(data, {all.front()}, options, all);
     }
     for (Candidate &candidate : all) {
         candidate.price -= bonusOf(data, candidate.hypothesis, given);

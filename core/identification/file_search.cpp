@@ -36,21 +36,6 @@ bool mayBeExcluded(const std::vector<bool> &flags)
     return count > 0.0 && count <= kMost * static_cast<double>(flags.size());
 }
 
-/// Flags rows in which a deviation, in the unit of its column, exceeds 8 standard deviations, estimated by the median
-/// absolute deviation.
-std::vector<bool> farRows(const Observations &data, const std::vector<std::vector<double>> &deviations)
-{
-    std::vector<bool> flags(data.abscissa.size(), false);
-    for (std::size_t j = 0; j < deviations.size(); ++j) {
-        const double scale = robustDeviation(deviations[j]);
-        for (std::size_t i = 0; i < flags.size(); ++i) {
-            const double rounding = std::sqrt(data.columns[j].variances[i]);
-            flags[i] = flags[i] || std::abs(deviations[j][i]) > kFarReading * std::max(scale, rounding);
-        }
-    }
-    return flags;
-}
-
 /// Flags rows with a position far outside the range of the others, such as a code for lost values; or rows with a value
 /// that is far from the median of the neighbouring rows. Derivatives may have high peaks near a toggle position.
 std::vector<bool> suspiciousRows(const Observations &data, bool amongNeighbours)
@@ -75,15 +60,19 @@ std::vector<bool> suspiciousRows(const Observations &data, bool amongNeighbours)
     return flags;
 }
 
-/// Flags rows that are far from a candidate.
+/// Flags rows with a residual beyond 8 standard deviations, by the median absolute residual or by the rounding.
 std::vector<bool> outliers(const Observations &data, const Candidate &candidate)
 {
-    Fit fit = evaluateHypothesis(data, candidate.hypothesis);
+    const Fit fit = evaluateHypothesis(data, candidate.hypothesis);
+    std::vector<bool> flags(data.abscissa.size(), false);
     for (std::size_t j = 0; j < fit.residuals.size(); ++j) {
-        std::ranges::for_each(fit.residuals[j],
-                              [factor = candidate.hypothesis.columns[j].factor()](double &value) { value /= factor; });
+        const double scale = robustDeviation(fit.residuals[j]);
+        for (std::size_t i = 0; i < flags.size(); ++i) {
+            const double rounding = std::sqrt(std::max(fit.variances[j][i] - fit.noiseVariances[j], 0.0));
+            flags[i] = flags[i] || std::abs(fit.residuals[j][i]) > kFarReading * std::max(scale, rounding);
+        }
     }
-    return farRows(data, fit.residuals);
+    return flags;
 }
 
 /// At most 300 rows from the beginning of the file, spread over as many turns as they can resolve.

@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <span>
 
 namespace slidercrank
@@ -125,43 +124,6 @@ Fit interpret(const Observations &data, const Hypothesis &hypothesis, const std:
     return 2 * leftOut > data.columns.size() ? Fit() : result;
 }
 
-/// Continuation from the fit with free scales and origins to the fit with those of the file, in small steps: on a short
-/// arc the first is too far from the second.
-std::optional<Hypothesis> continued(const Observations &data, Hypothesis hypothesis,
-                                    const std::vector<ColumnRegression> &regressions, double size)
-{
-    constexpr int kSteps = 8;
-    constexpr int kRounds = 3;
-    constexpr double kLargestTurn = 1.5; // rad: largest offset from which continuation is tried
-    hypothesis.unknowns.head(3) *= size;
-    std::vector<ColumnUse> first = hypothesis.columns;
-    for (std::size_t j = 0; j < regressions.size(); ++j) {
-        if (!tellsShape(data.columns[j])) {
-            continue;
-        }
-        ColumnUse &use = first[j];
-        const double columnSize = isLength(use.channel) ? size : 1.0;
-        use.unit = columnSize / regressions[j].slope();
-        use.turn = use.channel.order == Order::Position ? regressions[j].offset(use.unit, columnSize) : 0.0;
-        if (!(use.unit > 0.0) || (!isLength(use.channel) && std::abs(use.turn) > kLargestTurn)) {
-            return std::nullopt;
-        }
-    }
-    for (int k = 1; k <= kSteps; ++k) {
-        const double left = 1.0 - static_cast<double>(k) / kSteps;
-        for (std::size_t j = 0; j < first.size(); ++j) {
-            hypothesis.columns[j].unit = std::pow(first[j].unit, left);
-            hypothesis.columns[j].turn = first[j].turn * left;
-        }
-        const Fit fit = fitHypothesis(data, hypothesis, kRounds);
-        if (!fit.exists()) {
-            return std::nullopt;
-        }
-        hypothesis.unknowns = fit.hypothesis.unknowns;
-    }
-    return hypothesis;
-}
-
 /// Appends a value that differs from those in the list.
 void addDistinct(double value, std::vector<double> &values)
 {
@@ -252,8 +214,6 @@ std::vector<Hypothesis> crankHypotheses(const Observations &data, const Hypothes
 void addOfImage(const Observations &data, Hypothesis hypothesis, const InterpretationOptions &options,
                 std::vector<Fit> &interpretations)
 {
-    constexpr double kHardlyExplained = -1.0;
-    constexpr std::size_t kValleyRows = 80;
     const std::vector<ColumnRegression> regressions = columnRegressions(data, hypothesis);
     if (regressions.empty()) {
         return;
@@ -266,13 +226,6 @@ void addOfImage(const Observations &data, Hypothesis hypothesis, const Interpret
         for (const double timeUnit : std::span(timeUnits).first(mayBeOtherTime ? timeUnits.size() : 1)) {
             hypothesis.timeUnit = timeUnit;
             Fit result = interpret(data, hypothesis, regressions, size, options.isPlain);
-            if (options.isShortArc && options.isPlain && result.exists() && result.score > kHardlyExplained) {
-                if (const auto better = continued(thinned(data, kValleyRows), hypothesis, regressions, size)) {
-                    if (const auto again = columnRegressions(data, *better); !again.empty()) {
-                        result = interpret(data, *better, again, 1.0, true);
-                    }
-                }
-            }
             if (result.exists()) {
                 interpretations.push_back(std::move(result));
             }

@@ -25,8 +25,7 @@ struct InterpretationOptions {
     /// Interprets columns as their headings say, up to whole turns. Otherwise also with other units, signs, origins and
     /// half turns, and without derivatives that cannot be explained.
     bool isPlain = true;
-    Parameters given;        ///< supplies a if the file contains no length, and ω2 if it contains no time
-    bool isShortArc = false; ///< the fitted shape may be far from the mechanism: tries continuation
+    Parameters given; ///< supplies a if the file contains no length, and ω2 if it contains no time
     std::stop_token stop;
 };
 

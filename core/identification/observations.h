@@ -86,6 +86,7 @@ template <class T>
 std::vector<T> valuesAt(const std::vector<T> &values, std::span<const std::size_t> indices)
 {
     std::vector<T> chosen;
+    chosen.reserve(indices.size());
     for (const std::size_t index : indices) {
         chosen.push_back(values[index]);
     }
