@@ -64,7 +64,6 @@ void addWithFewerColumns(const Observations &data, const Candidate &candidate, R
 /// Fits a hypothesis and adds it with its variants, unless it is known.
 void addWithVariants(const Observations &data, Hypothesis hypothesis, std::vector<Candidate> &all)
 {
-    constexpr double kNear = 0.3; // largest Candidate::distance for which equal weights are tried
     if (isKnown(hypothesis, all)) {
         return;
     }
@@ -89,11 +88,6 @@ void addWithVariants(const Observations &data, Hypothesis hypothesis, std::vecto
     }
     if (std::ranges::count(candidate.judgements, Residual::Systematic) > 0) {
         addWithFewerColumns(data, candidate, Residual::Systematic, all);
-    }
-    if (candidate.acceptance == Acceptance::Rejected && candidate.distance < kNear) {
-        Hypothesis balanced = candidate.hypothesis;
-        balanced.isBalanced = true;
-        addWithVariants(data, std::move(balanced), all);
     }
 }
 

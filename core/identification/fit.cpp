@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <utility>
 
 namespace slidercrank
@@ -71,23 +70,18 @@ bool weigh(const Observations &data, Fit &fit)
     if (!forEachResidual<Dual>(data, hypothesis, record)) {
         return false;
     }
-    double varying = 0.0;
     for (std::size_t j = 0; j < columnCount; ++j) {
         if (hypothesis.columns[j].isUsed && data.columns[j].count > 0.0) {
             fit.noiseVariances[j] = noiseVarianceOf(fit.residuals[j], fit.variances[j], data.columns[j].count);
             const double spread = interpretedSpread(data, hypothesis, j);
             fit.noiseParts[j] = data.columns[j].varies ? fit.noiseVariances[j] / (spread * spread) : 0.0;
-            varying += data.columns[j].varies ? 1.0 : 0.0;
         }
     }
-    const double meanPart = std::accumulate(fit.noiseParts.begin(), fit.noiseParts.end(), 0.0) / varying;
     for (std::size_t j = 0; j < columnCount; ++j) {
         const double spread = interpretedSpread(data, hypothesis, j);
-        const bool isBalanced = hypothesis.isBalanced && data.columns[j].varies;
-        const double noise = isBalanced ? meanPart * spread * spread : fit.noiseVariances[j];
         for (std::size_t i = 0; i < data.abscissa.size(); ++i) {
             double &variance = fit.variances[j][i];
-            variance += noise;
+            variance += fit.noiseVariances[j];
             if (const double residual = fit.residuals[j][i]; !std::isnan(residual)) {
                 fit.chiSquare += residual * residual / variance;
                 fit.logVariance += std::log(variance / (spread * spread));

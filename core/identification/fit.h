@@ -41,7 +41,6 @@ bool isKnown(const Hypothesis &hypothesis, const auto &fits)
         const Hypothesis &other = fit.hypothesis;
         return other.timeUnit == hypothesis.timeUnit && other.columns == hypothesis.columns &&
                other.abscissaFactor == hypothesis.abscissaFactor && other.isFree == hypothesis.isFree &&
-               other.isBalanced == hypothesis.isBalanced &&
                areNear(middleParameters(other), middleParameters(hypothesis));
     };
     return std::ranges::any_of(fits, isSame);

@@ -44,7 +44,6 @@ struct Hypothesis {
     double side = 1.0;           ///< 1 open, -1 crossed
     std::array<bool, kParameterCount> isFree{true, true, true, true, true};
     double abscissaStep = 0.0; ///< the rounding step of the abscissa that the fit takes into account
-    bool isBalanced = false;   ///< weighs all columns by their spreads, for systematic deviations
 
     /// Index of a column's offset among the unknowns. Its scale is the next unknown.
     static Eigen::Index offsetIndex(std::size_t column)
