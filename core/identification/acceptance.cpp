@@ -113,7 +113,6 @@ double Candidate::pricedScore() const
 
 bool isLikeDifferences(const Observations &data, const Hypothesis &hypothesis, std::size_t column)
 {
-    constexpr double kLargestPart = 0.03;        // of the spread
     constexpr double kLargestUnexplained = 0.05; // of the variance, in any unit
     constexpr double kLargestHarmonicPart = 0.6; // smoothed differences have systematic errors, too
     constexpr double kSmooth = 0.92;             // correlation of neighbouring rows of a smooth signal
@@ -121,24 +120,18 @@ bool isLikeDifferences(const Observations &data, const Hypothesis &hypothesis, s
     for (std::size_t j = 0; j < alone.columns.size(); ++j) {
         alone.columns[j].isUsed = j == column;
     }
-    const bool isDerivative = data.columns[column].channel.order != Order::Position;
-    if (isDerivative && columnRegressions(data, alone)[column].unexplained() <= kLargestUnexplained) {
+    if (columnRegressions(data, alone)[column].unexplained() <= kLargestUnexplained) {
         return true;
     }
     std::vector<double> residuals;
     std::vector<double> angles;
-    double squares = 0.0;
     forEachResidual<double>(data, alone, [&](std::size_t row, std::size_t, double, double residual) {
         residuals.push_back(residual);
         angles.push_back(crankAngle(data, hypothesis, row));
-        squares += residual * residual;
     });
     const double count = std::max(data.columns[column].count, 1.0);
-    if (std::sqrt(squares / count) <= kLargestPart * interpretedSpread(data, hypothesis, column)) {
-        return true;
-    }
     const double largest = std::min(kLargestHarmonicPart + (2.0 * kHarmonics + 1.0) / count, 0.95);
-    return isDerivative && fitLinear(harmonicBasis(angles, kHarmonics), residuals).explained <= largest &&
+    return fitLinear(harmonicBasis(angles, kHarmonics), residuals).explained <= largest &&
            autocorrelation(residuals, 1) <= kSmooth * std::sqrt(count);
 }
 

@@ -54,9 +54,8 @@ bool isIdleOffset(const Observations &data, const Hypothesis &hypothesis, std::s
 /// Orders accepted candidates before rejected ones, then by score.
 bool isBetter(const Candidate &x, const Candidate &y);
 
-/// Whether a column deviates from the motion as differences of the positions do: by at most 3 % of its spread; or, if
-/// it is a derivative, by its unit, by a lag or a filter, or by noise, white or not, that is neither a function of the
-/// crank angle nor another smooth signal.
+/// Whether a derivative deviates from the motion as one in another unit, with a lag or a filter does, or by noise,
+/// white or not, that is neither a function of the crank angle nor another smooth signal.
 bool isLikeDifferences(const Observations &data, const Hypothesis &hypothesis, std::size_t column);
 
 } // namespace slidercrank

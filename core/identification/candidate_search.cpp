@@ -32,17 +32,14 @@ void addWithFewerColumns(const Observations &data, const Candidate &candidate, R
 {
     Hypothesis hypothesis = candidate.hypothesis;
     bool onlyDerivatives = true;
-    bool areDifferences = true;
     for (std::size_t j = 0; j < data.columns.size(); ++j) {
         if (candidate.judgements[j] >= least) {
             onlyDerivatives = onlyDerivatives && isPlottedDerivative(data.columns[j].channel);
-            areDifferences = areDifferences && isLikeDifferences(data, candidate.hypothesis, j);
             hypothesis.columns[j] = {data.columns[j].channel};
             hypothesis.columns[j].isUsed = false;
         }
     }
-    const auto leftOut = static_cast<std::size_t>(std::ranges::count(hypothesis.columns, false, &ColumnUse::isUsed));
-    if (onlyDerivatives && (areDifferences || 2 * leftOut <= data.columns.size()) && leftOut < data.columns.size()) {
+    if (onlyDerivatives && keepsEnough(hypothesis)) {
         addWithVariants(data, std::move(hypothesis), all);
     } else if (isAsWritten(data, candidate.hypothesis)) {
         hypothesis = candidate.hypothesis;

@@ -156,14 +156,10 @@ std::optional<CrankSpeedChange> crankSpeedChange(const Observations &data)
     if (autocorrelation(residuals, 1) <= 3.0) { // white noise
         return std::nullopt;
     }
-    double roughness = 0.0; // rms of second differences, which are those of the errors
-    for (std::size_t i = 1; i + 1 < residuals.size(); ++i) {
-        roughness += std::pow(residuals[i - 1] - 2.0 * residuals[i] + residuals[i + 1], 2.0) / angle->count;
-    }
     // As few rows as determine the speed to about 1 %, a tenth of all at most.
     const auto n = static_cast<double>(times.size());
     const double speed = std::abs(line[1]);
-    const double step = std::max(speed * data.printedStep + angle->step, std::sqrt(2.0 * roughness));
+    const double step = speed * data.printedStep + angle->step;
     const double enough = std::pow(400.0 * step * n / (speed * data.span()), 2.0 / 3.0);
     const auto rows = static_cast<std::size_t>(std::max(4.0, std::min(enough, n / 10.0)));
     const auto speedAt = [&](std::size_t first, double end) { // by a parabola

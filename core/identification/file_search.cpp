@@ -4,7 +4,6 @@
 #include "core/identification/crank_speed.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -36,25 +35,17 @@ bool mayBeExcluded(const std::vector<bool> &flags)
     return count > 0.0 && count <= kMost * static_cast<double>(flags.size());
 }
 
-/// Flags rows with a position far outside the range of the others, such as a code for lost values; or rows with a value
-/// that is far from the median of the neighbouring rows. Derivatives may have high peaks near a toggle position.
-std::vector<bool> suspiciousRows(const Observations &data, bool amongNeighbours)
+/// Flags rows with a position far outside the range of the others, such as a code for lost values. Derivatives may have
+/// high peaks near a toggle position.
+std::vector<bool> suspiciousRows(const Observations &data)
 {
-    constexpr std::size_t kBeside = 2; // rows on either side
     std::vector<bool> flags(data.abscissa.size(), false);
     for (const ObservedColumn &column : data.columns) {
         std::vector<double> values = column.values;
         std::ranges::for_each(values, [&](double &value) { value -= column.mean; });
-        const double spread = robustDeviation(values);
-        for (std::size_t row = kBeside; amongNeighbours && row + kBeside < flags.size(); ++row) {
-            std::array<double, 2 * kBeside + 1> window{};
-            std::copy_n(&values[row - kBeside], window.size(), window.begin());
-            std::ranges::sort(window);
-            flags[row] = flags[row] || std::abs(values[row] - window[kBeside]) > spread;
-        }
-        for (std::size_t row = 0; !amongNeighbours && row < flags.size(); ++row) {
-            flags[row] =
-                flags[row] || (column.channel.order == Order::Position && std::abs(values[row]) > kFarReading * spread);
+        const double far = column.channel.order == Order::Position ? kFarReading * robustDeviation(values) : kInfinity;
+        for (std::size_t row = 0; row < flags.size(); ++row) {
+            flags[row] = flags[row] || std::abs(values[row]) > far;
         }
     }
     return flags;
@@ -179,14 +170,12 @@ void excludeOutliers(const Observations &all, const Parameters &given, const std
 FileSearch searchFile(const Observations &all, const Parameters &given, const std::stop_token &stop)
 {
     FileSearch search = searchRows(all, given, stop);
-    for (const bool amongNeighbours : {false, true}) { // bad readings may have prevented the search
-        const std::vector<bool> suspicious = suspiciousRows(all, amongNeighbours);
-        if (!isIdentified(search.candidates) && mayBeExcluded(suspicious)) {
-            FileSearch cleaned = searchRows(without(all, suspicious), given, stop);
-            excludeOutliers(all, given, stop, cleaned);
-            if (!cleaned.excluded.empty()) {
-                return cleaned;
-            }
+    const std::vector<bool> suspicious = suspiciousRows(all);
+    if (!isIdentified(search.candidates) && mayBeExcluded(suspicious)) { // they may have prevented the search
+        FileSearch cleaned = searchRows(without(all, suspicious), given, stop);
+        excludeOutliers(all, given, stop, cleaned);
+        if (!cleaned.excluded.empty()) {
+            return cleaned;
         }
     }
     if (!isIdentified(search.candidates) || search.data.abscissa.size() < all.abscissa.size()) {

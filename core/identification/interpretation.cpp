@@ -102,14 +102,13 @@ double interpretColumn(const Observations &data, std::size_t j, const ColumnRegr
 }
 
 /// Chooses the best interpretation of each column. The lengths of the hypothesis are multiplied by `size` first.
-/// Returns no fit if more than half of the columns were left out.
+/// Returns no fit if too few columns are left.
 Fit interpret(const Observations &data, const Hypothesis &hypothesis, const std::vector<ColumnRegression> &regressions,
               double size, bool isPlain)
 {
     Fit result{hypothesis};
     result.hypothesis.unknowns.head(3) *= size;
     result.score = 0.0;
-    std::size_t leftOut = 0;
     for (std::size_t j = 0; j < data.columns.size(); ++j) {
         ColumnUse &use = result.hypothesis.columns[j];
         use.conversion = headingConversion(data.columns[j], use.channel) *
@@ -118,10 +117,9 @@ Fit interpret(const Observations &data, const Hypothesis &hypothesis, const std:
         if (regressions[j].n > 0.0) {
             result.score += interpretColumn(data, j, regressions[j], columnSize, isPlain, result.hypothesis);
         }
-        leftOut += use.isUsed ? 0 : 1;
     }
     result.score += priceOf(data, result.hypothesis);
-    return 2 * leftOut > data.columns.size() ? Fit() : result;
+    return keepsEnough(result.hypothesis) ? result : Fit();
 }
 
 /// Appends a value that differs from those in the list.
@@ -288,6 +286,15 @@ std::vector<Convention> conventionsOf(const Observations &data, const Hypothesis
         }
     }
     return conventions;
+}
+
+bool keepsEnough(const Hypothesis &hypothesis)
+{
+    const auto used = std::ranges::count(hypothesis.columns, true, &ColumnUse::isUsed);
+    return 2 * used >= std::ssize(hypothesis.columns) ||
+           std::ranges::any_of(hypothesis.columns, [](const ColumnUse &use) {
+               return use.isUsed && isPlotted(use.channel) && use.channel.order == Order::Position;
+           });
 }
 
 double priceOf(const Observations &data, const Hypothesis &hypothesis)

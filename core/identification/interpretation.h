@@ -17,6 +17,9 @@ namespace slidercrank
 /// derivatives, and every free origin as another one.
 std::vector<Convention> conventionsOf(const Observations &data, const Hypothesis &hypothesis);
 
+/// Whether at most half of the columns are left out, or a position is used.
+bool keepsEnough(const Hypothesis &hypothesis);
+
 /// The price of the assumptions of a hypothesis, to be added to its score. One cause has one price, however many
 /// columns it changes.
 double priceOf(const Observations &data, const Hypothesis &hypothesis);
