@@ -144,7 +144,7 @@ const std::map<std::string, ColumnStep> kColumnSteps{
           const double limit = column.values.maxCoeff() - 2.0 * x[0] * f.swing(column.shown);
           f.hasSaturation = true;
           for (Index row = 0; row < f.times.size(); ++row) {
-              if (column.values[row] > limit) {
+              if (column.values[row] > limit - 1e-6 * f.swing(column.shown)) { // printed like the limit
                   column.values[row] = limit;
                   f.badRows.insert(row);
               }

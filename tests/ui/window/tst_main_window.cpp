@@ -146,7 +146,7 @@ private slots:
     void theFirstColumnCanBeTheCrankAngle()
     {
         const QTemporaryDir folder;
-        drop({writeFile(folder, "table.csv", "phi,R4_x\n0,80\n90,65\n180,40\n270,47\n360,80\n")});
+        drop({writeFile(folder, "table.csv", "stage,R4_x\n0,80\n90,65\n180,40\n270,47\n360,80\n")});
         AWAIT(session().reference());
         session().setSampling({0.0, 3.0, 200});
         showTab(2);
