@@ -82,3 +82,5 @@ void BackgroundTask::discard()
 }
 
 } // namespace slidercrank
+
+#include "moc_background_task.cpp"

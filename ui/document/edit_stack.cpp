@@ -138,3 +138,5 @@ bool EditStack::isModified() const
 }
 
 } // namespace slidercrank
+
+#include "moc_edit_stack.cpp"

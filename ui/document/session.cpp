@@ -346,3 +346,5 @@ void Session::reportWritten(const QString &path, const std::optional<QString> &p
 }
 
 } // namespace slidercrank
+
+#include "moc_session.cpp"

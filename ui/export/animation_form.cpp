@@ -83,3 +83,5 @@ void AnimationForm::showOutcome()
 }
 
 } // namespace slidercrank
+
+#include "moc_animation_form.cpp"

@@ -346,3 +346,5 @@ void MechanismView::showNote()
 }
 
 } // namespace slidercrank
+
+#include "moc_mechanism_view.cpp"

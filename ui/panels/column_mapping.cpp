@@ -287,3 +287,5 @@ void ColumnMapping::accept()
 }
 
 } // namespace slidercrank
+
+#include "moc_column_mapping.cpp"

@@ -163,3 +163,5 @@ void DesignForm::apply(const Lengths &lengths)
 }
 
 } // namespace slidercrank
+
+#include "moc_design_form.cpp"

@@ -272,3 +272,5 @@ void ParameterPanel::showRow(Parameter parameter)
 }
 
 } // namespace slidercrank
+
+#include "moc_parameter_panel.cpp"

@@ -286,3 +286,5 @@ void ResponseView::resizeEvent(QResizeEvent *event)
 }
 
 } // namespace slidercrank
+
+#include "moc_response_view.cpp"

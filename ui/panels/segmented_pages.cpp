@@ -52,3 +52,5 @@ void SegmentedPages::setCurrent(int index)
 }
 
 } // namespace slidercrank
+
+#include "moc_segmented_pages.cpp"

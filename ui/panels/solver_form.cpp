@@ -138,3 +138,5 @@ SolverForm::SolverForm(Session *session, QWidget *parent)
 }
 
 } // namespace slidercrank
+
+#include "moc_solver_form.cpp"

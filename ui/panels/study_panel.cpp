@@ -55,3 +55,5 @@ Page StudyPanel::makePage() const
 }
 
 } // namespace slidercrank
+
+#include "moc_study_panel.cpp"

@@ -294,3 +294,5 @@ QByteArray csvOf(const Page &page)
 }
 
 } // namespace slidercrank
+
+#include "moc_table_panel.cpp"

@@ -396,3 +396,5 @@ void Timeline::showTime()
 }
 
 } // namespace slidercrank
+
+#include "moc_timeline.cpp"

@@ -168,3 +168,5 @@ void Chart::mouseMoveEvent(QMouseEvent *event)
 }
 
 } // namespace slidercrank
+
+#include "moc_chart.cpp"

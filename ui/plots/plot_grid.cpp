@@ -238,3 +238,5 @@ void PlotGrid::paintFigure(QPainter &painter, const QString &name, const QSize &
 }
 
 } // namespace slidercrank
+
+#include "moc_plot_grid.cpp"

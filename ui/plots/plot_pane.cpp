@@ -122,3 +122,5 @@ void PlotPane::paintEvent(QPaintEvent *)
 }
 
 } // namespace slidercrank
+
+#include "moc_plot_pane.cpp"

@@ -61,3 +61,5 @@ void FoldingTabs::setFolded(bool folded)
 }
 
 } // namespace slidercrank
+
+#include "moc_folding_tabs.cpp"

@@ -129,3 +129,5 @@ void MessageBar::place()
 }
 
 } // namespace slidercrank
+
+#include "moc_message_bar.cpp"

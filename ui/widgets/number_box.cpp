@@ -306,3 +306,5 @@ void NumberBox::resizeEvent(QResizeEvent *event)
 }
 
 } // namespace slidercrank
+
+#include "moc_number_box.cpp"

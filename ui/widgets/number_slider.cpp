@@ -110,3 +110,5 @@ QString NumberSlider::valueText() const
 }
 
 } // namespace slidercrank
+
+#include "moc_number_slider.cpp"

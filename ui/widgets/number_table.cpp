@@ -195,3 +195,5 @@ void NumberTable::goToRow(const QModelIndex &index)
 }
 
 } // namespace slidercrank
+
+#include "moc_number_table.cpp"

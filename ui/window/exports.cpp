@@ -194,3 +194,5 @@ void Exports::writeAnimation(const QString &path, const Animation &animation)
 }
 
 } // namespace slidercrank
+
+#include "moc_exports.cpp"

@@ -59,3 +59,5 @@ void Ghost::showPose()
 }
 
 } // namespace slidercrank
+
+#include "moc_ghost.cpp"

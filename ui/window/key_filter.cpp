@@ -90,3 +90,5 @@ bool KeyFilter::eventFilter(QObject *watched, QEvent *event)
 }
 
 } // namespace slidercrank
+
+#include "moc_key_filter.cpp"

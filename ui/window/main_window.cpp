@@ -429,3 +429,5 @@ bool MainWindow::event(QEvent *event)
 }
 
 } // namespace slidercrank
+
+#include "moc_main_window.cpp"

@@ -217,3 +217,5 @@ void Menus::showAbout()
 }
 
 } // namespace slidercrank
+
+#include "moc_menus.cpp"

@@ -94,3 +94,5 @@ bool Presentation::eventFilter(QObject *watched, QEvent *event)
 }
 
 } // namespace slidercrank
+
+#include "moc_presentation.cpp"

@@ -125,3 +125,5 @@ void Recovery::restore()
 }
 
 } // namespace slidercrank
+
+#include "moc_recovery.cpp"

@@ -175,3 +175,5 @@ bool SceneFile::saveTo(const QString &path, const std::function<void()> &proceed
 }
 
 } // namespace slidercrank
+
+#include "moc_scene_file.cpp"

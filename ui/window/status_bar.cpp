@@ -59,3 +59,5 @@ void StatusBar::setProgress(double part)
 }
 
 } // namespace slidercrank
+
+#include "moc_status_bar.cpp"
