@@ -103,9 +103,12 @@ std::vector<Record> varyLimits(const OptionReader &options, Parameters parameter
 DesignRequest readDesign(const OptionReader &options)
 {
     DesignRequest request;
+    QStringList keys;
     bool isKnown = true;
     for (const QString &part : options.text("design").split(',')) {
         const QString key = part.section('=', 0, 0).trimmed();
+        isKnown = isKnown && !keys.contains(key);
+        keys += key;
         const QString value = part.section('=', 1);
         if (key == u"stroke") {
             request.stroke = parseNumber("design stroke", value, kMillimetre, kShortestLink);

@@ -78,6 +78,9 @@ ExitStatus solveCommand(const OptionReader &options, const Streams &streams)
     if (options.has("at") || options.has("at-angle")) {
         options.refuse({"steps", "duration", "step-angle"},
                        CommandLine::tr("--at and --at-angle ask for one time and %1 for several: remove one of them."));
+        if (options.has("at")) {
+            options.refuse({"start"}, CommandLine::tr("--at already sets the time: remove %1."));
+        }
         timeStamp = readTimeStamp(options, mechanism);
     } else if (options.has("step-angle")) {
         options.refuse({"steps", "duration"}, CommandLine::tr("--step-angle covers one revolution: remove %1."));
