@@ -79,39 +79,26 @@ ExactState<Real> exactState(const Parameters &parameters, double t)
     return exactState(ExactInput<Real>(parameters, t));
 }
 
-/// Returns κ = Σ |p ∂f/∂p| over a, b, c, ω2, θ20, t for each channel f: its change per unit of relative error of the
+/// Returns κ = Σ |p ∂f/∂p| over a, b, c, ω2, θ20, t for each channel: its change per unit of relative error of the
 /// input. Infinite if such an error could make the mechanism impossible to assemble.
-///
-/// ω2, θ20 and t act through the crank angle θ = ω2 t + θ20, and a k-th derivative is also proportional to ω2^k:
-///     t ∂f/∂t = ω2 t ∂f/∂θ,   ω2 ∂f/∂ω2 = k f + ω2 t ∂f/∂θ,   θ20 ∂f/∂θ20 = θ20 ∂f/∂θ.
 template <class Real>
 std::array<double, kChannelCount> conditioning(const Parameters &parameters, double t)
 {
     using std::abs;
     const Real step = 1e-25;
     const ExactInput<Real> in(parameters, t);
-    const ExactState<Real> exact = exactState(in);
-    const Real swept = in.numbers[3] * in.numbers[5];
     std::array<double, kChannelCount> kappa{};
-    for (const std::size_t i : {0U, 1U, 2U, 4U}) {
-        const bool isAngle = i == 4;
-        const Real change = isAngle ? step : Real(step * in.numbers[i]);
+    for (std::size_t i = 0; i < in.numbers.size(); ++i) {
         ExactInput<Real> more = in;
         ExactInput<Real> less = in;
-        more.numbers[i] += change;
-        less.numbers[i] -= change;
+        more.numbers[i] *= 1 + step;
+        less.numbers[i] *= 1 - step;
         const ExactState<Real> above = exactState(more);
         const ExactState<Real> below = exactState(less);
         const bool exists = above.status == Status::Solved && below.status == Status::Solved;
         for (std::size_t index = 0; index < kChannelCount; ++index) {
-            const Real slope = (above.values[index] - below.values[index]) / (2 * step);
-            Real sum = abs(slope);
-            if (isAngle) {
-                const int order = static_cast<int>(channelAt(index).order);
-                sum = abs(Real(slope * in.numbers[4])) + abs(Real(slope * swept)) +
-                      abs(Real(order * exact.values[index] + slope * swept));
-            }
-            kappa[index] += exists ? static_cast<double>(sum) : std::numeric_limits<double>::infinity();
+            kappa[index] += exists ? static_cast<double>(abs(above.values[index] - below.values[index]) / (2 * step))
+                                   : std::numeric_limits<double>::infinity();
         }
     }
     return kappa;
