@@ -200,11 +200,6 @@ CellNumber parseClock(std::string_view text, DecimalSign decimalSign)
     return number;
 }
 
-bool isClock(std::string_view text)
-{
-    return !parseClock(text, DecimalSign::Point).fault || !parseClock(text, DecimalSign::Comma).fault;
-}
-
 bool looksNumeric(std::string_view text)
 {
     const std::string plain = respelled(text, kNumberSpellings);

@@ -58,9 +58,6 @@ CellNumber parseNumber(std::string_view text, DecimalSign decimalSign);
 /// the seconds since midnight.
 CellNumber parseClock(std::string_view text, DecimalSign decimalSign);
 
-/// Returns whether the text is the time of a clock with either decimal sign.
-bool isClock(std::string_view text);
-
 /// Returns whether the text consists of the characters of a number with either decimal sign.
 bool looksNumeric(std::string_view text);
 
