@@ -111,13 +111,6 @@ std::vector<Case> hardCases()
     return cases;
 }
 
-std::vector<Case> allCases()
-{
-    std::vector<Case> cases = nominalCases();
-    std::ranges::copy(hardCases(), std::back_inserter(cases));
-    return cases;
-}
-
 std::vector<double> perpendicularTimes(const Case &which)
 {
     const Mechanism mechanism(which.parameters);

@@ -27,9 +27,6 @@ std::vector<Case> nominalCases();
 /// Returns the cases in which a method may fail, but has to report it.
 std::vector<Case> hardCases();
 
-/// Returns nominalCases() followed by hardCases().
-std::vector<Case> allCases();
-
 /// Returns the times (s) within the sampled time span at which the coupler is closest to perpendicular to the slider's
 /// line: θ2 an odd multiple of 90°, and the limit positions of a rocker. Covers the first ten revolutions; ascending.
 std::vector<double> perpendicularTimes(const Case &which);

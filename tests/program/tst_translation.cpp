@@ -10,6 +10,7 @@
 #include "ui/window/main_window.h"
 
 #include "tests/program/run_program.h"
+#include "tests/support/all_cases.h"
 #include "tests/support/study_of_a_turn.h"
 #include "tests/support/suite.h"
 #include "tests/support/waiting.h"

@@ -5,7 +5,7 @@
 // existence, and random mechanisms.
 
 #include "core/closed_form/motion_constants.h"
-#include "core/study/cases.h"
+#include "tests/support/all_cases.h"
 #include "tests/support/random_mechanisms.h"
 
 #include <cmath>

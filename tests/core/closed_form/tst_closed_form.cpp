@@ -3,6 +3,7 @@
 // Compares the closed form with multiple-precision results, and its evaluation of many time stamps with that of one.
 
 #include "core/closed_form/state_at.h"
+#include "tests/support/all_cases.h"
 #include "tests/support/deviation.h"
 #include "tests/support/mechanism_list.h"
 #include "tests/support/suite.h"

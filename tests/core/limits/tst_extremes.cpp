@@ -2,6 +2,7 @@
 #include "core/limits/extremes.h"
 #include "core/mechanism/turn.h"
 #include "core/study/cases.h"
+#include "tests/support/all_cases.h"
 #include "tests/support/deviation.h"
 #include "tests/support/random_mechanisms.h"
 #include "tests/support/suite.h"

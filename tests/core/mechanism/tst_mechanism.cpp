@@ -2,6 +2,7 @@
 #include "core/mechanism/channel.h"
 #include "core/mechanism/mechanism.h"
 #include "core/study/cases.h"
+#include "tests/support/all_cases.h"
 #include "tests/support/suite.h"
 
 #include <QTest>

@@ -5,6 +5,7 @@
 #include "core/newton/constraints.h"
 #include "core/newton/structured_system.h"
 #include "tests/core/newton/newton_runs.h"
+#include "tests/support/all_cases.h"
 #include "tests/support/long_tests.h"
 #include "tests/support/random_mechanisms.h"
 #include "tests/support/suite.h"

@@ -9,6 +9,7 @@
 #include "core/sampling/crank_time.h"
 #include "core/sampling/time_step_equations.h"
 #include "core/study/cases.h"
+#include "tests/support/all_cases.h"
 #include "tests/support/channels.h"
 #include "tests/support/deviation.h"
 #include "tests/support/random_mechanisms.h"

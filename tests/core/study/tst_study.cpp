@@ -2,6 +2,7 @@
 #include "core/limits/mobility.h"
 #include "core/study/study.h"
 #include "core/study/study_methods.h"
+#include "tests/support/all_cases.h"
 #include "tests/support/suite.h"
 
 #include <QTest>
