@@ -217,7 +217,7 @@ private slots:
         QCOMPARE(result.excludedRows, std::vector<std::size_t>{30002}); // the heading is line 1
     }
 
-    void usesOnlySomeOfAMillionRows()
+    void usesOnlySomeOfManyRows()
     {
         for (const double turns : {1.0, 1e4}) {
             const Parameters p;
@@ -225,8 +225,8 @@ private slots:
             for (const Channel channel : kPlottedChannels) {
                 data.series.push_back({channel, {}, {Rounding::Rule::SignificantDigits, 17}});
             }
-            for (int i = 0; i < numericRuns(1000000, 1000000); ++i) {
-                data.time.push_back(turns * i * 1e-6);
+            for (int i = 0; i < 200'000; ++i) {
+                data.time.push_back(turns * i * 5e-6);
                 const PrintedRow row = textbookMotion(p, data.time.back());
                 for (std::size_t k = 0; k < row.size(); ++k) {
                     data.series[k].values.push_back(static_cast<double>(row[k]));
