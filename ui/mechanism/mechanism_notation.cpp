@@ -4,8 +4,6 @@
 #include "core/limits/instant_centre.h"
 #include "ui/text/written_number.h"
 
-#include <QLocale>
-
 #include <algorithm>
 #include <cmath>
 
@@ -26,16 +24,15 @@ bool isAtInfinity(const InstantCentre &centre, const Mechanism &mechanism)
 
 QString instantCentreText(const InstantCentre &centre, const Mechanism &mechanism)
 {
-    constexpr int kDigits = 4;
     if (!std::isfinite(centre.omega3)) {
         return MechanismSketch::tr("no velocity: the coupler is perpendicular to the slider's line");
     }
     return isAtInfinity(centre, mechanism)
-               ? MechanismSketch::tr("Instant centre P at infinity: the coupler translates at %1 mm/s")
-                     .arg(shortNumber(mechanism.a() * std::abs(mechanism.omega2()), kDigits))
-               : MechanismSketch::tr("Instant centre P, ω₃ = %1 rad/s; PA = %2 mm, PB = %3 mm")
-                     .arg(shortNumber(centre.omega3, kDigits), shortNumber(centre.toA, kDigits),
-                          shortNumber(centre.toB, kDigits));
+               ? MechanismSketch::tr("Instant centre P at infinity:\nthe coupler translates at %1 mm/s")
+                     .arg(shortNumber(mechanism.a() * std::abs(mechanism.omega2())))
+               : MechanismSketch::tr("Instant centre P: ω³ = %1 rad/s = %2 °/s\nPA = %3 mm, PB = %4 mm")
+                     .arg(shortNumber(centre.omega3), shortNumber(kDegreesPerRadian * centre.omega3),
+                          shortNumber(centre.toA), shortNumber(centre.toB));
 }
 
 } // namespace
@@ -156,10 +153,9 @@ void MechanismSketch::addAngle(const QString &name, const QLineF &link, double a
     path.arcTo(circle, 0.0, kDegreesPerRadian * angle);
     add(path, QPen(faded(m_ink, 0.7), 1.0));
     avoid(base, 2.0);
-    const double tenths = std::round(10.0 * kDegreesPerRadian * angle) + 0.0; // never "-0.0"
     // The label is on the side of the base line away from the arc, so that it need not move while the angle changes.
     addLabelBeside(link.p1(), {1.0, angle < 0.0 ? -0.5 : 0.5}, 20.0,
-                   QStringLiteral("%1 = %2°").arg(name, QLocale().toString(0.1 * tenths, 'f', 1)), m_ink);
+                   QStringLiteral("%1 = %2°").arg(name, fixedText(kDegreesPerRadian * angle, 1)), m_ink);
 }
 
 } // namespace slidercrank

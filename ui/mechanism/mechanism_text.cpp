@@ -24,9 +24,8 @@ struct MechanismText {
 /// Returns four significant digits. A value that is only a rounding error of numbers of that size is written as 0.
 QString valueText(double value, double size)
 {
-    constexpr int kDigits = 4;
     constexpr double kRounding = 1e-12;
-    return numberText(std::abs(value) < kRounding * size ? 0.0 : value, kDigits);
+    return numberText(std::abs(value) < kRounding * size ? 0.0 : value, kReadoutDigits);
 }
 
 QString vectorText(const QString &pattern, const PlaneVector &vector, double size)

@@ -47,7 +47,7 @@ Verdict worstVerdict(const std::vector<ChannelComparison> &comparison)
 
 TableCell numberCell(std::optional<double> value, const QString &unit = {})
 {
-    const QString text = value && std::isinf(*value) ? QStringLiteral("∞") : shortNumber(value, kReadoutDigits);
+    const QString text = shortNumber(value);
     const QString space = unit.isEmpty() || unit == u"°" ? QString() : " ";
     return {.text = value ? text + space + unit : text, .number = value};
 }
@@ -90,9 +90,11 @@ TableRow fileRow(const ChannelComparison &channel, const ReferenceData &data)
 TableRow pinnedRow(const ChannelComparison &channel)
 {
     const bool isUnbounded = channel.maxAbs && std::isinf(*channel.maxAbs);
-    return rowOf(channel, isUnbounded ? ErrorPage::tr("Unbounded: one of the two reaches a limit position")
-                                      : ErrorPage::tr("Root mean square: %1 %2")
-                                            .arg(shortNumber(channel.rms, kReadoutDigits), unitText(channel.channel)));
+    return rowOf(
+        channel,
+        isUnbounded
+            ? ErrorPage::tr("Unbounded: one of the two reaches a limit position")
+            : ErrorPage::tr("Root mean square: %1 %2").arg(shortNumber(channel.rms), unitText(channel.channel)));
 }
 
 /// Returns a table without rows, with the columns of rowOf(); `largest` is the column of the largest error.

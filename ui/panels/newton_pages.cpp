@@ -79,7 +79,7 @@ TableCell numberCell(double value, const QString &text)
 
 TableCell numberCell(double value)
 {
-    return numberCell(value, shortNumber(value, kReadoutDigits));
+    return numberCell(value, shortNumber(value));
 }
 
 /// A page without tables; its sentence says why numbers are missing, if they are.
@@ -220,10 +220,8 @@ Page NewtonPages::jacobian(const Result &result, double time)
     }
     page.tables = {table};
     if (equations.hasPosition()) {
-        const double condition = conditionNumber(equations.Cq);
         page.note = tr("Condition number κ(C_q) = %1; det C_q = −b cos θ³ = %2 mm")
-                        .arg(std::isinf(condition) ? "∞" : shortNumber(condition, kReadoutDigits),
-                             shortNumber(equations.Cq.determinant(), kReadoutDigits));
+                        .arg(shortNumber(conditionNumber(equations.Cq)), shortNumber(equations.Cq.determinant()));
     }
     return page;
 }
@@ -266,7 +264,7 @@ Page NewtonPages::iterations(const Result &result, double time)
             const Iteration &iteration = (*history)[k];
             const double degrees = kDegreesPerRadian * iteration.q[Theta3];
             row.cells.push_back(numberCell(iteration.residual));
-            row.cells.push_back(numberCell(degrees, localeWithoutGroups().toString(degrees, 'f', kDecimals)));
+            row.cells.push_back(numberCell(degrees, fixedText(degrees, kDecimals)));
         }
         table.rows.push_back(row);
     }

@@ -75,7 +75,7 @@ ChartSeries dotsOf(const std::vector<Parameters> &mechanisms, Parameter paramete
     std::erase_if(dots.points, [](const QPointF &dot) { return !std::isfinite(dot.y()); });
     std::ranges::sort(dots.points, {}, &QPointF::x);
     for (const QPointF &dot : dots.points) {
-        dots.tips << shortNumber(dot.y(), kReadoutDigits);
+        dots.tips << shortNumber(dot.y());
     }
     return dots;
 }
@@ -169,7 +169,7 @@ void ResponseView::showResponse()
     m_sentence->setText(fullTurnText(m_response.parameter, m_response.range) + u' ' +
                         tr("Drag a dot to change %1.").arg(symbolText(m_response.parameter)));
     for (std::size_t i = 0; i < kLimitCount; ++i) {
-        const QString title = tr("%1: %2").arg(names[i], shortNumber(present[i], kReadoutDigits));
+        const QString title = tr("%1: %2").arg(names[i], shortNumber(present[i]));
         m_titles[i]->setText(QString(title).replace(u'/', "/\u2060")); // no line break within a unit
         m_charts[i]->setAccessibleName(title);
         m_charts[i]->setContent(chartOf(i));

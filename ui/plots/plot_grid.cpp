@@ -167,7 +167,6 @@ void PlotGrid::refresh()
 /// Returns the cursors of a plot: at the current time and at the pointer.
 std::vector<PlotPane::Cursor> PlotGrid::cursors(std::size_t plot)
 {
-    constexpr int kDigits = 4;
     constexpr double kRoundingError = 1e-9; // of the axis
     const QCPAxis &timeAxis = axis(plot, QCPAxis::atBottom);
     const QCPAxis &valueAxis = axis(plot, QCPAxis::atLeft);
@@ -190,7 +189,7 @@ std::vector<PlotPane::Cursor> PlotGrid::cursors(std::size_t plot)
                 const bool isZero = reading.value == reading.number &&
                                     std::abs(reading.number) < kRoundingError * valueAxis.range().size();
                 cursor.labels.push_back(
-                    {shortNumber(isZero ? 0.0 : reading.number, kDigits), colours.*reading.ink, place - corner});
+                    {shortNumber(isZero ? 0.0 : reading.number), colours.*reading.ink, place - corner});
             }
         }
         cursors.push_back(cursor);

@@ -8,7 +8,6 @@
 #include "ui/text/written_number.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 
 #include <algorithm>
 #include <cmath>
@@ -278,7 +277,7 @@ QString iterationsText(const SamplingSummary &run)
 
 QString crankAngleText(double theta2)
 {
-    return QLocale().toString(degreesFromZero(theta2), 'f', 2);
+    return fixedText(degreesFromZero(theta2), 2);
 }
 
 } // namespace slidercrank

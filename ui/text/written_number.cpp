@@ -19,27 +19,32 @@ QString withPowerOfTen(const QString &mantissa, int exponent)
                                                 : QStringLiteral("%1·%2").arg(mantissa, power);
 }
 
+QString toText(double value, char format, int digits)
+{
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    return locale.toString(value, format, digits);
+}
+
 /// Formats a value, and passes the mantissa and the exponent of a text such as "1.5e-08" to `write`.
 template <typename Write>
 QString formatted(double value, char format, int digits, Write write)
 {
-    const QString text = localeWithoutGroups().toString(value + 0.0, format, digits);
+    const QString text = toText(value + 0.0, format, digits);
     const qsizetype e = text.indexOf(u'e', 0, Qt::CaseInsensitive);
     return e < 0 ? text : write(text.first(e), QLocale().toInt(text.mid(e + 1)));
 }
 
-} // namespace
-
-QLocale localeWithoutGroups()
+QString withMinusSign(QString text)
 {
-    QLocale locale;
-    locale.setNumberOptions(locale.numberOptions() | QLocale::OmitGroupSeparator | QLocale::RejectGroupSeparator);
-    return locale;
+    return text.replace(QLocale().negativeSign(), "−");
 }
+
+} // namespace
 
 QString numberText(std::optional<double> value, int significantDigits)
 {
-    return value ? formatted(*value, 'g', significantDigits, withPowerOfTen) : dash();
+    return value ? withMinusSign(formatted(*value, 'g', significantDigits, withPowerOfTen)) : dash();
 }
 
 int digitsToTellApart(double x, double y)
@@ -70,8 +75,15 @@ QString shortNumber(std::optional<double> value, int digits)
     }
     const int exponent = static_cast<int>(std::floor(std::log10(std::abs(*value))));
     const bool isPlain = exponent >= -6 && exponent < 6;
-    return formatted(*value, isPlain ? 'f' : 'e', isPlain ? std::max(0, digits - 1 - exponent) : digits - 1,
-                     withPowerOfTen); // 9.996e9 is rounded to 1.00e10
+    return withMinusSign(formatted(*value, isPlain ? 'f' : 'e',
+                                   isPlain ? std::max(0, digits - 1 - exponent) : digits - 1,
+                                   withPowerOfTen)); // 9.996e9 is rounded to 1.00e10
+}
+
+QString fixedText(double value, int decimals)
+{
+    const bool isZero = std::abs(value) < 0.5 * std::pow(10.0, -decimals);
+    return withMinusSign(toText(isZero ? 0.0 : value, 'f', decimals));
 }
 
 QString powerOfTenText(int exponent)

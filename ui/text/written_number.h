@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Formats numbers in the user's locale, without group separators, which could be mistaken for a decimal sign. Powers of
-// ten are displayed as "1.5·10⁻⁸" and entered as "1.5e-8".
+// Formats numbers in the user's locale, without group separators, which could be mistaken for a decimal sign. A
+// negative number is displayed as "−1.5·10⁻⁸" and entered as "-1.5e-8".
 
 #include <QLocale>
 #include <QString>
@@ -12,18 +12,23 @@
 namespace slidercrank
 {
 
+inline constexpr int kReadoutDigits = 4; ///< significant digits of a readout
+
 /// Formats a value with at most `significantDigits` digits, without trailing zeros. Returns a dash for nullopt.
 QString numberText(std::optional<double> value, int significantDigits = 6);
 
 /// Formats a value with exactly `digits` significant digits. Values below 1e-6 or from 1e6 on have a power of ten.
 /// Returns a dash for nullopt and NaN.
-QString shortNumber(std::optional<double> value, int digits);
+QString shortNumber(std::optional<double> value, int digits = kReadoutDigits);
 QString dash();
+
+/// Formats a value with that many decimals. A value that rounds to zero has no sign.
+QString fixedText(double value, int decimals);
 
 /// Returns the number of digits, 6 to 17, that show how two values differ.
 int digitsToTellApart(double x, double y);
 
-/// Formats a value at full precision, as it can be entered: "1.5e-8".
+/// Formats a value at full precision, as it can be entered: "-1.5e-8".
 QString typedNumberText(double value);
 
 /// Returns a power of ten: "10⁻⁷".
@@ -31,7 +36,5 @@ QString powerOfTenText(int exponent);
 
 /// Returns the smallest of …, 1, 2, 5, 10, 20, 50, … that is at least `value`. Requires value > 0.
 double nextRoundNumber(double value);
-
-QLocale localeWithoutGroups();
 
 } // namespace slidercrank

@@ -141,8 +141,7 @@ QString NumberBox::textFromValue(double value) const
         return fontMetrics().horizontalAdvance(text + suffix()) <= lineEdit()->width() - kMargins;
     };
     if (m_fixedDecimals >= 0) {
-        const bool isZero = std::abs(value) < 0.5 * std::pow(10.0, -m_fixedDecimals); // not "-0.00"
-        const QString text = localeWithoutGroups().toString(isZero ? 0.0 : value, 'f', m_fixedDecimals);
+        const QString text = fixedText(value, m_fixedDecimals);
         if (m_isEditing || fits(text)) {
             return text;
         }

@@ -17,8 +17,6 @@ class QStandardItemModel;
 namespace slidercrank
 {
 
-inline constexpr int kReadoutDigits = 4; ///< significant digits of a readout
-
 /// The meaning of a text, which its colour shows.
 enum class Tone { Normal, Muted, Link, Model, Good, Fair, Bad };
 QColor toneColour(Tone tone, const QPalette &palette);

@@ -56,7 +56,7 @@ private slots:
         const Vector12 Qd = quadraticVelocityTerm(Mechanism(), state.q, state.qDot);
         QCOMPARE(cell(equations, CrankPinX, 0).text, "pin A, x");
         QCOMPARE(cell(equations, CrankDrive, 0).text, "drive");
-        QCOMPARE(cell(equations, CrankDrive, 3).text, "-6.283");
+        QCOMPARE(cell(equations, CrankDrive, 3).text, "−6.283");
         QCOMPARE(equations.tables[0].rows[CrankPinX].part, MechanismPart::PinA);
         const Page jacobian = NewtonPages::jacobian(*result, 0.2);
         const Matrix12 Cq = constraintJacobian(Mechanism(), state.q);

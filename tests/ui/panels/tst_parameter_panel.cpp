@@ -62,7 +62,7 @@ private slots:
 
     void eachControlChangesItsOwnParameterOnly()
     {
-        const QStringList texts{"21 mm", "66 mm", "-26 mm", "3", "28.6479"};
+        const QStringList texts{"21 mm", "66 mm", "−26 mm", "3", "28.6479"};
         for (const Parameter parameter : kAllParameters) {
             ShownParameters shown;
             QCOMPARE(shown.box(parameter)->text(), texts[static_cast<int>(parameter)]);
@@ -120,7 +120,7 @@ private slots:
         for (const char *degrees : {"370", "10", "123", "-725"}) {
             const ShownParameters shown;
             typeNumber(shown.box(Parameter::Theta20), degrees);
-            QCOMPARE(shown.box(Parameter::Theta20)->text(), QString(degrees));
+            QCOMPARE(shown.box(Parameter::Theta20)->text(), QString(degrees).replace(u'-', u'−'));
         }
     }
 
@@ -148,7 +148,7 @@ private slots:
         };
         for (const Row &row : {Row{65.0, Parameter::A, {0.1, 0.38}, {0.42, 0.9}, "a ≤ 40 mm"},
                                Row{65.0, Parameter::B, {0.24, 0.9}, {0.05, 0.21}, "b ≥ 45 mm"},
-                               Row{65.0, Parameter::C, {0.29, 0.5, 0.71}, {0.1, 0.26, 0.74, 0.9}, "-45 ≤ c ≤ 45 mm"},
+                               Row{65.0, Parameter::C, {0.29, 0.5, 0.71}, {0.1, 0.26, 0.74, 0.9}, "−45 ≤ c ≤ 45 mm"},
                                Row{65.0, Parameter::Omega2, {0.1, 0.9}, {}, ""},
                                Row{15.0, Parameter::A, {}, {0.05, 0.5, 0.9}, "no value of a"},
                                Row{15.0, Parameter::C, {}, {0.1, 0.5, 0.9}, "no value of c"}}) {

@@ -34,13 +34,13 @@ private slots:
             const char *text;
         };
         const Row rows[] = {{0.00802941, 3, "0.00803"}, {0.000154, 3, "0.000154"}, {560.2, 3, "560"},
-                            {74.5436, 6, "74.5436"},    {1.54e-9, 3, "1.54·10⁻⁹"}, {-2.5e12, 3, "-2.50·10¹²"},
+                            {74.5436, 6, "74.5436"},    {1.54e-9, 3, "1.54·10⁻⁹"}, {-2.5e12, 3, "−2.50·10¹²"},
                             {9.9996e9, 3, "1.00·10¹⁰"}, {1e-8, 1, "10⁻⁸"},         {0.0, 3, "0"},
                             {kInfinity, 3, "∞"},        {-kInfinity, 3, "−∞"}};
         for (const auto &[value, digits, text] : rows) {
             QCOMPARE(shortNumber(value, digits), QString::fromUtf8(text));
         }
-        const std::pair<double, const char *> numbers[] = {{1e-8, "10⁻⁸"},   {-1e-12, "-10⁻¹²"},
+        const std::pair<double, const char *> numbers[] = {{1e-8, "10⁻⁸"},   {-1e-12, "−10⁻¹²"},
                                                            {1e300, "10³⁰⁰"}, {0.002, "0.002"},
                                                            {-0.0, "0"},      {6.02e23, "6.02·10²³"}};
         for (const auto &[value, text] : numbers) {
@@ -54,7 +54,9 @@ private slots:
         QCOMPARE(numberText(1.5e-7), QStringLiteral("1,5·10⁻⁷"));
         QCOMPARE(typedNumberText(1.5e-7), QStringLiteral("1,5e-7"));
         QCOMPARE(shortNumber(1.5e-7, 2), QStringLiteral("1,5·10⁻⁷"));
-        QCOMPARE(shortNumber(-12316.06, 7), QStringLiteral("-12316,06")); // no groups
+        QCOMPARE(shortNumber(-12316.06, 7), QStringLiteral("−12316,06")); // no groups
+        QCOMPARE(fixedText(-12316.06, 1), QStringLiteral("−12316,1"));
+        QCOMPARE(fixedText(-0.04, 1), QStringLiteral("0,0"));
     }
 
     void findsTheNextRoundNumber()

@@ -52,7 +52,7 @@ private slots:
     {
         QCOMPARE(summaryText(identified()),
                  QString("a = 20.000001 ± 0.000003 mm, b = 60.00000 ± 0.00001 mm, c = 24.999974 ± 0.000008 mm, "
-                         "ω₂ = 6.2831856 ± 3·10⁻⁷ rad/s, θ₂₀ = -0.00002 ± 0.00001°, open assembly."));
+                         "ω₂ = 6.2831856 ± 3·10⁻⁷ rad/s, θ₂₀ = −0.00002 ± 0.00001°, open assembly."));
         Diagnosis approximate = identified();
         approximate.identification.outcome = Outcome::Approximate;
         ChannelComparison channel;

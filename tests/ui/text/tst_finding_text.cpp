@@ -76,7 +76,7 @@ private slots:
         parameters.theta20 = -std::numbers::pi / 6.0;
         parameters.branch = Branch::Crossed;
         QCOMPARE(mechanismText(Mechanism(parameters)),
-                 QString("a = 20 mm, b = 65 mm, c = 25 mm, ω₂ = 6.28319 rad/s, θ₂₀ = -30°, crossed assembly"));
+                 QString("a = 20 mm, b = 65 mm, c = 25 mm, ω₂ = 6.28319 rad/s, θ₂₀ = −30°, crossed assembly"));
     }
 
     void namesAPinnedMechanismByWhatDiffers()
