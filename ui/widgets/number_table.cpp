@@ -92,16 +92,18 @@ NumberTable::NumberTable(const QString &name, const QString &title, std::vector<
     connect(this, &QTableView::activated, this, &NumberTable::goToRow); // Enter
     connect(this, &QTableView::entered, this,
             [this](const QModelIndex &index) { emit partHovered(m_rows[static_cast<std::size_t>(index.row())].part); });
-    fitColumns(false);
+    fitColumns();
 }
 
 void NumberTable::setRows(std::vector<TableRow> rows)
 {
-    const bool keepsWidths = rows.size() == m_rows.size(); // otherwise it is another content
+    const bool isOtherContent = rows.size() != m_rows.size();
     m_rows = std::move(rows);
     m_model->setRowCount(static_cast<int>(m_rows.size()));
     fillCells();
-    fitColumns(keepsWidths);
+    if (isOtherContent) { // otherwise no column becomes narrower
+        fitColumns();
+    }
 }
 
 /// Writes the rows into the model, which reports only the cells that change.
@@ -112,6 +114,10 @@ void NumberTable::fillCells()
         for (int column = 0; column < m_model->columnCount(); ++column) {
             const TableCell &cell = content.cells[static_cast<std::size_t>(column)];
             const QModelIndex index = m_model->index(row, column);
+            const QString before = index.data().toString();
+            if (cell.text.size() > before.size() || (!cell.number && cell.text != before)) { // digits are equally wide
+                widen(column, cell.text);
+            }
             m_model->setData(index, cell.text, Qt::DisplayRole);
             m_model->setData(index, alignmentOf(m_columns[static_cast<std::size_t>(column)]), Qt::TextAlignmentRole);
             m_model->setData(index, toneColour(cell.tone, palette()), Qt::ForegroundRole);
@@ -145,18 +151,24 @@ QSize NumberTable::contentSize() const
             horizontalHeader()->sizeHint().height() + m_model->rowCount() * verticalHeader()->defaultSectionSize()};
 }
 
-/// Gives every column the width of its texts. With `keepsWidths`, no column becomes narrower.
-void NumberTable::fitColumns(bool keepsWidths)
+/// Gives every column the width of its texts.
+void NumberTable::fitColumns()
 {
     verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 4);
     for (int column = 0; column < m_model->columnCount(); ++column) {
         const auto index = static_cast<std::size_t>(column);
-        int width = fontMetrics().horizontalAdvance(m_columns[index].title);
+        setColumnWidth(column, 0);
+        widen(column, m_columns[index].title);
         for (const TableRow &row : m_rows) {
-            width = std::max(width, fontMetrics().horizontalAdvance(row.cells[index].text));
+            widen(column, row.cells[index].text);
         }
-        setColumnWidth(column, std::max(width + kCellMargin, keepsWidths ? columnWidth(column) : 0));
     }
+}
+
+/// Makes the column wide enough for the text.
+void NumberTable::widen(int column, const QString &text)
+{
+    setColumnWidth(column, std::max(columnWidth(column), fontMetrics().horizontalAdvance(text) + kCellMargin));
 }
 
 /// While the table has the focus, the copy key copies its rows instead of triggering the window's shortcut.
@@ -169,7 +181,7 @@ bool NumberTable::event(QEvent *event)
     const bool isHandled = QTableView::event(event);
     if (event->type() == QEvent::FontChange) {
         horizontalHeader()->setFont(font()); // a hidden header would keep the old font
-        fitColumns(false);
+        fitColumns();
     } else if (event->type() == QEvent::PaletteChange) {
         fillCells();
     } else if (event->type() == QEvent::Leave) {

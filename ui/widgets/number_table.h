@@ -74,7 +74,8 @@ protected:
 private:
     void goToRow(const QModelIndex &index);
     void fillCells();
-    void fitColumns(bool keepsWidths);
+    void fitColumns();
+    void widen(int column, const QString &text);
 
     std::vector<TableColumn> m_columns;
     std::vector<TableRow> m_rows{};
