@@ -2678,10 +2678,6 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>sin definir: la referencia es 0</translation>
     </message>
     <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
-    </message>
-    <message>
         <source>error</source>
         <translation>error</translation>
     </message>

@@ -313,15 +313,10 @@ std::vector<PlotReading> PlotFigure::readings(std::size_t plot, const ReadTime &
     return readings;
 }
 
-QString PlotFigure::timeText(double t) const
+QString PlotFigure::timeText(double t, const std::optional<double> &since) const
 {
-    return QString(isOverAngle() ? "θ₂ = %1" : "t = %1").arg(durationText(t - zeroTime()));
-}
-
-QString PlotFigure::durationText(double seconds) const
-{
-    const QString number = numberText(seconds * perSecond());
-    return isOverAngle() ? number + u'°' : tr("%1 s").arg(number);
+    const double number = (t - since.value_or(zeroTime())) * perSecond();
+    return QString(since ? "Δ" : "") + QString(isOverAngle() ? "θ₂ = %1°" : "t = %1 s").arg(shortNumber(number));
 }
 
 } // namespace slidercrank

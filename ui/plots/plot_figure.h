@@ -113,11 +113,9 @@ public:
     /// Returns the values of a plot that is shown, in the order of the legend.
     std::vector<PlotReading> readings(std::size_t plot, const ReadTime &time) const;
 
-    /// Returns "t = 0.25 s", or over the crank angle "θ₂ = 90°".
-    QString timeText(double t) const;
-
-    /// Returns a time difference as "0.25 s" or "90°".
-    QString durationText(double seconds) const;
+    /// Returns "t = 0.2500 s", or over the crank angle "θ₂ = 90.00°". With the time `since`, returns the difference
+    /// from it: "Δt = 0.2500 s".
+    QString timeText(double t, const std::optional<double> &since = {}) const;
 
 protected:
     /// Requests a layout after a change of the data, the ranges or the style. Qt combines the requests of one pass of

@@ -197,13 +197,13 @@ std::vector<PlotPane::Cursor> PlotGrid::cursors(std::size_t plot)
     if (m_time) {
         add(*m_time, {});
     }
-    if (m_hovered && !m_drag) {
+    if (m_hovered) {
         const ReadTime hovered = readTime(m_hoverTime);
         QStringList headings;
         if (plot == *m_hovered) {
             headings << timeText(hovered.t);
             if (m_time) {
-                headings << QStringLiteral("Δ = %1").arg(durationText(hovered.t - *m_time));
+                headings << timeText(hovered.t, m_time);
             }
         }
         add(hovered.t, headings, true);

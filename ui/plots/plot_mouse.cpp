@@ -88,6 +88,7 @@ void PlotGrid::mousePressEvent(QMouseEvent *event)
     endDrag(); // begun with another button, or its release was not received
     const bool isPan = !isLeft || event->modifiers().testFlag(Qt::ShiftModifier);
     m_drag = Drag{*plot, isPan, event->pos(), event->pos(), zoom()};
+    m_hovered.reset(); // until the pointer moves over the new axes
 }
 
 void PlotGrid::mouseMoveEvent(QMouseEvent *event)

@@ -242,12 +242,12 @@ private slots:
         parameters.omega2 = -2.0 * std::numbers::pi;
         parameters.theta20 = 0.5 * std::numbers::pi;
         PlotFigure &figure = figureOf({parameters});
-        QCOMPARE(figure.timeText(0.25), "t = 0.25 s");
-        QCOMPARE(figure.durationText(0.5), "0.5 s");
+        QCOMPARE(figure.timeText(0.25), "t = 0.2500 s");
+        QCOMPARE(figure.timeText(0.75, 0.25), "Δt = 0.5000 s");
         QCOMPARE(plotOf(figure, 0).axes->axis(QCPAxis::atBottom)->label(), "t [s]");
         figure.setSettings({.abscissa = Abscissa::CrankAngle});
-        QCOMPARE(figure.timeText(0.5), "θ₂ = -90°");
-        QCOMPARE(figure.durationText(0.5), "-180°");
+        QCOMPARE(figure.timeText(0.5), "θ₂ = −90.00°");
+        QCOMPARE(figure.timeText(0.75, 0.25), "Δθ₂ = −180.0°");
         const QCPAxis &axis = *plotOf(figure, 0).axes->axis(QCPAxis::atBottom);
         QCOMPARE(axis.label(), "θ₂ [°]");
         const auto zero = axis.tickVectorLabels().indexOf(QStringLiteral("0")); // a quarter of a second after 90°

@@ -219,9 +219,12 @@ private slots:
                 }
             }
             QCOMPARE(shown.repaints, 0);
-            for (const char *wanted : {"t = 0.5 s", "Δ = 0.4 s", "24.62", "22.62"}) {
+            for (const char *wanted : {"t = 0.5000 s", "Δt = 0.4000 s", "24.62", "22.62"}) {
                 QVERIFY2(shown.pane(kAngle).text().contains(QString::fromUtf8(wanted)), wanted);
             }
+            shown.drag(kAngle, shown.at(kAngle, 0.4), shown.at(kAngle, 0.6)); // zooms: the pointer is at another time
+            QVERIFY(std::ranges::none_of(shown.pane(kAngle).cursors(), &PlotPane::Cursor::isLight));
+            shown.grid.showAll();
             QEvent leave(QEvent::Leave);
             QCoreApplication::sendEvent(&shown.grid, &leave);
             QCOMPARE(shown.pane(kAngle).cursors().size(), std::size_t(1));
