@@ -105,8 +105,14 @@ std::vector<std::size_t> PlotGrid::plotsToShow(const std::optional<std::size_t> 
 bool PlotGrid::event(QEvent *event)
 {
     switch (event->type()) {
+    case QEvent::PaletteChange: {
+        const QString hint = m_hint->text();
+        m_hint->clear(); // a label gives links their colour when its text is set
+        m_hint->setText(hint);
+        requestRefresh();
+        break;
+    }
     case QEvent::FontChange:
-    case QEvent::PaletteChange:
     case QEvent::Resize: requestRefresh(); break;
     case QEvent::LayoutRequest:
         if (isVisible()) { // a hidden widget is refreshed when it is painted

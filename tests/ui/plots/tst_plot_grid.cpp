@@ -240,6 +240,18 @@ private slots:
         QSignalSpy requested(&shown.grid, &PlotGrid::openReferenceRequested);
         emit hint->linkActivated("open");
         QCOMPARE(requested.count(), 1);
+        for (const Theme theme : {Theme::Dark, Theme::Light}) {
+            QApplication::setPalette(paletteFor(theme));
+            settle();
+            const QImage picture = hint->grab().toImage();
+            int underlined = 0;
+            for (int x = 0; x < picture.width(); ++x) {
+                for (int y = 0; y < picture.height(); ++y) {
+                    underlined += picture.pixelColor(x, y) == hint->palette().color(QPalette::Link) ? 1 : 0;
+                }
+            }
+            QVERIFY(underlined > 20);
+        }
         shown.show({.reference = referenceOf(65.0)});
         QVERIFY(!hint->isVisible() && shown.pane(kErrors).isVisible());
         QVERIFY(std::abs(shown.pane(kAngle).width() - shown.grid.width() / 3) < 10);
