@@ -228,6 +228,9 @@ void PlotFigure::computeErrors(Plot &plot, std::size_t row)
     const Interval time = timeRange();
     for (std::size_t channel = kErrorsPerRow * row; channel < kErrorsPerRow * (row + 1); ++channel) {
         const MotionErrors::Errors &errors = (*m_errors)[channel];
+        if (errors.reference.empty()) {
+            continue;
+        }
         const PlotCurve curve = plot.curves.emplace_back(errorCurve(channel));
         if (const std::optional<Interval> range = usualRange(curve.points, time, errors.isUnbounded)) {
             const double upper = std::ceil(range->upper);
