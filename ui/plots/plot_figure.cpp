@@ -276,7 +276,7 @@ QCPGraph *PlotFigure::addCurve(const Plot &plot, const PlotCurve &curve)
     if (!curve.dots.empty()) {
         QCPGraph *dots = PlotDrawing::addCurve(plot.axes, curve.dots);
         dots->setLineStyle(QCPGraph::lsNone);
-        dots->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, colour, 4.0));
+        dots->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, colour, 4.0 * m_fonts.lineFactor));
         line = curve.points.empty() ? dots : line;
     }
     return line;

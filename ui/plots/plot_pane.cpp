@@ -14,7 +14,11 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kRadius = 3.5; // px, of a dot
+/// The radius (px) of a dot beside text of that font.
+double dotRadius(const QFont &font)
+{
+    return std::max(3.5, 0.27 * font.pixelSize());
+}
 
 } // namespace
 
@@ -47,8 +51,8 @@ void PlotPane::setCursors(std::vector<Cursor> cursors, const QRect &axes)
             painted |= label.place;
         }
     }
-    constexpr int kAround = 5; // px, more than the radius of a dot on the line
-    m_painted = painted.toAlignedRect().adjusted(-kAround, -kAround, kAround, kAround);
+    const double around = dotRadius(font()) + 1.5; // px, for the dots on the line
+    m_painted = painted.adjusted(-around, -around, around, around).toAlignedRect();
     // One rectangle: where the region to paint has several, Qt starts threads to fill it, which costs far more.
     update(before | m_painted);
 }
@@ -89,6 +93,7 @@ QString PlotPane::text() const
 void PlotPane::paintEvent(QPaintEvent *)
 {
     const SeriesColours colours = seriesColours(palette());
+    const double radius = dotRadius(font());
     QPainter painter(this);
     painter.drawPixmap(-pos(), m_picture);
     for (const Cursor &cursor : m_cursors) {
@@ -100,7 +105,7 @@ void PlotPane::paintEvent(QPaintEvent *)
         for (const Label &label : cursor.labels) {
             if (label.dot) {
                 painter.setBrush(label.colour);
-                painter.drawEllipse(*label.dot, kRadius, kRadius);
+                painter.drawEllipse(*label.dot, radius, radius);
             }
         }
         painter.setRenderHint(QPainter::Antialiasing, false);
