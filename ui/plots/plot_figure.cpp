@@ -245,7 +245,7 @@ QStringList PlotFigure::titles(std::size_t index) const
                                QStringLiteral("%1; %2").arg(unit, unitText({Coordinate::R4x, channel.order})),
                                tr("% of peak")};
         unit = units[static_cast<std::size_t>(m_settings.error)];
-        titles << (m_result->reference ? tr("error") : tr("difference"));
+        titles << (m_result->reference ? tr("error") : tr("difference")) << QString();
     } else {
         const auto order = static_cast<std::size_t>(channel.order);
         const std::array shortNames{isAngle(channel.coordinate) ? tr("angle") : tr("position"), tr("velocity"),
@@ -259,7 +259,7 @@ QStringList PlotFigure::titles(std::size_t index) const
                << shortNames[order];
     }
     for (QString &title : titles) {
-        title += QStringLiteral(" [%1]").arg(unit);
+        title = QStringLiteral("%1 [%2]").arg(title, unit).trimmed();
     }
     return titles;
 }
