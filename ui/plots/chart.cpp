@@ -23,7 +23,7 @@ void setAxis(QCPAxis &axis, const ChartAxis &content, int pixels, int pixelsPerL
 {
     const QSharedPointer<NumberTicker> ticker(new NumberTicker);
     ticker->isLogarithmic = content.isLogarithmic;
-    ticker->setTickCount(std::max(1, pixels / pixelsPerLabel));
+    ticker->setTickCount(std::max(2, pixels / pixelsPerLabel));
     axis.setTicker(ticker);
     axis.setLabel(content.title);
     axis.setRange(coordinate(content.range.lower, content), coordinate(content.range.upper, content));

@@ -86,6 +86,9 @@ double NumberTicker::getTickStep(const QCPRange &range)
                                               : *std::ranges::lower_bound(kPartsOfTurn, wanted);
     } else if (isLogarithmic) {
         m_step = std::max(1.0, m_step);
+    } else if (const double step = m_step * unit; mTickCount > 1 && std::floor((range.upper - mTickOrigin) / step) <=
+                                                                        std::ceil((range.lower - mTickOrigin) / step)) {
+        m_step = nextRoundNumber(0.4 * m_step); // the next smaller one, since a single tick shows no scale
     }
     const double largest = std::max(std::abs(range.lower - mTickOrigin), std::abs(range.upper - mTickOrigin)) / unit;
     const double digits = std::ceil(std::log10(largest / m_step)) + 1.0; // not finite if the range underflows

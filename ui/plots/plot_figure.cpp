@@ -227,13 +227,13 @@ void PlotFigure::setValueScale(std::size_t index)
     Plot &plot = m_plots[index];
     const Interval values = plot.values.value_or(Interval());
     plot.ticker->isLogarithmic = isLogarithmic(index);
-    plot.ticker->setTickCount(std::max(1, plot.axes->height() / kPixelsPerTick));
+    plot.ticker->setTickCount(std::max(2, plot.axes->height() / kPixelsPerTick));
     axis(index, QCPAxis::atLeft).setRange(values.lower, values.upper);
     axis(index, QCPAxis::atLeft).setTickLabels(plot.values.has_value());
     plot.titles = titles(index);
 }
 
-/// Returns "coupler angular velocity ω³ = dθ³/dt [°/s]" and shorter variants, or "error [%]".
+/// Returns "coupler angular velocity ω³ = dθ³/dt [°/s]" or "error [% of peak]", and shorter variants.
 QStringList PlotFigure::titles(std::size_t index) const
 {
     const bool isError = isErrorPlot(index);

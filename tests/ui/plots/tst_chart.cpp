@@ -84,6 +84,17 @@ private slots:
         }
     }
 
+    void atLeastTwoTicksShowTheScale()
+    {
+        for (const QCPRange &range : {QCPRange(41.0, 49.0), QCPRange(0.1, 195.0), QCPRange(-110.0, 110.0)}) {
+            NumberTicker ticker;
+            ticker.setTickCount(2);
+            QVector<double> ticks;
+            ticker.generate(range, QLocale(), u'g', 6, ticks, nullptr, nullptr);
+            QVERIFY2(ticks.size() >= 2 && ticks.size() <= 4, qPrintable(QString::number(range.lower)));
+        }
+    }
+
     void aPointUnderThePointerSaysWhatItIs()
     {
         Chart chart;
