@@ -1706,12 +1706,16 @@ difiere: lo demás</translation>
         <translation>sin velocidad: la biela es perpendicular a la línea de la corredera</translation>
     </message>
     <message>
-        <source>Instant centre P at infinity: the coupler translates at %1 mm/s</source>
-        <translation>Centro instantáneo P en el infinito: la biela se traslada a %1 mm/s</translation>
+        <source>Instant centre P at infinity:
+the coupler translates at %1 mm/s</source>
+        <translation>Centro instantáneo P en el infinito:
+la biela se traslada a %1 mm/s</translation>
     </message>
     <message>
-        <source>Instant centre P, ω₃ = %1 rad/s; PA = %2 mm, PB = %3 mm</source>
-        <translation>Centro instantáneo P, ω₃ = %1 rad/s; PA = %2 mm, PB = %3 mm</translation>
+        <source>Instant centre P: ω³ = %1 rad/s = %2 °/s
+PA = %3 mm, PB = %4 mm</source>
+        <translation>Centro instantáneo P: ω³ = %1 rad/s = %2 °/s
+PA = %3 mm, PB = %4 mm</translation>
     </message>
     <message>
         <source>outer dead centre</source>

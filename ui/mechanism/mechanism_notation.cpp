@@ -79,8 +79,11 @@ void MechanismSketch::addInstantCentre()
     if (!centre) {
         return;
     }
-    addCornerLabel(cornerLineCount(), 0.0, instantCentreText(*centre, mechanism()));
-    avoid(m_labels.back().box);
+    int line = cornerLineCount();
+    for (const QString &text : instantCentreText(*centre, mechanism()).split(u'\n')) { // too long for a narrow drawing
+        addCornerLabel(line++, 0.0, text);
+        avoid(m_labels.back().box);
+    }
     if (isAtInfinity(*centre, mechanism())) {
         return;
     }

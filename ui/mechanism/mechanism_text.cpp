@@ -61,8 +61,8 @@ QStringList couplerLines(const MechanismScene &scene)
     const double omega2 = std::abs(scene.mechanism().omega2());
     QStringList lines{QStringLiteral("θ³ = %1°").arg(valueText(kDegreesPerRadian * motion.theta3, 1.0))};
     if (std::isfinite(motion.theta3Dot)) {
-        lines << QStringLiteral("ω₃ = %1 rad/s").arg(valueText(motion.theta3Dot, omega2))
-              << QStringLiteral("α₃ = %1 rad/s²").arg(valueText(motion.theta3DDot, omega2 * omega2));
+        lines << QStringLiteral("ω³ = %1 °/s").arg(valueText(kDegreesPerRadian * motion.theta3Dot, omega2))
+              << QStringLiteral("α³ = %1 °/s²").arg(valueText(kDegreesPerRadian * motion.theta3DDot, omega2 * omega2));
     }
     return lines;
 }
