@@ -132,7 +132,8 @@ void ResponseView::setParameter(Parameter parameter)
     m_parameter->setCurrentIndex(static_cast<int>(indexOf(parameter)));
 }
 
-/// Computes new curves if anything except the value of the varied parameter has changed; otherwise moves only the dots.
+/// Computes new curves if anything except the value of the varied parameter has changed, or if their range is no longer
+/// suitable; otherwise moves only the dots.
 void ResponseView::refresh()
 {
     if (!isVisible()) {
@@ -146,7 +147,9 @@ void ResponseView::refresh()
         valueOf(m_response.parameters, parameter) = value; // the curves do not depend on this value
     }
     if (m_response.parameter == parameter && m_response.parameters == parameters &&
-        m_response.range.assembled.contains(value) && static_cast<int>(m_response.values.size()) >= pixels) {
+        m_response.range.assembled.contains(value) &&
+        m_response.range.assembled.length() <= 2.0 * responseRange(parameters, parameter).assembled.length() &&
+        static_cast<int>(m_response.values.size()) >= pixels) {
         showResponse();
         return;
     }

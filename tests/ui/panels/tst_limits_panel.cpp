@@ -239,6 +239,11 @@ private slots:
         const QPointF &point = shown.chart(kRatio)->content().series[ResponseView::Curve].points.back();
         QCOMPARE(point, QPointF(response.values.back(), response.limits.back()[kRatio]));
         QCOMPARE(shown.dot(kRatio, ResponseView::Pinned), QPointF(65.0, expectedLimits({})[kRatio]));
+        for (const double b : {1e6, 65.0}) {
+            shown.session.setParameter(Parameter::B, b);
+            shown.finish();
+            QVERIFY(response.range.assembled.upper < 5.0 * b); // the dot is not at the left edge
+        }
     }
 
     void exportsTheChartsAndTheNumbersOfTheCurves()
