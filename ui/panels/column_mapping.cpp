@@ -149,7 +149,6 @@ void ColumnMapping::addButtons(QBoxLayout *rows)
 {
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     m_use = named("useButton", buttons->addButton(tr("Use these columns"), QDialogButtonBox::AcceptRole));
-    m_use->setDefault(true);
     QPushButton *detect = named("guessButton", buttons->addButton(tr("Detect again"), QDialogButtonBox::ResetRole));
     detect->setToolTip(tr("Forgets what was chosen for files with these headings"));
     detect->setAutoDefault(false);
