@@ -3048,10 +3048,6 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>Buscando el mecanismo de este archivo…</translation>
     </message>
     <message>
-        <source>Mechanism found in this file: %1</source>
-        <translation>Mecanismo hallado en este archivo: %1</translation>
-    </message>
-    <message>
         <source>No file is open.</source>
         <translation>No hay ningún archivo abierto.</translation>
     </message>

@@ -109,7 +109,7 @@ Finding mechanismFound(const Result &result, const ReferenceDiagnosis *diagnosis
         return {ReferencePage::tr("Searching for the mechanism of this file…")};
     }
     const Diagnosis &found = diagnosis->found;
-    Finding finding{ReferencePage::tr("Mechanism found in this file: %1").arg(summaryText(found))};
+    Finding finding{foundText(found)};
     if (const QString rounded = roundNumbersText(found); !rounded.isEmpty()) {
         finding.sentence += u'\n' + rounded;
     }

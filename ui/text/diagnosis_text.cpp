@@ -251,6 +251,14 @@ QString summaryText(const Diagnosis &diagnosis)
     return diagnosis.unevenCrank ? crankSpeedText(*diagnosis.unevenCrank) + u' ' + text : text;
 }
 
+QString foundText(const Diagnosis &diagnosis)
+{
+    const QString summary = summaryText(diagnosis);
+    return diagnosis.identification.hasOneMechanism()
+               ? DiagnosisText::tr("Mechanism found in this file: %1").arg(summary)
+               : summary;
+}
+
 QStringList explanationLines(const Diagnosis &diagnosis, const ReferenceData &data, const Mechanism &mechanism)
 {
     QStringList lines;
@@ -265,10 +273,7 @@ QStringList explanationLines(const Diagnosis &diagnosis, const ReferenceData &da
         if (diagnosis.change) {
             lines << changeText(diagnosis, mechanism);
         }
-        const QString summary = summaryText(diagnosis);
-        lines << (diagnosis.identification.hasOneMechanism()
-                      ? DiagnosisText::tr("Mechanism found in this file: %1").arg(summary)
-                      : summary);
+        lines << foundText(diagnosis);
     }
     lines.removeAll(QString());
     return lines;

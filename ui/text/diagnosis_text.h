@@ -25,6 +25,9 @@ QString caveatText(const Diagnosis &diagnosis);
 /// assembly."), or all mechanisms that fit, or the reason why none was found, or the nearest mechanism.
 QString summaryText(const Diagnosis &diagnosis);
 
+/// Returns summaryText(); "Mechanism found in this file:" precedes it if there is exactly one.
+QString foundText(const Diagnosis &diagnosis);
+
 /// Returns "Nominal values fit equally well: a = 20 mm, …", or an empty string if they do not.
 QString roundNumbersText(const Diagnosis &diagnosis);
 

@@ -180,6 +180,7 @@ private slots:
         for (const auto lack : {Lack::FewValues, Lack::NothingMoves, Lack::OpenParameters, Lack::NotParabolic}) {
             found.lack = lack;
             sentences << summaryText(none);
+            QCOMPARE(foundText(none), sentences.last()); // does not announce a mechanism
         }
         QVERIFY(sentences[3].startsWith("These data do not determine b, c and θ₂₀: "));
         found.stopped = true;
