@@ -244,14 +244,12 @@ FigureDrawing ResponseView::drawing() const
         const QSize part(size.width() / static_cast<int>(kLimitCount), size.height() - line);
         painter.fillRect(QRect(QPoint(), size), light.base());
         int left = 0;
-        for (const Chart *shown : m_charts) {
-            Chart chart;
-            chart.setContent(shown->content());
+        for (Chart *chart : m_charts) {
             painter.save();
             painter.translate(left, 0);
-            painter.drawText(QRect(0, 0, part.width(), line), Qt::AlignCenter, shown->accessibleName());
+            painter.drawText(QRect(0, 0, part.width(), line), Qt::AlignCenter, chart->accessibleName());
             painter.translate(0, line);
-            chart.paint(painter, part, light);
+            chart->paint(painter, part, light);
             painter.restore();
             left += part.width();
         }

@@ -225,10 +225,8 @@ std::optional<QString> TablePanel::exportTo(const QString &path) const
 {
     const Page page = m_makePage();
     if (!path.endsWith(".csv", Qt::CaseInsensitive) && page.chart) {
-        Chart chart;
-        chart.setContent(page.chart->content);
-        return exportFigure(path, {kChartSize, 2.0}, page.chart->title, [&chart](QPainter &painter, const QSize &size) {
-            chart.paint(painter, size, paletteFor(Theme::Light));
+        return exportFigure(path, {kChartSize, 2.0}, page.chart->title, [this](QPainter &painter, const QSize &size) {
+            m_chart->paint(painter, size, paletteFor(Theme::Light));
         });
     }
     return writeWhole(path, csvOf(page));
