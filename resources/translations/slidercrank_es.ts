@@ -256,7 +256,7 @@
         <translation>diferencias centrales</translation>
     </message>
     <message>
-        <source>Rows that were skipped: %1, the first in line %2, column %3 (&quot;%4&quot;): %5.</source>
+        <source>Rows that were skipped: %1, the first in line %2, column %3 (“%4”): %5.</source>
         <translation>Filas omitidas: %1, la primera en la línea %2, columna %3 («%4»): %5.</translation>
     </message>
     <message>
@@ -1077,8 +1077,8 @@ Equipo: %1. Tiempo: %2 s.
         <translation>El ángulo de la biela θ³ por sí solo determina únicamente b/a y c/a.</translation>
     </message>
     <message>
-        <source>Rows left out, because they are far off the motion: %1 (line %2).</source>
-        <translation>Filas omitidas, porque están muy lejos del movimiento: %1 (línea %2).</translation>
+        <source>Rows left out, because they are far off the motion: %1. Lines of the file: %2.</source>
+        <translation>Filas descartadas, por estar muy lejos del movimiento: %1. Líneas del archivo: %2.</translation>
     </message>
 </context>
 <context>
@@ -1486,24 +1486,24 @@ difiere: lo demás</translation>
         <translation>próximo, si los instantes del archivo están redondeados</translation>
     </message>
     <message>
-        <source>Match: %1 of %2 quantities agree within the rounding of the file.</source>
-        <translation>Coincide: %1 de %2 magnitudes concuerdan dentro del redondeo del archivo.</translation>
+        <source>Match. Quantities that agree within the rounding of the file: %1 of %2.</source>
+        <translation>Coincide. Magnitudes que concuerdan dentro del redondeo del archivo: %1 de %2.</translation>
     </message>
     <message>
-        <source>Close match: %1 of %2 quantities agree within the rounding of the file, the others nearly.</source>
-        <translation>Coincidencia aproximada: %1 de %2 magnitudes concuerdan dentro del redondeo del archivo; las demás, casi.</translation>
+        <source>Close match. Quantities that agree within the rounding of the file: %1 of %2, the others nearly.</source>
+        <translation>Coincidencia aproximada. Magnitudes que concuerdan dentro del redondeo del archivo: %1 de %2; las demás, casi.</translation>
     </message>
     <message>
         <source>No match: the mechanism cannot be assembled at any time step of the file.</source>
         <translation>No coincide: el mecanismo no se puede ensamblar en ningún instante del archivo.</translation>
     </message>
     <message>
-        <source>No match: %1 of %2 quantities differ.</source>
-        <translation>No coincide: difieren %1 de %2 magnitudes.</translation>
+        <source>No match. Quantities that differ: %1 of %2.</source>
+        <translation>No coincide. Magnitudes que difieren: %1 de %2.</translation>
     </message>
     <message>
-        <source>No match: %1 of %2 quantities differ, most of all the %3, by %4 % of its peak.</source>
-        <translation>No coincide: difieren %1 de %2 magnitudes; la mayor diferencia: %3, un %4 % de su máximo.</translation>
+        <source>No match. Quantities that differ: %1 of %2, most of all the %3, by %4 % of its peak.</source>
+        <translation>No coincide. Magnitudes que difieren: %1 de %2; la mayor diferencia: %3, un %4 % de su máximo.</translation>
     </message>
     <message>
         <source>%1 or %2</source>
@@ -2851,7 +2851,7 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>la línea tiene más de un millón de caracteres: exporte la tabla como CSV, una fila por línea.</translation>
     </message>
     <message>
-        <source>there is no column &quot;%1&quot;.</source>
+        <source>there is no column “%1”.</source>
         <translation>no hay ninguna columna «%1».</translation>
     </message>
     <message>
@@ -2875,7 +2875,7 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>unidad de tiempo desconocida: escriba [s] o [ms], o ninguna si son segundos.</translation>
     </message>
     <message>
-        <source>several columns are called &quot;%1&quot;: give the number of one of them, as in #3.</source>
+        <source>several columns are called “%1”: give the number of one of them, as in #3.</source>
         <translation>varias columnas se llaman «%1»: indique el número de una de ellas, como en #3.</translation>
     </message>
     <message>
@@ -2883,7 +2883,7 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>dos columnas contienen %2: deje una de las dos.</translation>
     </message>
     <message>
-        <source>there is no time column: call the column of the time stamps &quot;time&quot;, or that of the crank angle &quot;theta2&quot;.</source>
+        <source>there is no time column: call the column of the time stamps “time”, or that of the crank angle “theta2”.</source>
         <translation>no hay columna de tiempo: llame «time» a la columna de los instantes, o «theta2» a la del ángulo de la manivela.</translation>
     </message>
     <message>
@@ -2961,7 +2961,7 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>%1, línea %2: %3</translation>
     </message>
     <message>
-        <source>%1, line %2, column %3 (&quot;%4&quot;): %5</source>
+        <source>%1, line %2, column %3 (“%4”): %5</source>
         <translation>%1, línea %2, columna %3 («%4»): %5</translation>
     </message>
     <message>
@@ -3346,11 +3346,11 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>%1, línea %2: esto no es JSON (%3). Corríjalo allí, o abra otra escena.</translation>
     </message>
     <message>
-        <source>%1: &quot;%2&quot; is missing, or its value is not valid. Correct it there, or open another scene.</source>
+        <source>%1: “%2” is missing, or its value is not valid. Correct it there, or open another scene.</source>
         <translation>%1: falta «%2» o su valor no es válido. Corríjalo allí o abra otra escena.</translation>
     </message>
     <message>
-        <source>%1 is not a scene: it has no &quot;version&quot; that is a number. Open a file that this program saved.</source>
+        <source>%1 is not a scene: it has no “version” that is a number. Open a file that this program saved.</source>
         <translation>%1 no es una escena: no tiene un &quot;version&quot; que sea un número. Abra un archivo guardado por este programa.</translation>
     </message>
     <message>

@@ -92,7 +92,7 @@ QString readErrorText(const ReadError &error, const QStringList &files)
     const QString line = QString::number(error.line);
     return error.column == 0
                ? ReferenceFileText::tr("%1, line %2: %3").arg(file, line, reason)
-               : ReferenceFileText::tr("%1, line %2, column %3 (\"%4\"): %5")
+               : ReferenceFileText::tr("%1, line %2, column %3 (“%4”): %5")
                      .arg(file, line, QString::number(error.column), QString::fromStdString(error.text), reason);
 }
 

@@ -45,7 +45,7 @@ std::optional<QString> versionFault(const QJsonValue &version, const QString &fi
 {
     if (!version.isDouble()) {
         return SceneText::tr(
-                   "%1 is not a scene: it has no \"version\" that is a number. Open a file that this program saved.")
+                   "%1 is not a scene: it has no “version” that is a number. Open a file that this program saved.")
             .arg(file);
     }
     if (version.toDouble() > kVersion) {
@@ -137,8 +137,7 @@ std::variant<Scene, QString> parseScene(const QByteArray &json, const QString &p
         }
     }
     if (!faults.isEmpty()) {
-        return SceneText::tr(
-                   "%1: \"%2\" is missing, or its value is not valid. Correct it there, or open another scene.")
+        return SceneText::tr("%1: “%2” is missing, or its value is not valid. Correct it there, or open another scene.")
             .arg(shown, faults.first().mid(1));
     }
     return scene;

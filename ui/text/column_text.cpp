@@ -95,7 +95,7 @@ QStringList doubtTexts(const ReferenceData &data)
     QStringList texts;
     if (!data.skipped.empty()) {
         const SkippedRow &first = data.skipped.front();
-        texts << ColumnText::tr("Rows that were skipped: %1, the first in line %2, column %3 (\"%4\"): %5.")
+        texts << ColumnText::tr("Rows that were skipped: %1, the first in line %2, column %3 (“%4”): %5.")
                      .arg(QString::number(data.skippedCount), lineText(layout, first), QString::number(first.column),
                           QString::fromStdString(first.text), rowFaultText(first));
     }

@@ -223,7 +223,7 @@ QString caveatText(const Diagnosis &diagnosis)
                          .arg(leftOutText(found));
     }
     if (!found.excludedRows.empty()) {
-        sentences << DiagnosisText::tr("Rows left out, because they are far off the motion: %1 (line %2).")
+        sentences << DiagnosisText::tr("Rows left out, because they are far off the motion: %1. Lines of the file: %2.")
                          .arg(QString::number(found.excludedRows.size()), linesText(found.excludedRows));
     }
     if (!found.noise.empty()) {

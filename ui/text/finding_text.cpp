@@ -215,22 +215,22 @@ QString summaryText(std::span<const ChannelComparison> channels)
     };
     const QString all = QString::number(channels.size());
     if (count(Verdict::Agrees) == all) {
-        return FindingText::tr("Match: %1 of %2 quantities agree within the rounding of the file.").arg(all, all);
+        return FindingText::tr("Match. Quantities that agree within the rounding of the file: %1 of %2.").arg(all, all);
     }
     const auto worst = std::ranges::max_element(channels, {}, [](const ChannelComparison &channel) {
         return channel.verdict == Verdict::Differs ? channel.percentOfPeak.value_or(0.0) : -1.0;
     });
     if (worst->verdict != Verdict::Differs) {
         return FindingText::tr(
-                   "Close match: %1 of %2 quantities agree within the rounding of the file, the others nearly.")
+                   "Close match. Quantities that agree within the rounding of the file: %1 of %2, the others nearly.")
             .arg(count(Verdict::Agrees), all);
     }
     if (!worst->percentOfPeak) {
         return worst->count == 0 && worst->missingModel > 0
                    ? FindingText::tr("No match: the mechanism cannot be assembled at any time step of the file.")
-                   : FindingText::tr("No match: %1 of %2 quantities differ.").arg(count(Verdict::Differs), all);
+                   : FindingText::tr("No match. Quantities that differ: %1 of %2.").arg(count(Verdict::Differs), all);
     }
-    return FindingText::tr("No match: %1 of %2 quantities differ, most of all the %3, by %4 % of its peak.")
+    return FindingText::tr("No match. Quantities that differ: %1 of %2, most of all the %3, by %4 % of its peak.")
         .arg(count(Verdict::Differs), all, quantityName(worst->channel), errorText(worst->percentOfPeak));
 }
 

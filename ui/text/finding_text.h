@@ -80,7 +80,7 @@ QString verdictText(const ChannelComparison &channel);
 /// Returns a table of the errors of each channel against a file. The first row contains the headings.
 std::vector<QStringList> comparisonTable(std::span<const ChannelComparison> channels, const ReferenceData &file);
 
-/// Summarizes a comparison: "Match: 6 of 6 quantities agree within the rounding of the file."
+/// Summarizes a comparison: "Match. Quantities that agree within the rounding of the file: 6 of 6."
 QString summaryText(std::span<const ChannelComparison> channels);
 
 } // namespace slidercrank

@@ -31,12 +31,12 @@ public:
             "numbers where the headings should be: put a line such as time,theta3,R4_x above them."), // NamesMissing
         QT_TR_NOOP("unknown unit, or one of another quantity: write for example [%2], or none."),     // UnknownUnit
         QT_TR_NOOP("unknown unit of time: write [s] or [ms], or none for seconds."),                  // UnknownTimeUnit
-        QT_TR_NOOP("there is no column \"%1\"."),                                                     // NoSuchColumn
-        QT_TR_NOOP("several columns are called \"%1\": give the number of one of them, as in #3."),   // SeveralColumns
+        QT_TR_NOOP("there is no column “%1”."),                                                       // NoSuchColumn
+        QT_TR_NOOP("several columns are called “%1”: give the number of one of them, as in #3."),     // SeveralColumns
         QT_TR_NOOP("two columns contain %2: keep one of the two."),                                   // ChannelTwice
         QT_TR_NOOP("two columns contain the time, or the crank angle instead of it: keep one of the two."), // TimeTwice
-        QT_TR_NOOP("there is no time column: call the column of the time stamps \"time\", or that of the crank "
-                   "angle \"theta2\"."), // NoTime
+        QT_TR_NOOP("there is no time column: call the column of the time stamps “time”, or that of the crank "
+                   "angle “theta2”."), // NoTime
         QT_TR_NOOP("no column beside the time has a known heading: use theta3, theta3_diff, theta3_diff2, R4_x, "
                    "R4_x_diff, R4_x_diff2."), // NoChannel
         QT_TR_NOOP("the columns beside the time are unknown (%1: %4): use theta3, theta3_diff, theta3_diff2, R4_x, "

@@ -288,7 +288,7 @@ private slots:
         changed->data.skipped.push_back({17, 2, "oops", RowFault::NotANumber});
         changed->data.layout.columns.emplace_back().heading = "colour";
         const ReportText skipping(contentWith(60.0, changed));
-        QVERIFY2(skipping.has({"the first in line 17, column 2 (\"oops\"): not a number", "not used: colour"}),
+        QVERIFY2(skipping.has({"the first in line 17, column 2 (“oops”): not a number", "not used: colour"}),
                  qPrintable(skipping.text));
     }
 

@@ -119,7 +119,7 @@ private slots:
             {[](Diagnosis &d) {
                  d.identification.excludedRows = {3, 17};
              },
-             "Rows left out, because they are far off the motion: 2 (line 3, 17)."},
+             "Rows left out, because they are far off the motion: 2. Lines of the file: 3, 17."},
             {[](Diagnosis &d) {
                  d.identification.noise = {{kTheta3, 0.0512}, {kSlider, 0.1234}};
              },

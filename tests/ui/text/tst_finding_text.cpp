@@ -146,12 +146,12 @@ private slots:
         missing.missingModel = 201;
         const QString most = ", most of all the coupler angle, by 9.83 % of its peak.";
         const std::pair<std::vector<ChannelComparison>, QString> rows[] = {
-            {{agrees, agrees}, "Match: 2 of 2 quantities agree within the rounding of the file."},
+            {{agrees, agrees}, "Match. Quantities that agree within the rounding of the file: 2 of 2."},
             {{agrees, close},
-             "Close match: 1 of 2 quantities agree within the rounding of the file, the others nearly."},
-            {{agrees, close, differs}, "No match: 1 of 3 quantities differ" + most},
-            {{coarse, differs}, "No match: 1 of 2 quantities differ" + most},
-            {{agrees, unknown}, "No match: 1 of 2 quantities differ."},
+             "Close match. Quantities that agree within the rounding of the file: 1 of 2, the others nearly."},
+            {{agrees, close, differs}, "No match. Quantities that differ: 1 of 3" + most},
+            {{coarse, differs}, "No match. Quantities that differ: 1 of 2" + most},
+            {{agrees, unknown}, "No match. Quantities that differ: 1 of 2."},
             {{missing, missing}, "No match: the mechanism cannot be assembled at any time step of the file."},
             {{}, "The file has no column that this program knows."},
         };
