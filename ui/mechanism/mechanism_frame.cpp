@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/mechanism/mechanism_frame.h"
 
+#include "ui/text/interval.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -43,16 +45,14 @@ QRectF motionBounds(const Mechanism &mechanism, const MotionLimits &limits)
 {
     const double a = mechanism.a();
     const double c = mechanism.c();
-    double left = -a;
-    double right = a;
+    Interval x{-a, a};
     // Where an oscillating crank turns back, the slider is at a cos θ2, within the width of the crank's circle.
     for (const std::optional<SliderPosition> &centre : {limits.outer, limits.inner}) {
         if (centre) {
-            left = std::min(left, centre->R4x);
-            right = std::max(right, centre->R4x);
+            x.include(centre->R4x);
         }
     }
-    return QRectF(QPointF(left, std::min(-a, c)), QPointF(right, std::max(a, c)));
+    return QRectF(QPointF(x.lower, std::min(-a, c)), QPointF(x.upper, std::max(a, c)));
 }
 
 void MechanismFrame::follow(const QRectF &bounds)

@@ -194,7 +194,7 @@ ChartContent ResponseView::chartOf(std::size_t limit) const
     Interval shown = valueRange(m_response, limit);
     for (const ChartSeries *dots : {&pinned, &present}) {
         for (const QPointF &dot : dots->points) {
-            shown = {std::min(shown.lower, dot.y()), std::max(shown.upper, dot.y())};
+            shown.include(dot.y());
         }
     }
     const QString unit = parameter == Parameter::Omega2 ? tr("rad/s") : tr("mm");
@@ -258,7 +258,7 @@ FigureDrawing ResponseView::drawing() const
 
 std::optional<QString> ResponseView::exportTo(const QString &path) const
 {
-    if (path.endsWith(QStringLiteral(".csv"), Qt::CaseInsensitive)) {
+    if (path.endsWith(".csv", Qt::CaseInsensitive)) {
         return writeWhole(path, csvText(recordsOf(m_response)));
     }
     return exportFigure(path, {kFigureSize, 2.0}, accessibleName(),

@@ -24,7 +24,7 @@ std::vector<CurvePoint> strokes(const std::vector<CurvePoint> &turn, const Inter
         }
         isOpen = !std::isnan(point.value);
         if (isOpen) {
-            bands.back() = {std::min(bands.back().lower, point.value), std::max(bands.back().upper, point.value)};
+            bands.back().include(point.value);
         }
     }
     std::vector<CurvePoint> points;

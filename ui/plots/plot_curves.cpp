@@ -27,10 +27,10 @@ const std::array<QVector<double>, kMaxPinned> kPinnedDashes{{{}, {13.0, 4.0}, {5
 
 void include(std::optional<Interval> &range, const std::optional<Interval> &added)
 {
-    if (range && added) {
-        range = {std::min(range->lower, added->lower), std::max(range->upper, added->upper)};
-    } else if (added) {
-        range = added;
+    if (added) {
+        range = range.value_or(*added);
+        range->include(added->lower);
+        range->include(added->upper);
     }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+
 namespace slidercrank
 {
 
@@ -11,6 +13,14 @@ struct Interval {
 
     double length() const { return upper - lower; }
     bool contains(double x) const { return lower <= x && x <= upper; }
+
+    /// Extends the interval so that it contains x.
+    void include(double x)
+    {
+        lower = std::min(lower, x);
+        upper = std::max(upper, x);
+    }
+
     friend bool operator==(const Interval &, const Interval &) = default;
 };
 
