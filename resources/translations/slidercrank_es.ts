@@ -1542,6 +1542,18 @@ difiere: lo demás</translation>
         <translation>redondeo</translation>
     </message>
     <message>
+        <source>offset</source>
+        <translation>excentricidad</translation>
+    </message>
+    <message>
+        <source>crank speed</source>
+        <translation>velocidad de la manivela</translation>
+    </message>
+    <message>
+        <source>initial angle</source>
+        <translation>ángulo inicial</translation>
+    </message>
+    <message>
         <source>verdict</source>
         <translation>veredicto</translation>
     </message>
@@ -2535,24 +2547,12 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>rad</translation>
     </message>
     <message>
-        <source>crank</source>
-        <translation>manivela</translation>
-    </message>
-    <message>
         <source>Length of the crank, O₂ to A</source>
         <translation>Longitud de la manivela, de O₂ a A</translation>
     </message>
     <message>
-        <source>coupler</source>
-        <translation>biela</translation>
-    </message>
-    <message>
         <source>Length of the coupler, A to B</source>
         <translation>Longitud de la biela, de A a B</translation>
-    </message>
-    <message>
-        <source>offset</source>
-        <translation>excentricidad</translation>
     </message>
     <message>
         <source>Height of the slider&apos;s line above O₂; may be negative</source>
@@ -2599,16 +2599,8 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>mm</translation>
     </message>
     <message>
-        <source>crank speed</source>
-        <translation>velocidad de la manivela</translation>
-    </message>
-    <message>
         <source>Angular velocity of the crank, counter-clockwise positive</source>
         <translation>Velocidad angular de la manivela, positiva en sentido antihorario</translation>
-    </message>
-    <message>
-        <source>initial angle</source>
-        <translation>ángulo inicial</translation>
     </message>
     <message>
         <source>Click: how the limits of the motion depend on %1</source>
@@ -3067,18 +3059,6 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
 <context>
     <name>slidercrank::Report</name>
     <message>
-        <source>crank</source>
-        <translation>manivela</translation>
-    </message>
-    <message>
-        <source>coupler</source>
-        <translation>biela</translation>
-    </message>
-    <message>
-        <source>offset</source>
-        <translation>excentricidad</translation>
-    </message>
-    <message>
         <source>model</source>
         <translation>modelo</translation>
     </message>
@@ -3105,14 +3085,6 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     <message>
         <source>%1, by %2 %3</source>
         <translation>%1, por %2 %3</translation>
-    </message>
-    <message>
-        <source>crank speed</source>
-        <translation>velocidad de la manivela</translation>
-    </message>
-    <message>
-        <source>initial angle</source>
-        <translation>ángulo inicial</translation>
     </message>
     <message>
         <source>found in the file</source>

@@ -30,11 +30,6 @@ namespace
 
 struct Report {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::Report)
-
-public:
-    // In the order of Parameter.
-    static constexpr const char *kNames[] = {QT_TR_NOOP("crank"), QT_TR_NOOP("coupler"), QT_TR_NOOP("offset"),
-                                             QT_TR_NOOP("crank speed"), QT_TR_NOOP("initial angle")};
 };
 
 QString element(const char *tag, const QString &text)
@@ -90,9 +85,8 @@ QString parameterTable(const ReportContent &content)
     const Identification &found = content.diagnosis.identification;
     std::vector<QStringList> rows{{QString(), Report::tr("model")}};
     for (const Parameter parameter : kAllParameters) {
-        rows.push_back(
-            {QStringLiteral("%1, %2").arg(symbolText(parameter), Report::tr(Report::kNames[indexOf(parameter)])),
-             parameterText(parameter, valueOf(model, parameter))});
+        rows.push_back({QStringLiteral("%1, %2").arg(symbolText(parameter), parameterName(parameter)),
+                        parameterText(parameter, valueOf(model, parameter))});
     }
     rows.push_back({Report::tr("assembly"), assemblyText(model.branch)});
     if (isFound(content)) {

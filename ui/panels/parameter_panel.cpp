@@ -108,14 +108,14 @@ ParameterPanel::ParameterPanel(Session *session, QWidget *parent)
     m_grid->setVerticalSpacing(3);
     m_grid->setColumnStretch(1, 1);
     const auto length = [](double range) { return std::vector{ShownUnit{tr("mm"), kMillimetre, range}}; };
-    addRow(Parameter::A, tr("crank"), tr("Length of the crank, O₂ to A"), length(100.0));
-    addRow(Parameter::B, tr("coupler"), tr("Length of the coupler, A to B"), length(200.0));
-    addRow(Parameter::C, tr("offset"), tr("Height of the slider's line above O₂; may be negative"), length(100.0));
-    addRow(Parameter::Omega2, tr("crank speed"), tr("Angular velocity of the crank, counter-clockwise positive"),
+    addRow(Parameter::A, tr("Length of the crank, O₂ to A"), length(100.0));
+    addRow(Parameter::B, tr("Length of the coupler, A to B"), length(200.0));
+    addRow(Parameter::C, tr("Height of the slider's line above O₂; may be negative"), length(100.0));
+    addRow(Parameter::Omega2, tr("Angular velocity of the crank, counter-clockwise positive"),
            {{tr("rad/s"), kRadianPerSecond, 20.0},
             {tr("°/s"), kDegreePerSecond, 1000.0},
             {tr("rpm"), kTurnPerMinute, 200.0}});
-    addRow(Parameter::Theta20, tr("initial angle"), tr("Angle of the crank at t = 0"),
+    addRow(Parameter::Theta20, tr("Angle of the crank at t = 0"),
            {{tr("°"), kDegree, 180.0}, {tr("rad"), kRadian, 3.2}});
     m_grid->setRowStretch(m_grid->rowCount(), 1);
     connect(session, &Session::parametersChanged, this, &ParameterPanel::showParameters);
@@ -148,18 +148,17 @@ const ParameterPanel::ShownUnit &ParameterPanel::Row::shownUnit() const
     return units[unit ? static_cast<std::size_t>(unit->currentIndex()) : 0];
 }
 
-void ParameterPanel::addRow(Parameter parameter, const QString &noun, const QString &explanation,
-                            const std::vector<ShownUnit> &units)
+void ParameterPanel::addRow(Parameter parameter, const QString &explanation, const std::vector<ShownUnit> &units)
 {
     const int line = static_cast<int>(parameter);
-    const QLatin1String key(optionName(parameter));
+    const QString key = optionName(parameter);
     const QString symbol = symbolText(parameter);
     const QString name = tr("%1 (%2)").arg(explanation, symbol);
     Row &row = m_rows[indexOf(parameter)];
     row.explanation = explanation;
     row.units = units;
 
-    row.label = new QLabel(tr("<b>%1</b> %2").arg(symbol, noun));
+    row.label = new QLabel(tr("<b>%1</b> %2").arg(symbol, parameterName(parameter)));
     row.label->setWordWrap(true); // large fonts and long translations must leave space for the slider
     row.label->setToolTip(explanation);
     if (parameter != Parameter::Theta20) {
@@ -169,7 +168,7 @@ void ParameterPanel::addRow(Parameter parameter, const QString &noun, const QStr
     }
     m_grid->addWidget(row.label, line, 0);
 
-    row.slider = named(QStringLiteral("slider_") + key, new ParameterSlider, tr("%1, slider").arg(name));
+    row.slider = named("slider_" + key, new ParameterSlider, tr("%1, slider").arg(name));
     m_grid->addWidget(row.slider, line, 1);
     row.slider->setToolTip(explanation);
     connect(row.slider, &QSlider::valueChanged, this,
@@ -177,7 +176,7 @@ void ParameterPanel::addRow(Parameter parameter, const QString &noun, const QStr
     connect(row.slider, &QSlider::sliderPressed, m_session, &Session::beginDrag);
     connect(row.slider, &QSlider::sliderReleased, m_session, &Session::endDrag);
 
-    row.box = named(QStringLiteral("box_") + key, new NumberBox, name);
+    row.box = named("box_" + key, new NumberBox, name);
     row.box->setToolTip(explanation);
     row.label->setBuddy(row.box);
     m_grid->addWidget(row.box, line, 2, 1, units.size() > 1 ? 1 : 2);
@@ -185,7 +184,7 @@ void ParameterPanel::addRow(Parameter parameter, const QString &noun, const QStr
     if (units.size() == 1) {
         row.box->setSuffix(u' ' + units[0].name);
     } else {
-        row.unit = named(QStringLiteral("unit_") + key, new QComboBox, tr("Unit of %1").arg(symbol));
+        row.unit = named("unit_" + key, new QComboBox, tr("Unit of %1").arg(symbol));
         row.unit->setToolTip(tr("Unit"));
         for (const ShownUnit &unit : units) {
             row.unit->addItem(unit.name);
@@ -198,7 +197,7 @@ void ParameterPanel::addRow(Parameter parameter, const QString &noun, const QStr
     }
     useUnit(parameter);
 
-    row.reset = named(QStringLiteral("reset_") + key, new QToolButton, tr("Reset %1").arg(symbol));
+    row.reset = named("reset_" + key, new QToolButton, tr("Reset %1").arg(symbol));
     row.reset->setText("↺");
     row.reset->setAutoRaise(true);
     row.reset->setFixedWidth(20);

@@ -62,8 +62,7 @@ private:
         const ShownUnit &shownUnit() const;
     };
 
-    void addRow(Parameter parameter, const QString &noun, const QString &explanation,
-                const std::vector<ShownUnit> &units);
+    void addRow(Parameter parameter, const QString &explanation, const std::vector<ShownUnit> &units);
     void useUnit(Parameter parameter);
     void edit(Parameter parameter, double value); ///< `value` is in the displayed unit
     void showParameters();

@@ -21,6 +21,10 @@ struct FindingText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::FindingText)
 
 public:
+    // In the order of Parameter.
+    static constexpr const char *kParameters[] = {QT_TR_NOOP("crank"), QT_TR_NOOP("coupler"), QT_TR_NOOP("offset"),
+                                                  QT_TR_NOOP("crank speed"), QT_TR_NOOP("initial angle")};
+
     static QString quantity(Channel channel)
     {
         static constexpr const char *kBodies[] = {QT_TR_NOOP("ground"), QT_TR_NOOP("crank"), QT_TR_NOOP("coupler"),
@@ -102,6 +106,11 @@ QString columnName(Channel channel)
 QString unitText(Channel channel)
 {
     return QString::fromUtf8(fileUnit(channel));
+}
+
+QString parameterName(Parameter parameter)
+{
+    return FindingText::tr(FindingText::kParameters[indexOf(parameter)]);
 }
 
 QString symbolText(Parameter parameter)

@@ -38,6 +38,9 @@ QString columnName(Channel channel);
 /// Returns the unit of a channel in files: "mm/s²", "°".
 QString unitText(Channel channel);
 
+/// Returns the name of a parameter: "crank", "initial angle".
+QString parameterName(Parameter parameter);
+
 /// Returns the symbol of a parameter: "a", "ω₂".
 QString symbolText(Parameter parameter);
 
