@@ -3793,10 +3793,6 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
 <context>
     <name>slidercrank::Timeline</name>
     <message>
-        <source>%1×</source>
-        <translation>%1×</translation>
-    </message>
-    <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
     </message>
@@ -3873,10 +3869,6 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>&amp;Repetir</translation>
     </message>
     <message>
-        <source>Spee&amp;d</source>
-        <translation>V&amp;elocidad</translation>
-    </message>
-    <message>
         <source>Time in seconds</source>
         <translation>Tiempo en segundos</translation>
     </message>
@@ -3897,9 +3889,9 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>Inicio, duración, pasos, una vuelta y la velocidad de reproducción (Ctrl+R)</translation>
     </message>
     <message>
-        <source>%1 s · %2 ▾</source>
+        <source>%1 s · %2× ▾</source>
         <comment>duration, playback speed</comment>
-        <translation>%1 s · %2 ▾</translation>
+        <translation>%1 s · %2× ▾</translation>
     </message>
     <message>
         <source>Start</source>

@@ -11,7 +11,6 @@
 #include "ui/widgets/popup_position.h"
 
 #include <QAction>
-#include <QActionGroup>
 #include <QEvent>
 #include <QFormLayout>
 #include <QFrame>
@@ -26,7 +25,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 namespace slidercrank
@@ -46,11 +44,6 @@ double steadySeconds()
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-QString speedText(double speed)
-{
-    return Timeline::tr("%1×").arg(numberText(speed, 3));
-}
-
 /// Returns the icon of the style in the text colour of the palette; its own colour is too dark on a dark background.
 QIcon colouredIcon(const QWidget &widget, QStyle::StandardPixmap symbol)
 {
@@ -68,7 +61,6 @@ Timeline::Timeline(Session *session, QWidget *parent)
     : QWidget(parent)
     , m_session(session)
     , m_clock(steadySeconds)
-    , m_speeds(new QActionGroup(this))
 {
     named("timeline", this, tr("Timeline"));
     m_frames.setInterval(16);
@@ -112,20 +104,9 @@ void Timeline::createActions()
     m_actions[Loop]->setToolTip(tr("Start again at the end (Ctrl+L)"));
     m_actions[Loop]->setCheckable(true);
     m_actions[Loop]->setChecked(true);
-    addAction(Faster, tr("F&aster"), Qt::SHIFT | Qt::Key_Right, [this] {
-        const auto next = std::ranges::upper_bound(kSpeeds, m_speed);
-        setSpeed(next == kSpeeds.end() ? m_speed : *next);
-    });
-    addAction(Slower, tr("Slo&wer"), Qt::SHIFT | Qt::Key_Left, [this] {
-        const auto next = std::ranges::lower_bound(kSpeeds, m_speed);
-        setSpeed(next == kSpeeds.begin() ? m_speed : *std::prev(next));
-    });
+    addAction(Faster, tr("F&aster"), Qt::SHIFT | Qt::Key_Right, [this] { setSpeed(2.0 * m_speed); });
+    addAction(Slower, tr("Slo&wer"), Qt::SHIFT | Qt::Key_Left, [this] { setSpeed(0.5 * m_speed); });
     addAction(OpenRun, tr("&Time range and speed…"), Qt::CTRL | Qt::Key_R, [this] { openRun(); });
-    for (const double speed : kSpeeds) {
-        QAction *action = m_speeds->addAction(speedText(speed));
-        action->setCheckable(true);
-        connect(action, &QAction::triggered, this, [this, speed] { setSpeed(speed); });
-    }
 }
 
 void Timeline::fillMenu(QMenu *menu)
@@ -133,7 +114,6 @@ void Timeline::fillMenu(QMenu *menu)
     const QList<QAction *> actions(m_actions.begin(), m_actions.end());
     menu->addActions(actions.first(Faster));
     menu->addSeparator();
-    menu->addMenu(tr("Spee&d"))->addActions(m_speeds->actions());
     menu->addActions(actions.sliced(Faster));
 }
 
@@ -296,9 +276,7 @@ void Timeline::showSettings()
     m_speedBox->setValue(m_speed);
     m_angleBox->setEnabled(m_session->parameters().omega2 != 0.0);
     m_oneTurn->setEnabled(revolution() <= kLargestParameter);
-    constexpr int kDigits = 3;
-    m_run->setText(
-        tr("%1 s · %2 ▾", "duration, playback speed").arg(numberText(duration, kDigits), speedText(m_speed)));
+    m_run->setText(tr("%1 s · %2× ▾", "duration, playback speed").arg(numberText(duration, 3), numberText(m_speed, 3)));
     showTime();
 }
 
@@ -329,9 +307,6 @@ void Timeline::pause()
 void Timeline::setSpeed(double speed)
 {
     m_speed = std::clamp(speed, kSlowestPlayback, kFastestPlayback);
-    for (std::size_t i = 0; i < kSpeeds.size(); ++i) {
-        m_speeds->actions()[static_cast<int>(i)]->setChecked(kSpeeds[i] == m_speed);
-    }
     showSettings();
 }
 

@@ -11,7 +11,6 @@
 #include <functional>
 
 class QAction;
-class QActionGroup;
 class QFrame;
 class QLayout;
 class QMenu;
@@ -23,9 +22,6 @@ namespace slidercrank
 class NumberBox;
 class NumberSlider;
 class Session;
-
-/// Playback speeds in the menu: seconds of the motion per second of real time.
-inline constexpr std::array<double, 9> kSpeeds{0.1, 0.2, 0.25, 0.5, 1.0, 2.0, 4.0, 5.0, 10.0};
 
 class Timeline : public QWidget
 {
@@ -85,7 +81,6 @@ private:
     double m_speed = 1.0;
 
     std::array<QAction *, CommandCount> m_actions{};
-    QActionGroup *m_speeds; ///< one action for each of kSpeeds
     QToolButton *m_playButton;
     QToolButton *m_run;
     NumberSlider *m_slider;

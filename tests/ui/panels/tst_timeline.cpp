@@ -233,8 +233,8 @@ private slots:
             const char *action;
             double after;
         };
-        for (const Row &row : {Row{0.3, "Faster", 0.5}, Row{0.3, "Slower", 0.25}, Row{0.3, "10×", 10.0},
-                               Row{10.0, "Faster", 10.0}, Row{0.001, "Slower", 0.001}}) {
+        for (const Row &row : {Row{0.3, "Faster", 0.6}, Row{0.3, "Slower", 0.15}, Row{0.9e9, "Faster", 1e9},
+                               Row{1.5e-9, "Slower", 1e-9}}) {
             timeline.setSpeed(row.before);
             for (QAction *action : timeline.findChildren<QAction *>()) {
                 if (action->text().remove(u'&') == row.action) {

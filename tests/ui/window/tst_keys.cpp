@@ -201,18 +201,16 @@ private slots:
         }
     }
 
-    void keysChangeLoopAndSpeedAndTheirMenuItems()
+    void keysChangeLoopAndSpeed()
     {
         press(Qt::Key_L, Qt::ControlModifier);
         QVERIFY(!part<QAbstractButton>("loopButton")->isChecked() && !m_timeline->isLooping());
         click("loopButton");
         QVERIFY(action("Loop")->isChecked());
         press(Qt::Key_Right, Qt::ShiftModifier);
-        QVERIFY(action("2×")->isChecked() && m_timeline->speed() == 2.0);
+        QCOMPARE(m_timeline->speed(), 2.0);
         press(Qt::Key_Left, Qt::ShiftModifier);
-        QVERIFY(action("1×")->isChecked() && m_timeline->speed() == 1.0);
-        m_timeline->setSpeed(0.3); // not a speed of the menu
-        QVERIFY(!action("1×")->isChecked());
+        QCOMPARE(m_timeline->speed(), 1.0);
     }
 
     void theKeysOfTheWindowWorkInEveryBox()

@@ -469,7 +469,7 @@ private slots:
                 ++groups;
             }
         }
-        QVERIFY(groups >= 4); // theme, language, error, speed
+        QVERIFY(groups >= 3); // theme, language, error
     }
 
     void theLanguageChangesAtTheNextStart()
