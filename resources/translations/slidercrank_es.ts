@@ -2079,10 +2079,6 @@ PA = %3 mm, PB = %4 mm</translation>
         <translation>Modo p&amp;resentación</translation>
     </message>
     <message>
-        <source>Respo&amp;nse to</source>
-        <translation>Respues&amp;ta a</translation>
-    </message>
-    <message>
         <source>The language changes when you start the program again.</source>
         <translation>El idioma cambiará cuando vuelva a iniciar el programa.</translation>
     </message>

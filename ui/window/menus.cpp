@@ -2,11 +2,8 @@
 #include "ui/window/menus.h"
 
 #include "ui/mechanism/mechanism_view.h"
-#include "ui/panels/parameter_panel.h"
-#include "ui/panels/response.h"
 #include "ui/panels/timeline.h"
 #include "ui/plots/plot_grid.h"
-#include "ui/text/finding_text.h"
 #include "ui/text/language.h"
 #include "ui/widgets/folding_tabs.h"
 #include "ui/window/exports.h"
@@ -170,12 +167,7 @@ void Menus::addView()
     menu->addAction(tr("&Reset plot zoom"), Qt::CTRL | Qt::Key_0, m_views.plots, &PlotGrid::showAll);
     menu->addMenu(tr("M&echanism"))->addActions(m_views.mechanism->choices());
     menu->addMenu(tr("Pl&ots"))->addActions(m_views.plots->choices());
-    QMenu *responses = menu->addMenu(tr("Respo&nse to"));
-    for (const Parameter parameter : kVariedParameters) {
-        responses->addAction(symbolText(parameter), m_views.parameters,
-                             [panel = m_views.parameters, parameter] { emit panel->responseRequested(parameter); });
-    }
-    QAction *present = addSwitch(menu, tr("Presentation &mode"), presentation->isOn(), Qt::Key_F11);
+    QAction *present = addSwitch(menu, tr("Presentation &mode"), false, Qt::Key_F11);
     connect(present, &QAction::triggered, presentation, &Presentation::setOn);
     connect(presentation, &Presentation::changed, present, &QAction::setChecked);
     QAction *fold = addSwitch(menu, tr("Show the &panels below"), true, Qt::Key_F9);
