@@ -2118,8 +2118,8 @@ PA = %3 mm, PB = %4 mm</translation>
         <translation>Los encabezados de %1 no identifican todas las columnas: algunos significados se han deducido.</translation>
     </message>
     <message>
-        <source>%1 is a table by crank angle: ω₂ and θ₂₀ give its time.</source>
-        <translation>%1 es una tabla por ángulo de la manivela: ω₂ y θ₂₀ dan su tiempo.</translation>
+        <source>Open reference…</source>
+        <translation>Abrir referencia…</translation>
     </message>
 </context>
 <context>

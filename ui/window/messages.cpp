@@ -7,8 +7,6 @@
 
 #include <QCoreApplication>
 
-#include <algorithm>
-
 namespace slidercrank
 {
 
@@ -41,17 +39,13 @@ Message refusal(MainWindow *window, const QStringList &paths, const QString &sen
     return message;
 }
 
-/// Says which meanings of columns were guessed.
+/// Says that meanings of columns were guessed; the reference page says which.
 Message guess(MainWindow *window, const Reference &reference)
 {
-    const bool isAngleOnly = std::ranges::all_of(reference.data.layout.columns, [](const FileColumn &column) {
-        return !isGuess(column.reason) || column.reason == ColumnReason::AngleForTime;
-    });
-    const QString sentence =
-        isAngleOnly ? Messages::tr("%1 is a table by crank angle: ω₂ and θ₂₀ give its time.")
-                    : Messages::tr("The headings in %1 do not identify every column: some meanings were guessed.");
-    return {kColumns, Message::Kind::Question, sentence.arg(reference.name), Messages::tr("Choose columns…"),
-            [window, paths = reference.paths] { window->chooseColumns(paths); }};
+    return {kColumns, Message::Kind::Question,
+            Messages::tr("The headings in %1 do not identify every column: some meanings were guessed.")
+                .arg(reference.name),
+            Messages::tr("Choose columns…"), [window, paths = reference.paths] { window->chooseColumns(paths); }};
 }
 
 } // namespace
