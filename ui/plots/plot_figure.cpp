@@ -138,7 +138,7 @@ void PlotFigure::compose(const PlotStyle &style, const QSize &size, const std::o
 
 void PlotFigure::fill(const std::optional<double> &markedTime)
 {
-    constexpr int kLongestName = 300; // px
+    const int longestName = viewport().width() - 80; // px, beside the line
     clearGraphs();
     m_columns = static_cast<std::size_t>(std::max(1, m_plots[plots().front()].axes->width()));
     const Interval time = timeRange();
@@ -171,7 +171,7 @@ void PlotFigure::fill(const std::optional<double> &markedTime)
             QCPGraph *graph = addCurve(plot, curve);
             if (!names.contains(curve.name)) {
                 names << curve.name;
-                graph->setName(QFontMetrics(legend->font()).elidedText(curve.name, Qt::ElideMiddle, kLongestName));
+                graph->setName(QFontMetrics(legend->font()).elidedText(curve.name, Qt::ElideMiddle, longestName));
                 graph->addToLegend();
                 legend->itemWithPlottable(graph)->setMargins(QMargins(0, 2, 0, 2)); // else descenders are cut off
             }
