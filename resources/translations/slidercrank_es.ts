@@ -2658,6 +2658,10 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>error de la corredera</translation>
     </message>
     <message>
+        <source>no time step is solved</source>
+        <translation>no se resuelve ningún instante</translation>
+    </message>
+    <message>
         <source>difference of the coupler</source>
         <translation>diferencia de la biela</translation>
     </message>

@@ -169,9 +169,7 @@ void PlotFigure::computeMotions(Plot &plot, std::size_t channel)
     }
     const Reference *file = m_result->reference.get();
     const ReferenceSeries *series = file ? file->data.find(kPlottedChannels[channel]) : nullptr;
-    plot.note = !m_curves.back()[channel].values ? tr("the mechanism cannot be assembled")
-                : file && !series                ? tr("not in the file")
-                                                 : QString();
+    plot.note = !m_curves.back()[channel].values ? missingModel() : file && !series ? tr("not in the file") : QString();
     if (series) {
         const std::vector<CurvePoint> points = decimate(file->data.time, series->values, timeRange(), m_columns);
         PlotCurve &reference = add(file->name, &SeriesColours::reference, {points, usualRange(points, timeRange())});
@@ -257,6 +255,12 @@ void PlotFigure::computeErrors(Plot &plot, std::size_t row)
     }
 }
 
+/// Returns the reason why a plot shows no values of the model.
+QString PlotFigure::missingModel() const
+{
+    return model().isExact() ? tr("the mechanism cannot be assembled") : tr("no time step is solved");
+}
+
 /// Returns the reason why a plot shows no errors.
 QString PlotFigure::missingErrors(std::size_t row) const
 {
@@ -267,7 +271,7 @@ QString PlotFigure::missingErrors(std::size_t row) const
         return tr("not in the file");
     }
     if (!m_curves.back()[channel].values) {
-        return tr("the mechanism cannot be assembled");
+        return missingModel();
     }
     if (!coupler.undefined.empty() || !slider.undefined.empty()) {
         return tr("undefined: the reference is 0");

@@ -138,6 +138,7 @@ private:
     void computeErrors(Plot &plot, std::size_t row);
     PlotCurve errorCurve(std::size_t channel) const;
     PlotCurve roundingCurve(std::size_t channel) const;
+    QString missingModel() const;
     QString missingErrors(std::size_t row) const;
 
     void applyStyle(const PlotStyle &style);

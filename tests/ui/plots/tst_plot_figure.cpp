@@ -152,6 +152,8 @@ private slots:
                 }
             }
         }
+        QCOMPARE(plotOf(figureOf({.model = withCoupler(1.0), .method = Method::Newton}), 0).note,
+                 "no time step is solved");
         QCOMPARE(plotOf(figureOf({.pinned = {withCoupler(60.0)}}), kPositionErrors).note, "no difference");
         QVERIFY(plotOf(figureOf({.reference = referenceOf(65.0)}), kPositionErrors).note.isEmpty());
     }
