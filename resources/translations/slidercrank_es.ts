@@ -2749,10 +2749,6 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>Restablecer el &amp;zoom de las gráficas</translation>
     </message>
     <message>
-        <source>&amp;Pin this motion</source>
-        <translation>&amp;Fijar este movimiento</translation>
-    </message>
-    <message>
         <source>File&apos;s &amp;rounding</source>
         <translation>&amp;Redondeo del archivo</translation>
     </message>

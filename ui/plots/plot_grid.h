@@ -60,7 +60,6 @@ signals:
     void openReferenceRequested();
     void exportPlotRequested(const QString &plotName);
     void copyPlotRequested(const QString &plotName);
-    void pinRequested(); ///< the user wants to pin the motion shown
     void settingsChanged(const slidercrank::PlotSettings &settings);
 
 protected:

@@ -251,7 +251,6 @@ void PlotGrid::contextMenuEvent(QContextMenuEvent *event)
     });
     menu->addAction(tr("&Copy this plot"), this, [this, plot] { emit copyPlotRequested(plotName(plot)); });
     menu->addAction(tr("&Export this plot…"), this, [this, plot] { emit exportPlotRequested(plotName(plot)); });
-    menu->addAction(tr("&Pin this motion"), this, &PlotGrid::pinRequested);
     menu->addSeparator();
     menu->addActions(m_choices);
     menu->popup(event->globalPos());

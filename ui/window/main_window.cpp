@@ -216,7 +216,6 @@ void MainWindow::connectPlots()
     connect(m_session, &Session::resultChanged, plots, &PlotGrid::setResult);
     connect(m_session, &Session::timeChanged, plots, &PlotGrid::setPose);
     connect(plots, &PlotGrid::timeRequested, m_session, &Session::setTime);
-    connect(plots, &PlotGrid::pinRequested, m_session, &Session::pinMotion);
     connect(plots, &PlotGrid::openReferenceRequested, this, &MainWindow::chooseFiles);
     connect(plots, &PlotGrid::exportPlotRequested, m_exports,
             [this](const QString &name) { m_exports->choose(m_exports->plot(name)); });

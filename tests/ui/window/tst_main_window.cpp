@@ -239,8 +239,6 @@ private slots:
         QVERIFY(session().pinned().empty() && picture("plot_R4_x") != both && picture("mechanismView") != ghost);
         press(Qt::Key_Z, Qt::ControlModifier);
         QCOMPARE(picture("plot_R4_x"), both);
-        emit view<PlotGrid>()->pinRequested(); // by the menu of the plots
-        QCOMPARE(session().pinned().size(), std::size_t(2));
     }
 
     void theStatusLineShowsWhatWasComputed()
