@@ -79,17 +79,6 @@ void PlotPane::placeLabels(Cursor &cursor) const
     }
 }
 
-QString PlotPane::text() const
-{
-    QStringList lines;
-    for (const Cursor &cursor : m_cursors) {
-        for (const Label &label : cursor.labels) {
-            lines << label.text;
-        }
-    }
-    return lines.join(u'\n');
-}
-
 void PlotPane::paintEvent(QPaintEvent *)
 {
     const SeriesColours colours = seriesColours(palette());

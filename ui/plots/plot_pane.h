@@ -42,7 +42,6 @@ public:
 
     const std::vector<Cursor> &cursors() const { return m_cursors; }
     const QRect &axes() const { return m_axes; } ///< px, in the pane
-    QString text() const;                        ///< the texts of all labels, one per line
 
 protected:
     void paintEvent(QPaintEvent *event) override;

@@ -6,6 +6,7 @@
 #include "tests/support/initial_mechanism.h"
 #include "ui/document/result.h"
 #include "ui/plots/curve_sampling.h"
+#include "ui/plots/plot_pane.h"
 
 #include <cmath>
 #include <memory>
@@ -48,6 +49,18 @@ inline std::array<double, 2> positionsAt(double turns, double b)
     const double theta2 = 2.0 * std::numbers::pi * turns;
     const double height = 25.0 - 20.0 * std::sin(theta2);
     return {std::asin(height / b) * kDegreesPerRadian, 20.0 * std::cos(theta2) + std::sqrt(b * b - height * height)};
+}
+
+/// Returns the texts of the labels of a pane, one per line.
+inline QString textOf(const PlotPane &pane)
+{
+    QStringList lines;
+    for (const PlotPane::Cursor &cursor : pane.cursors()) {
+        for (const PlotPane::Label &label : cursor.labels) {
+            lines << label.text;
+        }
+    }
+    return lines.join(u'\n');
 }
 
 /// Returns "t,v" for each point; a gap is "t,-".

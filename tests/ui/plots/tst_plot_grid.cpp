@@ -189,7 +189,7 @@ private slots:
         QCOMPARE(shown.mostRectangles, 1); // Qt paints a region of several much slower
         for (const double b : {60.0, 65.0, 80.0}) {
             const QString value = QString::number(positionsAt(0.75, b)[1], 'f', 2);
-            QVERIFY(shown.pane(kSlider).text().split(u'\n').contains(value));
+            QVERIFY(textOf(shown.pane(kSlider)).split(u'\n').contains(value));
         }
         shown.setTime(1.5);
         QVERIFY(shown.pane(kSlider).cursors().empty());
@@ -220,7 +220,7 @@ private slots:
             }
             QCOMPARE(shown.repaints, 0);
             for (const char *wanted : {"t = 0.5000 s", "Δt = 0.4000 s", "24.62", "22.62"}) {
-                QVERIFY2(shown.pane(kAngle).text().contains(QString::fromUtf8(wanted)), wanted);
+                QVERIFY2(textOf(shown.pane(kAngle)).contains(QString::fromUtf8(wanted)), wanted);
             }
             shown.drag(kAngle, shown.at(kAngle, 0.4), shown.at(kAngle, 0.6)); // zooms: the pointer is at another time
             QVERIFY(std::ranges::none_of(shown.pane(kAngle).cursors(), &PlotPane::Cursor::isLight));

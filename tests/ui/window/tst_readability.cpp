@@ -4,6 +4,7 @@
 // Numbers on the screen follow the locale, here with a decimal comma; numbers in files always have a decimal point.
 
 #include "tests/support/suite.h"
+#include "tests/ui/plots/plot_results.h"
 #include "tests/ui/window/window_fixture.h"
 
 #include "ui/document/scene.h"
@@ -114,7 +115,7 @@ QStringList textsOf(const QWidget &window)
         if (const auto *status = qobject_cast<const QStatusBar *>(widget)) {
             texts << status->currentMessage();
         } else if (const auto *pane = qobject_cast<const PlotPane *>(widget)) {
-            texts << pane->text();
+            texts << textOf(*pane);
         } else if (const auto *table = qobject_cast<const QAbstractItemView *>(widget)) {
             for (int row = 0; row < table->model()->rowCount(); ++row) {
                 for (int column = 0; column < table->model()->columnCount(); ++column) {
