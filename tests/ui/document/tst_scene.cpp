@@ -251,12 +251,12 @@ private slots:
             {"view.mechanism.frame", QJsonArray{0, 40, 60, -20}},
         };
         for (const auto &[place, value, inner] : rows) {
-            refused(sceneWith(place, value), QStringLiteral("\"%1%2\"").arg(place, inner));
+            refused(sceneWith(place, value), QStringLiteral("“%1%2”").arg(place, inner));
         }
         for (const char *place :
              {"mechanism", "mechanism.a", "mechanism.c", "mechanism.branch", "sampling", "sampling.steps", "solver",
               "solver.method", "solver.maxIterations", "solver.tolerance", "solver.elimination"}) {
-            refused(sceneWith(place, QJsonValue::Undefined), QStringLiteral("\"%1\" is missing,").arg(place));
+            refused(sceneWith(place, QJsonValue::Undefined), QStringLiteral("“%1” is missing,").arg(place));
         }
         for (const auto &[json, part] : {std::pair<QByteArray, QString>{sceneWith("version", 2), "newer"},
                                          {sceneWith("version", 1e300), "newer"},
@@ -265,7 +265,7 @@ private slots:
                                          {"{\n\"version\": 1,\n}", "line 3: this is not JSON"},
                                          {QByteArray("\xff\xfe{\0}\0", 6), "not JSON"},
                                          {"[]", "not a scene"},
-                                         {"{\"name\": 1}", "it has no \"version\""}}) {
+                                         {"{\"name\": 1}", "it has no “version”"}}) {
             refused(json, part);
         }
     }

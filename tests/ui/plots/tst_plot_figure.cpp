@@ -164,7 +164,7 @@ private slots:
         QCOMPARE(plotOf(figure, 0).curves.size(), std::size_t(2));
         const std::vector<PlotReading> readings = readingsOf(figure, 1, 0.0);
         QCOMPARE(figure.shownPlot(1).note, "not in the file");
-        QCOMPARE(figure.shownPlot(kPositionErrors).curves.size(), std::size_t(1)); // of the coupler only
+        QCOMPARE(plotOf(figure, kPositionErrors).curves.size(), std::size_t(1)); // of the coupler only
         QVERIFY(readings.size() == 1 && isNear(readings[0].number, positionsAt(0.0, 60.0)[1], 1e-9));
     }
 

@@ -225,6 +225,7 @@ private slots:
             shown.drag(kAngle, shown.at(kAngle, 0.4), shown.at(kAngle, 0.6)); // zooms: the pointer is at another time
             QVERIFY(std::ranges::none_of(shown.pane(kAngle).cursors(), &PlotPane::Cursor::isLight));
             shown.grid.showAll();
+            settle();
             QEvent leave(QEvent::Leave);
             QCoreApplication::sendEvent(&shown.grid, &leave);
             QCOMPARE(shown.pane(kAngle).cursors().size(), std::size_t(1));
