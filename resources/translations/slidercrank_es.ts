@@ -1769,14 +1769,6 @@ PA = %3 mm, PB = %4 mm</translation>
         <translation>corredera en %1 mm</translation>
     </message>
     <message>
-        <source>The mechanism cannot be assembled here: the coupler is too short.</source>
-        <translation>Aquí el mecanismo no se puede ensamblar: la biela es demasiado corta.</translation>
-    </message>
-    <message>
-        <source>The crank makes full turns if b ≥ %1 mm.</source>
-        <translation>La manivela da vueltas completas si b ≥ %1 mm.</translation>
-    </message>
-    <message>
         <source>O₂, the fixed pivot of the crank</source>
         <translation>O₂, el pivote fijo de la manivela</translation>
     </message>

@@ -104,10 +104,7 @@ QStringList partLines(const MechanismScene &scene, DrawnPart part)
                     .arg(lengthText(mechanism, Parameter::C))};
     case OuterDeadCentre: return deadCentreLines(MechanismText::tr("Outer dead centre"), limits.outer);
     case InnerDeadCentre: return deadCentreLines(MechanismText::tr("Inner dead centre"), limits.inner);
-    case ForbiddenArc:
-        return {MechanismText::tr("The mechanism cannot be assembled here: the coupler is too short."),
-                MechanismText::tr("The crank makes full turns if b ≥ %1 mm.")
-                    .arg(atLeastText(shortestCouplerForFullTurn(mechanism)))};
+    case ForbiddenArc: return {mobilitySentence(mechanism, limits)};
     }
     return {};
 }
