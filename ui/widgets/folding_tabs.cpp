@@ -41,12 +41,6 @@ void FoldingTabs::makeContent(int index)
     }
 }
 
-void FoldingTabs::showPage(QWidget *page)
-{
-    setCurrentWidget(page);
-    setFolded(false);
-}
-
 void FoldingTabs::setFolded(bool folded)
 {
     if (folded == m_isFolded) {

@@ -21,9 +21,6 @@ public:
     /// Adds a page whose content is created when the page is first shown, so that the program starts faster.
     void addPage(const QString &title, const std::function<QWidget *()> &make);
 
-    /// Unfolds the tabs and shows the page.
-    void showPage(QWidget *page);
-
     bool isFolded() const { return m_isFolded; }
     void setFolded(bool folded);
 

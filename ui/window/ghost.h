@@ -38,8 +38,6 @@ public:
     /// Draws the ghost in `view`, and updates it when the session changes.
     Ghost(Session *session, MechanismView *view);
 
-    bool isWanted() const { return m_isWanted; }
-
     /// Returns a function that computes the pose at a time (s); empty if nothing is drawn.
     const std::function<ReferencePose(double)> &motion() const { return m_motion; }
 

@@ -247,7 +247,8 @@ QWidget *MainWindow::makeLimitsPanel()
             [this, panel, response](Parameter parameter) {
                 response->setParameter(parameter);
                 panel->setCurrent(1);
-                m_views.tabs->showPage(panel);
+                m_views.tabs->setCurrentWidget(panel);
+                m_views.tabs->setFolded(false);
             });
     return panel;
 }

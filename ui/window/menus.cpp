@@ -173,7 +173,7 @@ void Menus::addView()
     QAction *fold = addSwitch(menu, tr("Show the &panels below"), true, Qt::Key_F9);
     connect(fold, &QAction::triggered, tabs, [tabs](bool shown) { tabs->setFolded(!shown); });
     connect(tabs, &FoldingTabs::foldedChanged, fold, [fold](bool folded) { fold->setChecked(!folded); });
-    QAction *ghost = addSwitch(menu, tr("Show the mo&tion of the file or the pinned one"), m_views.ghost->isWanted());
+    QAction *ghost = addSwitch(menu, tr("Show the mo&tion of the file or the pinned one"), true);
     connect(ghost, &QAction::triggered, m_views.ghost, &Ghost::setWanted);
     enableWhile(ghost, m_window.session(), &Result::isCompared);
     menu->addSeparator();
