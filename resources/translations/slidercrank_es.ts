@@ -1261,16 +1261,8 @@ difiere: lo demás</translation>
         <translation>Valor eficaz: %1 %2</translation>
     </message>
     <message>
-        <source>Rows that were skipped: %1.</source>
-        <translation>Filas omitidas: %1.</translation>
-    </message>
-    <message>
-        <source>Columns that were not used: %1.</source>
-        <translation>Columnas no usadas: %1.</translation>
-    </message>
-    <message>
-        <source>See the tab Reference.</source>
-        <translation>Véase la pestaña Referencia.</translation>
+        <source>Rows that were skipped: %1. Columns that were not used: %2. See the tab Reference.</source>
+        <translation>Filas omitidas: %1. Columnas no usadas: %2. Véase la pestaña Referencia.</translation>
     </message>
 </context>
 <context>
@@ -1542,6 +1534,14 @@ difiere: lo demás</translation>
         <translation>redondeo</translation>
     </message>
     <message>
+        <source>verdict</source>
+        <translation>veredicto</translation>
+    </message>
+    <message>
+        <source>close: at most %1 times the rounding of the file</source>
+        <translation>próximo: como máximo %1 veces el redondeo del archivo</translation>
+    </message>
+    <message>
         <source>offset</source>
         <translation>excentricidad</translation>
     </message>
@@ -1552,14 +1552,6 @@ difiere: lo demás</translation>
     <message>
         <source>initial angle</source>
         <translation>ángulo inicial</translation>
-    </message>
-    <message>
-        <source>verdict</source>
-        <translation>veredicto</translation>
-    </message>
-    <message>
-        <source>close: at most %1 times the rounding of the file</source>
-        <translation>próximo: como máximo %1 veces el redondeo del archivo</translation>
     </message>
 </context>
 <context>
@@ -2096,10 +2088,6 @@ PA = %3 mm, PB = %4 mm</translation>
     <message>
         <source>The scene is open without its reference. %1</source>
         <translation>La escena está abierta sin su referencia. %1</translation>
-    </message>
-    <message>
-        <source>Open reference…</source>
-        <translation>Abrir referencia…</translation>
     </message>
     <message>
         <source>Choose columns…</source>
@@ -2650,10 +2638,6 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>error de la corredera</translation>
     </message>
     <message>
-        <source>no time step is solved</source>
-        <translation>no se resuelve ningún instante</translation>
-    </message>
-    <message>
         <source>difference of the coupler</source>
         <translation>diferencia de la biela</translation>
     </message>
@@ -2672,6 +2656,10 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     <message>
         <source>difference</source>
         <translation>diferencia</translation>
+    </message>
+    <message>
+        <source>no time step is solved</source>
+        <translation>no se resuelve ningún instante</translation>
     </message>
 </context>
 <context>

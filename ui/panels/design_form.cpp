@@ -64,7 +64,7 @@ void DesignForm::createControls()
     m_transmissionAngle = addField(form, "designTransmissionAngle", tr("Minimum transmission angle"), new NumberBox,
                                    tr("Type the smallest transmission angle that you accept: the mechanism with the "
                                       "largest minimum transmission angle is chosen, stroke and time ratio stay"));
-    m_transmissionAngle->setSuffix(QStringLiteral("°"));
+    m_transmissionAngle->setSuffix("°");
     m_transmissionAngle->setUnit(kDegree);
     for (NumberBox *box : {m_stroke, m_timeRatio, m_transmissionAngle}) {
         box->setRange(kSmallestPositive, kLargestParameter);
@@ -147,7 +147,7 @@ void DesignForm::requestDesign(const DesignRequest &request)
 
 void DesignForm::refuse(const QString &sentence)
 {
-    m_refusal->setText(QStringLiteral("⚠ ") + sentence);
+    m_refusal->setText("⚠ " + sentence);
     setInk(*m_refusal, seriesColours(palette()).warning);
     showParameters();
 }

@@ -21,164 +21,158 @@ namespace slidercrank
 namespace
 {
 
-struct ErrorPage {
-    Q_DECLARE_TR_FUNCTIONS(slidercrank::ErrorPage)
-};
-
 struct VerdictLook {
     QString mark;
     QString word;
     Tone tone;
 };
 
-VerdictLook lookOf(Verdict verdict)
-{
-    const VerdictLook looks[] = {{"✓", ErrorPage::tr("agrees"), Tone::Good}, // in the order of Verdict
-                                 {"≈", ErrorPage::tr("close"), Tone::Fair},
-                                 {"✗", ErrorPage::tr("differs"), Tone::Bad}};
-    return looks[static_cast<std::size_t>(verdict)];
-}
+struct ErrorPage {
+    Q_DECLARE_TR_FUNCTIONS(slidercrank::ErrorPage)
 
-Verdict worstVerdict(const std::vector<ChannelComparison> &comparison)
-{
-    const auto worst = std::ranges::max_element(comparison, {}, &ChannelComparison::verdict);
-    return worst == comparison.end() ? Verdict::Differs : worst->verdict;
-}
-
-TableCell numberCell(std::optional<double> value, const QString &unit = {})
-{
-    const QString text = shortNumber(value);
-    const QString space = unit.isEmpty() || unit == u"°" ? QString() : " ";
-    return {.text = value ? text + space + unit : text, .number = value};
-}
-
-/// Returns the quantity, its largest error, that error in percent of the peak, and its time.
-TableRow rowOf(const ChannelComparison &channel, const QString &explanation)
-{
-    const QString unit = unitText(channel.channel);
-    const std::optional<double> time = channel.maxAbs ? std::optional(channel.timeOfMaxAbs) : std::nullopt;
-    return {{{.text = QStringLiteral("%1 %2").arg(symbolText(channel.channel), quantityName(channel.channel)),
-              .csv = QStringLiteral("%1 [%2]").arg(columnName(channel.channel), unit)},
-             numberCell(channel.maxAbs, unit),
-             numberCell(channel.percentOfPeak),
-             {.text = numberText(time), .number = time, .tone = Tone::Link}},
-            time,
-            MechanismPart::None,
-            explanation};
-}
-
-/// The tool tip contains all numbers of the comparison.
-TableRow fileRow(const ChannelComparison &channel, const ReferenceData &data)
-{
-    const std::vector<QStringList> numbers = comparisonTable({&channel, 1}, data);
-    QString explanation;
-    for (qsizetype i = 0; i < numbers[0].size(); ++i) {
-        explanation += QStringLiteral("%1: %2\n").arg(numbers[0][i], numbers[1][i]);
+public:
+    static VerdictLook lookOf(Verdict verdict)
+    {
+        const VerdictLook looks[] = {{"✓", tr("agrees"), Tone::Good}, // in the order of Verdict
+                                     {"≈", tr("close"), Tone::Fair},
+                                     {"✗", tr("differs"), Tone::Bad}};
+        return looks[static_cast<std::size_t>(verdict)];
     }
-    explanation.chop(1);
-    if (channel.missingModel > 0) {
-        explanation += u'\n' + ErrorPage::tr("The mechanism cannot be assembled at %1 time steps of the file.")
-                                   .arg(QString::number(channel.missingModel));
+
+    static Verdict worstVerdict(const std::vector<ChannelComparison> &comparison)
+    {
+        const auto worst = std::ranges::max_element(comparison, {}, &ChannelComparison::verdict);
+        return worst == comparison.end() ? Verdict::Differs : worst->verdict;
     }
-    TableRow row = rowOf(channel, explanation);
-    const VerdictLook look = lookOf(channel.verdict);
-    row.cells.insert(row.cells.begin() + 1,
-                     {.text = look.mark + u' ' + look.word, .csv = verdictText(channel), .tone = look.tone});
-    return row;
-}
 
-TableRow pinnedRow(const ChannelComparison &channel)
-{
-    const bool isUnbounded = channel.maxAbs && std::isinf(*channel.maxAbs);
-    return rowOf(
-        channel,
-        isUnbounded
-            ? ErrorPage::tr("Unbounded: one of the two reaches a limit position")
-            : ErrorPage::tr("Root mean square: %1 %2").arg(shortNumber(channel.rms), unitText(channel.channel)));
-}
-
-/// Returns a table without rows, with the columns of rowOf(); `largest` is the column of the largest error.
-PageTable tableWith(const QString &name, const QString &title, const TableColumn &largest)
-{
-    return {name,
-            title,
-            {{ErrorPage::tr("quantity"), ErrorPage::tr("What is compared"), "channel", false},
-             largest,
-             {ErrorPage::tr("% of peak"), ErrorPage::tr("Largest error relative to the largest value of the reference"),
-              "percent_of_peak"},
-             {ErrorPage::tr("t [s]"), ErrorPage::tr("Time of the largest error"), "max_error_at [s]"}},
-            {}};
-}
-
-/// Says how many rows and columns of the file were not used; the reference page lists them.
-QString leftOutText(const ReferenceData &data)
-{
-    const std::size_t rows = data.skippedCount;
-    const qsizetype columns = ignoredHeadings(data.layout).size();
-    QStringList sentences;
-    if (rows > 0) {
-        sentences << ErrorPage::tr("Rows that were skipped: %1.").arg(rows);
+    static TableCell numberCell(std::optional<double> value, const QString &unit = {})
+    {
+        const QString text = shortNumber(value);
+        const QString space = unit.isEmpty() || unit == u"°" ? QString() : " ";
+        return {.text = value ? text + space + unit : text, .number = value};
     }
-    if (columns > 0) {
-        sentences << ErrorPage::tr("Columns that were not used: %1.").arg(columns);
-    }
-    return sentences.isEmpty() ? QString() : sentences.join(u' ') + u' ' + ErrorPage::tr("See the tab Reference.");
-}
 
-Page filePage(const Result &result, const ReferenceDiagnosis *diagnosis)
-{
-    const Verdict verdict = worstVerdict(result.comparison);
-    const VerdictLook look = lookOf(verdict);
-    Page page;
-    page.sentence = QStringLiteral("%1 %2: %3").arg(look.mark, result.reference->name, summaryText(result.comparison));
-    page.tone = look.tone;
-    page.findings = findingsOf(result, diagnosis);
-    page.isSearching = isOfFile(diagnosis, result) && diagnosis->parameters != result.mechanism.parameters();
-    bool isOffered = false; // one remedy at a time
-    for (Finding &finding : page.findings) {
-        if (finding.remedy != Remedy::None && std::exchange(isOffered, true)) {
-            finding.remedy = Remedy::None;
+    /// Returns the quantity, its largest error, that error in percent of the peak, and its time.
+    static TableRow rowOf(const ChannelComparison &channel, const QString &explanation)
+    {
+        const QString unit = unitText(channel.channel);
+        const std::optional<double> time = channel.maxAbs ? std::optional(channel.timeOfMaxAbs) : std::nullopt;
+        return {{{.text = QStringLiteral("%1 %2").arg(symbolText(channel.channel), quantityName(channel.channel)),
+                  .csv = QStringLiteral("%1 [%2]").arg(columnName(channel.channel), unit)},
+                 numberCell(channel.maxAbs, unit),
+                 numberCell(channel.percentOfPeak),
+                 {.text = numberText(time), .number = time, .tone = Tone::Link}},
+                time,
+                MechanismPart::None,
+                explanation};
+    }
+
+    /// The tool tip contains all numbers of the comparison.
+    static TableRow fileRow(const ChannelComparison &channel, const ReferenceData &data)
+    {
+        const std::vector<QStringList> numbers = comparisonTable({&channel, 1}, data);
+        QString explanation;
+        for (qsizetype i = 0; i < numbers[0].size(); ++i) {
+            explanation += QStringLiteral("%1: %2\n").arg(numbers[0][i], numbers[1][i]);
         }
+        explanation.chop(1);
+        if (channel.missingModel > 0) {
+            explanation += u'\n' + tr("The mechanism cannot be assembled at %1 time steps of the file.")
+                                       .arg(QString::number(channel.missingModel));
+        }
+        TableRow row = rowOf(channel, explanation);
+        const VerdictLook look = lookOf(channel.verdict);
+        row.cells.insert(row.cells.begin() + 1,
+                         {.text = look.mark + u' ' + look.word, .csv = verdictText(channel), .tone = look.tone});
+        return row;
     }
-    PageTable table =
-        tableWith("errorTable", ErrorPage::tr("Errors, a row for each channel"),
-                  {ErrorPage::tr("largest error"), ErrorPage::tr("max |model − reference|"), "max_error"});
-    table.columns.insert(
-        table.columns.begin() + 1,
-        {ErrorPage::tr("verdict"),
-         ErrorPage::tr("Rounding: half a unit of the last digit of the value, plus the motion during half a unit of "
-                       "the last digit of the time stamp\n"
-                       "agrees: at least 95 % of the values within the rounding, none beyond ten times that, or "
-                       "beyond it by 0.5 % of half the motion's range\n"
-                       "close: none beyond a hundred times, or by 1 %\n"
-                       "differs: anything else"),
-         "verdict", false});
-    for (const ChannelComparison &channel : result.comparison) {
-        table.rows.push_back(fileRow(channel, result.reference->data));
-    }
-    page.tables = {table};
-    page.note = leftOutText(result.reference->data);
-    return page;
-}
 
-Page pinnedPage(const Result &result)
-{
-    const Parameters &present = result.mechanism.parameters();
-    const Parameters &pinned = result.pinned.back();
-    Page page;
-    page.sentence = present == pinned
-                        ? ErrorPage::tr("This mechanism is the pinned one: change it to see the difference.")
-                        : ErrorPage::tr("This mechanism − pinned (%1).").arg(pinnedText(pinned, present));
-    if (result.difference->hasGaps) {
-        page.sentence += u' ' + ErrorPage::tr("Where one of the two cannot be assembled there is nothing to compare.");
+    static TableRow pinnedRow(const ChannelComparison &channel)
+    {
+        const bool isUnbounded = channel.maxAbs && std::isinf(*channel.maxAbs);
+        return rowOf(channel,
+                     isUnbounded
+                         ? tr("Unbounded: one of the two reaches a limit position")
+                         : tr("Root mean square: %1 %2").arg(shortNumber(channel.rms), unitText(channel.channel)));
     }
-    PageTable table =
-        tableWith("differenceTable", ErrorPage::tr("Differences from the pinned motion, a row for each channel"),
-                  {ErrorPage::tr("largest difference"), ErrorPage::tr("max |this − pinned|"), "max_difference"});
-    std::ranges::transform(result.difference->channels, std::back_inserter(table.rows), pinnedRow);
-    page.tables = {table};
-    return page;
-}
+
+    /// Returns a table without rows, with the columns of rowOf(); `largest` is the column of the largest error.
+    static PageTable tableWith(const QString &name, const QString &title, const TableColumn &largest)
+    {
+        return {
+            name,
+            title,
+            {{tr("quantity"), tr("What is compared"), "channel", false},
+             largest,
+             {tr("% of peak"), tr("Largest error relative to the largest value of the reference"), "percent_of_peak"},
+             {tr("t [s]"), tr("Time of the largest error"), "max_error_at [s]"}}};
+    }
+
+    /// Says how many rows and columns of the file were not used; the reference page lists them.
+    static QString leftOutText(const ReferenceData &data)
+    {
+        const std::size_t rows = data.skippedCount;
+        const qsizetype columns = ignoredHeadings(data.layout).size();
+        return rows == 0 && columns == 0
+                   ? QString()
+                   : tr("Rows that were skipped: %1. Columns that were not used: %2. See the tab Reference.")
+                         .arg(rows)
+                         .arg(columns);
+    }
+
+    static Page filePage(const Result &result, const ReferenceDiagnosis *diagnosis)
+    {
+        const Verdict verdict = worstVerdict(result.comparison);
+        const VerdictLook look = lookOf(verdict);
+        Page page;
+        page.sentence =
+            QStringLiteral("%1 %2: %3").arg(look.mark, result.reference->name, summaryText(result.comparison));
+        page.tone = look.tone;
+        page.findings = findingsOf(result, diagnosis);
+        page.isSearching = isOfFile(diagnosis, result) && diagnosis->parameters != result.mechanism.parameters();
+        bool isOffered = false; // one remedy at a time
+        for (Finding &finding : page.findings) {
+            if (finding.remedy != Remedy::None && std::exchange(isOffered, true)) {
+                finding.remedy = Remedy::None;
+            }
+        }
+        PageTable table = tableWith("errorTable", tr("Errors, a row for each channel"),
+                                    {tr("largest error"), tr("max |model − reference|"), "max_error"});
+        table.columns.insert(
+            table.columns.begin() + 1,
+            {tr("verdict"),
+             tr("Rounding: half a unit of the last digit of the value, plus the motion during half a unit of "
+                "the last digit of the time stamp\n"
+                "agrees: at least 95 % of the values within the rounding, none beyond ten times that, or "
+                "beyond it by 0.5 % of half the motion's range\n"
+                "close: none beyond a hundred times, or by 1 %\n"
+                "differs: anything else"),
+             "verdict", false});
+        for (const ChannelComparison &channel : result.comparison) {
+            table.rows.push_back(fileRow(channel, result.reference->data));
+        }
+        page.tables = {table};
+        page.note = leftOutText(result.reference->data);
+        return page;
+    }
+
+    static Page pinnedPage(const Result &result)
+    {
+        const Parameters &present = result.mechanism.parameters();
+        const Parameters &pinned = result.pinned.back();
+        Page page;
+        page.sentence = present == pinned ? tr("This mechanism is the pinned one: change it to see the difference.")
+                                          : tr("This mechanism − pinned (%1).").arg(pinnedText(pinned, present));
+        if (result.difference->hasGaps) {
+            page.sentence += u' ' + tr("Where one of the two cannot be assembled there is nothing to compare.");
+        }
+        PageTable table = tableWith("differenceTable", tr("Differences from the pinned motion, a row for each channel"),
+                                    {tr("largest difference"), tr("max |this − pinned|"), "max_difference"});
+        std::ranges::transform(result.difference->channels, std::back_inserter(table.rows), pinnedRow);
+        page.tables = {table};
+        return page;
+    }
+};
 
 } // namespace
 
@@ -201,7 +195,7 @@ bool isOfFile(const ReferenceDiagnosis *diagnosis, const Result &result)
 std::vector<Finding> findingsOf(const Result &result, const ReferenceDiagnosis *diagnosis)
 {
     std::vector<Finding> findings;
-    if (isOfFile(diagnosis, result) && worstVerdict(result.comparison) != Verdict::Agrees) {
+    if (isOfFile(diagnosis, result) && ErrorPage::worstVerdict(result.comparison) != Verdict::Agrees) {
         const Diagnosis &found = diagnosis->found;
         for (const QString &line : explanationLines(found, result.reference->data, Mechanism(diagnosis->parameters))) {
             findings.push_back({line});
@@ -233,10 +227,10 @@ std::vector<Finding> findingsOf(const Result &result, const ReferenceDiagnosis *
 Page errorPage(const Result &result, const ReferenceDiagnosis *diagnosis)
 {
     if (result.reference) {
-        return filePage(result, diagnosis);
+        return ErrorPage::filePage(result, diagnosis);
     }
     if (result.difference) {
-        return pinnedPage(result);
+        return ErrorPage::pinnedPage(result);
     }
     return {ErrorPage::tr("There is nothing to compare with: no file is open and no motion is pinned."), Tone::Muted};
 }
@@ -244,7 +238,7 @@ Page errorPage(const Result &result, const ReferenceDiagnosis *diagnosis)
 QString errorTitle(const Result &result)
 {
     const QString title = ErrorPage::tr("Errors");
-    return result.reference ? title + u' ' + lookOf(worstVerdict(result.comparison)).mark : title;
+    return result.reference ? title + u' ' + ErrorPage::lookOf(ErrorPage::worstVerdict(result.comparison)).mark : title;
 }
 
 } // namespace slidercrank

@@ -86,7 +86,7 @@ TableCell numberCell(double value)
 Page emptyPage(Status status, const Result &result)
 {
     const QString sentence = statusSentence(status, result.solver.newton);
-    return {sentence.isEmpty() ? sentence : QStringLiteral("⚠ ") + sentence, Tone::Bad};
+    return {sentence.isEmpty() ? sentence : "⚠ " + sentence, Tone::Bad};
 }
 
 TimeStepEquations solvedEquations(const Result &result, double time)
@@ -168,8 +168,7 @@ Page NewtonPages::equations(const Result &result, double time)
          {tr("C"), tr("Residual of the equation, in mm or rad"), "C"},
          {tr("Cₜ, per s"), tr("∂C/∂t, in mm/s or rad/s: the velocities follow from C_q dq/dt = −Cₜ"), "C_t"},
          {tr("Q_d, per s²"), tr("In mm/s² or rad/s²: the accelerations follow from C_q d²q/dt² = Q_d"), "Q_d"},
-         {tr("unit"), tr("Of C; of Cₜ per s, of Q_d per s²"), "unit", false}},
-        {}};
+         {tr("unit"), tr("Of C; of Cₜ per s, of Q_d per s²"), "unit", false}}};
     for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
         const auto row = static_cast<Constraint>(i);
         table.rows.push_back({{{.text = constraintName(row)},
@@ -196,8 +195,7 @@ Page NewtonPages::jacobian(const Result &result, double time)
           tr("∂C/∂q: a row for each constraint, a column for each coordinate.\n"
              "κ is the largest singular value divided by the smallest, mm and rad mixed. The larger it is, the more\n"
              "digits are lost; it is infinite where the coupler is perpendicular to the slider's line."),
-          "constraint", false}},
-        {}};
+          "constraint", false}}};
     for (Eigen::Index j = 0; j < kCoordinateCount; ++j) {
         const auto coordinate = static_cast<Coordinate>(j);
         const QString body = partName(partOf(coordinate));
@@ -251,8 +249,7 @@ Page NewtonPages::iterations(const Result &result, double time)
                      {tr("● ‖C‖"), roughStart, "residual_from_afar"},
                      {tr("● θ³ [°]"), roughStart, "theta3_from_afar"},
                      {tr("□ ‖C‖"), warmStart, "residual_from_before"},
-                     {tr("□ θ³ [°]"), warmStart, "theta3_from_before"}},
-                    {}};
+                     {tr("□ θ³ [°]"), warmStart, "theta3_from_before"}}};
     constexpr int kDecimals = 10;
     for (std::size_t k = 0; k < std::max(rough.size(), warm.size()); ++k) {
         TableRow row{{{.text = QString::number(k), .number = static_cast<double>(k)}}};
@@ -291,8 +288,7 @@ Page NewtonPages::coordinates(const Result &result, double time)
          {tr("position"), tr("q, in mm or °"), "position"},
          {tr("velocity, per s"), tr("dq/dt, in mm/s or °/s"), "velocity"},
          {tr("acceleration, per s²"), tr("d²q/dt², in mm/s² or °/s²"), "acceleration"},
-         {tr("unit"), tr("Of the position; of the velocity per s, of the acceleration per s²"), "unit", false}},
-        {}};
+         {tr("unit"), tr("Of the position; of the velocity per s, of the acceleration per s²"), "unit", false}}};
     for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
         const auto coordinate = static_cast<Coordinate>(i);
         const Channel position{coordinate, Order::Position};

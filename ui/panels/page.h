@@ -39,7 +39,7 @@ struct PageTable {
     QString name;  ///< object name of its widget
     QString title; ///< what a screen reader announces
     std::vector<TableColumn> columns;
-    std::vector<TableRow> rows;
+    std::vector<TableRow> rows = {};
 };
 
 struct PageChart {

@@ -21,101 +21,99 @@ namespace
 
 struct ReferencePage {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::ReferencePage)
-};
 
-TableRow textRow(const QStringList &texts)
-{
-    TableRow row;
-    for (const QString &text : texts) {
-        row.cells.push_back({.text = text});
+public:
+    static TableRow textRow(const QStringList &texts)
+    {
+        TableRow row;
+        for (const QString &text : texts) {
+            row.cells.push_back({.text = text});
+        }
+        return row;
     }
-    return row;
-}
 
-QString valueCountText(const ReferenceSeries &series)
-{
-    const auto isGap = [](double value) { return std::isnan(value); };
-    const auto gaps = static_cast<std::size_t>(std::ranges::count_if(series.values, isGap));
-    const QString values = QString::number(series.values.size() - gaps);
-    return gaps == 0 ? values : ReferencePage::tr("%1, gaps: %2").arg(values, QString::number(gaps));
-}
-
-TableRow columnRow(const ReferenceData &data, std::size_t column)
-{
-    const FileColumn &read = data.layout.columns[column];
-    const bool isAbscissa = read.role == ColumnRole::Time || read.role == ColumnRole::CrankAngle;
-    const ReferenceSeries *series = read.role == ColumnRole::Channel ? data.find(read.channel) : nullptr;
-    TableRow row = textRow({headingAlone(data.layout, column), unitText(read), meaningText(read),
-                            series ? roundingText(series->rounding) : dash(),
-                            series       ? valueCountText(*series)
-                            : isAbscissa ? QString::number(data.time.size())
-                                         : dash(),
-                            reasonText(data.layout, column)});
-    row.explanation = reasonText(data.layout, column);
-    for (TableCell &cell : row.cells) {
-        cell.tone = read.role == ColumnRole::Ignored ? Tone::Muted : Tone::Normal;
+    static QString valueCountText(const ReferenceSeries &series)
+    {
+        const auto isGap = [](double value) { return std::isnan(value); };
+        const auto gaps = static_cast<std::size_t>(std::ranges::count_if(series.values, isGap));
+        const QString values = QString::number(series.values.size() - gaps);
+        return gaps == 0 ? values : tr("%1, gaps: %2").arg(values, QString::number(gaps));
     }
-    if (isGuess(read.reason)) {
-        row.cells.back().tone = Tone::Fair;
-    }
-    return row;
-}
 
-PageTable columnTable(const ReferenceData &data)
-{
-    PageTable table{"columnTable",
-                    ReferencePage::tr("Columns of the file, a row for each"),
-                    {{ReferencePage::tr("heading"), {}, "heading", false},
-                     {ReferencePage::tr("unit"), {}, "unit", false},
-                     {ReferencePage::tr("read as"), {}, "read_as", false},
-                     {ReferencePage::tr("rounded to"), ReferencePage::tr("Inferred from all values of the column"),
-                      "rounded_to", false},
-                     {ReferencePage::tr("values"), {}, "values", false},
-                     {ReferencePage::tr("why"), {}, "why", false}},
-                    {}};
-    const FileLayout &layout = data.layout;
-    for (std::size_t i = 0; i < layout.columns.size(); ++i) {
-        if (!layout.files.empty() && (i == 0 || layout.columns[i].file != layout.columns[i - 1].file)) {
+    static TableRow columnRow(const ReferenceData &data, std::size_t column)
+    {
+        const FileColumn &read = data.layout.columns[column];
+        const bool isAbscissa = read.role == ColumnRole::Time || read.role == ColumnRole::CrankAngle;
+        const ReferenceSeries *series = read.role == ColumnRole::Channel ? data.find(read.channel) : nullptr;
+        TableRow row = textRow({headingAlone(data.layout, column), unitText(read), meaningText(read),
+                                series ? roundingText(series->rounding) : dash(),
+                                series       ? valueCountText(*series)
+                                : isAbscissa ? QString::number(data.time.size())
+                                             : dash(),
+                                reasonText(data.layout, column)});
+        row.explanation = reasonText(data.layout, column);
+        for (TableCell &cell : row.cells) {
+            cell.tone = read.role == ColumnRole::Ignored ? Tone::Muted : Tone::Normal;
+        }
+        if (isGuess(read.reason)) {
+            row.cells.back().tone = Tone::Fair;
+        }
+        return row;
+    }
+
+    static PageTable columnTable(const ReferenceData &data)
+    {
+        PageTable table{"columnTable",
+                        tr("Columns of the file, a row for each"),
+                        {{tr("heading"), {}, "heading", false},
+                         {tr("unit"), {}, "unit", false},
+                         {tr("read as"), {}, "read_as", false},
+                         {tr("rounded to"), tr("Inferred from all values of the column"), "rounded_to", false},
+                         {tr("values"), {}, "values", false},
+                         {tr("why"), {}, "why", false}}};
+        const FileLayout &layout = data.layout;
+        for (std::size_t i = 0; i < layout.columns.size(); ++i) {
+            if (!layout.files.empty() && (i == 0 || layout.columns[i].file != layout.columns[i - 1].file)) {
+                table.rows.push_back(
+                    textRow({QString::fromUtf8(layout.files[layout.columns[i].file]), {}, {}, {}, {}, {}}));
+            }
+            if (!repeatsInstants(layout, i)) {
+                table.rows.push_back(columnRow(data, i));
+            }
+        }
+        return table;
+    }
+
+    static PageTable skippedTable(const ReferenceData &data)
+    {
+        PageTable table{"skippedTable",
+                        tr("Rows of the file that were skipped"),
+                        {{tr("skipped line"), {}, "line", false},
+                         {tr("column"), {}, "column", false},
+                         {tr("text"), {}, "text", false},
+                         {tr("why"), {}, "why", false}}};
+        for (const SkippedRow &row : data.skipped) {
             table.rows.push_back(
-                textRow({QString::fromUtf8(layout.files[layout.columns[i].file]), {}, {}, {}, {}, {}}));
+                textRow({lineText(data.layout, row), row.column == 0 ? QString() : QString::number(row.column),
+                         QString::fromUtf8(row.text), rowFaultText(row)}));
         }
-        if (!repeatsInstants(layout, i)) {
-            table.rows.push_back(columnRow(data, i));
+        return table;
+    }
+
+    static Finding mechanismFound(const Result &result, const ReferenceDiagnosis *diagnosis)
+    {
+        if (!isOfFile(diagnosis, result)) {
+            return {tr("Searching for the mechanism of this file…")};
         }
+        const Diagnosis &found = diagnosis->found;
+        Finding finding{foundText(found)};
+        if (const QString rounded = roundNumbersText(found); !rounded.isEmpty()) {
+            finding.sentence += u'\n' + rounded;
+        }
+        offerMechanism(finding, found, result.mechanism.parameters());
+        return finding;
     }
-    return table;
-}
-
-PageTable skippedTable(const ReferenceData &data)
-{
-    PageTable table{"skippedTable",
-                    ReferencePage::tr("Rows of the file that were skipped"),
-                    {{ReferencePage::tr("skipped line"), {}, "line", false},
-                     {ReferencePage::tr("column"), {}, "column", false},
-                     {ReferencePage::tr("text"), {}, "text", false},
-                     {ReferencePage::tr("why"), {}, "why", false}},
-                    {}};
-    for (const SkippedRow &row : data.skipped) {
-        table.rows.push_back(
-            textRow({lineText(data.layout, row), row.column == 0 ? QString() : QString::number(row.column),
-                     QString::fromUtf8(row.text), rowFaultText(row)}));
-    }
-    return table;
-}
-
-Finding mechanismFound(const Result &result, const ReferenceDiagnosis *diagnosis)
-{
-    if (!isOfFile(diagnosis, result)) {
-        return {ReferencePage::tr("Searching for the mechanism of this file…")};
-    }
-    const Diagnosis &found = diagnosis->found;
-    Finding finding{foundText(found)};
-    if (const QString rounded = roundNumbersText(found); !rounded.isEmpty()) {
-        finding.sentence += u'\n' + rounded;
-    }
-    offerMechanism(finding, found, result.mechanism.parameters());
-    return finding;
-}
+};
 
 } // namespace
 
@@ -127,7 +125,7 @@ Page referencePage(const Result &result, const ReferenceDiagnosis *diagnosis)
     const ReferenceData &data = result.reference->data;
     QString rows = QString::number(data.time.size());
     if (!data.time.empty()) {
-        rows += QStringLiteral(", ") + abscissaText(data);
+        rows += ", " + abscissaText(data);
     }
     Page page;
     page.sentence = displayName(result.reference->paths);
@@ -136,13 +134,13 @@ Page referencePage(const Result &result, const ReferenceDiagnosis *diagnosis)
     if (data.crank) {
         page.findings.push_back({ReferencePage::tr("The rows are by crank angle; ω₂ and θ₂₀ give the time.")});
     }
-    page.findings.push_back(mechanismFound(result, diagnosis));
+    page.findings.push_back(ReferencePage::mechanismFound(result, diagnosis));
     for (const Finding &finding : findingsOf(result, diagnosis)) {
         if (finding.remedy == Remedy::Apply || finding.remedy == Remedy::ReadAsPrinted) {
             page.findings.push_back(finding);
         }
     }
-    page.tables = {columnTable(data), skippedTable(data)};
+    page.tables = {ReferencePage::columnTable(data), ReferencePage::skippedTable(data)};
     return page;
 }
 

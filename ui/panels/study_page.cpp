@@ -16,10 +16,6 @@ namespace slidercrank
 namespace
 {
 
-struct StudyPage {
-    Q_DECLARE_TR_FUNCTIONS(slidercrank::StudyPage)
-};
-
 constexpr int kDigits = 3;
 constexpr double kSmallestDrawnError = 1e-17; // errors below this, including 0, are drawn here
 
@@ -32,86 +28,88 @@ struct MethodText {
     bool isHollow = false;
 };
 
-MethodText textFor(MethodName::Kind kind)
-{
-    const QString taylor = StudyPage::tr(
-        "The same, started from position, velocity and acceleration of the time step before (Taylor series)");
-    const MethodText texts[] = {
-        // in the order of MethodName::Kind
-        {StudyPage::tr("Newton-Raphson, dense"),
-         StudyPage::tr("As in the reference report: 12 equations solved together (dense LU), started from the "
-                       "time step before"),
-         Tone::Fair, &SeriesColours::reference},
-        {StudyPage::tr("dense, Taylor start"), taylor, Tone::Fair, &SeriesColours::reference, true},
-        {StudyPage::tr("Newton-Raphson, structured"), StudyPage::tr("The same 12 equations, solved joint by joint"),
-         Tone::Model, &SeriesColours::model},
-        {StudyPage::tr("structured, Taylor start"), taylor, Tone::Model, &SeriesColours::model, true},
-        {StudyPage::tr("closed form"), StudyPage::tr("The exact formulas, one time step after the other"), Tone::Good,
-         &SeriesColours::errorOther},
-        {StudyPage::tr("closed form, batch"),
-         StudyPage::tr("The exact formulas for several time steps at once (vector instructions)"), Tone::Good,
-         &SeriesColours::errorOther, true},
-        {StudyPage::tr("finite differences"),
-         StudyPage::tr("Velocity and acceleration as central differences of exact positions"), Tone::Bad,
-         &SeriesColours::error},
-        {StudyPage::tr("Fourier series"), StudyPage::tr("The motion as a Fourier series"), Tone::Bad,
-         &SeriesColours::error, true}};
-    return texts[static_cast<std::size_t>(kind)];
-}
+struct StudyPage {
+    Q_DECLARE_TR_FUNCTIONS(slidercrank::StudyPage)
 
-QString nameOfRow(const MethodResult &row)
-{
-    const QString name = textFor(row.method.kind).name;
-    return row.method.kind == MethodName::Kind::Harmonics
-               ? StudyPage::tr("%1, %2 harmonics").arg(name, QString::number(row.method.harmonics))
-               : name;
-}
+public:
+    static MethodText textFor(MethodName::Kind kind)
+    {
+        const QString taylor =
+            tr("The same, started from position, velocity and acceleration of the time step before (Taylor series)");
+        const MethodText texts[] = {
+            // in the order of MethodName::Kind
+            {tr("Newton-Raphson, dense"),
+             tr("As in the reference report: 12 equations solved together (dense LU), started from the "
+                "time step before"),
+             Tone::Fair, &SeriesColours::reference},
+            {tr("dense, Taylor start"), taylor, Tone::Fair, &SeriesColours::reference, true},
+            {tr("Newton-Raphson, structured"), tr("The same 12 equations, solved joint by joint"), Tone::Model,
+             &SeriesColours::model},
+            {tr("structured, Taylor start"), taylor, Tone::Model, &SeriesColours::model, true},
+            {tr("closed form"), tr("The exact formulas, one time step after the other"), Tone::Good,
+             &SeriesColours::errorOther},
+            {tr("closed form, batch"), tr("The exact formulas for several time steps at once (vector instructions)"),
+             Tone::Good, &SeriesColours::errorOther, true},
+            {tr("finite differences"), tr("Velocity and acceleration as central differences of exact positions"),
+             Tone::Bad, &SeriesColours::error},
+            {tr("Fourier series"), tr("The motion as a Fourier series"), Tone::Bad, &SeriesColours::error, true}};
+        return texts[static_cast<std::size_t>(kind)];
+    }
 
-QString statusText(Status status)
-{
-    const QString texts[] = {StudyPage::tr("solved"), StudyPage::tr("singular"), StudyPage::tr("not converged"),
-                             StudyPage::tr("cannot be assembled"),
-                             StudyPage::tr("not finite")}; // in the order of Status
-    return texts[static_cast<std::size_t>(status)];
-}
+    static QString nameOfRow(const MethodResult &row)
+    {
+        const QString name = textFor(row.method.kind).name;
+        return row.method.kind == MethodName::Kind::Harmonics
+                   ? tr("%1, %2 harmonics").arg(name, QString::number(row.method.harmonics))
+                   : name;
+    }
 
-/// "solved", or "190 solved, 11 singular".
-QString outcomeText(const MethodResult &row)
-{
-    QStringList parts;
-    for (std::size_t i = 0; i < kStatusCount; ++i) {
-        if (row.counts[i] > 0) {
-            parts += QStringLiteral("%1 %2").arg(QString::number(row.counts[i]), statusText(static_cast<Status>(i)));
+    static QString statusText(Status status)
+    {
+        const QString texts[] = {tr("solved"), tr("singular"), tr("not converged"), tr("cannot be assembled"),
+                                 tr("not finite")}; // in the order of Status
+        return texts[static_cast<std::size_t>(status)];
+    }
+
+    /// "solved", or "190 solved, 11 singular".
+    static QString outcomeText(const MethodResult &row)
+    {
+        QStringList parts;
+        for (std::size_t i = 0; i < kStatusCount; ++i) {
+            if (row.counts[i] > 0) {
+                parts +=
+                    QStringLiteral("%1 %2").arg(QString::number(row.counts[i]), statusText(static_cast<Status>(i)));
+            }
         }
+        QString text = parts.size() == 1 ? statusText(row.status) : parts.join(", ");
+        if (row.silentFailures.value_or(0) > 0) {
+            text += tr(", %1 wrong but called solved").arg(QString::number(*row.silentFailures));
+        }
+        return text;
     }
-    QString text = parts.size() == 1 ? statusText(row.status) : parts.join(", ");
-    if (row.silentFailures.value_or(0) > 0) {
-        text += StudyPage::tr(", %1 wrong but called solved").arg(QString::number(*row.silentFailures));
-    }
-    return text;
-}
 
-QString descriptionOf(const MethodResult &row)
-{
-    QStringList lines{
-        nameOfRow(row), textFor(row.method.kind).explanation,
-        StudyPage::tr("%1 ns per time step (± %2), %3 channels")
-            .arg(shortNumber(row.nsPerState, kDigits), shortNumber(0.5 * row.spread, 2), QString::number(row.channels)),
-        row.maxError ? StudyPage::tr("Largest error: %1 of the peak").arg(shortNumber(*row.maxError, kDigits))
-                     : StudyPage::tr("No time step is solved")};
-    if (row.errorBound) {
-        lines << StudyPage::tr("Rounding a, b, c, ω₂, θ₂₀ and t to doubles alone may cause an error of %1")
-                     .arg(shortNumber(*row.errorBound, kDigits));
+    static QString descriptionOf(const MethodResult &row)
+    {
+        QStringList lines{nameOfRow(row), textFor(row.method.kind).explanation,
+                          tr("%1 ns per time step (± %2), %3 channels")
+                              .arg(shortNumber(row.nsPerState, kDigits), shortNumber(0.5 * row.spread, 2),
+                                   QString::number(row.channels)),
+                          row.maxError ? tr("Largest error: %1 of the peak").arg(shortNumber(*row.maxError, kDigits))
+                                       : tr("No time step is solved")};
+        if (row.errorBound) {
+            lines << tr("Rounding a, b, c, ω₂, θ₂₀ and t to doubles alone may cause an error of %1")
+                         .arg(shortNumber(*row.errorBound, kDigits));
+        }
+        return lines.join(u'\n');
     }
-    return lines.join(u'\n');
-}
 
-TableRow rowOf(const MethodResult &method)
-{
-    const auto cell = [](std::optional<double> value) {
-        return TableCell{.text = shortNumber(value, kDigits), .number = value};
-    };
-    return {{{.text = nameOfRow(method), .tone = textFor(method.method.kind).tone},
+    static TableRow rowOf(const MethodResult &method)
+    {
+        const auto cell = [](std::optional<double> value) {
+            return TableCell{.text = shortNumber(value, kDigits), .number = value};
+        };
+        return {
+            {{.text = nameOfRow(method), .tone = textFor(method.method.kind).tone},
              {.text = QString::number(method.channels), .number = method.channels},
              {.text = numberText(method.tolerance, kDigits), .number = method.tolerance},
              cell(method.nsPerState),
@@ -121,76 +119,75 @@ TableRow rowOf(const MethodResult &method)
             {},
             MechanismPart::None,
             descriptionOf(method)};
-}
+    }
 
-PageTable tableOf(const CaseResult &result)
-{
-    PageTable table{
-        "studyTable",
-        StudyPage::tr("Methods, a row for each method and tolerance"),
-        {{StudyPage::tr("method"), StudyPage::tr("How the motion is computed"), "method", false},
-         {StudyPage::tr("channels"), StudyPage::tr("How many channels the method computes"), "channels"},
-         {StudyPage::tr("tolerance"),
-          StudyPage::tr(
-              "Of Newton-Raphson: absolute for the dense method of the reference report, relative for the others"),
-          "tolerance"},
-         {StudyPage::tr("time [ns]"),
-          StudyPage::tr("Position, velocity and acceleration at one time step: median over interleaved rounds"),
-          "time [ns]"},
-         {StudyPage::tr("error"),
-          StudyPage::tr("Largest error of the six plotted channels, relative to the peak of the channel, over "
-                        "the time steps solved"),
-          "error"},
-         {StudyPage::tr("iterations"), StudyPage::tr("For each time step"), "iterations"},
-         {StudyPage::tr("time steps"), StudyPage::tr("What the method reports"), "instants", false}},
-        {}};
-    for (const MethodResult &method : result.methods) {
-        table.rows.push_back(rowOf(method));
+    static PageTable tableOf(const CaseResult &result)
+    {
+        PageTable table{
+            "studyTable",
+            tr("Methods, a row for each method and tolerance"),
+            {{tr("method"), tr("How the motion is computed"), "method", false},
+             {tr("channels"), tr("How many channels the method computes"), "channels"},
+             {tr("tolerance"),
+              tr("Of Newton-Raphson: absolute for the dense method of the reference report, relative for the others"),
+              "tolerance"},
+             {tr("time [ns]"),
+              tr("Position, velocity and acceleration at one time step: median over interleaved rounds"), "time [ns]"},
+             {tr("error"),
+              tr("Largest error of the six plotted channels, relative to the peak of the channel, over "
+                 "the time steps solved"),
+              "error"},
+             {tr("iterations"), tr("For each time step"), "iterations"},
+             {tr("time steps"), tr("What the method reports"), "instants", false}}};
+        for (const MethodResult &method : result.methods) {
+            table.rows.push_back(rowOf(method));
+        }
+        return table;
     }
-    return table;
-}
 
-ChartContent chartOf(const CaseResult &result)
-{
-    ChartContent chart{{StudyPage::tr("time for one time step [ns]"), {1e1, 1e3}, true},
-                       {StudyPage::tr("error / peak"), {1e-17, 1.0}, true},
-                       {}};
-    const auto include = [](ChartAxis &axis, double value) {
-        axis.range = {std::min(axis.range.lower, std::pow(10.0, std::floor(std::log10(value)))),
-                      std::max(axis.range.upper, std::pow(10.0, std::ceil(std::log10(value))))};
-    };
-    std::vector<MethodName::Kind> kinds;
-    double bound = 0.0;
-    for (const MethodResult &method : result.methods) {
-        if (!method.maxError || method.nsPerState <= 0.0) {
-            continue;
+    static ChartContent chartOf(const CaseResult &result)
+    {
+        ChartContent chart{
+            {tr("time for one time step [ns]"), {1e1, 1e3}, true}, {tr("error / peak"), {1e-17, 1.0}, true}, {}};
+        const auto include = [](ChartAxis &axis, double value) {
+            axis.range.include(std::pow(10.0, std::floor(std::log10(value))));
+            axis.range.include(std::pow(10.0, std::ceil(std::log10(value))));
+        };
+        std::vector<MethodName::Kind> kinds;
+        double bound = 0.0;
+        for (const MethodResult &method : result.methods) {
+            if (!method.maxError || method.nsPerState <= 0.0) {
+                continue;
+            }
+            auto kind = std::ranges::find(kinds, method.method.kind);
+            if (kind == kinds.end()) {
+                const MethodText text = textFor(method.method.kind);
+                chart.series.push_back({.name = text.name, .colour = text.colour, .isHollow = text.isHollow});
+                chart.series.back().mark.addRect(-4.0, -4.0, 8.0, 8.0);
+                kind = kinds.insert(kinds.end(), method.method.kind);
+            }
+            ChartSeries &series = chart.series[static_cast<std::size_t>(kind - kinds.begin())];
+            const double error =
+                std::isfinite(*method.maxError) ? std::max(kSmallestDrawnError, *method.maxError) : 1.0;
+            const QPointF point(method.nsPerState, error);
+            const auto place =
+                std::ranges::lower_bound(series.points, point.x(), {}, &QPointF::x) - series.points.begin();
+            series.points.insert(series.points.begin() + place, point);
+            series.tips.insert(place, descriptionOf(method));
+            include(chart.x, point.x());
+            include(chart.y, point.y());
+            bound = std::max(bound, method.errorBound.value_or(0.0));
         }
-        auto kind = std::ranges::find(kinds, method.method.kind);
-        if (kind == kinds.end()) {
-            const MethodText text = textFor(method.method.kind);
-            chart.series.push_back({.name = text.name, .colour = text.colour, .isHollow = text.isHollow});
-            chart.series.back().mark.addRect(-4.0, -4.0, 8.0, 8.0);
-            kind = kinds.insert(kinds.end(), method.method.kind);
+        if (bound > 0.0) {
+            include(chart.y, bound);
+            chart.series.push_back({.name = tr("effect of rounded input"),
+                                    .colour = &SeriesColours::warning,
+                                    .points = {{chart.x.range.lower, bound}, {chart.x.range.upper, bound}},
+                                    .line = ChartSeries::Line::Dashed});
         }
-        ChartSeries &series = chart.series[static_cast<std::size_t>(kind - kinds.begin())];
-        const double error = std::isfinite(*method.maxError) ? std::max(kSmallestDrawnError, *method.maxError) : 1.0;
-        const QPointF point(method.nsPerState, error);
-        const auto place = std::ranges::lower_bound(series.points, point.x(), {}, &QPointF::x) - series.points.begin();
-        series.points.insert(series.points.begin() + place, point);
-        series.tips.insert(place, descriptionOf(method));
-        include(chart.x, point.x());
-        include(chart.y, point.y());
-        bound = std::max(bound, method.errorBound.value_or(0.0));
+        return chart;
     }
-    if (bound > 0.0) {
-        include(chart.y, bound);
-        chart.series.push_back({.name = StudyPage::tr("effect of rounded input"),
-                                .colour = &SeriesColours::warning,
-                                .points = {{chart.x.range.lower, bound}, {chart.x.range.upper, bound}},
-                                .line = ChartSeries::Line::Dashed});
-    }
-    return chart;
-}
+};
 
 } // namespace
 
@@ -198,8 +195,9 @@ Page studyPage(const CaseResult &result)
 {
     Page page;
     page.sentence = closedFormSentence(result);
-    page.chart = PageChart{"studyChart", StudyPage::tr("Error against time for each method"), chartOf(result)};
-    page.tables = {tableOf(result)};
+    page.chart =
+        PageChart{"studyChart", StudyPage::tr("Error against time for each method"), StudyPage::chartOf(result)};
+    page.tables = {StudyPage::tableOf(result)};
     return page;
 }
 

@@ -126,10 +126,10 @@ QString closedFormSentence(const CaseResult &result)
 QString caseText(const std::string &name)
 {
     QStringList texts;
-    for (const QString &property : QString::fromStdString(name).split(QStringLiteral(", "))) {
+    for (const QString &property : QString::fromStdString(name).split(", ")) {
         texts += propertyText(property);
     }
-    return texts.join(QStringLiteral(", "));
+    return texts.join(", ");
 }
 
 QJsonObject studyJson(const StudyResult &result)

@@ -212,7 +212,7 @@ private slots:
                  "Rows that were skipped: 2. Columns that were not used: 1. See the tab Reference.");
         reference.data.skippedCount = 0;
         QCOMPARE(errorPage(resultWith({}, reference), nullptr).note,
-                 "Columns that were not used: 1. See the tab Reference.");
+                 "Rows that were skipped: 0. Columns that were not used: 1. See the tab Reference.");
         QVERIFY(errorPage(resultWith({}), nullptr).note.isEmpty());
         const QStringList rows = rowTexts(referencePage(result, nullptr).tables[1]);
         QVERIFY(rows[0].startsWith("12 (b.csv)|3|a<b|") && rows[1].startsWith("15 (a.csv)|1||"));
