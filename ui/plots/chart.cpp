@@ -36,6 +36,9 @@ void addSeries(PlotDrawing &drawing, const ChartContent &content, const ChartSer
     for (const QPointF &point : series.points) {
         points.push_back({coordinate(point.x(), content.x), coordinate(point.y(), content.y)});
     }
+    if (!content.y.isLogarithmic) { // a curve may leave the axes so far that its line has too many pieces to be drawn
+        points = clip(points, content.x.range, content.y.range);
+    }
     QCPGraph *graph = drawing.addCurve(drawing.axisRect(), points);
     if (!series.name.isEmpty()) {
         graph->setName(series.name);

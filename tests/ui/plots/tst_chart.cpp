@@ -6,6 +6,7 @@
 #include "ui/plots/plot_drawing.h"
 
 #include <QPainter>
+#include <QPicture>
 #include <QTest>
 #include <QToolTip>
 
@@ -108,6 +109,19 @@ private slots:
         QVERIFY(!chart.pointAt(chart.positionOf({1, 0}))); // has no mark
         QTest::mouseMove(&chart, place.toPoint());
         AWAIT(QToolTip::text() == "1e-4");
+    }
+
+    void drawsNothingFarBeyondItsAxes()
+    {
+        Chart chart;
+        chart.setContent({{"x", {0.0, 1.0}},
+                          {"y", {0.0, 1.0}},
+                          {{.points = {{0.0, 0.0}, {0.5, 1e6}, {1.0, 0.0}}, .line = ChartSeries::Line::Solid}}});
+        QPicture picture;
+        QPainter painter(&picture);
+        chart.paint(painter, {400, 300}, QPalette());
+        painter.end();
+        QVERIFY(QRect(-50, -50, 500, 400).contains(picture.boundingRect()));
     }
 
     void namesItsPartsWhereThereIsRoom()
