@@ -111,17 +111,18 @@ private slots:
         AWAIT(QToolTip::text() == "1e-4");
     }
 
-    void drawsNothingFarBeyondItsAxes()
+    void aCurveFarBeyondItsAxesHasFewPieces()
     {
         Chart chart;
         chart.setContent({{"x", {0.0, 1.0}},
                           {"y", {0.0, 1.0}},
-                          {{.points = {{0.0, 0.0}, {0.5, 1e6}, {1.0, 0.0}}, .line = ChartSeries::Line::Solid}}});
+                          {{.points = {{0.0, 0.0}, {0.5, 1e10}, {1.0, 0.0}}, .line = ChartSeries::Line::Solid}}});
         QPicture picture;
         QPainter painter(&picture);
         chart.paint(painter, {400, 300}, QPalette());
         painter.end();
-        QVERIFY(QRect(-50, -50, 500, 400).contains(picture.boundingRect()));
+        constexpr uint kBytes = 50'000;
+        QVERIFY2(picture.size() < kBytes, qPrintable(QString::number(picture.size())));
     }
 
     void namesItsPartsWhereThereIsRoom()
