@@ -39,7 +39,7 @@ inline const SubjectDescription &describe(PictureSubject subject)
                             "a⁴ = dv⁴/dt [mm/s²]", "error [% of peak]", "inventor_sample.csv"}},
         SubjectDescription{"plot", "theta3", 1, {"t [s]", "coupler angle θ³ [°]", "model", "inventor_sample.csv"}},
         SubjectDescription{"errors", "error_velocity", 1, {"t [s]", "error [% of peak]", "error of the coupler"}},
-        SubjectDescription{"mechanism", "mechanism", 0, {"mm", "-20", "60"}},
+        SubjectDescription{"mechanism", "mechanism", 0, {"mm", "−20", "60"}},
         SubjectDescription{"study", "", 0, {"closed form"}},
     };
     return kDescriptions[static_cast<std::size_t>(subject)];

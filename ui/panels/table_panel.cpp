@@ -225,8 +225,10 @@ std::optional<QString> TablePanel::exportTo(const QString &path) const
 {
     const Page page = m_makePage();
     if (!path.endsWith(".csv", Qt::CaseInsensitive) && page.chart) {
-        return exportFigure(path, {kChartSize, 2.0}, page.chart->title, [this](QPainter &painter, const QSize &size) {
-            m_chart->paint(painter, size, paletteFor(Theme::Light));
+        Chart chart; // the one on screen may have no content yet
+        chart.setContent(page.chart->content);
+        return exportFigure(path, {kChartSize, 2.0}, page.chart->title, [&chart](QPainter &painter, const QSize &size) {
+            chart.paint(painter, size, paletteFor(Theme::Light));
         });
     }
     return writeWhole(path, csvOf(page));
