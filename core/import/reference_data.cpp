@@ -127,7 +127,10 @@ void findStep(ReferenceSeries &series, std::span<const double> time)
     const double step = series.rounding.stepAt(rangeOf(values).size());
     // With even time stamps, the points of a straight line are also multiples of a step.
     const bool isLine = isStraight(values, time.first(rows), 2.0 * step + 1e-9 * rangeOf(values).size());
-    if (const std::optional<double> quantum = isLine ? std::nullopt : findQuantum(values, step)) {
+    // Steps of 0.9 degrees are printed exactly, those of 360/1024 degrees are rounded.
+    const std::optional<double> exact = isLine ? std::nullopt : findQuantum(values, 0.0);
+    const std::optional<double> quantum = isLine || (exact && *exact > 1.5 * step) ? exact : findQuantum(values, step);
+    if (quantum) {
         series.rounding.rule = Rounding::Rule::Multiples;
         series.rounding.quantum = *quantum / series.rounding.unitFactor;
     }
