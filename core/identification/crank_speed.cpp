@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/crank_speed.h"
 
+#include "core/identification/convention.h"
 #include "core/identification/least_squares.h"
 #include "core/import/crank_angles.h"
 #include "core/mechanism/turn.h"
@@ -19,10 +20,13 @@ namespace slidercrank
 namespace
 {
 
-const ObservedColumn *findColumn(const Observations &data, Channel channel)
+/// The column of θ2 or, if `orSpeed`, of its derivative; nullptr if the file has none.
+const ObservedColumn *findCrank(const Observations &data, bool orSpeed)
 {
-    const auto column = std::ranges::find(data.columns, channel, &ObservedColumn::channel);
-    return column == data.columns.end() ? nullptr : &*column;
+    const std::size_t angle = columnIndex(data.columns, kCrankAngle);
+    const std::size_t index =
+        angle < data.columns.size() || !orSpeed ? angle : columnIndex(data.columns, {Theta2, Order::Velocity});
+    return index < data.columns.size() ? &data.columns[index] : nullptr;
 }
 
 /// The sum of n ln(unexplained part) over the columns, each of which is fitted by a constant and two harmonics of ω.
@@ -66,11 +70,10 @@ double meanCrossings(const Observations &data)
 /// The mean speed of the crank by θ2 or its derivative; 0 if the file has neither.
 double givenCrankSpeed(const Observations &data)
 {
-    if (const ObservedColumn *const angle = findColumn(data, kCrankAngle)) {
-        return fitLinear(powerBasis(data.abscissa, 2), angle->values).coefficients[1];
-    }
-    const ObservedColumn *const speed = findColumn(data, {Theta2, Order::Velocity});
-    return speed ? speed->mean : 0.0;
+    const ObservedColumn *const crank = findCrank(data, true);
+    return !crank                          ? 0.0
+           : crank->channel == kCrankAngle ? fitLinear(powerBasis(data.abscissa, 2), crank->values).coefficients[1]
+                                           : crank->mean;
 }
 
 /// The lowest minima of the periodogram, from the lowest.
@@ -116,8 +119,12 @@ SpeedCandidates speedCandidates(const Observations &data)
     if (data.isByCrankAngle) {
         return {{1.0, data.unitOfHeading == 1.0 ? kDegreesPerRadian : 1.0 / data.unitOfHeading}, {}, true};
     }
-    if (const double known = givenCrankSpeed(data); known != 0.0) {
-        return {{std::abs(known)}, {}, true};
+    if (const double known = std::abs(givenCrankSpeed(data)); known != 0.0) {
+        constexpr double kPrice = 24.0; // of another unit
+        const double converted =
+            known * nearestFactor(kAngleFactors, kDegreesPerRadian, findCrank(data, true)->unitOfHeading);
+        const bool isConverted = harmonicMisfit(data, converted) + kPrice < harmonicMisfit(data, known);
+        return {{isConverted ? converted : known}, {}, true};
     }
     constexpr double kLeastTurns = 0.7;
     constexpr double kMostCrossingsOfArc = 6.0;
@@ -140,7 +147,7 @@ std::optional<CrankSpeedChange> crankSpeedChange(const Observations &data)
     constexpr double kFewestRows = 8.0;
     constexpr double kErrors = 4.0;     // standard errors between two speeds that differ
     constexpr double kLeastPart = 5e-3; // of the speed: less may be an error of the file's integrator or filter
-    const ObservedColumn *const angle = findColumn(data, kCrankAngle);
+    const ObservedColumn *const angle = findCrank(data, false);
     if (!angle || angle->count < kFewestRows) {
         return std::nullopt;
     }

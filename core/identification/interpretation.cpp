@@ -46,14 +46,14 @@ double crankOrigin(const Observations &data, const Hypothesis &hypothesis)
 /// conversion.
 void chooseUnit(const ObservedColumn &column, const ColumnRegression &regression, double size, ColumnUse &use)
 {
-    if (tellsShape(column)) {
-        const double slope = regression.slope();
+    if (use.channel != Channel{R4y, Order::Position}) {
+        const double slope = isConstantByNature(use.channel) ? column.mean / regression.meanModel : regression.slope();
         const double wanted = slope != 0.0 ? size / slope / use.conversion : 1.0;
         const std::span<const double> units =
             isLength(use.channel) ? std::span<const double>(kLengthFactors) : kAngleFactors;
         const double factor = nearestFactor(units, wanted, column.unitOfHeading);
         use.unit = std::copysign(factor * use.conversion == 1.0 ? 1.0 : factor, wanted);
-    } else if (use.channel == Channel{R4y, Order::Position}) {
+    } else {
         constexpr double kAbout = 0.1;
         const double model = size * regression.meanModel;
         use.unit = std::abs(column.mean + model) < kAbout * std::abs(column.mean) ? -1.0 : 1.0;
