@@ -81,8 +81,8 @@ double aliasDistance(const Observations &data, double speed)
 {
     constexpr double kFewestRowsPerTurn = 4.5; // 1.3 rows a turn look like 4.3
     const bool positionsOnly = std::ranges::none_of(data.columns, [](const ObservedColumn &column) {
-        return column.channel.coordinate == Theta2 ||
-               (column.channel.order != Order::Position && column.channel.coordinate != R4y);
+        const bool isCounted = column.channel.coordinate == Theta2 && !column.hadJumps; // turns of the crank
+        return isCounted || (column.channel.order != Order::Position && column.channel.coordinate != R4y);
     });
     if (data.isByCrankAngle || !positionsOnly) {
         return 0.0;
