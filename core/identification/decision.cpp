@@ -249,7 +249,9 @@ Identification decideNearest(const Observations &data, std::span<const Candidate
 Decision decide(const Observations &data, std::span<const Candidate> candidates, const Parameters &given)
 {
     constexpr double kLeastEvidence = 30.0; // nats
-    constexpr double kLargestPart = 0.2;    // of a parameter's size, for its standard error
+    // For the standard error of a parameter, relative to its size; an approximate one is stated with three digits.
+    constexpr double kLargestPart = 0.2;
+    constexpr double kLargestApproximatePart = 0.01;
     Decision decision;
     Identification &result = decision.identification;
     result.parameters = given;
@@ -263,8 +265,9 @@ Decision decide(const Observations &data, std::span<const Candidate> candidates,
     result.iterations = first.iterations;
     result.conditionNumber = uncertainty.conditionNumber;
     const std::array sizes = comparisonSizes(middleParameters(best.hypothesis));
+    const double most = best.acceptance == Acceptance::Identified ? kLargestPart : kLargestApproximatePart;
     for (std::size_t i = 0; i < kParameterCount; ++i) { // NaN, the error of a held parameter, is not greater
-        result.openParameters[i] = uncertainty.parameterErrors[i] > kLargestPart * sizes[i];
+        result.openParameters[i] = uncertainty.parameterErrors[i] > most * sizes[i];
     }
     result.lack = uncertainty.evidence < kLeastEvidence                 ? Lack::FewValues
                   : std::ranges::count(result.openParameters, true) > 0 ? Lack::OpenParameters
