@@ -18,7 +18,7 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kFewestRowsForNoise = 20.0; // with fewer rows, noise and misfit cannot be distinguished
+constexpr double kFewestRowsForNoise = 30.0; // with fewer rows, noise and misfit cannot be distinguished
 constexpr double kLargestNoisePart = 0.15;   // of the spread
 
 /// The largest deviation of a mechanism that explains a file approximately, relative to a column's range.
