@@ -114,6 +114,7 @@ double Candidate::pricedScore() const
 bool isLikeDifferences(const Observations &data, const Hypothesis &hypothesis, std::size_t column)
 {
     constexpr double kLargestUnexplained = 0.05; // of the variance, in any unit
+    constexpr double kRightPart = 1e-2;          // of the spread
     constexpr double kLargestHarmonicPart = 0.6; // smoothed differences have systematic errors, too
     constexpr double kSmooth = 0.92;             // correlation of neighbouring rows of a smooth signal
     Hypothesis alone = hypothesis;
@@ -129,6 +130,9 @@ bool isLikeDifferences(const Observations &data, const Hypothesis &hypothesis, s
         residuals.push_back(residual);
         angles.push_back(crankAngle(data, hypothesis, row));
     });
+    if (robustDeviation(residuals) <= kRightPart * interpretedSpread(data, hypothesis, column)) { // in most rows
+        return true;
+    }
     const double count = std::max(data.columns[column].count, 1.0);
     const double largest = std::min(kLargestHarmonicPart + (2.0 * kHarmonics + 1.0) / count, 0.95);
     return fitLinear(harmonicBasis(angles, kHarmonics), residuals).explained <= largest &&
