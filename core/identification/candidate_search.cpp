@@ -170,20 +170,7 @@ Candidate fitCandidate(const Observations &data, Hypothesis hypothesis)
 {
     constexpr int kRounds = 12;
     Fit fit = fitHypothesis(data, std::move(hypothesis), kRounds);
-    if (!fit.exists()) {
-        return {};
-    }
-    Hypothesis exact = fit.hypothesis;
-    Candidate candidate = judgedCandidate(data, std::move(fit));
-    if (exact.abscissaStep > 0.0) {
-        exact.abscissaStep = 0.0;
-        fit = fitHypothesis(data, std::move(exact), kRounds);
-        if (Candidate other = fit.exists() ? judgedCandidate(data, std::move(fit)) : Candidate();
-            other.exists() && isBetter(other, candidate)) {
-            return other;
-        }
-    }
-    return candidate;
+    return fit.exists() ? judgedCandidate(data, std::move(fit)) : Candidate();
 }
 
 std::vector<Candidate> searchCandidates(const Observations &data, const Parameters &given, const std::stop_token &stop)

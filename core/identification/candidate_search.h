@@ -18,8 +18,7 @@ bool isAsWritten(const Observations &data, const Hypothesis &hypothesis);
 /// Whether the first of the candidates is identified.
 bool isIdentified(const std::vector<Candidate> &candidates);
 
-/// Fits and judges a hypothesis. If the abscissa is uneven, tries rounded and exact abscissae and returns the better
-/// fit.
+/// Fits and judges a hypothesis.
 Candidate fitCandidate(const Observations &data, Hypothesis hypothesis);
 
 /// Returns the candidates, the best one first. `given` supplies parameters that the file does not determine: a length,

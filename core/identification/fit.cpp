@@ -60,7 +60,9 @@ bool weigh(const Observations &data, Fit &fit)
     const double rate = hypothesis.phaseRate(data);
     const double angleError = rate * (0.5 * data.span() + std::abs(data.origin)) * kDoublePrecision;
     const double roundingOfAngle = rate * hypothesis.abscissaStep;
-    const double angleVariance = roundingOfAngle * roundingOfAngle / 12.0 + angleError * angleError;
+    // All columns of a row share the rounding of its abscissa, which is one error, not one for each column.
+    const auto columnsOfRow = static_cast<double>(std::ranges::count(hypothesis.columns, true, &ColumnUse::isUsed));
+    const double angleVariance = columnsOfRow * (roundingOfAngle * roundingOfAngle / 12.0 + angleError * angleError);
     const auto record = [&](std::size_t row, std::size_t j, const Dual &model, double residual) {
         const double factor = hypothesis.columns[j].factor();
         const double slope = hypothesis.scale(j) * model.derivatives()[4];
