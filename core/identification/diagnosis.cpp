@@ -47,32 +47,6 @@ ReferenceData withoutExcluded(ReferenceData data, const Observations &all, std::
     return data;
 }
 
-/// Whether the columns that a candidate does not explain are the motion of another mechanism.
-bool isOfTwoMechanisms(const FileSearch &search, const Candidate &found, const Parameters &given,
-                       const std::stop_token &stop)
-{
-    Observations rest = search.data;
-    rest.columns.clear();
-    for (std::size_t j = 0; j < search.data.columns.size(); ++j) {
-        if (found.judgements[j] != Residual::Rounding && found.judgements[j] != Residual::White) {
-            rest.columns.push_back(search.data.columns[j]);
-        }
-    }
-    if (rest.columns.size() < 2 || rest.columns.size() == search.data.columns.size() || findLack(rest)) {
-        return false;
-    }
-    const std::vector<Candidate> candidates = searchCandidates(rest, given, stop);
-    if (!isIdentified(candidates) || !isAsWritten(rest, candidates.front().hypothesis)) {
-        return false;
-    }
-    const Parameters p = middleParameters(found.hypothesis);
-    const Parameters q = middleParameters(candidates.front().hypothesis);
-    const double scale = found.hypothesis.isFree[indexOf(Parameter::A)] ? 1.0 : q.a / p.a;
-    // Images have the same magnitudes.
-    return !areNear({q.a, q.b, std::abs(q.c), std::abs(q.omega2)},
-                    {scale * p.a, scale * p.b, scale * std::abs(p.c), std::abs(p.omega2)});
-}
-
 /// Sets everything that follows from the search. Returns false if nothing but the nearest mechanism can be reported.
 bool interpret(const ReferenceData &data, const Observations &all, const FileSearch &search, const Parameters &given,
                const std::stop_token &stop, Diagnosis &result)
@@ -88,8 +62,7 @@ bool interpret(const ReferenceData &data, const Observations &all, const FileSea
     if (!found.onlyRatios) {
         std::ranges::copy(findFaultsOfWholeFile(good, given, found), std::back_inserter(result.conventions));
     }
-    if (!measureFindings(good, found.parameters, result.conventions) ||
-        isOfTwoMechanisms(search, candidate, given, stop)) {
+    if (!measureFindings(good, found.parameters, result.conventions)) {
         return false;
     }
     for (const std::size_t row : excluded) {
