@@ -81,7 +81,7 @@ bool interpret(const ReferenceData &data, const Observations &all, const FileSea
             result.identified.push_back(std::move(channel));
         }
     }
-    result.rounded = inRoundNumbers(found, interpreted, result.identified);
+    result.rounded = inRoundNumbers(found, interpreted);
     if (!result.conventions.empty()) {
         result.agreesWithGiven = !differs(compareTimed(given, interpreted, stop));
     }

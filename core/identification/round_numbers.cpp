@@ -25,9 +25,6 @@ constexpr double kLeastSpacing = 2.0 * kStandardErrors / 0.1;
 /// Smallest standard error, relative to the size of the parameter: the accuracy of the computation.
 constexpr double kArithmetic = 1e-13;
 
-/// Largest growth of chi-square: its 99.9 % point with five degrees of freedom.
-constexpr double kMostGrowth = 20.5;
-
 int powerOfTenBelow(double magnitude)
 {
     return static_cast<int>(std::floor(std::log10(magnitude)));
@@ -65,21 +62,15 @@ std::optional<double> roundNumber(std::span<const double> units, double value, d
     return best;
 }
 
-/// Whether the rounded mechanism agrees with the data as well as the fitted one.
-bool agreesAsWell(const Parameters &rounded, const ReferenceData &data, std::span<const ChannelComparison> identified)
+/// Whether no column deviates clearly more from the rounded mechanism than from the fitted one.
+bool explainsAsWell(const Parameters &rounded, const ReferenceData &data, std::span<const ChannelComparison> fitted)
 {
-    const std::vector<ChannelComparison> channels = compareTimed(rounded, data);
-    double growth = 0.0;
-    for (std::size_t i = 0; i < channels.size(); ++i) {
-        const double natural = toFileUnit(channels[i].channel, naturalSize(rounded, channels[i].channel));
-        const double before = std::max(identified[i].rms.value_or(0.0), kArithmeticStep * natural);
-        const double ratio = channels[i].rms.value_or(0.0) / before;
-        growth += static_cast<double>(channels[i].count) * (ratio * ratio - 1.0);
-        if (channels[i].verdict > identified[i].verdict) {
-            return false;
-        }
-    }
-    return growth <= kMostGrowth;
+    constexpr double kEqually = 1.05; // of the rms deviation
+    return std::ranges::equal(compareTimed(rounded, data), fitted, [&](const auto &after, const auto &before) {
+        const double natural = toFileUnit(after.channel, naturalSize(rounded, after.channel));
+        return after.verdict <= before.verdict &&
+               after.rms.value_or(0.0) <= kEqually * before.rms.value_or(0.0) + kArithmeticStep * natural;
+    });
 }
 
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -111,15 +102,15 @@ double roundest(double value, double standardError, std::span<const double> unit
     return roundNumber(units, value, standardError).value_or(roundedTo(powerOfTenBelow(standardError) - 1, value));
 }
 
-Parameters inRoundNumbers(const Identification &found, const ReferenceData &data,
-                          std::span<const ChannelComparison> identified)
+Parameters inRoundNumbers(const Identification &found, const ReferenceData &data)
 {
     // An approximate mechanism gets nominal values, the roundest that explain the file equally well. They may be many
     // standard errors away, because a filter changes the parameters by more than that.
     constexpr double kEqually = 1.1;
     const bool isApproximate = found.outcome == Identification::Outcome::Approximate;
     const ReferenceData some = thinned(data);
-    const double most = isApproximate ? kEqually * largestDeviation(found.parameters, some) : 0.0;
+    const std::vector<ChannelComparison> fitted = compareTimed(found.parameters, some);
+    const double most = kEqually * largestDeviation(found.parameters, some);
     Parameters rounded = found.parameters;
     const auto tryRounding = [&](std::span<const Parameter> parameters, double errorFactor) {
         Parameters tried = rounded;
@@ -132,7 +123,7 @@ Parameters inRoundNumbers(const Identification &found, const ReferenceData &data
             }
         }
         if (!findFault(tried) &&
-            (isApproximate ? largestDeviation(tried, some) <= most : agreesAsWell(tried, data, identified))) {
+            (isApproximate ? largestDeviation(tried, some) <= most : explainsAsWell(tried, some, fitted))) {
             rounded = tried;
         }
     };

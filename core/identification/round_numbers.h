@@ -17,9 +17,8 @@ namespace slidercrank
 /// standard errors (ω2 in rad/s, °/s or rpm, θ20 in rad or °) if the probability that such a round number is there by
 /// chance is at most 10
 /// %; otherwise it is rounded to two digits of its standard error. Returns the parameters as identified if the data
-/// agree less well with the rounded ones. `identified`: the comparison of the data with the identified mechanism.
-Parameters inRoundNumbers(const Identification &found, const ReferenceData &data,
-                          std::span<const ChannelComparison> identified);
+/// deviate more from the rounded ones.
+Parameters inRoundNumbers(const Identification &found, const ReferenceData &data);
 
 inline constexpr std::array kPlainUnit{1.0};
 

@@ -116,7 +116,7 @@ private slots:
                 ++found;
                 const Mechanism fitted(identification.parameters);
                 const std::vector<ChannelComparison> before = compareExactly(fitted, data).channels;
-                const Mechanism rounded(inRoundNumbers(identification, data, before));
+                const Mechanism rounded(inRoundNumbers(identification, data));
                 const std::vector<ChannelComparison> after = compareExactly(rounded, data).channels;
                 for (std::size_t k = 0; k < before.size(); ++k) {
                     const double floor =
