@@ -32,7 +32,7 @@ std::vector<Candidate> equalImages(const Observations &data, const Candidate &ca
         Hypothesis hypothesis = candidate.hypothesis;
         setMiddleParameters(images[i], hypothesis);
         hypothesis.isFree = {}; // only the offsets are fitted
-        Fit fit = fitHypothesis(data, std::move(hypothesis), 1);
+        Fit fit = fitHypothesis(data, std::move(hypothesis), 3);
         if (fit.exists()) {
             fit.hypothesis.isFree = candidate.hypothesis.isFree;
             fit = evaluateHypothesis(data, std::move(fit.hypothesis));

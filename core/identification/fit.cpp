@@ -94,16 +94,6 @@ bool weigh(const Observations &data, Fit &fit)
     return true;
 }
 
-/// Sets the free offsets so that the mean residual of their columns is zero.
-void centerOffsets(const Observations &data, Hypothesis &hypothesis)
-{
-    Eigen::VectorXd mean = Eigen::VectorXd::Zero(hypothesis.unknowns.size());
-    forEachResidual<double>(data, hypothesis, [&](std::size_t, std::size_t j, double, double residual) {
-        mean[Hypothesis::offsetIndex(j)] += residual / data.columns[j].count;
-    });
-    hypothesis.unknowns -= mean;
-}
-
 /// One round of Levenberg-Marquardt with fixed variances; returns chi-square before and after.
 std::pair<double, double> minimize(const Observations &data, Fit &fit)
 {
@@ -226,24 +216,16 @@ Fit evaluateHypothesis(const Observations &data, Hypothesis hypothesis)
 
 Fit fitHypothesis(const Observations &data, Hypothesis hypothesis, int rounds)
 {
-    constexpr double kSettled = 1e-3; // relative change of chi-square and of the noise from round to round
-    centerOffsets(data, hypothesis);
+    constexpr double kSettled = 1e-3; // relative change of chi-square in a round
     Fit fit{std::move(hypothesis)};
-    double noiseBefore = kInfinity;
     for (int round = 0; round < rounds; ++round) {
         if (!weigh(data, fit)) {
             return {};
         }
         const auto [first, last] = minimize(data, fit);
-        double noise = 0.0;
-        for (std::size_t j = 0; j < data.columns.size(); ++j) {
-            noise += fit.noiseVariances[j] > 0.0 ? data.columns[j].count * std::log(fit.noiseVariances[j]) : 0.0;
-        }
-        if (round > 0 && first - last <= kSettled * (last + 1.0) &&
-            std::abs(noise - noiseBefore) <= kSettled * static_cast<double>(data.abscissa.size())) {
+        if (round > 0 && first - last <= kSettled * (last + 1.0)) {
             break;
         }
-        noiseBefore = noise;
     }
     const int iterations = fit.iterations;
     if (fit.hypothesis.unknowns[0] < 0.0) { // a positive crank half a turn on, which a column of θ2 contradicts

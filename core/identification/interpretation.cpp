@@ -185,12 +185,10 @@ std::vector<double> speedsToldBy(const Observations &data, const std::vector<Col
 std::vector<Hypothesis> crankHypotheses(const Observations &data, const Hypothesis &hypothesis,
                                         const InterpretationOptions &options)
 {
-    constexpr double kAbout = 0.2; // rad
     constexpr std::size_t kOrigin = indexOf(Parameter::Theta20);
     constexpr std::size_t kSpeed = indexOf(Parameter::Omega2);
     std::vector<Hypothesis> all;
-    const bool mayBeFixed =
-        std::abs(crankOrigin(data, hypothesis)) < kAbout && (!options.isPlain || hypothesis.abscissaFactor == 1.0);
+    const bool mayBeFixed = !options.isPlain || hypothesis.abscissaFactor == 1.0;
     for (const bool isFixed : {true, false}) {
         if (isFixed ? !mayBeFixed : options.isPlain) {
             continue;

@@ -28,10 +28,9 @@ bool isAlwaysZero(Channel channel)
 /// differences, are not independent.
 double repetitionOf(const ObservedColumn &column)
 {
-    constexpr double kSamePart = 1e-3;  // of a step: closer differences are equal
-    constexpr double kManySteps = 10.0; // for each value: few are equal by chance
-    double runs = 1.0;                  // groups of consecutive equal values
-    double stretches = 0.0;             // groups of consecutive equal differences
+    constexpr double kSamePart = 1e-3; // of a step: closer differences are equal
+    double runs = 1.0;                 // groups of consecutive equal values
+    double stretches = 0.0;            // groups of consecutive equal differences
     double last = kNone;
     double difference = kNone;
     for (const double value : column.values) {
@@ -45,14 +44,7 @@ double repetitionOf(const ObservedColumn &column)
         }
         last = value;
     }
-    std::vector<double> sorted = column.values;
-    std::erase_if(sorted, [](double value) { return std::isnan(value); });
-    std::ranges::sort(sorted);
-    const auto repeated = static_cast<double>(std::ranges::unique(sorted).size());
-    // If the values have many digits, equal ones are those of equal crank angles.
-    const double distinct =
-        column.range > kManySteps * column.count * column.step ? column.count - repeated : column.count;
-    return column.count / (runs > 1.0 ? std::min({runs, 2.0 * stretches, distinct}) : 1.0);
+    return column.count / (runs > 1.0 ? std::min(runs, 2.0 * stretches) : 1.0);
 }
 
 /// Replaces the values of a saturated sensor by gaps. Such a value is an extreme that several consecutive rows repeat,
