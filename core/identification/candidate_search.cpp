@@ -107,7 +107,7 @@ std::vector<Fit> exchangedShapes(const Observations &data, SpeedCandidates speed
             }
             std::vector<ColumnUse> exchanged = plainColumns(data);
             std::swap(exchanged[i].channel, exchanged[j].channel);
-            std::vector<Fit> fits = searchShapes(data, exchanged, speeds, stop);
+            std::vector<Fit> fits = searchShapes(data, exchanged, speeds);
             if (!fits.empty() && fits.front().score < scoreBefore - kLeastGain) {
                 shapes.push_back(std::move(fits.front()));
             }
@@ -129,7 +129,7 @@ double bonusOf(const Observations &data, const Hypothesis &hypothesis, const Par
 
 /// Fits the interpretations with the least misfit.
 void tryInterpretations(const Observations &data, const std::vector<Fit> &shapes, const InterpretationOptions &options,
-                        std::vector<Candidate> &all)
+                        const std::stop_token &stop, std::vector<Candidate> &all)
 {
     const std::size_t most = options.isPlain ? 3 : 5;
     std::vector<Fit> interpretations;
@@ -142,7 +142,7 @@ void tryInterpretations(const Observations &data, const std::vector<Fit> &shapes
     std::ranges::stable_sort(interpretations, {}, &Fit::score);
     std::vector<Fit> tried;
     for (const Fit &interpretation : interpretations) {
-        if (tried.size() < most && !options.stop.stop_requested() && !isKnown(interpretation.hypothesis, tried)) {
+        if (tried.size() < most && !stop.stop_requested() && !isKnown(interpretation.hypothesis, tried)) {
             tried.push_back(interpretation);
             addWithVariants(data, interpretation.hypothesis, all);
         }
@@ -179,16 +179,16 @@ std::vector<Candidate> searchCandidates(const Observations &data, const Paramete
     constexpr double kFarOff = 1e-4; // of a column's variance
     std::vector<Candidate> all;
     const SpeedCandidates speeds = speedCandidates(data);
-    std::vector<Fit> shapes = searchShapes(data, plainColumns(data), speeds, stop);
+    std::vector<Fit> shapes = searchShapes(data, plainColumns(data), speeds);
     shapes.resize(std::min(shapes.size(), kMostShapes));
-    InterpretationOptions options{true, given, stop};
+    InterpretationOptions options{true, given};
     for (const bool isPlain : {true, false}) {
         options.isPlain = isPlain;
         if (!isPlain && !shapes.empty() && std::ranges::max(shapes.front().noiseParts) > kFarOff) {
             std::vector<Fit> exchanged = exchangedShapes(data, speeds, shapes.front().score, stop);
             shapes.insert(shapes.begin(), exchanged.begin(), exchanged.end());
         }
-        tryInterpretations(data, shapes, options, all);
+        tryInterpretations(data, shapes, options, stop, all);
         std::ranges::stable_sort(all, isBetter);
         if (stop.stop_requested() || (isIdentified(all) && isAsWritten(data, all.front().hypothesis))) {
             break;

@@ -337,9 +337,6 @@ void addInterpretations(const Observations &data, const Fit &shape, const Interp
         alias.omega2 += turns * rowSpeed;
         alias.theta20 -= turns * rowSpeed * data.abscissa.front();
         for (const Parameters &image : mirrorImages(alias)) {
-            if (options.stop.stop_requested()) {
-                return;
-            }
             Hypothesis hypothesis;
             for (std::size_t j = 0; j < data.columns.size(); ++j) {
                 hypothesis.columns.push_back({shape.hypothesis.columns[j].channel});

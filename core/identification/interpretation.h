@@ -7,7 +7,6 @@
 #include "core/identification/convention.h"
 #include "core/identification/fit.h"
 
-#include <stop_token>
 #include <vector>
 
 namespace slidercrank
@@ -29,7 +28,6 @@ struct InterpretationOptions {
     /// half turns, and without derivatives that cannot be explained.
     bool isPlain = true;
     Parameters given; ///< supplies a if the file contains no length, and ω2 if it contains no time
-    std::stop_token stop;
 };
 
 /// Adds the interpretations of a shape that was fitted with free scales and offsets. The scores include the prices.

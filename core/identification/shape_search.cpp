@@ -16,12 +16,12 @@ namespace
 constexpr std::size_t kCoarseRows = 20; // on which the grid is evaluated
 constexpr std::size_t kFitRows = 60;
 
-/// Added to 1 − ρ² on the grid of periodic files, so that a shape that fits all columns roughly beats one that fits
+/// Added to 1 − ρ² on the grid, so that a shape that fits all columns roughly beats one that fits
 /// half of them exactly.
 constexpr double kLeastUnexplained = 3e-3;
 
-/// The sum of n ln(1 − ρ² + leastUnexplained) over the columns.
-double dissimilarity(const Observations &data, const Hypothesis &hypothesis, double leastUnexplained)
+/// The sum of n ln(1 − ρ² + kLeastUnexplained) over the columns.
+double dissimilarity(const Observations &data, const Hypothesis &hypothesis)
 {
     const std::vector<ColumnRegression> regressions = columnRegressions(data, hypothesis);
     double sum = regressions.empty() ? kInfinity : 0.0;
@@ -29,7 +29,7 @@ double dissimilarity(const Observations &data, const Hypothesis &hypothesis, dou
         const ObservedColumn &column = data.columns[j];
         if (hypothesis.columns[j].isUsed && column.count > 0.0) {
             const double rounding = column.meanVariance / (column.spread * column.spread);
-            sum += column.count * std::log(regressions[j].unexplained() + leastUnexplained + rounding);
+            sum += column.count * std::log(regressions[j].unexplained() + kLeastUnexplained + rounding);
         }
     }
     return sum;
@@ -37,7 +37,7 @@ double dissimilarity(const Observations &data, const Hypothesis &hypothesis, dou
 
 /// Adds at most `most` of the best shapes of a coarse grid at one speed. With both signs of c, ω2 > 0 and the open
 /// assembly, no shape of the grid is an image of another one.
-void addGridStarts(const Observations &coarse, Hypothesis hypothesis, double speed, std::size_t most, bool isPeriodic,
+void addGridStarts(const Observations &coarse, Hypothesis hypothesis, double speed, std::size_t most,
                    std::vector<Fit> &starts)
 {
     if (coarse.isByCrankAngle) { // then the derivatives are with respect to the angle
@@ -46,15 +46,15 @@ void addGridStarts(const Observations &coarse, Hypothesis hypothesis, double spe
     }
     constexpr std::array kOffsets{0.0, 0.5, -0.5, 1.2, -1.2, 5.0, -5.0, 60.0, -60.0}; // c / a
     constexpr std::array kCouplers{0.85, 1.05, 1.25, 1.7, 2.7, 8.0};                  // b / (a + |c|)
-    const int angles = isPeriodic ? 24 : 12;
+    constexpr int kAngles = 24;
     std::vector<Fit> found;
     for (const double offset : kOffsets) {
         for (const double coupler : kCouplers) {
             Fit best;
             const double b = coupler * (1.0 + std::abs(offset));
-            for (int k = 0; k < angles; ++k) {
-                setMiddleParameters({1.0 / b, 1.0, offset / b, speed, k * kTurn / angles}, hypothesis);
-                const double misfit = dissimilarity(coarse, hypothesis, isPeriodic ? kLeastUnexplained : 0.0);
+            for (int k = 0; k < kAngles; ++k) {
+                setMiddleParameters({1.0 / b, 1.0, offset / b, speed, k * kTurn / kAngles}, hypothesis);
+                const double misfit = dissimilarity(coarse, hypothesis);
                 if (misfit < best.score) {
                     best.hypothesis = hypothesis;
                     best.score = misfit;
@@ -98,7 +98,7 @@ bool fitStarts(const Observations &data, std::vector<Fit> starts, std::size_t mo
 } // namespace
 
 std::vector<Fit> searchShapes(const Observations &data, const std::vector<ColumnUse> &columns,
-                              const SpeedCandidates &speeds, const std::stop_token &stop)
+                              const SpeedCandidates &speeds)
 {
     constexpr std::size_t kPerSpeed = 3;
     constexpr std::size_t kPerArc = 2;
@@ -114,16 +114,14 @@ std::vector<Fit> searchShapes(const Observations &data, const std::vector<Column
     std::vector<Fit> fits;
     for (const double speed : speeds.periodic) {
         std::vector<Fit> starts;
-        addGridStarts(coarse, hypothesis, speed, kPerSpeed, true, starts);
-        if (fitStarts(fine, std::move(starts), kPerSpeed, fits) || stop.stop_requested()) {
+        addGridStarts(coarse, hypothesis, speed, kPerSpeed, starts);
+        if (fitStarts(fine, std::move(starts), kPerSpeed, fits)) {
             return fits;
         }
     }
     std::vector<Fit> starts;
     for (const double speed : speeds.shortArc) {
-        if (!stop.stop_requested()) {
-            addGridStarts(coarse, hypothesis, speed, kPerArc, false, starts);
-        }
+        addGridStarts(coarse, hypothesis, speed, kPerArc, starts);
     }
     fitStarts(fine, std::move(starts), kArcs, fits);
     return fits;

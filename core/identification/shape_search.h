@@ -7,7 +7,6 @@
 #include "core/identification/crank_speed.h"
 #include "core/identification/fit.h"
 
-#include <stop_token>
 #include <vector>
 
 namespace slidercrank
@@ -15,6 +14,6 @@ namespace slidercrank
 
 /// Returns distinct fits with free scales and origins, from best to worst. `columns`: the channel of each column.
 std::vector<Fit> searchShapes(const Observations &data, const std::vector<ColumnUse> &columns,
-                              const SpeedCandidates &speeds, const std::stop_token &stop);
+                              const SpeedCandidates &speeds);
 
 } // namespace slidercrank
