@@ -156,6 +156,7 @@ Candidate judgedCandidate(const Observations &data, Fit fit)
     double off = 0.0;
     double all = 0.0;
     bool hasIdleOffset = false;
+    int originsOfShape = 0;
     candidate.hasFreeOrigin = data.isByCrankAngle && hypothesis.isFree[indexOf(Parameter::Theta20)];
     bool mayHideErrors = candidate.hasFreeOrigin;
     for (std::size_t j = 0; j < data.columns.size(); ++j) {
@@ -166,13 +167,16 @@ Candidate judgedCandidate(const Observations &data, Fit fit)
         mayHideErrors = mayHideErrors || use.hasOffset || !use.isUsed;
         candidate.judgements.push_back(judgeColumn(data, candidate, j));
         if (tellsShape(column)) {
+            originsOfShape += use.hasOffset;
             off += column.count * (hypothesis.columns[j].isUsed ? std::min(candidate.noiseParts[j], 1.0) : 1.0);
             all += column.count;
         }
     }
     const Residual worst = candidate.worst = std::ranges::max(candidate.judgements);
     candidate.isExact = worst <= Residual::Rounding;
-    candidate.acceptance = worst <= Residual::White && !hasIdleOffset        ? Acceptance::Identified
+    // Among noise, a small origin may be an error of the values, and two origins may hide an error of scale.
+    const bool mayBeError = !candidate.isExact && (hasIdleOffset || originsOfShape > 1);
+    candidate.acceptance = worst <= Residual::White && !mayBeError           ? Acceptance::Identified
                            : worst == Residual::Systematic && !mayHideErrors ? Acceptance::Approximate
                                                                              : Acceptance::Rejected;
     const double spare = all - candidate.freeCount;

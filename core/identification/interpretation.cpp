@@ -188,9 +188,8 @@ std::vector<Hypothesis> crankHypotheses(const Observations &data, const Hypothes
     constexpr std::size_t kOrigin = indexOf(Parameter::Theta20);
     constexpr std::size_t kSpeed = indexOf(Parameter::Omega2);
     std::vector<Hypothesis> all;
-    const bool mayBeFixed = !options.isPlain || hypothesis.abscissaFactor == 1.0;
     for (const bool isFixed : {true, false}) {
-        if (isFixed ? !mayBeFixed : options.isPlain) {
+        if (options.isPlain && !(isFixed && hypothesis.abscissaFactor == 1.0)) {
             continue;
         }
         Hypothesis crank = hypothesis;
@@ -331,7 +330,7 @@ void addInterpretations(const Observations &data, const Fit &shape, const Interp
     const double rowSpeed = kTurn / data.interval();
     const bool mayBeAlias = !data.isByCrankAngle && std::ranges::any_of(data.columns, isShapeDerivative) &&
                             std::abs(shape.hypothesis.unknowns[3]) * kFewRowsPerTurn > rowSpeed;
-    constexpr std::array kTurns{0.0, -3.0, -2.0, -1.0, 1.0, 2.0, 3.0};
+    constexpr std::array kTurns{0.0, -1.0, 1.0};
     for (const double turns : std::span(kTurns).first(mayBeAlias ? kTurns.size() : 1)) {
         Parameters alias = middleParameters(shape.hypothesis);
         alias.omega2 += turns * rowSpeed;
