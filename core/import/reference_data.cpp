@@ -123,13 +123,17 @@ void findStep(ReferenceSeries &series, std::span<const double> time)
 {
     constexpr std::size_t kExaminedRows = 4096;
     const std::size_t rows = std::min(series.values.size(), kExaminedRows);
-    const auto values = std::span(series.values).first(rows);
+    std::vector<double> values(series.values.begin(), series.values.begin() + static_cast<std::ptrdiff_t>(rows));
+    values = isAngle(series.channel.coordinate) ? unwrapped(std::move(values)) : std::move(values);
     const double step = series.rounding.stepAt(rangeOf(values).size());
     // With even time stamps, the points of a straight line are also multiples of a step.
-    const bool isLine = isStraight(values, time.first(rows), 2.0 * step + 1e-9 * rangeOf(values).size());
+    const auto quantumBeyond = [&](double uncertainty) {
+        const double tolerance = 2.0 * uncertainty + 1e-9 * rangeOf(values).size();
+        return isStraight(values, time.first(rows), tolerance) ? std::nullopt : findQuantum(values, uncertainty);
+    };
     // Steps of 0.9 degrees are printed exactly, those of 360/1024 degrees are rounded.
-    const std::optional<double> exact = isLine ? std::nullopt : findQuantum(values, 0.0);
-    const std::optional<double> quantum = isLine || (exact && *exact > 1.5 * step) ? exact : findQuantum(values, step);
+    std::optional<double> quantum = quantumBeyond(0.0);
+    quantum = quantum > 1.5 * step ? quantum : quantumBeyond(step);
     if (quantum) {
         series.rounding.rule = Rounding::Rule::Multiples;
         series.rounding.quantum = *quantum / series.rounding.unitFactor;
