@@ -132,7 +132,7 @@ std::vector<ConventionFinding> findFaultsOfWholeFile(const ReferenceData &data, 
     if (!data.crank && !areNear(given, started, kSamePart, errors)) {
         const double late = std::remainder(p.theta20 - given.theta20, kTurn) / given.omega2;
         const double error = errors[indexOf(Parameter::Theta20)] / std::abs(given.omega2);
-        const double amount = error > 0.0 ? roundest(late, error) : late;
+        const double amount = roundest(late, error);
         findings.push_back({{Kind::TimeShift, {}, amount}});
         p.theta20 -= amount * p.omega2;
     }

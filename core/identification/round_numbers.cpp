@@ -99,6 +99,9 @@ double errorOf(const Identification &found, Parameter parameter)
 
 double roundest(double value, double standardError, std::span<const double> units)
 {
+    if (!(standardError > 0.0) || std::isinf(standardError)) {
+        return value;
+    }
     return roundNumber(units, value, standardError).value_or(roundedTo(powerOfTenBelow(standardError) - 1, value));
 }
 

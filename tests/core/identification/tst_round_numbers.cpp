@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 using namespace slidercrank;
@@ -51,7 +52,9 @@ private slots:
                                {"negative", -24.99999, 1e-5, -25.0},
                                {"not known well enough to be a chosen number", 57.34, 5.0, 57.3},
                                {"near nothing round", 12.345678, 2e-4, 12.34568},
-                               {"large", 123456789.4, 200.0, 123456790.0}}) {
+                               {"large", 123456789.4, 200.0, 123456790.0},
+                               {"without an error", 12.345678, 0.0, 12.345678},
+                               {"not determined", 12.345678, std::numeric_limits<double>::infinity(), 12.345678}}) {
             const double rounded = roundest(row.value, row.standardError);
             QVERIFY2(std::abs(rounded - row.expected) <= 1e-12 * std::abs(row.expected), row.name);
         }
