@@ -10,8 +10,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numbers>
+#include <ranges>
 #include <span>
 
 namespace slidercrank
@@ -79,7 +81,7 @@ double givenCrankSpeed(const Observations &data)
 /// The lowest minima of the periodogram, from the lowest.
 std::vector<double> periodogramMinima(const Observations &data, double low, double high, double step)
 {
-    constexpr std::size_t kMost = 4;
+    constexpr int kMost = 4;
     constexpr int kBits = 12; // accuracy of a speed
     const auto misfitAt = [&](double speed) { return harmonicMisfit(data, speed); };
     std::vector<double> misfits;
@@ -96,10 +98,7 @@ std::vector<double> periodogramMinima(const Observations &data, double low, doub
         }
     }
     std::vector<double> best;
-    for (const auto &[misfit, speed] : minima) {
-        best.push_back(speed);
-    }
-    best.resize(std::min(best.size(), kMost));
+    std::ranges::copy(minima | std::views::values | std::views::take(kMost), std::back_inserter(best));
     return best;
 }
 

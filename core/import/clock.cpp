@@ -12,20 +12,6 @@
 namespace slidercrank
 {
 
-namespace
-{
-
-/// Returns whether time stamps are evenly spaced within their rounding. Each of them has an error of up to half a step,
-/// and so have the first and the last one, which determine the spacing.
-bool isRoundedGrid(std::span<const double> time, double step)
-{
-    std::vector<double> rows(time.size());
-    std::iota(rows.begin(), rows.end(), 0.0);
-    return isStraight(time, rows, step);
-}
-
-} // namespace
-
 Clock clockOf(std::span<const double> time, const Rounding &rounding)
 {
     constexpr double kPartOfStep = 1e-3; // nine digits are uneven in the last one, and nine-digit values show it
@@ -48,7 +34,12 @@ Clock clockOf(std::span<const double> time, const Rounding &rounding)
         clock.even = most - least <= slack;
     }
     clock.printedStep = clock.even ? rounding.finestStep() : clock.printedStep;
-    clock.rounded = !clock.even && time.size() >= kFewestTimeStamps && isRoundedGrid(time, clock.printedStep);
+    if (!clock.even && time.size() >= kFewestTimeStamps) {
+        // Each time stamp may be off by half a step, and so may the first and the last, which determine the spacing.
+        std::vector<double> rows(time.size());
+        std::iota(rows.begin(), rows.end(), 0.0);
+        clock.rounded = isStraight(time, rows, clock.printedStep);
+    }
     return clock;
 }
 

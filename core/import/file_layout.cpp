@@ -8,7 +8,7 @@ namespace slidercrank
 
 bool FileLayout::isGuessed() const
 {
-    return std::any_of(columns.begin(), columns.end(), [](const FileColumn &column) { return isGuess(column.reason); });
+    return std::ranges::any_of(columns, isGuess, &FileColumn::reason);
 }
 
 std::optional<Unit> parseColumnUnit(const std::string &text, ColumnRole role, Channel channel)
