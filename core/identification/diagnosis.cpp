@@ -47,6 +47,29 @@ ReferenceData withoutExcluded(ReferenceData data, const Observations &all, std::
     return data;
 }
 
+/// Whether the columns that a candidate leaves out are the motion of another mechanism.
+bool isOfTwoMechanisms(const Observations &data, const Candidate &found, const Parameters &given,
+                       const std::stop_token &stop)
+{
+    Observations rest = data;
+    rest.columns.clear();
+    for (std::size_t j = 0; j < data.columns.size(); ++j) {
+        if (found.judgements[j] == Residual::NotUsed) {
+            rest.columns.push_back(data.columns[j]);
+        }
+    }
+    if (rest.columns.size() < 2 || findLack(rest)) {
+        return false;
+    }
+    const auto magnitudes = [](const Candidate &candidate) { // which images have in common
+        const Parameters p = middleParameters(candidate.hypothesis);
+        return Parameters{p.a, p.b, std::abs(p.c), std::abs(p.omega2)};
+    };
+    const std::vector<Candidate> candidates = searchCandidates(rest, given, stop);
+    return isIdentified(candidates) && isAsWritten(rest, candidates.front().hypothesis) &&
+           !areNear(magnitudes(found), magnitudes(candidates.front()));
+}
+
 /// Sets everything that follows from the search. Returns false if nothing but the nearest mechanism can be reported.
 bool interpret(const ReferenceData &data, const Observations &all, const FileSearch &search, const Parameters &given,
                const std::stop_token &stop, Diagnosis &result)
@@ -62,7 +85,8 @@ bool interpret(const ReferenceData &data, const Observations &all, const FileSea
     if (!found.onlyRatios) {
         std::ranges::copy(findFaultsOfWholeFile(good, given, found), std::back_inserter(result.conventions));
     }
-    if (!measureFindings(good, found.parameters, result.conventions)) {
+    if (!measureFindings(good, found.parameters, result.conventions) ||
+        isOfTwoMechanisms(search.data, candidate, given, stop)) {
         return false;
     }
     for (const std::size_t row : excluded) {

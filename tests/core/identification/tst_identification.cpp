@@ -245,7 +245,7 @@ private slots:
         }
     }
 
-    void namesTheColumnThatIsLeftOut()
+    void leavesOutOneColumnAndNotAnotherMechanism()
     {
         ReferenceData data = printedData(kOrdinary);
         Parameters other = kOrdinary;
@@ -258,6 +258,10 @@ private slots:
         QCOMPARE(found.identification.leftOut.size(), std::size_t{1});
         QVERIFY(found.identification.leftOut[0].channel == kXDot);
         QVERIFY(found.identification.leftOut[0].percentOfPeak > 0.1 && found.conventions.empty());
+
+        constexpr Channel kXDDot{R4x, Order::Acceleration};
+        valuesOf(data, kXDDot) = valuesOf(second, kXDDot);
+        QCOMPARE(identified(data).outcome, Outcome::Nearest); // to columns of two mechanisms
     }
 
     /// The file contains x measured from the far end, in the opposite direction. If its derivatives have the same
