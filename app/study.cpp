@@ -55,7 +55,7 @@ QString studyReport(const StudyResult &result)
                                   "over the time steps that a method solves.\n"
                                   "They are measured against a computation with 50 to 100 digits.\n"
                                   "Machine: %1. Time: %2 s.\n")
-                      .arg(machineText(result.machine), numberText(result.seconds, 3));
+                      .arg(machineText(), numberText(result.seconds, 3));
 }
 
 enum class CaseChoice { Nominal, Hard, All };

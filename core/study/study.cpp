@@ -10,7 +10,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <thread>
 
 namespace slidercrank
 {
@@ -251,35 +250,12 @@ std::vector<MethodResult> measureWorkPrecision(Case which, const StudyRequest &r
     return measure(std::move(contenders), which.parameters, outputs, request, stop, [](double) {});
 }
 
-Machine thisMachine()
-{
-    Machine machine;
-#if defined(__x86_64__) || defined(_M_X64)
-    machine.processor = "x86-64";
-#elif defined(__aarch64__) || defined(_M_ARM64)
-    machine.processor = "arm64";
-#endif
-    machine.threads = std::thread::hardware_concurrency();
-#if defined(__clang__)
-    machine.compiler = "Clang " + std::to_string(__clang_major__);
-#elif defined(__GNUC__)
-    machine.compiler = "GCC " + std::to_string(__GNUC__);
-#elif defined(_MSC_VER)
-    machine.compiler = "MSVC " + std::to_string(_MSC_VER);
-#endif
-#ifndef NDEBUG
-    machine.isOptimized = false;
-#endif
-    return machine;
-}
-
 } // namespace
 
 StudyResult runStudy(const StudyRequest &request, std::stop_token stop, const std::function<void(double)> &progress)
 {
     const Clock::time_point start = Clock::now();
     StudyResult result;
-    result.machine = thisMachine();
     const auto reach = [&](double ofNext) {
         if (progress) {
             const double done = static_cast<double>(result.cases.size()) + ofNext;

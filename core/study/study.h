@@ -105,16 +105,7 @@ struct CaseResult {
     std::vector<MethodResult> workPrecision;
 };
 
-/// The machine and compiler on which the times were measured.
-struct Machine {
-    std::string processor; ///< "x86-64" or "arm64"; empty: any other family
-    unsigned threads = 0;
-    std::string compiler; ///< "GCC 12"; empty: unknown
-    bool isOptimized = true;
-};
-
 struct StudyResult {
-    Machine machine;
     std::vector<CaseResult> cases;
     double seconds = 0.0; ///< duration of the study
     bool complete = true; ///< false if stopped: `cases` then contains those completed

@@ -3723,10 +3723,6 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>sin optimizar</translation>
     </message>
     <message>
-        <source>other</source>
-        <translation>otra</translation>
-    </message>
-    <message>
         <source>The closed form is %1 times as fast as dense Newton-Raphson with the tolerance of the reference report (± %2 %).</source>
         <translation>La forma cerrada es %1 veces más rápida que Newton-Raphson denso con la tolerancia del informe de referencia (± %2 %).</translation>
     </message>

@@ -43,9 +43,9 @@ Page StudyPanel::makePage() const
     if (m_result) {
         const CaseResult &shown = m_result->cases.front();
         page = studyPage(shown);
-        page.note = tr("%1. Measured on %2, in %3 s.")
-                        .arg(mechanismText(Mechanism(shown.parameters)), machineText(m_result->machine),
-                             numberText(m_result->seconds, 2));
+        page.note =
+            tr("%1. Measured on %2, in %3 s.")
+                .arg(mechanismText(Mechanism(shown.parameters)), machineText(), numberText(m_result->seconds, 2));
         if (shown.parameters != m_session->parameters()) {
             page.note += u' ' + tr("The mechanism has changed since: run again.");
         }

@@ -7,6 +7,10 @@
 #include <QCoreApplication>
 #include <QRegularExpression>
 #include <QStringList>
+#include <QSysInfo>
+#include <QThread>
+
+#include <boost/config.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -143,7 +147,7 @@ QJsonObject studyJson(const StudyResult &result)
         }
         return object;
     };
-    return {{"machine", machineText(result.machine)}, {"cases", jsonList(result.cases, jsonCase)}};
+    return {{"machine", machineText()}, {"cases", jsonList(result.cases, jsonCase)}};
 }
 
 std::vector<Record> studyRecords(const StudyResult &result)
@@ -158,12 +162,13 @@ std::vector<Record> studyRecords(const StudyResult &result)
     return records;
 }
 
-QString machineText(const Machine &machine)
+QString machineText()
 {
-    QStringList parts{machine.processor.empty() ? StudyText::tr("other") : QString::fromStdString(machine.processor),
-                      StudyText::tr("%1 threads").arg(machine.threads), QString::fromStdString(machine.compiler),
-                      machine.isOptimized ? QString() : StudyText::tr("not optimized")};
-    parts.removeAll(QString());
+    QStringList parts{QSysInfo::buildCpuArchitecture(), StudyText::tr("%1 threads").arg(QThread::idealThreadCount()),
+                      BOOST_COMPILER};
+#ifndef NDEBUG
+    parts += StudyText::tr("not optimized");
+#endif
     return parts.join(", ");
 }
 

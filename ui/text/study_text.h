@@ -21,8 +21,8 @@ QString caseText(const std::string &name);
 /// string if one of the two was not measured.
 QString closedFormSentence(const CaseResult &result);
 
-/// Describes the machine and the compiler: "x86-64, 8 threads, GCC 12".
-QString machineText(const Machine &machine);
+/// Describes the machine and the compiler: "x86_64, 8 threads, GNU C++ version 12.2.0".
+QString machineText();
 
 /// Return the results for files in JSON, and for files in CSV with a record for each case and method.
 QJsonObject studyJson(const StudyResult &result);
