@@ -207,7 +207,7 @@ std::optional<RoundedTimeEffect> effectOfRoundedTime(const Mechanism &mechanism,
 std::vector<ChannelComparison> compare(const Mechanism &mechanism, const Trajectory &model,
                                        const ReferenceData &reference)
 {
-    const Clock clock = clockOf(reference);
+    const Clock clock = clockOf(reference.time, reference.timeRounding);
     std::optional<RoundedTimeEffect> effect = effectOfRoundedTime(mechanism, reference, clock, clock.rounded);
     std::vector<ChannelComparison> result(reference.series.size());
     const bool isLong = reference.time.size() > kFewestForThreads;

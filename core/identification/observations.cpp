@@ -217,7 +217,8 @@ Observations observe(const ReferenceData &data)
     for (const std::size_t row : all.rows) {
         all.abscissa.push_back(abscissa[row] * unit - all.origin);
     }
-    const Clock clock = data.crank ? clockOf(data.crank->degrees, data.crank->rounding) : clockOf(data);
+    const Clock clock =
+        data.crank ? clockOf(data.crank->degrees, data.crank->rounding) : clockOf(data.time, data.timeRounding);
     all.step = clock.step() * unit;
     all.printedStep = clock.printedStep * unit;
     all.unitOfHeading = (data.crank ? data.crank->rounding : data.timeRounding).unitFactor;

@@ -2,7 +2,6 @@
 #include "core/import/clock.h"
 
 #include "core/import/crank_angles.h"
-#include "core/import/reference_data.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,11 +40,6 @@ Clock clockOf(std::span<const double> time, const Rounding &rounding)
         clock.rounded = isStraight(time, rows, clock.printedStep);
     }
     return clock;
-}
-
-Clock clockOf(const ReferenceData &data)
-{
-    return clockOf(data.time, data.timeRounding);
 }
 
 } // namespace slidercrank

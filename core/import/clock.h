@@ -13,8 +13,6 @@
 namespace slidercrank
 {
 
-struct ReferenceData;
-
 struct Clock {
     /// Largest rounding step of the time stamps, s. If they are evenly spaced, their digits do not show it, and it is
     /// the step of the last printed digit. 0 if it is unknown.
@@ -28,7 +26,5 @@ struct Clock {
 
 /// Requires increasing time stamps, s.
 Clock clockOf(std::span<const double> time, const Rounding &rounding);
-
-Clock clockOf(const ReferenceData &data);
 
 } // namespace slidercrank

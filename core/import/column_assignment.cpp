@@ -61,14 +61,14 @@ void countFromFirstRow(RawColumn &column)
 /// signal, both must contain the same.
 void setAbscissa(RawTable &table, RawColumn &column, ColumnRole role, ColumnReason reason)
 {
+    const bool isTime = role == ColumnRole::Time;
     const std::optional<Unit> unit = column.unitAs(role);
     if (!unit) {
-        const bool isTime = role == ColumnRole::Time;
         throw faultIn(table, column,
                       isTime ? ReadFault{Fault::UnknownTimeUnit} : ReadFault{Fault::UnknownUnit, kCrankAngle});
     }
     convert(column, *unit);
-    if (role == ColumnRole::Time) {
+    if (isTime) {
         countFromFirstRow(column);
     }
     table.files[column.use.file].hasAbscissa = true;

@@ -123,8 +123,11 @@ void findStep(ReferenceSeries &series, std::span<const double> time)
 {
     constexpr std::size_t kExaminedRows = 4096;
     const std::size_t rows = std::min(series.values.size(), kExaminedRows);
-    std::vector<double> values(series.values.begin(), series.values.begin() + static_cast<std::ptrdiff_t>(rows));
-    values = isAngle(series.channel.coordinate) ? unwrapped(std::move(values)) : std::move(values);
+    const auto first = std::span(series.values).first(rows);
+    std::vector<double> values(first.begin(), first.end());
+    if (isAngle(series.channel.coordinate)) {
+        values = unwrapped(std::move(values));
+    }
     const double step = series.rounding.stepAt(rangeOf(values).size());
     // With even time stamps, the points of a straight line are also multiples of a step.
     const auto quantumBeyond = [&](double uncertainty) {

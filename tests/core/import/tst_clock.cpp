@@ -55,12 +55,13 @@ private slots:
         for (const Row &row : rows) {
             const QByteArray table = row.times.join(",12.5\n");
             const auto outcome = read(QByteArray("time [") + row.unit + "],R4_x\n" + table + ",12.5\n");
-            const Clock clock = clockOf(std::get<ReferenceData>(outcome));
+            const auto &data = std::get<ReferenceData>(outcome);
+            const Clock clock = clockOf(data.time, data.timeRounding);
             QVERIFY2(clock.even == row.even && clock.rounded == row.rounded, row.name);
             QVERIFY2(std::abs(clock.printedStep - row.step) <= 1e-9 * row.step, row.name);
             QCOMPARE(clock.step(), clock.even ? 0.0 : clock.printedStep);
         }
-        const Clock none = clockOf(ReferenceData());
+        const Clock none = clockOf({}, {});
         QVERIFY(none.even && none.printedStep == 0.0);
     }
 };
