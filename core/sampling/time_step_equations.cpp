@@ -7,6 +7,7 @@
 
 #include <Eigen/SVD>
 
+#include <cmath>
 #include <limits>
 
 namespace slidercrank
@@ -27,6 +28,7 @@ TimeStepEquations equationsAt(const Mechanism &mechanism, double t, double step,
     if (equations.hasPosition()) {
         equations.C = constraints(mechanism, equations.q, t);
         equations.Cq = constraintJacobian(mechanism, equations.q);
+        equations.determinant = -mechanism.parameters().b * std::cos(equations.q[Theta3]);
         equations.Ct = constraintTimeDerivative(mechanism);
     }
     if (equations.state.status == Status::Solved) {

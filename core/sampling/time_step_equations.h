@@ -18,6 +18,7 @@ struct TimeStepEquations {
     Vector12 q;
     Vector12 C = Vector12::Constant(kNone);
     Matrix12 Cq = Matrix12::Constant(kNone);
+    double determinant = kNone; ///< of C_q: -b cos θ3, mm
     Vector12 Ct = Vector12::Constant(kNone);
     Vector12 Qd = Vector12::Constant(kNone); ///< also NaN if there is no velocity
 

@@ -8,8 +8,6 @@
 #include "ui/text/finding_text.h"
 #include "ui/text/written_number.h"
 
-#include <Eigen/LU>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -219,7 +217,7 @@ Page NewtonPages::jacobian(const Result &result, double time)
     page.tables = {table};
     if (equations.hasPosition()) {
         page.note = tr("Condition number κ(C_q) = %1; det C_q = −b cos θ³ = %2 mm")
-                        .arg(shortNumber(conditionNumber(equations.Cq)), shortNumber(equations.Cq.determinant()));
+                        .arg(shortNumber(conditionNumber(equations.Cq)), shortNumber(equations.determinant));
     }
     return page;
 }

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/newton/constraints.h"
+#include "core/sampling/time_step_equations.h"
 #include "core/study/cases.h"
 #include "tests/core/newton/newton_runs.h"
 #include "tests/support/mechanism_list.h"
 #include "tests/support/suite.h"
 
 #include <QTest>
+
+#include <Eigen/LU>
 
 using namespace slidercrank;
 
@@ -129,6 +132,14 @@ private slots:
             QVERIFY2(isWithin(C, unit * positionSizes), describe(p).c_str());
             QVERIFY2(isWithin(velocity, unit * velocitySizes), describe(p).c_str());
             QVERIFY2(isWithin(acceleration, unit * accelerationSizes), describe(p).c_str());
+        }
+    }
+
+    void theDeterminantIsThatOfTheJacobian()
+    {
+        for (const Branch branch : {Branch::Open, Branch::Crossed}) {
+            const TimeStepEquations equations = equationsAt(Mechanism({.branch = branch}), 0.3, 0.005, {});
+            QVERIFY(std::abs(equations.determinant - equations.Cq.determinant()) <= 1e-11);
         }
     }
 
