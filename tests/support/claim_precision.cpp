@@ -3,7 +3,7 @@
 #include "core/mechanism/turn.h"
 #include "tests/support/claim_judge.h"
 
-#include <Eigen/Dense>
+#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>
@@ -119,13 +119,13 @@ bool isAccurate(const LinearizedFit &fit)
     jacobian = jacobian.array().isFinite().select(jacobian, 0.0);
     const VectorXd scale = jacobian.colwise().norm().cwiseMax(1e-150).cwiseInverse();
     const MatrixXd scaled = jacobian * scale.asDiagonal();
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(scaled.transpose() * scaled);
-    if (!(eigen.eigenvalues().minCoeff() > 1e-14)) {
+    const Eigen::JacobiSVD<MatrixXd, Eigen::NoQRPreconditioner> svd(scaled.transpose() * scaled, Eigen::ComputeFullV);
+    if (!(svd.singularValues().minCoeff() > 1e-14)) {
         return false;
     }
-    MatrixXd errors = MatrixXd::Zero(unknowns, jacobian.cols()); // a column for each eigenvector
+    MatrixXd errors = MatrixXd::Zero(unknowns, jacobian.cols()); // a column for each singular vector
     errors(fit.free, Eigen::all) =
-        scale.asDiagonal() * eigen.eigenvectors() * eigen.eigenvalues().cwiseSqrt().cwiseInverse().asDiagonal();
+        scale.asDiagonal() * svd.matrixV() * svd.singularValues().cwiseSqrt().cwiseInverse().asDiagonal();
     const VectorXd values = fit.valuesFor(VectorXd::Zero(unknowns));
     for (Index k = 0; k < errors.cols(); ++k) {
         for (const double sign : {-kErrors, kErrors}) {
