@@ -119,7 +119,7 @@ bool isAccurate(const LinearizedFit &fit)
     jacobian = jacobian.array().isFinite().select(jacobian, 0.0);
     const VectorXd scale = jacobian.colwise().norm().cwiseMax(1e-150).cwiseInverse();
     const MatrixXd scaled = jacobian * scale.asDiagonal();
-    const Eigen::JacobiSVD<MatrixXd, Eigen::NoQRPreconditioner> svd(scaled.transpose() * scaled, Eigen::ComputeFullV);
+    const Eigen::JacobiSVD<MatrixXd, Eigen::NoQRPreconditioner> svd(scaled.transpose().lazyProduct(scaled), Eigen::ComputeFullV);
     if (!(svd.singularValues().minCoeff() > 1e-14)) {
         return false;
     }

@@ -36,7 +36,7 @@ const std::vector<Channel> kLengths{kX, kXDot, kXDDot};
 /// so they test only a few.
 int filesOf(int all)
 {
-    const int some = (all + 9) / 10;
+    const int some = (all + 19) / 20;
 #ifdef SLIDERCRANK_SANITIZED
     return runs((all + 49) / 50, some);
 #else

@@ -162,7 +162,7 @@ private slots:
               Row{"101010", {Why::Reversed}, true},
               Row{"001000", {Why::Reversed, Why::OtherAssembly, Why::OtherAssembly}, true}}) {
             RandomMechanisms random(kSeed);
-            for (int i = 0; i < numericRuns(15, 300); ++i) {
+            for (int i = 0; i < numericRuns(8, 300); ++i) {
                 const Parameters truth = random.ordinary();
                 const double turns = random.uniform(0.6, 3.0);
                 const int rows = static_cast<int>(random.uniform(80.0, 500.0));
