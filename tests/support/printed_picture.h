@@ -30,9 +30,9 @@ inline QByteArray outputOf(const QString &program, const QStringList &arguments,
 inline bool isGrey(QRgb colour)
 {
     constexpr int kTolerance = 12;
-    return std::max({qRed(colour), qGreen(colour), qBlue(colour)}) -
-               std::min({qRed(colour), qGreen(colour), qBlue(colour)}) <
-           kTolerance;
+    const auto differs = [](int x, int y) { return std::abs(x - y) >= kTolerance; };
+    return !differs(qRed(colour), qGreen(colour)) && !differs(qGreen(colour), qBlue(colour)) &&
+           !differs(qBlue(colour), qRed(colour));
 }
 
 inline bool isBlank(const QImage &picture)
@@ -103,7 +103,7 @@ inline std::vector<QRect> axesIn(const QImage &picture, int across)
     const int height = picture.height();
     const auto isDrawn = [&](int x, int y) {
         const QRgb colour = picture.pixel(x, y);
-        return !isGrey(colour) || qRed(colour) < 0xf4;
+        return qRed(colour) < 0xf4 || !isGrey(colour);
     };
     const auto columns =
         stretchesWithLines(height, width, width / across / 2, [&](int y, int x) { return isDrawn(x, y); });
