@@ -8,6 +8,7 @@
 #include "core/closed_form/textbook_motion.h"
 #include "core/mechanism/channel.h"
 #include "core/mechanism/mechanism.h"
+#include "core/study/judge.h"
 
 #include <boost/math/constants/constants.hpp>
 // g++ 14 warns of an access that a condition in this header excludes.
@@ -27,8 +28,6 @@ namespace slidercrank
 using Digits50 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
 using Digits100 =
     boost::multiprecision::number<boost::multiprecision::cpp_bin_float<100>, boost::multiprecision::et_off>;
-
-inline constexpr double kUnitRoundoff = 0.5 * std::numeric_limits<double>::epsilon(); // 2^-53
 
 /// The input of the motion, converted without rounding.
 template <class Real>
@@ -103,9 +102,6 @@ std::array<double, kChannelCount> conditioning(const Parameters &parameters, dou
     }
     return kappa;
 }
-
-/// Values below this fraction of naturalSize() are zero except for the rounding of the exact motion.
-inline constexpr double kExactZero = 1e-36;
 
 // Instantiated in exact_motion.cpp, because they take long to compile.
 extern template ExactState<Digits50> exactState(const ExactInput<Digits50> &);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/study.h"
 
-#include "core/mechanism/two_part_angle.h"
-#include "core/study/exact_motion.h"
+#include "core/study/judge.h"
 #include "core/study/study_methods.h"
 
 #include <algorithm>
@@ -30,46 +29,11 @@ double secondsSince(Clock::time_point start)
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// The exact motion at one time stamp. The values, by kPlottedChannels, are in two parts, so that comparing with them
-/// takes no many-digit arithmetic.
-struct Judged {
-    Status status = Status::Solved;
-    double clearance = 0.0; ///< (b - |h|)/b
-    std::array<TwoPart, kChannels> values;
-    std::array<double, kChannels> kappa{}; ///< rad, mm
-};
-
 struct Judgement {
     std::vector<double> times;             ///< ascending
     std::vector<Judged> exact;             ///< by time
     std::array<double, kChannels> sizes{}; ///< rad, mm: the peak, or naturalSize() where that is 0; positive
 };
-
-template <class Real>
-Judged judgedFrom(const Parameters &parameters, double t, const ExactState<Real> &exact)
-{
-    Judged judged{exact.status, static_cast<double>(exact.clearance), {}, {}};
-    std::array<double, kChannelCount> kappa{};
-    if (exact.status == Status::Solved) {
-        kappa = conditioning<Real>(parameters, t);
-    }
-    for (std::size_t k = 0; k < kChannels; ++k) {
-        const std::size_t index = indexOf(kPlottedChannels[k]);
-        const auto hi = static_cast<double>(exact.values[index]);
-        judged.values[k] = {hi, static_cast<double>(Real(exact.values[index] - hi))};
-        judged.kappa[k] = kappa[index];
-    }
-    return judged;
-}
-
-Judged judge(const Parameters &parameters, double t)
-{
-    // The formulas cancel as the clearance falls, to its third power; the difference quotient in κ takes 25 digits.
-    constexpr double kEnoughClearance = 1e-4;
-    const ExactState<Digits50> exact = exactState<Digits50>(parameters, t);
-    return exact.clearance > kEnoughClearance ? judgedFrom(parameters, t, exact)
-                                              : judgedFrom(parameters, t, exactState<Digits100>(parameters, t));
-}
 
 /// Computes the exact motion at the times, or fewer if stopped.
 Judgement judgeAll(const Parameters &parameters, const std::vector<double> &times, const std::stop_token &stop,

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Computes the exact motion, by which the study judges its methods.
+
+#include "core/mechanism/channel.h"
+#include "core/mechanism/mechanism.h"
+#include "core/mechanism/two_part_angle.h"
+
+#include <array>
+#include <limits>
+
+namespace slidercrank
+{
+
+inline constexpr double kUnitRoundoff = 0.5 * std::numeric_limits<double>::epsilon(); // 2^-53
+
+/// Values below this fraction of naturalSize() are zero except for the rounding of the exact motion.
+inline constexpr double kExactZero = 1e-36;
+
+/// The exact motion at one time stamp, by kPlottedChannels, in rad and mm. The values are in two parts, so that
+/// comparing with them takes no many-digit arithmetic.
+struct Judged {
+    Status status = Status::Solved;
+    double clearance = 0.0; ///< (b - |h|)/b
+    std::array<TwoPart, kPlottedChannels.size()> values;
+    std::array<double, kPlottedChannels.size()> kappa{}; ///< see conditioning() in exact_motion.h
+};
+
+/// Computes the exact motion at time t (s), with as many digits as the distance from a toggle requires.
+Judged judge(const Parameters &parameters, double t);
+
+} // namespace slidercrank
