@@ -28,10 +28,10 @@ MechanismDrawing::MechanismDrawing(const MechanismProjection &projection, const 
 
 void MechanismDrawing::paint(QPainter &painter) const
 {
-    painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(Qt::NoPen);
     painter.setBrush(m_colours.grid);
     painter.drawRects(m_grid);
+    painter.setRenderHint(QPainter::Antialiasing); // not of the grid, whose lines are whole pixels
     for (const DrawnShape &shape : m_shapes) {
         painter.setPen(shape.pen);
         painter.setBrush(shape.brush);

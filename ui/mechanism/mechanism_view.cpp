@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace slidercrank
 {
@@ -200,14 +201,14 @@ void MechanismView::setPose(const Pose &pose)
     if (m_note->isVisible()) {
         showNote();
     }
-    updateLinkage();
+    update();
 }
 
 void MechanismView::setGhost(const ReferencePose &ghost)
 {
     if (ghost.exists || m_scene.ghost.exists) {
         m_scene.ghost = ghost;
-        updateLinkage();
+        update();
     }
 }
 
@@ -271,37 +272,40 @@ void MechanismView::refresh()
 {
     m_scenery = newSketch(size(), palette());
     m_scenery.addScenery();
+    m_isSceneryNew = true;
     m_sceneryPicture = QPixmap();
     m_flip->resize(m_flip->sizeHint());
     m_flip->move(width() - m_flip->width() - kInset, kInset);
-    updateLinkage();
+    update();
 }
 
-/// Draws the linkage in the current pose.
-void MechanismView::updateLinkage()
+void MechanismView::paintScenery(QPainter &painter) const
 {
-    m_linkage = newSketch(size(), palette());
-    m_linkage.addLinkage();
-    update();
+    painter.fillRect(rect().adjusted(0, 0, 1, 1), m_scenery.colours().background); // also the last half pixel
+    painter.scale(magnification(), magnification());
+    m_scenery.paint(painter);
 }
 
 void MechanismView::paintEvent(QPaintEvent *)
 {
-    const double magnified = magnification();
     const double ratio = devicePixelRatioF();
-    if (m_sceneryPicture.isNull() || m_sceneryPicture.devicePixelRatio() != ratio) {
-        // The size is rounded up, so that at a ratio of 1.5 the last half pixel is painted, too.
-        m_sceneryPicture =
-            QPixmap(static_cast<int>(std::ceil(width() * ratio)), static_cast<int>(std::ceil(height() * ratio)));
-        m_sceneryPicture.setDevicePixelRatio(ratio);
-        m_sceneryPicture.fill(m_scenery.colours().background);
-        QPainter painter(&m_sceneryPicture);
-        painter.scale(magnified, magnified);
-        m_scenery.paint(painter);
-    }
     QPainter painter(this);
-    painter.drawPixmap(0, 0, m_sceneryPicture);
-    painter.scale(magnified, magnified);
+    if (std::exchange(m_isSceneryNew, false)) { // a picture of it pays only if it is painted again
+        paintScenery(painter);
+    } else {
+        if (m_sceneryPicture.isNull() || m_sceneryPicture.devicePixelRatio() != ratio) {
+            // The size is rounded up, so that at a ratio of 1.5 the last half pixel is painted, too.
+            m_sceneryPicture =
+                QPixmap(static_cast<int>(std::ceil(width() * ratio)), static_cast<int>(std::ceil(height() * ratio)));
+            m_sceneryPicture.setDevicePixelRatio(ratio);
+            QPainter picturePainter(&m_sceneryPicture);
+            paintScenery(picturePainter);
+        }
+        painter.drawPixmap(0, 0, m_sceneryPicture);
+        painter.scale(magnification(), magnification());
+    }
+    m_linkage = newSketch(size(), palette());
+    m_linkage.addLinkage();
     m_linkage.paint(painter);
     const QColor colour = palette().color(QPalette::Highlight);
     for (const MechanismSketch *sketch : {&m_scenery, &m_linkage}) {

@@ -116,7 +116,7 @@ private:
     MechanismProjection projection() const { return m_frame.projection(size()); }
     QRectF bounds() const;
     void refresh();
-    void updateLinkage();
+    void paintScenery(QPainter &painter) const;
     void describe();
     void fitFrame();
     void zoomBy(double steps, QPointF pixel);
@@ -134,8 +134,9 @@ private:
     MechanismFrame m_frame;
     QRectF m_ghostBounds;      ///< mm; may be null
     MechanismSketch m_scenery; ///< the parts that do not move
-    QPixmap m_sceneryPicture;  ///< null if it is out of date
-    MechanismSketch m_linkage; ///< the parts that move, in the current pose
+    bool m_isSceneryNew = true; ///< not painted yet
+    QPixmap m_sceneryPicture;   ///< null if it is out of date
+    MechanismSketch m_linkage;  ///< the parts that move, as painted last
     std::optional<PressedButton> m_pressed;
     DrawnPart m_pointed = DrawnPart::Background;     ///< under the pointer
     DrawnPart m_highlighted = DrawnPart::Background; ///< by highlight()
