@@ -122,11 +122,8 @@ void Chart::fill(const QSize &size, const QPalette &palette)
 
 void Chart::paintEvent(QPaintEvent *)
 {
-    QPixmap pixmap(size() * devicePixelRatio());
-    pixmap.setDevicePixelRatio(devicePixelRatio());
     fill(size(), palette());
-    m_drawing->drawInto(pixmap); // faster than paint(), which records the drawing first
-    QPainter(this).drawPixmap(0, 0, pixmap);
+    m_drawing->drawInto(*this); // faster than paint(), which records the drawing first
 }
 
 void Chart::paint(QPainter &painter, const QSize &size, const QPalette &palette)

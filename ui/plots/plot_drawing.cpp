@@ -117,10 +117,10 @@ void PlotDrawing::layOut(const QSize &size)
     QCustomPlot::updateLayout();
 }
 
-void PlotDrawing::drawInto(QPixmap &pixmap)
+void PlotDrawing::drawInto(QPaintDevice &device)
 {
-    setBufferDevicePixelRatio(pixmap.devicePixelRatio());
-    QCPPainter painter(&pixmap);
+    setBufferDevicePixelRatio(device.devicePixelRatioF());
+    QCPPainter painter(&device);
     painter.fillRect(viewport(), mBackgroundBrush);
     draw(&painter);
 }

@@ -49,8 +49,9 @@ public:
     /// Lays out all elements for that size; axis rectangles and their coordinates are valid afterwards.
     void layOut(const QSize &size);
 
-    /// Draws everything into the pixmap and caches the labels. Requires the pixmap to have the size of the layout.
-    void drawInto(QPixmap &pixmap);
+    /// Draws everything on a pixmap or, in its paint event, a widget, and caches the labels. Requires the device to have
+    /// the size of the layout.
+    void drawInto(QPaintDevice &device);
 
     /// Draws everything with its background, laid out for that size.
     void paint(QPainter &painter, const QSize &size);

@@ -126,7 +126,7 @@ bool PlotGrid::event(QEvent *event)
 
 void PlotGrid::refreshIfStale()
 {
-    const bool isOtherScreen = m_picture.devicePixelRatio() != devicePixelRatioF();
+    const bool isOtherScreen = !m_picture.isNull() && m_picture.devicePixelRatio() != devicePixelRatioF();
     if (result() && (m_isStale || isOtherScreen)) {
         refresh();
     }
@@ -135,11 +135,7 @@ void PlotGrid::refreshIfStale()
 void PlotGrid::refresh()
 {
     compose({plotsToShow(m_maximized), font(), palette()}, size());
-    if (const QSize pixels = size() * devicePixelRatioF(); m_picture.size() != pixels) {
-        m_picture = QPixmap(pixels);
-    }
-    m_picture.setDevicePixelRatio(devicePixelRatioF());
-    drawInto(m_picture);
+    m_picture = QPixmap();
     constexpr int kRounding = 3; // px that the columns may lack
     for (std::size_t index = 0; index < kPlotCount; ++index) {
         const Plot &plot = shownPlot(index);
@@ -157,7 +153,7 @@ void PlotGrid::refresh()
             }
             m_panes[index]->setGeometry(place);
             m_panes[index]->setAccessibleDescription(plot.titles.first() + ". " + plot.note);
-            m_panes[index]->update();
+            m_panes[index]->setAttribute(Qt::WA_OpaquePaintEvent, false); // the figure paints itself
         }
     }
     const bool isAlone = !result()->isCompared() && !m_maximized && !isPresentation();
@@ -166,7 +162,7 @@ void PlotGrid::refresh()
     const int hintWidth = m_hint->sizeHint().width();
     m_hint->setGeometry(width() - hintWidth - kGap, 0, hintWidth, names.height());
     m_hint->setVisible(isAlone && names.right() < m_hint->x());
-    moveCursors();
+    placeCursors();
     update();
 }
 
@@ -222,6 +218,19 @@ void PlotGrid::moveCursors()
     if (m_isStale) {
         return; // refresh() moves them
     }
+    if (m_picture.isNull() && isVisible()) { // while the figure changes, as during a drag, it is of no use
+        m_picture = QPixmap(size() * devicePixelRatioF());
+        m_picture.setDevicePixelRatio(devicePixelRatioF());
+        drawInto(m_picture);
+        for (const std::size_t plot : plots()) {
+            m_panes[plot]->setAttribute(Qt::WA_OpaquePaintEvent);
+        }
+    }
+    placeCursors();
+}
+
+void PlotGrid::placeCursors()
+{
     for (const std::size_t plot : plots()) {
         m_panes[plot]->setCursors(cursors(plot), axes(plot).translated(-m_panes[plot]->pos()));
     }
@@ -230,7 +239,11 @@ void PlotGrid::moveCursors()
 void PlotGrid::paintEvent(QPaintEvent *)
 {
     refreshIfStale(); // grab() paints hidden widgets, too
-    QPainter(this).drawPixmap(0, 0, m_picture);
+    if (m_picture.isNull()) {
+        drawInto(*this);
+    } else {
+        QPainter(this).drawPixmap(0, 0, m_picture);
+    }
 }
 
 void PlotGrid::paintFigure(QPainter &painter, const QString &name, const QSize &size, const QPalette &palette)

@@ -84,6 +84,7 @@ private:
     void refreshIfStale();
     void refresh();
     void moveCursors();
+    void placeCursors();
     std::vector<PlotPane::Cursor> cursors(std::size_t plot);
 
     QRect axes(std::size_t plot) const { return shownPlot(plot).axes->rect(); } ///< px
@@ -94,7 +95,7 @@ private:
     void zoomAbout(double time, double factor);
     void toggleMaximized(std::size_t plot); ///< fills the figure with that plot, or shows all plots again
 
-    QPixmap m_picture;
+    QPixmap m_picture; ///< of the figure, under the moving cursors; null until a cursor moves
     std::array<PlotPane *, kPlotCount> m_panes{};
     QList<QAction *> m_choices;
     QLabel *m_hint; ///< how to compare with a file; to the right of the legend

@@ -26,7 +26,6 @@ PlotPane::PlotPane(const QPixmap &picture, QWidget *figure)
     : QWidget(figure)
     , m_picture(picture)
 {
-    setAttribute(Qt::WA_OpaquePaintEvent);
     setMouseTracking(true);
     setFocusPolicy(Qt::TabFocus);
 }

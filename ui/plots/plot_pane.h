@@ -35,7 +35,7 @@ public:
         std::vector<Label> labels = {};
     };
 
-    /// `picture` shows the whole figure and must outlive the pane.
+    /// `picture` shows the whole figure and must outlive the pane. While it is null, the figure paints below the pane.
     PlotPane(const QPixmap &picture, QWidget *figure);
 
     void setCursors(std::vector<Cursor> cursors, const QRect &axes);
