@@ -94,6 +94,9 @@ void PlotFigure::applyStyle(const PlotStyle &style)
         const std::size_t place = style.plots.size() == 1 ? 0 : index;
         m_grid->addElement(static_cast<int>(place / kPlotColumns), static_cast<int>(place % kPlotColumns), plot.axes);
         plot.ticker.reset(new NumberTicker);
+        for (const QString &title : titles(index)) {
+            plot.titles.emplace_back(title).prepare({}, m_fonts.title);
+        }
         axis(index, QCPAxis::atBottom).setTicker(m_timeTicker);
         axis(index, QCPAxis::atLeft).setTicker(plot.ticker);
         for (QCPAxis *axis : plot.axes->axes()) {
@@ -107,10 +110,12 @@ void PlotFigure::applyStyle(const PlotStyle &style)
     m_footer->setTextColor(m_colours.text);
 }
 
-void PlotFigure::compose(const PlotStyle &style, const QSize &size, const std::optional<double> &markedTime,
+void PlotFigure::compose(PlotStyle style, const QSize &size, const std::optional<double> &markedTime,
                          const QString &footer)
 {
     m_isStale = false;
+    style.isOfFile = m_result->reference != nullptr;
+    style.error = m_settings.error;
     if (style != m_style) {
         applyStyle(style);
     }
@@ -230,7 +235,6 @@ void PlotFigure::setValueScale(std::size_t index)
     plot.ticker->setTickCount(std::max(2, plot.axes->height() / kPixelsPerTick));
     axis(index, QCPAxis::atLeft).setRange(values.lower, values.upper);
     axis(index, QCPAxis::atLeft).setTickLabels(plot.values.has_value());
-    plot.titles = titles(index);
 }
 
 /// Returns "coupler angular velocity ω³ = dθ³/dt [°/s]" or "error [% of peak]", and shorter variants.
@@ -244,8 +248,8 @@ QStringList PlotFigure::titles(std::size_t index) const
         const std::array units{QString("%"),
                                QStringLiteral("%1; %2").arg(unit, unitText({Coordinate::R4x, channel.order})),
                                tr("% of peak")};
-        unit = units[static_cast<std::size_t>(m_settings.error)];
-        titles << (m_result->reference ? tr("error") : tr("difference")) << QString();
+        unit = units[static_cast<std::size_t>(m_style.error)];
+        titles << (m_style.isOfFile ? tr("error") : tr("difference")) << QString();
     } else {
         const auto order = static_cast<std::size_t>(channel.order);
         const std::array shortNames{isAngle(channel.coordinate) ? tr("angle") : tr("position"), tr("velocity"),
@@ -282,23 +286,29 @@ QCPGraph *PlotFigure::addCurve(const Plot &plot, const PlotCurve &curve)
     return line;
 }
 
-/// Draws the titles and the notes over the rest.
+/// Draws the titles and the notes over the rest. The motions of a row have titles of the same variant.
 void PlotFigure::draw(QCPPainter *painter)
 {
     constexpr double kAboveAxes = 2.0; // px
     PlotDrawing::draw(painter);
-    const QFontMetricsF metrics(m_fonts.title);
+    const double titleHeight = QFontMetricsF(m_fonts.title).height();
     painter->setPen(m_colours.text);
     for (const std::size_t index : plots()) {
         const Plot &plot = m_plots[index];
         const QRect axes = plot.axes->rect();
-        const int space = plot.axes->outerRect().right() - axes.left();
-        auto title = plot.titles.begin(); // the longest one that fits
-        while (title + 1 != plot.titles.end() && metrics.horizontalAdvance(*title) > space) {
-            ++title;
+        std::size_t variant = 0; // the longest one that fits
+        const auto fits = [&](std::size_t other) {
+            const bool isAlike =
+                other / kPlotColumns == index / kPlotColumns && isErrorPlot(other) == isErrorPlot(index);
+            const QCPAxisRect &place = *m_plots[other].axes;
+            return !isAlike ||
+                   m_plots[other].titles[variant].size().width() <= place.outerRect().right() - place.left();
+        };
+        while (variant + 1 < plot.titles.size() && !std::ranges::all_of(plots(), fits)) {
+            ++variant;
         }
         painter->setFont(m_fonts.title);
-        painter->drawText(QPointF(axes.left(), axes.top() - kAboveAxes - metrics.descent()), *title);
+        painter->drawStaticText(QPointF(axes.left(), axes.top() - kAboveAxes - titleHeight), plot.titles[variant]);
         painter->setFont(m_fonts.tick);
         QRect note = painter->fontMetrics().boundingRect(plot.note);
         note.moveCenter({axes.center().x(), plot.values ? axes.top() + axes.height() / 10 : axes.center().y()});

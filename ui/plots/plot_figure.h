@@ -11,6 +11,8 @@
 #include "ui/plots/motion_errors.h"
 #include "ui/plots/plot_drawing.h"
 
+#include <QStaticText>
+
 #include <array>
 #include <functional>
 #include <memory>
@@ -48,9 +50,9 @@ struct Plot {
     QCPAxisRect *axes = nullptr; ///< null if the plot is not shown
     QSharedPointer<NumberTicker> ticker;
     std::vector<PlotCurve> curves;
-    std::optional<Interval> values; ///< the range of the axis; nullopt if there are no values
-    QString note;                   ///< why something is missing
-    QStringList titles;             ///< variants of the title, the longest first
+    std::optional<Interval> values;  ///< the range of the axis; nullopt if there are no values
+    QString note;                    ///< why something is missing
+    std::vector<QStaticText> titles; ///< variants of the title, the longest first
 };
 
 /// A value read off a curve.
@@ -65,6 +67,8 @@ struct PlotStyle {
     std::vector<std::size_t> plots;
     QFont font;
     QPalette palette;
+    bool isOfFile = false; ///< whether the errors are those of a file
+    ErrorMeasure error = ErrorMeasure::OfPeak;
 
     friend bool operator==(const PlotStyle &, const PlotStyle &) = default;
 };
@@ -100,7 +104,7 @@ public:
 
     /// Lays out the plots for that size (px) and fills them. A marked time (s) is drawn as a line in each plot; the
     /// footer is text below the plots.
-    void compose(const PlotStyle &style, const QSize &size, const std::optional<double> &markedTime = {},
+    void compose(PlotStyle style, const QSize &size, const std::optional<double> &markedTime = {},
                  const QString &footer = {});
 
     const std::vector<std::size_t> &plots() const { return m_style.plots; }

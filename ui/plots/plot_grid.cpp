@@ -152,7 +152,7 @@ void PlotGrid::refresh()
                 place.setBottom(height() - 1); // with the title of the time axis
             }
             m_panes[index]->setGeometry(place);
-            m_panes[index]->setAccessibleDescription(plot.titles.first() + ". " + plot.note);
+            m_panes[index]->setAccessibleDescription(plot.titles.front().text() + ". " + plot.note);
             m_panes[index]->setAttribute(Qt::WA_OpaquePaintEvent, false); // the figure paints itself
         }
     }
