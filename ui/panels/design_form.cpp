@@ -44,7 +44,17 @@ DesignForm::DesignForm(Session *session, QWidget *parent)
     connect(m_ratio, &QSlider::sliderPressed, session, &Session::beginDrag);
     connect(m_ratio, &QSlider::sliderReleased, session, &Session::endDrag);
     connect(m_best, &QToolButton::clicked, this, [this] { requestDesign(m_wanted); });
-    connect(session, &Session::parametersChanged, this, &DesignForm::showParameters);
+    connect(session, &Session::parametersChanged, this, [this] {
+        if (isVisible()) {
+            showParameters();
+        }
+    });
+    showParameters();
+}
+
+void DesignForm::showEvent(QShowEvent *event)
+{
+    QWidget::showEvent(event);
     showParameters();
 }
 

@@ -26,6 +26,9 @@ class DesignForm : public QWidget
 public:
     explicit DesignForm(Session *session, QWidget *parent = nullptr);
 
+protected:
+    void showEvent(QShowEvent *event) override;
+
 private:
     void createControls();
     void requestStroke(double stroke);

@@ -231,7 +231,7 @@ void ParameterPanel::useUnit(Parameter parameter)
 void ParameterPanel::edit(Parameter parameter, double value)
 {
     m_session->setParameter(parameter, m_rows[indexOf(parameter)].shownUnit().toCore(value));
-    showParameters(); // also if nothing has changed
+    showRow(parameter); // also if nothing has changed
 }
 
 void ParameterPanel::showParameters()

@@ -92,6 +92,7 @@ struct ShownDesign {
     Session session;
     DesignForm form{&session};
 
+    ShownDesign() { form.show(); }
     const Parameters &parameters() const { return session.parameters(); }
     const MotionLimits &limits() const { return session.result()->limits; }
     void type(const QString &box, const QString &text) const { typeNumber(child<NumberBox>(form, box), text); }
