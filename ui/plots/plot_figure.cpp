@@ -18,8 +18,10 @@ namespace
 {
 
 constexpr double kNoStretch = 1e-3;
-constexpr int kTickLength = 3; // px
-constexpr int kLabelGap = 4;   // px between a tick and its label
+constexpr int kTickLength = 3;       // px
+constexpr int kLabelGap = 4;         // px between a tick and its label
+constexpr double kLegendLine = 28.0; // px
+constexpr double kLegendGap = 7.0;   // px between a line and its name
 
 int lineHeight(const QFont &font)
 {
@@ -48,28 +50,19 @@ void fit(PlotCurve &curve, const Interval &time, const Interval &values, int hei
 
 PlotFigure::PlotFigure()
     : m_fonts(QFont())
-    , m_top(new QCPLayoutGrid)
     , m_grid(new QCPLayoutGrid)
     , m_footer(new QCPTextElement(this))
     , m_margins(new QCPMarginGroup(this))
     , m_timeTicker(new NumberTicker)
 {
-    axisRect()->insetLayout()->take(legend);
+    axisRect()->insetLayout()->take(legend); // not used: this class draws its own
     plotLayout()->clear();
     plotLayout()->setRowSpacing(0);
-    plotLayout()->addElement(0, 0, m_top);
-    plotLayout()->addElement(1, 0, m_grid);
-    plotLayout()->addElement(2, 0, m_footer);
-    plotLayout()->setRowStretchFactors({kNoStretch, 1.0, kNoStretch});
+    plotLayout()->addElement(0, 0, m_grid);
+    plotLayout()->addElement(1, 0, m_footer);
+    plotLayout()->setRowStretchFactors({1.0, kNoStretch});
     m_footer->setTextFlags(Qt::AlignLeft);
     m_footer->setMargins(QMargins(12, 0, 12, 4));
-    m_top->addElement(0, 0, legend);
-    m_top->expandTo(1, 2);
-    m_top->setColumnStretchFactor(0, kNoStretch);
-    legend->setVisible(true);
-    legend->setMargins(QMargins(12, 4, 0, 4));
-    legend->setIconSize(28, 12);
-    legend->setColumnSpacing(12);
     m_grid->setRowSpacing(0);
     m_grid->setColumnSpacing(0);
 }
@@ -83,7 +76,6 @@ void PlotFigure::applyStyle(const PlotStyle &style)
     m_grid->clear();
     m_plots = {};
     const int line = lineHeight(m_fonts.tick);
-    m_grid->setMargins(QMargins(0, 0, 0, line + 2 * kLabelGap)); // for the title of the time axis
     for (const std::size_t index : style.plots) {
         Plot &plot = m_plots[index];
         plot.axes = new QCPAxisRect(this);
@@ -105,7 +97,6 @@ void PlotFigure::applyStyle(const PlotStyle &style)
         }
     }
     setStyle(m_fonts, m_colours);
-    legend->setFont(m_fonts.title);
     m_footer->setFont(m_fonts.tick);
     m_footer->setTextColor(m_colours.text);
 }
@@ -125,25 +116,18 @@ void PlotFigure::compose(PlotStyle style, const QSize &size, const std::optional
     QSize before;
     if (axes.size().isEmpty() || size != viewport().size()) {
         layOut(size);
+        m_legend.clear();
     }
     constexpr int kPasses = 4; // the labels and the legend change the size of the axes
     for (int pass = 0; pass < kPasses && axes.size() != before; ++pass) {
         before = axes.size();
         fill(markedTime);
-        for (int entries = legend->itemCount(); entries > 0; --entries) { // place as many entries side by side as fit
-            legend->setWrap(entries);
-            legend->setFillOrder(QCPLegend::foColumnsFirst, true);
-            if (legend->minimumOuterSizeHint().width() <= size.width()) {
-                break;
-            }
-        }
         layOut(size);
     }
 }
 
 void PlotFigure::fill(const std::optional<double> &markedTime)
 {
-    const int longestName = viewport().width() - 80; // px, beside the line
     clearGraphs();
     m_columns = static_cast<std::size_t>(std::max(1, m_plots[plots().front()].axes->width()));
     const Interval time = timeRange();
@@ -156,7 +140,7 @@ void PlotFigure::fill(const std::optional<double> &markedTime)
         m_errors.emplace(*m_result, m_settings, time, m_columns);
     }
     setTimeScale();
-    QStringList names;
+    std::vector<LegendEntry> entries;
     for (const std::size_t index : plots()) {
         Plot &plot = m_plots[index];
         plot.curves.clear();
@@ -173,12 +157,9 @@ void PlotFigure::fill(const std::optional<double> &markedTime)
         setValueScale(index);
         for (PlotCurve &curve : plot.curves) {
             fit(curve, time, plot.values.value_or(Interval()), plot.axes->height());
-            QCPGraph *graph = addCurve(plot, curve);
-            if (!names.contains(curve.name)) {
-                names << curve.name;
-                graph->setName(QFontMetrics(legend->font()).elidedText(curve.name, Qt::ElideMiddle, longestName));
-                graph->addToLegend();
-                legend->itemWithPlottable(graph)->setMargins(QMargins(0, 2, 0, 2)); // else descenders are cut off
+            const QPen pen = addCurve(plot, curve);
+            if (std::ranges::find(entries, curve.name, &LegendEntry::name) == entries.end()) {
+                entries.push_back({curve.name, pen});
             }
         }
         if (markedTime && time.contains(*markedTime) && plot.values) {
@@ -187,6 +168,33 @@ void PlotFigure::fill(const std::optional<double> &markedTime)
             PlotDrawing::addCurve(plot.axes, line)->setPen(QPen(m_colours.cursor, 1.0));
         }
     }
+    if (entries != m_legend) {
+        m_legend = entries;
+        placeLegend();
+    }
+}
+
+/// Places as many entries side by side as fit above the plots.
+void PlotFigure::placeLegend()
+{
+    constexpr double kApart = 12.0;       // px
+    constexpr double kLongestLess = 80.0; // px
+    const QFontMetricsF metrics(m_fonts.title);
+    const int line = lineHeight(m_fonts.title) + kLabelGap;
+    QPointF place(kApart, 6.0);
+    for (LegendEntry &entry : m_legend) {
+        entry.text = QStaticText(metrics.elidedText(entry.name, Qt::ElideMiddle, viewport().width() - kLongestLess));
+        entry.text.prepare({}, m_fonts.title);
+        const double length = kLegendLine + kLegendGap + entry.text.size().width();
+        if (place.x() > kApart && place.x() + length > viewport().width()) {
+            place = {kApart, place.y() + line};
+        }
+        entry.place = place;
+        place.rx() += length + kApart;
+    }
+    m_legendSize = {static_cast<int>(place.x()), static_cast<int>(place.y()) + line};
+    m_grid->setMargins(QMargins(0, m_legendSize.height(), 0,
+                                lineHeight(m_fonts.tick) + 2 * kLabelGap)); // for the title of the time axis
 }
 
 /// Chooses as many ticks as there is space for labels. Only the bottom row has labels.
@@ -268,22 +276,25 @@ QStringList PlotFigure::titles(std::size_t index) const
     return titles;
 }
 
-QCPGraph *PlotFigure::addCurve(const Plot &plot, const PlotCurve &curve)
+/// Returns the pen for the legend.
+QPen PlotFigure::addCurve(const Plot &plot, const PlotCurve &curve)
 {
     const QColor colour = m_colours.*curve.ink;
-    QCPGraph *line = PlotDrawing::addCurve(plot.axes, curve.points);
     QPen pen(colour, curve.width * m_fonts.lineFactor, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin); // these draw fastest
     if (!curve.dashes.empty()) {
         pen.setDashPattern(curve.dashes);
     }
-    line->setPen(pen);
+    PlotDrawing::addCurve(plot.axes, curve.points)->setPen(pen);
     if (!curve.dots.empty()) {
+        const double size = 4.0 * m_fonts.lineFactor;
         QCPGraph *dots = PlotDrawing::addCurve(plot.axes, curve.dots);
         dots->setLineStyle(QCPGraph::lsNone);
-        dots->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, colour, 4.0 * m_fonts.lineFactor));
-        line = curve.points.empty() ? dots : line;
+        dots->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, colour, size));
+        if (curve.points.empty()) {
+            pen = QPen(colour, size, Qt::DotLine, Qt::RoundCap);
+        }
     }
-    return line;
+    return pen;
 }
 
 /// Draws the titles and the notes over the rest. The motions of a row have titles of the same variant.
@@ -292,6 +303,15 @@ void PlotFigure::draw(QCPPainter *painter)
     constexpr double kAboveAxes = 2.0; // px
     PlotDrawing::draw(painter);
     const double titleHeight = QFontMetricsF(m_fonts.title).height();
+    painter->setFont(m_fonts.title);
+    for (const LegendEntry &entry : m_legend) {
+        painter->setAntialiasing(true);
+        painter->setPen(entry.pen);
+        const QPointF from = entry.place + QPointF(0.0, std::round(0.5 * titleHeight));
+        painter->drawLine(QLineF(from, from + QPointF(kLegendLine, 0.0)));
+        painter->setPen(m_colours.text);
+        painter->drawStaticText(entry.place + QPointF(kLegendLine + kLegendGap, 0.0), entry.text);
+    }
     painter->setPen(m_colours.text);
     for (const std::size_t index : plots()) {
         const Plot &plot = m_plots[index];

@@ -62,6 +62,16 @@ struct PlotReading {
     Ink ink = &SeriesColours::text;
 };
 
+/// An entry of the legend. The pens of entries with the same name look alike.
+struct LegendEntry {
+    QString name;
+    QPen pen;
+    QStaticText text = {}; ///< the name, shortened if it is too long
+    QPointF place = {};    ///< px
+
+    friend bool operator==(const LegendEntry &a, const LegendEntry &b) { return a.name == b.name && a.pen == b.pen; }
+};
+
 /// The plots that are shown, and their look.
 struct PlotStyle {
     std::vector<std::size_t> plots;
@@ -109,6 +119,7 @@ public:
 
     const std::vector<std::size_t> &plots() const { return m_style.plots; }
     const Plot &shownPlot(std::size_t plot) const { return m_plots[plot]; }
+    const QSize &legendSize() const { return m_legendSize; }
     QCPAxis &axis(std::size_t plot, QCPAxis::AxisType type) const { return *m_plots[plot].axes->axis(type); }
 
     /// Returns the time nearest to t at which values can be read.
@@ -150,7 +161,8 @@ private:
     void setTimeScale();
     void setValueScale(std::size_t index);
     QStringList titles(std::size_t index) const;
-    QCPGraph *addCurve(const Plot &plot, const PlotCurve &curve);
+    void placeLegend();
+    QPen addCurve(const Plot &plot, const PlotCurve &curve);
     void draw(QCPPainter *painter) override;
 
     std::shared_ptr<const Result> m_result;
@@ -167,7 +179,8 @@ private:
     PlotStyle m_style;
     PlotFonts m_fonts;
     SeriesColours m_colours;
-    QCPLayoutGrid *m_top;  ///< the legend and the free space beside it
+    std::vector<LegendEntry> m_legend;
+    QSize m_legendSize;    ///< px
     QCPLayoutGrid *m_grid; ///< the plots
     QCPTextElement *m_footer;
     QCPMarginGroup *m_margins;

@@ -158,10 +158,9 @@ void PlotGrid::refresh()
     }
     const bool isAlone = !result()->isCompared() && !m_maximized && !isPresentation();
     constexpr int kGap = 12;
-    const QRect names = legend->outerRect();
     const int hintWidth = m_hint->sizeHint().width();
-    m_hint->setGeometry(width() - hintWidth - kGap, 0, hintWidth, names.height());
-    m_hint->setVisible(isAlone && names.right() < m_hint->x());
+    m_hint->setGeometry(width() - hintWidth - kGap, 0, hintWidth, legendSize().height());
+    m_hint->setVisible(isAlone && legendSize().width() < m_hint->x());
     placeCursors();
     update();
 }
