@@ -35,16 +35,18 @@ protected:
         qsizetype dash = 0; // odd in a gap between two dashes
         double left = dashes[0] * pen.widthF();
         QVector<QLineF> segments;
+        segments.reserve(points.size());
         for (qsizetype i = 1; i < points.size(); ++i) {
-            QLineF rest(points[i - 1], points[i]);
-            while (rest.length() > kShortest) { // not if a value is NaN
-                QLineF piece = rest;
-                piece.setLength(std::min(left, rest.length()));
-                rest.setP1(piece.p2());
-                left -= piece.length();
+            const QLineF line(points[i - 1], points[i]);
+            const double length = line.length();
+            double from = 0.0;
+            while (length - from > kShortest) { // not if a value is NaN
+                const double to = std::min(from + left, length);
                 if (dash % 2 == 0) {
-                    segments << piece;
+                    segments << QLineF(line.pointAt(from / length), line.pointAt(to / length));
                 }
+                left -= to - from;
+                from = to;
                 if (left < kShortest) {
                     dash = (dash + 1) % dashes.size();
                     left = dashes[dash] * pen.widthF();

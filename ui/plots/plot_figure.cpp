@@ -78,7 +78,9 @@ void PlotFigure::applyStyle(const PlotStyle &style)
     const int line = lineHeight(m_fonts.tick);
     for (const std::size_t index : style.plots) {
         Plot &plot = m_plots[index];
-        plot.axes = new QCPAxisRect(this);
+        plot.axes = new QCPAxisRect(this, false);
+        plot.axes->addAxis(QCPAxis::atBottom);
+        plot.axes->addAxis(QCPAxis::atLeft);
         plot.axes->setMinimumSize(50, 20); // low enough for the legend to keep its height in a small window
         plot.axes->setMarginGroup(QCP::msLeft | QCP::msRight, m_margins);
         plot.axes->setMargins(QMargins(0, lineHeight(m_fonts.title) + kLabelGap, 0, line));
@@ -92,6 +94,7 @@ void PlotFigure::applyStyle(const PlotStyle &style)
         axis(index, QCPAxis::atBottom).setTicker(m_timeTicker);
         axis(index, QCPAxis::atLeft).setTicker(plot.ticker);
         for (QCPAxis *axis : plot.axes->axes()) {
+            axis->grid()->setVisible(true);
             axis->setTickLength(0, kTickLength);
             axis->setTickLabelPadding(kLabelGap);
         }

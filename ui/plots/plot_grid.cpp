@@ -181,7 +181,7 @@ std::vector<PlotPane::Cursor> PlotGrid::cursors(std::size_t plot)
         const ReadTime read = readTime(time);
         PlotPane::Cursor cursor{std::round(timeAxis.coordToPixel(time)) - corner.x(), isLight, {}};
         for (const QString &heading : headings) {
-            cursor.labels.push_back({heading, colours.text});
+            cursor.labels.push_back({QStaticText(heading), colours.text});
         }
         for (const PlotReading &reading : readings(plot, read)) {
             const QPointF place(timeAxis.coordToPixel(read.t), valueAxis.coordToPixel(reading.value));
@@ -190,7 +190,7 @@ std::vector<PlotPane::Cursor> PlotGrid::cursors(std::size_t plot)
                 const bool isZero = reading.value == reading.number &&
                                     std::abs(reading.number) < kRoundingError * valueAxis.range().size();
                 cursor.labels.push_back(
-                    {shortNumber(isZero ? 0.0 : reading.number), colours.*reading.ink, place - corner});
+                    {QStaticText(shortNumber(isZero ? 0.0 : reading.number)), colours.*reading.ink, place - corner});
             }
         }
         cursors.push_back(cursor);

@@ -41,7 +41,7 @@ void PlotPane::setCursors(std::vector<Cursor> cursors, const QRect &axes)
         for (Label &covered : m_cursors.front().labels) {
             const auto covers = [&](const Label &label) { return label.place.intersects(covered.place); };
             if (&cursor != &m_cursors.front() && std::ranges::any_of(cursor.labels, covers)) {
-                covered.text.clear(); // only the dot remains
+                covered.text.setText({}); // only the dot remains
                 covered.place = QRectF();
             }
         }
@@ -61,13 +61,13 @@ void PlotPane::setCursors(std::vector<Cursor> cursors, const QRect &axes)
 void PlotPane::placeLabels(Cursor &cursor) const
 {
     constexpr double kGap = 6.0; // px, between the line and the text
-    const QFontMetricsF metrics(font());
-    const double height = metrics.height();
+    const double height = QFontMetricsF(font()).height();
     std::ranges::stable_sort(cursor.labels, {}, [](const Label &label) { return label.dot ? label.dot->y() : 0.0; });
     double top = m_axes.top();
     double lowest = m_axes.bottom() - static_cast<double>(cursor.labels.size()) * height;
     for (Label &label : cursor.labels) {
-        const double width = metrics.horizontalAdvance(label.text);
+        label.text.prepare({}, font());
+        const double width = label.text.size().width();
         const bool fits = cursor.x + kGap + width <= m_axes.right();
         const double x = fits ? cursor.x + kGap : std::max(1.0, cursor.x - kGap - width);
         const double wanted = std::max(top, label.dot ? label.dot->y() - 0.5 * height : top);
@@ -104,7 +104,7 @@ void PlotPane::paintEvent(QPaintEvent *)
         for (const Label &label : cursor.labels) {
             painter.fillRect(label.place, behind);
             painter.setPen(label.colour);
-            painter.drawText(label.place, Qt::AlignCenter | Qt::TextDontClip, label.text);
+            painter.drawStaticText(label.place.topLeft(), label.text);
         }
     }
     if (hasFocus()) {

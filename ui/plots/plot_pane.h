@@ -7,6 +7,7 @@
 
 #include <QColor>
 #include <QPixmap>
+#include <QStaticText>
 #include <QWidget>
 
 #include <optional>
@@ -22,7 +23,7 @@ class PlotPane : public QWidget
 public:
     /// Text beside a cursor: a heading, or a value with a dot on its curve. Positions are in px, in the pane.
     struct Label {
-        QString text;
+        QStaticText text;
         QColor colour;
         std::optional<QPointF> dot = {}; ///< a heading has none
         QRectF place = {};               ///< of the text; setCursors() chooses it

@@ -57,7 +57,7 @@ inline QString textOf(const PlotPane &pane)
     QStringList lines;
     for (const PlotPane::Cursor &cursor : pane.cursors()) {
         for (const PlotPane::Label &label : cursor.labels) {
-            lines << label.text;
+            lines << label.text.text();
         }
     }
     return lines.join(u'\n');

@@ -209,7 +209,7 @@ private slots:
                     QCOMPARE(pane->cursors()[1].labels.size(), std::size_t(pane == &shown.pane(kAngle) ? 4 : 2));
                     for (const PlotPane::Cursor &cursor : pane->cursors()) {
                         for (const PlotPane::Label &label : cursor.labels) {
-                            const bool isCovered = !cursor.isLight && label.text.isEmpty();
+                            const bool isCovered = !cursor.isLight && label.text.text().isEmpty();
                             QVERIFY(isCovered || QRectF(pane->rect()).contains(label.place));
                             for (const PlotPane::Label &light : pane->cursors()[1].labels) {
                                 QVERIFY(cursor.isLight || !label.place.intersects(light.place));
