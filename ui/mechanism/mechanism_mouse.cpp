@@ -201,7 +201,7 @@ void MechanismView::cancelDrag()
 DrawnPart MechanismView::partUnder(QPointF pixel) const
 {
     const QPointF position = pixel / magnification();
-    const DrawnPart moving = m_linkage.partAt(position);
+    const DrawnPart moving = linkage().partAt(position);
     return moving == DrawnPart::Background ? m_scenery.partAt(position) : moving;
 }
 
@@ -226,7 +226,7 @@ void MechanismView::pointAtNext(int step)
     DrawnPart part = m_pointed;
     do {
         part = static_cast<DrawnPart>((static_cast<int>(part) + step + kCount) % kCount);
-    } while (part != DrawnPart::Background && !m_scenery.has(part) && !m_linkage.has(part));
+    } while (part != DrawnPart::Background && !m_scenery.has(part) && !linkage().has(part));
     pointAt(part, false);
     m_noteDelay->stop();
     showNote();

@@ -58,7 +58,6 @@ QLabel *makeNote(QWidget *parent)
 MechanismView::MechanismView(QWidget *parent)
     : QWidget(parent)
     , m_scenery(newSketch(size(), palette()))
-    , m_linkage(m_scenery)
     , m_flip(new QToolButton(this))
     , m_note(makeNote(this))
     , m_noteDelay(makeTimer(this, kNoteDelay))
@@ -279,6 +278,14 @@ void MechanismView::refresh()
     update();
 }
 
+/// Returns the parts that move, in the current pose.
+MechanismSketch MechanismView::linkage() const
+{
+    MechanismSketch sketch = newSketch(size(), palette());
+    sketch.addLinkage();
+    return sketch;
+}
+
 void MechanismView::paintScenery(QPainter &painter) const
 {
     painter.fillRect(rect().adjusted(0, 0, 1, 1), m_scenery.colours().background); // also the last half pixel
@@ -304,11 +311,10 @@ void MechanismView::paintEvent(QPaintEvent *)
         painter.drawPixmap(0, 0, m_sceneryPicture);
         painter.scale(magnification(), magnification());
     }
-    m_linkage = newSketch(size(), palette());
-    m_linkage.addLinkage();
-    m_linkage.paint(painter);
+    const MechanismSketch linkage = this->linkage();
+    linkage.paint(painter);
     const QColor colour = palette().color(QPalette::Highlight);
-    for (const MechanismSketch *sketch : {&m_scenery, &m_linkage}) {
+    for (const MechanismSketch *sketch : {&std::as_const(m_scenery), &linkage}) {
         sketch->paintHighlight(painter, m_pointed, colour);
         sketch->paintHighlight(painter, m_highlighted, sketch->colours().error);
     }

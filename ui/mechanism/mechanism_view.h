@@ -116,6 +116,7 @@ private:
     MechanismProjection projection() const { return m_frame.projection(size()); }
     QRectF bounds() const;
     void refresh();
+    MechanismSketch linkage() const;
     void paintScenery(QPainter &painter) const;
     void describe();
     void fitFrame();
@@ -132,11 +133,10 @@ private:
 
     MechanismScene m_scene;
     MechanismFrame m_frame;
-    QRectF m_ghostBounds;      ///< mm; may be null
-    MechanismSketch m_scenery; ///< the parts that do not move
+    QRectF m_ghostBounds;       ///< mm; may be null
+    MechanismSketch m_scenery;  ///< the parts that do not move
     bool m_isSceneryNew = true; ///< not painted yet
     QPixmap m_sceneryPicture;   ///< null if it is out of date
-    MechanismSketch m_linkage;  ///< the parts that move, as painted last
     std::optional<PressedButton> m_pressed;
     DrawnPart m_pointed = DrawnPart::Background;     ///< under the pointer
     DrawnPart m_highlighted = DrawnPart::Background; ///< by highlight()
