@@ -199,7 +199,8 @@ std::vector<MethodResult> measure(std::vector<Contender> contenders, const Param
 }
 
 /// Measures every method, with every step size if its cost or error depends on it. Returns no rows if stopped.
-std::vector<MethodResult> measureWorkPrecision(Case which, const StudyRequest &request, const std::stop_token &stop)
+std::vector<MethodResult> measureWorkPrecision(Case which, const StudyRequest &request, const std::stop_token &stop,
+                                               const Progress &reach)
 {
     which.sampling.steps = kWorkPrecisionOutputs;
     const std::vector<double> outputs = which.sampling.timeStamps();
@@ -211,7 +212,7 @@ std::vector<MethodResult> measureWorkPrecision(Case which, const StudyRequest &r
             addContender(method, Mechanism(which.parameters), which.sampling.timeStamps(), contenders);
         }
     }
-    return measure(std::move(contenders), which.parameters, outputs, request, stop, [](double) {});
+    return measure(std::move(contenders), which.parameters, outputs, request, stop, reach);
 }
 
 } // namespace
@@ -220,10 +221,10 @@ StudyResult runStudy(const StudyRequest &request, std::stop_token stop, const st
 {
     const Clock::time_point start = Clock::now();
     StudyResult result;
+    double done = 0.0; // cases; the error against the cost counts as one, too
     const auto reach = [&](double ofNext) {
         if (progress) {
-            const double done = static_cast<double>(result.cases.size()) + ofNext;
-            progress(std::min(1.0, done / static_cast<double>(request.cases.size())));
+            progress(std::min(1.0, (done + ofNext) / (static_cast<double>(request.cases.size()) + 1.0)));
         }
     };
     for (const Case &which : request.cases) {
@@ -235,8 +236,10 @@ StudyResult runStudy(const StudyRequest &request, std::stop_token stop, const st
         }
         CaseResult caseResult{which.name, which.parameters, times.size(), {}, {}};
         caseResult.methods = measure(std::move(contenders), which.parameters, times, request, stop, reach);
+        ++done;
         if (result.cases.empty() && !stop.stop_requested()) {
-            caseResult.workPrecision = measureWorkPrecision(which, request, stop);
+            caseResult.workPrecision = measureWorkPrecision(which, request, stop, reach);
+            ++done;
         }
         if (stop.stop_requested()) {
             result.complete = false;
