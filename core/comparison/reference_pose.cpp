@@ -47,30 +47,25 @@ ReferencePose referencePoseAt(const ReferenceData &data, const Mechanism &mechan
     const auto after = std::upper_bound(rows.begin() + 1, rows.end() - 1, time);
     const auto before = static_cast<std::size_t>(after - rows.begin()) - 1;
 
-    double theta3 = 0.0;
-    double sliderX = 0.0;
+    const double theta3 = angle ? interpolated(data, *angle, time, before) / kDegreesPerRadian : 0.0;
+    const double couplerX = mechanism.b() * std::cos(theta3);
+    const double couplerY = mechanism.b() * std::sin(theta3);
+    ReferencePose pose;
     if (!angle || !slider) {
         Parameters parameters = mechanism.parameters();
         if (data.crank) { // the time stamps belong to the drive of the file
             parameters.omega2 = data.crank->omega2;
             parameters.theta20 = data.crank->theta20;
         }
-        const Motion motion = ClosedForm(Mechanism(parameters)).motionAt(time);
-        theta3 = motion.theta3;
-        sliderX = motion.R4x;
+        pose = referencePoseAt(Mechanism(parameters), time);
     }
-    if (angle) {
-        theta3 = interpolated(data, *angle, time, before) / kDegreesPerRadian;
+    pose.sliderX = slider ? interpolated(data, *slider, time, before) : pose.pinX + couplerX;
+    pose.sliderY = slider ? mechanism.c() : pose.pinY + couplerY;
+    if (angle && slider) {
+        pose.pinX = pose.sliderX - couplerX;
+        pose.pinY = pose.sliderY - couplerY;
     }
-    if (slider) {
-        sliderX = interpolated(data, *slider, time, before);
-    }
-    ReferencePose pose;
-    pose.exists = std::isfinite(theta3) && std::isfinite(sliderX);
-    pose.sliderX = sliderX;
-    pose.sliderY = mechanism.c();
-    pose.pinX = sliderX - mechanism.b() * std::cos(theta3);
-    pose.pinY = mechanism.c() - mechanism.b() * std::sin(theta3);
+    pose.exists = std::isfinite(theta3) && std::isfinite(pose.sliderX);
     return pose;
 }
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 using namespace slidercrank;
@@ -84,6 +85,19 @@ private slots:
         QVERIFY(pose.exists);
         QVERIFY(std::abs(pose.sliderX - (20.0 + 60.0 * std::cos(std::asin(25.0 / 60.0)))) < 1e-12);
         QVERIFY(std::abs(pose.pinY - (25.0 - 65.0 * 25.0 / 60.0)) < 1e-12);
+    }
+
+    /// A former defect: a file with only one of the columns moved the crank pin off its circle.
+    void keepsTheCrankPinOnItsCircleIfAColumnIsMissing()
+    {
+        for (const Channel channel : {kTheta3, kSlider}) {
+            for (const double t : {0.0, 0.3, 0.77}) {
+                const ReferencePose pose = referencePoseAt(fileWith({channel}), kOnShow, t);
+                const double theta2 = 2.0 * std::numbers::pi * t;
+                QVERIFY(std::hypot(pose.pinX - 20.0 * std::cos(theta2), pose.pinY - 20.0 * std::sin(theta2)) < 1e-12);
+                QVERIFY(channel == kSlider ? pose.sliderY == kOnShow.c() : pose.sliderY != kOnShow.c());
+            }
+        }
     }
 
     void unwrapsAnglesThatAreLimitedToOneTurn()
