@@ -79,15 +79,14 @@ void readTarget(const OptionReader &options, RenderRequest &request)
 {
     request.output = readOutput(options);
     const std::optional<FigureFormat> format = figureFormat(request.output);
-    const bool isFrames = request.subject == Subject::Frames;
-    const bool isReport = request.subject == Subject::Report;
-    const bool isSuitable = isFrames   ? !format && !request.output.isEmpty()
-                            : isReport ? format == FigureFormat::Pdf
-                                       : format.has_value();
+    const bool isFolder = !request.output.isEmpty() && QFileInfo(request.output).suffix().isEmpty();
+    const bool isSuitable = request.subject == Subject::Frames   ? isFolder || isVideo(request.output)
+                            : request.subject == Subject::Report ? format == FigureFormat::Pdf
+                                                                 : format.has_value();
     if (!isSuitable) {
         throw UsageError{
             CommandLine::tr("--output must be a name that ends in .png, .svg or .pdf (report: .pdf; frames: a "
-                            "new folder, .mp4, .webm or .gif), not \"%1\".")
+                            "new folder without a dot in its name, .mp4, .webm or .gif), not \"%1\".")
                 .arg(request.output)};
     }
 }

@@ -20,8 +20,7 @@ constexpr std::array kMessages{
                       "there; a longer coupler (--b) avoids it."),
     QT_TRANSLATE_NOOP(
         "slidercrank::CommandLine",
-        "Newton-Raphson did not converge at %1: choose a greater --max-iterations (now %3) or --tolerance; "
-        "very long links need --tolerance-kind relative."),
+        "Newton-Raphson did not converge at %1: choose a greater --max-iterations (now %3) or --tolerance."),
     QT_TRANSLATE_NOOP("slidercrank::CommandLine",
                       "The mechanism cannot be assembled at %1: the coupler must be at least %2 mm long for the crank "
                       "to make full turns (--b)."),
@@ -53,6 +52,9 @@ ExitStatus reportTimeSteps(const Streams &streams, const SamplingSummary &summar
                         .replace("%3", QString::number(newton.maxIterations))
                         .replace("%2", atLeastText(shortestCouplerForFullTurn(mechanism)))
                         .replace("%1", where);
+        if (status == Status::IterationLimit && newton.toleranceKind == ToleranceKind::Absolute) {
+            messages += CommandLine::tr("Very long links need --tolerance-kind relative.");
+        }
         exitStatus = moreSevere(exitStatus,
                                 status == Status::NotAssemblable ? ExitStatus::NotAssemblable : ExitStatus::NotSolved);
     }

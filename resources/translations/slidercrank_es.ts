@@ -717,8 +717,8 @@ Equipo: %1. Tiempo: %2 s.
         <translation>Órdenes</translation>
     </message>
     <message>
-        <source>--output must be a name that ends in .png, .svg or .pdf (report: .pdf; frames: a new folder, .mp4, .webm or .gif), not &quot;%1&quot;.</source>
-        <translation>--output debe ser un nombre que termine en .png, .svg o .pdf (report: .pdf; frames: una carpeta nueva, .mp4, .webm o .gif), y no «%1».</translation>
+        <source>--output must be a name that ends in .png, .svg or .pdf (report: .pdf; frames: a new folder without a dot in its name, .mp4, .webm or .gif), not &quot;%1&quot;.</source>
+        <translation>--output debe ser un nombre que termine en .png, .svg o .pdf (report: .pdf; frames: una carpeta nueva sin punto en el nombre, .mp4, .webm o .gif), y no «%1».</translation>
     </message>
     <message>
         <source>There is no file &quot;%1&quot;. A command must come first: choose one of %2.</source>
@@ -789,8 +789,12 @@ Equipo: %1. Tiempo: %2 s.
         <translation>%1 describe un archivo de referencia: indíquelo con --reference.</translation>
     </message>
     <message>
-        <source>Newton-Raphson did not converge at %1: choose a greater --max-iterations (now %3) or --tolerance; very long links need --tolerance-kind relative.</source>
-        <translation>Newton-Raphson no convergió en %1: elija un valor mayor de --max-iterations (ahora %3) o de --tolerance; los eslabones muy largos necesitan --tolerance-kind relative.</translation>
+        <source>Newton-Raphson did not converge at %1: choose a greater --max-iterations (now %3) or --tolerance.</source>
+        <translation>Newton-Raphson no convergió en %1: elija un valor mayor de --max-iterations (ahora %3) o de --tolerance.</translation>
+    </message>
+    <message>
+        <source>Very long links need --tolerance-kind relative.</source>
+        <translation>Los eslabones muy largos necesitan --tolerance-kind relative.</translation>
     </message>
     <message>
         <source>%1 of %2 time steps, first at </source>

@@ -119,6 +119,7 @@ private slots:
             {"render --output x.png --at 3", "outside"},
             {"render --output x.png --column x=R4_x", "--column describes a reference file"},
             {"render --output x.png --abscissa angle", "--abscissa describes a reference file"},
+            {"render --what frames --output x.avi", ".mp4, .webm or .gif"},
             {"render --what frames --output x --at 0.5", "remove --at"},
             {"render --what frames --output x --duration 1e6", "100000 frames"},
             {"render --what mechanism --output x.png --speed 2", "remove --speed"},

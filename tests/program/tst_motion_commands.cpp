@@ -146,6 +146,7 @@ private slots:
             {"solve --b 25 --steps 4", 4, "cannot be assembled"}, // at some time steps, and singular at others
             {"solve --method newton --max-iterations 1 --tolerance 1e-14", 5, "--max-iterations"},
             {"solve --method newton --a 2e9 --b 6.5e9 --c 2.5e9", 5, "--tolerance-kind relative"},
+            {"solve --method newton --max-iterations 1 --tolerance-kind relative", 5, "or --tolerance.\n"},
             {"solve --method newton --a 2e9 --b 6.5e9 --c 2.5e9 --tolerance-kind relative", 0, ""},
             {"limits --c 100 --format csv", 4, "The mechanism cannot be assembled: b = 65 mm < |c| − a"},
             {"compare " SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv --b 40", 4, "first at t ="},
