@@ -127,6 +127,24 @@ void PlotFigure::compose(PlotStyle style, const QSize &size, const std::optional
         fill(markedTime);
         layOut(size);
     }
+    chooseTitles();
+}
+
+/// Chooses the longest titles that fit, of the same length for both motions of a row.
+void PlotFigure::chooseTitles()
+{
+    for (const std::size_t index : plots()) {
+        std::size_t &title = m_plots[index].title = 0;
+        const auto fits = [&](std::size_t other) {
+            const bool isAlike =
+                other / kPlotColumns == index / kPlotColumns && isErrorPlot(other) == isErrorPlot(index);
+            const QCPAxisRect &axes = *m_plots[other].axes;
+            return !isAlike || m_plots[other].titles[title].size().width() <= axes.outerRect().right() - axes.left();
+        };
+        while (title + 1 < m_plots[index].titles.size() && !std::ranges::all_of(plots(), fits)) {
+            ++title;
+        }
+    }
 }
 
 void PlotFigure::fill(const std::optional<double> &markedTime)
@@ -300,7 +318,7 @@ QPen PlotFigure::addCurve(const Plot &plot, const PlotCurve &curve)
     return pen;
 }
 
-/// Draws the titles and the notes over the rest. The motions of a row have titles of the same variant.
+/// Draws the legend, the titles and the notes over the rest.
 void PlotFigure::draw(QCPPainter *painter)
 {
     constexpr double kAboveAxes = 2.0; // px
@@ -319,19 +337,8 @@ void PlotFigure::draw(QCPPainter *painter)
     for (const std::size_t index : plots()) {
         const Plot &plot = m_plots[index];
         const QRect axes = plot.axes->rect();
-        std::size_t variant = 0; // the longest one that fits
-        const auto fits = [&](std::size_t other) {
-            const bool isAlike =
-                other / kPlotColumns == index / kPlotColumns && isErrorPlot(other) == isErrorPlot(index);
-            const QCPAxisRect &place = *m_plots[other].axes;
-            return !isAlike ||
-                   m_plots[other].titles[variant].size().width() <= place.outerRect().right() - place.left();
-        };
-        while (variant + 1 < plot.titles.size() && !std::ranges::all_of(plots(), fits)) {
-            ++variant;
-        }
         painter->setFont(m_fonts.title);
-        painter->drawStaticText(QPointF(axes.left(), axes.top() - kAboveAxes - titleHeight), plot.titles[variant]);
+        painter->drawStaticText(QPointF(axes.left(), axes.top() - kAboveAxes - titleHeight), plot.titles[plot.title]);
         painter->setFont(m_fonts.tick);
         QRect note = painter->fontMetrics().boundingRect(plot.note);
         note.moveCenter({axes.center().x(), plot.values ? axes.top() + axes.height() / 10 : axes.center().y()});

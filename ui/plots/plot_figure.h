@@ -53,6 +53,7 @@ struct Plot {
     std::optional<Interval> values;  ///< the range of the axis; nullopt if there are no values
     QString note;                    ///< why something is missing
     std::vector<QStaticText> titles; ///< variants of the title, the longest first
+    std::size_t title = 0;           ///< the variant that is drawn
 };
 
 /// A value read off a curve.
@@ -161,6 +162,7 @@ private:
     void setTimeScale();
     void setValueScale(std::size_t index);
     QStringList titles(std::size_t index) const;
+    void chooseTitles();
     void placeLegend();
     QPen addCurve(const Plot &plot, const PlotCurve &curve);
     void draw(QCPPainter *painter) override;

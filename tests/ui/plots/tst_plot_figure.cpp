@@ -212,11 +212,28 @@ private slots:
     void shorterTitlesFirstDropTheExplanationThenTheSymbol()
     {
         PlotFigure &figure = figureOf({});
-        QCOMPARE(plotOf(figure, 3).titles,
-                 (QStringList{"coupler angular velocity ω³ = dθ³/dt [°/s]", "coupler angular velocity ω³ [°/s]",
-                              "coupler angular velocity [°/s]", "velocity [°/s]"}));
-        QVERIFY(plotOf(figure, 7).titles.first().startsWith("slider acceleration a⁴ = dv⁴/dt"));
-        QCOMPARE(plotOf(figure, 0).titles.first(), "coupler angle θ³ [°]");
+        QStringList titles;
+        for (const QStaticText &title : plotOf(figure, 3).titles) {
+            titles << title.text();
+        }
+        QCOMPARE(titles, (QStringList{"coupler angular velocity ω³ = dθ³/dt [°/s]", "coupler angular velocity ω³ [°/s]",
+                                      "coupler angular velocity [°/s]", "velocity [°/s]"}));
+        QVERIFY(plotOf(figure, 7).titles.front().text().startsWith("slider acceleration a⁴ = dv⁴/dt"));
+        QCOMPARE(plotOf(figure, 0).titles.front().text(), "coupler angle θ³ [°]");
+    }
+
+    /// A former defect: "velocity [°/s]" beside "slider velocity v⁴ [mm/s]".
+    void theTitlesOfARowAreShortenedAlike()
+    {
+        PlotFigure &figure = figureOf({});
+        QVERIFY(plotOf(figure, 3).titles[2].size().width() > plotOf(figure, 4).titles[2].size().width());
+        for (int width = 1200; width > 300; width -= 50) {
+            figure.compose({{0, 1, 3, 4, 6, 7}, QFont(), QPalette()}, {width, 600});
+            for (const std::size_t plot : {0U, 3U, 6U}) {
+                QCOMPARE(figure.shownPlot(plot).title, figure.shownPlot(plot + 1).title);
+            }
+        }
+        QCOMPARE(figure.shownPlot(3).title, std::size_t(3));
     }
 
     void withAFileValuesAreReadAtItsTimeStamps()

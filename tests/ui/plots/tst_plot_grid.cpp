@@ -137,7 +137,7 @@ private slots:
             const SeriesColours colours = seriesColours(paletteFor(theme));
             for (const QString &name : PlotGrid::plotNames()) {
                 const bool isError = name.contains("error");
-                const QImage image = shown.pane(name).grab().toImage();
+                const QImage image = shown.grid.grab(shown.pane(name).geometry()).toImage();
                 QVERIFY2(pixelsLike(image, isError ? colours.errorOther : colours.model) > 50, qPrintable(name));
                 QVERIFY2(pixelsLike(image, isError ? colours.error : colours.reference) > 50, qPrintable(name));
                 QCOMPARE(image.pixelColor(1, 1), colours.background);
