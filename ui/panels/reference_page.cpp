@@ -61,16 +61,24 @@ public:
         return row;
     }
 
+    /// Returns a table without rows; the columns have these headings, and in CSV these names.
+    static PageTable textTable(const QString &name, const QString &title, const QStringList &headings,
+                               const QStringList &csvNames)
+    {
+        PageTable table{name, title, {}};
+        for (qsizetype i = 0; i < headings.size(); ++i) {
+            table.columns.push_back({headings[i], {}, csvNames[i], false});
+        }
+        return table;
+    }
+
     static PageTable columnTable(const ReferenceData &data)
     {
-        PageTable table{"columnTable",
-                        tr("Columns of the file, a row for each"),
-                        {{tr("heading"), {}, "heading", false},
-                         {tr("unit"), {}, "unit", false},
-                         {tr("read as"), {}, "read_as", false},
-                         {tr("rounded to"), tr("Inferred from all values of the column"), "rounded_to", false},
-                         {tr("values"), {}, "values", false},
-                         {tr("why"), {}, "why", false}}};
+        PageTable table =
+            textTable("columnTable", tr("Columns of the file, a row for each"),
+                      {tr("heading"), tr("unit"), tr("read as"), tr("rounded to"), tr("values"), tr("why")},
+                      {"heading", "unit", "read_as", "rounded_to", "values", "why"});
+        table.columns[3].explanation = tr("Inferred from all values of the column");
         const FileLayout &layout = data.layout;
         for (std::size_t i = 0; i < layout.columns.size(); ++i) {
             if (!layout.files.empty() && (i == 0 || layout.columns[i].file != layout.columns[i - 1].file)) {
@@ -86,12 +94,9 @@ public:
 
     static PageTable skippedTable(const ReferenceData &data)
     {
-        PageTable table{"skippedTable",
-                        tr("Rows of the file that were skipped"),
-                        {{tr("skipped line"), {}, "line", false},
-                         {tr("column"), {}, "column", false},
-                         {tr("text"), {}, "text", false},
-                         {tr("why"), {}, "why", false}}};
+        PageTable table =
+            textTable("skippedTable", tr("Rows of the file that were skipped"),
+                      {tr("skipped line"), tr("column"), tr("text"), tr("why")}, {"line", "column", "text", "why"});
         for (const SkippedRow &row : data.skipped) {
             table.rows.push_back(
                 textRow({lineText(data.layout, row), row.column == 0 ? QString() : QString::number(row.column),
