@@ -110,9 +110,9 @@ void TablePanel::fill()
     m_stale = false;
     m_pause.start();
     const Page page = m_makePage();
-    m_sentence->setText(page.sentence);
+    m_sentence->setText(withUnbrokenUnits(page.sentence));
     setInk(*m_sentence, toneColour(page.tone, palette()));
-    m_note->setText(page.note);
+    m_note->setText(withUnbrokenUnits(page.note));
     m_note->setVisible(!page.note.isEmpty());
     m_chart->setVisible(page.chart.has_value());
     if (page.chart) {

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/paragraph.h"
 
+#include <QRegularExpression>
+
 namespace slidercrank
 {
 
+QString withUnbrokenUnits(QString text)
+{
+    return text.replace(QRegularExpression("(?<=\\d) (?=%|°|mm|rad|s\\b)"), "\u00a0");
+}
+
 QLabel *plainText(const QString &text)
 {
-    auto *paragraph = new QLabel(text);
+    auto *paragraph = new QLabel(withUnbrokenUnits(text));
     paragraph->setWordWrap(true);
     QSizePolicy policy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     policy.setHeightForWidth(true);

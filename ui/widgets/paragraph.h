@@ -6,6 +6,9 @@
 namespace slidercrank
 {
 
+/// Returns the text with no-break spaces between numbers and their units.
+QString withUnbrokenUnits(QString text);
+
 /// Creates a paragraph of plain text that can be selected and copied. A word longer than a line, such as a file name,
 /// is cut off instead of widening the window.
 QLabel *plainText(const QString &text = {});

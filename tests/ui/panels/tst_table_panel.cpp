@@ -67,7 +67,7 @@ struct ShownTable {
 Page pageWith(const std::vector<double> &numbers)
 {
     Page page;
-    page.sentence = "A sentence.";
+    page.sentence = "15.4 % of 3 mm, 2 of 6.";
     page.tables = {tableOf("table", numbers)};
     return page;
 }
@@ -82,7 +82,7 @@ private slots:
     void showsTheSentenceAndTheTablesOfThePage()
     {
         ShownTable shown(pageWith({1.0, 2.5}));
-        QCOMPARE(child<QLabel>(shown.panel, "panelSentence")->text(), "A sentence.");
+        QCOMPARE(child<QLabel>(shown.panel, "panelSentence")->text(), "15.4\u00a0% of 3\u00a0mm, 2 of 6.");
         QCOMPARE(shown.text(1), "2.5");
         Page other;
         other.tables = {tableOf("other", {1.0})};

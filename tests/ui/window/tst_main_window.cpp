@@ -115,7 +115,7 @@ private slots:
         QVERIFY(part<QTabBar>("tabBar")->tabText(1).contains("✗"));
         QCOMPARE(part<QTableView>("errorTable")->model()->rowCount(), 6);
         const QString sentence = child<QLabel>(*part("errorPanel"), "findingLabel")->text();
-        QVERIFY2(sentence.contains("60") && sentence.contains("65 mm"), qPrintable(sentence));
+        QVERIFY2(sentence.contains("60") && sentence.contains("65\u00a0mm"), qPrintable(sentence));
         click("remedyButton");
         QVERIFY(std::abs(session().parameters().b - 60.0) < 1e-5);
         QVERIFY(std::ranges::count(session().result()->comparison, Verdict::Agrees, &ChannelComparison::verdict) == 6);
@@ -233,7 +233,7 @@ private slots:
             QCOMPARE(picture("mechanismView") == ghost, isShown);
         }
         showTab(1);
-        QVERIFY(part<QLabel>("errorPanelSentence")->text().contains("b = 65 mm"));
+        QVERIFY(part<QLabel>("errorPanelSentence")->text().contains("b = 65\u00a0mm"));
         QVERIFY(!isBlank(picture("plot_error_velocity")));
         press(Qt::Key_K, Qt::ControlModifier | Qt::ShiftModifier);
         QVERIFY(session().pinned().empty() && picture("plot_R4_x") != both && picture("mechanismView") != ghost);
