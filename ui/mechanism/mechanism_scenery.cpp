@@ -63,7 +63,10 @@ void MechanismSketch::addGrid()
             addNumber({x, size.height()}, text);
         }
     }
-    const double top = cornerLineCount() > 0 ? cornerLineTop(cornerLineCount()) : 0.0;
+    // The offset's dimension, with its letter on the left, may lie over the left edge.
+    const MechanismSettings &settings = m_scene->settings;
+    const bool isCovered = settings.dimensions && offsetDimension().x1() < 2.0 * corner.right();
+    const double top = isCovered ? corner.top() : cornerLineTop(cornerLineCount() + 2 * int(settings.instantCentre));
     for (double i = std::ceil(shown.top() / step); i <= std::floor(shown.bottom() / step); i += 1.0) {
         const double y = std::floor(toPixels({0.0, i * step}).y());
         m_grid << QRectF(0.0, y, size.width(), 1.0);

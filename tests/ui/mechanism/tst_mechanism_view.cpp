@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/pixels.h"
 #include "tests/support/suite.h"
 #include "tests/support/text_recorder.h"
 #include "tests/support/waiting.h"
@@ -80,12 +81,13 @@ struct Bench {
     }
 };
 
-/// The drawing in a view of 800 × 600 pixels.
+/// The drawing in a view of that size.
 struct Drawn {
     MechanismScene scene;
     std::unique_ptr<MechanismSketch> sketch;
 
-    explicit Drawn(const Parameters &parameters, double time, const MechanismSettings &settings = {})
+    explicit Drawn(const Parameters &parameters, double time, const MechanismSettings &settings = {},
+                   const QSizeF &size = {800.0, 600.0})
     {
         Session session;
         session.setParameters(parameters);
@@ -94,8 +96,7 @@ struct Drawn {
         scene.settings = settings;
         MechanismFrame frame;
         frame.fit(motionBounds(scene.mechanism(), scene.result->limits));
-        sketch = std::make_unique<MechanismSketch>(scene, frame.projection({800.0, 600.0}), paletteFor(Theme::Light),
-                                                   QFont());
+        sketch = std::make_unique<MechanismSketch>(scene, frame.projection(size), paletteFor(Theme::Light), QFont());
         sketch->addScenery();
         sketch->addLinkage();
     }
@@ -108,17 +109,6 @@ struct Drawn {
         return found == sketch->labels().end() ? QRectF() : found->box;
     }
 };
-
-int countPixels(const QImage &image, const QColor &colour)
-{
-    int count = 0;
-    for (int y = 0; y < image.height(); ++y) {
-        for (int x = 0; x < image.width(); ++x) {
-            count += image.pixelColor(x, y) == colour ? 1 : 0;
-        }
-    }
-    return count;
-}
 
 } // namespace
 
@@ -455,6 +445,20 @@ private slots:
             }
         }
         QCOMPARE(overlaps, 0);
+    }
+
+    /// A former defect: in a window of 800×600 the numbers of the grid lay below other texts.
+    void gridNumbersKeepClearOfOtherTexts()
+    {
+        for (int i = 0; i < 10; ++i) {
+            const Drawn drawn({}, i / 10.0, {true, true, true, true, true, true, true}, {331.0, 330.0});
+            for (const QString number : {"−40", "−20", "0", "20", "40"}) {
+                const QRectF box = drawn.label(number);
+                for (const Label &label : drawn.sketch->labels()) {
+                    QVERIFY2(label.box == box || !label.box.intersects(box), qPrintable(label.text));
+                }
+            }
+        }
     }
 
     void showsTheGhostWithinTheView()
