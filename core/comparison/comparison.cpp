@@ -218,9 +218,11 @@ std::vector<ChannelComparison> compare(const Mechanism &mechanism, const Traject
         result.size(), [&](std::size_t i) { result[i] = comparisonOf(i); }, isLong);
 
     // Time stamps that do not show it may nevertheless have been rounded. The effect must be small compared with the
-    // motion, and with evenly spaced time stamps the best verdict is `close`.
+    // motion, and with evenly spaced time stamps the best verdict is `close`. It lowers no excess by more than
+    // kExcessOfCloseness.
     const auto mayRise = [&](const ChannelComparison &channel) {
-        return channel.verdict == Verdict::Differs || (channel.verdict == Verdict::Close && !clock.even);
+        return channel.excess <= 2.0 * kExcessOfCloseness &&
+               (channel.verdict == Verdict::Differs || (channel.verdict == Verdict::Close && !clock.even));
     };
     if (clock.rounded || std::ranges::none_of(result, mayRise)) {
         return result;
