@@ -224,7 +224,7 @@ StudyResult runStudy(const StudyRequest &request, std::stop_token stop, const st
     double done = 0.0; // cases; the error against the cost counts as one, too
     const auto reach = [&](double ofNext) {
         if (progress) {
-            progress(std::min(1.0, (done + ofNext) / (static_cast<double>(request.cases.size()) + 1.0)));
+            progress((done + ofNext) / (static_cast<double>(request.cases.size()) + 1.0));
         }
     };
     for (const Case &which : request.cases) {
