@@ -8,6 +8,7 @@
 #include "core/import/reference_data.h"
 #include "core/mechanism/mechanism.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -101,6 +102,12 @@ ReferenceData printedData(const Parameters &parameters, const Printing &printing
 inline ReferenceData printedData(const Parameters &parameters, const Printing &printing = {})
 {
     return printedData(parameters, printing, [](int, std::size_t) { return false; });
+}
+
+/// Returns the column of a channel that the data contain.
+inline std::vector<double> &valuesOf(ReferenceData &data, Channel channel)
+{
+    return std::ranges::find(data.series, channel, &ReferenceSeries::channel)->values;
 }
 
 } // namespace slidercrank

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/comparison/comparison.h"
+#include "tests/support/files.h"
 #include "tests/support/suite.h"
 
 #include <QFile>
@@ -49,9 +50,7 @@ SolverSettings byMethod(Method method)
 
 std::vector<ChannelComparison> compareFile(const QString &path, double b, Method method)
 {
-    QFile file(path);
-    const QByteArray bytes = file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-    const auto outcome = readReferenceData({bytes.constData(), static_cast<std::size_t>(bytes.size())});
+    const auto outcome = readReferenceData(contentOf(path).toStdString());
     const ReferenceData *data = std::get_if<ReferenceData>(&outcome);
     const Mechanism mechanism({.b = b});
     return data ? compare(mechanism, sample(mechanism, data->time, plottedChannels(), byMethod(method)), *data)

@@ -55,11 +55,6 @@ ReferenceData motionOf(const Parameters &p, RandomMechanisms &random, const std:
     return printedData(p, printing);
 }
 
-std::vector<double> &valuesOf(ReferenceData &data, Channel channel)
-{
-    return std::ranges::find(data.series, channel, &ReferenceSeries::channel)->values;
-}
-
 using Spoiling = std::function<void(std::vector<double> &, RandomMechanisms &)>;
 
 /// A fault of a file and the convention that must be found.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/diagnosis.h"
 
+#include "tests/support/files.h"
 #include "tests/support/long_tests.h"
 #include "tests/support/printed_motion.h"
 #include "tests/support/random_mechanisms.h"
@@ -100,11 +101,6 @@ Identification identified(const ReferenceData &data, const Parameters &given = {
     return diagnose(data, Mechanism(given)).identification;
 }
 
-std::vector<double> &valuesOf(ReferenceData &data, Channel channel)
-{
-    return std::ranges::find(data.series, channel, &ReferenceSeries::channel)->values;
-}
-
 constexpr Channel kX{R4x, Order::Position};
 constexpr Channel kXDot{R4x, Order::Velocity};
 constexpr Channel kTheta{Theta3, Order::Position};
@@ -118,12 +114,11 @@ class TestIdentification : public QObject
 private slots:
     void findsTheMechanismOfTheReferenceReport()
     {
-        QFile file(qEnvironmentVariable("SLIDERCRANK_REFERENCE_FILE"));
-        if (!file.open(QIODevice::ReadOnly)) {
+        const QByteArray bytes = contentOf(qEnvironmentVariable("SLIDERCRANK_REFERENCE_FILE"));
+        if (bytes.isEmpty()) {
             QSKIP("The reference report's file is not here.");
         }
-        const QByteArray bytes = file.readAll();
-        const auto outcome = readReferenceData({bytes.constData(), static_cast<std::size_t>(bytes.size())});
+        const auto outcome = readReferenceData(bytes.toStdString());
         const ReferenceData &data = std::get<ReferenceData>(outcome);
         const Diagnosis found = diagnose(data, Mechanism());
         const Identification &result = found.identification;
