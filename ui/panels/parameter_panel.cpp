@@ -15,7 +15,6 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QPainter>
-#include <QStyleOptionSlider>
 #include <QToolButton>
 
 #include <algorithm>
@@ -71,9 +70,7 @@ protected:
     {
         constexpr float kOpacity = 0.3F; // the groove and the handle remain visible
         constexpr double kBand = 12.0;   // px high
-        QStyleOptionSlider option;
-        initStyleOption(&option);
-        const QRect handle = style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, this);
+        const QRect handle = this->handle();
         const double lowest = numberAt(minimum());
         const double highest = numberAt(maximum());
         const auto pixel = [&](double number) {

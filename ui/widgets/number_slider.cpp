@@ -88,12 +88,16 @@ int NumberSlider::positionOf(double number) const
     return static_cast<int>(std::lround(std::clamp(position, -kFarthest, kFarthest)));
 }
 
-void NumberSlider::mousePressEvent(QMouseEvent *event)
+QRect NumberSlider::handle() const
 {
     QStyleOptionSlider option;
     initStyleOption(&option);
-    const QRect handle = style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, this);
-    if (event->button() != Qt::LeftButton || handle.contains(event->position().toPoint())) {
+    return style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, this);
+}
+
+void NumberSlider::mousePressEvent(QMouseEvent *event)
+{
+    if (event->button() != Qt::LeftButton || handle().contains(event->position().toPoint())) {
         QSlider::mousePressEvent(event);
         return;
     }

@@ -35,6 +35,7 @@ public:
     QString valueText() const;
 
 protected:
+    QRect handle() const;                              ///< px
     void mousePressEvent(QMouseEvent *event) override; ///< a click in the groove moves the handle there
 
 private:
