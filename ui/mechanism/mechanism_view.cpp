@@ -127,10 +127,8 @@ void MechanismView::setZoom(const std::optional<QRectF> &zoom)
 
 void MechanismView::fit()
 {
-    if (m_scene.result) {
-        setZoom({});
-        fitFrame();
-    }
+    setZoom({});
+    fitFrame();
 }
 
 void MechanismView::zoomBy(double steps, QPointF pixel)
@@ -205,10 +203,8 @@ void MechanismView::setPose(const Pose &pose)
 
 void MechanismView::setGhost(const ReferencePose &ghost)
 {
-    if (ghost.exists || m_scene.ghost.exists) {
-        m_scene.ghost = ghost;
-        update();
-    }
+    m_scene.ghost = ghost;
+    update();
 }
 
 void MechanismView::setGhostBounds(const QRectF &ghostBounds)
@@ -216,11 +212,8 @@ void MechanismView::setGhostBounds(const QRectF &ghostBounds)
     if (ghostBounds != m_ghostBounds) {
         m_ghostBounds = ghostBounds;
         if (m_scene.result) {
-            const QRectF before = m_frame.fitted();
             m_frame.follow(bounds());
-            if (m_frame.fitted() != before) {
-                refresh();
-            }
+            refresh();
         }
     }
 }
@@ -301,9 +294,7 @@ void MechanismView::paintEvent(QPaintEvent *)
         paintScenery(painter);
     } else {
         if (m_sceneryPicture.isNull() || m_sceneryPicture.devicePixelRatio() != ratio) {
-            // The size is rounded up, so that at a ratio of 1.5 the last half pixel is painted, too.
-            m_sceneryPicture =
-                QPixmap(static_cast<int>(std::ceil(width() * ratio)), static_cast<int>(std::ceil(height() * ratio)));
+            m_sceneryPicture = QPixmap((size() + QSize(1, 1)) * ratio); // at a ratio of 1.5 with the last half pixel
             m_sceneryPicture.setDevicePixelRatio(ratio);
             QPainter picturePainter(&m_sceneryPicture);
             paintScenery(picturePainter);
@@ -331,9 +322,10 @@ void MechanismView::paintMechanism(QPainter &painter, const QSize &size, const Q
     MechanismSketch sketch = newSketch(size, palette);
     sketch.addScenery();
     sketch.addLinkage();
+    const QRect area(QPoint(), size);
     painter.save();
-    painter.setClipRect(QRect(QPoint(0, 0), size), Qt::IntersectClip);
-    painter.fillRect(QRect(QPoint(0, 0), size), sketch.colours().background);
+    painter.setClipRect(area, Qt::IntersectClip);
+    painter.fillRect(area, sketch.colours().background);
     painter.scale(magnification(), magnification());
     sketch.paint(painter);
     painter.restore();

@@ -44,12 +44,7 @@ DesignForm::DesignForm(Session *session, QWidget *parent)
     connect(m_ratio, &QSlider::sliderPressed, session, &Session::beginDrag);
     connect(m_ratio, &QSlider::sliderReleased, session, &Session::endDrag);
     connect(m_best, &QToolButton::clicked, this, [this] { requestDesign(m_wanted); });
-    connect(session, &Session::parametersChanged, this, [this] {
-        if (isVisible()) {
-            showParameters();
-        }
-    });
-    showParameters();
+    connect(session, &Session::parametersChanged, this, &DesignForm::showParameters);
 }
 
 void DesignForm::showEvent(QShowEvent *event)
@@ -99,6 +94,9 @@ void DesignForm::createControls()
 
 void DesignForm::showParameters()
 {
+    if (!isVisible()) {
+        return;
+    }
     const MotionLimits limits = motionLimits(Mechanism(m_session->parameters()));
     if (m_session->parameters() != m_parameters || m_wanted.stroke == 0.0) { // otherwise the request is unchanged and
         m_parameters = m_session->parameters();                              // free of rounding errors
