@@ -182,12 +182,12 @@ std::optional<QString> draw(const RenderRequest &request, const std::shared_ptr<
     };
     const auto write = [&](const FigureDrawing &drawing) {
         return exportFigure(request.output, request.animation.size, CommandLine::tr("Motion of an offset slider-crank"),
-                            drawing);
+                            withParameters(drawing, result->mechanism, palette));
     };
     switch (request.subject) {
     case Subject::Figure:
     case Subject::Plot: return write(drawFigure);
-    case Subject::Mechanism: return write(withParameters(drawMechanism, result->mechanism, palette));
+    case Subject::Mechanism: return write(drawMechanism);
     case Subject::Frames:
         return exportAnimation(request.output, request.animation, drawFrame, [](int) { return true; });
     case Subject::Report: return exportReport(request.output, content, drawMechanism, drawFigure);

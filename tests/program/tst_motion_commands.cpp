@@ -303,6 +303,10 @@ private slots:
         run({"render", "--what", "mechanism", "-o", path("other.svg"), "--at", "0.3"});
         QCOMPARE(contentOf(path("at.svg")), contentOf(path("same.svg")));
         QVERIFY(contentOf(path("at.svg")) != contentOf(path("other.svg")));
+        run({"render", "--b", "70", "-o", path("figure.svg")});
+        for (const char *name : {"at.svg", "figure.svg"}) {
+            QVERIFY(contentOf(path(name)).contains("a = 20 mm"));
+        }
     }
 
     void rendersFrames()

@@ -96,7 +96,8 @@ void Chart::fill(const QSize &size, const QPalette &palette)
 {
     const SeriesColours colours = seriesColours(palette);
     m_drawing = std::make_unique<PlotDrawing>();
-    m_drawing->setStyle(PlotFonts(font()), colours);
+    const PlotFonts fonts(font());
+    m_drawing->setStyle(fonts, colours);
     m_drawing->layOut(size);
     setAxis(*m_drawing->xAxis, m_content.x, m_drawing->axisRect()->width(), 44);
     setAxis(*m_drawing->yAxis, m_content.y, m_drawing->axisRect()->height(), 22);
@@ -108,6 +109,10 @@ void Chart::fill(const QSize &size, const QPalette &palette)
     }
     constexpr int kWidthOfAxes = 200; // px, at least
     QCPLegend *legend = m_drawing->legend;
+    legend->setFont(fonts.tick);
+    legend->setTextColor(colours.text);
+    legend->setBrush(Qt::NoBrush);
+    legend->setBorderPen(Qt::NoPen);
     const QSize needed = legend->minimumOuterSizeHint();
     const auto fits = [&needed](const QSize &space) { return needed.boundedTo(space) == needed; };
     const bool isBeside = fits(size - QSize(kWidthOfAxes, 0)); // otherwise the legend lies over the axes

@@ -35,7 +35,6 @@ protected:
         qsizetype dash = 0; // odd in a gap between two dashes
         double left = dashes[0] * pen.widthF();
         QVector<QLineF> segments;
-        segments.reserve(points.size());
         for (qsizetype i = 1; i < points.size(); ++i) {
             const QLineF line(points[i - 1], points[i]);
             const double length = line.length();
@@ -157,10 +156,6 @@ void PlotDrawing::setStyle(const PlotFonts &fonts, const SeriesColours &colours)
             axis->grid()->setZeroLinePen(axis->orientation() == Qt::Vertical ? QPen(frame, 1) : QPen(colours.grid, 1));
         }
     }
-    legend->setFont(fonts.tick);
-    legend->setTextColor(colours.text);
-    legend->setBrush(Qt::NoBrush);
-    legend->setBorderPen(Qt::NoPen);
 }
 
 QCPGraph *PlotDrawing::addCurve(QCPAxisRect *axes, std::span<const CurvePoint> points)

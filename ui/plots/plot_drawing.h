@@ -49,14 +49,14 @@ public:
     /// Lays out all elements for that size; axis rectangles and their coordinates are valid afterwards.
     void layOut(const QSize &size);
 
-    /// Draws everything on a pixmap or, in its paint event, a widget, and caches the labels. Requires the device to have
-    /// the size of the layout.
+    /// Draws everything on a pixmap or, in its paint event, a widget, and caches the labels. Requires the device to
+    /// have the size of the layout.
     void drawInto(QPaintDevice &device);
 
     /// Draws everything with its background, laid out for that size.
     void paint(QPainter &painter, const QSize &size);
 
-    /// Sets the colours and fonts of the axes, the grid and the legend.
+    /// Sets the colours and fonts of the axes and the grid.
     void setStyle(const PlotFonts &fonts, const SeriesColours &colours);
 
     QCPGraph *addCurve(QCPAxisRect *axes, std::span<const CurvePoint> points);

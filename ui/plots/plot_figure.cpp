@@ -17,15 +17,12 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kNoStretch = 1e-3;
-constexpr int kTickLength = 3;       // px
-constexpr int kLabelGap = 4;         // px between a tick and its label
-constexpr double kLegendLine = 28.0; // px
-constexpr double kLegendGap = 7.0;   // px between a line and its name
+constexpr int kTickLength = 3; // px
+constexpr int kLabelGap = 4;   // px between a tick and its label
 
 int lineHeight(const QFont &font)
 {
-    return static_cast<int>(std::ceil(QFontMetricsF(font).height()));
+    return QFontMetrics(font).height();
 }
 
 /// Clips the curve to the axes and removes the points that make no visible difference.
@@ -50,21 +47,11 @@ void fit(PlotCurve &curve, const Interval &time, const Interval &values, int hei
 
 PlotFigure::PlotFigure()
     : m_fonts(QFont())
-    , m_grid(new QCPLayoutGrid)
-    , m_footer(new QCPTextElement(this))
     , m_margins(new QCPMarginGroup(this))
     , m_timeTicker(new NumberTicker)
 {
-    axisRect()->insetLayout()->take(legend); // not used: this class draws its own
-    plotLayout()->clear();
     plotLayout()->setRowSpacing(0);
-    plotLayout()->addElement(0, 0, m_grid);
-    plotLayout()->addElement(1, 0, m_footer);
-    plotLayout()->setRowStretchFactors({1.0, kNoStretch});
-    m_footer->setTextFlags(Qt::AlignLeft);
-    m_footer->setMargins(QMargins(12, 0, 12, 4));
-    m_grid->setRowSpacing(0);
-    m_grid->setColumnSpacing(0);
+    plotLayout()->setColumnSpacing(0);
 }
 
 void PlotFigure::applyStyle(const PlotStyle &style)
@@ -73,7 +60,7 @@ void PlotFigure::applyStyle(const PlotStyle &style)
     m_fonts = PlotFonts(style.font);
     m_colours = seriesColours(style.palette);
     clearGraphs();
-    m_grid->clear();
+    plotLayout()->clear();
     m_plots = {};
     const int line = lineHeight(m_fonts.tick);
     for (const std::size_t index : style.plots) {
@@ -86,7 +73,8 @@ void PlotFigure::applyStyle(const PlotStyle &style)
         plot.axes->setMargins(QMargins(0, lineHeight(m_fonts.title) + kLabelGap, 0, line));
         plot.axes->setAutoMargins(QCP::msLeft | QCP::msRight);
         const std::size_t place = style.plots.size() == 1 ? 0 : index;
-        m_grid->addElement(static_cast<int>(place / kPlotColumns), static_cast<int>(place % kPlotColumns), plot.axes);
+        plotLayout()->addElement(static_cast<int>(place / kPlotColumns), static_cast<int>(place % kPlotColumns),
+                                 plot.axes);
         plot.ticker.reset(new NumberTicker);
         for (const QString &title : titles(index)) {
             plot.titles.emplace_back(title).prepare({}, m_fonts.title);
@@ -100,12 +88,9 @@ void PlotFigure::applyStyle(const PlotStyle &style)
         }
     }
     setStyle(m_fonts, m_colours);
-    m_footer->setFont(m_fonts.tick);
-    m_footer->setTextColor(m_colours.text);
 }
 
-void PlotFigure::compose(PlotStyle style, const QSize &size, const std::optional<double> &markedTime,
-                         const QString &footer)
+void PlotFigure::compose(PlotStyle style, const QSize &size)
 {
     m_isStale = false;
     style.isOfFile = m_result->reference != nullptr;
@@ -113,18 +98,16 @@ void PlotFigure::compose(PlotStyle style, const QSize &size, const std::optional
     if (style != m_style) {
         applyStyle(style);
     }
-    m_footer->setText(footer);
-    m_footer->setVisible(!footer.isEmpty());
     const QCPAxisRect &axes = *m_plots[style.plots.front()].axes; // all have the same size
     QSize before;
     if (axes.size().isEmpty() || size != viewport().size()) {
         layOut(size);
-        m_legend.clear();
+        m_names.clear();
     }
     constexpr int kPasses = 4; // the labels and the legend change the size of the axes
     for (int pass = 0; pass < kPasses && axes.size() != before; ++pass) {
         before = axes.size();
-        fill(markedTime);
+        fill();
         layOut(size);
     }
     chooseTitles();
@@ -133,22 +116,25 @@ void PlotFigure::compose(PlotStyle style, const QSize &size, const std::optional
 /// Chooses the longest titles that fit, of the same length for both motions of a row.
 void PlotFigure::chooseTitles()
 {
+    const QCPAxisRect &axes = *m_plots[plots().front()].axes;
+    const int space = axes.outerRect().right() - axes.left();
     for (const std::size_t index : plots()) {
-        std::size_t &title = m_plots[index].title = 0;
-        const auto fits = [&](std::size_t other) {
+        Plot &plot = m_plots[index];
+        plot.title = 0;
+        for (const std::size_t other : plots()) {
             const bool isAlike =
                 other / kPlotColumns == index / kPlotColumns && isErrorPlot(other) == isErrorPlot(index);
-            const QCPAxisRect &axes = *m_plots[other].axes;
-            return !isAlike || m_plots[other].titles[title].size().width() <= axes.outerRect().right() - axes.left();
-        };
-        while (title + 1 < m_plots[index].titles.size() && !std::ranges::all_of(plots(), fits)) {
-            ++title;
+            while (isAlike && plot.title + 1 < plot.titles.size() &&
+                   m_plots[other].titles[plot.title].size().width() > space) {
+                ++plot.title;
+            }
         }
     }
 }
 
-void PlotFigure::fill(const std::optional<double> &markedTime)
+void PlotFigure::fill()
 {
+    constexpr int kPixelsPerTick = 30;
     clearGraphs();
     m_columns = static_cast<std::size_t>(std::max(1, m_plots[plots().front()].axes->width()));
     const Interval time = timeRange();
@@ -161,7 +147,7 @@ void PlotFigure::fill(const std::optional<double> &markedTime)
         m_errors.emplace(*m_result, m_settings, time, m_columns);
     }
     setTimeScale();
-    std::vector<LegendEntry> entries;
+    m_legend.clear();
     for (const std::size_t index : plots()) {
         Plot &plot = m_plots[index];
         plot.curves.clear();
@@ -175,47 +161,55 @@ void PlotFigure::fill(const std::optional<double> &markedTime)
             plot.note = tr("nothing to compare");
         }
         plot.values = plot.values && m_zoom.values[index] ? m_zoom.values[index] : plot.values;
-        setValueScale(index);
+        const Interval values = plot.values.value_or(Interval());
+        QCPAxis &axis = this->axis(index, QCPAxis::atLeft);
+        axis.setRange(values.lower, values.upper);
+        axis.setTickLabels(plot.values.has_value());
+        plot.ticker->isLogarithmic = isLogarithmic(index);
+        plot.ticker->setTickCount(std::max(2, plot.axes->height() / kPixelsPerTick));
         for (PlotCurve &curve : plot.curves) {
-            fit(curve, time, plot.values.value_or(Interval()), plot.axes->height());
+            fit(curve, time, values, plot.axes->height());
             const QPen pen = addCurve(plot, curve);
-            if (std::ranges::find(entries, curve.name, &LegendEntry::name) == entries.end()) {
-                entries.push_back({curve.name, pen});
+            if (std::ranges::none_of(m_legend, [&](const auto &entry) { return entry.first == curve.name; })) {
+                m_legend.emplace_back(curve.name, pen);
             }
         }
-        if (markedTime && time.contains(*markedTime) && plot.values) {
-            const std::array line{CurvePoint{*markedTime, plot.values->lower},
-                                  CurvePoint{*markedTime, plot.values->upper}};
-            PlotDrawing::addCurve(plot.axes, line)->setPen(QPen(m_colours.cursor, 1.0));
-        }
     }
-    if (entries != m_legend) {
-        m_legend = entries;
-        placeLegend();
-    }
+    m_legendSize = placeLegend();
+    plotLayout()->setMargins(QMargins(0, m_legendSize.height(), 0,
+                                      2 * lineHeight(m_fonts.tick) + kLabelGap)); // for the title of the time axis
 }
 
-/// Places as many entries side by side as fit above the plots.
-void PlotFigure::placeLegend()
+/// Places as many entries of the legend side by side as fit, draws them if there is a painter, and returns their size.
+QSize PlotFigure::placeLegend(QCPPainter *painter)
 {
-    constexpr double kApart = 12.0;       // px
-    constexpr double kLongestLess = 80.0; // px
-    const QFontMetricsF metrics(m_fonts.title);
-    const int line = lineHeight(m_fonts.title) + kLabelGap;
+    constexpr double kApart = 12.0; // px
+    constexpr double kLine = 28.0;
+    constexpr double kGap = 7.0; // between a line and its name
+    constexpr double kAround = 80.0;
+    const int width = viewport().width();
+    const int height = lineHeight(m_fonts.title);
     QPointF place(kApart, 6.0);
-    for (LegendEntry &entry : m_legend) {
-        entry.text = QStaticText(metrics.elidedText(entry.name, Qt::ElideMiddle, viewport().width() - kLongestLess));
-        entry.text.prepare({}, m_fonts.title);
-        const double length = kLegendLine + kLegendGap + entry.text.size().width();
-        if (place.x() > kApart && place.x() + length > viewport().width()) {
-            place = {kApart, place.y() + line};
+    for (const auto &[name, pen] : m_legend) {
+        QStaticText &text = m_names[name];
+        if (text.text().isEmpty()) {
+            text.setText(QFontMetricsF(m_fonts.title).elidedText(name, Qt::ElideMiddle, width - kAround));
+            text.prepare({}, m_fonts.title);
         }
-        entry.place = place;
+        const double length = kLine + kGap + text.size().width();
+        if (place.x() > kApart && place.x() + length > width) {
+            place = {kApart, place.y() + height + kLabelGap};
+        }
+        if (painter) {
+            painter->setAntialiasing(true);
+            painter->setPen(pen);
+            painter->drawLine(QLineF(0.0, 0.0, kLine, 0.0).translated(place + QPointF(0.0, height / 2)));
+            painter->setPen(m_colours.text);
+            painter->drawStaticText(place + QPointF(kLine + kGap, 0.0), text);
+        }
         place.rx() += length + kApart;
     }
-    m_legendSize = {static_cast<int>(place.x()), static_cast<int>(place.y()) + line};
-    m_grid->setMargins(QMargins(0, m_legendSize.height(), 0,
-                                lineHeight(m_fonts.tick) + 2 * kLabelGap)); // for the title of the time axis
+    return {static_cast<int>(place.x()), static_cast<int>(place.y()) + height + kLabelGap};
 }
 
 /// Chooses as many ticks as there is space for labels. Only the bottom row has labels.
@@ -223,13 +217,13 @@ void PlotFigure::setTimeScale()
 {
     constexpr double kLeast = 44.0; // px from tick to tick
     constexpr double kSpace = 14.0;
-    constexpr double kUsualDigits = 6.0; // of a value; the axes do not move until a label has more
-    const QFontMetricsF metrics(m_fonts.tick);
+    constexpr int kUsualDigits = 6; // of a value; the axes do not move until a label has more
+    const QFontMetrics metrics(m_fonts.tick);
     const Interval time = timeRange();
     m_timeTicker->perUnit = 1.0 / perSecond();
     m_timeTicker->isAngle = isOverAngle();
     m_timeTicker->setTickOrigin(zeroTime());
-    double labelWidth = 0.0;
+    int labelWidth = 0;
     const auto setDistance = [this](double pixels) {
         m_timeTicker->setTickCount(std::max(1, static_cast<int>(static_cast<double>(m_columns) / pixels)));
     };
@@ -242,28 +236,16 @@ void PlotFigure::setTimeScale()
     }
     setDistance(std::max(kLeast, labelWidth + kSpace));
     const QString title = isOverAngle() ? "θ₂ [°]" : "t [s]";
-    const double valueWidth = kUsualDigits * metrics.horizontalAdvance(u'0');
-    const QMargins least(static_cast<int>(valueWidth) + kTickLength + kLabelGap, 0, static_cast<int>(0.5 * labelWidth),
-                         0);
+    const int valueWidth = kUsualDigits * metrics.horizontalAdvance(u'0');
+    const QMargins least(valueWidth + kTickLength + kLabelGap, 0, labelWidth / 2, 0);
     for (const std::size_t index : plots()) {
-        const bool isBottom = static_cast<int>(index / kPlotColumns) + 1 >= m_grid->rowCount();
+        const bool isBottom = static_cast<int>(index / kPlotColumns) + 1 >= plotLayout()->rowCount();
         QCPAxis &axis = this->axis(index, QCPAxis::atBottom);
         axis.setRange(time.lower, time.upper);
         axis.setTickLabels(isBottom);
         axis.setLabel(isBottom ? title : QString());
         m_plots[index].axes->setMinimumMargins(least);
     }
-}
-
-void PlotFigure::setValueScale(std::size_t index)
-{
-    constexpr int kPixelsPerTick = 30;
-    Plot &plot = m_plots[index];
-    const Interval values = plot.values.value_or(Interval());
-    plot.ticker->isLogarithmic = isLogarithmic(index);
-    plot.ticker->setTickCount(std::max(2, plot.axes->height() / kPixelsPerTick));
-    axis(index, QCPAxis::atLeft).setRange(values.lower, values.upper);
-    axis(index, QCPAxis::atLeft).setTickLabels(plot.values.has_value());
 }
 
 /// Returns "coupler angular velocity ω³ = dθ³/dt [°/s]" or "error [% of peak]", and shorter variants.
@@ -278,18 +260,18 @@ QStringList PlotFigure::titles(std::size_t index) const
                                QStringLiteral("%1; %2").arg(unit, unitText({Coordinate::R4x, channel.order})),
                                tr("% of peak")};
         unit = units[static_cast<std::size_t>(m_style.error)];
-        titles << (m_style.isOfFile ? tr("error") : tr("difference")) << QString();
+        titles = {m_style.isOfFile ? tr("error") : tr("difference"), QString()};
     } else {
         const auto order = static_cast<std::size_t>(channel.order);
         const std::array shortNames{isAngle(channel.coordinate) ? tr("angle") : tr("position"), tr("velocity"),
                                     tr("acceleration")};
+        const QString name = quantityName(channel);
         const QString symbol = symbolText(channel);
+        titles = {name + u' ' + symbol, name, shortNames[order]};
         if (order > 0) {
             const QString integral = symbolText(Channel{channel.coordinate, static_cast<Order>(order - 1)});
-            titles << QStringLiteral("%1 %2 = d%3/dt").arg(quantityName(channel), symbol, integral);
+            titles.prepend(QStringLiteral("%1 = d%2/dt").arg(titles.front(), integral));
         }
-        titles << QStringLiteral("%1 %2").arg(quantityName(channel), symbol) << quantityName(channel)
-               << shortNames[order];
     }
     for (QString &title : titles) {
         title = QStringLiteral("%1 [%2]").arg(title, unit).trimmed();
@@ -312,7 +294,7 @@ QPen PlotFigure::addCurve(const Plot &plot, const PlotCurve &curve)
         dots->setLineStyle(QCPGraph::lsNone);
         dots->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, colour, size));
         if (curve.points.empty()) {
-            pen = QPen(colour, size, Qt::DotLine, Qt::RoundCap);
+            pen.setStyle(Qt::DotLine);
         }
     }
     return pen;
@@ -323,22 +305,19 @@ void PlotFigure::draw(QCPPainter *painter)
 {
     constexpr double kAboveAxes = 2.0; // px
     PlotDrawing::draw(painter);
-    const double titleHeight = QFontMetricsF(m_fonts.title).height();
+    const int titleHeight = lineHeight(m_fonts.title);
     painter->setFont(m_fonts.title);
-    for (const LegendEntry &entry : m_legend) {
-        painter->setAntialiasing(true);
-        painter->setPen(entry.pen);
-        const QPointF from = entry.place + QPointF(0.0, std::round(0.5 * titleHeight));
-        painter->drawLine(QLineF(from, from + QPointF(kLegendLine, 0.0)));
-        painter->setPen(m_colours.text);
-        painter->drawStaticText(entry.place + QPointF(kLegendLine + kLegendGap, 0.0), entry.text);
-    }
+    placeLegend(painter);
     painter->setPen(m_colours.text);
     for (const std::size_t index : plots()) {
         const Plot &plot = m_plots[index];
         const QRect axes = plot.axes->rect();
         painter->setFont(m_fonts.title);
         painter->drawStaticText(QPointF(axes.left(), axes.top() - kAboveAxes - titleHeight), plot.titles[plot.title]);
+        if (m_markedTime && timeRange().contains(*m_markedTime)) {
+            const double x = std::round(axis(index, QCPAxis::atBottom).coordToPixel(*m_markedTime));
+            painter->fillRect(QRectF(x, axes.top(), 1.0, axes.height()), m_colours.cursor);
+        }
         painter->setFont(m_fonts.tick);
         QRect note = painter->fontMetrics().boundingRect(plot.note);
         note.moveCenter({axes.center().x(), plot.values ? axes.top() + axes.height() / 10 : axes.center().y()});

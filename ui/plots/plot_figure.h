@@ -63,16 +63,6 @@ struct PlotReading {
     Ink ink = &SeriesColours::text;
 };
 
-/// An entry of the legend. The pens of entries with the same name look alike.
-struct LegendEntry {
-    QString name;
-    QPen pen;
-    QStaticText text = {}; ///< the name, shortened if it is too long
-    QPointF place = {};    ///< px
-
-    friend bool operator==(const LegendEntry &a, const LegendEntry &b) { return a.name == b.name && a.pen == b.pen; }
-};
-
 /// The plots that are shown, and their look.
 struct PlotStyle {
     std::vector<std::size_t> plots;
@@ -113,14 +103,14 @@ public:
     void zoomValues(std::size_t plot, const Interval &range);
     Interval timeRange() const { return m_zoom.time.value_or(sampledRange()); }
 
-    /// Lays out the plots for that size (px) and fills them. A marked time (s) is drawn as a line in each plot; the
-    /// footer is text below the plots.
-    void compose(PlotStyle style, const QSize &size, const std::optional<double> &markedTime = {},
-                 const QString &footer = {});
+    /// Draws a line at that time (s) in each plot.
+    void markTime(double seconds) { m_markedTime = seconds; }
+
+    /// Lays out the plots for that size (px) and fills them.
+    void compose(PlotStyle style, const QSize &size);
 
     const std::vector<std::size_t> &plots() const { return m_style.plots; }
     const Plot &shownPlot(std::size_t plot) const { return m_plots[plot]; }
-    const QSize &legendSize() const { return m_legendSize; }
     QCPAxis &axis(std::size_t plot, QCPAxis::AxisType type) const { return *m_plots[plot].axes->axis(type); }
 
     /// Returns the time nearest to t at which values can be read.
@@ -140,6 +130,7 @@ protected:
 
     PlotZoom m_zoom;
     bool m_isStale = true; ///< compose() has to be called
+    QSize m_legendSize;    ///< px
 
 private:
     Interval sampledRange() const;
@@ -158,18 +149,18 @@ private:
     QString missingErrors(std::size_t row) const;
 
     void applyStyle(const PlotStyle &style);
-    void fill(const std::optional<double> &markedTime);
+    void fill();
     void setTimeScale();
-    void setValueScale(std::size_t index);
     QStringList titles(std::size_t index) const;
     void chooseTitles();
-    void placeLegend();
+    QSize placeLegend(QCPPainter *painter = nullptr);
     QPen addCurve(const Plot &plot, const PlotCurve &curve);
     void draw(QCPPainter *painter) override;
 
     std::shared_ptr<const Result> m_result;
     PlotSettings m_settings;
     bool m_isPresentation = false;
+    std::optional<double> m_markedTime;  ///< s
     std::vector<MotionCurves> m_motions; ///< the pinned motions and, last, the model
 
     // These are computed for the time range and the pixels of the plots.
@@ -181,10 +172,8 @@ private:
     PlotStyle m_style;
     PlotFonts m_fonts;
     SeriesColours m_colours;
-    std::vector<LegendEntry> m_legend;
-    QSize m_legendSize;    ///< px
-    QCPLayoutGrid *m_grid; ///< the plots
-    QCPTextElement *m_footer;
+    std::vector<std::pair<QString, QPen>> m_legend;
+    QMap<QString, QStaticText> m_names; ///< in the legend, laid out
     QCPMarginGroup *m_margins;
     QSharedPointer<NumberTicker> m_timeTicker;
 };

@@ -136,22 +136,12 @@ void PlotGrid::refresh()
 {
     compose({plotsToShow(m_maximized), font(), palette()}, size());
     m_picture = QPixmap();
-    constexpr int kRounding = 3; // px that the columns may lack
     for (std::size_t index = 0; index < kPlotCount; ++index) {
         const Plot &plot = shownPlot(index);
         m_panes[index]->setVisible(plot.axes != nullptr);
         if (plot.axes) {
             m_panes[index]->setFont(PlotFonts(font()).tick);
-            // The panes cover all below the legend, so that the rest is one rectangle: where the region to paint has
-            // several, Qt starts threads to fill it, which costs far more.
-            QRect place = plot.axes->outerRect();
-            if (place.right() + kRounding >= width()) {
-                place.setRight(width() - 1);
-            }
-            if (axis(index, QCPAxis::atBottom).tickLabels()) {
-                place.setBottom(height() - 1); // with the title of the time axis
-            }
-            m_panes[index]->setGeometry(place);
+            m_panes[index]->setGeometry(plot.axes->outerRect());
             m_panes[index]->setAccessibleDescription(plot.titles.front().text() + ". " + plot.note);
             m_panes[index]->setAttribute(Qt::WA_OpaquePaintEvent, false); // the figure paints itself
         }
@@ -159,8 +149,8 @@ void PlotGrid::refresh()
     const bool isAlone = !result()->isCompared() && !m_maximized && !isPresentation();
     constexpr int kGap = 12;
     const int hintWidth = m_hint->sizeHint().width();
-    m_hint->setGeometry(width() - hintWidth - kGap, 0, hintWidth, legendSize().height());
-    m_hint->setVisible(isAlone && legendSize().width() < m_hint->x());
+    m_hint->setGeometry(width() - hintWidth - kGap, 0, hintWidth, m_legendSize.height());
+    m_hint->setVisible(isAlone && m_legendSize.width() < m_hint->x());
     placeCursors();
     update();
 }
@@ -249,7 +239,7 @@ void PlotGrid::paintFigure(QPainter &painter, const QString &name, const QSize &
 {
     const qsizetype index = plotNames().indexOf(name);
     const std::optional<std::size_t> plot = name.isEmpty() ? std::nullopt : std::optional<std::size_t>(index);
-    compose({plotsToShow(plot), font(), palette}, size, m_markedTime, mechanismText(result()->mechanism));
+    compose({plotsToShow(plot), font(), palette}, size);
     paint(painter, size);
     requestRefresh(); // restores the figure for the screen
 }

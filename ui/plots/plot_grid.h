@@ -37,11 +37,8 @@ public:
     static QStringList plotNames();
 
     /// Paints the plot of that name, or the whole figure if the name is empty, with the legend, at that logical size,
-    /// zoomed as on the screen, and with the mechanism's parameters below. The widget need not be visible.
+    /// zoomed as on the screen. The widget need not be visible.
     void paintFigure(QPainter &painter, const QString &plotName, const QSize &size, const QPalette &palette);
-
-    /// Draws a line at that time (s) in the figures that are painted from now on.
-    void markTime(double seconds) { m_markedTime = seconds; }
 
     /// Returns checkable actions for the settings of the plots, to be shown in menus.
     const QList<QAction *> &choices() const { return m_choices; }
@@ -103,8 +100,7 @@ private:
     std::optional<std::size_t> m_hovered; ///< the plot under the pointer
     double m_hoverTime = 0.0;             ///< s
     std::optional<double> m_time;         ///< s, the current time
-    std::optional<double> m_markedTime;
-    QRubberBand *m_rubberBand; ///< the box that a drag zooms into
+    QRubberBand *m_rubberBand;            ///< the box that a drag zooms into
 
     /// A mouse button that is held down over a plot.
     struct Drag {

@@ -48,9 +48,11 @@ FigureDrawing Exports::drawMechanism() const
 
 Exports::Picture Exports::plot(const QString &name) const
 {
-    const auto draw = [this, name](QPainter &painter, const QSize &size) {
-        m_views.plots->paintFigure(painter, name, size, paletteFor(Theme::Light));
+    const QPalette palette = paletteFor(Theme::Light);
+    const auto paint = [this, name, palette](QPainter &painter, const QSize &size) {
+        m_views.plots->paintFigure(painter, name, size, palette);
     };
+    const FigureDrawing draw = withParameters(paint, m_session->result()->mechanism, palette);
     return name.isEmpty() ? Picture{tr("figure"), m_views.plots->size(), draw} : Picture{name, kPlotSize, draw};
 }
 

@@ -268,6 +268,9 @@ private slots:
             QVERIFY2(contentOf(written).startsWith(row.beginning), row.written);
             QCOMPARE(QSettings().value("lastFolder").toString(), m_folder->path());
         }
+        for (const char *figure : {"new.svg", "mechanism.svg"}) {
+            QVERIFY(contentOf(path(figure)).contains("a = 20 mm"));
+        }
         action("Figure…")->trigger();
         QCOMPARE(dialog()->directory().path(), m_folder->path()); // the folder of the last saved file
     }

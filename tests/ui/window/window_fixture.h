@@ -114,7 +114,7 @@ protected:
     QImage picture(const QString &name) const
     {
         QCoreApplication::processEvents();
-        return part(name)->grab().toImage().convertToFormat(QImage::Format_RGB32);
+        return part(name)->parentWidget()->grab(part(name)->geometry()).toImage().convertToFormat(QImage::Format_RGB32);
     }
 
     void drop(const QStringList &paths) const
