@@ -302,10 +302,10 @@ void MechanismView::paintEvent(QPaintEvent *)
         painter.drawPixmap(0, 0, m_sceneryPicture);
         painter.scale(magnification(), magnification());
     }
-    const MechanismSketch linkage = this->linkage();
+    MechanismSketch linkage = this->linkage();
     linkage.paint(painter);
     const QColor colour = palette().color(QPalette::Highlight);
-    for (const MechanismSketch *sketch : {&std::as_const(m_scenery), &linkage}) {
+    for (const MechanismSketch *sketch : {&m_scenery, &linkage}) {
         sketch->paintHighlight(painter, m_pointed, colour);
         sketch->paintHighlight(painter, m_highlighted, sketch->colours().error);
     }

@@ -62,7 +62,6 @@ void PlotFigure::applyStyle(const PlotStyle &style)
     clearGraphs();
     plotLayout()->clear();
     m_plots = {};
-    const int line = lineHeight(m_fonts.tick);
     for (const std::size_t index : style.plots) {
         Plot &plot = m_plots[index];
         plot.axes = new QCPAxisRect(this, false);
@@ -70,7 +69,7 @@ void PlotFigure::applyStyle(const PlotStyle &style)
         plot.axes->addAxis(QCPAxis::atLeft);
         plot.axes->setMinimumSize(50, 20); // low enough for the legend to keep its height in a small window
         plot.axes->setMarginGroup(QCP::msLeft | QCP::msRight, m_margins);
-        plot.axes->setMargins(QMargins(0, lineHeight(m_fonts.title) + kLabelGap, 0, line));
+        plot.axes->setMargins(QMargins(0, lineHeight(m_fonts.title) + kLabelGap, 0, lineHeight(m_fonts.tick)));
         plot.axes->setAutoMargins(QCP::msLeft | QCP::msRight);
         const std::size_t place = style.plots.size() == 1 ? 0 : index;
         plotLayout()->addElement(static_cast<int>(place / kPlotColumns), static_cast<int>(place % kPlotColumns),
@@ -183,33 +182,33 @@ void PlotFigure::fill()
 /// Places as many entries of the legend side by side as fit, draws them if there is a painter, and returns their size.
 QSize PlotFigure::placeLegend(QCPPainter *painter)
 {
-    constexpr double kApart = 12.0; // px
-    constexpr double kLine = 28.0;
-    constexpr double kGap = 7.0; // between a line and its name
-    constexpr double kAround = 80.0;
+    constexpr int kApart = 12; // px
+    constexpr int kLine = 28;
+    constexpr int kGap = 7; // between a line and its name
+    constexpr int kAround = 80;
     const int width = viewport().width();
     const int height = lineHeight(m_fonts.title);
-    QPointF place(kApart, 6.0);
+    QPoint place(kApart, 6);
     for (const auto &[name, pen] : m_legend) {
         QStaticText &text = m_names[name];
         if (text.text().isEmpty()) {
-            text.setText(QFontMetricsF(m_fonts.title).elidedText(name, Qt::ElideMiddle, width - kAround));
+            text.setText(QFontMetrics(m_fonts.title).elidedText(name, Qt::ElideMiddle, width - kAround));
             text.prepare({}, m_fonts.title);
         }
-        const double length = kLine + kGap + text.size().width();
+        const int length = kLine + kGap + static_cast<int>(text.size().width());
         if (place.x() > kApart && place.x() + length > width) {
             place = {kApart, place.y() + height + kLabelGap};
         }
         if (painter) {
-            painter->setAntialiasing(true);
+            const QPoint from = place + QPoint(0, height / 2);
             painter->setPen(pen);
-            painter->drawLine(QLineF(0.0, 0.0, kLine, 0.0).translated(place + QPointF(0.0, height / 2)));
+            painter->drawLine(from, from + QPoint(kLine, 0));
             painter->setPen(m_colours.text);
-            painter->drawStaticText(place + QPointF(kLine + kGap, 0.0), text);
+            painter->drawStaticText(place + QPoint(kLine + kGap, 0), text);
         }
         place.rx() += length + kApart;
     }
-    return {static_cast<int>(place.x()), static_cast<int>(place.y()) + height + kLabelGap};
+    return {place.x(), place.y() + height + kLabelGap};
 }
 
 /// Chooses as many ticks as there is space for labels. Only the bottom row has labels.

@@ -126,7 +126,7 @@ public:
 protected:
     /// Requests a layout after a change of the data, the ranges or the style. Qt combines the requests of one pass of
     /// the event loop into one.
-    void requestRefresh();
+    virtual void requestRefresh();
 
     PlotZoom m_zoom;
     bool m_isStale = true; ///< compose() has to be called

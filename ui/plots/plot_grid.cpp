@@ -102,6 +102,15 @@ std::vector<std::size_t> PlotGrid::plotsToShow(const std::optional<std::size_t> 
     return plots;
 }
 
+/// From now on, the figure paints itself below the panes.
+void PlotGrid::requestRefresh()
+{
+    for (PlotPane *pane : m_panes) {
+        pane->setAttribute(Qt::WA_OpaquePaintEvent, false);
+    }
+    PlotFigure::requestRefresh();
+}
+
 bool PlotGrid::event(QEvent *event)
 {
     switch (event->type()) {
@@ -134,6 +143,7 @@ void PlotGrid::refreshIfStale()
 
 void PlotGrid::refresh()
 {
+    requestRefresh();
     compose({plotsToShow(m_maximized), font(), palette()}, size());
     m_picture = QPixmap();
     for (std::size_t index = 0; index < kPlotCount; ++index) {
@@ -143,7 +153,6 @@ void PlotGrid::refresh()
             m_panes[index]->setFont(PlotFonts(font()).tick);
             m_panes[index]->setGeometry(plot.axes->outerRect());
             m_panes[index]->setAccessibleDescription(plot.titles.front().text() + ". " + plot.note);
-            m_panes[index]->setAttribute(Qt::WA_OpaquePaintEvent, false); // the figure paints itself
         }
     }
     const bool isAlone = !result()->isCompared() && !m_maximized && !isPresentation();

@@ -60,6 +60,7 @@ signals:
     void settingsChanged(const slidercrank::PlotSettings &settings);
 
 protected:
+    void requestRefresh() override;
     bool event(QEvent *event) override;
     void paintEvent(QPaintEvent *event) override;
     void hideEvent(QHideEvent *event) override;

@@ -398,6 +398,16 @@ private slots:
         QVERIFY(std::abs(cells[1].toDouble() - positionsAt(0.25, 60.0)[1]) < 1e-12);
     }
 
+    void paintsANewResultAtOnceAfterACursorHasMoved()
+    {
+        ShownGrid shown;
+        shown.setTime(0.3);
+        shown.grid.setResult(resultOf({.model = withCoupler(70.0)}));
+        const QImage atOnce = shown.grid.grab().toImage();
+        settle();
+        QCOMPARE(atOnce, shown.grid.grab().toImage());
+    }
+
     void anExportedFigureLeavesTheScreenAsItWas()
     {
         ShownGrid shown({.reference = referenceOf(65.0)});
