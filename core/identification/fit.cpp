@@ -46,8 +46,8 @@ double noiseVarianceOf(const std::vector<double> &residuals, const std::vector<d
 }
 
 /// Computes residuals, variances, noise and their sums at the unknowns of the hypothesis. Returns false if the
-/// mechanism cannot be assembled in some row.
-bool weigh(const Observations &data, Fit &fit)
+/// mechanism cannot be assembled in some row. `mayBeNoisy`: estimates the noise; otherwise it is zero.
+bool weigh(const Observations &data, Fit &fit, bool mayBeNoisy = true)
 {
     constexpr double kDoublePrecision = 1e-15; // relative to the largest angle, with some margin
     const std::size_t columnCount = data.columns.size();
@@ -73,7 +73,7 @@ bool weigh(const Observations &data, Fit &fit)
         return false;
     }
     for (std::size_t j = 0; j < columnCount; ++j) {
-        if (hypothesis.columns[j].isUsed && data.columns[j].count > 0.0) {
+        if (mayBeNoisy && hypothesis.columns[j].isUsed && data.columns[j].count > 0.0) {
             fit.noiseVariances[j] = noiseVarianceOf(fit.residuals[j], fit.variances[j], data.columns[j].count);
             const double spread = interpretedSpread(data, hypothesis, j);
             fit.noiseParts[j] = data.columns[j].varies ? fit.noiseVariances[j] / (spread * spread) : 0.0;
@@ -233,6 +233,18 @@ Fit fitHypothesis(const Observations &data, Hypothesis hypothesis, int rounds)
         fit.hypothesis.unknowns[4] += std::numbers::pi;
     }
     Fit settled = evaluateHypothesis(data, std::move(fit.hypothesis));
+    // The noise that a rough start leaves in a column may hide that rounding explains it.
+    constexpr double kNearly = 1e-8; // of a column's variance
+    const double noise = settled.exists() ? std::ranges::max(settled.noiseParts) : 0.0;
+    if (noise > 0.0 && noise < kNearly) {
+        Fit exact{settled.hypothesis};
+        weigh(data, exact, false);
+        minimize(data, exact);
+        exact = evaluateHypothesis(data, std::move(exact.hypothesis));
+        if (exact.score < settled.score) {
+            settled = std::move(exact);
+        }
+    }
     settled.iterations = iterations;
     return settled;
 }
