@@ -34,8 +34,11 @@ void addWithFewerColumns(const Observations &data, const Candidate &candidate, R
     bool onlyDerivatives = true;
     for (std::size_t j = 0; j < data.columns.size(); ++j) {
         if (candidate.judgements[j] >= least) {
-            onlyDerivatives = onlyDerivatives && isPlottedDerivative(data.columns[j].channel);
-            hypothesis.columns[j] = {data.columns[j].channel};
+            // An exchanged column that is left out cannot show that it is exchanged.
+            const Channel heading = data.columns[j].channel;
+            onlyDerivatives =
+                onlyDerivatives && isPlottedDerivative(heading) && hypothesis.columns[j].channel == heading;
+            hypothesis.columns[j] = {heading};
             hypothesis.columns[j].isUsed = false;
         }
     }

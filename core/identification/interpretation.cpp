@@ -94,7 +94,7 @@ double interpretColumn(const Observations &data, std::size_t j, const ColumnRegr
             best = misfit(aboutMean);
         }
     }
-    if (!isPlain && best >= 0.0 && isShapeDerivative(column)) {
+    if (!isPlain && best >= 0.0 && isShapeDerivative(column) && use.channel == column.channel) {
         use = {column.channel};
         use.isUsed = false;
     }
