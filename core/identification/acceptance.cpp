@@ -43,12 +43,10 @@ bool isWhiteInTime(const std::vector<double> &values)
                                   std::max(-lowest, highest) <= kFarReading * robustDeviation(values));
 }
 
-/// Whether the values, in the order of the crank angle, are not correlated with their neighbours and are no function of
-/// the angle.
+/// Whether the values, in the order of the crank angle, are not correlated with their neighbours.
 bool isWhiteInAngle(const std::vector<double> &values, const std::vector<double> &angles)
 {
     constexpr double kSigmas = 3.7;
-    constexpr double kDegreesOfFreedom = 2.0 * kHarmonics + 1.0;
     using AngleAndValue = std::pair<double, double>;
     std::vector<AngleAndValue> pairs;
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -57,10 +55,7 @@ bool isWhiteInAngle(const std::vector<double> &values, const std::vector<double>
     std::ranges::stable_sort(pairs, {}, &AngleAndValue::first);
     std::vector<double> sorted(values.size());
     std::ranges::transform(pairs, sorted.begin(), &AngleAndValue::second);
-    const double explained =
-        fitLinear(harmonicBasis(angles, kHarmonics), values).explained * static_cast<double>(values.size());
-    return autocorrelation(sorted, 1) <= kSigmas &&
-           explained <= kDegreesOfFreedom + 4.0 * std::sqrt(2.0 * kDegreesOfFreedom);
+    return autocorrelation(sorted, 1) <= kSigmas;
 }
 
 Residual judgeColumn(const Observations &data, const Fit &fit, std::size_t j)
@@ -153,8 +148,6 @@ Candidate judgedCandidate(const Observations &data, Fit fit)
     Candidate candidate{std::move(fit)};
     const Hypothesis &hypothesis = candidate.hypothesis;
     candidate.price = priceOf(data, hypothesis);
-    double off = 0.0;
-    double all = 0.0;
     bool hasIdleOffset = false;
     int originsOfShape = 0;
     candidate.hasFreeOrigin = data.isByCrankAngle && hypothesis.isFree[indexOf(Parameter::Theta20)];
@@ -166,11 +159,7 @@ Candidate judgedCandidate(const Observations &data, Fit fit)
         hasIdleOffset = hasIdleOffset || (use.hasOffset && isIdleOffset(data, hypothesis, j));
         mayHideErrors = mayHideErrors || use.hasOffset || !use.isUsed;
         candidate.judgements.push_back(judgeColumn(data, candidate, j));
-        if (tellsShape(column)) {
-            originsOfShape += use.hasOffset;
-            off += column.count * (hypothesis.columns[j].isUsed ? std::min(candidate.noiseParts[j], 1.0) : 1.0);
-            all += column.count;
-        }
+        originsOfShape += use.hasOffset && tellsShape(column);
     }
     const Residual worst = candidate.worst = std::ranges::max(candidate.judgements);
     candidate.isExact = worst <= Residual::Rounding;
@@ -179,8 +168,6 @@ Candidate judgedCandidate(const Observations &data, Fit fit)
     candidate.acceptance = worst <= Residual::White && !mayBeError           ? Acceptance::Identified
                            : worst == Residual::Systematic && !mayHideErrors ? Acceptance::Approximate
                                                                              : Acceptance::Rejected;
-    const double spare = all - candidate.freeCount;
-    candidate.distance = spare > 0.0 ? std::min(off / spare, 1.0) : 1.0;
     return candidate;
 }
 

@@ -37,8 +37,6 @@ struct Candidate : Fit {
     Residual worst = Residual::Unexplained; ///< of all columns
     bool isExact = false;                   ///< rounding explains all residuals
     bool hasFreeOrigin = false;             ///< of a used column, or of the crank angle in the file
-    /// Noise²/spread², at most 1, per degree of freedom of the columns with information on the shape.
-    double distance = 1.0;
 
     /// The score with the price of the hypothesis.
     double pricedScore() const;

@@ -53,14 +53,10 @@ std::vector<Candidate> equalImages(const Observations &data, const Candidate &ca
 bool isParabolic(const Observations &data, const Fit &fit, const Eigen::MatrixXd &covariance)
 {
     constexpr double kErrors = 3.0;
-    constexpr double kArithmetic = 1e-12;
     const double least = chiSquareOf(data, fit, fit.hypothesis);
-    Eigen::VectorXd arithmetic = kArithmetic * fit.hypothesis.unknowns.cwiseAbs();
-    arithmetic[4] += kArithmetic * std::abs(fit.hypothesis.phaseRate(data)) * (data.span() + std::abs(data.origin));
     for (Eigen::Index k = 0; k < covariance.cols(); ++k) {
         const Eigen::VectorXd step = kErrors / std::sqrt(covariance(k, k)) * covariance.col(k);
-        const bool isResolved = (step.cwiseAbs().array() > arithmetic.array()).any(); // by double precision
-        if (!isResolved || !fit.hypothesis.isFreeUnknown(k)) {
+        if (!fit.hypothesis.isFreeUnknown(k)) {
             continue;
         }
         for (const double sign : {-1.0, 1.0}) {
@@ -132,43 +128,79 @@ void addAlternatives(const Observations &data, std::span<const Candidate> candid
 
 /// The best candidate. If it frees an origin, this may only absorb the systematic errors of a filter or sensor: then
 /// the best one that explains its columns up to a systematic deviation without such freedom, unless rounding explains
-/// all residuals of the first one and this one deviates by more.
+/// all residuals of the first one.
 const Candidate &believedCandidate(std::span<const Candidate> candidates)
 {
-    constexpr double kSmallPart = 1e-6; // of the variance
     const Candidate &best = candidates.front();
     const auto simpler = std::ranges::find_if(candidates, [&](const Candidate &other) {
-        return other.worst == Residual::Systematic && !other.hasFreeOrigin &&
-               (!best.isExact || std::ranges::max(other.noiseParts) <= kSmallPart);
+        return other.worst == Residual::Systematic && !other.hasFreeOrigin && !best.isExact;
     });
     return best.hasFreeOrigin && simpler != candidates.end() ? *simpler : best;
 }
 
+/// The covariance of the unknowns that follows from errors of the values that are not independent: the values may be
+/// truncated instead of rounded, unless the residuals exclude that, and a column with noise may have a smooth error, a
+/// sum of harmonics of the crank angle. Its size is that of the part that the fit does not absorb, in excess of noise.
+Eigen::MatrixXd covarianceOfCommonErrors(const Observations &data, const Candidate &candidate,
+                                         const NormalEquations &equations, const Eigen::MatrixXd &covariance)
+{
+    constexpr double kSigmas = 3.0;
+    const Eigen::Index unknowns = covariance.rows();
+    Eigen::VectorXd projections = equations.gradient.tail(equations.gradient.size() - unknowns);
+    const Eigen::Index count = projections.size();
+    const Eigen::MatrixXd products = equations.matrix.topRightCorner(unknowns, count);
+    Eigen::MatrixXd changes = covariance * products;
+    Eigen::MatrixXd visible = equations.matrix.bottomRightCorner(count, count) - products.transpose() * changes;
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(unknowns, unknowns);
+    Eigen::VectorXd sizes(count);
+    for (std::size_t j = 0; j < data.columns.size(); ++j) {
+        const Eigen::Index k = kErrorsOfColumn * static_cast<Eigen::Index>(j);
+        const double half = 0.5 * data.columns[j].step * candidate.hypothesis.columns[j].factor();
+        if (half * (half * visible(k, k) - 2.0 * projections[k]) <= kMargin) { // growth of chi-square
+            result += half * half * changes.col(k) * changes.col(k).transpose();
+        }
+        sizes.segment<kErrorsOfColumn>(k).setConstant(std::sqrt(candidate.noiseVariances[j]));
+    }
+    // The projections of white noise have the covariance `visible`.
+    changes *= sizes.asDiagonal();
+    visible = sizes.asDiagonal() * visible * sizes.asDiagonal();
+    const double squares = visible.squaredNorm();
+    const double excess =
+        projections.cwiseProduct(sizes).squaredNorm() - visible.trace() - kSigmas * std::sqrt(2.0 * squares);
+    if (excess > 0.0) {
+        result += excess / squares * changes * changes.transpose();
+    }
+    return result;
+}
+
 Uncertainty computeUncertainty(const Observations &data, const Candidate &candidate)
 {
-    // A systematic residual counts as ten independent errors, whatever the number of rows. An estimated noise is itself
-    // uncertain.
-    constexpr double kIndependentRows = 10.0;
     Uncertainty result;
-    const Eigen::MatrixXd matrix = normalEquations(data, candidate).matrix;
-    const Eigen::MatrixXd covariance = solveSymmetric(matrix, Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols()));
+    std::vector<double> angles;
+    for (std::size_t row = 0; row < data.abscissa.size(); ++row) {
+        angles.push_back(crankAngle(data, candidate.hypothesis, row));
+    }
+    const NormalEquations equations =
+        normalEquations<kErrorsOfColumn>(data, candidate, harmonicBasis(angles, kErrorsOfColumn / 2));
+    const Eigen::Index unknowns = candidate.hypothesis.unknowns.size();
+    const Eigen::MatrixXd matrix = equations.matrix.topLeftCorner(unknowns, unknowns);
+    const Eigen::MatrixXd covariance = solveSymmetric(matrix, Eigen::MatrixXd::Identity(unknowns, unknowns));
     result.conditionNumber = conditionNumber(matrix);
     const double count = candidate.valueCount;
     const double spare = std::max(count - candidate.freeCount, 0.0);
     const double information = -0.5 * (candidate.logVariance + count * std::log(kTurn * std::numbers::e));
     result.evidence = spare < candidate.freeCount ? 0.0 : spare / count * information;
-    double inflation = candidate.isExact ? 1.0 : 1.0 + 2.0 / std::max(spare, 1.0);
-    if (candidate.acceptance != Acceptance::Identified) {
-        inflation *= std::sqrt(std::max(static_cast<double>(data.abscissa.size()) / kIndependentRows, 1.0));
-    }
-    result.errors = inflation * covariance.diagonal().cwiseSqrt();
-    for (Eigen::Index k = 0; k < matrix.rows(); ++k) {
+    // An estimated noise is itself uncertain.
+    const double inflation = candidate.isExact ? 1.0 : 1.0 + 2.0 / std::max(spare, 1.0);
+    const Eigen::MatrixXd total =
+        inflation * inflation * covariance + covarianceOfCommonErrors(data, candidate, equations, covariance);
+    result.errors = total.diagonal().cwiseSqrt();
+    for (Eigen::Index k = 0; k < unknowns; ++k) {
         result.errors[k] = candidate.hypothesis.isFreeUnknown(k) ? result.errors[k] : kNone;
     }
     std::copy_n(result.errors.data(), kParameterCount, result.parameterErrors.begin());
-    const double variance =
-        covariance(4, 4) + data.origin * data.origin * covariance(3, 3) - 2.0 * data.origin * covariance(3, 4);
-    result.angleAtZero = inflation * std::sqrt(std::max(variance, 0.0));
+    const double variance = total(4, 4) + data.origin * data.origin * total(3, 3) - 2.0 * data.origin * total(3, 4);
+    result.angleAtZero = std::sqrt(std::max(variance, 0.0));
     result.isParabolic = isParabolic(data, candidate, covariance);
     return result;
 }
@@ -225,15 +257,15 @@ std::optional<Lack> findLack(const Observations &data)
 
 Identification decideNearest(const Observations &data, std::span<const Candidate> candidates, const Parameters &given)
 {
-    constexpr double kFarthest =
-        0.45; // largest Candidate::distance: more than half of the variance has to be explained
+    double smallest = 0.45; // of a column's variance: more than half of it has to be explained
     Identification result;
     result.parameters = given;
     Candidate nearest;
-    for (const Candidate &candidate : candidates) { // no column may deviate more than from a constant
-        if (isAsWritten(data, candidate.hypothesis) && std::ranges::max(candidate.noiseParts) <= 1.0 &&
-            candidate.distance < std::min(kFarthest, nearest.distance) &&
+    for (const Candidate &candidate : candidates) {
+        const double noise = std::ranges::max(candidate.noiseParts);
+        if (noise < smallest && isAsWritten(data, candidate.hypothesis) &&
             !findFault(parametersOf(data, candidate.hypothesis))) {
+            smallest = noise;
             nearest = candidate;
         }
     }
@@ -251,7 +283,7 @@ Decision decide(const Observations &data, std::span<const Candidate> candidates,
     constexpr double kLeastEvidence = 30.0; // nats
     // For the standard error of a parameter, relative to its size; an approximate one is stated with three digits.
     constexpr double kLargestPart = 0.2;
-    constexpr double kLargestApproximatePart = 0.01;
+    constexpr double kLargestApproximatePart = 0.006;
     Decision decision;
     Identification &result = decision.identification;
     result.parameters = given;

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 namespace slidercrank
@@ -108,7 +109,7 @@ std::pair<double, double> minimize(const Observations &data, Fit &fit)
     double lambda = 1e-3;
     for (int step = 0; step < kMostSteps; ++step) {
         ++fit.iterations;
-        const NormalEquations equations = normalEquations(data, fit);
+        const NormalEquations equations = normalEquations<0>(data, fit, Eigen::MatrixXd(0, std::ssize(data.abscissa)));
         double gain = 0.0;
         for (int trial = 0; trial < kMostTrials; ++trial, lambda *= 10.0) {
             Hypothesis tried = fit.hypothesis;
@@ -164,28 +165,32 @@ double chiSquareOf(const Observations &data, const Fit &fit, const Hypothesis &h
     return moves && std::isfinite(sum) ? sum : kInfinity;
 }
 
-NormalEquations normalEquations(const Observations &data, const Fit &fit)
+template <int kErrors>
+NormalEquations normalEquations(const Observations &data, const Fit &fit, const Eigen::MatrixXd &errors)
 {
-    constexpr int kCount = kParameterCount + 2;
+    constexpr int kCount = kParameterCount + 2 + kErrors;
     using Block = Eigen::Matrix<double, kCount, kCount + 1>; // of a column; the last column is its gradient
     const Hypothesis &hypothesis = fit.hypothesis;
-    const Eigen::Index size = hypothesis.unknowns.size();
+    const Eigen::Index unknowns = hypothesis.unknowns.size();
+    const Eigen::Index size = unknowns + kErrors * std::ssize(data.columns);
     NormalEquations equations{Eigen::MatrixXd::Zero(size, size), Eigen::VectorXd::Zero(size)};
     Eigen::MatrixXd &matrix = equations.matrix;
     std::vector<Block> blocks(data.columns.size(), Block::Zero());
     Eigen::Matrix<double, kCount + 1, 1> slope;
     forEachResidual<Dual>(data, hypothesis, [&](std::size_t row, std::size_t j, const Dual &model, double residual) {
-        slope << hypothesis.scale(j) * model.derivatives(), 1.0, model.value(), residual;
-        const Eigen::Matrix<double, kCount, 1> weighted = slope.head<kCount>() / fit.variances[j][row];
+        slope << hypothesis.scale(j) * model.derivatives(), 1.0, model.value(),
+            errors.col(static_cast<Eigen::Index>(row)), residual;
+        const Eigen::Matrix<double, kCount, 1> weighted = slope.template head<kCount>() / fit.variances[j][row];
         blocks[j].noalias() += weighted * slope.transpose();
     });
     for (std::size_t j = 0; j < blocks.size(); ++j) {
         const Eigen::Index offset = Hypothesis::offsetIndex(j);
-        const std::array<Eigen::Index, kCount> index{0, 1, 2, 3, 4, offset, offset + 1};
+        std::array<Eigen::Index, kCount> index{0, 1, 2, 3, 4, offset, offset + 1};
+        std::iota(index.end() - kErrors, index.end(), unknowns + kErrors * static_cast<Eigen::Index>(j));
         equations.gradient(index) += blocks[j].col(kCount);
-        matrix(index, index) += blocks[j].leftCols<kCount>();
+        matrix(index, index) += blocks[j].template leftCols<kCount>();
     }
-    for (Eigen::Index k = 0; k < size; ++k) {
+    for (Eigen::Index k = 0; k < unknowns; ++k) {
         if (!hypothesis.isFreeUnknown(k) || !(matrix(k, k) > 0.0)) {
             matrix.row(k).setZero();
             matrix.col(k).setZero();
@@ -195,6 +200,8 @@ NormalEquations normalEquations(const Observations &data, const Fit &fit)
     }
     return equations;
 }
+
+template NormalEquations normalEquations<kErrorsOfColumn>(const Observations &, const Fit &, const Eigen::MatrixXd &);
 
 Fit evaluateHypothesis(const Observations &data, Hypothesis hypothesis)
 {

@@ -57,12 +57,16 @@ Fit evaluateHypothesis(const Observations &data, Hypothesis hypothesis);
 /// Sets the free scales, and the offsets of the same columns, by linear regression.
 void regressScales(const Observations &data, Hypothesis &hypothesis);
 
-/// Jᵀ V⁻¹ J and Jᵀ V⁻¹ r with respect to the unknowns; held unknowns have 1 on the diagonal.
+inline constexpr int kErrorsOfColumn = 9; ///< the harmonics of the crank angle up to the fourth
+
+/// Jᵀ V⁻¹ J and Jᵀ V⁻¹ r with respect to the unknowns, and then to the errors of each column, which are `kErrors`
+/// functions of the row; held unknowns have 1 on the diagonal.
 struct NormalEquations {
     Eigen::MatrixXd matrix;
     Eigen::VectorXd gradient;
 };
-NormalEquations normalEquations(const Observations &data, const Fit &fit);
+template <int kErrors>
+NormalEquations normalEquations(const Observations &data, const Fit &fit, const Eigen::MatrixXd &errors);
 
 /// The weighted sum of squares of a hypothesis, with the variances of the fit; infinite if the mechanism cannot be
 /// assembled in some row.

@@ -110,9 +110,7 @@ void learnStatistics(ObservedColumn &column, const Rounding &rounding, double un
     const double usual = range.size() > 0.0 ? kUsualStep * range.size() : kStepOfZeros;
     column.step = std::max(column.step > 0.0 ? column.step : usual, finest);
     column.spread = std::max(std::sqrt(squares / std::max(column.count, 1.0)), column.varies ? 0.0 : column.step);
-    // An encoder may truncate: then all angles are half a step too small, and the rows are not independent.
-    const bool mayBeTruncated = rounding.rule == Rounding::Rule::Multiples && column.channel.coordinate == Theta2;
-    const double repetition = mayBeTruncated ? column.count : repetitionOf(column);
+    const double repetition = repetitionOf(column);
     column.variances.reserve(stepAt.size());
     for (const double step : stepAt) {
         const double counted = std::max({step, kFinestPart * column.step, finest});
