@@ -46,18 +46,6 @@ bool settleOrigin(const Observations &data, const Candidate &candidate, const Un
     return true;
 }
 
-/// The largest error of some channels (all if `channels` is empty) in percent of their peaks; 0 if there are no values.
-double largestPercent(const Parameters &parameters, const ReferenceData &data, const std::vector<Channel> &channels)
-{
-    double largest = 0.0;
-    for (const ChannelComparison &channel : compareTimed(parameters, data)) {
-        if (channels.empty() || std::ranges::count(channels, channel.channel) > 0) {
-            largest = std::max(largest, channel.percentOfPeak.value_or(0.0));
-        }
-    }
-    return largest;
-}
-
 } // namespace
 
 std::vector<ConventionFinding> findConventions(const Observations &data, const Candidate &candidate,
@@ -192,7 +180,7 @@ std::optional<ParameterChange> findParameterChange(const ReferenceData &data, co
 {
     constexpr double kNearlyAll = 0.99; // of the square: a tenth of the error remains
     const ReferenceData some = thinned(data);
-    const double before = largestDeviation(given, some);
+    const double before = largestPercent(given, some);
     std::optional<ParameterChange> best;
     for (const Parameter parameter : kAllParameters) {
         Parameters changed = given;
@@ -202,7 +190,7 @@ std::optional<ParameterChange> findParameterChange(const ReferenceData &data, co
         if (findFault(changed)) {
             continue;
         }
-        const double explained = before > 0.0 ? 1.0 - std::pow(largestDeviation(changed, some) / before, 2.0) : 0.0;
+        const double explained = before > 0.0 ? 1.0 - std::pow(largestPercent(changed, some) / before, 2.0) : 0.0;
         if (explained >= std::max(kNearlyAll, best ? best->explained : 0.0)) {
             best = {parameter, valueOf(changed, parameter), explained};
         }
@@ -223,14 +211,13 @@ ReferenceData thinned(ReferenceData data)
     return data;
 }
 
-double largestDeviation(const Parameters &parameters, const ReferenceData &data)
+double largestPercent(const Parameters &parameters, const ReferenceData &data, const std::vector<Channel> &channels)
 {
     double largest = 0.0;
     for (const ChannelComparison &channel : compareTimed(parameters, data)) {
-        const double size =
-            isConstantByNature(channel.channel) ? channel.peak : rangeOf(data.find(channel.channel)->values).width();
-        const double part = size > 0.0 ? channel.rms.value_or(0.0) / size : 0.0;
-        largest = channel.missingModel > 0 ? kInfinity : std::max(largest, part);
+        if (channels.empty() || std::ranges::count(channels, channel.channel) > 0) {
+            largest = channel.missingModel > 0 ? kInfinity : std::max(largest, channel.percentOfPeak.value_or(0.0));
+        }
     }
     return largest;
 }

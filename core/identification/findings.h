@@ -45,8 +45,9 @@ std::optional<ParameterChange> findParameterChange(const ReferenceData &data, co
 /// At most a thousand rows, evenly spread.
 ReferenceData thinned(ReferenceData data);
 
-/// The largest rms deviation of a column from a mechanism, relative to the column's range, or to its peak if it is
-/// constant by nature; infinite if the mechanism cannot be assembled in some row.
-double largestDeviation(const Parameters &parameters, const ReferenceData &data);
+/// The largest error of some channels (all if `channels` is empty) in percent of their peaks; 0 if there are no values,
+/// infinite if the mechanism cannot be assembled in some row.
+double largestPercent(const Parameters &parameters, const ReferenceData &data,
+                      const std::vector<Channel> &channels = {});
 
 } // namespace slidercrank

@@ -107,44 +107,23 @@ double roundest(double value, double standardError, std::span<const double> unit
 
 Parameters inRoundNumbers(const Identification &found, const ReferenceData &data)
 {
-    // An approximate mechanism gets nominal values, the roundest that explain the file equally well. They may be many
-    // standard errors away, because a filter changes the parameters by more than that.
-    constexpr double kEqually = 1.1;
-    const bool isApproximate = found.outcome == Identification::Outcome::Approximate;
     const ReferenceData some = thinned(data);
     const std::vector<ChannelComparison> fitted = compareTimed(found.parameters, some);
-    const double most = kEqually * largestDeviation(found.parameters, some);
-    Parameters rounded = found.parameters;
-    const auto tryRounding = [&](std::span<const Parameter> parameters, double errorFactor) {
-        Parameters tried = rounded;
-        for (const Parameter parameter : parameters) {
-            const double error = errorFactor * errorOf(found, parameter);
-            double &value = valueOf(tried, parameter);
-            if (!std::isnan(error)) {
-                value = isApproximate ? roundNumber(unitsOf(parameter), value, error).value_or(value)
-                                      : roundest(value, error, unitsOf(parameter));
-            }
+    // The systematic errors of an approximate mechanism may be larger than its standard errors.
+    const bool isApproximate = found.outcome == Identification::Outcome::Approximate;
+    const double most = 1.1 * largestPercent(found.parameters, some);
+    for (double errorFactor = isApproximate ? 27.0 : 1.0; errorFactor >= 1.0; errorFactor /= 3.0) {
+        Parameters rounded = found.parameters;
+        for (const Parameter parameter : kAllParameters) {
+            double &value = valueOf(rounded, parameter);
+            value = roundest(value, errorFactor * errorOf(found, parameter), unitsOf(parameter));
         }
-        if (!findFault(tried) &&
-            (isApproximate ? largestDeviation(tried, some) <= most : explainsAsWell(tried, some, fitted))) {
-            rounded = tried;
-        }
-    };
-    if (found.outcome == Identification::Outcome::Identified) {
-        tryRounding(kAllParameters, 1.0);
-    } else if (isApproximate) {
-        const std::span<const Parameter> all = kAllParameters;
-        std::vector<std::span<const Parameter>> groups{all, all.first(3)};
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            groups.push_back(all.subspan(i, 1));
-        }
-        for (const auto &parameters : groups) {
-            for (const double errorFactor : {1000.0, 300.0, 100.0, 30.0, 10.0, 3.0, 1.0}) {
-                tryRounding(parameters, errorFactor);
-            }
+        if (!findFault(rounded) &&
+            (isApproximate ? largestPercent(rounded, some) <= most : explainsAsWell(rounded, some, fitted))) {
+            return rounded;
         }
     }
-    return rounded;
+    return found.parameters;
 }
 
 } // namespace slidercrank
