@@ -144,7 +144,7 @@ SpeedCandidates speedCandidates(const Observations &data)
 std::optional<CrankSpeedChange> crankSpeedChange(const Observations &data)
 {
     constexpr double kFewestRows = 8.0;
-    constexpr double kErrors = 4.0;     // standard errors between two speeds that differ
+    constexpr double kSteps = 12.0;     // of the angle, in the time of a speed: speeds farther apart differ
     constexpr double kLeastPart = 5e-3; // of the speed: less may be an error of the file's integrator or filter
     const ObservedColumn *const angle = findCrank(data, false);
     if (!angle || angle->count < kFewestRows) {
@@ -174,10 +174,8 @@ std::optional<CrankSpeedChange> crankSpeedChange(const Observations &data)
         return coefficients[1] + 2.0 * coefficients[2] * end;
     };
     const CrankSpeedChange change{speedAt(0, times.front()), speedAt(times.size() - rows, times.back())};
-    // The slope at the end of a parabola through n values in a time T has a standard error of σ √(192/n) / T.
-    const double time = data.span() * static_cast<double>(rows) / n;
-    const double errorOfChange = step * std::sqrt(2.0 * 192.0 / 12.0 / static_cast<double>(rows)) / time;
-    const double least = std::max(kErrors * errorOfChange, kLeastPart * speed);
+    const double time = data.span() * static_cast<double>(rows) / n; // of the rows at an end
+    const double least = std::max(kSteps * step / time, kLeastPart * speed);
     return std::abs(change.atEnd - change.atStart) > least ? std::optional(change) : std::nullopt;
 }
 

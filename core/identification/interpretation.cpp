@@ -43,21 +43,18 @@ double crankOrigin(const Observations &data, const Hypothesis &hypothesis)
 }
 
 /// Chooses the unit and sign with which the column fits the model best; only the sign if the unit would cancel another
-/// conversion.
+/// conversion, and for R4y, whose origin may be another one.
 void chooseUnit(const ObservedColumn &column, const ColumnRegression &regression, double size, ColumnUse &use)
 {
-    if (use.channel != Channel{R4y, Order::Position}) {
-        const double slope = isConstantByNature(use.channel) ? column.mean / regression.meanModel : regression.slope();
-        const double wanted = slope != 0.0 ? size / slope / use.conversion : 1.0;
-        const std::span<const double> units =
-            isLength(use.channel) ? std::span<const double>(kLengthFactors) : kAngleFactors;
-        const double factor = nearestFactor(units, wanted, column.unitOfHeading);
-        use.unit = std::copysign(factor * use.conversion == 1.0 ? 1.0 : factor, wanted);
-    } else {
-        constexpr double kAbout = 0.1;
-        const double model = size * regression.meanModel;
-        use.unit = std::abs(column.mean + model) < kAbout * std::abs(column.mean) ? -1.0 : 1.0;
+    const double slope = isConstantByNature(use.channel) ? column.mean / regression.meanModel : regression.slope();
+    const double wanted = slope != 0.0 ? size / slope / use.conversion : 1.0;
+    if (use.channel == Channel{R4y, Order::Position} && std::abs(wanted + 1.0) > 0.1) {
+        return;
     }
+    const std::span<const double> units =
+        isLength(use.channel) ? std::span<const double>(kLengthFactors) : kAngleFactors;
+    const double factor = nearestFactor(units, wanted, column.unitOfHeading);
+    use.unit = std::copysign(factor * use.conversion == 1.0 ? 1.0 : factor, wanted);
 }
 
 /// Interprets one column in the best allowed way and returns its misfit.

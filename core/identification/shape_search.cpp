@@ -70,13 +70,10 @@ void addGridStarts(const Observations &coarse, Hypothesis hypothesis, double spe
     starts.insert(starts.end(), found.begin(), found.end());
 }
 
-/// Fits the best starts and adds the distinct fits. Returns whether rounding explains one of them, or nearly explains
-/// it if more than two columns tell the shape.
+/// Fits the best starts and adds the distinct fits. Returns whether rounding explains one of them.
 bool fitStarts(const Observations &data, std::vector<Fit> starts, std::size_t most, std::vector<Fit> &fits)
 {
     constexpr int kRounds = 3;
-    constexpr double kNearly = 1e-6; // of a column's variance
-    const double largestOfExact = std::ranges::count_if(data.columns, tellsShape) > 2 ? kNearly : 0.0;
     std::ranges::sort(starts, {}, &Fit::score);
     starts.resize(std::min(starts.size(), most));
     bool isExact = false;
@@ -87,7 +84,7 @@ bool fitStarts(const Observations &data, std::vector<Fit> starts, std::size_t mo
         regressScales(data, start.hypothesis);
         Fit fit = fitHypothesis(data, std::move(start.hypothesis), kRounds);
         if (fit.exists() && !isKnown(fit.hypothesis, fits)) {
-            isExact = isExact || std::ranges::max(fit.noiseParts) <= largestOfExact;
+            isExact = isExact || std::ranges::max(fit.noiseParts) == 0.0;
             fits.push_back(std::move(fit));
         }
     }

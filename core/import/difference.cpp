@@ -15,7 +15,6 @@ std::optional<Difference> differenceIn(const ReferenceData &data, Channel channe
 {
     constexpr std::size_t kExaminedRows = 512;
     constexpr std::size_t kFewestRows = 12;
-    constexpr double kUnevenness = 1e-2;      // of a time step
     constexpr double kBetter = 16.0;          // ratio of the sums of squares of the second best to the best match
     constexpr double kArithmeticError = 1e-6; // relative to the peak
     const ReferenceSeries *const rate = data.find(channel);
@@ -33,9 +32,6 @@ std::optional<Difference> differenceIn(const ReferenceData &data, Channel channe
     std::array<double, 4> squares{}; // by Difference; the last one of the derivative, by differences of fourth order
     double count = 0.0;
     for (std::size_t i = 2; i + 2 < rows; ++i) {
-        if (std::abs(data.time[i + 1] - data.time[i] - step) > kUnevenness * step) {
-            return std::nullopt;
-        }
         const double central = (x[i + 1] - x[i - 1]) / (2.0 * step);
         const std::array differences{(x[i + 1] - x[i]) / step, (x[i] - x[i - 1]) / step, central,
                                      (4.0 * central - (x[i + 2] - x[i - 2]) / (4.0 * step)) / 3.0};
