@@ -7,8 +7,6 @@
 
 #include <QTest>
 
-#include <algorithm>
-
 using namespace slidercrank;
 
 using Kind = ReadFault::Kind;
@@ -18,31 +16,6 @@ class TestJoinedFiles : public QObject
     Q_OBJECT
 
 private slots:
-    void joinsOnePlotPerFileToTheWholeTable()
-    {
-        const QByteArray table = sampleTable();
-        const QByteArray position = columnsOf(table, {0, 1});
-        const QByteArray velocity = columnsOf(table, {0, 2, 3});
-        const QByteArray coupler = columnsOf(table, {0, 4, 5, 6});
-        const std::vector<QByteArrayList> splits{
-            {coupler, position, velocity},
-            {position, "plot 2\n\n" + QByteArray(velocity).replace(',', ';').replace('.', ','),
-             utf16Of(QByteArray(coupler).replace(',', '\t'), true, true)},
-            {position, columnsOf(table, {2, 3, 0}), coupler}};
-        const ReferenceData whole = std::get<ReferenceData>(read(table));
-        for (const QByteArrayList &files : splits) {
-            const ReferenceData data = std::get<ReferenceData>(readJoined(files));
-            QVERIFY(data.time == whole.time && data.timeRounding == whole.timeRounding);
-            QCOMPARE(data.series.size(), whole.series.size());
-            for (const auto &[channel, values, rounding] : whole.series) {
-                QVERIFY(data.find(channel)->values == values && data.find(channel)->rounding == rounding);
-            }
-            QCOMPARE(data.layout.files.size(), static_cast<std::size_t>(files.size()));
-            QCOMPARE(std::ranges::count(data.layout.columns, ColumnReason::SameTimeStamps, &FileColumn::reason),
-                     files.size() - 1);
-        }
-    }
-
     void joinsRows()
     {
         struct Row {

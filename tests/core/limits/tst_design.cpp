@@ -82,17 +82,6 @@ private slots:
         }
     }
 
-    /// The stroke and the angle α of a = 20, b = 65, c = 25, computed by hand from its dead centres.
-    void leadsBackToAKnownMechanism()
-    {
-        const double stroke = std::sqrt(85.0 * 85.0 - 25.0 * 25.0) - std::sqrt(45.0 * 45.0 - 25.0 * 25.0);
-        const double alpha = std::asin(25.0 / 45.0) - std::asin(25.0 / 85.0);
-        const Lengths offset =
-            findLengths(stroke, (std::numbers::pi + alpha) / (std::numbers::pi - alpha), 65.0 / 20.0);
-        QVERIFY(std::abs(offset.a - 20.0) < 1e-12 && std::abs(offset.b - 65.0) < 1e-12 &&
-                std::abs(offset.c - 25.0) < 1e-12);
-    }
-
     void refusesWhatIsImpossible()
     {
         using Reason = DesignFault::Reason;
