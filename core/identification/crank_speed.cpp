@@ -174,9 +174,10 @@ std::optional<CrankSpeedChange> crankSpeedChange(const Observations &data)
         return coefficients[1] + 2.0 * coefficients[2] * end;
     };
     const CrankSpeedChange change{speedAt(0, times.front()), speedAt(times.size() - rows, times.back())};
-    const double time = data.span() * static_cast<double>(rows) / n; // of the rows at an end
-    const double least = std::max(kSteps * step / time, kLeastPart * speed);
-    return std::abs(change.atEnd - change.atStart) > least ? std::optional(change) : std::nullopt;
+    return std::abs(change.atEnd - change.atStart) >
+                   std::max(kSteps * step * n / (data.span() * static_cast<double>(rows)), kLeastPart * speed)
+               ? std::optional(change)
+               : std::nullopt;
 }
 
 } // namespace slidercrank

@@ -146,8 +146,8 @@ Eigen::MatrixXd covarianceOfCommonErrors(const Observations &data, const Candida
 {
     constexpr double kSigmas = 3.0;
     const Eigen::Index unknowns = covariance.rows();
-    Eigen::VectorXd projections = equations.gradient.tail(equations.gradient.size() - unknowns);
-    const Eigen::Index count = projections.size();
+    const Eigen::Index count = equations.gradient.size() - unknowns;
+    const Eigen::VectorXd projections = equations.gradient.tail(count);
     const Eigen::MatrixXd products = equations.matrix.topRightCorner(unknowns, count);
     Eigen::MatrixXd changes = covariance * products;
     Eigen::MatrixXd visible = equations.matrix.bottomRightCorner(count, count) - products.transpose() * changes;

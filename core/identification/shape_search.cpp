@@ -70,7 +70,8 @@ void addGridStarts(const Observations &coarse, Hypothesis hypothesis, double spe
     starts.insert(starts.end(), found.begin(), found.end());
 }
 
-/// Fits the best starts and adds the distinct fits. Returns whether rounding explains one of them.
+/// Fits the best starts and adds the distinct fits. Returns whether rounding explains one of them, or nearly explains
+/// it if there are more than two columns.
 bool fitStarts(const Observations &data, std::vector<Fit> starts, std::size_t most, std::vector<Fit> &fits)
 {
     constexpr int kRounds = 3;
@@ -84,7 +85,7 @@ bool fitStarts(const Observations &data, std::vector<Fit> starts, std::size_t mo
         regressScales(data, start.hypothesis);
         Fit fit = fitHypothesis(data, std::move(start.hypothesis), kRounds);
         if (fit.exists() && !isKnown(fit.hypothesis, fits)) {
-            isExact = isExact || std::ranges::max(fit.noiseParts) == 0.0;
+            isExact = isExact || std::ranges::max(fit.noiseParts) <= (data.columns.size() > 2 ? 1e-6 : 0.0);
             fits.push_back(std::move(fit));
         }
     }

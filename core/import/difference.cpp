@@ -46,7 +46,7 @@ std::optional<Difference> differenceIn(const ReferenceData &data, Channel channe
     const auto best = static_cast<std::size_t>(std::ranges::min_element(squares) - squares.begin());
     const double least = squares[best];
     squares[best] = std::numeric_limits<double>::infinity();
-    if (best == 3 || count < kFewestRows / 2 || !(*std::ranges::min_element(squares) > kBetter * least)) {
+    if (best == 3 || !(*std::ranges::min_element(squares) > kBetter * least)) {
         return std::nullopt;
     }
     const double peak = rangeOf(rate->values).size();
