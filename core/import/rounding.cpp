@@ -166,23 +166,16 @@ Rounding RoundingObserver::infer(double unitFactor, bool areTimeStamps) const
             }
         }
     }
-    rounding.coarsestPlace = coarsestPlace(rounding);
+    // By chance, one value in ten ends with one zero, and one in a hundred with two. More zeros are padding.
+    const bool isPadded = 4 * m_trailingZeros >= m_values + 16;
+    const bool isLong = rounding.rule == Rounding::Rule::SignificantDigits && rounding.digits > kDigitsOfAChosenNumber;
+    rounding.coarsestPlace = m_coarsestPlace >= 0 || !isPadded ? m_coarsestPlace
+                             : isLong                          ? std::numeric_limits<int>::max()
+                                                               : 0;
     if (rounding.rule == Rounding::Rule::Decimals) {
         rounding.digits = std::max(rounding.digits, -rounding.coarsestPlace);
     }
     return rounding;
-}
-
-/// Returns the coarsest place for a rule that was found without this limit.
-int RoundingObserver::coarsestPlace(const Rounding &rounding) const
-{
-    // By chance, one value in ten ends with one zero, and one in a hundred with two. More zeros are padding.
-    const bool isPadded = 4 * m_trailingZeros >= m_values + 16;
-    if (m_coarsestPlace >= 0 || !isPadded) {
-        return m_coarsestPlace;
-    }
-    const bool isLong = rounding.rule == Rounding::Rule::SignificantDigits && rounding.digits > kDigitsOfAChosenNumber;
-    return isLong ? std::numeric_limits<int>::max() : 0;
 }
 
 std::optional<double> findQuantum(std::span<const double> values, double printedStep)

@@ -88,8 +88,6 @@ private:
     static constexpr std::size_t kMostDigits = 17; ///< in the shortest text of a double
     static constexpr int kLargestExponent = 48;    ///< values beyond mark missing numbers
 
-    int coarsestPlace(const Rounding &rounding) const;
-
     /// By power of ten from -kLargestExponent: how many values have each number of digits from the first to the last
     /// non-zero one, less 1.
     std::array<std::array<std::uint32_t, kMostDigits>, 2 * kLargestExponent + 1> m_decades{};
