@@ -106,7 +106,6 @@ std::array<double, kChannelCount> conditioning(const Parameters &parameters, dou
 // Instantiated in exact_motion.cpp, because they take long to compile.
 extern template ExactState<Digits50> exactState(const ExactInput<Digits50> &);
 extern template ExactState<Digits100> exactState(const ExactInput<Digits100> &);
-extern template std::array<double, kChannelCount> conditioning<Digits50>(const Parameters &, double);
 extern template std::array<double, kChannelCount> conditioning<Digits100>(const Parameters &, double);
 
 } // namespace slidercrank
