@@ -3,6 +3,7 @@
 #include "tests/support/suite.h"
 #include "tests/support/text_recorder.h"
 #include "tests/support/waiting.h"
+#include "tests/ui/mechanism/drawn.h"
 #include "ui/document/session.h"
 #include "ui/mechanism/mechanism_text.h"
 #include "ui/mechanism/mechanism_view.h"
@@ -78,35 +79,6 @@ struct Bench {
             lines << line.trimmed();
         }
         return lines.join(u' ');
-    }
-};
-
-/// The drawing in a view of that size.
-struct Drawn {
-    MechanismScene scene;
-    std::unique_ptr<MechanismSketch> sketch;
-
-    explicit Drawn(const Parameters &parameters, double time, const MechanismSettings &settings = {},
-                   const QSizeF &size = {800.0, 600.0})
-    {
-        Session session;
-        session.setParameters(parameters);
-        scene.result = session.result();
-        scene.pose = poseAt(parameters, time);
-        scene.settings = settings;
-        MechanismFrame frame;
-        frame.fit(motionBounds(scene.mechanism(), scene.result->limits));
-        sketch = std::make_unique<MechanismSketch>(scene, frame.projection(size), paletteFor(Theme::Light), QFont());
-        sketch->addScenery();
-        sketch->addLinkage();
-    }
-
-    DrawnPart partAt(QPointF model) const { return sketch->partAt(sketch->toPixels(model)); }
-    QRectF label(const QString &text) const
-    {
-        const auto begins = [&text](const Label &label) { return label.text.startsWith(text); };
-        const auto found = std::ranges::find_if(sketch->labels(), begins);
-        return found == sketch->labels().end() ? QRectF() : found->box;
     }
 };
 
@@ -421,7 +393,6 @@ private slots:
         const Drawn drawn({}, 0.0, settings);
         QVERIFY(!drawn.label("Instant centre P: ω³ = −2.094 rad/s = −120.0 °/s").isNull());
         QVERIFY(!drawn.label("PA = 60.00 mm, PB = 25.00 mm").isNull());
-        QVERIFY(!drawn.label("P").isNull());
         QVERIFY(!Drawn({}, 0.25, settings).label("Instant centre P at infinity").isNull());
         QVERIFY(Drawn(kOscillating, kNotAssembled, settings).label("Instant").isNull());
     }
@@ -439,7 +410,7 @@ private slots:
                     QVERIFY2(!box.isNull(), qPrintable(name));
                     for (const DrawnShape &shape : drawn.sketch->shapes()) {
                         const bool isLink = shape.part == DrawnPart::Crank || shape.part == DrawnPart::Coupler;
-                        overlaps += isLink && shape.path.intersects(box.adjusted(2.0, 4.0, -2.0, -4.0)) ? 1 : 0;
+                        overlaps += isLink && shape.path.intersects(box.adjusted(2.0, 4.0, -2.0, -4.0));
                     }
                 }
             }
@@ -452,7 +423,7 @@ private slots:
     {
         for (int i = 0; i < 10; ++i) {
             const Drawn drawn({}, i / 10.0, {true, true, true, true, true, true, true}, {331.0, 330.0});
-            for (const QString number : {"−40", "−20", "0", "20", "40"}) {
+            for (const QString number : {"−20", "0", "20", "40"}) {
                 const QRectF box = drawn.label(number);
                 for (const Label &label : drawn.sketch->labels()) {
                     QVERIFY2(label.box == box || !label.box.intersects(box), qPrintable(label.text));
