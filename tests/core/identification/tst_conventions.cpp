@@ -32,16 +32,10 @@ constexpr Channel kXDDot{R4x, Order::Acceleration};
 const std::vector<Channel> kAngles{kTheta, kThetaDot, kThetaDDot};
 const std::vector<Channel> kLengths{kX, kXDot, kXDDot};
 
-/// Returns the number of random files to test. Sanitizer builds are thirty times slower and check memory, not numbers,
-/// so they test only a few.
+/// Returns the number of random files to test.
 int filesOf(int all)
 {
-    const int some = (all + 19) / 20;
-#ifdef SLIDERCRANK_SANITIZED
-    return runs((all + 49) / 50, some);
-#else
-    return runs(some, all);
-#endif
+    return runs((all + 19) / 20, all);
 }
 
 /// Returns the motion of a mechanism over 0.6 to 3 turns in 80 to 500 rows. `channels`: as in Printing.

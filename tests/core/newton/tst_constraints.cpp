@@ -137,10 +137,8 @@ private slots:
 
     void theDeterminantIsThatOfTheJacobian()
     {
-        for (const Branch branch : {Branch::Open, Branch::Crossed}) {
-            const TimeStepEquations equations = equationsAt(Mechanism({.branch = branch}), 0.3, 0.005, {});
-            QVERIFY(std::abs(equations.determinant - equations.Cq.determinant()) <= 1e-11);
-        }
+        const TimeStepEquations equations = equationsAt(Mechanism({.branch = Branch::Crossed}), 0.3, 0.005, {});
+        QVERIFY(std::abs(equations.determinant - equations.Cq.determinant()) <= 1e-11);
     }
 
     void jacobianIsTheDerivative()
