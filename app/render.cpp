@@ -17,7 +17,7 @@
 #include "ui/text/written_number.h"
 #include "ui/window/ghost.h"
 
-#include <QFileInfo>
+#include <QMimeDatabase>
 #include <QPalette>
 
 #include <algorithm>
@@ -79,14 +79,15 @@ void readTarget(const OptionReader &options, RenderRequest &request)
 {
     request.output = readOutput(options);
     const std::optional<FigureFormat> format = figureFormat(request.output);
-    const bool isFolder = !request.output.isEmpty() && QFileInfo(request.output).suffix().isEmpty();
+    const QString type = QMimeDatabase().mimeTypeForFile(request.output, QMimeDatabase::MatchExtension).name();
+    const bool isFolder = !request.output.isEmpty() && !format && !type.startsWith("video") && !type.startsWith("image");
     const bool isSuitable = request.subject == Subject::Frames   ? isFolder || isVideo(request.output)
                             : request.subject == Subject::Report ? format == FigureFormat::Pdf
                                                                  : format.has_value();
     if (!isSuitable) {
         throw UsageError{
             CommandLine::tr("--output must be a name that ends in .png, .svg or .pdf (report: .pdf; frames: a "
-                            "new folder without a dot in its name, .mp4, .webm or .gif), not \"%1\".")
+                            "new folder, .mp4, .webm or .gif), not \"%1\".")
                 .arg(request.output)};
     }
 }

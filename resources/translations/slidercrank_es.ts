@@ -717,8 +717,8 @@ Equipo: %1. Tiempo: %2 s.
         <translation>Órdenes</translation>
     </message>
     <message>
-        <source>--output must be a name that ends in .png, .svg or .pdf (report: .pdf; frames: a new folder without a dot in its name, .mp4, .webm or .gif), not &quot;%1&quot;.</source>
-        <translation>--output debe ser un nombre que termine en .png, .svg o .pdf (report: .pdf; frames: una carpeta nueva sin punto en el nombre, .mp4, .webm o .gif), y no «%1».</translation>
+        <source>--output must be a name that ends in .png, .svg or .pdf (report: .pdf; frames: a new folder, .mp4, .webm or .gif), not &quot;%1&quot;.</source>
+        <translation>--output debe ser un nombre que termine en .png, .svg o .pdf (report: .pdf; frames: una carpeta nueva, .mp4, .webm o .gif), y no «%1».</translation>
     </message>
     <message>
         <source>There is no file &quot;%1&quot;. A command must come first: choose one of %2.</source>

@@ -311,7 +311,7 @@ private slots:
 
     void rendersFrames()
     {
-        const QString folder = path("frames");
+        const QString folder = path("frames.2");
         const QString line = QStringLiteral("render --what frames --size 200x150 --duration 1 --speed 6 -o ") + folder;
         const RunResult outcome = run(line);
         QVERIFY2(outcome.status == 0, outcome.error);
