@@ -19,6 +19,7 @@
 
 #include <QMimeDatabase>
 #include <QPalette>
+#include <QRegularExpression>
 
 #include <algorithm>
 #include <memory>
@@ -80,7 +81,7 @@ void readTarget(const OptionReader &options, RenderRequest &request)
     request.output = readOutput(options);
     const std::optional<FigureFormat> format = figureFormat(request.output);
     const QString type = QMimeDatabase().mimeTypeForFile(request.output, QMimeDatabase::MatchExtension).name();
-    const bool isFolder = !request.output.isEmpty() && !format && !type.startsWith("video") && !type.startsWith("image");
+    const bool isFolder = !request.output.isEmpty() && !format && !type.contains(QRegularExpression("^video|^image"));
     const bool isSuitable = request.subject == Subject::Frames   ? isFolder || isVideo(request.output)
                             : request.subject == Subject::Report ? format == FigureFormat::Pdf
                                                                  : format.has_value();

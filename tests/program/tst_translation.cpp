@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-
 // The translation into Spanish is complete, and the window does not mix languages.
 
 #include "core/study/cases.h"
