@@ -192,11 +192,12 @@ QSize PlotFigure::placeLegend(QCPPainter *painter)
     for (const auto &[name, pen] : m_legend) {
         QStaticText &text = m_names[name];
         if (text.text().isEmpty()) {
+            text.setTextFormat(Qt::PlainText); // a file's name may look like HTML
             text.setText(QFontMetrics(m_fonts.title).elidedText(name, Qt::ElideMiddle, width - kAround));
             text.prepare({}, m_fonts.title);
         }
         const int length = kLine + kGap + static_cast<int>(text.size().width());
-        if (place.x() > kApart && place.x() + length > width) {
+        if (place.x() + length > width) { // never the first, which is elided
             place = {kApart, place.y() + height + kLabelGap};
         }
         if (painter) {
