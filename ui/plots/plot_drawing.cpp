@@ -3,7 +3,6 @@
 
 #include "ui/text/written_number.h"
 
-#include <QFontInfo>
 #include <QPicture>
 
 #include <algorithm>
@@ -60,19 +59,6 @@ protected:
 
 } // namespace
 
-PlotFonts::PlotFonts(const QFont &base)
-    : title(base)
-    , tick(base)
-{
-    constexpr int kSmallest = 9;
-    constexpr double kTickPart = 0.87;
-    constexpr double kUsual = 15.0; // px, at most
-    const int pixels = QFontInfo(base).pixelSize();
-    title.setPixelSize(pixels);
-    tick.setPixelSize(std::max(kSmallest, static_cast<int>(std::lround(kTickPart * pixels))));
-    lineFactor = std::max(1.0, pixels / kUsual);
-}
-
 double NumberTicker::getTickStep(const QCPRange &range)
 {
     constexpr double kFewestDigits = 6.0;
@@ -108,7 +94,6 @@ QString NumberTicker::getTickLabel(double tick, const QLocale &, QChar, int)
 PlotDrawing::PlotDrawing()
 {
     mReplotting = true; // otherwise QCustomPlot replots into buffers that are not used
-    setInteractions(QCP::Interactions());
     setAutoAddPlottableToLegend(false);
 }
 
@@ -167,7 +152,6 @@ QCPGraph *PlotDrawing::addCurve(QCPAxisRect *axes, std::span<const CurvePoint> p
     }
     auto *curve = new SegmentedGraph(axes->axis(QCPAxis::atBottom), axes->axis(QCPAxis::atLeft));
     curve->setAdaptiveSampling(false); // it draws falling curves thicker than rising ones
-    curve->setSelectable(QCP::stNone);
     curve->data()->set(graphData, true);
     return curve;
 }

@@ -5,23 +5,13 @@
 // painter, so that screen, image, SVG and PDF look alike. QCustomPlot's own painting and interactions are not used.
 
 #include "ui/plots/curve_sampling.h"
+#include "ui/plots/plot_fonts.h"
 #include "ui/text/theme.h"
-
-#include <QFont>
 
 #include <qcustomplot.h>
 
 namespace slidercrank
 {
-
-/// Sizes are in pixels, not points, so that text has the right size on every device.
-struct PlotFonts {
-    explicit PlotFonts(const QFont &base);
-
-    QFont title;
-    QFont tick;
-    double lineFactor = 1.0; ///< factor of the line widths; above 1 for large fonts
-};
 
 /// Chooses round ticks and labels them in the language of the user. The label of the number x is at the coordinate x ·
 /// perUnit + tickOrigin(). There are at most tickCount() intervals.

@@ -4,6 +4,7 @@
 
 #include "ui/plots/plot_figure.h"
 
+#include "ui/plots/plot_drawing.h"
 #include "ui/text/finding_text.h"
 
 #include <QFontMetricsF>
@@ -46,47 +47,49 @@ void fit(PlotCurve &curve, const Interval &time, const Interval &values, int hei
 } // namespace
 
 PlotFigure::PlotFigure()
-    : m_fonts(QFont())
-    , m_margins(new QCPMarginGroup(this))
+    : m_drawing(new PlotDrawing)
+    , m_margins(new QCPMarginGroup(m_drawing.get()))
     , m_timeTicker(new NumberTicker)
 {
-    plotLayout()->setRowSpacing(0);
-    plotLayout()->setColumnSpacing(0);
+    m_drawing->plotLayout()->setRowSpacing(0);
+    m_drawing->plotLayout()->setColumnSpacing(0);
 }
+
+PlotFigure::~PlotFigure() = default;
 
 void PlotFigure::applyStyle(const PlotStyle &style)
 {
     m_style = style;
     m_fonts = PlotFonts(style.font);
     m_colours = seriesColours(style.palette);
-    clearGraphs();
-    plotLayout()->clear();
+    m_drawing->clearGraphs();
+    m_drawing->plotLayout()->clear();
     m_plots = {};
     for (const std::size_t index : style.plots) {
         Plot &plot = m_plots[index];
-        plot.axes = new QCPAxisRect(this, false);
-        plot.axes->addAxis(QCPAxis::atBottom);
-        plot.axes->addAxis(QCPAxis::atLeft);
+        plot.axes = new QCPAxisRect(m_drawing.get(), false);
+        plot.timeAxis = plot.axes->addAxis(QCPAxis::atBottom);
+        plot.valueAxis = plot.axes->addAxis(QCPAxis::atLeft);
         plot.axes->setMinimumSize(50, 20); // low enough for the legend to keep its height in a small window
         plot.axes->setMarginGroup(QCP::msLeft | QCP::msRight, m_margins);
         plot.axes->setMargins(QMargins(0, lineHeight(m_fonts.title) + kLabelGap, 0, lineHeight(m_fonts.tick)));
         plot.axes->setAutoMargins(QCP::msLeft | QCP::msRight);
         const std::size_t place = style.plots.size() == 1 ? 0 : index;
-        plotLayout()->addElement(static_cast<int>(place / kPlotColumns), static_cast<int>(place % kPlotColumns),
-                                 plot.axes);
+        m_drawing->plotLayout()->addElement(static_cast<int>(place / kPlotColumns),
+                                            static_cast<int>(place % kPlotColumns), plot.axes);
         plot.ticker.reset(new NumberTicker);
         for (const QString &title : titles(index)) {
             plot.titles.emplace_back(title).prepare({}, m_fonts.title);
         }
-        axis(index, QCPAxis::atBottom).setTicker(m_timeTicker);
-        axis(index, QCPAxis::atLeft).setTicker(plot.ticker);
+        plot.timeAxis->setTicker(m_timeTicker);
+        plot.valueAxis->setTicker(plot.ticker);
         for (QCPAxis *axis : plot.axes->axes()) {
             axis->grid()->setVisible(true);
             axis->setTickLength(0, kTickLength);
             axis->setTickLabelPadding(kLabelGap);
         }
     }
-    setStyle(m_fonts, m_colours);
+    m_drawing->setStyle(m_fonts, m_colours);
 }
 
 void PlotFigure::compose(PlotStyle style, const QSize &size)
@@ -99,15 +102,15 @@ void PlotFigure::compose(PlotStyle style, const QSize &size)
     }
     const QCPAxisRect &axes = *m_plots[style.plots.front()].axes; // all have the same size
     QSize before;
-    if (axes.size().isEmpty() || size != viewport().size()) {
-        layOut(size);
+    if (axes.size().isEmpty() || size != m_drawing->viewport().size()) {
+        m_drawing->layOut(size);
         m_names.clear();
     }
     constexpr int kPasses = 4; // the labels and the legend change the size of the axes
     for (int pass = 0; pass < kPasses && axes.size() != before; ++pass) {
         before = axes.size();
         fill();
-        layOut(size);
+        m_drawing->layOut(size);
     }
     chooseTitles();
 }
@@ -134,7 +137,7 @@ void PlotFigure::chooseTitles()
 void PlotFigure::fill()
 {
     constexpr int kPixelsPerTick = 30;
-    clearGraphs();
+    m_drawing->clearGraphs();
     m_columns = static_cast<std::size_t>(std::max(1, m_plots[plots().front()].axes->width()));
     const Interval time = timeRange();
     m_curves.clear();
@@ -161,9 +164,8 @@ void PlotFigure::fill()
         }
         plot.values = plot.values && m_zoom.values[index] ? m_zoom.values[index] : plot.values;
         const Interval values = plot.values.value_or(Interval());
-        QCPAxis &axis = this->axis(index, QCPAxis::atLeft);
-        axis.setRange(values.lower, values.upper);
-        axis.setTickLabels(plot.values.has_value());
+        plot.valueAxis->setRange(values.lower, values.upper);
+        plot.valueAxis->setTickLabels(plot.values.has_value());
         plot.ticker->isLogarithmic = isLogarithmic(index);
         plot.ticker->setTickCount(std::max(2, plot.axes->height() / kPixelsPerTick));
         for (PlotCurve &curve : plot.curves) {
@@ -175,18 +177,18 @@ void PlotFigure::fill()
         }
     }
     m_legendSize = placeLegend();
-    plotLayout()->setMargins(QMargins(0, m_legendSize.height(), 0,
-                                      2 * lineHeight(m_fonts.tick) + kLabelGap)); // for the title of the time axis
+    m_drawing->plotLayout()->setMargins( // for the legend and the title of the time axis
+        {0, m_legendSize.height(), 0, 2 * lineHeight(m_fonts.tick) + kLabelGap});
 }
 
 /// Places as many entries of the legend side by side as fit, draws them if there is a painter, and returns their size.
-QSize PlotFigure::placeLegend(QCPPainter *painter)
+QSize PlotFigure::placeLegend(QPainter *painter)
 {
     constexpr int kApart = 12; // px
     constexpr int kLine = 28;
     constexpr int kGap = 7; // between a line and its name
     constexpr int kAround = 80;
-    const int width = viewport().width();
+    const int width = m_drawing->viewport().width();
     const int height = lineHeight(m_fonts.title);
     QPoint place(kApart, 6);
     for (const auto &[name, pen] : m_legend) {
@@ -239,8 +241,8 @@ void PlotFigure::setTimeScale()
     const int valueWidth = kUsualDigits * metrics.horizontalAdvance(u'0');
     const QMargins least(valueWidth + kTickLength + kLabelGap, 0, labelWidth / 2, 0);
     for (const std::size_t index : plots()) {
-        const bool isBottom = static_cast<int>(index / kPlotColumns) + 1 >= plotLayout()->rowCount();
-        QCPAxis &axis = this->axis(index, QCPAxis::atBottom);
+        const bool isBottom = static_cast<int>(index / kPlotColumns) + 1 >= m_drawing->plotLayout()->rowCount();
+        QCPAxis &axis = *m_plots[index].timeAxis;
         axis.setRange(time.lower, time.upper);
         axis.setTickLabels(isBottom);
         axis.setLabel(isBottom ? title : QString());
@@ -287,10 +289,10 @@ QPen PlotFigure::addCurve(const Plot &plot, const PlotCurve &curve)
     if (!curve.dashes.empty()) {
         pen.setDashPattern(curve.dashes);
     }
-    PlotDrawing::addCurve(plot.axes, curve.points)->setPen(pen);
+    m_drawing->addCurve(plot.axes, curve.points)->setPen(pen);
     if (!curve.dots.empty()) {
         const double size = 4.0 * m_fonts.lineFactor;
-        QCPGraph *dots = PlotDrawing::addCurve(plot.axes, curve.dots);
+        QCPGraph *dots = m_drawing->addCurve(plot.axes, curve.dots);
         dots->setLineStyle(QCPGraph::lsNone);
         dots->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, colour, size));
         if (curve.points.empty()) {
@@ -300,29 +302,41 @@ QPen PlotFigure::addCurve(const Plot &plot, const PlotCurve &curve)
     return pen;
 }
 
-/// Draws the legend, the titles and the notes over the rest.
-void PlotFigure::draw(QCPPainter *painter)
+void PlotFigure::drawInto(QPaintDevice &device)
+{
+    m_drawing->drawInto(device);
+    QPainter painter(&device);
+    drawTexts(painter);
+}
+
+void PlotFigure::paint(QPainter &painter)
+{
+    m_drawing->paint(painter, m_drawing->viewport().size());
+    drawTexts(painter);
+}
+
+/// Draws the legend, the titles and the notes over the plots, and marks the time.
+void PlotFigure::drawTexts(QPainter &painter)
 {
     constexpr double kAboveAxes = 2.0; // px
-    PlotDrawing::draw(painter);
     const int titleHeight = lineHeight(m_fonts.title);
-    painter->setFont(m_fonts.title);
-    placeLegend(painter);
-    painter->setPen(m_colours.text);
+    painter.setFont(m_fonts.title);
+    placeLegend(&painter);
+    painter.setPen(m_colours.text);
     for (const std::size_t index : plots()) {
         const Plot &plot = m_plots[index];
         const QRect axes = plot.axes->rect();
-        painter->setFont(m_fonts.title);
-        painter->drawStaticText(QPointF(axes.left(), axes.top() - kAboveAxes - titleHeight), plot.titles[plot.title]);
+        painter.setFont(m_fonts.title);
+        painter.drawStaticText(QPointF(axes.left(), axes.top() - kAboveAxes - titleHeight), plot.titles[plot.title]);
         if (m_markedTime && timeRange().contains(*m_markedTime)) {
-            const double x = std::round(axis(index, QCPAxis::atBottom).coordToPixel(*m_markedTime));
-            painter->fillRect(QRectF(x, axes.top(), 1.0, axes.height()), m_colours.cursor);
+            const double x = std::round(plot.timeAxis->coordToPixel(*m_markedTime));
+            painter.fillRect(QRectF(x, axes.top(), 1.0, axes.height()), m_colours.cursor);
         }
-        painter->setFont(m_fonts.tick);
-        QRect note = painter->fontMetrics().boundingRect(plot.note);
+        painter.setFont(m_fonts.tick);
+        QRect note = painter.fontMetrics().boundingRect(plot.note);
         note.moveCenter({axes.center().x(), plot.values ? axes.top() + axes.height() / 10 : axes.center().y()});
-        painter->fillRect(note, m_colours.background);
-        painter->drawText(note, Qt::AlignCenter, plot.note);
+        painter.fillRect(note, m_colours.background);
+        painter.drawText(note, Qt::AlignCenter, plot.note);
     }
 }
 

@@ -9,9 +9,15 @@
 #include "ui/document/view_settings.h"
 #include "ui/plots/motion_curves.h"
 #include "ui/plots/motion_errors.h"
-#include "ui/plots/plot_drawing.h"
+#include "ui/plots/plot_fonts.h"
+#include "ui/text/theme.h"
 
+#include <QCoreApplication>
+#include <QMap>
+#include <QPen>
+#include <QSharedPointer>
 #include <QStaticText>
+#include <QWidget>
 
 #include <array>
 #include <functional>
@@ -19,8 +25,15 @@
 #include <optional>
 #include <vector>
 
+class QCPAxis;
+class QCPAxisRect;
+class QCPMarginGroup;
+
 namespace slidercrank
 {
+
+class NumberTicker;
+class PlotDrawing;
 
 /// A colour in the current palette.
 using Ink = QColor SeriesColours::*;
@@ -48,6 +61,8 @@ struct PlotCurve {
 
 struct Plot {
     QCPAxisRect *axes = nullptr; ///< null if the plot is not shown
+    QCPAxis *timeAxis = nullptr;
+    QCPAxis *valueAxis = nullptr;
     QSharedPointer<NumberTicker> ticker;
     std::vector<PlotCurve> curves;
     std::optional<Interval> values;  ///< the range of the axis; nullopt if there are no values
@@ -74,12 +89,13 @@ struct PlotStyle {
     friend bool operator==(const PlotStyle &, const PlotStyle &) = default;
 };
 
-class PlotFigure : public PlotDrawing
+class PlotFigure : public QWidget
 {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::PlotFigure)
 
 public:
     PlotFigure();
+    ~PlotFigure() override;
 
     void setResult(const std::shared_ptr<const Result> &result); ///< required before compose()
     const std::shared_ptr<const Result> &result() const { return m_result; }
@@ -109,9 +125,14 @@ public:
     /// Lays out the plots for that size (px) and fills them.
     void compose(PlotStyle style, const QSize &size);
 
+    /// Draws the figure on a pixmap or, in its paint event, a widget of the size for which it is composed.
+    void drawInto(QPaintDevice &device);
+
+    /// Draws the figure at the size for which it is composed.
+    void paint(QPainter &painter);
+
     const std::vector<std::size_t> &plots() const { return m_style.plots; }
     const Plot &shownPlot(std::size_t plot) const { return m_plots[plot]; }
-    QCPAxis &axis(std::size_t plot, QCPAxis::AxisType type) const { return *m_plots[plot].axes->axis(type); }
 
     /// Returns the time nearest to t at which values can be read.
     ReadTime readTime(double t) const;
@@ -153,10 +174,11 @@ private:
     void setTimeScale();
     QStringList titles(std::size_t index) const;
     void chooseTitles();
-    QSize placeLegend(QCPPainter *painter = nullptr);
+    QSize placeLegend(QPainter *painter = nullptr);
     QPen addCurve(const Plot &plot, const PlotCurve &curve);
-    void draw(QCPPainter *painter) override;
+    void drawTexts(QPainter &painter);
 
+    std::unique_ptr<PlotDrawing> m_drawing;
     std::shared_ptr<const Result> m_result;
     PlotSettings m_settings;
     bool m_isPresentation = false;

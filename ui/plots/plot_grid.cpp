@@ -2,6 +2,7 @@
 #include "ui/plots/plot_grid.h"
 
 #include "ui/document/setting_action.h"
+#include "ui/plots/plot_drawing.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/written_number.h"
 
@@ -21,7 +22,7 @@ PlotGrid::PlotGrid()
     , m_rubberBand(new QRubberBand(QRubberBand::Rectangle, this))
 {
     setAttribute(Qt::WA_OpaquePaintEvent);
-    setFocusPolicy(Qt::NoFocus); // the panes have the focus
+    setMouseTracking(true);
     setAccessibleName(tr("Plots of the motion"));
     const std::array errors{tr("Error of the positions"), tr("Error of the velocities"),
                             tr("Error of the accelerations")};
@@ -168,26 +169,25 @@ void PlotGrid::refresh()
 std::vector<PlotPane::Cursor> PlotGrid::cursors(std::size_t plot)
 {
     constexpr double kRoundingError = 1e-9; // of the axis
-    const QCPAxis &timeAxis = axis(plot, QCPAxis::atBottom);
-    const QCPAxis &valueAxis = axis(plot, QCPAxis::atLeft);
+    const Plot &shown = shownPlot(plot);
     const QPoint corner = m_panes[plot]->pos();
     const SeriesColours colours = seriesColours(palette());
     std::vector<PlotPane::Cursor> cursors;
     const auto add = [&](double time, const QStringList &headings, bool isLight = false) {
-        if (!shownPlot(plot).values || !timeRange().contains(time)) {
+        if (!shown.values || !timeRange().contains(time)) {
             return;
         }
         const ReadTime read = readTime(time);
-        PlotPane::Cursor cursor{std::round(timeAxis.coordToPixel(time)) - corner.x(), isLight, {}};
+        PlotPane::Cursor cursor{std::round(shown.timeAxis->coordToPixel(time)) - corner.x(), isLight, {}};
         for (const QString &heading : headings) {
             cursor.labels.push_back({QStaticText(heading), colours.text});
         }
         for (const PlotReading &reading : readings(plot, read)) {
-            const QPointF place(timeAxis.coordToPixel(read.t), valueAxis.coordToPixel(reading.value));
+            const QPointF place(shown.timeAxis->coordToPixel(read.t), shown.valueAxis->coordToPixel(reading.value));
             if (QRectF(axes(plot)).adjusted(-1.0, -1.0, 1.0, 1.0).contains(place)) {
                 // On a linear axis, a value that is far below a pixel is the rounding error of zero.
                 const bool isZero = reading.value == reading.number &&
-                                    std::abs(reading.number) < kRoundingError * valueAxis.range().size();
+                                    std::abs(reading.number) < kRoundingError * shown.valueAxis->range().size();
                 cursor.labels.push_back(
                     {QStaticText(shortNumber(isZero ? 0.0 : reading.number)), colours.*reading.ink, place - corner});
             }
@@ -209,6 +209,11 @@ std::vector<PlotPane::Cursor> PlotGrid::cursors(std::size_t plot)
         add(hovered.t, headings, true);
     }
     return cursors;
+}
+
+QRect PlotGrid::axes(std::size_t plot) const
+{
+    return shownPlot(plot).axes->rect();
 }
 
 void PlotGrid::moveCursors()
@@ -249,7 +254,7 @@ void PlotGrid::paintFigure(QPainter &painter, const QString &name, const QSize &
     const qsizetype index = plotNames().indexOf(name);
     const std::optional<std::size_t> plot = name.isEmpty() ? std::nullopt : std::optional<std::size_t>(index);
     compose({plotsToShow(plot), font(), palette}, size);
-    paint(painter, size);
+    paint(painter);
     requestRefresh(); // restores the figure for the screen
 }
 

@@ -85,7 +85,7 @@ private:
     void placeCursors();
     std::vector<PlotPane::Cursor> cursors(std::size_t plot);
 
-    QRect axes(std::size_t plot) const { return shownPlot(plot).axes->rect(); } ///< px
+    QRect axes(std::size_t plot) const; ///< px
     std::optional<std::size_t> plotAt(const QPointF &place) const;
     QPointF coordinates(std::size_t plot, const QPointF &place) const; ///< px → time (s) and value
     void drag(const QPoint &to);

@@ -3,6 +3,8 @@
 // What the mouse and the keyboard do to the plots.
 
 #include "ui/plots/plot_grid.h"
+
+#include "ui/plots/plot_drawing.h"
 #include "ui/text/written_number.h"
 
 #include <QApplication>
@@ -34,10 +36,12 @@ QRect draggedBox(const QPoint &from, const QPoint &to, const QRect &axes)
     constexpr int kLeast = 8; // px
     QRect box = QRect(from, to).normalized();
     if (box.width() <= kLeast) {
-        box = QRect(axes.left(), box.top(), axes.width(), box.height());
+        box.setLeft(axes.left());
+        box.setRight(axes.right());
     }
     if (box.height() <= kLeast) {
-        box = QRect(box.left(), axes.top(), box.width(), axes.height());
+        box.setTop(axes.top());
+        box.setBottom(axes.bottom());
     }
     return box & axes;
 }
@@ -52,7 +56,8 @@ std::optional<std::size_t> PlotGrid::plotAt(const QPointF &place) const
 
 QPointF PlotGrid::coordinates(std::size_t plot, const QPointF &place) const
 {
-    return {axis(plot, QCPAxis::atBottom).pixelToCoord(place.x()), axis(plot, QCPAxis::atLeft).pixelToCoord(place.y())};
+    const Plot &shown = shownPlot(plot);
+    return {shown.timeAxis->pixelToCoord(place.x()), shown.valueAxis->pixelToCoord(place.y())};
 }
 
 void PlotGrid::zoomAbout(double time, double factor)

@@ -3,6 +3,7 @@
 
 #include "tests/support/suite.h"
 #include "tests/ui/plots/plot_results.h"
+#include "ui/plots/plot_drawing.h"
 
 #include <QTest>
 
