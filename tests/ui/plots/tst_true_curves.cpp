@@ -2,6 +2,7 @@
 #include "tests/support/long_tests.h"
 #include "tests/support/random_mechanisms.h"
 #include "tests/ui/plots/plot_results.h"
+#include "ui/plots/plot_drawing.h"
 #include "ui/plots/plot_figure.h"
 
 #include "core/closed_form/closed_form.h"
@@ -34,12 +35,12 @@ double valueAt(const ClosedForm &motion, std::size_t channel, double t)
 class Truth
 {
 public:
-    Truth(const Result &result, std::size_t channel, const QCPAxisRect &plot)
+    Truth(const Result &result, std::size_t channel, const Plot &plot)
         : m_motion(result.mechanism)
         , m_channel(channel)
         , m_plot(plot)
-        , m_columns(kPerPixel * (plot.width() + 2 * kMargin))
-        , m_rows(kPerPixel * (plot.height() + 2 * kMargin))
+        , m_columns(kPerPixel * (plot.axes->width() + 2 * kMargin))
+        , m_rows(kPerPixel * (plot.axes->height() + 2 * kMargin))
         , m_passed(static_cast<std::size_t>(m_columns * m_rows))
     {
         const Parameters &p = result.mechanism.parameters();
@@ -72,7 +73,7 @@ public:
         const int reach = static_cast<int>(distance * kPerPixel);
         for (int column = -reach; column <= reach; ++column) {
             for (int row = -reach; row <= reach; ++row) {
-                if (std::hypot(column, row) <= reach &&
+                if (column * column + row * row <= reach * reach &&
                     has(kPerPixel * (x + kMargin) + column, kPerPixel * (y + kMargin) + row)) {
                     return true;
                 }
@@ -84,8 +85,8 @@ public:
     /// Returns a pixel that the motion passes although neither the pixel nor any of its neighbours is painted.
     std::optional<QPoint> missingPixel(const auto &isPainted) const
     {
-        for (int x = 1; x < m_plot.width() - 1; ++x) {
-            for (int y = 1; y < m_plot.height() - 1; ++y) {
+        for (int x = 1; x < m_plot.axes->width() - 1; ++x) {
+            for (int y = 1; y < m_plot.axes->height() - 1; ++y) {
                 bool isPassed = false;
                 for (int i = 0; i < kPerPixel * kPerPixel; ++i) {
                     isPassed |= has(kPerPixel * (x + kMargin) + i % kPerPixel - kPerPixel / 2,
@@ -111,12 +112,13 @@ private:
     bool has(int column, int row) const { return m_passed[cell(column, row)] != 0; }
     double timeAt(int column) const
     {
-        return m_plot.axis(QCPAxis::atBottom)->pixelToCoord(m_plot.left() - kMargin + double(column) / kPerPixel);
+        return m_plot.timeAxis->pixelToCoord(m_plot.axes->left() - kMargin + double(column) / kPerPixel);
     }
     int rowAt(double value) const
     {
-        const double y = m_plot.axis(QCPAxis::atLeft)->coordToPixel(std::clamp(value, -1e200, 1e200));
-        return static_cast<int>(std::clamp(std::round(kPerPixel * (y - m_plot.top() + kMargin)), -1.0, double(m_rows)));
+        const double y = m_plot.valueAxis->coordToPixel(std::clamp(value, -1e200, 1e200));
+        return static_cast<int>(
+            std::clamp(std::round(kPerPixel * (y - m_plot.axes->top() + kMargin)), -1.0, double(m_rows)));
     }
 
     void look(int column, double from, double to, int looks)
@@ -158,7 +160,7 @@ private:
 
     ClosedForm m_motion;
     std::size_t m_channel;
-    const QCPAxisRect &m_plot;
+    const Plot &m_plot;
     int m_columns;
     int m_rows;
     std::vector<char> m_passed;
@@ -186,9 +188,10 @@ struct BareFigure {
     /// Returns what is wrong with a plot; empty if nothing is.
     QString fault(std::size_t plot) const
     {
-        const QCPAxisRect &axes = *figure.shownPlot(plot).axes;
-        const Truth truth(*figure.result(), channelOf(plot), axes);
-        if (!figure.shownPlot(plot).values) {
+        const Plot &shown = figure.shownPlot(plot);
+        const QCPAxisRect &axes = *shown.axes;
+        const Truth truth(*figure.result(), channelOf(plot), shown);
+        if (!shown.values) {
             return truth.isEmpty() ? QString() : "it is said not to exist";
         }
         const double paper = colours.background.lightnessF();
