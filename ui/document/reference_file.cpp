@@ -64,7 +64,9 @@ QString shortName(const QStringList &paths)
 QStringList displayNames(const QStringList &paths)
 {
     QStringList names;
-    std::ranges::transform(paths, std::back_inserter(names), [](const QString &path) { return displayName(path); });
+    for (const QString &path : paths) {
+        names << displayName(path);
+    }
     return names;
 }
 

@@ -97,15 +97,14 @@ ResponseView::ResponseView(Session *session, QWidget *parent)
     auto *head = new QHBoxLayout;
     head->addWidget(m_parameter, 0, Qt::AlignTop);
     head->addWidget(m_sentence, 1);
-    const QToolButton *copyButton = addButton(head, "responseCopy", tr("Copy"), tr("Copies the charts as an image"));
-    connect(copyButton, &QToolButton::clicked, this, &ResponseView::copy);
-    const QToolButton *exportButton =
-        addButton(head, "responseExport", tr("Export…"),
-                  tr("Writes the charts to an image file, or the numbers of the curves to a CSV file"));
-    connect(exportButton, &QToolButton::clicked, this, [this] {
-        chooseExport(m_session, this, figureFilters() + QStringList(tr("Tables (*.csv)")), tr("response"),
-                     [this](const QString &path) { return exportTo(path); });
-    });
+    connect(addButton(head, "responseCopy", tr("Copy"), tr("Copies the charts as an image")), &QToolButton::clicked,
+            this, &ResponseView::copy);
+    connect(addButton(head, "responseExport", tr("Export…"),
+                      tr("Writes the charts to an image file, or the numbers of the curves to a CSV file")),
+            &QToolButton::clicked, this, [this] {
+                chooseExport(m_session, this, figureFilters() + QStringList(tr("Tables (*.csv)")), tr("response"),
+                             [this](const QString &path) { return exportTo(path); });
+            });
     auto *grid = new QGridLayout;
     grid->setSpacing(2);
     grid->setRowStretch(1, 1);

@@ -148,7 +148,7 @@ QLayout *Timeline::createScrubbing()
 
     auto *row = new QHBoxLayout;
     row->setSpacing(5);
-    for (const auto &[text, box] : {std::pair{tr("t"), m_timeBox}, std::pair{tr("θ₂"), m_angleBox}}) {
+    for (const auto &[text, box] : {std::pair{tr("t"), m_timeBox}, {tr("θ₂"), m_angleBox}}) {
         auto *label = new QLabel(text);
         label->setBuddy(box);
         row->addWidget(label);
@@ -226,10 +226,12 @@ void Timeline::createForm()
 void Timeline::drawIcons()
 {
     using enum QStyle::StandardPixmap;
-    for (const auto &[command, symbol] :
-         {std::pair{Start, SP_MediaSkipBackward}, std::pair{Back, SP_MediaSeekBackward},
-          std::pair{Play, isPlaying() ? SP_MediaPause : SP_MediaPlay}, std::pair{Forward, SP_MediaSeekForward},
-          std::pair{End, SP_MediaSkipForward}, std::pair{Loop, SP_BrowserReload}}) {
+    for (const auto &[command, symbol] : {std::pair{Start, SP_MediaSkipBackward},
+                                          {Back, SP_MediaSeekBackward},
+                                          {Play, isPlaying() ? SP_MediaPause : SP_MediaPlay},
+                                          {Forward, SP_MediaSeekForward},
+                                          {End, SP_MediaSkipForward},
+                                          {Loop, SP_BrowserReload}}) {
         m_actions[command]->setIcon(colouredIcon(*this, symbol));
     }
     for (QToolButton *button : findChildren<QToolButton *>()) {
@@ -319,16 +321,11 @@ void Timeline::openRun()
     m_start->selectAll();
 }
 
-bool Timeline::isLooping() const
-{
-    return m_actions[Loop]->isChecked();
-}
-
 void Timeline::nextFrame()
 {
     const double now = m_clock();
     const double time = m_session->time() + m_speed * (now - std::exchange(m_lastFrame, now));
-    const bool isOver = time >= last() && !isLooping();
+    const bool isOver = time >= last() && !m_actions[Loop]->isChecked();
     m_session->setTime(time < last() || isOver ? time : first() + std::fmod(time - first(), last() - first()));
     if (isOver) {
         pause();

@@ -31,7 +31,6 @@ public:
     explicit Timeline(Session *session, QWidget *parent = nullptr);
 
     bool isPlaying() const { return m_frames.isActive(); }
-    bool isLooping() const;
     double speed() const { return m_speed; } ///< seconds of the motion per second of real time
 
     /// `clock` returns the seconds since an arbitrary moment.

@@ -62,7 +62,7 @@ void addShade(PlotDrawing &drawing, const Interval &clear, QColor colour)
     const QCPRange all = drawing.xAxis->range();
     const double from = std::min(clear.lower, all.upper);
     const double to = std::clamp(clear.upper, from, all.upper); // reversed: the shaded parts meet
-    for (const auto &[left, right] : {std::pair{all.lower, from}, std::pair{to, all.upper}}) {
+    for (const auto &[left, right] : {std::pair{all.lower, from}, {to, all.upper}}) {
         auto *shade = new QCPItemRect(&drawing);
         shade->setLayer("background");
         shade->setPen(Qt::NoPen);

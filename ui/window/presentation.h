@@ -22,7 +22,6 @@ class Presentation : public QObject
 public:
     Presentation(const Views &views, MessageBar *messages, QMainWindow *window);
 
-    bool isOn() const { return m_isOn; }
     void setOn(bool on);
 
     /// Fills the window with the mechanism, or shows the plots again.

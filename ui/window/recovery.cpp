@@ -113,9 +113,9 @@ void Recovery::showOffer()
 /// offered.
 void Recovery::restore()
 {
-    const std::variant<Scene, QString> scene = readScene(m_path);
-    if (std::holds_alternative<Scene>(scene)) {
-        m_scene->restore(std::get<Scene>(scene), [this] {
+    const std::variant<Scene, QString> outcome = readScene(m_path);
+    if (const Scene *scene = std::get_if<Scene>(&outcome)) {
+        m_scene->restore(*scene, [this] {
             m_isOffered = false;
             followEdits();
             showOffer();
