@@ -82,7 +82,8 @@ std::string respelled(std::string_view text, std::string_view table)
 {
     std::string result;
     while (!text.empty()) {
-        std::string_view from = text.substr(0, 1);
+        // Also many characters at once, if none of them occurs in the table.
+        std::string_view from = text.substr(0, std::max<std::size_t>(text.find_first_of(table), 1));
         std::string_view to = from;
         for (std::string_view rest = table; !rest.empty();) {
             const std::string_view entry = takeUntil('|', rest);
