@@ -36,10 +36,8 @@ void addWithFewerColumns(const Observations &data, const Candidate &candidate, R
         if (candidate.judgements[j] >= least) {
             // An exchanged column that is left out cannot show that it is exchanged.
             const Channel heading = data.columns[j].channel;
-            onlyDerivatives =
-                onlyDerivatives && isPlottedDerivative(heading) && hypothesis.columns[j].channel == heading;
-            hypothesis.columns[j] = {heading};
-            hypothesis.columns[j].isUsed = false;
+            onlyDerivatives &= isPlottedDerivative(heading) && hypothesis.columns[j].channel == heading;
+            hypothesis.columns[j] = {.channel = heading, .isUsed = false};
         }
     }
     if (onlyDerivatives && keepsEnough(hypothesis)) {

@@ -61,7 +61,7 @@ Eigen::MatrixXd harmonicBasis(std::span<const double> angles, Eigen::Index harmo
 
 Eigen::MatrixXd powerBasis(std::span<const double> times, Eigen::Index terms)
 {
-    const Eigen::Map<const Eigen::RowVectorXd> t(times.data(), static_cast<Eigen::Index>(times.size()));
+    const Eigen::Map<const Eigen::RowVectorXd> t(times.data(), std::ssize(times));
     Eigen::MatrixXd basis(terms, t.cols());
     for (Eigen::Index k = 0; k < terms; ++k) {
         basis.row(k) = t.array().pow(static_cast<double>(k));
@@ -91,8 +91,9 @@ double autocorrelation(std::span<const double> values, std::size_t lag)
     const Eigen::Map<const Eigen::VectorXd> all(values.data(), std::ssize(values));
     const Eigen::Index rest = all.size() - static_cast<Eigen::Index>(lag);
     const double squares = all.squaredNorm();
-    const auto n = static_cast<double>(all.size());
-    return squares > 0.0 ? all.head(rest).dot(all.tail(rest)) / squares * n / std::sqrt(rest) : 0.0;
+    return squares > 0.0
+               ? all.head(rest).dot(all.tail(rest)) / squares * static_cast<double>(all.size()) / std::sqrt(rest)
+               : 0.0;
 }
 
 } // namespace slidercrank

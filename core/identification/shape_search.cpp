@@ -85,7 +85,7 @@ bool fitStarts(const Observations &data, std::vector<Fit> starts, std::size_t mo
         regressScales(data, start.hypothesis);
         Fit fit = fitHypothesis(data, std::move(start.hypothesis), kRounds);
         if (fit.exists() && !isKnown(fit.hypothesis, fits)) {
-            isExact = isExact || std::ranges::max(fit.noiseParts) <= (data.columns.size() > 2 ? 1e-6 : 0.0);
+            isExact |= std::ranges::max(fit.noiseParts) <= (data.columns.size() > 2 ? 1e-6 : 0.0);
             fits.push_back(std::move(fit));
         }
     }
