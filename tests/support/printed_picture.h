@@ -30,9 +30,10 @@ inline QByteArray outputOf(const QString &program, const QStringList &arguments,
 inline bool isGrey(QRgb colour)
 {
     constexpr int kTolerance = 12;
+    constexpr QRgb kWhite = 0xffffffff; // the colour of most pixels
     const auto differs = [](int x, int y) { return std::abs(x - y) >= kTolerance; };
-    return !differs(qRed(colour), qGreen(colour)) && !differs(qGreen(colour), qBlue(colour)) &&
-           !differs(qBlue(colour), qRed(colour));
+    return colour == kWhite || (!differs(qRed(colour), qGreen(colour)) && !differs(qGreen(colour), qBlue(colour)) &&
+                                !differs(qBlue(colour), qRed(colour)));
 }
 
 inline bool isBlank(const QImage &picture)
