@@ -36,7 +36,7 @@ QJsonObject jsonIdentification(const Diagnosis &diagnosis)
     for (const Parameter parameter : kAllParameters) {
         const std::size_t i = indexOf(parameter);
         const QLatin1String name(optionName(parameter));
-        standardErrors.insert(name, found.identifiable[i] ? jsonNumber(found.standardError[i]) : QJsonValue());
+        standardErrors.insert(name, jsonNumber(found.standardError[i]));
         identifiable.insert(name, found.identifiable[i]);
     }
     for (const Identification::Noise &column : found.noise) {
