@@ -103,11 +103,11 @@ void RoundingObserver::observe(PrintedPlaces places, double value)
         places = shortestPlaces(places, value);
     }
     const double magnitude = std::abs(value);
-    if (m_values == 0) {
-        m_firstPlaces = places;
-        m_firstMagnitude = magnitude;
+    if (m_values > 0 && magnitude == m_lastMagnitude) {
+        return;
     }
-    m_varies = m_varies || magnitude != m_firstMagnitude;
+    m_lastPlaces = places;
+    m_lastMagnitude = magnitude;
     ++m_values;
     m_trailingZeros += static_cast<std::uint64_t>(std::max(std::min(places.last, 0) - places.printed, 0));
     m_coarsestPlace = std::max(m_coarsestPlace, places.printed);
@@ -128,9 +128,9 @@ Rounding RoundingObserver::infer(double unitFactor, bool areTimeStamps) const
     }
     rounding.smallestExponent = m_smallestExponent;
     rounding.finestPlace = m_finestPlace;
-    if (!m_varies) {
+    if (m_values == 1) {
         rounding.rule = Rounding::Rule::Decimals;
-        rounding.digits = -placeOfOneValue(shortestPlaces(m_firstPlaces, m_firstMagnitude));
+        rounding.digits = -placeOfOneValue(shortestPlaces(m_lastPlaces, m_lastMagnitude));
         return rounding;
     }
     std::vector<RoundedDecade> decades;

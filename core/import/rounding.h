@@ -74,7 +74,8 @@ struct PrintedPlaces {
 /// printed place; if the numbers are padded with zeros, it is never coarser than whole numbers, unless it has many
 /// significant digits.
 ///
-/// If a column repeats one number, it is rounded at the last digit of that number, or to a whole number.
+/// A value that repeats the one before it says nothing new: a mechanism may stand still. If a column repeats one number,
+/// it is rounded at the last digit of that number, or to a whole number.
 class RoundingObserver
 {
 public:
@@ -92,14 +93,13 @@ private:
     /// non-zero one, less 1.
     std::array<std::array<std::uint32_t, kMostDigits>, 2 * kLargestExponent + 1> m_decades{};
 
-    std::uint64_t m_values = 0;        ///< number of values that are not zero
+    std::uint64_t m_values = 0;        ///< number of values that are not zero and differ from the one before
     std::uint64_t m_trailingZeros = 0; ///< number of zeros printed after the last non-zero decimal of these values
     int m_coarsestPlace = std::numeric_limits<int>::min(); ///< of the last printed digits
     int m_finestPlace = std::numeric_limits<int>::max();
     int m_smallestExponent = std::numeric_limits<int>::max();
-    PrintedPlaces m_firstPlaces; ///< of the first value that is not zero
-    double m_firstMagnitude = 0.0;
-    bool m_varies = false; ///< whether another non-zero value differs from the first one
+    PrintedPlaces m_lastPlaces; ///< of the last value that is not zero
+    double m_lastMagnitude = 0.0;
 };
 
 /// Returns the step of an encoder or converter: the largest number such that all values are multiples of it, apart from
