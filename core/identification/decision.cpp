@@ -180,8 +180,9 @@ Uncertainty computeUncertainty(const Observations &data, const Candidate &candid
     for (std::size_t row = 0; row < data.abscissa.size(); ++row) {
         angles.push_back(crankAngle(data, candidate.hypothesis, row));
     }
-    const NormalEquations equations =
-        normalEquations<kErrorsOfColumn>(data, candidate, harmonicBasis(angles, kErrorsOfColumn / 2));
+    Eigen::MatrixXd errors(kErrorsOfColumn, std::ssize(angles));
+    errors << harmonicBasis(angles, 4), 2.0 / data.span() * powerBasis(data.abscissa, 2).row(1);
+    const NormalEquations equations = normalEquations<kErrorsOfColumn>(data, candidate, errors);
     const Eigen::Index unknowns = candidate.hypothesis.unknowns.size();
     const Eigen::MatrixXd matrix = equations.matrix.topLeftCorner(unknowns, unknowns);
     const Eigen::MatrixXd covariance = solveSymmetric(matrix, Eigen::MatrixXd::Identity(unknowns, unknowns));
