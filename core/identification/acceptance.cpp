@@ -27,20 +27,22 @@ constexpr double kLargestSystematicPart = 0.01;
 constexpr Eigen::Index kHarmonics = 8;
 
 /// Whether the values, in the order of time, look like independent noise without bad readings: tests the sum of eight
-/// squared autocorrelations (Ljung-Box), the kurtosis and the largest value.
+/// squared autocorrelations (Ljung-Box), the skewness, the kurtosis and the largest value.
 bool isWhiteInTime(const std::vector<double> &values)
 {
     constexpr std::size_t kLags = 8;
-    constexpr double kLargestSum = 30.0;     // 99.98 % point of chi-square with 8 degrees of freedom
+    constexpr double kLargestSum = 30.0; // 99.98 % point of chi-square with 8 degrees of freedom
     constexpr double kLargestKurtosis = 9.0; // 3 for normally distributed values; single bad readings raise it
+    const double largestSkewness = 1.0 + 12.0 / std::sqrt(static_cast<double>(values.size()));
     double sum = 0.0;
     for (std::size_t lag = 1; lag <= std::min(kLags, values.size() / 5); ++lag) {
         const double deviations = autocorrelation(values, lag);
         sum += deviations * deviations;
     }
     const auto [lowest, highest] = std::ranges::minmax(values);
-    return sum <= kLargestSum && (boost::math::statistics::kurtosis(values) <= kLargestKurtosis ||
-                                  std::max(-lowest, highest) <= kFarReading * robustDeviation(values));
+    return sum <= kLargestSum && std::abs(boost::math::statistics::skewness(values)) <= largestSkewness &&
+           (boost::math::statistics::kurtosis(values) <= kLargestKurtosis ||
+            std::max(-lowest, highest) <= kFarReading * robustDeviation(values));
 }
 
 /// Whether the values, in the order of the crank angle, are not correlated with their neighbours.
@@ -150,6 +152,8 @@ Candidate judgedCandidate(const Observations &data, Fit fit)
     candidate.price = priceOf(data, hypothesis);
     bool hasIdleOffset = false;
     int originsOfShape = 0;
+    bool hasLength = false;
+    bool hasAngle = false;
     candidate.hasFreeOrigin = data.isByCrankAngle && hypothesis.isFree[indexOf(Parameter::Theta20)];
     bool mayHideErrors = candidate.hasFreeOrigin;
     for (std::size_t j = 0; j < data.columns.size(); ++j) {
@@ -160,11 +164,16 @@ Candidate judgedCandidate(const Observations &data, Fit fit)
         mayHideErrors = mayHideErrors || use.hasOffset || !use.isUsed;
         candidate.judgements.push_back(judgeColumn(data, candidate, j));
         originsOfShape += use.hasOffset && tellsShape(column);
+        hasLength = hasLength || (use.isUsed && tellsShape(column) && isLength(use.channel));
+        hasAngle = hasAngle || (use.isUsed && tellsShape(column) && !isLength(use.channel));
     }
     const Residual worst = candidate.worst = std::ranges::max(candidate.judgements);
     candidate.isExact = worst <= Residual::Rounding;
-    // Among noise, a small origin may be an error of the values, and two origins may hide an error of scale.
-    const bool mayBeError = !candidate.isExact && (hasIdleOffset || originsOfShape > 1);
+    // A small origin may be an error of the values, such as that of a filter, unless both lengths and angles show it exactly.
+    // Among noise, two origins, or one and a column that is left out, may hide another error.
+    const bool isConfirmed = candidate.isExact && hasLength && hasAngle;
+    const int freedoms = originsOfShape + (std::ranges::count(candidate.judgements, Residual::NotUsed) > 0 ? 1 : 0);
+    const bool mayBeError = (hasIdleOffset && !isConfirmed) || (freedoms > 1 && !candidate.isExact);
     candidate.acceptance = worst <= Residual::White && !mayBeError           ? Acceptance::Identified
                            : worst == Residual::Systematic && !mayHideErrors ? Acceptance::Approximate
                                                                              : Acceptance::Rejected;
