@@ -79,8 +79,9 @@ QStringList givenTexts(const Identification &found)
 /// Returns the channel that differs most from the mechanism that was found.
 ChannelComparison worstChannel(const Diagnosis &diagnosis)
 {
-    const auto worst = std::ranges::max_element(diagnosis.identified, {}, [](const ChannelComparison &channel) {
-        return channel.percentOfPeak.value_or(-1.0);
+    const bool isApproximate = diagnosis.identification.outcome == Outcome::Approximate; // R4y is then compared with a
+    const auto worst = std::ranges::max_element(diagnosis.identified, {}, [&](const ChannelComparison &channel) {
+        return isApproximate && channel.channel.coordinate == R4y ? -1.0 : channel.percentOfPeak.value_or(-1.0);
     });
     return worst == diagnosis.identified.end() ? ChannelComparison() : *worst;
 }
