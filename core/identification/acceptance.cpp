@@ -152,8 +152,6 @@ Candidate judgedCandidate(const Observations &data, Fit fit)
     candidate.price = priceOf(data, hypothesis);
     bool hasIdleOffset = false;
     int originsOfShape = 0;
-    bool hasLength = false;
-    bool hasAngle = false;
     candidate.hasFreeOrigin = data.isByCrankAngle && hypothesis.isFree[indexOf(Parameter::Theta20)];
     bool mayHideErrors = candidate.hasFreeOrigin;
     for (std::size_t j = 0; j < data.columns.size(); ++j) {
@@ -164,16 +162,12 @@ Candidate judgedCandidate(const Observations &data, Fit fit)
         mayHideErrors = mayHideErrors || use.hasOffset || !use.isUsed;
         candidate.judgements.push_back(judgeColumn(data, candidate, j));
         originsOfShape += use.hasOffset && tellsShape(column);
-        hasLength = hasLength || (use.isUsed && tellsShape(column) && isLength(use.channel));
-        hasAngle = hasAngle || (use.isUsed && tellsShape(column) && !isLength(use.channel));
     }
     const Residual worst = candidate.worst = std::ranges::max(candidate.judgements);
     candidate.isExact = worst <= Residual::Rounding;
-    // A small origin may be an error of the values, such as that of a filter, unless both lengths and angles show it exactly.
-    // Among noise, two origins, or one and a column that is left out, may hide another error.
-    const bool isConfirmed = candidate.isExact && hasLength && hasAngle;
+    // A small origin may be an error of the values, such as that of a filter. Among noise, two origins, or one and a column that is left out, may hide another error.
     const int freedoms = originsOfShape + (std::ranges::count(candidate.judgements, Residual::NotUsed) > 0 ? 1 : 0);
-    const bool mayBeError = (hasIdleOffset && !isConfirmed) || (freedoms > 1 && !candidate.isExact);
+    const bool mayBeError = hasIdleOffset || (freedoms > 1 && !candidate.isExact);
     candidate.acceptance = worst <= Residual::White && !mayBeError           ? Acceptance::Identified
                            : worst == Residual::Systematic && !mayHideErrors ? Acceptance::Approximate
                                                                              : Acceptance::Rejected;

@@ -53,7 +53,7 @@ void removeSaturation(std::vector<double> &values, double step)
 {
     constexpr std::ptrdiff_t kFewestRepeats = 5;
     constexpr std::ptrdiff_t kShortestRun = 3;
-    constexpr double kMostPart = 0.5; // of the rows; with more it is a square wave
+    constexpr double kMostPart = 0.35; // of the rows; with more it stands still
     constexpr double kFewSteps =
         8.0; // steps below the peak within which a parabola has twice as many values as at the peak
     constexpr double kLargestJumpPart = 0.15; // of the range, from one row to the next
