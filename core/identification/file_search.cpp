@@ -15,7 +15,7 @@ namespace
 
 constexpr std::size_t kSearchRows = 300;
 
-/// The rows whose flag is not set.
+/// The rows whose flag is not set, without the influence of the others on the spread of the columns.
 Observations without(const Observations &data, const std::vector<bool> &flags)
 {
     std::vector<std::size_t> rows;
@@ -24,7 +24,9 @@ Observations without(const Observations &data, const std::vector<bool> &flags)
             rows.push_back(i);
         }
     }
-    return selection(data, rows);
+    Observations kept = selection(data, rows);
+    std::ranges::for_each(kept.columns, learnSpread);
+    return kept;
 }
 
 /// Whether some rows are flagged, and few enough to be excluded.

@@ -19,24 +19,18 @@ namespace
 using Kind = Convention::Kind;
 
 /// Rounds an origin offset to the roundest number within its standard error. Returns false if it is less than five
-/// standard errors, a rounding step, or a thousandth of the column's size (of a radian for θ2).
-bool settleOrigin(const Observations &data, const Candidate &candidate, const Uncertainty &uncertainty,
-                  ConventionFinding &finding)
+/// standard errors or, for θ2, a thousandth of a radian.
+bool settleOrigin(const Candidate &candidate, const Uncertainty &uncertainty, ConventionFinding &finding)
 {
     constexpr double kErrors = 5.0;
-    constexpr double kLeastPart = 1e-3;
     const Channel channel = finding.channels.front();
-    double error = uncertainty.parameterErrors[indexOf(Parameter::Theta20)];
-    double size = 1.0;
-    double step = 0.0;
-    if (channel != kCrankAngle) {
-        const std::size_t j = columnIndex(candidate.hypothesis.columns, channel);
-        error = uncertainty.errors[Hypothesis::offsetIndex(j)];
-        size = sizeOf(data, candidate.hypothesis, j);
-        step = data.columns[j].step;
-    }
+    const bool isCrank = channel == kCrankAngle;
+    const double error =
+        isCrank ? uncertainty.parameterErrors[indexOf(Parameter::Theta20)]
+                : uncertainty.errors[Hypothesis::offsetIndex(columnIndex(candidate.hypothesis.columns, channel))];
+    const double least = std::max(kErrors * error, isCrank ? 1e-3 : 0.0);
     double &amount = finding.amount;
-    if (std::abs(amount) < toFileUnit(channel, std::max({kLeastPart * size, kErrors * error, step}))) {
+    if (std::abs(amount) < toFileUnit(channel, least)) {
         return false;
     }
     if (error > 0.0) {
@@ -66,7 +60,7 @@ std::vector<ConventionFinding> findConventions(const Observations &data, const C
                 continue;
             }
         }
-        if (finding.kind != Kind::ZeroPoint || settleOrigin(data, candidate, uncertainty, finding)) {
+        if (finding.kind != Kind::ZeroPoint || settleOrigin(candidate, uncertainty, finding)) {
             findings.push_back(std::move(finding));
         }
     }

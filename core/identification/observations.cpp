@@ -82,34 +82,24 @@ void removeSaturation(std::vector<double> &values, double step)
     }
 }
 
-/// Computes mean, spread, steps and variances of a column from its values. `unit`: mm or rad per unit of `rounding`.
+/// Computes spread, steps and variances of a column from its values. `unit`: mm or rad per unit of `rounding`.
 void learnStatistics(ObservedColumn &column, const Rounding &rounding, double unit)
 {
     constexpr double kUsualStep = 1e-6;   // of the peak, for values whose digits reveal no step
     constexpr double kStepOfZeros = 1e-3; // mm or rad
     constexpr double kFinestPart = 0.01;  // of the column's largest step
-    double sum = 0.0;
-    for (const double value : column.values) {
-        sum += std::isnan(value) ? 0.0 : value;
-    }
-    const ValueRange range = rangeOf(column.values);
-    column.count = static_cast<double>(range.count);
-    column.mean = sum / std::max(column.count, 1.0);
-    column.range = column.count > 0.0 ? range.width() : 0.0;
-    column.varies = column.range > 0.0;
+    const double peak = rangeOf(column.values).size();
     std::vector<double> stepAt(column.values.size(), 0.0);
-    double squares = 0.0;
     for (std::size_t i = 0; i < stepAt.size(); ++i) {
         if (const double value = column.values[i]; !std::isnan(value)) {
             stepAt[i] = rounding.stepAt(value / unit) * unit;
             column.step = std::max(column.step, stepAt[i]);
-            squares += (value - column.mean) * (value - column.mean);
         }
     }
-    const double finest = kArithmeticPart * range.size();
-    const double usual = range.size() > 0.0 ? kUsualStep * range.size() : kStepOfZeros;
+    const double finest = kArithmeticPart * peak;
+    const double usual = peak > 0.0 ? kUsualStep * peak : kStepOfZeros;
     column.step = std::max(column.step > 0.0 ? column.step : usual, finest);
-    column.spread = std::max(std::sqrt(squares / std::max(column.count, 1.0)), column.varies ? 0.0 : column.step);
+    learnSpread(column);
     const double repetition = repetitionOf(column);
     column.variances.reserve(stepAt.size());
     for (const double step : stepAt) {
@@ -134,13 +124,32 @@ std::optional<ObservedColumn> observedColumn(const ReferenceSeries &series, std:
     if (isAngle(column.channel.coordinate) && column.channel.order == Order::Position) {
         column.hadJumps = removeJumps(column.values, kTurn);
     }
-    learnStatistics(column, series.rounding, unit);
+    constexpr double kWholeTurn = 360.0; // a wrapped angle was as large when it was rounded
+    learnStatistics(column, column.hadJumps ? series.rounding.withDecimalsAt(kWholeTurn) : series.rounding, unit);
     const bool counts = column.varies || isPlotted(column.channel) || isConstantByNature(column.channel) ||
                         column.channel.coordinate == Theta2;
     return counts && column.count >= 2.0 ? std::optional(std::move(column)) : std::nullopt;
 }
 
 } // namespace
+
+void learnSpread(ObservedColumn &column)
+{
+    const ValueRange range = rangeOf(column.values);
+    column.count = static_cast<double>(range.count);
+    column.range = column.count > 0.0 ? range.width() : 0.0;
+    column.varies = column.range > 0.0;
+    double sum = 0.0;
+    double squares = 0.0;
+    for (const double value : column.values) {
+        sum += std::isnan(value) ? 0.0 : value;
+    }
+    column.mean = sum / std::max(column.count, 1.0);
+    for (const double value : column.values) {
+        squares += std::isnan(value) ? 0.0 : (value - column.mean) * (value - column.mean);
+    }
+    column.spread = std::max(std::sqrt(squares / std::max(column.count, 1.0)), column.varies ? 0.0 : column.step);
+}
 
 bool removeJumps(std::vector<double> &angles, double turn)
 {

@@ -37,6 +37,9 @@ struct ObservedColumn : ColumnStatistics {
     double count = 0.0;            ///< number of values
 };
 
+/// Computes count, mean, range and spread of a column from its values.
+void learnSpread(ObservedColumn &column);
+
 /// Removes jumps by whole turns and returns whether there were any. Angles with jumps of another size are not changed:
 /// they are in another unit. `turn`: in the unit of the angles.
 bool removeJumps(std::vector<double> &angles, double turn);
