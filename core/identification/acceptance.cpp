@@ -31,7 +31,7 @@ constexpr Eigen::Index kHarmonics = 8;
 bool isWhiteInTime(const std::vector<double> &values)
 {
     constexpr std::size_t kLags = 8;
-    constexpr double kLargestSum = 30.0; // 99.98 % point of chi-square with 8 degrees of freedom
+    constexpr double kLargestSum = 30.0;     // 99.98 % point of chi-square with 8 degrees of freedom
     constexpr double kLargestKurtosis = 9.0; // 3 for normally distributed values; single bad readings raise it
     const double largestSkewness = 1.0 + 12.0 / std::sqrt(static_cast<double>(values.size()));
     double sum = 0.0;
@@ -153,24 +153,25 @@ Candidate judgedCandidate(const Observations &data, Fit fit)
     bool hasIdleOffset = false;
     int originsOfShape = 0;
     candidate.hasFreeOrigin = data.isByCrankAngle && hypothesis.isFree[indexOf(Parameter::Theta20)];
-    bool mayHideErrors = candidate.hasFreeOrigin;
+    bool leavesOut = false;
     for (std::size_t j = 0; j < data.columns.size(); ++j) {
         const ObservedColumn &column = data.columns[j];
         const ColumnUse &use = hypothesis.columns[j];
         candidate.hasFreeOrigin = candidate.hasFreeOrigin || use.hasOffset;
         hasIdleOffset = hasIdleOffset || (use.hasOffset && isIdleOffset(data, hypothesis, j));
-        mayHideErrors = mayHideErrors || use.hasOffset || !use.isUsed;
+        leavesOut = leavesOut || !use.isUsed;
         candidate.judgements.push_back(judgeColumn(data, candidate, j));
         originsOfShape += use.hasOffset && tellsShape(column);
     }
     const Residual worst = candidate.worst = std::ranges::max(candidate.judgements);
     candidate.isExact = worst <= Residual::Rounding;
-    // A small origin may be an error of the values, such as that of a filter. Among noise, two origins, or one and a column that is left out, may hide another error.
-    const int freedoms = originsOfShape + (std::ranges::count(candidate.judgements, Residual::NotUsed) > 0 ? 1 : 0);
-    const bool mayBeError = hasIdleOffset || (freedoms > 1 && !candidate.isExact);
-    candidate.acceptance = worst <= Residual::White && !mayBeError           ? Acceptance::Identified
-                           : worst == Residual::Systematic && !mayHideErrors ? Acceptance::Approximate
-                                                                             : Acceptance::Rejected;
+    // A small origin may be an error of the values, such as that of a filter. Among noise, two origins, or one and a
+    // column that is left out, may hide another error.
+    const bool isTooFree = !candidate.isExact && originsOfShape + (leavesOut ? 1 : 0) > 1;
+    candidate.acceptance = worst <= Residual::White && !hasIdleOffset && !isTooFree ? Acceptance::Identified
+                           : worst == Residual::Systematic && !candidate.hasFreeOrigin && !leavesOut
+                               ? Acceptance::Approximate
+                               : Acceptance::Rejected;
     return candidate;
 }
 

@@ -26,8 +26,7 @@ bool settleOrigin(const Candidate &candidate, const Uncertainty &uncertainty, Co
     const Channel channel = finding.channels.front();
     const bool isCrank = channel == kCrankAngle;
     const double error =
-        isCrank ? uncertainty.parameterErrors[indexOf(Parameter::Theta20)]
-                : uncertainty.errors[Hypothesis::offsetIndex(columnIndex(candidate.hypothesis.columns, channel))];
+        uncertainty.errors[isCrank ? 4 : Hypothesis::offsetIndex(columnIndex(candidate.hypothesis.columns, channel))];
     const double least = std::max(kErrors * error, isCrank ? 1e-3 : 0.0);
     double &amount = finding.amount;
     if (std::abs(amount) < toFileUnit(channel, least)) {

@@ -74,8 +74,7 @@ void removeSaturation(std::vector<double> &values, double step)
                 jumps += std::abs(values[i] - values[i - 1]) > kLargestJumpPart * range.width() ? 1.0 : 0.0;
             }
         }
-        if (repeats >= kFewestRepeats && hasRun && 2 * besideLimit < repeats && neighbours > 0.0 &&
-            jumps <= kMostJumps * neighbours &&
+        if (repeats >= kFewestRepeats && hasRun && 2 * besideLimit < repeats && jumps <= kMostJumps * neighbours &&
             static_cast<double>(repeats) <= kMostPart * static_cast<double>(values.size())) {
             std::ranges::replace(values, limit, kNone);
         }
@@ -266,7 +265,7 @@ std::vector<std::size_t> spreadRows(std::size_t end, std::size_t count)
 
 Observations thinned(const Observations &all, std::size_t count)
 {
-    return all.abscissa.size() <= count ? all : selection(all, spreadRows(all.abscissa.size(), count));
+    return selection(all, spreadRows(all.abscissa.size(), count));
 }
 
 } // namespace slidercrank

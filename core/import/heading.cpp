@@ -296,7 +296,7 @@ NameMeaning meaningOf(const Heading &heading)
     return meaningOfWords(name, unit).value_or(NameMeaning{.reason = unknown});
 }
 
-void interpretHeadings(std::vector<Heading> &row, const std::string &unitOfLengths, const std::string &unitOfAngles)
+void interpretHeadings(std::vector<Heading> &row)
 {
     std::optional<std::size_t> magnitude;
     for (std::size_t i = 0; i < row.size(); ++i) {
@@ -316,12 +316,10 @@ void interpretHeadings(std::vector<Heading> &row, const std::string &unitOfLengt
         if (!isComponent) {
             magnitude = meaning.kind == Kind::Quantity ? std::optional(i) : std::nullopt;
         }
-        const bool isOfAngle = isAngle(meaning.channel.coordinate);
-        const std::string base = meaning.reason == ColumnReason::ModelicaName ? (isOfAngle ? "rad" : "m")
-                                 : isOfAngle                                  ? unitOfAngles
-                                                                              : unitOfLengths;
-        if (meaning.kind >= Kind::Quantity && heading.use.unit.empty() && !base.empty()) {
+        if (meaning.reason == ColumnReason::ModelicaName && meaning.kind >= Kind::Quantity &&
+            heading.use.unit.empty()) {
             constexpr std::array kPerTime{"", "/s", "/s2"};
+            const std::string base = isAngle(meaning.channel.coordinate) ? "rad" : "m";
             heading.use.unit = base + kPerTime[static_cast<std::size_t>(meaning.channel.order)];
         }
     }

@@ -51,8 +51,6 @@ NameMeaning meaningOf(const Heading &heading);
 ///
 ///     Velocity (cm/s)   X-comp   Y-comp     PMKS+ writes the magnitude of a vector before its components
 ///     slider.s   slider.a   crank.phi       Modelica: m, rad and s are implied
-///
-/// The units of lengths and angles, if they are not empty, apply to headings without a unit.
-void interpretHeadings(std::vector<Heading> &row, const std::string &unitOfLengths, const std::string &unitOfAngles);
+void interpretHeadings(std::vector<Heading> &row);
 
 } // namespace slidercrank

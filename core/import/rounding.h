@@ -74,8 +74,8 @@ struct PrintedPlaces {
 /// printed place; if the numbers are padded with zeros, it is never coarser than whole numbers, unless it has many
 /// significant digits.
 ///
-/// A value that repeats the one before it says nothing new: a mechanism may stand still. If a column repeats one number,
-/// it is rounded at the last digit of that number, or to a whole number.
+/// A value that repeats the one before it says nothing new: a mechanism may stand still. If a column repeats one
+/// number, it is rounded at the last digit of that number, or to a whole number.
 class RoundingObserver
 {
 public:

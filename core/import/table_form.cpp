@@ -262,12 +262,7 @@ std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout)
         headings[i].cellUnit = splitUnit(row->cells[i]).unit;
         setUnit(headings, i, headings[i].cellUnit, lines[row->line].number);
     }
-    const auto isAbove = [&](std::string_view beginning) {
-        return std::ranges::any_of(examined.first(first),
-                                   [&](const Line &line) { return line.text.starts_with(beginning); });
-    };
-    interpretHeadings(headings, isAbove("Units are S.I. units") ? "m" : "",
-                      isAbove("inDegrees=no") ? "rad" : ""); // OpenSim
+    interpretHeadings(headings);
     const Cells cells = rows.empty() ? Cells() : splitCells(rows.front().text, layout.delimiter);
     for (std::size_t i = 0; i < std::min(cells.size(), headings.size()) && headings[i].meaning.kind < Kind::Quantity;
          ++i) {
