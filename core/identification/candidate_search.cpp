@@ -16,31 +16,33 @@ namespace slidercrank
 namespace
 {
 
-/// Whether the channel is a derivative that may be left out, constant or not.
-bool isPlottedDerivative(Channel channel)
+/// Whether a column of the channel may be left out: a derivative, or the centre of a link, which may be its centre of
+/// mass.
+bool mayBeLeftOut(Channel channel)
 {
-    return channel.order != Order::Position && isPlotted(channel);
+    return channel.coordinate != Theta2 && channel.coordinate != R4y &&
+           (channel.order != Order::Position || !isPlotted(channel));
 }
 
 void addWithVariants(const Observations &data, Hypothesis hypothesis, std::vector<Candidate> &all);
 
 /// Adds a variant of the candidate without the columns whose residuals are as bad as `least` or worse, if these are
-/// derivatives. If positions fail as well, adds the variant with the lowest order of each coordinate only, because
-/// derivatives that are differences may have biased the fit.
+/// derivatives or centres of links. If positions fail as well, adds the variant with the lowest order of each
+/// coordinate only, because derivatives that are differences may have biased the fit.
 void addWithFewerColumns(const Observations &data, const Candidate &candidate, Residual least,
                          std::vector<Candidate> &all)
 {
     Hypothesis hypothesis = candidate.hypothesis;
-    bool onlyDerivatives = true;
+    bool mayLeaveOut = true;
     for (std::size_t j = 0; j < data.columns.size(); ++j) {
         if (candidate.judgements[j] >= least) {
             // An exchanged column that is left out cannot show that it is exchanged.
             const Channel heading = data.columns[j].channel;
-            onlyDerivatives &= isPlottedDerivative(heading) && hypothesis.columns[j].channel == heading;
+            mayLeaveOut &= mayBeLeftOut(heading) && hypothesis.columns[j].channel == heading;
             hypothesis.columns[j] = {.channel = heading, .isUsed = false};
         }
     }
-    if (onlyDerivatives && keepsEnough(hypothesis)) {
+    if (mayLeaveOut && keepsEnough(hypothesis)) {
         addWithVariants(data, std::move(hypothesis), all);
     } else if (isAsWritten(data, candidate.hypothesis)) {
         hypothesis = candidate.hypothesis;
@@ -49,8 +51,7 @@ void addWithFewerColumns(const Observations &data, const Candidate &candidate, R
             const auto isLower = [&](const ColumnUse &other) {
                 return other.channel.coordinate == channel.coordinate && other.channel.order < channel.order;
             };
-            hypothesis.columns[j].isUsed =
-                !isPlottedDerivative(channel) || std::ranges::none_of(hypothesis.columns, isLower);
+            hypothesis.columns[j].isUsed = !mayBeLeftOut(channel) || std::ranges::none_of(hypothesis.columns, isLower);
         }
         Candidate lowest = fitCandidate(data, std::move(hypothesis));
         if (lowest.acceptance != Acceptance::Rejected) {

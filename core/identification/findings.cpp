@@ -52,7 +52,7 @@ std::vector<ConventionFinding> findConventions(const Observations &data, const C
             // Differences of the positions deviate, too, and a filter that differentiates noisy positions may cause any
             // deviation.
             std::erase_if(channels, [&](Channel channel) {
-                return !candidate.isExact ||
+                return !candidate.isExact || !isPlotted(channel) ||
                        isLikeDifferences(data, candidate.hypothesis, columnIndex(data.columns, channel));
             });
             if (channels.empty()) {
