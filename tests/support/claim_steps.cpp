@@ -128,6 +128,13 @@ const std::map<std::string, ColumnStep> kColumnSteps{
               }
           }
       }}},
+    {"fail", // in so much of the rows, readings that are too small by at most x[1] of the swing
+     {Content::Systematic,
+      [](auto &f, auto &column, auto &x) {
+          for (double &value : column.values) {
+              value -= f.random(0.0, 1.0) < x[0] ? f.random(0.0, x[1]) * f.swing(column.shown) : 0.0;
+          }
+      }}},
     {"freeze", // repeats one reading in at most 2.5 % of the rows
      {Content::Motion,
       [](auto &f, auto &column, auto &) {
