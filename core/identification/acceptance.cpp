@@ -33,14 +33,14 @@ bool isWhiteInTime(const std::vector<double> &values)
     constexpr std::size_t kLags = 8;
     constexpr double kLargestSum = 30.0;     // 99.98 % point of chi-square with 8 degrees of freedom
     constexpr double kLargestKurtosis = 9.0; // 3 for normally distributed values; single bad readings raise it
-    const double largestSkewness = 1.0 + 12.0 / std::sqrt(static_cast<double>(values.size()));
+    constexpr double kLargestSkewness = 1.4; // 0 for symmetric noise; errors of one sign shift the parameters
     double sum = 0.0;
     for (std::size_t lag = 1; lag <= std::min(kLags, values.size() / 5); ++lag) {
         const double deviations = autocorrelation(values, lag);
         sum += deviations * deviations;
     }
     const auto [lowest, highest] = std::ranges::minmax(values);
-    return sum <= kLargestSum && std::abs(boost::math::statistics::skewness(values)) <= largestSkewness &&
+    return sum <= kLargestSum && std::abs(boost::math::statistics::skewness(values)) <= kLargestSkewness &&
            (boost::math::statistics::kurtosis(values) <= kLargestKurtosis ||
             std::max(-lowest, highest) <= kFarReading * robustDeviation(values));
 }

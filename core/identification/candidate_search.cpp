@@ -51,9 +51,10 @@ void addWithFewerColumns(const Observations &data, const Candidate &candidate, R
             const auto isLower = [&](const ColumnUse &other) {
                 return other.channel.coordinate == channel.coordinate && other.channel.order < channel.order;
             };
-            hypothesis.columns[j].isUsed = !mayBeLeftOut(channel) || std::ranges::none_of(hypothesis.columns, isLower);
+            hypothesis.columns[j].isUsed =
+                isPlotted(channel) ? std::ranges::none_of(hypothesis.columns, isLower) : !mayBeLeftOut(channel);
         }
-        Candidate lowest = fitCandidate(data, std::move(hypothesis));
+        Candidate lowest = keepsEnough(hypothesis) ? fitCandidate(data, std::move(hypothesis)) : Candidate();
         if (lowest.acceptance != Acceptance::Rejected) {
             all.push_back(std::move(lowest));
         }

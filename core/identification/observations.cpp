@@ -123,8 +123,8 @@ std::optional<ObservedColumn> observedColumn(const ReferenceSeries &series, std:
     if (isAngle(column.channel.coordinate) && column.channel.order == Order::Position) {
         column.hadJumps = removeJumps(column.values, kTurn);
     }
-    constexpr double kWholeTurn = 360.0; // a wrapped angle was as large when it was rounded
-    learnStatistics(column, column.hadJumps ? series.rounding.withDecimalsAt(kWholeTurn) : series.rounding, unit);
+    // A wrapped angle was as large as 360° when it was rounded.
+    learnStatistics(column, column.hadJumps ? series.rounding.withDecimalsAt(360.0) : series.rounding, unit);
     const bool counts = column.varies || isPlotted(column.channel) || isConstantByNature(column.channel) ||
                         column.channel.coordinate == Theta2;
     return counts && column.count >= 2.0 ? std::optional(std::move(column)) : std::nullopt;
