@@ -7,11 +7,13 @@
 #include "tests/support/suite.h"
 
 #include <QLocale>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 using namespace slidercrank;
 
@@ -140,6 +142,37 @@ private slots:
         QCOMPARE(several.status, 5);
         QCOMPARE(several.json()["files"].toArray().size(), 2);
         QVERIFY(several.json()["files"].toArray()[1].toObject()["mechanism"].isNull());
+    }
+
+    void statesTheErrorsOfLengthsForTheGivenCrank()
+    {
+        const QString file = writePartOfSample("angles.csv", {4, 5, 6});
+        const QJsonObject found = run({"identify", file, "--format", "json"}).firstFile();
+        for (const auto &[name, length] : {std::pair{"b", 60.0}, {"c", 25.0}}) {
+            const QLatin1String key(name);
+            QVERIFY(!found["identifiable"][key].toBool());
+            QVERIFY(std::abs(found["mechanism"][key].toDouble() - length) <=
+                    5.0 * found["standardError"][key].toDouble());
+        }
+    }
+
+    void statesTheDeviationOfAnApproximateMechanism()
+    {
+        QString text = "time,R4_x,R4_y\n"; // of a = 20, b = 60, c = 0 with smooth errors
+        for (int row = 0; row <= 150; ++row) {
+            const double angle = 0.1 * row;
+            const double across = 20.0 * std::sin(angle);
+            text +=
+                QStringLiteral("%1,%2,%3\n")
+                    .arg(angle, 0, 'f', 1)
+                    .arg(20.0 * std::cos(angle) + std::sqrt(3600.0 - across * across) + 0.02 * std::sin(5.0 * angle), 0,
+                         'f', 5)
+                    .arg(0.02 * std::sin(1.7 * angle), 0, 'f', 5);
+        }
+        const QJsonObject found = run({"identify", write("smooth.csv", text.toUtf8()), "--format", "json"}).firstFile();
+        QCOMPARE(found["outcome"].toString(), QStringLiteral("approximate"));
+        const QRegularExpression percent("up to ([0-9.]+) % of peak");
+        QVERIFY(percent.match(found["summary"].toString()).captured(1).toDouble() < 0.1);
     }
 
     void identifiesTheReferenceReportsFile()
