@@ -46,7 +46,7 @@ void addGridStarts(const Observations &coarse, Hypothesis hypothesis, double spe
     }
     constexpr std::array kOffsets{0.0, 0.5, -0.5, 1.2, -1.2, 5.0, -5.0, 60.0, -60.0}; // c / a
     constexpr std::array kCouplers{0.85, 1.05, 1.25, 1.7, 2.7, 8.0};                  // b / (a + |c|)
-    constexpr int kAngles = 16;
+    constexpr int kAngles = 12;
     std::vector<Fit> found;
     for (const double offset : kOffsets) {
         for (const double coupler : kCouplers) {
