@@ -141,10 +141,12 @@ const Candidate &believedCandidate(std::span<const Candidate> candidates)
 /// The covariance of the unknowns that follows from errors of the values that are not independent: the values may be
 /// truncated instead of rounded, unless the residuals exclude that, and a column with noise may have a smooth error, a
 /// sum of harmonics of the crank angle. Its size is that of the part that the fit does not absorb, in excess of noise.
+/// An unknown origin of the only column may hide it: then it is at least the linearity error of a usual sensor.
 Eigen::MatrixXd covarianceOfCommonErrors(const Observations &data, const Candidate &candidate,
                                          const NormalEquations &equations, const Eigen::MatrixXd &covariance)
 {
     constexpr double kSigmas = 3.0;
+    constexpr double kLinearity = 2e-3; // of the range
     const Eigen::Index unknowns = covariance.rows();
     const Eigen::Index count = equations.gradient.size() - unknowns;
     const Eigen::VectorXd projections = equations.gradient.tail(count);
@@ -158,6 +160,9 @@ Eigen::MatrixXd covarianceOfCommonErrors(const Observations &data, const Candida
         const double half = 0.5 * data.columns[j].step * candidate.hypothesis.columns[j].factor();
         if (half * (half * visible(k, k) - 2.0 * projections[k]) <= kMargin) { // growth of chi-square
             result += half * half * changes.col(k) * changes.col(k).transpose();
+        }
+        if (candidate.hasFreeOrigin && !candidate.isExact && data.columns.size() == 1) {
+            result += std::pow(kLinearity * data.columns[j].range, 2.0) * changes * changes.transpose();
         }
         sizes.segment<kErrorsOfColumn>(k).setConstant(std::sqrt(candidate.noiseVariances[j]));
     }
@@ -180,9 +185,8 @@ Uncertainty computeUncertainty(const Observations &data, const Candidate &candid
     for (std::size_t row = 0; row < data.abscissa.size(); ++row) {
         angles.push_back(crankAngle(data, candidate.hypothesis, row));
     }
-    Eigen::MatrixXd errors(kErrorsOfColumn, std::ssize(angles));
-    errors << harmonicBasis(angles, 4), 2.0 / data.span() * powerBasis(data.abscissa, 2).row(1);
-    const NormalEquations equations = normalEquations<kErrorsOfColumn>(data, candidate, errors);
+    const NormalEquations equations =
+        normalEquations<kErrorsOfColumn>(data, candidate, harmonicBasis(angles, kErrorsOfColumn / 2));
     const Eigen::Index unknowns = candidate.hypothesis.unknowns.size();
     const Eigen::MatrixXd matrix = equations.matrix.topLeftCorner(unknowns, unknowns);
     const Eigen::MatrixXd covariance = solveSymmetric(matrix, Eigen::MatrixXd::Identity(unknowns, unknowns));

@@ -57,7 +57,7 @@ Fit evaluateHypothesis(const Observations &data, Hypothesis hypothesis);
 /// Sets the free scales, and the offsets of the same columns, by linear regression.
 void regressScales(const Observations &data, Hypothesis &hypothesis);
 
-inline constexpr int kErrorsOfColumn = 10; ///< the harmonics of the crank angle up to the fourth, and a linear drift
+inline constexpr int kErrorsOfColumn = 9; ///< the harmonics of the crank angle up to the fourth
 
 /// Jᵀ V⁻¹ J and Jᵀ V⁻¹ r with respect to the unknowns, and then to the errors of each column, which are `kErrors`
 /// functions of the row; held unknowns have 1 on the diagonal.

@@ -136,18 +136,18 @@ void learnSpread(ObservedColumn &column)
 {
     const ValueRange range = rangeOf(column.values);
     column.count = static_cast<double>(range.count);
-    column.range = column.count > 0.0 ? range.width() : 0.0;
+    column.range = range.width();
     column.varies = column.range > 0.0;
     double sum = 0.0;
     double squares = 0.0;
     for (const double value : column.values) {
         sum += std::isnan(value) ? 0.0 : value;
     }
-    column.mean = sum / std::max(column.count, 1.0);
+    column.mean = sum / column.count;
     for (const double value : column.values) {
         squares += std::isnan(value) ? 0.0 : (value - column.mean) * (value - column.mean);
     }
-    column.spread = std::max(std::sqrt(squares / std::max(column.count, 1.0)), column.varies ? 0.0 : column.step);
+    column.spread = std::max(std::sqrt(squares / column.count), column.varies ? 0.0 : column.step);
 }
 
 bool removeJumps(std::vector<double> &angles, double turn)

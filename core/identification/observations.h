@@ -37,7 +37,7 @@ struct ObservedColumn : ColumnStatistics {
     double count = 0.0;            ///< number of values
 };
 
-/// Computes count, mean, range and spread of a column from its values.
+/// Computes count, mean, range and spread of a column from its values. If it has none, only the count has a meaning.
 void learnSpread(ObservedColumn &column);
 
 /// Removes jumps by whole turns and returns whether there were any. Angles with jumps of another size are not changed:
