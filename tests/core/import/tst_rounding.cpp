@@ -80,6 +80,9 @@ const std::vector<ColumnRow> kColumns{
     {"6 digits, and four small values with fewer",
      [](int i) { return i < 4 ? withDecimals(1.2345 * (i + 1), 3) : padded(1e3 + irregular(i, 500.0), 6); },
      Rule::SignificantDigits, 6},
+    {"6 digits, and a standstill in half of the rows",
+     [](int i) { return i < 100 ? QString("80") : QString::number(80.0 + irregular(i, 15.0), 'g', 6); },
+     Rule::SignificantDigits, 6},
     {"zeros", [](int) { return QString("0.000000"); }, Rule::Unknown, 0},
     // If all values are equal, their zeros may be significant.
     {"25, padded: as many digits as a person chooses", [](int) { return QString("25.000000"); }, Rule::Decimals, 2},
