@@ -134,7 +134,7 @@ SpeedCandidates speedCandidates(const Observations &data)
         std::min(std::numbers::pi / data.interval() * 1.02, 1.2 * std::numbers::pi * (crossings + 3.0) / span);
     SpeedCandidates speeds{periodogramMinima(data, kLeastTurns * kTurn / span, high, 1.0 / span), {}, false};
     if (crossings <= kMostCrossingsOfArc) {
-        for (double angle = 0.1; angle < 8.0; angle *= 1.35) {
+        for (double angle = 0.1; angle < 8.0; angle *= 1.5) {
             speeds.shortArc.push_back(angle / span);
         }
     }

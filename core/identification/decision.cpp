@@ -31,9 +31,10 @@ std::vector<Candidate> equalImages(const Observations &data, const Candidate &ca
     for (std::size_t i = 1; i < images.size() && !data.isByCrankAngle; ++i) {
         Hypothesis hypothesis = candidate.hypothesis;
         setMiddleParameters(images[i], hypothesis);
-        hypothesis.isFree = {}; // only the offsets are fitted
-        Fit fit = fitHypothesis(data, std::move(hypothesis), 3);
-        if (fit.exists()) {
+        Fit fit = evaluateHypothesis(data, hypothesis);
+        if (candidate.hasFreeOrigin && fit.exists()) {
+            hypothesis.isFree = {}; // only the offsets are fitted
+            fit = fitHypothesis(data, std::move(hypothesis), 3);
             fit.hypothesis.isFree = candidate.hypothesis.isFree;
             fit = evaluateHypothesis(data, std::move(fit.hypothesis));
         }

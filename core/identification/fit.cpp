@@ -169,7 +169,7 @@ template <int kErrors>
 NormalEquations normalEquations(const Observations &data, const Fit &fit, const Eigen::MatrixXd &errors)
 {
     constexpr int kCount = kParameterCount + 2 + kErrors;
-    using Block = Eigen::Matrix<double, kCount, kCount + 1>; // of a column; the last column is its gradient
+    using Block = Eigen::Matrix<double, kCount + 1, kCount + 1>; // of a column; the last column is its gradient
     const Hypothesis &hypothesis = fit.hypothesis;
     const Eigen::Index unknowns = hypothesis.unknowns.size();
     const Eigen::Index size = unknowns + kErrors * std::ssize(data.columns);
@@ -178,17 +178,16 @@ NormalEquations normalEquations(const Observations &data, const Fit &fit, const 
     std::vector<Block> blocks(data.columns.size(), Block::Zero());
     Eigen::Matrix<double, kCount + 1, 1> slope;
     forEachResidual<Dual>(data, hypothesis, [&](std::size_t row, std::size_t j, const Dual &model, double residual) {
-        slope << hypothesis.scale(j) * model.derivatives(), 1.0, model.value(),
+        slope << hypothesis.scale(j) * model.derivatives().head<kParameterCount>(), 1.0, model.value(),
             errors.col(static_cast<Eigen::Index>(row)), residual;
-        const Eigen::Matrix<double, kCount, 1> weighted = slope.template head<kCount>() / fit.variances[j][row];
-        blocks[j].noalias() += weighted * slope.transpose();
+        blocks[j].noalias() += slope * (slope / fit.variances[j][row]).transpose();
     });
     for (std::size_t j = 0; j < blocks.size(); ++j) {
         const Eigen::Index offset = Hypothesis::offsetIndex(j);
         std::array<Eigen::Index, kCount> index{0, 1, 2, 3, 4, offset, offset + 1};
         std::iota(index.end() - kErrors, index.end(), unknowns + kErrors * static_cast<Eigen::Index>(j));
-        equations.gradient(index) += blocks[j].col(kCount);
-        matrix(index, index) += blocks[j].template leftCols<kCount>();
+        equations.gradient(index) += blocks[j].template topRightCorner<kCount, 1>();
+        matrix(index, index) += blocks[j].template topLeftCorner<kCount, kCount>();
     }
     for (Eigen::Index k = 0; k < unknowns; ++k) {
         if (!hypothesis.isFreeUnknown(k) || !(matrix(k, k) > 0.0)) {

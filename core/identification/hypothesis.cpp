@@ -118,9 +118,9 @@ double ColumnRegression::offset(double factor, double size) const
 
 std::vector<ColumnRegression> columnRegressions(const Observations &data, const Hypothesis &hypothesis)
 {
-    std::vector<ColumnRegression> regressions;
-    for (const ObservedColumn &column : data.columns) {
-        regressions.push_back({column.mean});
+    std::vector<ColumnRegression> regressions(data.columns.size());
+    for (std::size_t j = 0; j < regressions.size(); ++j) {
+        regressions[j].center = data.columns[j].mean;
     }
     const auto add = [&](std::size_t row, std::size_t column, double model, double) {
         ColumnRegression &sums = regressions[column];

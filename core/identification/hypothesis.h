@@ -96,8 +96,9 @@ double interpretedSpread(const Observations &data, const Hypothesis &hypothesis,
 /// nature, the parameter that determines its size: a for R4y, ω2 for the crank speed.
 double sizeOf(const Observations &data, const Hypothesis &hypothesis, std::size_t column);
 
-/// A number with its derivatives with respect to a, b, c, ω2 and θ2.
-using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, 5, 1>>;
+/// A number with its derivatives with respect to a, b, c, ω2 and θ2. The sixth one is not used: processors compute two
+/// or more at a time.
+using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, 6, 1>>;
 
 inline double plainValue(double x)
 {

@@ -14,7 +14,8 @@ namespace
 {
 
 constexpr std::size_t kCoarseRows = 20; // on which the grid is evaluated
-constexpr std::size_t kFitRows = 60;
+constexpr std::size_t kArcRows = 12;    // the same at the speeds of short arcs
+constexpr std::size_t kFitRows = 40;
 
 /// Added to 1 − ρ² on the grid, so that a shape that fits all columns roughly beats one that fits
 /// half of them exactly.
@@ -74,7 +75,7 @@ void addGridStarts(const Observations &coarse, Hypothesis hypothesis, double spe
 /// it if there are more than two columns.
 bool fitStarts(const Observations &data, std::vector<Fit> starts, std::size_t most, std::vector<Fit> &fits)
 {
-    constexpr int kRounds = 3;
+    constexpr int kRounds = 2;
     std::ranges::sort(starts, {}, &Fit::score);
     starts.resize(std::min(starts.size(), most));
     bool isExact = false;
@@ -99,8 +100,7 @@ std::vector<Fit> searchShapes(const Observations &data, const std::vector<Column
                               const SpeedCandidates &speeds)
 {
     constexpr std::size_t kPerSpeed = 3;
-    constexpr std::size_t kPerArc = 2;
-    constexpr std::size_t kArcs = 8;
+    constexpr std::size_t kArcs = 5;
     const Observations coarse = thinned(data, kCoarseRows);
     const Observations fine = thinned(data, kFitRows);
     Hypothesis hypothesis;
@@ -118,8 +118,9 @@ std::vector<Fit> searchShapes(const Observations &data, const std::vector<Column
         }
     }
     std::vector<Fit> starts;
+    const Observations arc = thinned(data, kArcRows);
     for (const double speed : speeds.shortArc) {
-        addGridStarts(coarse, hypothesis, speed, kPerArc, starts);
+        addGridStarts(arc, hypothesis, speed, kPerSpeed, starts);
     }
     fitStarts(fine, std::move(starts), kArcs, fits);
     return fits;
