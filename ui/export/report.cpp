@@ -165,6 +165,10 @@ QString methodText(const Result &result)
     return text + u' ' + fewSamplesSentence(result.mechanism, sampling);
 }
 
+#ifdef Q_MOC_RUN // moc reads no headers of Qt
+Q_DECLARE_INTERFACE(QTextObjectInterface, "org.qt-project.Qt.QTextObjectInterface")
+#endif
+
 /// Draws vector graphics within the text.
 class DrawingObject : public QObject, public QTextObjectInterface
 {
@@ -249,4 +253,4 @@ std::optional<QString> exportReport(const QString &path, const ReportContent &co
 
 } // namespace slidercrank
 
-#include "report.moc"
+#include "moc_report.cpp"
