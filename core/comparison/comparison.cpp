@@ -38,7 +38,7 @@ Scale scaleOf(const Mechanism &mechanism, const ReferenceSeries &reference, std:
     const auto [coordinate, order] = reference.channel;
     const auto inFileUnit = [&](double size) { return toFileUnit(reference.channel, size); };
     Scale scale;
-    double low = std::numeric_limits<double>::infinity();
+    double low = kInfinity;
     double high = -low;
     for (std::size_t i = 0; i < model.size(); ++i) {
         const double value = reference.values[i];
@@ -69,7 +69,7 @@ Scale scaleOf(const Mechanism &mechanism, const ReferenceSeries &reference, std:
 struct RoundedTimeEffect {
     Trajectory early;
     Trajectory late;
-    double largestDrift = std::numeric_limits<double>::infinity(); ///< in units of half the range
+    double largestDrift = kInfinity; ///< in units of half the range
 
     bool isMotionPossible(Channel channel, std::size_t row) const
     {

@@ -9,14 +9,11 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <span>
 #include <vector>
 
 namespace slidercrank
 {
-
-inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Properties of a column, computed from all rows. A selection of rows keeps them.
 struct ColumnStatistics {

@@ -24,7 +24,7 @@ Clock clockOf(std::span<const double> time, const Rounding &rounding)
     clock.printedStep = rounding.stepAt(latest);
     const double slack =
         std::max(kPartOfStep * clock.printedStep, kUlps * std::numeric_limits<double>::epsilon() * latest);
-    double least = std::numeric_limits<double>::infinity();
+    double least = kInfinity;
     double most = 0.0;
     for (std::size_t i = 1; i < time.size() && clock.even; ++i) {
         const double difference = time[i] - time[i - 1];

@@ -46,8 +46,7 @@ void countFromFirstRow(RawColumn &column)
     }
     const double first = rangeOf(column.values).low;
     double scale = 1.0; // number of units in a second
-    while (column.use.unit.empty() && first < std::numeric_limits<double>::infinity() &&
-           first > kLatestSecond * scale) {
+    while (column.use.unit.empty() && first < kInfinity && first > kLatestSecond * scale) {
         scale *= 1000.0;
     }
     if (scale > 1.0 || (column.isClock && first >= kHour)) {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace slidercrank
 {
@@ -45,7 +44,7 @@ std::optional<Difference> differenceIn(const ReferenceData &data, Channel channe
     }
     const auto best = static_cast<std::size_t>(std::ranges::min_element(squares) - squares.begin());
     const double least = squares[best];
-    squares[best] = std::numeric_limits<double>::infinity();
+    squares[best] = kInfinity;
     if (best == 3 || !(*std::ranges::min_element(squares) > kBetter * least)) {
         return std::nullopt;
     }

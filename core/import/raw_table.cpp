@@ -13,7 +13,7 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kUnreadable = std::numeric_limits<double>::infinity();
+constexpr double kUnreadable = kInfinity;
 constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kFewestCells = 2; // in a row: other missing cells at the end are gaps
 

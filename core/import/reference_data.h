@@ -28,7 +28,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -98,8 +97,8 @@ struct ReadError {
 
 /// The range of the finite ones among some values.
 struct ValueRange {
-    double low = std::numeric_limits<double>::infinity();
-    double high = -std::numeric_limits<double>::infinity();
+    double low = kInfinity;
+    double high = -kInfinity;
     std::size_t count = 0;
 
     double width() const { return high - low; }

@@ -149,7 +149,7 @@ Rounding RoundingObserver::infer(double unitFactor, bool areTimeStamps) const
         }
     }
     // Weighted distance of a rule from the places of the decades; among equal ones, the coarser rule is better.
-    std::pair<double, double> least{std::numeric_limits<double>::infinity(), 0.0};
+    std::pair<double, double> least{kInfinity, 0.0};
     for (const Rounding::Rule rule : {Rounding::Rule::SignificantDigits, Rounding::Rule::Decimals}) {
         const bool isRelative = rule == Rounding::Rule::SignificantDigits;
         for (const RoundedDecade &best : decades) { // the best place, a weighted median, is that of a decade
@@ -201,7 +201,7 @@ std::optional<double> findQuantum(std::span<const double> values, double printed
     std::ranges::sort(differences);
     const double uncertainty =
         2.0 * printedStep + kArithmeticError * std::max(std::abs(levels.front()), std::abs(levels.back()));
-    double quantum = std::numeric_limits<double>::infinity();
+    double quantum = kInfinity;
     const auto takeGaps = [&](const std::vector<double> &sorted) {
         std::size_t distinct = 1;
         for (std::size_t i = 1; i < sorted.size(); ++i) {

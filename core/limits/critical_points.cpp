@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace slidercrank
@@ -122,8 +121,7 @@ void addLimits(const SteepPlace &place, double u, AllPoints &points)
     for (std::size_t channel = 0; channel < kCount; ++channel) {
         const bool isFinite = place.isToggle() || kPlottedChannels[channel].order == Order::Position;
         const double value = rates.value[channel];
-        points[channel].push_back({theta2,
-                                   isFinite ? value : std::copysign(std::numeric_limits<double>::infinity(), value),
+        points[channel].push_back({theta2, isFinite ? value : std::copysign(kInfinity, value),
                                    u > 0.0 ? CriticalPoint::Kind::Begin : CriticalPoint::Kind::End});
     }
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/limits/design.h"
 
+#include "core/mechanism/mechanism.h"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 // In the dead centres crank and coupler lie in one line: the wrist pin B is at the distances b + a and b - a from the
@@ -120,8 +121,7 @@ std::variant<Lengths, DesignFault> design(const DesignRequest &request)
                                largestTimeRatio(wanted)};
         }
         // A longer coupler than usual is needed. For p = 0 cos μ = 1/r.
-        ratio = p > 0.0 ? findBestRatio(p)
-                        : std::nextafter(1.0 / std::cos(wanted), std::numeric_limits<double>::infinity());
+        ratio = p > 0.0 ? findBestRatio(p) : std::nextafter(1.0 / std::cos(wanted), kInfinity);
     }
     return findLengths(request.stroke, request.timeRatio, ratio);
 }

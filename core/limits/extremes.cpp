@@ -6,15 +6,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace slidercrank
 {
 
 namespace
 {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Returns the points of the largest magnitude, equal except for rounding.
 std::vector<PeakPlace> largestPlaces(const CriticalPoints &points)

@@ -8,7 +8,6 @@
 #include <Eigen/SVD>
 
 #include <cmath>
-#include <limits>
 
 namespace slidercrank
 {
@@ -41,7 +40,7 @@ double conditionNumber(const Matrix12 &matrix)
 {
     const Vector12 singularValues = Eigen::JacobiSVD<Matrix12>(matrix).singularValues();
     const double smallest = singularValues[kCoordinateCount - 1];
-    return smallest > 0.0 ? singularValues[0] / smallest : std::numeric_limits<double>::infinity();
+    return smallest > 0.0 ? singularValues[0] / smallest : kInfinity;
 }
 
 } // namespace slidercrank

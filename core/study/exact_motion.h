@@ -19,7 +19,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace slidercrank
 {
@@ -96,8 +95,8 @@ std::array<double, kChannelCount> conditioning(const Parameters &parameters, dou
         const ExactState<Real> below = exactState(less);
         const bool exists = above.status == Status::Solved && below.status == Status::Solved;
         for (std::size_t index = 0; index < kChannelCount; ++index) {
-            kappa[index] += exists ? static_cast<double>(abs(above.values[index] - below.values[index]) / (2 * step))
-                                   : std::numeric_limits<double>::infinity();
+            kappa[index] +=
+                exists ? static_cast<double>(abs(above.values[index] - below.values[index]) / (2 * step)) : kInfinity;
         }
     }
     return kappa;

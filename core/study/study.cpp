@@ -21,7 +21,6 @@ using Clock = std::chrono::steady_clock;
 /// Receives the completed fraction of a piece of work.
 using Progress = std::function<void(double)>;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kChannels = kPlottedChannels.size();
 
 double secondsSince(Clock::time_point start)

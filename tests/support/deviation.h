@@ -89,7 +89,7 @@ Deviation worstDeviation(const State &got, const ExactState<Real> &exact, double
                             tolerances[index]};
         deviation.error = std::isfinite(deviation.got)
                               ? static_cast<double>(abs(Real(deviation.got) - exact.values[index]))
-                              : std::numeric_limits<double>::infinity();
+                              : kInfinity;
         if (deviation.ratio() > worstRatio) {
             worstRatio = deviation.ratio();
             worst = deviation;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plots/curve_sampling.h"
 
+#include "core/mechanism/mechanism.h"
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -11,8 +13,6 @@ namespace slidercrank
 
 namespace
 {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 bool isGap(const CurvePoint &point)
 {

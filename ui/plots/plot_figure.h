@@ -56,7 +56,7 @@ struct PlotCurve {
     std::vector<CurvePoint> dots = {}; ///< samples that are drawn as single dots
 
     /// A dot with this value is drawn at the upper edge of the axes.
-    static constexpr double kUpperEdge = std::numeric_limits<double>::infinity();
+    static constexpr double kUpperEdge = kInfinity;
 };
 
 struct Plot {

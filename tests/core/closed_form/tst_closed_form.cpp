@@ -24,7 +24,6 @@ constexpr double kPromise = 1e-15;
 constexpr double kRoundings = 16.0;
 
 constexpr double kQuarter = 0.5 * std::numbers::pi;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 QString text(const Parameters &parameters, const Deviation &deviation)
 {

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -54,7 +53,7 @@ double farthest(const ReferenceData &data)
         const ReferencePose pose = referencePoseAt(data, kOfTheFile, t);
         const Motion motion = ClosedForm(kOfTheFile).motionAt(t);
         if (!pose.exists) {
-            return std::numeric_limits<double>::infinity();
+            return kInfinity;
         }
         farthest = std::max(
             {farthest, std::abs(pose.sliderX - motion.R4x), std::abs(pose.sliderY - kOfTheFile.c()),

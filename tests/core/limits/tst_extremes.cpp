@@ -185,7 +185,6 @@ private slots:
             std::array<double, 4> magnitudes;
             std::array<std::size_t, 4> places;
         };
-        constexpr double kInfinity = std::numeric_limits<double>::infinity();
         constexpr std::array<double, 4> kAllUnbounded{kInfinity, kInfinity, kInfinity, kInfinity};
         const std::array<double, 4> toggle{150.0, kInfinity, 3.0 * std::sqrt(20.0 / 45.0), kInfinity};
         const Row rows[] = {

@@ -224,7 +224,7 @@ private slots:
             VERIFY_FOR(p, limits.stroke.has_value() == (limits.mobility != Mobility::Impossible));
             double stroke = 0.0;
             for (const CrankRange &range : limits.ranges) {
-                double least = std::numeric_limits<double>::infinity();
+                double least = kInfinity;
                 double most = -least;
                 double from = range.from;
                 for (const double square : {-0.5 * pi, 0.5 * pi, 1.5 * pi, 2.5 * pi, kTurn + range.to}) {

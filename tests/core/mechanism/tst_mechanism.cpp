@@ -7,15 +7,12 @@
 
 #include <QTest>
 
-#include <limits>
 #include <set>
 
 using namespace slidercrank;
 
 namespace
 {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 } // namespace
 

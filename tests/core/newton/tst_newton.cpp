@@ -205,7 +205,7 @@ private slots:
             Status status;
             int iterations = 0;
         };
-        const double infinity = std::numeric_limits<double>::infinity();
+        const double infinity = kInfinity;
         const Row rows[] = {
             {{.b = 4.0}, 0.74, 10, Status::NotAssemblable},
             {{.b = 40.0}, 0.75, 10, Status::NotAssemblable},

@@ -222,7 +222,7 @@ private slots:
             {"mechanism.b", -1e-9},
             {"mechanism.b", 2e12},
             {"mechanism.b", "65"},
-            {"mechanism.c", std::numeric_limits<double>::infinity()},
+            {"mechanism.c", kInfinity},
             {"mechanism.omega2", -2e12},
             {"mechanism.branch", "left"},
             {"mechanism", "x"},

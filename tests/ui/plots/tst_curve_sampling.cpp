@@ -36,7 +36,7 @@ private slots:
     {
         const std::vector<double> time = evenTime(11);
         std::vector<double> values = time;
-        values[4] = std::numeric_limits<double>::infinity();
+        values[4] = kInfinity;
         QCOMPARE(written(decimate(time, values, {0.32, 0.58}, 100)), "0.3,0.3 0.4,- 0.5,0.5 0.6,0.6");
         QCOMPARE(decimate(time, values, kWhole, 100).size(), time.size());
     }
@@ -64,7 +64,7 @@ private slots:
         const std::vector<double> time = evenTime(20'001);
         for (const std::size_t gap : {0, 1, 9'999, 10'000, 20'000}) {
             std::vector<double> values(time.size(), 1.0);
-            values[gap] = -std::numeric_limits<double>::infinity();
+            values[gap] = -kInfinity;
             QCOMPARE(written(decimate(time, values, kWhole, 200)).count(",-"), 1);
         }
         std::vector<double> values(time.size(), 0.0);
