@@ -5,6 +5,7 @@
 
 #include "core/comparison/comparison.h"
 #include "core/import/reference_data.h"
+#include "tests/support/channels.h"
 #include "tests/support/claim_file.h"
 #include "tests/support/long_tests.h"
 #include "tests/support/random_mechanisms.h"
@@ -42,12 +43,12 @@ struct Kind {
 };
 
 const std::vector<Channel> kSix(kPlottedChannels.begin(), kPlottedChannels.end());
-constexpr Channel kX{R4x, Order::Position};
 constexpr Channel kCrank{Theta2, Order::Position};
 
 std::vector<Kind> kinds()
 {
-    const std::vector<Channel> constants{kX, {R4y, Order::Position}, {R4y, Order::Velocity}, {Theta2, Order::Velocity}};
+    const std::vector<Channel> constants{
+        kSlider, {R4y, Order::Position}, {R4y, Order::Velocity}, {Theta2, Order::Velocity}};
     return {
         {"six columns of six digits", kSix, "%.6g", "%.9g", 100.0, 201},
         {"time stamps of 4 decimals", kSix, "%.6g", "%.4f"},
@@ -63,11 +64,11 @@ std::vector<Kind> kinds()
         {"six digits printed with 19", kSix, "%.6g", "%.17g", 30.0, 61, "%.18e"},
         {"constants", constants},
         {"constants of six digits printed with six decimals", constants, "%.6g", "%.9g", 30.0, 61, "%.6f"},
-        {"whole millimetres", {kX, {R4x, Order::Velocity}}, "%.0f", "%.9g", 100.0, 201},
-        {"whole millimetres and 4 decimals of time", {kX}, "%.0f", "%.4f"},
+        {"whole millimetres", {kSlider, {R4x, Order::Velocity}}, "%.0f", "%.9g", 100.0, 201},
+        {"whole millimetres and 4 decimals of time", {kSlider}, "%.0f", "%.4f"},
         {"rockers", kSix, "%.6g", "%.9g", 100.0, 201, "", true},
         {"rockers, time stamps of 2 decimals", kSix, "%.6g", "%.2f", 30.0, 61, "", true},
-        {"chosen angles", {kCrank, kX}, "%.0f", "%.9g", 100.0, 61, "", false, true},
+        {"chosen angles", {kCrank, kSlider}, "%.0f", "%.9g", 100.0, 61, "", false, true},
         {"two rows", kSix, "%.6g", "%.1f", 10.0, 2},
         {"three rows, a tenth of a second apart", kSix, "%.6g", "%.1f", 10.0, 3},
     };

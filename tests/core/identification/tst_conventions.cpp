@@ -4,6 +4,7 @@
 #include "core/comparison/comparison.h"
 #include "core/import/crank_angles.h"
 
+#include "tests/support/channels.h"
 #include "tests/support/long_tests.h"
 #include "tests/support/printed_motion.h"
 #include "tests/support/random_mechanisms.h"
@@ -23,14 +24,8 @@ using Kind = Convention::Kind;
 namespace
 {
 
-constexpr Channel kTheta{Theta3, Order::Position};
-constexpr Channel kThetaDot{Theta3, Order::Velocity};
-constexpr Channel kThetaDDot{Theta3, Order::Acceleration};
-constexpr Channel kX{R4x, Order::Position};
-constexpr Channel kXDot{R4x, Order::Velocity};
-constexpr Channel kXDDot{R4x, Order::Acceleration};
-const std::vector<Channel> kAngles{kTheta, kThetaDot, kThetaDDot};
-const std::vector<Channel> kLengths{kX, kXDot, kXDDot};
+const std::vector<Channel> kAngles{kTheta3, kTheta3Speed, kTheta3Acceleration};
+const std::vector<Channel> kLengths{kSlider, kSliderSpeed, kSliderAcceleration};
 
 /// Returns the number of random files to test.
 int filesOf(int all)
@@ -71,32 +66,33 @@ void randomize(std::vector<double> &values, RandomMechanisms &random)
 
 const std::vector<Fault> kFaults{
     {"angles in radians", {Kind::AngleUnit, kAngles, kDegreesPerRadian}},
-    {"only the angle in radians", {Kind::AngleUnit, {kTheta}, kDegreesPerRadian}},
-    {"the angle's derivatives in radians", {Kind::AngleUnit, {kThetaDot, kThetaDDot}, kDegreesPerRadian}},
+    {"only the angle in radians", {Kind::AngleUnit, {kTheta3}, kDegreesPerRadian}},
+    {"the angle's derivatives in radians", {Kind::AngleUnit, {kTheta3Speed, kTheta3Acceleration}, kDegreesPerRadian}},
     {"degrees under a heading of radians", {Kind::AngleUnit, kAngles, 1.0 / kDegreesPerRadian}},
-    {"velocity in m/s", {Kind::LengthUnit, {kXDot}, 1e3}},
-    {"position in cm", {Kind::LengthUnit, {kX}, 10.0}},
-    {"acceleration in in/s²", {Kind::LengthUnit, {kXDDot}, 25.4}},
+    {"velocity in m/s", {Kind::LengthUnit, {kSliderSpeed}, 1e3}},
+    {"position in cm", {Kind::LengthUnit, {kSlider}, 10.0}},
+    {"acceleration in in/s²", {Kind::LengthUnit, {kSliderAcceleration}, 25.4}},
     {"time stamps in ms", {Kind::TimeUnit, {}, 1e-3}},
     {"time stamps in s under a heading of ms", {Kind::TimeUnit, {}, 1e3}},
-    {"velocity with the other sign", {Kind::Sign, {kXDot}, -1.0}},
-    {"angular acceleration with the other sign", {Kind::Sign, {kThetaDDot}, -1.0}},
+    {"velocity with the other sign", {Kind::Sign, {kSliderSpeed}, -1.0}},
+    {"angular acceleration with the other sign", {Kind::Sign, {kTheta3Acceleration}, -1.0}},
     {"the x axis reversed", {Kind::Sign, kLengths, -1.0}},
-    {"the textbook's θ_3", {Kind::HalfTurn, {kTheta}, -180.0}},
-    {"a whole turn less", {Kind::WholeTurns, {kTheta}, 360.0}},
-    {"position and acceleration swapped", {Kind::SwappedColumns, {kX, kXDDot}}},
-    {"velocity and acceleration swapped", {Kind::SwappedColumns, {kXDot, kXDDot}}},
-    {"angle and position swapped", {Kind::SwappedColumns, {kTheta, kX}}},
-    {"the two velocities swapped", {Kind::SwappedColumns, {kThetaDot, kXDot}}},
-    {"an acceleration delayed by some rows", {Kind::NotDerivative, {kXDDot}}, delay},
-    {"a velocity of noise", {Kind::NotDerivative, {kXDot}}, randomize},
+    {"the textbook's θ_3", {Kind::HalfTurn, {kTheta3}, -180.0}},
+    {"a whole turn less", {Kind::WholeTurns, {kTheta3}, 360.0}},
+    {"position and acceleration swapped", {Kind::SwappedColumns, {kSlider, kSliderAcceleration}}},
+    {"velocity and acceleration swapped", {Kind::SwappedColumns, {kSliderSpeed, kSliderAcceleration}}},
+    {"angle and position swapped", {Kind::SwappedColumns, {kTheta3, kSlider}}},
+    {"the two velocities swapped", {Kind::SwappedColumns, {kTheta3Speed, kSliderSpeed}}},
+    {"an acceleration delayed by some rows", {Kind::NotDerivative, {kSliderAcceleration}}, delay},
+    {"a velocity of noise", {Kind::NotDerivative, {kSliderSpeed}}, randomize},
 };
 
 /// Faults that another mechanism explains equally well.
 const std::vector<Fault> kFaultsOfWholeFile{
     {"all lengths in metres", {Kind::LengthUnit, kLengths, 1e3}},
     {"all lengths in inches", {Kind::LengthUnit, kLengths, 25.4}},
-    {"everything per millisecond", {Kind::TimeUnit, {kXDot, kXDDot, kThetaDot, kThetaDDot}, 1e-3}},
+    {"everything per millisecond",
+     {Kind::TimeUnit, {kSliderSpeed, kSliderAcceleration, kTheta3Speed, kTheta3Acceleration}, 1e-3}},
     {"the other sense of rotation", {Kind::Sign, kAngles, -1.0}},
     {"the other assembly", {Kind::Branch, {}}},
     {"a late start", {Kind::TimeShift, {}}},
@@ -277,9 +273,9 @@ private slots:
                 ReferenceData data = motionOf(p, random);
                 inject(fault, data, p, random);
                 // The negated angles of a crossed mechanism differ by a whole turn from those of its mirror image.
-                const bool isTurned = rangeOf(valuesOf(data, kTheta)).high < -90.0;
+                const bool isTurned = rangeOf(valuesOf(data, kTheta3)).high < -90.0;
                 const auto found = findConventions(data, random.ordinary());
-                QVERIFY2(isTurned ? areFound(found, {{Kind::WholeTurns, {kTheta}, 360.0}}) : found.empty(),
+                QVERIFY2(isTurned ? areFound(found, {{Kind::WholeTurns, {kTheta3}, 360.0}}) : found.empty(),
                          QByteArray(fault.name) + ' ' + QByteArray::number(i) + ": " + described(found));
             }
         }
@@ -300,7 +296,7 @@ private slots:
             Parameters reversed = p; // similar to the motion of the file with θ3 shifted by half a turn
             reversed.omega2 *= 0.7;
             const auto otherwise = findConventions(data, reversed);
-            QVERIFY2(areFound(otherwise, {{Kind::HalfTurn, {kTheta}, p.branch == Branch::Open ? 180.0 : -180.0}}),
+            QVERIFY2(areFound(otherwise, {{Kind::HalfTurn, {kTheta3}, p.branch == Branch::Open ? 180.0 : -180.0}}),
                      QByteArray::number(i) + ": " + described(otherwise));
         }
     }
@@ -312,11 +308,11 @@ private slots:
             Parameters p = random.ordinary();
             p.branch = Branch::Crossed;
             ReferenceData data = motionOf(p, random);
-            std::vector<double> &angles = valuesOf(data, kTheta);
+            std::vector<double> &angles = valuesOf(data, kTheta3);
             std::ranges::for_each(angles, [](double &angle) { angle -= angle > 180.0 ? 360.0 : 0.0; });
             std::vector<Convention> expected;
             if (rangeOf(angles).low < 0.0) {
-                expected.push_back({Kind::WholeTurns, {kTheta}, angles[0] < 0.0 ? 360.0 : 0.0});
+                expected.push_back({Kind::WholeTurns, {kTheta3}, angles[0] < 0.0 ? 360.0 : 0.0});
             }
             for (const Parameters &given : {p, Parameters()}) {
                 const auto found = findConventions(data, given);
@@ -347,16 +343,16 @@ private slots:
                     if (series.channel.coordinate == R4x) {
                         series.channel.coordinate = R4y;
                         axis.channels.push_back(series.channel);
-                    } else if (series.channel == kTheta) {
+                    } else if (series.channel == kTheta3) {
                         std::ranges::for_each(series.values, [&](double &value) { value += row.angleAdded; });
                         if (row.angleAdded == 90.0) { // the whole file is turned
-                            axis.channels.push_back(kTheta);
+                            axis.channels.push_back(kTheta3);
                         }
                     }
                 }
                 if (row.hasX) {
-                    data.series.push_back({kX, std::vector<double>(data.time.size(), -p.c), {}});
-                    axis.channels.push_back(kX);
+                    data.series.push_back({kSlider, std::vector<double>(data.time.size(), -p.c), {}});
+                    axis.channels.push_back(kSlider);
                 }
                 const auto found = findConventions(data, p);
                 const QByteArray title = QByteArray(row.name) + ": " + described(found);
@@ -413,10 +409,10 @@ private slots:
         // The last digit of 204.624 is 0.001, and it remains so for 24.624, half a turn before.
         ReferenceData data;
         data.time = {0.0, 1.0, 2.0};
-        data.series = {{kTheta, {204.624, 190.5, 180.25}, {Rounding::Rule::SignificantDigits, 6}},
-                       {kXDot, {1.25, -2.5, 0.0}, {Rounding::Rule::Decimals, 2}}};
-        data = applied({Kind::HalfTurn, {kTheta}, -180.0}, std::move(data));
-        data = applied({Kind::LengthUnit, {kXDot}, 1e3}, std::move(data));
+        data.series = {{kTheta3, {204.624, 190.5, 180.25}, {Rounding::Rule::SignificantDigits, 6}},
+                       {kSliderSpeed, {1.25, -2.5, 0.0}, {Rounding::Rule::Decimals, 2}}};
+        data = applied({Kind::HalfTurn, {kTheta3}, -180.0}, std::move(data));
+        data = applied({Kind::LengthUnit, {kSliderSpeed}, 1e3}, std::move(data));
         QVERIFY(std::abs(data.series[0].values[2] - 0.25) < 1e-9);
         for (const double value : {24.624, 0.25, 180.25}) {
             QVERIFY(std::abs(data.series[0].rounding.stepAt(value) - 1e-3) < 1e-12);

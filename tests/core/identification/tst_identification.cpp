@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/diagnosis.h"
 
+#include "core/mechanism/turn.h"
+#include "tests/support/channels.h"
 #include "tests/support/files.h"
 #include "tests/support/long_tests.h"
 #include "tests/support/printed_motion.h"
@@ -15,7 +17,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <new>
-#include <numbers>
 
 using namespace slidercrank;
 
@@ -56,7 +57,6 @@ void *operator new(std::size_t size, const std::nothrow_t &) noexcept
 namespace
 {
 
-constexpr double kPi = std::numbers::pi;
 constexpr std::uint64_t kSeed = 20240611;
 const Parameters kOrdinary{20.0, 60.0, 25.0, 6.25, 0.25, Branch::Open};
 
@@ -66,7 +66,7 @@ using Why = Identification::Alternative::Why;
 Printing printingOfTurns(const Parameters &p, double turns, int rows, const std::string &channels)
 {
     Printing printing;
-    printing.to = turns * 2.0 * kPi / std::abs(p.omega2);
+    printing.to = turns * kTurn / std::abs(p.omega2);
     printing.rows = rows;
     printing.channels = channels;
     return printing;
@@ -76,12 +76,12 @@ Printing printingOfTurns(const Parameters &p, double turns, int rows, const std:
 /// `images` are allowed, uses the closest one.
 double distance(const Parameters &found, const Parameters &truth, bool images = false)
 {
-    double least = std::numeric_limits<double>::infinity();
+    double least = kInfinity;
     for (const Parameters &p : mirrorImages(truth)) {
         if (found.branch == p.branch && (images || p == truth)) {
             least = std::min(least, std::max({std::abs(found.a - p.a) / p.a, std::abs(found.b - p.b) / p.a,
                                               std::abs(found.c - p.c) / p.a, std::abs(found.omega2 / p.omega2 - 1.0),
-                                              std::abs(std::remainder(found.theta20 - p.theta20, 2.0 * kPi))}));
+                                              std::abs(std::remainder(found.theta20 - p.theta20, kTurn))}));
         }
     }
     return least;
@@ -101,10 +101,6 @@ Identification identified(const ReferenceData &data, const Parameters &given = {
     return diagnose(data, Mechanism(given)).identification;
 }
 
-constexpr Channel kX{R4x, Order::Position};
-constexpr Channel kXDot{R4x, Order::Velocity};
-constexpr Channel kTheta{Theta3, Order::Position};
-
 } // namespace
 
 class TestIdentification : public QObject
@@ -123,7 +119,7 @@ private slots:
         const Diagnosis found = diagnose(data, Mechanism());
         const Identification &result = found.identification;
         QCOMPARE(result.outcome, Outcome::Identified);
-        QCOMPARE(found.rounded, (Parameters{20.0, 60.0, 25.0, 2.0 * kPi, 0.0, Branch::Open}));
+        QCOMPARE(found.rounded, (Parameters{20.0, 60.0, 25.0, kTurn, 0.0, Branch::Open}));
         QVERIFY(found.conventions.empty() && result.leftOut.empty() && result.excludedRows.empty());
         QCOMPARE(found.identified.size(), std::size_t{6});
         QVERIFY(std::ranges::count(found.identified, Verdict::Agrees, &ChannelComparison::verdict) == 6);
@@ -137,10 +133,10 @@ private slots:
 
         const Diagnosis same = diagnose(data, Mechanism(found.rounded));
         QVERIFY(same.agreesWithGiven && same.conventions.empty() && !same.change);
-        const Convention halfTurn{Convention::Kind::HalfTurn, {kTheta}, 180.0};
+        const Convention halfTurn{Convention::Kind::HalfTurn, {kTheta3}, 180.0};
         const Diagnosis turned = diagnose(applied(halfTurn, data), Mechanism());
         QCOMPARE(turned.conventions.size(), std::size_t{1});
-        QVERIFY(turned.conventions[0] == (Convention{Convention::Kind::HalfTurn, {kTheta}, -180.0}));
+        QVERIFY(turned.conventions[0] == (Convention{Convention::Kind::HalfTurn, {kTheta3}, -180.0}));
     }
 
     void findsRandomMechanisms()
@@ -194,7 +190,7 @@ private slots:
             const Identification result = identified(printedData(truth, printing));
             QCOMPARE(result.outcome, Outcome::Identified);
             // The uncertainty of the angle at t = 0 is that of the speed times 1e4 s.
-            const double off = std::remainder(result.parameters.theta20 - truth.theta20, 2.0 * kPi);
+            const double off = std::remainder(result.parameters.theta20 - truth.theta20, kTurn);
             QVERIFY(std::abs(off) < 5.0 * result.standardError[indexOf(Parameter::Theta20)]);
             truth.theta20 = result.parameters.theta20;
             QVERIFY2(distance(result.parameters, truth) < 1e-5, described(result.parameters));
@@ -205,7 +201,7 @@ private slots:
     {
         const Parameters truth{20.0, 60.0, 25.0, -7.0, 2.0, Branch::Open};
         ReferenceData data = printedData(truth, printingOfTurns(truth, 1000.0, 50000, "110000"));
-        valuesOf(data, kX)[30000] = 500.0;
+        valuesOf(data, kSlider)[30000] = 500.0;
         const Identification result = identified(data);
         QCOMPARE(result.outcome, Outcome::Identified);
         QVERIFY2(distance(result.parameters, truth) < 1e-5, described(result.parameters));
@@ -227,7 +223,7 @@ private slots:
                     data.series[k].values.push_back(static_cast<double>(row[k]));
                 }
             }
-            const std::vector<Channel> angles{kTheta, {Theta3, Order::Velocity}, {Theta3, Order::Acceleration}};
+            const std::vector<Channel> angles{kTheta3, {Theta3, Order::Velocity}, {Theta3, Order::Acceleration}};
             data = applied({Convention::Kind::AngleUnit, angles, 1.0 / kDegreesPerRadian}, std::move(data));
             largestAllocation = 0;
             const Diagnosis found = diagnose(data, Mechanism(p));
@@ -246,16 +242,15 @@ private slots:
         Parameters other = kOrdinary;
         other.b *= 1.01;
         ReferenceData second = printedData(other);
-        valuesOf(data, kXDot) = valuesOf(second, kXDot);
+        valuesOf(data, kSliderSpeed) = valuesOf(second, kSliderSpeed);
         const Diagnosis found = diagnose(data, Mechanism());
         QCOMPARE(found.identification.outcome, Outcome::Identified);
         QVERIFY(distance(found.identification.parameters, kOrdinary) < 1e-5);
         QCOMPARE(found.identification.leftOut.size(), std::size_t{1});
-        QVERIFY(found.identification.leftOut[0].channel == kXDot);
+        QVERIFY(found.identification.leftOut[0].channel == kSliderSpeed);
         QVERIFY(found.identification.leftOut[0].percentOfPeak > 0.1 && found.conventions.empty());
 
-        constexpr Channel kXDDot{R4x, Order::Acceleration};
-        valuesOf(data, kXDDot) = valuesOf(second, kXDDot);
+        valuesOf(data, kSliderAcceleration) = valuesOf(second, kSliderAcceleration);
         QCOMPARE(identified(data).outcome, Outcome::Nearest); // to columns of two mechanisms
     }
 
@@ -276,7 +271,7 @@ private slots:
                                Row{"with theta2", "010000", false, true, true}}) {
             ReferenceData data = printedData(truth, printingOfTurns(truth, 1.6, 240, row.channels));
             for (ReferenceSeries &series : data.series) {
-                const bool isPosition = series.channel == kX;
+                const bool isPosition = series.channel == kSlider;
                 if (series.channel.coordinate == R4x && (isPosition || row.areDerivativesReversed)) {
                     std::ranges::for_each(series.values, [&](double &x) { x = (isPosition ? 250.0 : 0.0) - x; });
                 }
@@ -300,8 +295,8 @@ private slots:
     void acceptsSaturatedValues()
     {
         ReferenceData data = printedData(kOrdinary, printingOfTurns(kOrdinary, 2.0, 240, "110000"));
-        const ValueRange range = rangeOf(valuesOf(data, kX));
-        for (double &value : valuesOf(data, kX)) {
+        const ValueRange range = rangeOf(valuesOf(data, kSlider));
+        for (double &value : valuesOf(data, kSlider)) {
             value = std::min(value, range.high - 0.1 * range.width());
         }
         const Identification result = identified(data);

@@ -71,10 +71,10 @@ double randomTime(const Parameters &p, int i, RandomMechanisms &random)
 /// Returns the peak of each channel over a turn of a hundred steps and, for a rocker, over a hundred random poses.
 std::array<double, kChannelCount> peaks(const Parameters &p)
 {
-    constexpr int kSteps = 100;
+    constexpr int kPoses = 100;
     std::vector<ExactState<double>> states;
-    for (int k = 0; k < 2 * kSteps; ++k) {
-        const double angle = kTurn * (k / 2 + 0.5) / kSteps;
+    for (int k = 0; k < 2 * kPoses; ++k) {
+        const double angle = kTurn * (k / 2 + 0.5) / kPoses;
         const double posed = std::asin(std::clamp((p.c + p.b * std::cos(angle)) / p.a, -1.0, 1.0));
         states.push_back(closedFormState(p, ((k % 2 == 0 ? angle : posed) - p.theta20) / p.omega2));
     }
