@@ -127,11 +127,17 @@ SpeedCandidates speedCandidates(const Observations &data)
     }
     constexpr double kLeastTurns = 0.7;
     constexpr double kMostCrossingsOfArc = 6.0;
+    constexpr double kLongestStep = 2.0; // mean steps
     const double crossings = meanCrossings(data);
     const double span = data.span();
+    double covered = 0.0; // time, without gaps in which the crank may turn unseen
+    for (std::size_t i = 1; i < data.abscissa.size(); ++i) {
+        covered += std::min(data.abscissa[i] - data.abscissa[i - 1],
+                            kLongestStep * span / static_cast<double>(data.abscissa.size()));
+    }
     // At most half of the sampling frequency, and little more than the number of mean crossings suggests.
     const double high =
-        std::min(std::numbers::pi / data.interval() * 1.02, 1.2 * std::numbers::pi * (crossings + 3.0) / span);
+        std::min(std::numbers::pi / data.interval() * 1.02, 1.2 * std::numbers::pi * (crossings + 3.0) / covered);
     SpeedCandidates speeds{periodogramMinima(data, kLeastTurns * kTurn / span, high, 1.0 / span), {}, false};
     if (crossings <= kMostCrossingsOfArc) {
         for (double angle = 0.1; angle < 8.0; angle *= 1.5) {
@@ -152,6 +158,10 @@ std::optional<CrankSpeedChange> crankSpeedChange(const Observations &data)
     }
     const std::span<const double> times = data.abscissa;
     const std::span<const double> angles = angle->values;
+    const auto isJump = [](double before, double after) { return std::abs(after - before) > kQuarterTurn; };
+    if (std::ranges::adjacent_find(angles, isJump) != angles.end()) { // a wrong value, or an interpolated wrap
+        return std::nullopt;
+    }
     const Eigen::VectorXd line = fitLinear(powerBasis(times, 2), angles).coefficients;
     std::vector<double> residuals;
     for (std::size_t i = 0; i < times.size(); ++i) {

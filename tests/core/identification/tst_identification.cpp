@@ -208,6 +208,30 @@ private slots:
         QCOMPARE(result.excludedRows, std::vector<std::size_t>{30002}); // the heading is line 1
     }
 
+    void findsTheSpeedAlthoughGapsHideTurns()
+    {
+        const auto isGap = [](int row, std::size_t) { return row % 50 >= 12; };
+        const Identification result =
+            identified(printedData(kOrdinary, printingOfTurns(kOrdinary, 16.0, 600, "110000"), isGap));
+        QCOMPARE(result.outcome, Outcome::Identified);
+        QVERIFY(distance(result.parameters, kOrdinary) < 1e-4);
+    }
+
+    void claimsNoChangeOfSpeedIfAWrapWasInterpolated()
+    {
+        ReferenceData data = printedData(kOrdinary);
+        std::vector<double> angles; // °, from 0 to 360
+        for (const double t : data.time) {
+            const double turns = kOrdinary.omega2 * t / kTurn * 3.3;
+            angles.push_back(360.0 * (turns - std::floor(turns)));
+        }
+        for (std::size_t i = angles.size() - 1; i > 0; --i) {
+            angles[i] = angles[i] < angles[i - 1] ? 180.0 : angles[i];
+        }
+        data.series.push_back({kTheta2, angles, {}});
+        QVERIFY(!diagnose(data, Mechanism()).unevenCrank);
+    }
+
     void usesOnlySomeOfManyRows()
     {
         for (const double turns : {1.0, 1e4}) {
