@@ -64,7 +64,7 @@ public:
          identifyCommand},
         {"study", "[options]", QT_TR_NOOP("speed and error of every method"),
          QT_TR_NOOP(
-             "Times every method on the same time stamps and measures its error against the exact motion in 50 to 100 "
+             "Times every method on the same time stamps and measures its error against the exact motion in 115 "
              "digits: the largest error of the six plotted channels, relative to the channel's peak, over the time "
              "stamps that the method reports as solved. Times depend on the machine: compare them within one run."),
          studyCommand},

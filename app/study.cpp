@@ -53,7 +53,7 @@ QString studyReport(const StudyResult &result)
     }
     return text + CommandLine::tr("Errors are the largest of the six plotted channels, relative to the channel's peak, "
                                   "over the time steps that a method solves.\n"
-                                  "They are measured against a computation with 50 to 100 digits.\n"
+                                  "They are measured against a computation with 115 digits.\n"
                                   "Machine: %1. Time: %2 s.\n")
                       .arg(machineText(), numberText(result.seconds, 3));
 }

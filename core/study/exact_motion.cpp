@@ -4,39 +4,44 @@
 namespace slidercrank
 {
 
-namespace
+std::array<double, kChannelCount> conditioning(const Parameters &parameters, double t)
 {
+    const ManyDigits step = 1e-25;
+    const ExactInput in(parameters, t);
+    std::array<double, kChannelCount> kappa{};
+    for (std::size_t i = 0; i < in.numbers.size(); ++i) {
+        ExactInput more = in;
+        ExactInput less = in;
+        more.numbers[i] *= 1 + step;
+        less.numbers[i] *= 1 - step;
+        const ExactState above = exactState(more);
+        const ExactState below = exactState(less);
+        const bool exists = above.status == Status::Solved && below.status == Status::Solved;
+        for (std::size_t index = 0; index < kChannelCount; ++index) {
+            kappa[index] +=
+                exists ? static_cast<double>(abs(above.values[index] - below.values[index]) / (2 * step)) : kInfinity;
+        }
+    }
+    return kappa;
+}
 
-template <class Real>
-Judged judgedFrom(const Parameters &parameters, double t, const ExactState<Real> &exact)
+Judged judge(const Parameters &parameters, double t)
 {
+    const ExactState exact = exactState(parameters, t);
     Judged judged{exact.status, static_cast<double>(exact.clearance), {}, {}};
     std::array<double, kChannelCount> kappa{};
     if (exact.status == Status::Solved) {
-        kappa = conditioning<Real>(parameters, t);
+        kappa = conditioning(parameters, t);
     }
     for (std::size_t k = 0; k < kPlottedChannels.size(); ++k) {
         const std::size_t index = indexOf(kPlottedChannels[k]);
         const auto hi = static_cast<double>(exact.values[index]);
-        judged.values[k] = {hi, static_cast<double>(Real(exact.values[index] - hi))};
+        judged.values[k] = {hi, static_cast<double>(exact.values[index] - hi)};
         judged.kappa[k] = kappa[index];
     }
     return judged;
 }
 
-} // namespace
-
-Judged judge(const Parameters &parameters, double t)
-{
-    // The formulas cancel as the clearance falls, to its third power; the difference quotient in κ takes 25 digits.
-    constexpr double kEnoughClearance = 1e-4;
-    const ExactState<Digits50> exact = exactState<Digits50>(parameters, t);
-    return exact.clearance > kEnoughClearance ? judgedFrom(parameters, t, exact)
-                                              : judgedFrom(parameters, t, exactState<Digits100>(parameters, t));
-}
-
-template ExactState<Digits50> exactState(const ExactInput<Digits50> &);
-template ExactState<Digits100> exactState(const ExactInput<Digits100> &);
-template std::array<double, kChannelCount> conditioning<Digits100>(const Parameters &, double);
+template ExactState<> exactState(const ExactInput<> &);
 
 } // namespace slidercrank

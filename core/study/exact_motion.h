@@ -1,35 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Computes the motion by the formulas of the textbook with a chosen number of digits, as the reference for all methods.
-// The formulas cancel near a toggle, which additional digits compensate (50 suffice away from a toggle, 100
-// everywhere). Lengths in mm, angles in rad, time in s.
+// Computes the motion by the formulas of the textbook with 115 digits, as the reference for all methods. The formulas
+// cancel near a toggle, which so many digits compensate. Lengths in mm, angles in rad, time in s.
 
 #include "core/closed_form/textbook_motion.h"
 #include "core/mechanism/channel.h"
 #include "core/mechanism/mechanism.h"
 #include "core/study/judge.h"
 
-#include <boost/math/constants/constants.hpp>
-// g++ 14 warns of an access that a condition in this header excludes.
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Warray-bounds"
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#pragma GCC diagnostic pop
-
 #include <array>
 #include <cmath>
+#include <mpreal.h>
+#undef IsInf // a macro of mpreal.h, and the name of a function of Highway
 
 namespace slidercrank
 {
 
-// Binary, so that every double is taken exactly.
-using Digits50 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
-using Digits100 =
-    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<100>, boost::multiprecision::et_off>;
+/// A number with 115 digits. Every double is one of these numbers. (The precision of mpreal itself is a global
+/// variable; a result has the precision of its operands.)
+struct ManyDigits : mpfr::mpreal {
+    static constexpr int kBits = 384;
+
+    ManyDigits(double value = 0.0)
+        : mpreal(value, kBits)
+    {
+    }
+    ManyDigits(const mpreal &value)
+        : mpreal(value)
+    {
+    }
+};
 
 /// The input of the motion, converted without rounding.
-template <class Real>
+template <class Real = ManyDigits>
 struct ExactInput {
     std::array<Real, 6> numbers; ///< a, b, c, ω2, θ20 and t
     Branch branch;
@@ -41,7 +45,7 @@ struct ExactInput {
     }
 };
 
-template <class Real>
+template <class Real = ManyDigits>
 struct ExactState {
     Status status = Status::Solved; ///< Solved, Singular or NotAssemblable
     Real cosTheta3 = 0;
@@ -52,13 +56,13 @@ struct ExactState {
 template <class Real>
 ExactState<Real> exactState(const ExactInput<Real> &in)
 {
-    using std::abs;
+    using std::abs, std::acos;
     const auto &[a, b, c, omega2, theta20, t] = in.numbers;
     ExactState<Real> out;
     out.values.fill(Real(0));
     TextbookMotion<Real> motion;
     const bool isSolved = motion.compute({a, b, c, omega2, 0}, omega2 * t + theta20,
-                                         in.branch == Branch::Open ? 1.0 : -1.0, boost::math::constants::pi<Real>());
+                                         in.branch == Branch::Open ? 1.0 : -1.0, Real(acos(Real(-1))));
     out.clearance = (b - abs(Real(c - motion.pinY[0]))) / b;
     out.status = isSolved ? Status::Solved : out.clearance < 0 ? Status::NotAssemblable : Status::Singular;
     if (out.status == Status::NotAssemblable) {
@@ -71,7 +75,7 @@ ExactState<Real> exactState(const ExactInput<Real> &in)
     return out;
 }
 
-template <class Real>
+template <class Real = ManyDigits>
 ExactState<Real> exactState(const Parameters &parameters, double t)
 {
     return exactState(ExactInput<Real>(parameters, t));
@@ -79,32 +83,8 @@ ExactState<Real> exactState(const Parameters &parameters, double t)
 
 /// Returns κ = Σ |p ∂f/∂p| over a, b, c, ω2, θ20, t for each channel: its change per unit of relative error of the
 /// input. Infinite if such an error could make the mechanism impossible to assemble.
-template <class Real>
-std::array<double, kChannelCount> conditioning(const Parameters &parameters, double t)
-{
-    using std::abs;
-    const Real step = 1e-25;
-    const ExactInput<Real> in(parameters, t);
-    std::array<double, kChannelCount> kappa{};
-    for (std::size_t i = 0; i < in.numbers.size(); ++i) {
-        ExactInput<Real> more = in;
-        ExactInput<Real> less = in;
-        more.numbers[i] *= 1 + step;
-        less.numbers[i] *= 1 - step;
-        const ExactState<Real> above = exactState(more);
-        const ExactState<Real> below = exactState(less);
-        const bool exists = above.status == Status::Solved && below.status == Status::Solved;
-        for (std::size_t index = 0; index < kChannelCount; ++index) {
-            kappa[index] +=
-                exists ? static_cast<double>(abs(above.values[index] - below.values[index]) / (2 * step)) : kInfinity;
-        }
-    }
-    return kappa;
-}
+std::array<double, kChannelCount> conditioning(const Parameters &parameters, double t);
 
-// Instantiated in exact_motion.cpp, because they take long to compile.
-extern template ExactState<Digits50> exactState(const ExactInput<Digits50> &);
-extern template ExactState<Digits100> exactState(const ExactInput<Digits100> &);
-extern template std::array<double, kChannelCount> conditioning<Digits100>(const Parameters &, double);
+extern template ExactState<> exactState(const ExactInput<> &);
 
 } // namespace slidercrank

@@ -27,7 +27,7 @@ struct Judged {
     std::array<double, kPlottedChannels.size()> kappa{}; ///< see conditioning() in exact_motion.h
 };
 
-/// Computes the exact motion at time t (s), with as many digits as the distance from a toggle requires.
+/// Computes the exact motion at time t (s).
 Judged judge(const Parameters &parameters, double t);
 
 } // namespace slidercrank

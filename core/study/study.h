@@ -2,8 +2,7 @@
 #pragma once
 
 // Measures speed against error: each method of the program, and the methods that a student would use instead, are timed
-// at the same time stamps and compared with the exact motion in at least 50 digits (100 near a toggle). No other module
-// of the core reads a clock.
+// at the same time stamps and compared with the exact motion in 115 digits. No other module of the core reads a clock.
 //
 // Errors are the largest of the six plotted channels, relative to the peak of the channel, over the time stamps that
 // the method itself reports as solved. The error bound is κ·u, in the same measure and over the same time stamps:

@@ -443,8 +443,8 @@
         <translation>Lee archivos CSV de simulaciones (time,R4_x,theta3_diff,…) e indica cuánto se aparta cada columna del modelo en los instantes del propio archivo. Un valor es incierto en media unidad de su última cifra y en lo que el mecanismo se mueve en media unidad de su instante. Una columna coincide si al menos el 95 % de sus errores está dentro de esa cota y ninguno supera diez veces la cota; es próxima si ninguno supera cien veces la cota; en otro caso difiere. También difiere si un error supera su cota en más de un 1 % de la mitad del recorrido del movimiento. Si un archivo difiere, el programa dice qué explicaría la diferencia. Un archivo que no se puede leer se notifica, y los demás se comparan igualmente. FILE puede ser - para la entrada estándar.</translation>
     </message>
     <message>
-        <source>Times every method on the same time stamps and measures its error against the exact motion in 50 to 100 digits: the largest error of the six plotted channels, relative to the channel&apos;s peak, over the time stamps that the method reports as solved. Times depend on the machine: compare them within one run.</source>
-        <translation>Cronometra cada método en los mismos instantes y mide su error respecto al movimiento exacto con 50 a 100 cifras: el mayor error de los seis canales representados, relativo al máximo del canal, en los instantes que el método da por resueltos. Los tiempos dependen del equipo: compárelos dentro de una misma medición.</translation>
+        <source>Times every method on the same time stamps and measures its error against the exact motion in 115 digits: the largest error of the six plotted channels, relative to the channel&apos;s peak, over the time stamps that the method reports as solved. Times depend on the machine: compare them within one run.</source>
+        <translation>Cronometra cada método en los mismos instantes y mide su error respecto al movimiento exacto con 115 cifras: el mayor error de los seis canales representados, relativo al máximo del canal, en los instantes que el método da por resueltos. Los tiempos dependen del equipo: compárelos dentro de una misma medición.</translation>
     </message>
     <message>
         <source>Draws what the window shows into a file, or writes a report of it. Needs no display. A scene (--scene) also supplies what the window showed: arrows, path, names, dimensions, zoom, abscissa and error measure.</source>
@@ -632,11 +632,11 @@
     </message>
     <message>
         <source>Errors are the largest of the six plotted channels, relative to the channel&apos;s peak, over the time steps that a method solves.
-They are measured against a computation with 50 to 100 digits.
+They are measured against a computation with 115 digits.
 Machine: %1. Time: %2 s.
 </source>
         <translation>Los errores son los mayores de los seis canales representados, relativos al máximo del canal, en los pasos de tiempo que un método resuelve.
-Se miden respecto a un cálculo con 50 a 100 cifras.
+Se miden respecto a un cálculo con 115 cifras.
 Equipo: %1. Tiempo: %2 s.
 </translation>
     </message>
@@ -3636,8 +3636,8 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>Medir</translation>
     </message>
     <message>
-        <source>Every method is timed at the same time steps of one revolution, and its error is measured against a computation with 50 digits or more.</source>
-        <translation>Cada método se cronometra en los mismos instantes de una vuelta, y su error se mide frente a un cálculo con 50 cifras o más.</translation>
+        <source>Every method is timed at the same time steps of one revolution, and its error is measured against a computation with 115 digits.</source>
+        <translation>Cada método se cronometra en los mismos instantes de una vuelta, y su error se mide frente a un cálculo con 115 cifras.</translation>
     </message>
     <message>
         <source>How fast and how accurate is each method for this mechanism?</source>

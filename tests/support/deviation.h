@@ -28,7 +28,7 @@ inline double valueOf(const State &state, Channel channel)
 
 /// Returns the peak of each channel in a run (rad, mm), or its naturalSize() where it is identically zero.
 template <class Real>
-std::array<double, kChannelCount> channelSizes(const Parameters &parameters, std::span<const ExactState<Real>> run)
+std::array<double, kChannelCount> channelSizes(const Parameters &parameters, const std::vector<ExactState<Real>> &run)
 {
     using std::abs;
     std::array<double, kChannelCount> sizes{};
@@ -46,7 +46,7 @@ std::array<double, kChannelCount> channelSizes(const Parameters &parameters, std
     return sizes;
 }
 
-template <class Real>
+template <class Real = ManyDigits>
 std::vector<ExactState<Real>> exactRun(const Parameters &parameters, std::span<const double> instants)
 {
     std::vector<ExactState<Real>> run;

@@ -39,7 +39,7 @@ void StudyPanel::setResult(const std::shared_ptr<const StudyResult> &result)
 Page StudyPanel::makePage() const
 {
     Page page{tr("Every method is timed at the same time steps of one revolution, and its error is measured against a "
-                 "computation with 50 digits or more.")};
+                 "computation with 115 digits.")};
     if (m_result) {
         const CaseResult &shown = m_result->cases.front();
         page = studyPage(shown);

@@ -32,7 +32,7 @@ QString text(const Parameters &parameters, const Deviation &deviation)
 
 /// Returns the size of each value plus that of its terms, which may cancel in the channels of bodies 3 and 4:
 /// R4x = a cos θ2 + s and R3 = (A + B)/2. The terms of the position R4x itself do not cancel.
-std::array<double, kChannelCount> termSizes(const Parameters &parameters, const ExactState<Digits100> &exact)
+std::array<double, kChannelCount> termSizes(const Parameters &parameters, const ExactState<> &exact)
 {
     std::array<double, kChannelCount> sizes;
     for (std::size_t index = 0; index < kChannelCount; ++index) {
@@ -127,18 +127,18 @@ private slots:
     {
         const double kStep = 1e-12;
         Parameters p{.b = 60.0};
-        const double start = static_cast<double>(exactState<Digits50>(p, 0.0).values[indexOf({R4x, Order::Position})]);
+        const double start = static_cast<double>(exactState(p, 0.0).values[indexOf({R4x, Order::Position})]);
         QVERIFY(std::abs(start - 74.5436) < 5e-5);
         for (const Branch branch : {Branch::Open, Branch::Crossed}) {
             p.branch = branch;
-            ExactInput<Digits50> before(p, 0.3);
-            ExactInput<Digits50> after(p, 0.3);
+            ExactInput before(p, 0.3);
+            ExactInput after(p, 0.3);
             before.numbers[5] -= kStep;
             after.numbers[5] += kStep;
-            const ExactState<Digits50> here = exactState<Digits50>(p, 0.3);
+            const ExactState here = exactState(p, 0.3);
             for (std::size_t index = 0; index < 2 * kCoordinateCount; ++index) {
-                const Digits50 slope =
-                    (exactState(after).values[index] - exactState(before).values[index]) / (2 * Digits50(kStep));
+                const ManyDigits slope =
+                    (exactState(after).values[index] - exactState(before).values[index]) / (2 * ManyDigits(kStep));
                 QVERIFY(static_cast<double>(abs(slope - here.values[index + kCoordinateCount])) < 1e-15);
             }
         }
@@ -155,12 +155,11 @@ private slots:
             for (const Branch branch : {Branch::Open, Branch::Crossed}) {
                 p.branch = branch;
                 const std::vector<double> around = Sampling{0.0, turn, 200}.timeStamps();
-                const auto tolerances =
-                    scaled(channelSizes<long double>(p, exactRun<long double>(p, around)), kPromise);
+                const auto tolerances = scaled(channelSizes(p, exactRun<long double>(p, around)), kPromise);
                 for (const double t : times) {
                     const State got = ClosedForm{Mechanism(p)}.stateAt(t);
                     QCOMPARE(got.status, Status::Solved);
-                    worst.add(p, worstDeviation(got, exactState<Digits50>(p, t), t, tolerances));
+                    worst.add(p, worstDeviation(got, exactState(p, t), t, tolerances));
                 }
             }
         }
@@ -177,8 +176,8 @@ private slots:
                 continue;
             }
             const std::vector<double> times = timeStampsOf(which);
-            const std::vector<ExactState<Digits100>> run = exactRun<Digits100>(p, times);
-            const auto tolerances = scaled(channelSizes<Digits100>(p, run), kPromise);
+            const std::vector<ExactState<>> run = exactRun(p, times);
+            const auto tolerances = scaled(channelSizes(p, run), kPromise);
             for (std::size_t i = 0; i < times.size(); ++i) {
                 const State got = ClosedForm{Mechanism(p)}.stateAt(times[i]);
                 QVERIFY2(got.status == run[i].status, describe(p).c_str());
@@ -202,7 +201,7 @@ private slots:
                 for (const double angle : {centre, std::nextafter(centre, 0.0), std::nextafter(centre, 2.0 * centre)}) {
                     Parameters p = which.parameters;
                     p.theta20 = angle;
-                    const ExactState<Digits100> exact = exactState<Digits100>(p, 0.0);
+                    const ExactState exact = exactState(p, 0.0);
                     const State got = ClosedForm{Mechanism(p)}.stateAt(0.0);
                     QCOMPARE(got.status, exact.status);
                     worst.add(p,
@@ -216,8 +215,8 @@ private slots:
                     for (const double factor : {-2.0, -1.0, -0.5, 0.5, 1.0, 2.0}) {
                         near.push_back(factor * distance);
                     }
-                    const std::vector<ExactState<Digits100>> exact = exactRun<Digits100>(p, near);
-                    const auto tolerances = scaled(channelSizes<Digits100>(p, exact), kRoundings * kUnitRoundoff);
+                    const std::vector<ExactState<>> exact = exactRun(p, near);
+                    const auto tolerances = scaled(channelSizes(p, exact), kRoundings * kUnitRoundoff);
                     for (const std::size_t i : {1, 4}) {
                         const State got = ClosedForm{Mechanism(p)}.stateAt(near[i]);
                         worst.add(p, worstDeviation(got, exact[i], near[i], tolerances));
@@ -275,7 +274,7 @@ private slots:
         Worst worst;
         Worst worstNear;
         for (const auto &[p, t] : places) {
-            const ExactState<Digits100> exact = exactState<Digits100>(p, t);
+            const ExactState exact = exactState(p, t);
             const State got = ClosedForm{Mechanism(p)}.stateAt(t);
             const double clearance = static_cast<double>(exact.clearance);
             if (std::abs(clearance) * p.b > kAtTheLimit * characteristicLength(p)) {
@@ -285,7 +284,7 @@ private slots:
                 continue;
             }
             std::array<double, kChannelCount> sizes = termSizes(p, exact);
-            std::array<double, kChannelCount> tolerances = conditioning<Digits100>(p, t);
+            std::array<double, kChannelCount> tolerances = conditioning(p, t);
             for (std::size_t index = 0; index < kChannelCount; ++index) {
                 tolerances[index] = kConditionRoundings * kUnitRoundoff * (sizes[index] + tolerances[index]);
             }
@@ -305,8 +304,7 @@ private slots:
     void isExactAtAnyCrankAngle()
     {
         const Parameters p{.b = 60.0};
-        auto tolerances =
-            scaled(channelSizes<long double>(p, exactRun<long double>(p, Sampling{}.timeStamps())), 2.0 * kPromise);
+        auto tolerances = scaled(channelSizes(p, exactRun<long double>(p, Sampling{}.timeStamps())), 2.0 * kPromise);
         tolerances[indexOf({Theta2, Order::Position})] =
             kInfinity; // the angle grows, and one double cannot represent it
         const double limit = 1.6e6 / p.omega2;
@@ -321,8 +319,7 @@ private slots:
         }
         Worst worst;
         for (const double t : times) {
-            worst.add(p,
-                      worstDeviation(ClosedForm{Mechanism(p)}.stateAt(t), exactState<Digits100>(p, t), t, tolerances));
+            worst.add(p, worstDeviation(ClosedForm{Mechanism(p)}.stateAt(t), exactState(p, t), t, tolerances));
         }
         worst.check("of peak", 2.0 * kPromise);
         QCOMPARE(differenceFromOne(p, times), QString());

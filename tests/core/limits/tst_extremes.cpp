@@ -8,7 +8,6 @@
 #include "tests/support/suite.h"
 
 #include <QTest>
-#include <boost/math/tools/minima.hpp>
 
 #include <set>
 
@@ -23,13 +22,13 @@ constexpr double kPi = std::numbers::pi;
 /// as narrow.
 double valleyOf(const Parameters &p)
 {
-    const Digits50 gap = Digits50(p.b) - p.a - std::abs(p.c);
+    const ManyDigits gap = ManyDigits(p.b) - p.a - std::abs(p.c);
     return std::min(1.0, std::sqrt(static_cast<double>(2 * gap / p.a)));
 }
 
-ExactState<Digits50> exactAt(const Parameters &p, const Digits50 &theta2)
+ExactState<> exactAt(const Parameters &p, const ManyDigits &theta2)
 {
-    ExactInput<Digits50> in(p, 0.0);
+    ExactInput in(p, 0.0);
     in.numbers[4] = theta2;
     return exactState(in);
 }
@@ -49,16 +48,16 @@ constexpr std::array<Channel, 4> kRates{
     {{R4x, Order::Velocity}, {R4x, Order::Acceleration}, {Theta3, Order::Velocity}, {Theta3, Order::Acceleration}}};
 
 struct ExactPeak {
-    Digits50 theta2;
-    Digits50 magnitude;
+    ManyDigits theta2;
+    ManyDigits magnitude;
 };
 
 /// Finds the largest value of each rate in a fine scan and refines it between its neighbours.
 std::array<ExactPeak, kRates.size()> scannedPeaks(const Parameters &p)
 {
     using std::abs;
-    const Digits50 quarter = boost::math::constants::half_pi<Digits50>();
-    std::vector<Digits50> angles;
+    const ManyDigits quarter = mpfr::const_pi(ManyDigits::kBits) / 2;
+    std::vector<ManyDigits> angles;
     for (const int centre : {-1, 1}) {
         angles.push_back(centre * quarter);
         for (const double step : angleSteps(p)) {
@@ -68,35 +67,37 @@ std::array<ExactPeak, kRates.size()> scannedPeaks(const Parameters &p)
     }
     std::sort(angles.begin(), angles.end());
     std::array<std::size_t, kRates.size()> best{};
-    std::array<Digits50, kRates.size()> largest{};
+    std::array<ManyDigits, kRates.size()> largest{};
     for (std::size_t i = 0; i < angles.size(); ++i) {
-        const ExactState<Digits50> state = exactAt(p, angles[i]);
+        const ExactState state = exactAt(p, angles[i]);
         for (std::size_t k = 0; k < kRates.size(); ++k) {
-            const Digits50 magnitude = abs(state.values[indexOf(kRates[k])]);
+            const ManyDigits magnitude = abs(state.values[indexOf(kRates[k])]);
             if (magnitude > largest[k]) {
                 largest[k] = magnitude;
                 best[k] = i;
             }
         }
     }
-    const Digits50 turn = 4 * quarter;
+    const ManyDigits turn = 4 * quarter;
     std::array<ExactPeak, kRates.size()> peaks;
     for (std::size_t k = 0; k < kRates.size(); ++k) {
-        const Digits50 low = best[k] > 0 ? angles[best[k] - 1] : Digits50(angles.back() - turn);
-        const Digits50 high = best[k] + 1 < angles.size() ? angles[best[k] + 1] : Digits50(angles.front() + turn);
-        constexpr int kBits = 80;
-        const auto negative = [&](const Digits50 &theta2) {
-            return Digits50(-abs(exactAt(p, theta2).values[indexOf(kRates[k])]));
+        const auto magnitudeAt = [&](const ManyDigits &theta2) {
+            return ManyDigits(abs(exactAt(p, theta2).values[indexOf(kRates[k])]));
         };
-        const auto [theta2, least] = boost::math::tools::brent_find_minima(negative, low, high, kBits);
-        peaks[k] = {theta2, -least};
+        ManyDigits low = best[k] > 0 ? angles[best[k] - 1] : ManyDigits(angles.back() - turn);
+        ManyDigits high = best[k] + 1 < angles.size() ? angles[best[k] + 1] : ManyDigits(angles.front() + turn);
+        for (int i = 0; i < 45; ++i) {
+            const ManyDigits middle = (low + high) / 2;
+            (magnitudeAt(middle + 1e-40) > magnitudeAt(middle) ? low : high) = middle;
+        }
+        peaks[k] = {low, magnitudeAt(low)};
     }
     return peaks;
 }
 
 bool turnsRoundFreely(const Parameters &p)
 {
-    return Digits50(p.b) > Digits50(p.a) + std::abs(p.c) && p.omega2 != 0.0;
+    return ManyDigits(p.b) > ManyDigits(p.a) + std::abs(p.c) && p.omega2 != 0.0;
 }
 
 } // namespace
@@ -134,7 +135,8 @@ private slots:
             const Peak &peak = peaks[i];
             QVERIFY(peak.channel == kRates[i]);
             const ExactPeak &exact = scanned[i];
-            const double relative = static_cast<double>((Digits50(peak.magnitude) - exact.magnitude) / exact.magnitude);
+            const double relative =
+                static_cast<double>((ManyDigits(peak.magnitude) - exact.magnitude) / exact.magnitude);
             QVERIFY2(std::abs(relative) <= 4e-15, describe(p).c_str());
 
             // Proportional to the angle from ±90°, at which the spacing of doubles is 2.2e-16.
@@ -142,7 +144,7 @@ private slots:
             const double tolerance = 1e-11 * valleyOf(p) + 1e-14 * fromSteepest + 2.3e-16;
             double nearest = kTurn;
             for (const PeakPlace &place : peak.places) {
-                const double off = static_cast<double>(Digits50(place.theta2) - exact.theta2);
+                const double off = static_cast<double>(ManyDigits(place.theta2) - exact.theta2);
                 nearest = std::min(nearest, std::abs(std::remainder(off, kTurn)));
                 QVERIFY(place.theta2 >= -kPi && place.theta2 < kPi);
             }

@@ -47,9 +47,9 @@ const std::vector<Subject> &subjects()
 /// Determines the mobility with exact sums.
 Mobility exactMobility(const Parameters &p)
 {
-    const Digits100 a = p.a;
-    const Digits100 b = p.b;
-    const Digits100 offset = std::abs(p.c);
+    const ManyDigits a = p.a;
+    const ManyDigits b = p.b;
+    const ManyDigits offset = std::abs(p.c);
     if (b >= a + offset) {
         return Mobility::FullTurn;
     }
@@ -59,7 +59,7 @@ Mobility exactMobility(const Parameters &p)
     return b == offset - a ? Mobility::Locked : Mobility::Rocker;
 }
 
-template <class Real = long double>
+template <class Real = ManyDigits>
 ExactState<Real> atAngle(Parameters p, double theta2)
 {
     p.omega2 = 1.0;
@@ -174,7 +174,7 @@ private slots:
             }
             for (int i = 0; i < 200; ++i) {
                 const double theta2 = -pi + kTurn * i / 200.0;
-                const ExactState<long double> exact = atAngle(p, theta2);
+                const auto exact = atAngle<long double>(p, theta2);
                 if (std::abs(exact.clearance) > kBesideAnEnd) {
                     VERIFY_FOR(p, isWithin(limits, theta2) == (exact.status != Status::NotAssemblable));
                 }
@@ -187,7 +187,7 @@ private slots:
         for (const auto &[p, limits] : subjects()) {
             VERIFY_FOR(p, limits.outer.has_value() == (limits.mobility != Mobility::Impossible));
             const bool folds =
-                abs(Digits100(p.b) - Digits100(p.a)) >= std::abs(p.c) && limits.mobility != Mobility::Impossible;
+                abs(ManyDigits(p.b) - ManyDigits(p.a)) >= std::abs(p.c) && limits.mobility != Mobility::Impossible;
             VERIFY_FOR(p, limits.inner.has_value() == folds);
             for (const bool stretched : {true, false}) {
                 const std::optional<SliderPosition> &centre = stretched ? limits.outer : limits.inner;
@@ -199,7 +199,7 @@ private slots:
                 const double distance = stretched ? p.b + p.a : std::abs(p.b - p.a);
                 VERIFY_FOR(p, near(std::hypot(centre->R4x, p.c), distance, kTolerance * characteristicLength(p)));
 
-                const ExactState<Digits50> exact = atAngle<Digits50>(p, centre->theta2);
+                const ExactState exact = atAngle(p, centre->theta2);
                 const double cosine = std::abs(static_cast<double>(exact.cosTheta3));
                 if (cosine < 1e-3) {
                     continue; // the dead centre is at a limit of the motion, where the velocity is not zero
@@ -270,7 +270,7 @@ private slots:
             double last = limits.inner->R4x;
             for (int i = 1; i <= 50; ++i) {
                 const double theta2 = limits.inner->theta2 + sense * outwards * i / 50.0;
-                const double R4 = sliderIn(atAngle<Digits50>(p, theta2));
+                const double R4 = sliderIn(atAngle(p, theta2));
                 VERIFY_FOR(p, away * (R4 - last) >= -kTolerance * characteristicLength(p));
                 last = R4;
             }
@@ -288,7 +288,9 @@ private slots:
             // the largest θ3 is asin of the largest sine, accurate to √u if the sine is 1
             const double height = std::abs(p.c - p.a * std::sin(limits.largestPressureAngleAt));
             VERIFY_FOR(p, near(std::sin(largest), height / p.b, kTolerance * characteristicLength(p) / p.b));
-            const Digits50 sine = limits.mobility == Mobility::FullTurn ? (Digits50(p.a) + std::abs(p.c)) / p.b : 1;
+            const ManyDigits sine = limits.mobility == Mobility::FullTurn
+                                        ? ManyDigits((ManyDigits(p.a) + std::abs(p.c)) / p.b)
+                                        : ManyDigits(1);
             VERIFY_FOR(p, near(largest, static_cast<double>(asin(sine)), 1e-15));
             for (int i = 0; i < 100; ++i) {
                 const ExactState<double> exact = atAngle<double>(p, kTurn * i / 100.0);

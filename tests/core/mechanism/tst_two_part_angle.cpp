@@ -41,8 +41,8 @@ private slots:
             const double theta20 =
                 i % 3 == 0 ? -omega2 * t * random.uniform(1.0, 1.0 + 1e-12) : anyDouble(random, 30.0);
             const TwoPart angle = crankAngle(omega2, t, theta20);
-            const Digits100 exact = Digits100(omega2) * Digits100(t) + Digits100(theta20);
-            const double error = static_cast<double>(abs(Digits100(angle.hi) + Digits100(angle.lo) - exact));
+            const ManyDigits exact = ManyDigits(omega2) * ManyDigits(t) + ManyDigits(theta20);
+            const double error = static_cast<double>(abs(ManyDigits(angle.hi) + ManyDigits(angle.lo) - exact));
             const double tolerance = kRelative * (std::abs(omega2 * t) + std::abs(theta20));
             QVERIFY2(error <= tolerance && isNormalized(angle), std::to_string(i).c_str());
         }
@@ -62,9 +62,9 @@ private slots:
             const TwoPart parts = crankAngle(omega2, t, theta20);
             const SinCos got = sinCos(parts);
             const double tolerance = 2.0 * kUnitRoundoff;
-            const Digits100 angle = Digits100(omega2) * Digits100(t) + Digits100(theta20);
-            const double sinError = static_cast<double>(abs(Digits100(got.sin) - sin(angle)));
-            const double cosError = static_cast<double>(abs(Digits100(got.cos) - cos(angle)));
+            const ManyDigits angle = ManyDigits(omega2) * ManyDigits(t) + ManyDigits(theta20);
+            const double sinError = static_cast<double>(abs(ManyDigits(got.sin) - sin(angle)));
+            const double cosError = static_cast<double>(abs(ManyDigits(got.cos) - cos(angle)));
             worst = std::max({worst, sinError / tolerance, cosError / tolerance});
             QVERIFY2(sinError <= tolerance && cosError <= tolerance, std::to_string(i).c_str());
         }
@@ -88,9 +88,9 @@ private slots:
             }
             const TwoPart angle = twoSum(hi, hi * random.uniform(-1e-16, 1e-16));
             const FineSine got = fineSine(angle);
-            const Digits100 exact = sin(Digits100(angle.hi) + Digits100(angle.lo)) - Digits100(got.whole);
+            const ManyDigits exact = sin(ManyDigits(angle.hi) + ManyDigits(angle.lo)) - ManyDigits(got.whole);
             const double partSize = static_cast<double>(abs(exact));
-            const double error = static_cast<double>(abs(Digits100(got.part.hi) + Digits100(got.part.lo) - exact));
+            const double error = static_cast<double>(abs(ManyDigits(got.part.hi) + ManyDigits(got.part.lo) - exact));
             const double slope = got.whole == 0.0 ? 1.0 : std::sqrt(2.0 * partSize);
             const double spacing = std::nextafter(std::abs(hi), 1e300) - std::abs(hi);
             const double tolerance = kRelative * partSize + kLastDigits * slope * spacing;

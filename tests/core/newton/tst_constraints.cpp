@@ -48,7 +48,7 @@ bool isWithin(const Eigen::MatrixXd &error, const Eigen::MatrixXd &tolerance)
 constexpr double kStep = 1e-5;
 constexpr double kDifferenceTolerance = 1e-9;
 
-Vector12 coordinates(const ExactState<Digits50> &exact, Order order)
+Vector12 coordinates(const ExactState<> &exact, Order order)
 {
     Vector12 result;
     for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
@@ -69,7 +69,7 @@ private slots:
     {
         const Parameters p;
         const Mechanism mechanism(p);
-        const Vector12 q = coordinates(exactState<Digits50>(p, 0.2), Order::Position);
+        const Vector12 q = coordinates(exactState(p, 0.2), Order::Position);
         struct Row {
             Coordinate pushed;
             std::vector<std::pair<Constraint, double>> broken;
@@ -110,7 +110,7 @@ private slots:
             const Parameters p = random.next();
             const Mechanism mechanism(p);
             const double t = random.uniform(0.0, 2.0 * std::numbers::pi / std::abs(p.omega2));
-            const ExactState<Digits50> exact = exactState<Digits50>(p, t);
+            const ExactState exact = exactState(p, t);
             const Vector12 q = coordinates(exact, Order::Position);
             const Vector12 qDot = coordinates(exact, Order::Velocity);
             const Vector12 qDDot = coordinates(exact, Order::Acceleration);

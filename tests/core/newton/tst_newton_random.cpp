@@ -132,7 +132,9 @@ private slots:
                     }
                     const Order last = status == Status::Solved ? Order::Acceleration : Order::Position;
                     const Deviation deviation = worstDeviation(instant.state, exact, t, tolerances, last);
-                    QVERIFY2(deviation.accepted(), (describe(p) + "\n    " + describe(deviation)).c_str());
+                    if (!deviation.accepted()) { // QVERIFY2 would always write the text
+                        QFAIL((describe(p) + "\n    " + describe(deviation)).c_str());
+                    }
                 }
             }
             qInfo("%s: %d of %d unsolved", kKinds[kind].name, unsolved, poses);
@@ -159,7 +161,7 @@ private slots:
                 std::pow(10.0, random.uniform(-8.0, -1.5)) * (random.uniform(-1.0, 1.0) < 0.0 ? -1 : 1);
             const double t = (square + offset - p.theta20) / p.omega2;
             const double before = t + 0.01 / p.omega2 * (offset < 0.0 ? -1.0 : 1.0);
-            const ExactState<Digits100> exact = exactState<Digits100>(p, t);
+            const ExactState exact = exactState(p, t);
             if (exact.status != Status::Solved) {
                 continue;
             }
