@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/closed_form/state_at.h"
 #include "core/comparison/reference_pose.h"
+#include "tests/support/channels.h"
 #include "tests/support/suite.h"
 
 #include <QTest>
@@ -19,10 +20,6 @@ constexpr int kIntervals = 50; // intervals per turn: few, so that the interpola
 
 const Mechanism kOfTheFile({.b = 60.0});
 const Mechanism kOnShow({.b = 65.0});
-const Channel kTheta3{Theta3, Order::Position};
-const Channel kTheta3Rate{Theta3, Order::Velocity};
-const Channel kSlider{R4x, Order::Position};
-const Channel kSliderSpeed{R4x, Order::Velocity};
 
 /// Returns one turn of the mechanism with b = 60 as reference data with the given columns.
 ReferenceData fileWith(const std::vector<Channel> &channels)
@@ -119,7 +116,7 @@ private slots:
 
     void isEmptyWithoutTheRequiredPositions()
     {
-        QVERIFY(!referencePoseAt(fileWith({kTheta3Rate, kSliderSpeed}), kOfTheFile, 0.5).exists);
+        QVERIFY(!referencePoseAt(fileWith({kTheta3Speed, kSliderSpeed}), kOfTheFile, 0.5).exists);
         QVERIFY(!referencePoseAt(ReferenceData(), kOfTheFile, 0.0).exists);
     }
 };
