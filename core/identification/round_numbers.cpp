@@ -62,6 +62,20 @@ std::optional<double> roundNumber(std::span<const double> units, double value, d
     return best;
 }
 
+/// The largest deviation, relative to the range of its column.
+double largestPart(const Parameters &parameters, const ReferenceData &data)
+{
+    double largest = 0.0;
+    const std::vector<ChannelComparison> channels = compareTimed(parameters, data);
+    for (std::size_t j = 0; j < channels.size(); ++j) {
+        const ChannelComparison &channel = channels[j];
+        const double range =
+            isConstantByNature(channel.channel) ? channel.peak : rangeOf(data.series[j].values).width();
+        largest = channel.missingModel > 0 ? kInfinity : std::max(largest, channel.maxAbs.value_or(0.0) / range);
+    }
+    return largest;
+}
+
 /// Whether no column deviates clearly more from the rounded mechanism than from the fitted one.
 bool explainsAsWell(const Parameters &rounded, const ReferenceData &data, std::span<const ChannelComparison> fitted)
 {
@@ -111,7 +125,7 @@ Parameters inRoundNumbers(const Identification &found, const ReferenceData &data
     const std::vector<ChannelComparison> fitted = compareTimed(found.parameters, some);
     // The systematic errors of an approximate mechanism may be larger than its standard errors.
     const bool isApproximate = found.outcome == Identification::Outcome::Approximate;
-    const double most = 1.1 * largestPercent(found.parameters, some);
+    const double most = 1.1 * largestPart(found.parameters, some);
     for (double errorFactor = isApproximate ? 27.0 : 1.0; errorFactor >= 1.0; errorFactor /= 3.0) {
         Parameters rounded = found.parameters;
         for (const Parameter parameter : kAllParameters) {
@@ -119,7 +133,7 @@ Parameters inRoundNumbers(const Identification &found, const ReferenceData &data
             value = roundest(value, errorFactor * errorOf(found, parameter), unitsOf(parameter));
         }
         if (!findFault(rounded) &&
-            (isApproximate ? largestPercent(rounded, some) <= most : explainsAsWell(rounded, some, fitted))) {
+            (isApproximate ? largestPart(rounded, some) <= most : explainsAsWell(rounded, some, fitted))) {
             return rounded;
         }
     }

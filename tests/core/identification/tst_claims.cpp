@@ -160,6 +160,16 @@ private slots:
         QCOMPARE(claim.diagnosis.rounded.c, -27.0);
     }
 
+    /// The range of θ2 is many turns; its small deviation must not hide that R4_x deviates more.
+    void roundNumbersDeviateNoMoreInAnyColumn()
+    {
+        const ClaimKind kind{
+            "integration errors", true, {"columns theta2,R4_x %.9g; tone all 5e-7:5e-5 0.2:4; approximate"}};
+        for (int number = 0; number < 25; ++number) {
+            QCOMPARE(judgeFile(kind, number).judgement.falseClaim, std::string());
+        }
+    }
+
     void standardErrorsHold_data()
     {
         QTest::addColumn<bool>("isNoisy");
