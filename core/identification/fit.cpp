@@ -98,8 +98,8 @@ bool weigh(const Observations &data, Fit &fit, bool mayBeNoisy = true)
 /// One round of Levenberg-Marquardt with fixed variances; returns chi-square before and after.
 std::pair<double, double> minimize(const Observations &data, Fit &fit)
 {
-    constexpr int kMostSteps = 12;
-    constexpr int kMostTrials = 8;
+    constexpr int kMostSteps = 8;
+    constexpr int kMostTrials = 4;
     constexpr double kSmallGain = 1e-5; // of chi-square
     constexpr double kNoGain = 1e-4;
     constexpr double kUndamped = 1e-12;
