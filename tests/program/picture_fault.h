@@ -3,6 +3,7 @@
 
 // Checks the pixels and the texts of exported pictures.
 
+#include "tests/support/pixels.h"
 #include "tests/support/place_of_a_save.h"
 #include "tests/support/printed_picture.h"
 #include "ui/document/view_settings.h"

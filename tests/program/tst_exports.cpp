@@ -5,6 +5,7 @@
 #include "tests/program/picture_fault.h"
 #include "tests/program/run_program.h"
 #include "tests/support/initial_mechanism.h"
+#include "tests/support/pixels.h"
 #include "tests/support/printed_picture.h"
 #include "tests/support/study_of_a_turn.h"
 #include "tests/support/suite.h"

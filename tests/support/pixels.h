@@ -7,6 +7,14 @@
 namespace slidercrank
 {
 
+/// Returns whether all pixels have the same colour.
+inline bool isBlank(const QImage &image)
+{
+    QImage uniform = image;
+    uniform.fill(image.pixelColor(0, 0));
+    return image == uniform;
+}
+
 /// Returns the number of pixels of exactly that colour.
 inline int countPixels(const QImage &image, const QColor &colour)
 {

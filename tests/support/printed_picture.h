@@ -36,13 +36,6 @@ inline bool isGrey(QRgb colour)
                                 !differs(qBlue(colour), qRed(colour)));
 }
 
-inline bool isBlank(const QImage &picture)
-{
-    QImage plain = picture;
-    plain.fill(picture.pixel(0, 0));
-    return plain == picture;
-}
-
 /// Reads a picture in the portable pixmap format, the output of all these programs. Returns a null image on failure.
 inline QImage imageIn(const QByteArray &pixmap)
 {

@@ -2,6 +2,7 @@
 
 // The main window, operated with mouse and keys. Most tests check what is painted.
 
+#include "tests/support/pixels.h"
 #include "tests/support/suite.h"
 #include "tests/ui/window/window_fixture.h"
 
@@ -27,18 +28,6 @@
 #include <QTableView>
 
 using namespace slidercrank;
-
-namespace
-{
-
-bool isBlank(const QImage &image)
-{
-    QImage uniform = image;
-    uniform.fill(image.pixelColor(0, 0));
-    return image == uniform;
-}
-
-} // namespace
 
 class TestMainWindow : public WindowFixture
 {
