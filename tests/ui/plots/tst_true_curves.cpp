@@ -22,13 +22,6 @@ namespace
 
 constexpr std::array<std::size_t, 6> kMotionPlots{0, 1, 3, 4, 6, 7};
 
-double valueAt(const ClosedForm &motion, std::size_t channel, double t)
-{
-    const Motion m = motion.motionAt(t);
-    const std::array<double, 6> values{m.theta3, m.R4x, m.theta3Dot, m.R4xDot, m.theta3DDot, m.R4xDDot};
-    return toFileUnit(kPlottedChannels[channel], values[channel]);
-}
-
 /// The cells, a quarter of a pixel in size, through which the motion passes in a plot and slightly beyond it. The
 /// motion is evaluated at many times in each column of cells. If a column contains more than a turn, only one turn is
 /// evaluated.
@@ -41,7 +34,7 @@ public:
         , m_plot(plot)
         , m_columns(kPerPixel * (plot.axes->width() + 2 * kMargin))
         , m_rows(kPerPixel * (plot.axes->height() + 2 * kMargin))
-        , m_passed(static_cast<std::size_t>(m_columns * m_rows))
+        , m_passed(m_columns * m_rows, '\0')
     {
         const Parameters &p = result.mechanism.parameters();
         const double speed = std::abs(p.omega2);
@@ -56,7 +49,7 @@ public:
             const double to = std::min(end, timeAt(column + 1));
             const bool holdsTurns = speed * (to - from) > kTurn;
             if (holdsTurns && turn >= 0) {
-                std::copy_n(&m_passed[cell(turn, 0)], m_rows, &m_passed[cell(column, 0)]);
+                std::copy_n(m_passed.begin() + cell(turn, 0), m_rows, m_passed.begin() + cell(column, 0));
             } else if (from <= to) {
                 turn = holdsTurns ? column : turn;
                 const int looks = holdsTurns ? 20'000 : 12 + static_cast<int>(looksPerRadian * speed * (to - from));
@@ -65,7 +58,7 @@ public:
         }
     }
 
-    bool isEmpty() const { return std::ranges::find(m_passed, 1) == m_passed.end(); }
+    bool isEmpty() const { return !m_passed.contains('\1'); }
 
     /// Returns whether the motion comes within that distance (px) of a pixel of the plot.
     bool isNear(int x, int y, double distance) const
@@ -85,20 +78,15 @@ public:
     /// Returns a pixel that the motion passes although neither the pixel nor any of its neighbours is painted.
     std::optional<QPoint> missingPixel(const auto &isPainted) const
     {
-        for (int x = 1; x < m_plot.axes->width() - 1; ++x) {
-            for (int y = 1; y < m_plot.axes->height() - 1; ++y) {
-                bool isPassed = false;
-                for (int i = 0; i < kPerPixel * kPerPixel; ++i) {
-                    isPassed |= has(kPerPixel * (x + kMargin) + i % kPerPixel - kPerPixel / 2,
-                                    kPerPixel * (y + kMargin) + i / kPerPixel - kPerPixel / 2);
-                }
-                bool isSeen = !isPassed;
-                for (int i = 0; i < 9 && !isSeen; ++i) {
-                    isSeen = isPainted(x + i % 3 - 1, y + i / 3 - 1);
-                }
-                if (!isSeen) {
-                    return QPoint(x, y);
-                }
+        const QRect inside(1, 1, m_plot.axes->width() - 2, m_plot.axes->height() - 2);
+        for (qsizetype cell = m_passed.indexOf('\1'); cell >= 0; cell = m_passed.indexOf('\1', cell + 1)) {
+            const QPoint pixel(pixelOf(static_cast<int>(cell) / m_rows), pixelOf(static_cast<int>(cell) % m_rows));
+            bool isSeen = !inside.contains(pixel) || isPainted(pixel.x(), pixel.y());
+            for (int i = 0; i < 9 && !isSeen; ++i) {
+                isSeen = isPainted(pixel.x() + i % 3 - 1, pixel.y() + i / 3 - 1);
+            }
+            if (!isSeen) {
+                return pixel;
             }
         }
         return std::nullopt;
@@ -108,62 +96,79 @@ private:
     static constexpr int kPerPixel = 4;
     static constexpr int kMargin = 4; // px, beyond the axes
 
-    std::size_t cell(int column, int row) const { return static_cast<std::size_t>(column * m_rows + row); }
+    int cell(int column, int row) const { return column * m_rows + row; }
     bool has(int column, int row) const { return m_passed[cell(column, row)] != 0; }
+    int pixelOf(int columnOrRow) const { return (columnOrRow + kPerPixel / 2) / kPerPixel - kMargin; }
     double timeAt(int column) const
     {
         return m_plot.timeAxis->pixelToCoord(m_plot.axes->left() - kMargin + double(column) / kPerPixel);
     }
     int rowAt(double value) const
     {
-        const double y = m_plot.valueAxis->coordToPixel(std::clamp(value, -1e200, 1e200));
+        const double y =
+            m_plot.valueAxis->coordToPixel(std::clamp(toFileUnit(kPlottedChannels[m_channel], value), -1e200, 1e200));
         return static_cast<int>(
             std::clamp(std::round(kPerPixel * (y - m_plot.axes->top() + kMargin)), -1.0, double(m_rows)));
     }
 
     void look(int column, double from, double to, int looks)
     {
-        double before = valueAt(m_motion, m_channel, from);
-        for (int i = 1; i <= looks; ++i) {
-            const double t = from + (to - from) * i / looks;
-            const double value = valueAt(m_motion, m_channel, t);
-            if (std::isfinite(before) && std::isfinite(value)) {
-                mark(column, before, value);
-            } else if (std::isfinite(before) != std::isfinite(value)) {
-                const double earlier = from + (to - from) * (i - 1) / looks;
-                const double last = std::isfinite(before) ? lastValue(earlier, t) : lastValue(t, earlier);
-                const bool isBounded = kPlottedChannels[m_channel].order == Order::Position;
-                mark(column, std::isfinite(before) ? before : value, isBounded ? last : std::copysign(1e200, last));
+        std::vector<double> times(static_cast<std::size_t>(looks) + 1);
+        for (std::size_t i = 0; i < times.size(); ++i) {
+            times[i] = from + (to - from) * static_cast<double>(i) / looks;
+        }
+        std::vector<double> values(times.size());
+        std::vector<Status> statuses(times.size());
+        PlottedColumns columns{};
+        columns[m_channel] = values.data();
+        m_motion.evaluate(times, columns, statuses);
+        const auto exists = [](double value) { return std::isfinite(value); };
+        for (auto end = values.begin(); end != values.end();) {
+            const auto begin = std::find_if(end, values.end(), exists);
+            end = std::find_if_not(begin, values.end(), exists);
+            if (begin == end) {
+                return;
             }
-            before = value;
+            const auto [least, greatest] = std::minmax_element(begin, end);
+            mark(column, *least, *greatest);
+            const double *first = times.data() + (begin - values.begin());
+            const double *next = times.data() + (end - values.begin());
+            if (begin != values.begin()) {
+                mark(column, *begin, lastValue(first[0], first[-1]));
+            }
+            if (end != values.end()) {
+                mark(column, end[-1], lastValue(next[-1], next[0]));
+            }
         }
     }
 
     void mark(int column, double first, double second)
     {
         const auto [top, bottom] = std::minmax({rowAt(first), rowAt(second)});
-        for (int row = std::max(0, top); row <= std::min(bottom, m_rows - 1); ++row) {
-            m_passed[cell(column, row)] = 1;
-        }
+        char *rows = m_passed.data() + cell(column, 0);
+        std::fill(rows + std::max(0, top), rows + std::min(bottom + 1, m_rows), '\1');
     }
 
     /// Returns the value at the limit of an oscillating crank, between a time at which the motion exists and one at
-    /// which it does not.
+    /// which it does not. Derivatives are infinite there.
     double lastValue(double there, double notThere) const
     {
         for (int i = 0; i < 60; ++i) {
             const double middle = 0.5 * (there + notThere);
-            (std::isfinite(valueAt(m_motion, m_channel, middle)) ? there : notThere) = middle;
+            (std::isfinite(valueAt(middle)) ? there : notThere) = middle;
         }
-        return valueAt(m_motion, m_channel, there);
+        const double last = valueAt(there);
+        return kPlottedChannels[m_channel].order == Order::Position ? last : std::copysign(kInfinity, last);
     }
+
+    double valueAt(double t) const { return m_motion.motionAt(t).plotted()[m_channel]; }
 
     ClosedForm m_motion;
     std::size_t m_channel;
     const Plot &m_plot;
     int m_columns;
     int m_rows;
-    std::vector<char> m_passed;
+    QByteArray m_passed; ///< 1 for each cell that the motion passes
 };
 
 /// The six plots of the motion, with curves but without axes and grid.
@@ -182,33 +187,30 @@ struct BareFigure {
         }
         QPixmap pixmap(720, 480);
         figure.drawInto(pixmap);
-        picture = pixmap.toImage();
+        picture = pixmap.toImage().convertToFormat(QImage::Format_Grayscale8);
     }
 
     /// Returns what is wrong with a plot; empty if nothing is.
     QString fault(std::size_t plot) const
     {
         const Plot &shown = figure.shownPlot(plot);
-        const QCPAxisRect &axes = *shown.axes;
         const Truth truth(*figure.result(), channelOf(plot), shown);
         if (!shown.values) {
             return truth.isEmpty() ? QString() : "it is said not to exist";
         }
-        const double paper = colours.background.lightnessF();
-        const double curve = colours.model.lightnessF();
-        std::vector<char> painted;
-        for (int i = 0; i < axes.width() * axes.height(); ++i) {
-            const QColor colour = picture.pixelColor(axes.topLeft() + QPoint(i % axes.width(), i / axes.width()));
-            painted.push_back((colour.lightnessF() - paper) / (curve - paper) >= 0.3);
-            constexpr double kHalfPen = 1.0; // px
-            if (painted.back() && !truth.isNear(i % axes.width(), i / axes.width(), kHalfPen + 1.0)) {
-                return QStringLiteral("pixel %1, %2 is far from the motion")
-                    .arg(i % axes.width())
-                    .arg(i / axes.width());
+        const int paper = qGray(colours.background.rgb());
+        const int painted = paper - static_cast<int>(0.3 * (paper - qGray(colours.model.rgb())));
+        const QImage axes = picture.copy(shown.axes->rect());
+        const auto isPainted = [&](int x, int y) { return axes.constScanLine(y)[x] <= painted; };
+        for (int y = 0; y < axes.height(); ++y) {
+            for (int x = 0; x < axes.width(); ++x) {
+                constexpr double kHalfPen = 1.0; // px
+                if (isPainted(x, y) && !truth.isNear(x, y, kHalfPen + 1.0)) {
+                    return QStringLiteral("pixel %1, %2 is far from the motion").arg(x).arg(y);
+                }
             }
         }
-        const std::optional<QPoint> missing = truth.missingPixel(
-            [&](int x, int y) { return painted[static_cast<std::size_t>(y * axes.width() + x)] != 0; });
+        const std::optional<QPoint> missing = truth.missingPixel(isPainted);
         return missing ? QStringLiteral("the motion at pixel %1, %2 is not painted").arg(missing->x()).arg(missing->y())
                        : QString();
     }
