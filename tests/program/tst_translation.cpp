@@ -85,10 +85,10 @@ QList<TranslatedText> readMessages(const QString &path)
 
 const QString kSpanish = QStringLiteral(SLIDERCRANK_SOURCE_DIR "/resources/translations/slidercrank_es.ts");
 
-QStringList matches(const QString &text, const QString &pattern)
+QStringList matches(const QString &text, const QRegularExpression &pattern)
 {
     QStringList found;
-    for (const QRegularExpressionMatch &match : QRegularExpression(pattern).globalMatch(text)) {
+    for (const QRegularExpressionMatch &match : pattern.globalMatch(text)) {
         found += match.captured();
     }
     found.sort();
@@ -98,10 +98,9 @@ QStringList matches(const QString &text, const QString &pattern)
 /// Returns the words of three letters or more, without those of options, file names and tags.
 QSet<QString> wordsOf(const QString &text)
 {
-    QString plain = text;
-    plain.remove(
-        QRegularExpression(QStringLiteral("<[^>]*>|&|--[\\w-]+|[\\w/.-]*[_/][\\w/.-]*|\\w+\\.(csv|json|png|pdf|svg)")));
-    const QStringList words = matches(plain.toLower(), QStringLiteral("\\p{L}{3,}"));
+    static const QRegularExpression noWord("<[^>]*>|&|--[\\w-]+|[\\w/.-]*[_/][\\w/.-]*|\\w+\\.(csv|json|png|pdf|svg)");
+    static const QRegularExpression word("\\p{L}{3,}");
+    const QStringList words = matches(QString(text).remove(noWord).toLower(), word);
     return {words.begin(), words.end()};
 }
 
@@ -169,7 +168,7 @@ void openTabs(MainWindow &window)
     tabs->setFolded(false);
     for (int i = window.findChild<QTabBar *>(QStringLiteral("tabBar"))->count() - 1; i >= 0; --i) {
         tabs->setCurrentIndex(i);
-        QTest::qWait(150); // tabs are updated ten times a second
+        settle(window);
     }
 }
 
@@ -180,7 +179,8 @@ void fillTabs(MainWindow &window)
     window.openSample();
     AWAIT(window.session().diagnosis());
     openTabs(window);
-    window.findChild<StudyPanel *>()->setResult(studyOfATurn());
+    static const std::shared_ptr<const StudyResult> study = studyOfATurn();
+    window.findChild<StudyPanel *>()->setResult(study);
 }
 
 /// Whether the text is wider than `width` in the font of the widget.
@@ -331,17 +331,19 @@ private slots:
 
     void translationsKeepPlaceholdersKeysAndTags()
     {
+        const QRegularExpression placeholder("%(L?[1-9]|n)");
+        QList<QRegularExpression> patterns;
+        for (const char *pattern : {"&(?=[^ ;&])", "<[^>]*>", "^\\s+", "\\s+$", "…$", "\n$"}) {
+            patterns += QRegularExpression(QString::fromUtf8(pattern));
+        }
         for (const TranslatedText &message : readMessages(kSpanish)) {
             for (const QString &translation : message.translations) {
                 const QByteArray texts = (message.source + QStringLiteral(" -> ") + translation).toUtf8();
-                for (const char *pattern : {"%(L?[1-9]|n)", "&(?=[^ ;&])", "<[^>]*>", "^\\s+", "\\s+$", "…$", "\n$"}) {
-                    QVERIFY2(matches(message.source, QLatin1String(pattern)).size() ==
-                                 matches(translation, QLatin1String(pattern)).size(),
-                             texts + " differs in " + pattern);
+                for (const QRegularExpression &pattern : patterns) {
+                    QVERIFY2(matches(message.source, pattern).size() == matches(translation, pattern).size(),
+                             texts + " differs in " + pattern.pattern().toUtf8());
                 }
-                QVERIFY2(matches(message.source, QStringLiteral("%(L?[1-9]|n)")) ==
-                             matches(translation, QStringLiteral("%(L?[1-9]|n)")),
-                         texts);
+                QVERIFY2(matches(message.source, placeholder) == matches(translation, placeholder), texts);
             }
         }
     }
