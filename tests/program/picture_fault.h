@@ -82,11 +82,13 @@ inline QString curveFault(const QImage &picture, PictureSubject subject, double 
     const std::array<QColor, 4> curves{colours.model, colours.reference, colours.error, colours.errorOther};
     std::vector<int> pixelsWithin(axes.size(), 0);
     const int legend = static_cast<int>(25.0 * scale); // height of the legend above the title
+    const int width = picture.width();
     for (int y = std::max(legend, axes.front().top() - title); y < picture.height(); ++y) {
-        for (int x = 0; x < picture.width(); ++x) {
-            const QRgb colour = picture.pixel(x, y);
+        const auto *line = reinterpret_cast<const QRgb *>(picture.constScanLine(y));
+        for (int x = 0; x < width; ++x) {
+            const QRgb colour = line[x];
             const auto isDrawn = [&](const QColor &curve) { return isSimilar(colour, curve); };
-            if (isGrey(colour) || std::none_of(curves.begin(), curves.end(), isDrawn)) {
+            if (colour == kWhite || isGrey(colour) || std::none_of(curves.begin(), curves.end(), isDrawn)) {
                 continue;
             }
             bool isExpected = false;

@@ -30,16 +30,15 @@ inline QByteArray outputOf(const QString &program, const QStringList &arguments,
 inline bool isGrey(QRgb colour)
 {
     constexpr int kTolerance = 12;
-    constexpr QRgb kWhite = 0xffffffff; // the colour of most pixels
     const auto differs = [](int x, int y) { return std::abs(x - y) >= kTolerance; };
-    return colour == kWhite || (!differs(qRed(colour), qGreen(colour)) && !differs(qGreen(colour), qBlue(colour)) &&
-                                !differs(qBlue(colour), qRed(colour)));
+    return !differs(qRed(colour), qGreen(colour)) && !differs(qGreen(colour), qBlue(colour)) &&
+           !differs(qBlue(colour), qRed(colour));
 }
 
-/// Reads a picture in the portable pixmap format, the output of all these programs. Returns a null image on failure.
-inline QImage imageIn(const QByteArray &pixmap)
+/// Reads the output of one of these programs. Returns a null image on failure.
+inline QImage imageIn(const QByteArray &bytes)
 {
-    return QImage::fromData(pixmap, "PPM").convertToFormat(QImage::Format_RGB32);
+    return QImage::fromData(bytes).convertToFormat(QImage::Format_RGB32);
 }
 
 /// Reads an image file. A PDF is rendered at 192 dots per inch, because poppler draws thin lines too faint at 96.
@@ -48,9 +47,8 @@ inline QImage printedPicture(const QString &path)
     const QString suffix = QFileInfo(path).suffix();
     return imageIn(suffix == QLatin1String("pdf")
                        ? outputOf(QStringLiteral("pdftoppm"), {"-r", "192", "-singlefile", path})
-                   : suffix == QLatin1String("svg")
-                       ? outputOf(QStringLiteral("pngtopnm"), {}, outputOf(QStringLiteral("rsvg-convert"), {path}))
-                       : outputOf(QStringLiteral("pngtopnm"), {path}));
+                   : suffix == QLatin1String("svg") ? outputOf(QStringLiteral("rsvg-convert"), {path})
+                                                    : outputOf(QStringLiteral("pngtopnm"), {path}));
 }
 
 /// Returns the first of the programs that is not installed, or an empty string.
@@ -62,20 +60,37 @@ inline QString missingProgram(const QStringList &programs)
     return missing == programs.end() ? QString() : *missing;
 }
 
-/// Returns the first and last numbers of the stretches of `length` that contain lines of at least `shortest` px.
-/// isDrawn(line, i) tells whether a pixel is not white.
-template <class IsDrawn>
-std::vector<std::pair<int, int>> stretchesWithLines(int lines, int length, int shortest, const IsDrawn &isDrawn)
+inline constexpr QRgb kWhite = 0xffffffff; // the colour of most pixels
+
+/// Returns an image with a byte for each pixel, which is 1 if that pixel is not white.
+inline QImage drawnPixels(const QImage &picture)
 {
-    std::vector<char> isCovered(static_cast<std::size_t>(length));
-    for (int line = 0; line < lines; ++line) {
-        for (int first = 0, i = 0; i <= length; ++i) {
-            if (i == length || !isDrawn(line, i)) {
-                if (i - first >= shortest) {
-                    std::fill(isCovered.begin() + first, isCovered.begin() + i, 1);
-                }
-                first = i + 1;
+    QImage drawn(picture.size(), QImage::Format_Grayscale8);
+    const int width = picture.width();
+    for (int y = 0; y < picture.height(); ++y) {
+        const auto *colours = reinterpret_cast<const QRgb *>(picture.constScanLine(y));
+        uchar *bytes = drawn.scanLine(y);
+        for (int x = 0; x < width; ++x) {
+            const QRgb colour = colours[x];
+            bytes[x] = colour != kWhite && (qRed(colour) < 0xf4 || !isGrey(colour)) ? 1 : 0;
+        }
+    }
+    return drawn;
+}
+
+/// Returns the first and last columns of the stretches that contain horizontal lines of at least `shortest` px.
+inline std::vector<std::pair<int, int>> stretchesWithLines(const QImage &drawn, int shortest)
+{
+    std::vector<char> isCovered(static_cast<std::size_t>(drawn.width()));
+    for (int y = 0; y < drawn.height(); ++y) {
+        const QByteArrayView row(drawn.constScanLine(y), drawn.width());
+        for (qsizetype first = row.indexOf('\1'); first >= 0;) {
+            const qsizetype next = row.indexOf('\0', first);
+            const qsizetype end = next < 0 ? row.size() : next;
+            if (end - first >= shortest) {
+                std::fill(isCovered.begin() + first, isCovered.begin() + end, 1);
             }
+            first = row.indexOf('\1', end);
         }
     }
     std::vector<std::pair<int, int>> stretches;
@@ -93,16 +108,11 @@ std::vector<std::pair<int, int>> stretchesWithLines(int lines, int length, int s
 /// are longer than half of a plot's share of the picture. The picture has `across` rows and columns of plots.
 inline std::vector<QRect> axesIn(const QImage &picture, int across)
 {
-    const int width = picture.width();
-    const int height = picture.height();
-    const auto isDrawn = [&](int x, int y) {
-        const QRgb colour = picture.pixel(x, y);
-        return qRed(colour) < 0xf4 || !isGrey(colour);
-    };
-    const auto columns =
-        stretchesWithLines(height, width, width / across / 2, [&](int y, int x) { return isDrawn(x, y); });
+    const QImage drawn = drawnPixels(picture);
+    const QImage transposed = drawn.transformed(QTransform().rotate(90)).mirrored(true, false);
+    const auto columns = stretchesWithLines(drawn, picture.width() / across / 2);
     std::vector<QRect> axes;
-    for (const auto &[top, bottom] : stretchesWithLines(width, height, height / across / 2, isDrawn)) {
+    for (const auto &[top, bottom] : stretchesWithLines(transposed, picture.height() / across / 2)) {
         for (const auto &[left, right] : columns) {
             axes.emplace_back(QPoint(left, top), QPoint(right, bottom));
         }
