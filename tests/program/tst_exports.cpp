@@ -225,19 +225,9 @@ private slots:
         QVERIFY2(text.contains(explanation) == hasReference, qPrintable(text));
     }
 
-    void picturesShowTheirSubject_data()
-    {
-        QTest::addColumn<PictureSubject>("subject");
-        for (int index = 0; index <= static_cast<int>(PictureSubject::Study); ++index) {
-            const auto subject = static_cast<PictureSubject>(index);
-            QTest::newRow(describe(subject).name) << subject;
-        }
-    }
-
     /// Checks the pictures of the window and those of the command `render`.
     void picturesShowTheirSubject()
     {
-        QFETCH(const PictureSubject, subject);
         if (const QString missing = missingProgram({"pdftoppm", "pdftotext", "rsvg-convert", "pngtopnm"});
             !missing.isEmpty()) {
             QSKIP(qPrintable(QStringLiteral("%1 is missing: tests/run installs it.").arg(missing)));
@@ -252,15 +242,16 @@ private slots:
         QVERIFY(m_window->scene().saveTo(scene));
         QCoreApplication::processEvents();
 
-        const QString name = describe(subject).renderName;
         StudyPanel panel(&m_window->session());
-        panel.setResult(subject == PictureSubject::Study ? studyOfATurn() : nullptr);
-        const auto exportTo = [&](const QString &path) {
-            Exports &exports = m_window->exports();
+        panel.setResult(studyOfATurn());
+        Exports &exports = m_window->exports();
+        const auto exportTo = [&](const QString &path, PictureSubject subject) {
             switch (subject) {
             case PictureSubject::Figure: exports.write(exports.plot(), path); return plots->size();
             case PictureSubject::Plot:
-            case PictureSubject::Errors: exports.write(exports.plot("plot_" + name), path); return QSize(900, 600);
+            case PictureSubject::Errors:
+                exports.write(exports.plot("plot_" + describe(subject).renderName), path);
+                return QSize(900, 600);
             case PictureSubject::Mechanism:
                 exports.write(exports.mechanism(), path);
                 return m_window->findChild<MechanismView *>()->pictureSize();
@@ -268,18 +259,22 @@ private slots:
             }
             return QSize();
         };
-        for (const char *suffix : {"png", "svg", "pdf"}) {
-            const QString path = m_folder->filePath(QStringLiteral("picture.") + suffix);
-            const QSize size = exportTo(path);
-            QString fault = pictureFault(path, subject, size, 2.0);
-            QVERIFY2(fault.isEmpty(), suffix + fault.toUtf8());
-            if (name.isEmpty()) {
-                continue;
+        for (const auto subject : {PictureSubject::Figure, PictureSubject::Plot, PictureSubject::Errors,
+                                   PictureSubject::Mechanism, PictureSubject::Study}) {
+            const QString name = describe(subject).renderName;
+            for (const char *suffix : {"png", "svg", "pdf"}) {
+                const QString path = m_folder->filePath(QStringLiteral("%1.%2").arg(describe(subject).name, suffix));
+                const QSize size = exportTo(path, subject);
+                QString fault = pictureFault(path, subject, size, 2.0);
+                QVERIFY2(fault.isEmpty(), qPrintable(path + u' ' + fault));
+                if (name.isEmpty()) {
+                    continue;
+                }
+                QVERIFY(QFile::remove(path));
+                run({"render", "--scene", scene, "--what", name, "--size", "1000x1100", "--scale", "1.5", "-o", path});
+                fault = pictureFault(path, subject, QSize(1000, 1100), 1.5);
+                QVERIFY2(fault.isEmpty(), qPrintable(path + u' ' + fault));
             }
-            QVERIFY(QFile::remove(path));
-            run({"render", "--scene", scene, "--what", name, "--size", "1000x1100", "--scale", "1.5", "-o", path});
-            fault = pictureFault(path, subject, QSize(1000, 1100), 1.5);
-            QVERIFY2(fault.isEmpty(), suffix + fault.toUtf8());
         }
     }
 
