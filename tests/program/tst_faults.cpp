@@ -4,6 +4,7 @@
 // older file or the complete new file must exist, the message or the exit status must say which, and no other file may
 // remain.
 
+#include "tests/program/run_program.h"
 #include "tests/support/failing_calls.h"
 #include "tests/support/long_tests.h"
 #include "tests/support/place_of_a_save.h"
@@ -56,30 +57,50 @@ public:
         const rlimit small{bytes, m_before.rlim_max};
         setrlimit(RLIMIT_FSIZE, &small);
     }
-    ~FileSizeLimit() { setrlimit(RLIMIT_FSIZE, &m_before); }
+    ~FileSizeLimit()
+    {
+        setrlimit(RLIMIT_FSIZE, &m_before);
+        std::signal(SIGXFSZ, SIG_DFL); // programs that are started later would otherwise ignore it, too
+    }
     Q_DISABLE_COPY_MOVE(FileSizeLimit)
 
 private:
     rlimit m_before{};
 };
 
-QProcessEnvironment environment(const QString &folder = {}, int call = 0, const QString &end = {})
+/// The environment in which the program is killed at that system call in the folder.
+QProcessEnvironment environment(const QString &folder = {}, int call = 0)
 {
     QProcessEnvironment variables = QProcessEnvironment::systemEnvironment();
     if (call > 0) {
         variables.insert(QStringLiteral("LD_PRELOAD"), QStringLiteral(SLIDERCRANK_FAILING_CALLS));
         variables.insert(QLatin1String(kFailingFolder), folder);
         variables.insert(QLatin1String(kFailingCall), QString::number(call));
-        variables.insert(QLatin1String(kFailingEnd), end);
         const QString options = variables.value(QStringLiteral("ASAN_OPTIONS"));
         variables.insert(QStringLiteral("ASAN_OPTIONS"), options + QStringLiteral(":verify_asan_link_order=0"));
     }
     return variables;
 }
 
-/// Saves by the program. `sizeLimit`: largest size of a file, in bytes.
-Outcome runAt(const Place &place, const Save &save, const QProcessEnvironment &environment,
-              std::optional<rlim_t> sizeLimit = {})
+Outcome outcomeOf(const RunResult &result)
+{
+    if (result.status == 0 && result.error.isEmpty()) {
+        return {true, {}};
+    }
+    if (result.status == 3 && result.hasOneLineError() && !result.error.contains("Unknown error")) {
+        return {false, {}};
+    }
+    return {false, QStringLiteral("exit %1, %2").arg(result.status).arg(QString::fromUtf8(result.error))};
+}
+
+QStringList argumentsFor(const Save &save, const Place &place)
+{
+    return save.arguments + QStringList{"--output", place.path()};
+}
+
+/// Saves by the program itself. `sizeLimit`: largest size of a file, in bytes.
+Outcome startAt(const Place &place, const Save &save, const QProcessEnvironment &environment,
+                std::optional<rlim_t> sizeLimit = {})
 {
     QProcess program;
     program.setProcessEnvironment(environment);
@@ -92,18 +113,8 @@ Outcome runAt(const Place &place, const Save &save, const QProcessEnvironment &e
 #endif
         });
     }
-    program.start(QStringLiteral(SLIDERCRANK_PROGRAM), save.arguments + QStringList{"--output", place.path()});
-    program.waitForFinished(kPatience);
-    const QByteArray error = program.readAllStandardError();
-    const bool isNormal = program.exitStatus() == QProcess::NormalExit;
-    if (isNormal && program.exitCode() == 0 && error.isEmpty()) {
-        return {true, {}};
-    }
-    const bool isReason = error.count('\n') == 1 && error.endsWith('\n') && !error.contains("Unknown error");
-    if (isNormal && program.exitCode() == 3 && isReason) {
-        return {false, {}};
-    }
-    return {false, QStringLiteral("exit %1, %2").arg(program.exitCode()).arg(QString::fromLocal8Bit(error))};
+    program.start(QStringLiteral(SLIDERCRANK_PROGRAM), argumentsFor(save, place));
+    return outcomeOf(resultOf(program));
 }
 
 /// Returns size limits at which writing a file of that size fails: at its start, after full buffers, and near its end.
@@ -160,14 +171,8 @@ private slots:
     {
         QFETCH(const int, index);
         const Save save = commands()[index];
-        const QString mark = m_marks.filePath(QStringLiteral("failed"));
-        const auto attempt = [&](const Place &place, int call) {
-            QFile::remove(mark);
-            Outcome outcome = runAt(place, save, environment(place.folder(), call, mark));
-            outcome.isDisturbed = QFile::exists(mark);
-            return outcome;
-        };
-        tryEveryCall(save, attempt, &Place::fault);
+        tryEveryCall(save, failingAt([&](const Place &place) { return outcomeOf(run(argumentsFor(save, place))); }),
+                     &Place::fault);
     }
 
     void aCommandIsKilledAtASystemCall_data() { addCommands({"solve to CSV", "render SVG"}); }
@@ -176,7 +181,7 @@ private slots:
         QFETCH(const int, index);
         const Save save = commands()[index];
         const auto attempt = [&](const Place &place, int call) {
-            Outcome outcome = runAt(place, save, environment(place.folder(), call, QStringLiteral("kill")));
+            Outcome outcome = startAt(place, save, environment(place.folder(), call));
             outcome.isDisturbed = !outcome.isWritten;
             return outcome;
         };
@@ -189,14 +194,8 @@ private slots:
     {
         QFETCH(const int, index);
         const Save save = savesOfTheWindow()[index];
-        const auto attempt = [&](const Place &place, int call) {
-            failCall(qPrintable(place.folder()), call);
-            Outcome outcome = saveInWindow(save, place.path());
-            outcome.isDisturbed = call > 0 && hasFailed();
-            failCall("", 0);
-            return outcome;
-        };
-        tryEveryCall(save, attempt, &Place::fault);
+        tryEveryCall(save, failingAt([&](const Place &place) { return saveInWindow(save, place.path()); }),
+                     &Place::fault);
     }
 
     void aCommandOnAFullDisk_data() { addCommands(); }
@@ -205,7 +204,19 @@ private slots:
         QFETCH(const int, index);
         const Save save = commands()[index];
         tryEverySizeLimit(save, [&](const Place &place, std::optional<rlim_t> limit) {
-            return runAt(place, save, environment(), limit);
+            const FileSizeLimit sizeLimit(limit.value_or(RLIM_INFINITY));
+            return outcomeOf(run(argumentsFor(save, place)));
+        });
+    }
+
+    /// The program itself must ignore the signal that it then receives.
+    void theProgramOnAFullDisk_data() { addCommands({"solve to CSV", "render PDF"}); }
+    void theProgramOnAFullDisk()
+    {
+        QFETCH(const int, index);
+        const Save save = commands()[index];
+        tryEverySizeLimit(save, [&](const Place &place, std::optional<rlim_t> limit) {
+            return startAt(place, save, environment(), limit);
         });
     }
 
@@ -365,6 +376,18 @@ private:
         return {isWritten, hasMessage && (isWritten || isReason) ? QString() : QStringLiteral("message: ") + text};
     }
 
+    /// Returns an attempt that saves while that system call fails.
+    static std::function<Outcome(const Place &, int call)> failingAt(const std::function<Outcome(const Place &)> &save)
+    {
+        return [save](const Place &place, int call) {
+            failCall(qPrintable(place.folder()), call);
+            Outcome outcome = save(place);
+            outcome.isDisturbed = call > 0 && hasFailed();
+            failCall("", 0);
+            return outcome;
+        };
+    }
+
     /// Saves while no system call fails, then while the first one fails, the second one …, until none fails any more.
     /// `findFault` checks the folder after each.
     void tryEveryCall(const Save &save, const std::function<Outcome(const Place &, int call)> &attempt,
@@ -411,7 +434,6 @@ private:
     }
 
     QTemporaryDir m_settings;
-    QTemporaryDir m_marks;
     std::unique_ptr<MainWindow> m_window;
     int m_trials = 0;
     int m_failures = 0;

@@ -23,24 +23,16 @@ namespace
 constexpr std::size_t kLongestPath = 4096;
 
 char folder[kLongestPath];
-char mark[kLongestPath];
 bool kills = false;
 std::atomic<int> remaining = 0; ///< calls up to and including the one that fails; 0: none fails
 std::atomic<bool> failed = false;
-
-void copy(char (&to)[kLongestPath], const char *from)
-{
-    std::snprintf(to, sizeof to, "%s", from);
-}
 
 [[gnu::constructor]] void readEnvironment()
 {
     const char *where = std::getenv(slidercrank::kFailingFolder);
     const char *number = std::getenv(slidercrank::kFailingCall);
-    const char *end = std::getenv(slidercrank::kFailingEnd);
-    if (where && number && end) {
-        kills = std::strcmp(end, "kill") == 0;
-        copy(mark, end);
+    if (where && number) {
+        kills = true;
         failCall(where, std::atoi(number));
     }
 }
@@ -57,9 +49,6 @@ bool fails(const char *path)
     failed = true;
     if (kills) {
         syscall(SYS_kill, getpid(), SIGKILL);
-    }
-    if (mark[0] != '\0') {
-        syscall(SYS_close, syscall(SYS_openat, AT_FDCWD, mark, O_CREAT | O_WRONLY, 0600));
     }
     return true;
 }
@@ -108,7 +97,7 @@ extern "C" {
 void failCall(const char *where, int number)
 {
     remaining = 0;
-    copy(folder, where);
+    std::snprintf(folder, sizeof folder, "%s", where);
     failed = false;
     remaining = number;
 }
