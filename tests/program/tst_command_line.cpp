@@ -273,8 +273,7 @@ private slots:
         QProcess process;
         const QString folder = path("interrupted");
         process.start(SLIDERCRANK_PROGRAM, {"render", "--what", "frames", "--duration", "1000", "-o", folder});
-        QVERIFY(process.waitForStarted());
-        QTest::qWait(1500);
+        AWAIT(!QDir(m_folder.path()).entryList({"frames-*"}).isEmpty()); // it draws the first frames
         QVERIFY(process.state() == QProcess::Running);
         ::kill(static_cast<pid_t>(process.processId()), SIGTERM);
         QVERIFY(process.waitForFinished(kPatience));
