@@ -66,6 +66,7 @@ private slots:
     void runsInTheBackgroundAndShowsEveryMethod()
     {
         Session session;
+        session.setParameter(Parameter::B, 6.0); // the study is short, because the mechanism can hardly be assembled
         StudyPanel panel(&session);
         panel.show();
         QSignalSpy busy(&session, &Session::busyChanged);

@@ -274,6 +274,7 @@ private slots:
 
     void runningTheStudyKeepsTheFocus()
     {
+        setB(6.0); // the study is short, because the mechanism can hardly be assembled
         showTab(4);
         child<QPushButton>(*part("studyPanel"), "remedyButton")->setFocus(Qt::TabFocusReason);
         const auto hasFocus = [this] { return part("studyPanel")->isAncestorOf(m_window->focusWidget()); };
