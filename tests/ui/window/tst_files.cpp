@@ -250,6 +250,7 @@ private slots:
             const char *written;
             const char *beginning;
         };
+        session().setSampling({0.0, 0.1, 200}); // few frames
         for (const Row &row :
              {Row{"Figure…", 0, "new.png", "\x89PNG\r"}, Row{"Figure…", 1, "new.svg", "<?xml"},
               Row{"Figure…", 2, "new.pdf", "%PDF-"}, Row{"Mechanism…", 1, "mechanism.svg", "<?xml"},
