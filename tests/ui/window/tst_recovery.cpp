@@ -34,6 +34,7 @@ int editAndWait(const QString &settings, const QString &scene)
     window.show();
     if (!scene.isEmpty()) {
         window.scene().open(scene);
+        finishAside(); // the recent files have been written: if killed while writing, it would leave a lock for 30 s
     }
     window.session().setParameter(Parameter::B, 70.0);
     letTimePass(*window.findChild<Recovery *>());
@@ -207,7 +208,6 @@ private:
 
     void editElsewhere(const QString &scene = {})
     {
-        m_other.setProcessEnvironment(QProcessEnvironment::systemEnvironment());
         m_other.start(QCoreApplication::applicationFilePath(), {"tst_recovery", "--edit", m_folder->path(), scene});
         AWAIT(hasCopy());
     }
