@@ -38,7 +38,7 @@ double noiseVarianceOf(const std::vector<double> &residuals, const std::vector<d
     for (const double residual : residuals) {
         high += std::isnan(residual) ? 0.0 : residual * residual / count;
     }
-    constexpr int kBisections = 30;
+    constexpr int kBisections = 20;
     for (int k = 0; k < kBisections; ++k) {
         const double middle = 0.5 * (low + high);
         (meanRatio(middle) > 1.0 ? low : high) = middle;
