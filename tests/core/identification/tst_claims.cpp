@@ -181,8 +181,8 @@ private slots:
         QFETCH(bool, isNoisy);
         const ClaimKind kind{isNoisy ? "noisy" : "rounded",
                              false,
-                             {isNoisy ? "columns six|theta3,R4_x %.8g; sample 0.8:3 60:300; noise all 0.005"
-                                      : "columns six|theta3,R4_x; sample 0.8:3 60:300"}};
+                             {isNoisy ? "columns six|theta3,R4_x %.8g; sample 0.8:3 60:150; noise all 0.005"
+                                      : "columns six|theta3,R4_x; sample 0.8:3 60:150"}};
         const int files = kIsMemoryCheck ? 20 : runs(200, 1000);
         std::vector<std::vector<ParameterError>> errors(static_cast<std::size_t>(files));
         inParallel(errors.size(), [&](std::size_t i) {
