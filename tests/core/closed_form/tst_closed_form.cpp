@@ -144,6 +144,15 @@ private slots:
         }
     }
 
+    /// Of θ2 = ω2 t + θ20 and of R4y = c.
+    void conditioningOfSumsIsThatOfTheirTerms()
+    {
+        const Parameters p{.theta20 = 0.5};
+        const auto kappa = conditioning(p, 0.25);
+        QCOMPARE(kappa[indexOf({Theta2, Order::Position})], 0.5 * p.omega2 + 0.5);
+        QCOMPARE(kappa[indexOf({R4y, Order::Position})], p.c);
+    }
+
     void isExactOnRandomMechanisms()
     {
         RandomMechanisms random(20240501);
