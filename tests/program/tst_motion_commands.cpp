@@ -81,10 +81,14 @@ private slots:
         QCOMPARE(sampled.at(0, "time"), -1.0);
         QCOMPARE(sampled.at(4, "time"), 1.0);
 
-        const CsvTable revolution(run("solve --step-angle 15 --start 0.5 --omega2 180deg/s --theta20 30deg").output);
-        QCOMPARE(revolution.rows.size(), std::size_t(25));
-        for (std::size_t i = 0; i < revolution.rows.size(); ++i) {
-            QVERIFY(std::abs(revolution.at(i, "theta2") - (120.0 + 15.0 * static_cast<double>(i))) < 1e-10);
+        for (const int sense : {1, -1}) {
+            const QString crank = QStringLiteral(" --omega2 %1deg/s --theta20 30deg").arg(180 * sense);
+            const CsvTable revolution(run("solve --step-angle 15 --start 0.5" + crank).output);
+            QCOMPARE(revolution.rows.size(), std::size_t(25));
+            for (std::size_t i = 0; i < revolution.rows.size(); ++i) {
+                const double theta2 = 30.0 + sense * (90.0 + 15.0 * static_cast<double>(i));
+                QVERIFY(std::abs(revolution.at(i, "theta2") - theta2) < 1e-10);
+            }
         }
 
         const CsvTable atTime(run("solve --at 0.25").output);
