@@ -376,9 +376,9 @@ private slots:
             const auto hasArrow = [&](QPointF derivative, const ArrowScale &scale, const QColor &colour) {
                 const QPointF tip = drawn.sketch->toPixels(at(0.37) + derivative * (scale.length / scale.amount));
                 return std::ranges::any_of(drawn.sketch->shapes(), [&](const DrawnShape &shape) {
-                    const QPointF first = shape.path.elementAt(0); // of an arrow head, its tip
-                    return shape.brush.color() == colour && (first - tip).manhattanLength() < 0.05 &&
-                           shape.path.length() > 10.0;
+                    // The first point of an arrow head is its tip.
+                    return shape.brush.color() == colour && shape.path.length() > 10.0 &&
+                           (QPointF(shape.path.elementAt(0)) - tip).manhattanLength() < 0.05;
                 });
             };
             QVERIFY(hasArrow((at(0.37 + kStep) - at(0.37 - kStep)) / (2.0 * kStep), velocity, colours.errorOther));

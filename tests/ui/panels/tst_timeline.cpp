@@ -61,7 +61,7 @@ private slots:
         Bench bench({}, {0.0, 100.0, 200});
         bench.clock += 7.0; // before playback
         bench.click("playButton");
-        QVERIFY(bench.timeline.isPlaying());
+        QCOMPARE(child<QToolButton>(bench.timeline, "playButton")->accessibleName(), "Pause");
         double time = 0.0;
         for (const double speed : {1.0, 2.0, 0.1}) { // continues at another speed
             bench.timeline.setSpeed(speed);
@@ -85,9 +85,7 @@ private slots:
         Timeline timeline(&session); // without setClock()
         session.setSampling({0.0, 1e6, 200});
         timeline.play();
-        AWAIT(session.time() > 0.0);
-        const double before = session.time();
-        AWAIT(session.time() > before);
+        AWAIT(session.time() > 0.1); // several frames
     }
 
     void startsAgainOrStopsAtTheEnd()
