@@ -4,6 +4,16 @@
 namespace slidercrank
 {
 
+namespace
+{
+
+/// Frees the constants that MPFR keeps for each thread when the thread ends.
+struct ConstantsOfThread {
+    ~ConstantsOfThread() { mpfr_free_cache(); }
+};
+
+} // namespace
+
 std::array<double, kChannelCount> conditioning(const Parameters &parameters, double t)
 {
     const ManyDigits step = 1e-25;
@@ -27,6 +37,7 @@ std::array<double, kChannelCount> conditioning(const Parameters &parameters, dou
 
 Judged judge(const Parameters &parameters, double t)
 {
+    thread_local const ConstantsOfThread constants;
     const ExactState exact = exactState(parameters, t);
     Judged judged{exact.status, static_cast<double>(exact.clearance), {}, {}};
     std::array<double, kChannelCount> kappa{};
