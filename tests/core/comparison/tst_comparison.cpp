@@ -80,6 +80,7 @@ private slots:
         QCOMPARE(result.missingModel, std::size_t(0));
         QCOMPARE(result.maxAbs.value(), 1.0);
         QCOMPARE(result.timeOfMaxAbs, 1.0);
+        QCOMPARE(compareValues({1.0, 1.0}, {0.0, 0.0}).timeOfMaxAbs, 0.0); // the first of equal errors
         QCOMPARE(result.rms.value(), std::sqrt((0.0 + 0.25 + 1.0 + 0.0625) / 4.0));
         QCOMPARE(result.maxPercent.value(), 25.0);
         QCOMPARE(result.timeOfMaxPercent, 0.5); // the first of two equal maxima

@@ -409,11 +409,11 @@ private slots:
         // The last digit of 204.624 is 0.001, and it remains so for 24.624, half a turn before.
         ReferenceData data;
         data.time = {0.0, 1.0, 2.0};
-        data.series = {{kTheta3, {204.624, 190.5, 180.25}, {Rounding::Rule::SignificantDigits, 6}},
+        data.series = {{kTheta3, {204.624, 54.5, 80.25}, {Rounding::Rule::SignificantDigits, 6}},
                        {kSliderSpeed, {1.25, -2.5, 0.0}, {Rounding::Rule::Decimals, 2}}};
         data = applied({Kind::HalfTurn, {kTheta3}, -180.0}, std::move(data));
         data = applied({Kind::LengthUnit, {kSliderSpeed}, 1e3}, std::move(data));
-        QVERIFY(std::abs(data.series[0].values[2] - 0.25) < 1e-9);
+        QVERIFY(std::abs(data.series[0].values[1] + 125.5) < 1e-9);
         for (const double value : {24.624, 0.25, 180.25}) {
             QVERIFY(std::abs(data.series[0].rounding.stepAt(value) - 1e-3) < 1e-12);
         }
