@@ -3,8 +3,7 @@
 # shellcheck shell=bash disable=SC2034
 
 programPackages=(g++ cmake ninja-build libeigen3-dev libhwy-dev libqcustomplot-dev qt6-base-dev qt6-svg-dev
-    qt6-tools-dev qt6-l10n-tools qt6-translations-l10n libboost-dev libmpfrc++-dev
-    fonts-dejavu-core)
+    qt6-tools-dev qt6-l10n-tools qt6-translations-l10n libboost-dev libmpfrc++-dev fonts-dejavu-core)
 
 # Programs that open exported files, for tests/run only. If one is missing, its tests are skipped.
 testPackages=(poppler-utils librsvg2-bin netpbm)
@@ -13,7 +12,8 @@ testPackages=(poppler-utils librsvg2-bin netpbm)
 packagesSplitOff=(qt6-svg-plugins)
 
 requirements="a C++20 compiler, CMake 3.25 or later, Ninja, Eigen 3.4 or later, Highway 1.0.3 or later, \
-Boost's headers, MPFR C++, Qt 6.4 or later with its SVG and print modules and Linguist's tools, and QCustomPlot 2.1 built for Qt 6"
+Boost's headers, MPFR C++, Qt 6.4 or later with its SVG and print modules and Linguist's tools, and QCustomPlot 2.1 built \
+for Qt 6"
 
 # isInstalled PACKAGE
 isInstalled() {

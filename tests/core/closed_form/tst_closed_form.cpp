@@ -144,7 +144,7 @@ private slots:
         }
     }
 
-    /// Of θ2 = ω2 t + θ20 and of R4y = c.
+    /// κ of θ2 = ω2 t + θ20 is 2 ω2 t + θ20, and that of R4y = c is c.
     void conditioningOfSumsIsThatOfTheirTerms()
     {
         const Parameters p{.theta20 = 0.5};
