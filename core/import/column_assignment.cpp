@@ -39,7 +39,7 @@ bool areSameTimes(const Values &x, const Values &y)
 void countFromFirstRow(RawColumn &column)
 {
     constexpr double kHalfDay = 43'200.0;  // s: a clock may have twelve hours
-    constexpr double kHour = 3'600.0;      // s: below, the file counts from its start
+    constexpr double kHour = 3'600.0;      // s: below, without a date, the file counts from its start
     constexpr double kLatestSecond = 1e11; // since 1970: larger numbers are in a smaller unit
     if (column.isClock) {
         column.values = unwrapped(std::move(column.values), kHalfDay);
@@ -49,7 +49,7 @@ void countFromFirstRow(RawColumn &column)
     while (column.use.unit.empty() && first < kInfinity && first > kLatestSecond * scale) {
         scale *= 1000.0;
     }
-    if (scale > 1.0 || (column.isClock && first >= kHour)) {
+    if (scale > 1.0 || (column.isClock && (column.hasDate || first >= kHour))) {
         column.origin = first / scale;
         column.factor /= scale;
         std::ranges::for_each(column.values, [&](double &value) { value = (value - first) / scale; });

@@ -37,6 +37,7 @@ struct Heading {
     std::string name{};
     std::string_view cellUnit{}; ///< after the number in each cell
     bool isClock = false;        ///< the cells contain times of a clock
+    bool hasDate = false;        ///< before the time of the clock
     NameMeaning meaning{};       ///< set by interpretHeadings()
 };
 

@@ -266,7 +266,9 @@ std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout)
     const Cells cells = rows.empty() ? Cells() : splitCells(rows.front().text, layout.delimiter);
     for (std::size_t i = 0; i < std::min(cells.size(), headings.size()) && headings[i].meaning.kind < Kind::Quantity;
          ++i) {
-        headings[i].isClock = cells[i].find(':') != cells[i].npos; // not behind a quantity, like the times of a race
+        const std::size_t colon = cells[i].find(':');
+        headings[i].isClock = colon != cells[i].npos; // not behind a quantity, like the times of a race
+        headings[i].hasDate = cells[i].find_first_of("-/.") < colon;
     }
     layout.decimalSign = findDecimalSign(firstLines(rows), layout.delimiter);
     lines.erase(lines.begin(), lines.end() - static_cast<std::ptrdiff_t>(rows.size()));

@@ -60,6 +60,7 @@ const std::vector<ReadRow> kRead{
     {"a duration", "time,R4_x\n0 days 00:00:01.5,1\n0 days 00:01:00,2\n", "time 1.5 60; R4_x 1 2"},
     {"dates and a time zone", "Time,R4_x\n2024-03-01T23:59:59Z,1\n2024-03-02T00:00:01Z,2\n2024-03-02T00:00:02Z,3\n",
      "time 0 2 3; R4_x 1 2 3"},
+    {"a date, after midnight", "Time,R4_x\n2024-03-01 00:33:10.5,1\n2024-03-01 00:33:11,2\n", "time 0 0.5; R4_x 1 2"},
     {"ms since 1970", "time,R4_x\n1709290000000,1\n1709290000005,2\n", "time 0 0.005; R4_x 1 2"},
     // Names.
     {"columns in any order and case", "THETA3_Diff2,r4_X,Time\n3,2,1\n", "time 1; theta3_diff2 3; R4_x 2"},
