@@ -101,6 +101,9 @@ void RoundingObserver::observe(PrintedPlaces places, double value)
     }
     if (places.first - places.last + 1 >= kDigitsOfADouble) {
         places = shortestPlaces(places, value);
+        const int finest = places.first - kDigitsOfADouble + 1;
+        places.last = std::max(places.last, finest);
+        places.printed = std::max(places.printed, finest);
     }
     const double magnitude = std::abs(value);
     if (m_values > 0 && magnitude == m_lastMagnitude) {

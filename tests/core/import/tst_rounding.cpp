@@ -69,6 +69,8 @@ const std::vector<ColumnRow> kColumns{
      0},
     {"all digits of a double", [](int i) { return QString::number(irregular(i, 75.0), 'g', 17); },
      Rule::SignificantDigits, 16},
+    {"ns since 1970", [](int i) { return "1716200000" + withDecimals(5e8 + irregular(i, 4e8), 0); },
+     Rule::SignificantDigits, 16},
     {"6 digits, printed with 17",
      [](int i) { return QString::number(padded(irregular(i, 75.0), 6).toDouble(), 'g', 17); }, Rule::SignificantDigits,
      6},
