@@ -2,6 +2,7 @@
 #include "core/identification/file_search.h"
 
 #include "core/identification/crank_speed.h"
+#include "core/mechanism/turn.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,16 +54,37 @@ std::vector<bool> suspiciousRows(const Observations &data)
     return flags;
 }
 
-/// Flags rows with a residual beyond 8 standard deviations, by the median absolute residual or by the rounding.
+/// Flags rows with a residual beyond 8 standard deviations and visible, by the rounding or by the median absolute
+/// residual, of all rows or of those at similar crank angles: noise may grow with the reading or the speed.
 std::vector<bool> outliers(const Observations &data, const Candidate &candidate)
 {
+    constexpr std::size_t kMostSectors = 8; // so that a block of bad rows is less than half of a sector
+    constexpr std::size_t kRowsOfSector = 20;
+    constexpr double kClearly = 1.5; // larger
+    constexpr double kVisiblePart = 1e-6;
+    const std::size_t count = data.abscissa.size();
+    const std::size_t sectors = std::clamp<std::size_t>(count / kRowsOfSector, 1, kMostSectors);
     const Fit fit = evaluateHypothesis(data, candidate.hypothesis);
-    std::vector<bool> flags(data.abscissa.size(), false);
+    const auto sectorOf = [&](std::size_t row) {
+        const double turns = crankAngle(data, fit.hypothesis, row) / kTurn;
+        return static_cast<std::size_t>((turns - std::floor(turns)) * static_cast<double>(sectors)) % sectors;
+    };
+    std::vector<bool> flags(count, false);
     for (std::size_t j = 0; j < fit.residuals.size(); ++j) {
-        const double scale = robustDeviation(fit.residuals[j]);
-        for (std::size_t i = 0; i < flags.size(); ++i) {
+        std::vector<std::vector<double>> residuals(sectors);
+        for (std::size_t i = 0; i < count; ++i) {
+            residuals[sectorOf(i)].push_back(fit.residuals[j][i]);
+        }
+        const double scale = std::max(robustDeviation(fit.residuals[j]),
+                                      kVisiblePart * interpretedSpread(data, fit.hypothesis, j));
+        std::vector<double> scales(sectors, scale);
+        std::ranges::transform(residuals, scales.begin(), [&](const std::vector<double> &values) {
+            const double ofSector = robustDeviation(values);
+            return ofSector > kClearly * scale ? ofSector : scale;
+        });
+        for (std::size_t i = 0; i < count; ++i) {
             const double rounding = std::sqrt(std::max(fit.variances[j][i] - fit.noiseVariances[j], 0.0));
-            flags[i] = flags[i] || std::abs(fit.residuals[j][i]) > kFarReading * std::max(scale, rounding);
+            flags[i] = flags[i] || std::abs(fit.residuals[j][i]) > kFarReading * std::max(scales[sectorOf(i)], rounding);
         }
     }
     return flags;
@@ -159,8 +181,9 @@ void excludeOutliers(const Observations &all, const Parameters &given, const std
     search = searchRows(without(all, flags), given, stop);
     search.candidates.push_back(std::move(nearest));
     std::ranges::stable_sort(search.candidates, isBetter);
+    const std::vector<bool> remaining = outliers(all, search.candidates.front());
     for (std::size_t i = 0; i < flags.size(); ++i) {
-        if (flags[i]) {
+        if (flags[i] && remaining[i]) {
             search.excluded.push_back(all.rows[i]);
         }
     }
