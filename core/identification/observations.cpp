@@ -56,11 +56,15 @@ void removeSaturation(std::vector<double> &values, double step)
     constexpr double kMostPart = 0.35; // of the rows; with more it stands still
     constexpr double kFewSteps =
         8.0; // steps below the peak within which a parabola has twice as many values as at the peak
-    constexpr double kLargestJumpPart = 0.15; // of the range, from one row to the next
+    constexpr double kSudden = 2.0;           // times the next change
     constexpr double kMostJumps = 0.2;        // of all changes between saturated and other values
     const ValueRange range = rangeOf(values);
-    const double tolerance = std::max(step, kArithmeticPart * range.size());
     for (const double limit : {range.low, range.high}) {
+        double nearest = kInfinity; // distance of another value: the step may be larger than the digits show
+        for (const double value : values) {
+            nearest = value == limit ? nearest : std::min(nearest, std::abs(value - limit));
+        }
+        const double tolerance = std::max({step, 0.5 * nearest, kArithmeticPart * range.size()});
         const auto repeats = std::ranges::count(values, limit);
         const auto besideLimit = std::ranges::count_if(values, [&](double value) {
             return value != limit && std::abs(value - limit) < (kFewSteps + 0.5) * tolerance;
@@ -68,10 +72,13 @@ void removeSaturation(std::vector<double> &values, double step)
         double neighbours = 0.0;
         double jumps = 0.0;
         const bool hasRun = !std::ranges::search_n(values, kShortestRun, limit).empty();
-        for (std::size_t i = 1; i < values.size(); ++i) {
+        for (std::size_t i = 2; i + 1 < values.size(); ++i) {
             if ((values[i] == limit) != (values[i - 1] == limit)) {
                 neighbours += 1.0;
-                jumps += std::abs(values[i] - values[i - 1]) > kLargestJumpPart * range.width() ? 1.0 : 0.0;
+                const double jump = std::abs(values[i] - values[i - 1]);
+                const double next =
+                    std::abs(values[i] == limit ? values[i - 1] - values[i - 2] : values[i + 1] - values[i]);
+                jumps += jump > kSudden * next + tolerance ? 1.0 : 0.0;
             }
         }
         if (repeats >= kFewestRepeats && hasRun && 2 * besideLimit < repeats && jumps <= kMostJumps * neighbours &&
@@ -108,8 +115,11 @@ void learnStatistics(ObservedColumn &column, const Rounding &rounding, double un
     }
 }
 
-std::optional<ObservedColumn> observedColumn(const ReferenceSeries &series, std::span<const std::size_t> rows)
+/// Returns nullopt if the column tells nothing. `span`: of the abscissa.
+std::optional<ObservedColumn> observedColumn(const ReferenceSeries &series, std::span<const std::size_t> rows,
+                                             double span)
 {
+    constexpr double kZero = 1e-8; // mm or rad, change in the time of the file
     ObservedColumn column;
     column.channel = series.channel;
     column.unitOfHeading = series.rounding.unitFactor;
@@ -127,7 +137,9 @@ std::optional<ObservedColumn> observedColumn(const ReferenceSeries &series, std:
     learnStatistics(column, column.hadJumps ? series.rounding.withDecimalsAt(360.0) : series.rounding, unit);
     const bool counts = column.varies || isPlotted(column.channel) || isConstantByNature(column.channel) ||
                         column.channel.coordinate == Theta2;
-    return counts && column.count >= 2.0 ? std::optional(std::move(column)) : std::nullopt;
+    const int order = static_cast<int>(column.channel.order);
+    const bool isRoundingOfZero = column.varies && order > 0 && column.range * std::pow(span, order) < kZero;
+    return counts && !isRoundingOfZero && column.count >= 2.0 ? std::optional(std::move(column)) : std::nullopt;
 }
 
 } // namespace
@@ -230,7 +242,7 @@ Observations observe(const ReferenceData &data)
     all.unitOfHeading = (data.crank ? data.crank->rounding : data.timeRounding).unitFactor;
     for (const ReferenceSeries &series : data.series) {
         if (!isAlwaysZero(series.channel) && !(data.crank && series.channel == Channel{Theta2, Order::Position})) {
-            if (std::optional<ObservedColumn> column = observedColumn(series, all.rows)) {
+            if (std::optional<ObservedColumn> column = observedColumn(series, all.rows, all.span())) {
                 all.columns.push_back(*std::move(column));
             }
         }
