@@ -177,7 +177,7 @@ std::optional<CrankSpeedChange> crankSpeedChange(const Observations &data)
     const double speed = std::abs(line[1]);
     const double step = speed * data.printedStep + angle->step;
     const double enough = std::pow(400.0 * step * n / (speed * data.span()), 2.0 / 3.0);
-    const auto rows = static_cast<std::size_t>(std::max(4.0, std::min(enough, n / 10.0)));
+    const auto rows = static_cast<std::size_t>(std::max(3.0, std::min(enough, n / 10.0)));
     const auto speedAt = [&](std::size_t first, double end) { // by a parabola
         const Eigen::VectorXd coefficients =
             fitLinear(powerBasis(times.subspan(first, rows), 3), angles.subspan(first, rows)).coefficients;
