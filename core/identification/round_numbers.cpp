@@ -80,10 +80,14 @@ double largestPart(const Parameters &parameters, const ReferenceData &data)
 bool explainsAsWell(const Parameters &rounded, const ReferenceData &data, std::span<const ChannelComparison> fitted)
 {
     constexpr double kEqually = 1.05; // of the rms deviation
+    constexpr double kGrowth = 9.0;   // of chi-square, if the deviation is noise: three standard deviations
     return std::ranges::equal(compareTimed(rounded, data), fitted, [&](const auto &after, const auto &before) {
         const double natural = toFileUnit(after.channel, naturalSize(rounded, after.channel));
+        const double equally = before.rms > before.roundingStep
+                                   ? std::min(kEqually, std::sqrt(1.0 + kGrowth / static_cast<double>(before.count)))
+                                   : kEqually;
         return after.verdict <= before.verdict &&
-               after.rms.value_or(0.0) <= kEqually * before.rms.value_or(0.0) + kArithmeticStep * natural;
+               after.rms.value_or(0.0) <= equally * before.rms.value_or(0.0) + kArithmeticStep * natural;
     });
 }
 
