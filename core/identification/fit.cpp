@@ -239,18 +239,6 @@ Fit fitHypothesis(const Observations &data, Hypothesis hypothesis, int rounds)
         fit.hypothesis.unknowns[4] += std::numbers::pi;
     }
     Fit settled = evaluateHypothesis(data, std::move(fit.hypothesis));
-    // The noise that a rough start leaves in a column may hide that rounding explains it.
-    constexpr double kNearly = 1e-8; // of a column's variance
-    const double noise = settled.exists() ? std::ranges::max(settled.noiseParts) : 0.0;
-    if (noise > 0.0 && noise < kNearly) {
-        Fit exact{settled.hypothesis};
-        weigh(data, exact, false);
-        minimize(data, exact);
-        exact = evaluateHypothesis(data, std::move(exact.hypothesis));
-        if (exact.score < settled.score) {
-            settled = std::move(exact);
-        }
-    }
     settled.iterations = iterations;
     return settled;
 }
