@@ -3,6 +3,7 @@
 
 #include "core/identification/interpretation.h"
 #include "core/identification/least_squares.h"
+#include "core/import/crank_angles.h"
 #include "core/mechanism/turn.h"
 
 #include <boost/math/statistics/univariate_statistics.hpp>
@@ -136,13 +137,13 @@ bool isLikeDifferences(const Observations &data, const Hypothesis &hypothesis, s
            autocorrelation(residuals, 1) <= kSmooth * std::sqrt(count);
 }
 
-bool isIdleOffset(const Observations &data, const Hypothesis &hypothesis, std::size_t column)
+bool isSmallOffset(const Observations &data, const Hypothesis &hypothesis, std::size_t column, double part)
 {
-    constexpr double kIdlePart = 2e-2; // of the column's size
+    const Channel channel = hypothesis.columns[column].channel;
     const double offset = hypothesis.offset(column);
-    const double fromHalfTurn =
-        isLength(hypothesis.columns[column].channel) ? offset : std::remainder(offset, std::numbers::pi);
-    return std::abs(fromHalfTurn) < std::max(kIdlePart * sizeOf(data, hypothesis, column), data.columns[column].step);
+    const double fromHalfTurn = isLength(channel) ? offset : std::remainder(offset, std::numbers::pi);
+    const double size = channel == kCrankAngle ? 1.0 : sizeOf(data, hypothesis, column);
+    return std::abs(fromHalfTurn) < std::max(part * size, data.columns[column].step);
 }
 
 Candidate judgedCandidate(const Observations &data, Fit fit)
@@ -158,7 +159,7 @@ Candidate judgedCandidate(const Observations &data, Fit fit)
         const ObservedColumn &column = data.columns[j];
         const ColumnUse &use = hypothesis.columns[j];
         candidate.hasFreeOrigin = candidate.hasFreeOrigin || use.hasOffset;
-        hasIdleOffset = hasIdleOffset || (use.hasOffset && isIdleOffset(data, hypothesis, j));
+        hasIdleOffset = hasIdleOffset || (use.hasOffset && isSmallOffset(data, hypothesis, j, kIdleOffset));
         leavesOut = leavesOut || !use.isUsed;
         candidate.judgements.push_back(judgeColumn(data, candidate, j));
         originsOfShape += use.hasOffset && tellsShape(column);

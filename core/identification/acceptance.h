@@ -45,9 +45,12 @@ struct Candidate : Fit {
 /// Judges a fit and sets the price of its hypothesis.
 Candidate judgedCandidate(const Observations &data, Fit fit);
 
-/// Whether the fitted offset of a column is nearly zero or, for an angle, a number of half turns: then it describes an
-/// error of the values, and not their origin.
-bool isIdleOffset(const Observations &data, const Hypothesis &hypothesis, std::size_t column);
+/// A smaller offset, relative to the size of the column, describes an error of the values, and not their origin.
+inline constexpr double kIdleOffset = 2e-2;
+
+/// Whether the fitted offset of a column is at most a part of its size or, for an angle, so near to a number of half
+/// turns.
+bool isSmallOffset(const Observations &data, const Hypothesis &hypothesis, std::size_t column, double part);
 
 /// Orders accepted candidates before rejected ones, then by score.
 bool isBetter(const Candidate &x, const Candidate &y);

@@ -3,6 +3,7 @@
 
 #include "core/identification/interpretation.h"
 #include "core/identification/shape_search.h"
+#include "core/import/crank_angles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,14 +16,6 @@ namespace slidercrank
 
 namespace
 {
-
-/// Whether a column of the channel may be left out: a derivative, or the centre of a link, which may be its centre of
-/// mass.
-bool mayBeLeftOut(Channel channel)
-{
-    return channel.coordinate != Theta2 && channel.coordinate != R4y &&
-           (channel.order != Order::Position || !isPlotted(channel));
-}
 
 void addWithVariants(const Observations &data, Hypothesis hypothesis, std::vector<Candidate> &all);
 
@@ -72,17 +65,20 @@ void addWithVariants(const Observations &data, Hypothesis hypothesis, std::vecto
         return;
     }
     all.push_back(candidate);
-    Hypothesis withoutIdleOffsets = candidate.hypothesis; // that were fitted to nearly zero
-    for (std::size_t j = 0; j < data.columns.size(); ++j) {
-        ColumnUse &use = withoutIdleOffsets.columns[j];
-        if (use.hasOffset && isIdleOffset(data, candidate.hypothesis, j)) {
-            use.hasOffset = false;
-            use.turn += isLength(use.channel)
-                            ? 0.0
-                            : std::numbers::pi * std::round(candidate.hypothesis.offset(j) / std::numbers::pi);
+    constexpr double kSmallOffset = 0.3; // may be one that the file does not determine
+    for (const double part : {kIdleOffset, kSmallOffset}) {
+        Hypothesis without = candidate.hypothesis;
+        for (std::size_t j = 0; j < data.columns.size(); ++j) {
+            ColumnUse &use = without.columns[j];
+            const double offset = candidate.hypothesis.offset(j);
+            const bool isHalfTurnOfCrank = use.channel == kCrankAngle && std::abs(offset) > 1.0;
+            if (use.hasOffset && isSmallOffset(data, candidate.hypothesis, j, part) && !isHalfTurnOfCrank) {
+                use.hasOffset = false;
+                use.turn += isLength(use.channel) ? 0.0 : std::numbers::pi * std::round(offset / std::numbers::pi);
+            }
         }
+        addWithVariants(data, std::move(without), all); // if none is small, it is known
     }
-    addWithVariants(data, std::move(withoutIdleOffsets), all); // unless there is none: then it is known
     if (candidate.acceptance == Acceptance::Rejected) {
         addWithFewerColumns(data, candidate, Residual::Unexplained, all);
     }
@@ -128,6 +124,22 @@ double bonusOf(const Observations &data, const Hypothesis &hypothesis, const Par
     constexpr double kBonus = 24.0;
     constexpr double kPart = 0.25;
     return !data.isByCrankAngle && areNear(given, parametersOf(data, hypothesis), kPart) ? kBonus : 0.0;
+}
+
+/// Adds those images of the best candidate with which the headings are right. From a rough start, they may have been
+/// fitted not as well.
+void addPlainImages(const Observations &data, const Parameters &given, std::vector<Candidate> &all)
+{
+    constexpr double kNearly = 1e-3; // of a column's variance
+    std::vector<Fit> images;
+    addInterpretations(data, all.front(), {.isPlain = true, .given = given, .hasSize = true}, images);
+    for (Fit &image : images) {
+        image = evaluateHypothesis(data, std::move(image.hypothesis));
+        if (image.exists() && std::ranges::max(image.noiseParts) < kNearly) {
+            all.push_back(fitCandidate(data, image.hypothesis));
+            all.push_back(judgedCandidate(data, std::move(image)));
+        }
+    }
 }
 
 /// Fits the interpretations with the least misfit.
@@ -184,18 +196,25 @@ std::vector<Candidate> searchCandidates(const Observations &data, const Paramete
     const SpeedCandidates speeds = speedCandidates(data);
     std::vector<Fit> shapes = searchShapes(data, plainColumns(data), speeds);
     shapes.resize(std::min(shapes.size(), kMostShapes));
-    InterpretationOptions options{true, given};
+    InterpretationOptions options{.given = given};
     for (const bool isPlain : {true, false}) {
         options.isPlain = isPlain;
         if (!isPlain && !shapes.empty() && std::ranges::max(shapes.front().noiseParts) > kFarOff) {
             std::vector<Fit> exchanged = exchangedShapes(data, speeds, shapes.front().score, stop);
             shapes.insert(shapes.begin(), exchanged.begin(), exchanged.end());
         }
+        if (isIdentified(all)) { // its columns that are left out may be in another unit
+            shapes.push_back(all.front());
+        }
         tryInterpretations(data, shapes, options, stop, all);
         std::ranges::stable_sort(all, isBetter);
         if (stop.stop_requested() || (isIdentified(all) && isAsWritten(data, all.front().hypothesis))) {
             break;
         }
+    }
+    if (!all.empty() && all.front().acceptance != Acceptance::Rejected &&
+        !isAsWritten(data, all.front().hypothesis)) {
+        addPlainImages(data, given, all);
     }
     for (Candidate &candidate : all) {
         candidate.price -= bonusOf(data, candidate.hypothesis, given);

@@ -118,12 +118,16 @@ SpeedCandidates speedCandidates(const Observations &data)
     if (data.isByCrankAngle) {
         return {{1.0, data.unitOfHeading == 1.0 ? kDegreesPerRadian : 1.0 / data.unitOfHeading}, {}, true};
     }
-    if (const double known = std::abs(givenCrankSpeed(data)); known != 0.0) {
+    double known = std::abs(givenCrankSpeed(data));
+    if (known != 0.0) {
         constexpr double kPrice = 24.0; // of another unit
         const double converted =
             known * nearestFactor(kAngleFactors, kDegreesPerRadian, findCrank(data, true)->unitOfHeading);
         const bool isConverted = harmonicMisfit(data, converted) + kPrice < harmonicMisfit(data, known);
-        return {{isConverted ? converted : known}, {}, true};
+        known = isConverted ? converted : known;
+        if (findCrank(data, false)) {
+            return {{known}, {}, true};
+        }
     }
     constexpr double kLeastTurns = 0.7;
     constexpr double kMostCrossingsOfArc = 6.0;
@@ -139,6 +143,9 @@ SpeedCandidates speedCandidates(const Observations &data)
     const double high =
         std::min(std::numbers::pi / data.interval() * 1.02, 1.2 * std::numbers::pi * (crossings + 3.0) / covered);
     SpeedCandidates speeds{periodogramMinima(data, kLeastTurns * kTurn / span, high, 1.0 / span), {}, false};
+    if (known != 0.0) { // the speed in the file may be a set one
+        speeds.periodic.insert(speeds.periodic.begin(), known);
+    }
     if (crossings <= kMostCrossingsOfArc) {
         for (double angle = 0.1; angle < 8.0; angle *= 1.5) {
             speeds.shortArc.push_back(angle / span);

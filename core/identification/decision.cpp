@@ -2,6 +2,7 @@
 #include "core/identification/decision.h"
 
 #include "core/identification/candidate_search.h"
+#include "core/identification/interpretation.h"
 #include "core/identification/least_squares.h"
 #include "core/mechanism/turn.h"
 
@@ -211,6 +212,37 @@ Uncertainty computeUncertainty(const Observations &data, const Candidate &candid
     return result;
 }
 
+/// The candidate with a = b and c = 0, if they are that within their errors. Such a mechanism folds, and the smallest
+/// errors of a and b decide about its derivatives.
+std::optional<Candidate> foldedMechanism(const Observations &data, const Candidate &candidate,
+                                         const Uncertainty &uncertainty)
+{
+    constexpr double kErrors = 3.0;
+    Hypothesis folded = candidate.hypothesis;
+    Eigen::VectorXd &unknowns = folded.unknowns;
+    if (!(std::abs(unknowns[1] - unknowns[0]) <= kErrors * uncertainty.errors[1] &&
+          std::abs(unknowns[2]) <= kErrors * uncertainty.errors[2])) {
+        return std::nullopt;
+    }
+    unknowns[1] = unknowns[0];
+    unknowns[2] = 0.0;
+    if (!(chiSquareOf(data, candidate, folded) < candidate.chiSquare + kMargin)) {
+        return std::nullopt;
+    }
+    return judgedCandidate(data, evaluateHypothesis(data, std::move(folded)));
+}
+
+/// Whether an origin is free that the file does not determine.
+bool hasUncertainOrigin(const Observations &data, const Hypothesis &hypothesis, const Uncertainty &uncertainty)
+{
+    constexpr double kErrors = 5.0;
+    return std::ranges::any_of(conventionsOf(data, hypothesis), [&](const Convention &convention) {
+        return convention.kind == Convention::Kind::ZeroPoint &&
+               std::abs(convention.amount) <
+                   kErrors * uncertainty.originError(hypothesis, convention.channels.front());
+    });
+}
+
 /// The mechanism of a candidate, with a of the given one if it was held, and θ20 in a file by crank angle.
 Parameters foundParameters(const Observations &data, const Candidate &candidate, const Parameters &given)
 {
@@ -242,6 +274,14 @@ void describePrecision(const Observations &data, const Decision &decision, Ident
 }
 
 } // namespace
+
+double Uncertainty::originError(const Hypothesis &hypothesis, Channel channel) const
+{
+    const bool isCrank = channel == kCrankAngle;
+    const Eigen::Index k = isCrank ? indexOf(Parameter::Theta20)
+                                   : Hypothesis::offsetIndex(columnIndex(hypothesis.columns, channel));
+    return toFileUnit(channel, errors[k]);
+}
 
 std::optional<Lack> findLack(const Observations &data)
 {
@@ -311,9 +351,20 @@ Decision decide(const Observations &data, std::span<const Candidate> candidates,
                   : std::ranges::count(result.openParameters, true) > 0 ? Lack::OpenParameters
                   : uncertainty.isParabolic                             ? Lack::Nothing
                                                                         : Lack::NotParabolic;
+    if (hasUncertainOrigin(data, best.hypothesis, uncertainty)) {
+        std::vector<Candidate> plain(candidates.begin(), candidates.end());
+        std::erase_if(plain, [&](const Candidate &other) { return !isAsWritten(data, other.hypothesis); });
+        if (Decision other = decide(data, plain, given); other.identification.hasMechanism()) {
+            return other;
+        }
+        result.lack = Lack::NotParabolic;
+    }
     if (result.lack != Lack::Nothing) {
         result.outcome = Outcome::Insufficient;
         return decision;
+    }
+    if (std::optional<Candidate> folded = foldedMechanism(data, best, uncertainty)) {
+        decision.candidate = *std::move(folded);
     }
     result.parameters = foundParameters(data, best, given);
     result.outcome = best.acceptance == Acceptance::Identified ? Outcome::Identified : Outcome::Approximate;

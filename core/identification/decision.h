@@ -26,6 +26,9 @@ struct Uncertainty {
     double conditionNumber = 0.0;
     double evidence = 0.0;   ///< the information that the mechanism gives about the values, in nats
     bool isParabolic = true; ///< chi-square is a parabola within three standard errors, up to a factor of 2
+
+    /// The standard error of the origin of a column or of the crank angle, in the unit of files.
+    double originError(const Hypothesis &hypothesis, Channel channel) const;
 };
 
 /// The answer, and the candidate to which it belongs: that of the images that is most like the given mechanism.

@@ -54,7 +54,7 @@ bool isOfTwoMechanisms(const Observations &data, const Candidate &found, const P
     Observations rest = data;
     rest.columns.clear();
     for (std::size_t j = 0; j < data.columns.size(); ++j) {
-        if (found.judgements[j] == Residual::NotUsed) {
+        if (found.judgements[j] == Residual::NotUsed && isPlotted(data.columns[j].channel)) {
             rest.columns.push_back(data.columns[j]);
         }
     }
@@ -92,6 +92,8 @@ bool interpret(const ReferenceData &data, const Observations &all, const FileSea
     for (const std::size_t row : excluded) {
         found.excludedRows.push_back(data.lineOfRow(row));
     }
+    constexpr double kSmallPercent = 0.01;
+    const bool hasOrigin = std::ranges::count(result.conventions, Kind::ZeroPoint, &ConventionFinding::kind) > 0;
     std::vector<ConventionFinding> ofUsed = result.conventions;
     std::erase_if(ofUsed, [](const ConventionFinding &one) { return one.kind == Kind::NotDerivative; });
     const ReferenceData interpreted = allApplied(result.conventions, good);
@@ -100,6 +102,10 @@ bool interpret(const ReferenceData &data, const Observations &all, const FileSea
         if (j < candidate.judgements.size() && candidate.judgements[j] == Residual::NotUsed) {
             const double ofZeros = channel.maxAbs.value_or(0.0) > 0.0 ? 100.0 : 0.0; // percent of the motion's peak
             found.leftOut.push_back({channel.channel, channel.percentOfPeak.value_or(ofZeros)});
+            // A small deviation is one of all columns, which the origin may hide.
+            if (found.leftOut.back().percentOfPeak < kSmallPercent && hasOrigin) {
+                return false;
+            }
         }
         if (interpreted.find(channel.channel)) {
             result.identified.push_back(std::move(channel));

@@ -18,23 +18,25 @@ namespace
 
 using Kind = Convention::Kind;
 
-/// Rounds an origin offset to the roundest number within its standard error. Returns false if it is less than five
-/// standard errors or, for θ2, a thousandth of a radian.
-bool settleOrigin(const Candidate &candidate, const Uncertainty &uncertainty, ConventionFinding &finding)
+/// Rounds an origin offset to the roundest number within its standard error, unless this changes the residuals, because
+/// the other parameters are not rounded with it. Returns false if the offset of θ2 is less than a thousandth of a radian.
+bool settleOrigin(const Observations &data, const Candidate &candidate, const Uncertainty &uncertainty,
+                  ConventionFinding &finding)
 {
-    constexpr double kErrors = 5.0;
+    constexpr double kSmallPart = 0.3; // of the rms residual
     const Channel channel = finding.channels.front();
     const bool isCrank = channel == kCrankAngle;
-    const double error =
-        uncertainty.errors[isCrank ? 4 : Hypothesis::offsetIndex(columnIndex(candidate.hypothesis.columns, channel))];
-    const double least = std::max(kErrors * error, isCrank ? 1e-3 : 0.0);
+    const double error = uncertainty.originError(candidate.hypothesis, channel);
     double &amount = finding.amount;
-    if (std::abs(amount) < toFileUnit(channel, least)) {
+    if (isCrank && std::abs(amount) < toFileUnit(channel, 1e-3)) {
         return false;
     }
     if (error > 0.0) {
-        finding.standardError = toFileUnit(channel, error);
-        amount = roundest(amount, *finding.standardError);
+        const std::size_t j = columnIndex(candidate.hypothesis.columns, channel);
+        finding.standardError = error;
+        const double rounded = roundest(amount, error);
+        const double residual = isCrank ? kInfinity : std::sqrt(candidate.noiseVariances[j] + data.columns[j].meanVariance);
+        amount = std::abs(rounded - amount) <= toFileUnit(channel, kSmallPart * residual) ? rounded : amount;
     }
     return true;
 }
@@ -59,7 +61,7 @@ std::vector<ConventionFinding> findConventions(const Observations &data, const C
                 continue;
             }
         }
-        if (finding.kind != Kind::ZeroPoint || settleOrigin(candidate, uncertainty, finding)) {
+        if (finding.kind != Kind::ZeroPoint || settleOrigin(data, candidate, uncertainty, finding)) {
             findings.push_back(std::move(finding));
         }
     }

@@ -63,6 +63,7 @@ double interpretColumn(const Observations &data, std::size_t j, const ColumnRegr
 {
     constexpr double kResolution = 1e-10; // of the variance: the accuracy of a fitted shape
     constexpr double kExplained = 0.01;   // of the variance: a column with a larger misfit is not explained
+    constexpr double kContradiction = 50.0; // more than two columns that fit perfectly
     const ObservedColumn &column = data.columns[j];
     ColumnUse &use = hypothesis.columns[j];
     if (!isPlain) {
@@ -82,16 +83,24 @@ double interpretColumn(const Observations &data, std::size_t j, const ColumnRegr
         return square > kExplained * size2 ? 0.0 : regression.n * std::log(square / size2 + kResolution);
     };
     double best = misfit(aboutMean + offset * offset);
-    const bool mayHaveOffset = isPlotted(column.channel) || column.channel.coordinate == R4y;
-    if (!isPlain && mayHaveOffset && column.channel.order == Order::Position) {
+    if (isPlain) {
+        return best;
+    }
+    const bool isNeeded = !mayBeLeftOut(column.channel); // but from any origin
+    if (isNeeded) {
         const double price = kPriceOfOffset + kPriceOfParameter - (use.isHalfTurned() ? kPriceOfHalfTurn : 0.0);
         if (misfit(aboutMean) + price < best) {
             use.hasOffset = true;
+            use.unit *= isConstantByNature(use.channel) && use.unit < 0.0 ? -1.0 : 1.0; // a sign explains nothing more
             use.turn -= use.isHalfTurned() ? std::numbers::pi : 0.0;
+            hypothesis.unknowns[Hypothesis::offsetIndex(j)] = regression.offset(use.factor(), size) - use.turn;
             best = misfit(aboutMean);
         }
     }
-    if (!isPlain && best >= 0.0 && isShapeDerivative(column) && use.channel == column.channel) {
+    if (best >= 0.0 && tellsShape(column) && use.channel == column.channel) {
+        if (isNeeded) {
+            return kContradiction * regression.n;
+        }
         use = {column.channel};
         use.isUsed = false;
     }
@@ -149,19 +158,16 @@ std::vector<double> sizesToldBy(const Observations &data, const std::vector<Colu
     if (!hasLength) {
         sizes.push_back(options.given.a / std::abs(hypothesis.unknowns[0]));
     }
-    return sizes;
+    return options.hasSize ? std::vector{1.0} : sizes;
 }
 
 /// The crank speeds that follow from the time derivatives in a file by crank angle, if ω2 = 1 in the hypothesis.
 std::vector<double> speedsToldBy(const Observations &data, const std::vector<ColumnRegression> &regressions)
 {
     std::vector<double> speeds;
-    double size = 1.0; // of the lengths, by the slider's position
-    for (std::size_t j = 0; j < regressions.size(); ++j) {
-        if (data.columns[j].channel == Channel{R4x, Order::Position} && tellsShape(data.columns[j])) {
-            size = std::abs(regressions[j].slope());
-        }
-    }
+    const std::size_t slider = columnIndex(data.columns, {R4x, Order::Position});
+    const bool hasSize = slider < regressions.size() && tellsShape(data.columns[slider]);
+    const double size = hasSize ? std::abs(regressions[slider].slope()) : 1.0; // of the lengths
     for (std::size_t j = 0; j < regressions.size(); ++j) {
         const Channel channel = data.columns[j].channel;
         if (channel == Channel{Theta2, Order::Velocity}) {
@@ -280,6 +286,12 @@ std::vector<Convention> conventionsOf(const Observations &data, const Hypothesis
         }
     }
     return conventions;
+}
+
+bool mayBeLeftOut(Channel channel)
+{
+    return channel.order != Order::Position ||
+           (channel.coordinate != Theta2 && channel.coordinate != R4y && !isPlotted(channel));
 }
 
 bool keepsEnough(const Hypothesis &hypothesis)

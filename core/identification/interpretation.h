@@ -16,6 +16,10 @@ namespace slidercrank
 /// derivatives, and every free origin as another one.
 std::vector<Convention> conventionsOf(const Observations &data, const Hypothesis &hypothesis);
 
+/// Whether a column of the channel may be left out: a derivative, which may be the set speed of the crank, or the
+/// centre of a link, which may be its centre of mass.
+bool mayBeLeftOut(Channel channel);
+
 /// Whether at most half of the columns are left out, or a position is used.
 bool keepsEnough(const Hypothesis &hypothesis);
 
@@ -27,7 +31,8 @@ struct InterpretationOptions {
     /// Interprets columns as their headings say, up to whole turns. Otherwise also with other units, signs, origins and
     /// half turns, and without derivatives that cannot be explained.
     bool isPlain = true;
-    Parameters given; ///< supplies a if the file contains no length, and ω2 if it contains no time
+    Parameters given;     ///< supplies a if the file contains no length, and ω2 if it contains no time
+    bool hasSize = false; ///< whether the shape has its size
 };
 
 /// Adds the interpretations of a shape that was fitted with free scales and offsets. The scores include the prices.
