@@ -21,7 +21,7 @@ struct Deviation {
     Values numbers{};
     Values motion{};
     Values difference{};  ///< without whole turns
-    Values uncertainty{}; ///< standard deviation of noise and of the rounding of numbers and time stamps
+    Values uncertainty{}; ///< standard deviation of noise and of the rounding of numbers, time stamps and lengths
     Values isRight{};     ///< 0 in rows with wrong readings
 
     double largest() const { return difference.abs().maxCoeff(); }
@@ -54,6 +54,8 @@ std::vector<Deviation> deviationsFrom(const Parameters &p, const Claim &claim)
 {
     const ClaimFile &file = claim.file;
     const ReferenceData &data = claim.read;
+    Parameters longer = p; // where a mechanism folds, the last digit of b decides about its derivatives
+    longer.b *= 1.0 + 1e-15;
     Values times = Values::Map(data.time.data(), static_cast<Index>(data.time.size()));
     if (data.crank) {
         times = (Values::Map(data.crank->degrees.data(), times.size()) / kDegreesPerRadian - p.theta20) / p.omega2;
@@ -74,7 +76,10 @@ std::vector<Deviation> deviationsFrom(const Parameters &p, const Claim &claim)
         const Values numbers = Values::Map(series.values.data(), times.size());
         const Values motion = valuesOf(p, channel, times);
         const Values blur = valuesOf(p, channel, times + file.timeStep()) - motion;
-        const Values steps = column->stepsAt(numbers / factor) * factor;
+        const Values rounding = valuesOf(longer, channel, times) - motion;
+        const double peak = numbers.isFinite().select(numbers, 0.0).abs().maxCoeff();
+        const double finest = 0.01 * column->stepAt(peak / factor); // the step of a zero tells nothing
+        const Values steps = column->stepsAt(numbers / factor).max(finest) * factor;
         std::vector<Index> rows;
         for (Index i = 0; i < times.size(); ++i) {
             if (std::isfinite(numbers[i] + motion[i] + blur[i]) && isExcluded[i] == 0.0) {
@@ -90,7 +95,7 @@ std::vector<Deviation> deviationsFrom(const Parameters &p, const Claim &claim)
             deviation.motion = motion(rows);
             deviation.difference =
                 (motion - numbers)(rows).unaryExpr([=](double x) { return hasTurns ? std::remainder(x, 360.0) : x; });
-            deviation.uncertainty = ((steps.square() + blur.square()) / 12.0 + noise * noise).sqrt()(rows);
+            deviation.uncertainty = ((steps.square() + blur.square()) / 12.0 + rounding.square() + noise * noise).sqrt()(rows);
             deviation.isRight = isRight(rows);
         }
     }

@@ -66,7 +66,7 @@ std::string falseMechanism(const Claim &claim, bool &isRight)
     for (const auto &[reason, parameters] : claim.found.alternatives) {
         const bool isAnother = reason == Why::Alias || reason == Why::AnotherMechanism;
         const bool isListed = claim.found.outcome == Outcome::Ambiguous && isTrue(claim, parameters, kRoughly);
-        if (!isAnother && !hasOrigin && isFirstRight &&
+        if (!isAnother && !hasOrigin && isFirstRight && !isAccurate(parameters) &&
             !(isTrue(claim, parameters, kRoughly) && explains(claim, parameters, false))) {
             return "a false image, " + describe(parameters);
         }

@@ -33,6 +33,7 @@ struct LinearizedFit {
     std::vector<ClaimColumn> columns{};
     std::vector<Index> free{}; ///< indices of the unknowns: parameters, then origins
     Values weights{};          ///< 1 / error of each value, one column after the other; 0: not used
+    Values deviations{};       ///< systematic ones of the values, in errors
     double count = 0.0;        ///< of used values
     double information = 0.0;  ///< sum of the logarithms of spread / error
     bool isClose = true;       ///< systematic deviations are below half a percent of the range
@@ -69,9 +70,12 @@ struct LinearizedFit {
         const Values errors = ((steps.square() + late.square()) / 12.0 + column.noise * column.noise).sqrt();
         const Index first = weights.size();
         weights.conservativeResize(first + times.size());
+        deviations.conservativeResize(weights.size());
         for (Index i = 0; i < times.size(); ++i) {
             const bool isUsed = std::isfinite(values[i] + errors[i]) && !file.badRows.contains(i * stride);
             weights[first + i] = isUsed ? std::sqrt(represented) / errors[i] : 0.0;
+            const bool isSystematic = isUsed && column.content != Content::Motion;
+            deviations[first + i] = isSystematic ? (values[i] - exact[i]) * weights[first + i] : 0.0;
             if (isUsed) {
                 const double spread = std::max(0.35 * range, steps[i]);
                 count += represented;
@@ -104,8 +108,8 @@ struct LinearizedFit {
     }
 };
 
-/// Returns whether the standard errors of all parameters at t = 0 are below 1 %, and the linearization still holds
-/// three standard errors away.
+/// Returns whether the standard errors of all parameters at t = 0 are below 1 %, and so are the errors that follow from
+/// systematic deviations, and the linearization still holds three standard errors away.
 bool isAccurate(const LinearizedFit &fit)
 {
     constexpr double kStep = 1e-6;
@@ -135,8 +139,10 @@ bool isAccurate(const LinearizedFit &fit)
             }
         }
     }
+    const VectorXd projections = errors(fit.free, Eigen::all).transpose() * jacobian.transpose() * fit.deviations.matrix();
     errors.row(kParameters - 1) -= fit.middle * std::abs(fit.truth.omega2) * errors.row(kParameters - 2);
-    return errors.topRows(kParameters).rowwise().norm().maxCoeff() < 0.01;
+    return errors.topRows(kParameters).rowwise().norm().maxCoeff() < 0.01 &&
+           (errors.topRows(kParameters) * projections).cwiseAbs().maxCoeff() < 0.01;
 }
 
 /// Returns whether the speed is unambiguous. Equally spaced positions alone fit several speeds; four rows a turn are
