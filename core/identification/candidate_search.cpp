@@ -212,8 +212,7 @@ std::vector<Candidate> searchCandidates(const Observations &data, const Paramete
             break;
         }
     }
-    if (!all.empty() && all.front().acceptance != Acceptance::Rejected &&
-        !isAsWritten(data, all.front().hypothesis)) {
+    if (!all.empty() && all.front().acceptance != Acceptance::Rejected && !isAsWritten(data, all.front().hypothesis)) {
         addPlainImages(data, given, all);
     }
     for (Candidate &candidate : all) {

@@ -238,8 +238,7 @@ bool hasUncertainOrigin(const Observations &data, const Hypothesis &hypothesis, 
     constexpr double kErrors = 5.0;
     return std::ranges::any_of(conventionsOf(data, hypothesis), [&](const Convention &convention) {
         return convention.kind == Convention::Kind::ZeroPoint &&
-               std::abs(convention.amount) <
-                   kErrors * uncertainty.originError(hypothesis, convention.channels.front());
+               std::abs(convention.amount) < kErrors * uncertainty.originError(hypothesis, convention.channels.front());
     });
 }
 
@@ -278,8 +277,8 @@ void describePrecision(const Observations &data, const Decision &decision, Ident
 double Uncertainty::originError(const Hypothesis &hypothesis, Channel channel) const
 {
     const bool isCrank = channel == kCrankAngle;
-    const Eigen::Index k = isCrank ? indexOf(Parameter::Theta20)
-                                   : Hypothesis::offsetIndex(columnIndex(hypothesis.columns, channel));
+    const Eigen::Index k =
+        isCrank ? indexOf(Parameter::Theta20) : Hypothesis::offsetIndex(columnIndex(hypothesis.columns, channel));
     return toFileUnit(channel, errors[k]);
 }
 

@@ -75,8 +75,8 @@ std::vector<bool> outliers(const Observations &data, const Candidate &candidate)
         for (std::size_t i = 0; i < count; ++i) {
             residuals[sectorOf(i)].push_back(fit.residuals[j][i]);
         }
-        const double scale = std::max(robustDeviation(fit.residuals[j]),
-                                      kVisiblePart * interpretedSpread(data, fit.hypothesis, j));
+        const double scale =
+            std::max(robustDeviation(fit.residuals[j]), kVisiblePart * interpretedSpread(data, fit.hypothesis, j));
         std::vector<double> scales(sectors, scale);
         std::ranges::transform(residuals, scales.begin(), [&](const std::vector<double> &values) {
             const double ofSector = robustDeviation(values);
@@ -84,7 +84,8 @@ std::vector<bool> outliers(const Observations &data, const Candidate &candidate)
         });
         for (std::size_t i = 0; i < count; ++i) {
             const double rounding = std::sqrt(std::max(fit.variances[j][i] - fit.noiseVariances[j], 0.0));
-            flags[i] = flags[i] || std::abs(fit.residuals[j][i]) > kFarReading * std::max(scales[sectorOf(i)], rounding);
+            flags[i] =
+                flags[i] || std::abs(fit.residuals[j][i]) > kFarReading * std::max(scales[sectorOf(i)], rounding);
         }
     }
     return flags;

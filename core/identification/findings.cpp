@@ -19,7 +19,8 @@ namespace
 using Kind = Convention::Kind;
 
 /// Rounds an origin offset to the roundest number within its standard error, unless this changes the residuals, because
-/// the other parameters are not rounded with it. Returns false if the offset of θ2 is less than a thousandth of a radian.
+/// the other parameters are not rounded with it. Returns false if the offset of θ2 is less than a thousandth of a
+/// radian.
 bool settleOrigin(const Observations &data, const Candidate &candidate, const Uncertainty &uncertainty,
                   ConventionFinding &finding)
 {
@@ -35,7 +36,8 @@ bool settleOrigin(const Observations &data, const Candidate &candidate, const Un
         const std::size_t j = columnIndex(candidate.hypothesis.columns, channel);
         finding.standardError = error;
         const double rounded = roundest(amount, error);
-        const double residual = isCrank ? kInfinity : std::sqrt(candidate.noiseVariances[j] + data.columns[j].meanVariance);
+        const double residual =
+            isCrank ? kInfinity : std::sqrt(candidate.noiseVariances[j] + data.columns[j].meanVariance);
         amount = std::abs(rounded - amount) <= toFileUnit(channel, kSmallPart * residual) ? rounded : amount;
     }
     return true;

@@ -61,8 +61,8 @@ void chooseUnit(const ObservedColumn &column, const ColumnRegression &regression
 double interpretColumn(const Observations &data, std::size_t j, const ColumnRegression &regression, double size,
                        bool isPlain, Hypothesis &hypothesis)
 {
-    constexpr double kResolution = 1e-10; // of the variance: the accuracy of a fitted shape
-    constexpr double kExplained = 0.01;   // of the variance: a column with a larger misfit is not explained
+    constexpr double kResolution = 1e-10;   // of the variance: the accuracy of a fitted shape
+    constexpr double kExplained = 0.01;     // of the variance: a column with a larger misfit is not explained
     constexpr double kContradiction = 50.0; // more than two columns that fit perfectly
     const ObservedColumn &column = data.columns[j];
     ColumnUse &use = hypothesis.columns[j];

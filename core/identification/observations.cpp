@@ -56,8 +56,8 @@ void removeSaturation(std::vector<double> &values, double step)
     constexpr double kMostPart = 0.35; // of the rows; with more it stands still
     constexpr double kFewSteps =
         8.0; // steps below the peak within which a parabola has twice as many values as at the peak
-    constexpr double kSudden = 2.0;           // times the next change
-    constexpr double kMostJumps = 0.2;        // of all changes between saturated and other values
+    constexpr double kSudden = 2.0;    // times the next change
+    constexpr double kMostJumps = 0.2; // of all changes between saturated and other values
     const ValueRange range = rangeOf(values);
     for (const double limit : {range.low, range.high}) {
         double nearest = kInfinity; // distance of another value: the step may be larger than the digits show

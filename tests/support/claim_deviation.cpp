@@ -95,7 +95,8 @@ std::vector<Deviation> deviationsFrom(const Parameters &p, const Claim &claim)
             deviation.motion = motion(rows);
             deviation.difference =
                 (motion - numbers)(rows).unaryExpr([=](double x) { return hasTurns ? std::remainder(x, 360.0) : x; });
-            deviation.uncertainty = ((steps.square() + blur.square()) / 12.0 + rounding.square() + noise * noise).sqrt()(rows);
+            deviation.uncertainty =
+                ((steps.square() + blur.square()) / 12.0 + rounding.square() + noise * noise).sqrt()(rows);
             deviation.isRight = isRight(rows);
         }
     }

@@ -123,7 +123,8 @@ bool isAccurate(const LinearizedFit &fit)
     jacobian = jacobian.array().isFinite().select(jacobian, 0.0);
     const VectorXd scale = jacobian.colwise().norm().cwiseMax(1e-150).cwiseInverse();
     const MatrixXd scaled = jacobian * scale.asDiagonal();
-    const Eigen::JacobiSVD<MatrixXd, Eigen::NoQRPreconditioner> svd(scaled.transpose().lazyProduct(scaled), Eigen::ComputeFullV);
+    const Eigen::JacobiSVD<MatrixXd, Eigen::NoQRPreconditioner> svd(scaled.transpose().lazyProduct(scaled),
+                                                                    Eigen::ComputeFullV);
     if (!(svd.singularValues().minCoeff() > 1e-14)) {
         return false;
     }
@@ -139,7 +140,8 @@ bool isAccurate(const LinearizedFit &fit)
             }
         }
     }
-    const VectorXd projections = errors(fit.free, Eigen::all).transpose() * jacobian.transpose() * fit.deviations.matrix();
+    const VectorXd projections =
+        errors(fit.free, Eigen::all).transpose() * jacobian.transpose() * fit.deviations.matrix();
     errors.row(kParameters - 1) -= fit.middle * std::abs(fit.truth.omega2) * errors.row(kParameters - 2);
     return errors.topRows(kParameters).rowwise().norm().maxCoeff() < 0.01 &&
            (errors.topRows(kParameters) * projections).cwiseAbs().maxCoeff() < 0.01;
