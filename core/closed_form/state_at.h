@@ -16,29 +16,18 @@ inline State ClosedForm::stateAt(double t) const
 {
     const Motion motion = motionAt(t);
     State state;
-    state.status = motion.status;
-    if (motion.status == Status::NotFinite || motion.status == Status::NotAssemblable) {
-        state.q.setConstant(kNone);
-        state.qDot.setConstant(kNone);
-        state.qDDot.setConstant(kNone);
-        return state;
-    }
     const double omega = m_mechanism.omega2();
     const double aCos = m_mechanism.a() * motion.crank.cos;
     const double aSin = m_mechanism.a() * motion.crank.sin;
     state.q << 0.0, 0.0, 0.0, 0.5 * aCos, 0.5 * aSin, motion.theta2, aCos + 0.5 * motion.s,
         0.5 * (aSin + m_mechanism.c()), motion.theta3, motion.R4x, m_mechanism.c(), 0.0;
-    if (motion.status == Status::Singular) {
-        state.qDot.setConstant(kNone);
-        state.qDDot.setConstant(kNone);
-        return state;
-    }
     const double omegaSquared = omega * omega;
     state.qDot << 0.0, 0.0, 0.0, -0.5 * aSin * omega, 0.5 * aCos * omega, omega, -aSin * omega + 0.5 * motion.sDot,
         0.5 * aCos * omega, motion.theta3Dot, motion.R4xDot, 0.0, 0.0;
     state.qDDot << 0.0, 0.0, 0.0, -0.5 * aCos * omegaSquared, -0.5 * aSin * omegaSquared, 0.0,
         -aCos * omegaSquared + 0.5 * motion.sDDot, -0.5 * aSin * omegaSquared, motion.theta3DDot, motion.R4xDDot, 0.0,
         0.0;
+    state.setStatus(motion.status);
     return state;
 }
 

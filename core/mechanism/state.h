@@ -21,6 +21,19 @@ struct State {
     Vector12 qDot;
     Vector12 qDDot;
     Status status = Status::Solved;
+
+    /// Sets the status, and the vectors that do not exist with it to NaN.
+    void setStatus(Status newStatus)
+    {
+        status = newStatus;
+        if (status != Status::Solved) {
+            qDot.setConstant(kNone);
+            qDDot.setConstant(kNone);
+            if (status != Status::Singular) {
+                q.setConstant(kNone);
+            }
+        }
+    }
 };
 
 } // namespace slidercrank

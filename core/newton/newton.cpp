@@ -295,11 +295,7 @@ private:
         const bool isCrankResolved = kEpsilon * couplerTerm <= kResolvedPart * kResolvedPart * crankTerm;
         const bool exists =
             isFinite && isCrankResolved && uncertain <= kResolvedPart * (cosine * cosine) * cosine * size;
-        state.status = exists ? Status::Solved : Status::Singular;
-        if (!exists) {
-            state.qDot.setConstant(kNone);
-            state.qDDot.setConstant(kNone);
-        }
+        state.setStatus(exists ? Status::Solved : Status::Singular);
     }
 
     const Mechanism &m_mechanism;
@@ -362,8 +358,7 @@ void advance(const Mechanism &mechanism, double t, NewtonTimeStep &timeStep, con
         Solver<StructuredSystem>(mechanism, t, options, timeStep, history).solve();
     }
     if (timeStep.positionStatus != Status::Solved) {
-        const Vector12 none = Vector12::Constant(kNone);
-        timeStep.state = {none, none, none, timeStep.positionStatus};
+        timeStep.state.setStatus(timeStep.positionStatus);
     }
     timeStep.t = t;
 }
