@@ -63,9 +63,7 @@ TwoPart twoProduct(double x, double y)
 
 TwoPart crankAngle(double omega2, double t, double theta20)
 {
-    const TwoPart turned = twoProduct(omega2, t);
-    const TwoPart sum = twoSum(turned.hi, theta20);
-    return twoSum(sum.hi, sum.lo + turned.lo);
+    return sum(twoProduct(omega2, t), theta20);
 }
 
 SinCos sinCos(TwoPart angle)
