@@ -32,19 +32,18 @@ std::array<Parameters, 8> mirrorImages(const Parameters &p)
 
 double &valueOf(Parameters &parameters, Parameter parameter)
 {
-    return parameters.*kMembers[static_cast<std::size_t>(parameter)];
+    return parameters.*kMembers[indexOf(parameter)];
 }
 
 double valueOf(const Parameters &parameters, Parameter parameter)
 {
-    return parameters.*kMembers[static_cast<std::size_t>(parameter)];
+    return parameters.*kMembers[indexOf(parameter)];
 }
 
 std::optional<ParameterFault> findFault(const Parameters &parameters)
 {
     using Reason = ParameterFault::Reason;
-    for (std::size_t i = 0; i < kParameterCount; ++i) {
-        const auto parameter = static_cast<Parameter>(i);
+    for (const Parameter parameter : kAllParameters) {
         const double value = valueOf(parameters, parameter);
         if (!std::isfinite(value)) {
             return ParameterFault{parameter, Reason::NotFinite};
