@@ -2,6 +2,7 @@
 #include "core/import/column_assignment.h"
 
 #include "core/import/crank_angles.h"
+#include "core/mechanism/find_element.h"
 
 #include <algorithm>
 #include <cmath>
@@ -109,9 +110,8 @@ bool isTurningAngle(const RawColumn &column)
 void guessAbscissa(RawTable &table, const TableFile &file)
 {
     const auto find = [columns = table.columnsOf(file)](const auto &suits) {
-        const auto found = std::ranges::find_if(
+        return findElement(
             columns, [&](const RawColumn &column) { return column.meaning.kind != Kind::Chosen && suits(column); });
-        return found == columns.end() ? nullptr : &*found;
     };
     if (const RawColumn *const other = table.abscissa()) {
         if (RawColumn *const same =
@@ -302,10 +302,10 @@ void assignChannels(RawTable &table)
     findCrank(table, candidates);
     for (RawColumn *const column : candidates) {
         const Kind evidence = column->meaning.kind;
-        const auto rival = std::ranges::find_if(candidates, [&](const RawColumn *other) {
+        const auto *const rival = findElement(candidates, [&](const RawColumn *other) {
             return other != column && other->use.channel == column->use.channel && other->meaning.kind >= evidence;
         });
-        if (rival == candidates.end()) {
+        if (!rival) {
             column->use.role = ColumnRole::Channel;
             column->use.reason = column->meaning.reason;
         } else if (evidence >= Kind::ChannelName && (*rival)->meaning.kind == evidence) {
@@ -329,14 +329,14 @@ void requireData(RawTable &table, std::size_t file)
         throw ReadError{own.rows.front().number, 0, {}, {Fault::NamesMissing}, {}, file};
     }
     ReadFault fault{own.hasAbscissa ? Fault::NoChannel : Fault::NoTime};
-    const auto open = std::ranges::find_if(columns, [](const RawColumn &column) {
+    const RawColumn *const open = findElement(columns, [](const RawColumn &column) {
         return leavesOpen(column.use.reason) || column.use.reason == ColumnReason::UnknownUnit;
     });
-    if (own.hasAbscissa && open != columns.end()) {
-        const auto other = std::ranges::find_if(table.columns, [&](const RawColumn &column) {
+    if (own.hasAbscissa && open) {
+        const RawColumn *const other = findElement(table.columns, [&](const RawColumn &column) {
             return column.use.file != file && column.use.channel == open->use.channel;
         });
-        if (open->use.reason == ColumnReason::LikeOther && other != table.columns.end()) {
+        if (open->use.reason == ColumnReason::LikeOther && other) {
             throw conflict(table, *open, *other);
         }
         fault = {Fault::NoCertainChannel, {}, excerpt(open->use.heading), open->use.reason};

@@ -2,6 +2,7 @@
 #include "core/import/heading.h"
 
 #include "core/import/cells.h"
+#include "core/mechanism/find_element.h"
 
 #include <algorithm>
 #include <array>
@@ -98,9 +99,7 @@ constexpr std::array<WordMeaning, 23> kVocabulary{{
 
 const WordMeaning *find(std::string_view word)
 {
-    const auto found =
-        std::ranges::find_if(kVocabulary, [&](const WordMeaning &known) { return isAmong(word, known.words); });
-    return found == kVocabulary.end() ? nullptr : &*found;
+    return findElement(kVocabulary, [&](const WordMeaning &known) { return isAmong(word, known.words); });
 }
 
 /// Sets `all` to a value that is known. Returns false if it is another one than before.

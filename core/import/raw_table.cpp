@@ -2,6 +2,7 @@
 #include "core/import/raw_table.h"
 
 #include "core/import/file_text.h"
+#include "core/mechanism/find_element.h"
 
 #include <algorithm>
 #include <cmath>
@@ -80,8 +81,7 @@ bool RawColumn::isUnreadable(std::size_t row) const
 
 RawColumn *RawTable::abscissa()
 {
-    const auto found = std::ranges::find_if(columns, &RawColumn::isAbscissa);
-    return found == columns.end() ? nullptr : &*found;
+    return findElement(columns, &RawColumn::isAbscissa);
 }
 
 ReadError faultIn(const RawTable &table, const RawColumn &column, ReadFault fault)
@@ -119,9 +119,9 @@ void readTable(const FileBytes &bytes, const std::function<bool(double part)> &p
 
 SkippedRow findRowFault(RawTable &table, std::size_t row)
 {
-    const auto found =
-        std::ranges::find_if(table.columns, [row](const RawColumn &column) { return column.isUnreadable(row); });
-    return faultAt(table, found == table.columns.end() ? *table.abscissa() : *found, row);
+    const RawColumn *const unreadable =
+        findElement(table.columns, [row](const RawColumn &column) { return column.isUnreadable(row); });
+    return faultAt(table, unreadable ? *unreadable : *table.abscissa(), row);
 }
 
 FileLayout takeLayout(RawTable &table)

@@ -4,6 +4,7 @@
 #include "core/import/column_assignment.h"
 #include "core/import/crank_angles.h"
 #include "core/import/difference.h"
+#include "core/mechanism/find_element.h"
 
 #include <algorithm>
 #include <cmath>
@@ -164,8 +165,7 @@ ReferenceData toData(RawTable &table)
 
 const ReferenceSeries *ReferenceData::find(Channel channel) const
 {
-    const auto found = std::ranges::find(series, channel, &ReferenceSeries::channel);
-    return found == series.end() ? nullptr : &*found;
+    return findElement(series, [channel](const ReferenceSeries &one) { return one.channel == channel; });
 }
 
 ValueRange rangeOf(std::span<const double> values)

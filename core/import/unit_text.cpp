@@ -2,6 +2,7 @@
 #include "core/import/unit_text.h"
 
 #include "core/mechanism/channel.h"
+#include "core/mechanism/find_element.h"
 
 #include <algorithm>
 #include <array>
@@ -47,8 +48,8 @@ constexpr std::string_view kUnitSpellings =
 
 std::optional<Unit> unitNamed(std::string_view name)
 {
-    const auto found = std::ranges::find_if(kUnits, [&](const NamedUnit &unit) { return isAmong(name, unit.names); });
-    return found == kUnits.end() ? std::nullopt : std::optional(found->unit);
+    const auto *const found = findElement(kUnits, [&](const NamedUnit &unit) { return isAmong(name, unit.names); });
+    return found ? std::optional(found->unit) : std::nullopt;
 }
 
 } // namespace
