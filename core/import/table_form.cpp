@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <ranges>
 #include <span>
 #include <utility>
 
@@ -22,11 +23,6 @@ constexpr std::string_view kDelimiters = "\t;,|";
 
 using Lines = std::span<const Line>;
 
-Lines firstLines(Lines lines)
-{
-    return lines.first(std::min(lines.size(), kExaminedLines));
-}
-
 /// A line that was split into cells.
 struct SplitLine {
     Cells cells{}; ///< without empty ones at the end
@@ -39,6 +35,12 @@ struct SplitLine {
     bool isComplete() const { return times > 0 && quantities > 0; }
 };
 
+/// Returns whether the text is a number with or without a unit.
+bool isNumber(std::string_view cell)
+{
+    return looksNumeric(splitUnit(cell).number);
+}
+
 /// Returns whether all cells are gaps or numbers, with or without units, and at least two are numbers.
 bool isRow(const Cells &cells)
 {
@@ -46,7 +48,6 @@ bool isRow(const Cells &cells)
         const std::string_view number = splitUnit(cell).number;
         return !parseNumber(number, DecimalSign::Point).fault || !parseNumber(number, DecimalSign::Comma).fault;
     };
-    const auto isNumber = [](std::string_view cell) { return looksNumeric(splitUnit(cell).number); };
     return std::ranges::all_of(cells, isNumberOrGap) && std::ranges::count_if(cells, isNumber) >= 2;
 }
 
@@ -183,7 +184,6 @@ void setUnit(std::vector<Heading> &headings, std::size_t i, std::string_view uni
 /// Interprets the lines between the headings and the first number, which may contain units. Returns how many there are.
 std::size_t readAnnotations(Lines lines, const std::optional<SplitLine> &row, std::vector<Heading> &headings)
 {
-    const auto isNumber = [](std::string_view cell) { return looksNumeric(splitUnit(cell).number); };
     std::size_t count = 0;
     for (; count < lines.size(); ++count) {
         const auto &[number, text] = lines[count];
@@ -240,7 +240,7 @@ std::vector<Line> splitLines(std::string_view text)
 
 std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout)
 {
-    const Lines examined = firstLines(lines);
+    const Lines examined = Lines(lines) | std::views::take(kExaminedLines);
     if (lines.empty()) {
         throw ReadError{.fault = {ReadFault::Kind::Empty}};
     }
@@ -256,7 +256,7 @@ std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout)
         if (row && lines[row->line].text.starts_with('"') && row->cells.size() == headings.size() + 1) {
             headings.insert(headings.begin(), Heading()); // R writes row names without a heading
         }
-        rows = rows.subspan(readAnnotations(firstLines(rows), row, headings));
+        rows = rows.subspan(readAnnotations(rows | std::views::take(kExaminedLines), row, headings));
     }
     for (std::size_t i = 0; row && i < std::min(row->cells.size(), headings.size()); ++i) {
         headings[i].cellUnit = splitUnit(row->cells[i]).unit;
@@ -270,7 +270,7 @@ std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout)
         headings[i].isClock = colon != cells[i].npos; // not behind a quantity, like the times of a race
         headings[i].hasDate = cells[i].find_first_of("-/.") < colon;
     }
-    layout.decimalSign = findDecimalSign(firstLines(rows), layout.delimiter);
+    layout.decimalSign = findDecimalSign(rows | std::views::take(kExaminedLines), layout.delimiter);
     lines.erase(lines.begin(), lines.end() - static_cast<std::ptrdiff_t>(rows.size()));
     return headings;
 }
