@@ -91,8 +91,7 @@ bool mayBeTime(const RawColumn &column)
     Values values = column.values;
     std::erase_if(values, [](double value) { return std::isinf(value); });
     return column.isUndecided() && column.meaning.kind == Kind::Nothing && column.unitAs(ColumnRole::Time) &&
-           values.size() >= 2 &&
-           std::ranges::adjacent_find(values, [](double x, double y) { return !(x < y); }) == values.end();
+           values.size() >= 2 && values[0] < values[1] && !findReversal(values);
 }
 
 /// Returns whether the column is an angle of an unnamed body that does not change its direction.

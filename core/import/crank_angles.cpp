@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <utility>
 
 namespace slidercrank
@@ -72,8 +71,8 @@ std::optional<ReferenceData> timedBy(const Mechanism &mechanism, ReferenceData d
     if (clockOf(data.time, data.timeRounding).even) {
         data.timeRounding = Rounding(); // evenly spaced angles were chosen, not measured
     }
-    const bool areDistinct = std::isfinite(data.time.front()) && std::isfinite(data.time.back()) &&
-                             std::ranges::adjacent_find(data.time, std::greater_equal<>()) == data.time.end();
+    const bool areDistinct =
+        std::isfinite(data.time.front()) && std::isfinite(data.time.back()) && !findReversal(data.time);
     return areDistinct ? std::optional(std::move(data)) : std::nullopt;
 }
 
