@@ -81,7 +81,7 @@ void setAbscissa(RawTable &table, RawColumn &column, ColumnRole role, ColumnReas
     } else if (first->use.file == column.use.file) {
         throw faultIn(table, column, {Fault::TimeTwice});
     } else {
-        throw ReadError{0, 0, {}, {Fault::OtherTimeStamps, {}, table.fileOf(*first).name}, {}, column.use.file};
+        throw ReadError{.fault = {Fault::OtherTimeStamps, {}, table.fileOf(*first).name}, .file = column.use.file};
     }
 }
 
@@ -173,7 +173,7 @@ ReadError conflict(const RawTable &table, const RawColumn &first, const RawColum
     const Channel channel = first.use.channel;
     return first.use.file == second.use.file
                ? faultIn(table, second, {Fault::ChannelTwice, channel})
-               : ReadError{0, 0, {}, {Fault::ChannelInBoth, channel, table.fileOf(first).name}, {}, second.use.file};
+               : ReadError{.fault = {Fault::ChannelInBoth, channel, table.fileOf(first).name}, .file = second.use.file};
 }
 
 /// Returns the only column that has that heading, or else that heading apart from the unit, or else that number.
@@ -325,7 +325,7 @@ void requireData(RawTable &table, std::size_t file)
         return;
     }
     if (own.layout.headerLine == 0 && !own.rows.empty()) {
-        throw ReadError{own.rows.front().number, 0, {}, {Fault::NamesMissing}, {}, file};
+        throw ReadError{.line = own.rows.front().number, .fault = {Fault::NamesMissing}, .file = file};
     }
     ReadFault fault{own.hasAbscissa ? Fault::NoChannel : Fault::NoTime};
     const RawColumn *const open = findElement(columns, [](const RawColumn &column) {
@@ -340,7 +340,7 @@ void requireData(RawTable &table, std::size_t file)
         }
         fault = {Fault::NoCertainChannel, {}, excerpt(open->use.heading), open->use.reason};
     }
-    throw ReadError{own.layout.headerLine, 0, {}, fault, {}, file};
+    throw ReadError{.line = own.layout.headerLine, .fault = fault, .file = file};
 }
 
 } // namespace

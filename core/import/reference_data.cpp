@@ -73,7 +73,7 @@ ReferenceData collect(RawTable &table)
     listSkippedRows(table, rows, data);
     const TableFile &file = table.files.front();
     if (rows.empty()) {
-        throw data.skipped.empty() ? ReadError{file.layout.headerLine, 0, {}, {Fault::NoNumbers}}
+        throw data.skipped.empty() ? ReadError{.line = file.layout.headerLine, .fault = {Fault::NoNumbers}}
                                    : errorAt(data.skipped.front(), Fault::NoRow);
     }
     data.lines = rows;
@@ -100,7 +100,7 @@ ReferenceData collect(RawTable &table)
         }
     }
     if (data.series.empty()) {
-        throw ReadError{file.rows.front().number, 0, {}, {Fault::NoValues}};
+        throw ReadError{.line = file.rows.front().number, .fault = {Fault::NoValues}};
     }
     return data;
 }
@@ -110,7 +110,7 @@ void countByAngle(ReferenceData &data, RawTable &table)
 {
     data.crank = CrankAngles{unwrapped(data.time), data.timeRounding};
     if (const std::optional<std::size_t> row = findReversal(data.crank->degrees)) {
-        throw ReadError{data.lineOfRow(*row), 0, {}, {Fault::AngleTurnsBack}};
+        throw ReadError{.line = data.lineOfRow(*row), .fault = {Fault::AngleTurnsBack}};
     }
     std::optional<ReferenceData> timed = timedBy(Mechanism(), data);
     if (!timed) {
