@@ -38,7 +38,7 @@ bool evaluateBlock(const MotionConstants &constants, const double *times, std::s
     bool allOrdinary = true;
     for (std::size_t i = 0; i < count; i += lanes) {
         const Clearance<Lanes> at = clearance(k, Lanes::load(sines + i), Lanes::load(cosines + i));
-        const Lanes root = squareRoot(at.p * at.m);
+        const Lanes root = sqrt(at.p * at.m);
         const Lanes::Mask ordinary = isOrdinary(k, at, root);
         allOrdinary = allOrdinary && hn::AllTrue(Lanes::Tag(), ordinary);
         select(ordinary, root, 0.0).store(roots + i);

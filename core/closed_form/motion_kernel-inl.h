@@ -64,15 +64,15 @@ struct Lanes {
     friend HWY_INLINE Mask operator<(Lanes x, Lanes y) { return hn::Lt(x.v, y.v); }
 };
 
-HWY_INLINE Lanes magnitude(Lanes x)
+HWY_INLINE Lanes abs(Lanes x)
 {
     return hn::Abs(x.v);
 }
-HWY_INLINE Lanes withSign(Lanes magnitude, Lanes sign)
+HWY_INLINE Lanes copysign(Lanes magnitude, Lanes sign)
 {
     return hn::CopySignToAbs(magnitude.v, sign.v);
 }
-HWY_INLINE Lanes squareRoot(Lanes x)
+HWY_INLINE Lanes sqrt(Lanes x)
 {
     return hn::Sqrt(x.v);
 }
@@ -89,18 +89,8 @@ HWY_INLINE bool none(Lanes::Mask condition)
     return hn::AllFalse(Lanes::Tag(), condition);
 }
 
-HWY_INLINE double magnitude(double x)
-{
-    return std::fabs(x);
-}
-HWY_INLINE double withSign(double magnitude, double sign)
-{
-    return std::copysign(magnitude, sign);
-}
-HWY_INLINE double squareRoot(double x)
-{
-    return std::sqrt(x);
-}
+using std::abs;
+using std::copysign;
 HWY_INLINE double select(bool condition, double yes, double no)
 {
     return condition ? yes : no;
@@ -180,7 +170,7 @@ HWY_INLINE Number halfPlaneAngle(Number y, Number x)
 {
     // With v = lesser/greater the angle from the nearer axis is atan v, and π/4 + atan((v - 1)/(v + 1)) where v exceeds
     // tan(π/8): one quotient of magnitude at most 0.4143.
-    const Number height = magnitude(y);
+    const Number height = abs(y);
     const auto steep = x < height;
     const Number lesser = select(steep, x, height);
     const Number greater = select(steep, height, x);
@@ -204,7 +194,7 @@ HWY_INLINE Number halfPlaneAngle(Number y, Number x)
     const Number flatBase = select(diagonal, 0x1.921fb54442d18p-1, 0.0);
     const Number base = select(steep, 0x1.921fb54442d18p+0 - flatBase, flatBase);
     const Number signedArc = select(steep, 0.0 - arc, arc);
-    return withSign(base + (base * 3.8981718325193755e-17 + signedArc), y);
+    return copysign(base + (base * 3.8981718325193755e-17 + signedArc), y);
 }
 
 /// Computes g θ2 = hi + lo at time t (s), its sine x, and its cosine, which is that of θ2. x is NaN if t is not a
@@ -224,7 +214,7 @@ HWY_INLINE void turnCrank(const MotionConstants &k, Number t, Number &hi, Number
     const Number sumError = (turned - (hi - second)) + (k.sideTheta20 - second);
     lo = sumError + turnedLo;
     sineAndCosine(hi, lo, x, cosine);
-    x = select(magnitude(t) < k.latest, x, kNone);
+    x = select(abs(t) < k.latest, x, kNone);
 }
 
 /// The quantities that determine the position of the coupler, named as in motion_constants.h and closed_form.h.
@@ -239,7 +229,7 @@ struct Clearance {
 template <class Number>
 HWY_INLINE Clearance<Number> clearance(const MotionConstants &k, Number x, Number cosine)
 {
-    const Number larger = 1.0 + magnitude(x);
+    const Number larger = 1.0 + abs(x);
     const Number smaller = cosine * cosine / larger;
     const auto below = x < 0.0;
     const Number sigma = select(below, smaller, larger);
@@ -309,7 +299,7 @@ HWY_INLINE Number accelerationNumerator(const MotionConstants &k, const Clearanc
     const Number gap = select(down, at.m, at.p);
     const Number spare = select(down, k.beta, k.epsilon);
     const Number gapTerm = gap * gap * (3.0 * k.b - gap);
-    const Number rearranged = k.aBSquared * (sigma * sigma) + magnitude(at.x) * (gapTerm - 2.0 * k.bSquared * spare);
+    const Number rearranged = k.aBSquared * (sigma * sigma) + abs(at.x) * (gapTerm - 2.0 * k.bSquared * spare);
     return select(steep, rearranged, direct);
 }
 
@@ -327,7 +317,7 @@ HWY_INLINE Number turnNumerator(const MotionConstants &k, const Clearance<Number
     }
     const Number first = at.x * (at.p * at.m);
     const Number second = k.a * at.h * (at.cosine * at.cosine);
-    const auto cancel = both(at.h * at.x < 0.0, magnitude(second) < 2.0 * magnitude(first));
+    const auto cancel = both(at.h * at.x < 0.0, abs(second) < 2.0 * abs(first));
     return select(cancel, rearranged, first + second);
 }
 
