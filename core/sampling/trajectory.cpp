@@ -92,12 +92,10 @@ void samplePlotted(const Mechanism &mechanism, Trajectory &trajectory, const std
 
 } // namespace
 
-std::vector<double> Sampling::timeStamps() const
+std::vector<double> Sampling::timeStamps(int first, int count) const
 {
-    std::vector<double> times(static_cast<std::size_t>(steps) + 1);
-    for (int i = 0; i <= steps; ++i) {
-        times[static_cast<std::size_t>(i)] = timeStamp(i);
-    }
+    std::vector<double> times(static_cast<std::size_t>(count));
+    std::ranges::generate(times, [&] { return timeStamp(first++); });
     return times;
 }
 
@@ -153,11 +151,8 @@ void sampleInPieces(const Mechanism &mechanism, const Sampling &sampling, const 
     const int count = sampling.steps + 1;
     const int length = settings.method == Method::Newton ? count : std::min(count, kPiece);
     for (int first = 0; first < count; first += length) {
-        std::vector<double> times(static_cast<std::size_t>(std::min(length, count - first)));
-        for (int i = 0; i < static_cast<int>(times.size()); ++i) {
-            times[static_cast<std::size_t>(i)] = sampling.timeStamp(first + i);
-        }
-        const Trajectory piece = sample(mechanism, std::move(times), channels, settings, stop);
+        const int size = std::min(length, count - first);
+        const Trajectory piece = sample(mechanism, sampling.timeStamps(first, size), channels, settings, stop);
         if (!piece.complete || !take(piece)) {
             return;
         }

@@ -25,7 +25,8 @@ struct Sampling {
     int steps = 200;       ///< >= 1
 
     double timeStamp(int i) const { return start + duration * static_cast<double>(i) / static_cast<double>(steps); }
-    std::vector<double> timeStamps() const;
+    std::vector<double> timeStamps() const { return timeStamps(0, steps + 1); }
+    std::vector<double> timeStamps(int first, int count) const; ///< a part of them
 
     friend bool operator==(const Sampling &, const Sampling &) = default;
 };
