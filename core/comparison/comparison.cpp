@@ -38,22 +38,17 @@ Scale scaleOf(const Mechanism &mechanism, const ReferenceSeries &reference, std:
     const auto [coordinate, order] = reference.channel;
     const auto inFileUnit = [&](double size) { return toFileUnit(reference.channel, size); };
     Scale scale;
-    double low = kInfinity;
-    double high = -low;
+    ValueRange range; // of the model where the reference has a value
     for (std::size_t i = 0; i < model.size(); ++i) {
-        const double value = reference.values[i];
-        if (std::isfinite(value)) {
-            scale.peak = std::max(scale.peak, std::abs(value));
-            if (std::isfinite(model[i])) {
-                low = std::min(low, model[i]);
-                high = std::max(high, model[i]);
-            }
+        if (std::isfinite(reference.values[i])) {
+            range.include(model[i]);
         }
     }
+    scale.peak = rangeOf(reference.values).size();
     scale.size = std::max(scale.peak, inFileUnit(naturalSize(mechanism.parameters(), reference.channel)));
     scale.smallestStep =
         std::max(kArithmeticStep * scale.size, kSmallestPartOfLargestStep * reference.rounding.stepAt(scale.peak));
-    scale.halfRange = 0.5 * high - 0.5 * low;
+    scale.halfRange = 0.5 * range.width();
     const bool belongsToGround = coordinate == R1x || coordinate == R1y || coordinate == Theta1;
     const bool belongsToLine = coordinate == R4y || coordinate == Theta4;
     if (coordinate == Theta2 && order == Order::Position) {

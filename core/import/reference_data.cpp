@@ -172,11 +172,7 @@ ValueRange rangeOf(std::span<const double> values)
 {
     ValueRange range;
     for (const double value : values) {
-        if (std::isfinite(value)) {
-            range.low = std::min(range.low, value);
-            range.high = std::max(range.high, value);
-            ++range.count;
-        }
+        range.include(value);
     }
     return range;
 }

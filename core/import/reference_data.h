@@ -26,6 +26,7 @@
 #include "core/mechanism/channel.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <numbers>
@@ -101,6 +102,14 @@ struct ValueRange {
     double high = -kInfinity;
     std::size_t count = 0;
 
+    void include(double value)
+    {
+        if (std::isfinite(value)) {
+            low = std::min(low, value);
+            high = std::max(high, value);
+            ++count;
+        }
+    }
     double width() const { return high - low; }
     double size() const { return std::max({0.0, -low, high}); } ///< the largest magnitude
 };
