@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 
 namespace slidercrank
@@ -22,6 +23,7 @@ using Clock = std::chrono::steady_clock;
 using Progress = std::function<void(double)>;
 
 constexpr std::size_t kChannels = kPlottedChannels.size();
+constexpr double kJudgeShare = 0.6; // of the exact motion in the duration of a case, approximately
 
 double secondsSince(Clock::time_point start)
 {
@@ -29,8 +31,7 @@ double secondsSince(Clock::time_point start)
 }
 
 struct Judgement {
-    std::vector<double> times;             ///< ascending
-    std::vector<Judged> exact;             ///< by time
+    std::map<double, Judged> exact{};      ///< by time
     std::array<double, kChannels> sizes{}; ///< rad, mm: the peak, or naturalSize() where that is 0; positive
 };
 
@@ -38,14 +39,14 @@ struct Judgement {
 Judgement judgeAll(const Parameters &parameters, const std::vector<double> &times, const std::stop_token &stop,
                    const Progress &reach)
 {
-    Judgement judgement{times, {}, {}};
+    Judgement judgement;
     for (std::size_t i = 0; i < times.size() && !stop.stop_requested(); ++i) {
         const Judged judged = judge(parameters, times[i]);
         for (std::size_t k = 0; k < kChannels && judged.status == Status::Solved; ++k) {
             judgement.sizes[k] = std::max(judgement.sizes[k], std::abs(judged.values[k].hi));
         }
-        judgement.exact.push_back(judged);
-        reach(static_cast<double>(i + 1) / static_cast<double>(times.size()));
+        judgement.exact.emplace(times[i], judged);
+        reach(kJudgeShare * static_cast<double>(i + 1) / static_cast<double>(times.size()));
     }
     for (std::size_t k = 0; k < kChannels; ++k) {
         const double natural = naturalSize(parameters, kPlottedChannels[k]);
@@ -78,8 +79,8 @@ void compareAnswers(const Contender &contender, const Judgement &judgement, Meth
     double bound = 0.0;
     std::size_t silent = 0;
     for (std::size_t i = 0; i < contender.times.size(); ++i) {
-        const auto time = std::ranges::lower_bound(judgement.times, contender.times[i]);
-        if (time == judgement.times.end() || *time != contender.times[i]) {
+        const auto exact = judgement.exact.find(contender.times[i]);
+        if (exact == judgement.exact.end()) {
             continue;
         }
         const Status status = contender.answers.status[i];
@@ -87,7 +88,7 @@ void compareAnswers(const Contender &contender, const Judgement &judgement, Meth
         if (status != Status::Solved) {
             continue;
         }
-        const Judged &judged = judgement.exact[static_cast<std::size_t>(time - judgement.times.begin())];
+        const Judged &judged = exact->second;
         if (judged.status != Status::Solved) {
             silent += judged.clearance < -kLimitRounding ? 1 : 0;
             continue;
@@ -151,7 +152,7 @@ bool timeAll(std::vector<Contender> &contenders, const StudyRequest &request, co
         if (stop.stop_requested()) {
             return false;
         }
-        reach(static_cast<double>(round + 1) / request.rounds);
+        reach(kJudgeShare + (1.0 - kJudgeShare) * (round + 1) / request.rounds);
     }
     return true;
 }
@@ -186,10 +187,8 @@ std::vector<MethodResult> measure(std::vector<Contender> contenders, const Param
                                   const std::vector<double> &judged, const StudyRequest &request,
                                   const std::stop_token &stop, const Progress &reach)
 {
-    constexpr double kJudgeShare = 0.6; // of the exact motion in the duration, approximately
-    const Judgement judgement = judgeAll(parameters, judged, stop, [&](double part) { reach(kJudgeShare * part); });
-    const bool isTimed =
-        timeAll(contenders, request, stop, [&](double part) { reach(kJudgeShare + (1.0 - kJudgeShare) * part); });
+    const Judgement judgement = judgeAll(parameters, judged, stop, reach);
+    const bool isTimed = timeAll(contenders, request, stop, reach);
     std::vector<MethodResult> rows;
     for (std::size_t i = 0; i < contenders.size() && isTimed; ++i) {
         rows.push_back(resultOf(contenders[i], judgement));
