@@ -35,48 +35,35 @@ void put(StudyAnswers &answers, std::size_t i, const State &state)
         state.status);
 }
 
-StudyMethod newton(MethodName::Kind kind, const NewtonOptions &options)
+StudyRun newton(const NewtonOptions &options, const Mechanism &mechanism, std::span<const double> timeStamps)
 {
-    StudyMethod method{.name = {kind}, .tolerance = options.tolerance, .channels = static_cast<int>(kChannelCount)};
-    method.prepare = [options](const Mechanism &mechanism, std::span<const double> timeStamps) -> StudyRun {
-        return [options, mechanism, timeStamps](StudyAnswers &answers) {
-            NewtonTimeStep last;
-            answers.iterations = 0;
-            for (std::size_t i = 0; i < timeStamps.size(); ++i) {
-                advance(mechanism, timeStamps[i], last, options);
-                answers.iterations += last.iterations;
-                put(answers, i, last.state);
-            }
-        };
+    return [=](StudyAnswers &answers) {
+        NewtonTimeStep last;
+        answers.iterations = 0;
+        for (std::size_t i = 0; i < timeStamps.size(); ++i) {
+            advance(mechanism, timeStamps[i], last, options);
+            answers.iterations += last.iterations;
+            put(answers, i, last.state);
+        }
     };
-    return method;
 }
 
-StudyMethod closedForm()
+StudyRun closedForm(const Mechanism &mechanism, std::span<const double> timeStamps)
 {
-    StudyMethod method{.name = {MethodName::Kind::ClosedForm}, .channels = static_cast<int>(kChannelCount)};
-    method.dependsOnStep = false;
-    method.prepare = [](const Mechanism &mechanism, std::span<const double> timeStamps) -> StudyRun {
-        return [closedForm = ClosedForm(mechanism), timeStamps](StudyAnswers &answers) {
-            for (std::size_t i = 0; i < timeStamps.size(); ++i) {
-                put(answers, i, closedForm.stateAt(timeStamps[i]));
-            }
-        };
+    return [closedForm = ClosedForm(mechanism), timeStamps](StudyAnswers &answers) {
+        for (std::size_t i = 0; i < timeStamps.size(); ++i) {
+            put(answers, i, closedForm.stateAt(timeStamps[i]));
+        }
     };
-    return method;
 }
 
-StudyMethod closedFormBatch()
+StudyRun closedFormBatch(const Mechanism &mechanism, std::span<const double> timeStamps)
 {
-    StudyMethod method{.name = {MethodName::Kind::ClosedFormBatch}, .dependsOnStep = false};
-    method.prepare = [](const Mechanism &mechanism, std::span<const double> timeStamps) -> StudyRun {
-        return [batch = ClosedForm(mechanism), timeStamps](StudyAnswers &answers) {
-            PlottedColumns columns{};
-            std::ranges::transform(answers.values, columns.begin(), [](auto &values) { return values.data(); });
-            batch.evaluate(timeStamps, columns, answers.status);
-        };
+    return [batch = ClosedForm(mechanism), timeStamps](StudyAnswers &answers) {
+        PlottedColumns columns{};
+        std::ranges::transform(answers.values, columns.begin(), [](auto &values) { return values.data(); });
+        batch.evaluate(timeStamps, columns, answers.status);
     };
-    return method;
 }
 
 /// Computes positions in closed form at equal steps and one step beyond either end, and derivatives as central
@@ -87,57 +74,50 @@ StudyMethod closedFormBatch()
 ///     ẍ ≈ (x₊ - 2x + x₋) / Δ²       error: Δ²/12 times the fourth derivative, and 4ε|x|/Δ²
 ///
 /// Source: M. Abramowitz, I. Stegun, "Handbook of Mathematical Functions", 25.3.21 and 25.3.23.
-StudyMethod finiteDifference()
+StudyRun finiteDifference(const Mechanism &mechanism, std::span<const double> timeStamps)
 {
-    StudyMethod method{.name = {MethodName::Kind::FiniteDifference}, .needsEqualSteps = true};
-    method.prepare = [](const Mechanism &mechanism, std::span<const double> timeStamps) -> StudyRun {
-        const double step = (timeStamps.back() - timeStamps.front()) / static_cast<double>(timeStamps.size() - 1);
-        std::vector<double> sampled{timeStamps.front() - step};
-        sampled.insert(sampled.end(), timeStamps.begin(), timeStamps.end());
-        sampled.push_back(timeStamps.back() + step);
-        std::vector<Motion> motions(sampled.size());
-        return [closedForm = ClosedForm(mechanism), step, sampled, motions](StudyAnswers &answers) mutable {
-            for (std::size_t i = 0; i < sampled.size(); ++i) {
-                motions[i] = closedForm.motionAt(sampled[i]);
-            }
-            for (std::size_t i = 0; i < answers.status.size(); ++i) {
-                const Motion &here = motions[i + 1];
-                const auto differences = [&](double Motion::*position) {
-                    const double rise = motions[i + 2].*position - here.*position;
-                    const double riseBefore = here.*position - motions[i].*position;
-                    return std::pair((rise + riseBefore) / (2.0 * step), (rise - riseBefore) / (step * step));
-                };
-                const auto [theta3Dot, theta3DDot] = differences(&Motion::theta3);
-                const auto [R4xDot, R4xDDot] = differences(&Motion::R4x);
-                const Status status = !std::isnan(R4xDDot)    ? Status::Solved
-                                      : !std::isnan(here.R4x) ? Status::Singular
-                                                              : Status::NotAssemblable;
-                put(answers, i, {here.theta3, here.R4x, theta3Dot, R4xDot, theta3DDot, R4xDDot}, status);
-            }
-        };
+    const double step = (timeStamps.back() - timeStamps.front()) / static_cast<double>(timeStamps.size() - 1);
+    std::vector<double> sampled{timeStamps.front() - step};
+    sampled.insert(sampled.end(), timeStamps.begin(), timeStamps.end());
+    sampled.push_back(timeStamps.back() + step);
+    std::vector<Motion> motions(sampled.size());
+    return [closedForm = ClosedForm(mechanism), step, sampled, motions](StudyAnswers &answers) mutable {
+        for (std::size_t i = 0; i < sampled.size(); ++i) {
+            motions[i] = closedForm.motionAt(sampled[i]);
+        }
+        for (std::size_t i = 0; i < answers.status.size(); ++i) {
+            const Motion &here = motions[i + 1];
+            const auto differences = [&](double Motion::*position) {
+                const double rise = motions[i + 2].*position - here.*position;
+                const double riseBefore = here.*position - motions[i].*position;
+                return std::pair((rise + riseBefore) / (2.0 * step), (rise - riseBefore) / (step * step));
+            };
+            const auto [theta3Dot, theta3DDot] = differences(&Motion::theta3);
+            const auto [R4xDot, R4xDDot] = differences(&Motion::R4x);
+            const Status status = !std::isnan(R4xDDot)    ? Status::Solved
+                                  : !std::isnan(here.R4x) ? Status::Singular
+                                                          : Status::NotAssemblable;
+            put(answers, i, {here.theta3, here.R4x, theta3Dot, R4xDot, theta3DDot, R4xDDot}, status);
+        }
     };
-    return method;
 }
 
-StudyMethod harmonics(int count)
+StudyRun harmonics(int count, const Mechanism &mechanism, std::span<const double> timeStamps)
 {
-    StudyMethod method{.name = {MethodName::Kind::Harmonics, count}, .dependsOnStep = false};
-    method.prepare = [count](const Mechanism &mechanism, std::span<const double> timeStamps) -> StudyRun {
-        if (motionLimits(mechanism).mobility != Mobility::FullTurn) {
-            return {};
+    if (motionLimits(mechanism).mobility != Mobility::FullTurn) {
+        return {};
+    }
+    return [series = HarmonicSeries(mechanism, count), timeStamps](StudyAnswers &answers) {
+        for (std::size_t i = 0; i < timeStamps.size(); ++i) {
+            const auto [theta3, slider] = series.at(timeStamps[i]);
+            put(answers, i, {theta3[0], slider[0], theta3[1], slider[1], theta3[2], slider[2]}, Status::Solved);
         }
-        return [series = HarmonicSeries(mechanism, count), timeStamps](StudyAnswers &answers) {
-            for (std::size_t i = 0; i < timeStamps.size(); ++i) {
-                const auto [theta3, slider] = series.at(timeStamps[i]);
-                put(answers, i, {theta3[0], slider[0], theta3[1], slider[1], theta3[2], slider[2]}, Status::Solved);
-            }
-        };
     };
-    return method;
 }
 
 std::vector<StudyMethod> makeMethods()
 {
+    constexpr int kAllChannels = kChannelCount;
     constexpr std::array kTolerances{1e-4, kReportsTolerance, 1e-12, 0.0};
     constexpr std::array kHarmonics{2, 4, 8, 16, 32};
 
@@ -155,14 +135,24 @@ std::vector<StudyMethod> makeMethods()
     for (auto [kind, options] : kVariants) {
         for (const double tolerance : kTolerances) {
             options.tolerance = tolerance;
-            methods.push_back(newton(kind, options));
+            methods.push_back({.name = {kind},
+                               .tolerance = tolerance,
+                               .channels = kAllChannels,
+                               .prepare = std::bind_front(newton, options)});
         }
     }
-    methods.push_back(closedForm());
-    methods.push_back(closedFormBatch());
-    methods.push_back(finiteDifference());
+    methods.push_back({.name = {MethodName::Kind::ClosedForm},
+                       .channels = kAllChannels,
+                       .dependsOnStep = false,
+                       .prepare = closedForm});
+    methods.push_back(
+        {.name = {MethodName::Kind::ClosedFormBatch}, .dependsOnStep = false, .prepare = closedFormBatch});
+    methods.push_back(
+        {.name = {MethodName::Kind::FiniteDifference}, .needsEqualSteps = true, .prepare = finiteDifference});
     for (const int count : kHarmonics) {
-        methods.push_back(harmonics(count));
+        methods.push_back({.name = {MethodName::Kind::Harmonics, count},
+                           .dependsOnStep = false,
+                           .prepare = std::bind_front(harmonics, count)});
     }
     return methods;
 }
