@@ -52,12 +52,9 @@ ReferencePose referencePoseAt(const ReferenceData &data, const Mechanism &mechan
     const double couplerY = mechanism.b() * std::sin(theta3);
     ReferencePose pose;
     if (!angle || !slider) {
-        Parameters parameters = mechanism.parameters();
-        if (data.crank) { // the time stamps belong to the drive of the file
-            parameters.omega2 = data.crank->omega2;
-            parameters.theta20 = data.crank->theta20;
-        }
-        pose = referencePoseAt(Mechanism(parameters), time);
+        // The time stamps of a table by crank angle belong to the drive of the file.
+        pose = referencePoseAt(data.crank ? withDrive(mechanism, data.crank->omega2, data.crank->theta20) : mechanism,
+                               time);
     }
     pose.sliderX = slider ? interpolated(data, *slider, time, before) : pose.pinX + couplerX;
     pose.sliderY = slider ? mechanism.c() : pose.pinY + couplerY;

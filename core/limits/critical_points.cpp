@@ -39,7 +39,7 @@ public:
         , m_width(gap > 0.0   ? std::min(1.0, std::sqrt(2.0 * gap))
                   : gap < 0.0 ? 2.0 * std::asin(std::sqrt(-0.5 * gap))
                               : 1.0)
-        , m_motion(Mechanism({mechanism.a(), mechanism.b(), mechanism.c(), 1.0, centre, mechanism.branch()}))
+        , m_motion(withDrive(mechanism, 1.0, centre))
     {
     }
 

@@ -64,11 +64,9 @@ Mechanism::Mechanism(const Parameters &parameters)
     assert(!findFault(parameters));
 }
 
-Mechanism withCrankAt(const Mechanism &mechanism, double theta2)
+Mechanism withDrive(const Mechanism &mechanism, double omega2, double theta20)
 {
-    Parameters parameters = mechanism.parameters();
-    parameters.theta20 = theta2;
-    return Mechanism(parameters);
+    return Mechanism({mechanism.a(), mechanism.b(), mechanism.c(), omega2, theta20, mechanism.branch()});
 }
 
 std::string_view wordOf(Status status)

@@ -112,8 +112,14 @@ private:
     Parameters m_parameters;
 };
 
+/// Returns the same mechanism with another crank speed (rad/s) and crank angle at t = 0 (rad).
+Mechanism withDrive(const Mechanism &mechanism, double omega2, double theta20);
+
 /// Returns the same mechanism with the crank angle theta2 (rad) at t = 0.
-Mechanism withCrankAt(const Mechanism &mechanism, double theta2);
+inline Mechanism withCrankAt(const Mechanism &mechanism, double theta2)
+{
+    return withDrive(mechanism, mechanism.omega2(), theta2);
+}
 
 /// The 12 absolute coordinates in the order of q: centre of mass (mm) and angle (rad) of each body.
 /// Theta3 is the direction from A to B, θ³ of the reference report; Norton's θ_3 is Theta3 + 180°.

@@ -24,7 +24,7 @@ HarmonicSeries::HarmonicSeries(const Mechanism &mechanism, int harmonics)
     // derivative would amplify it to 1e-12 at 32 harmonics.
     constexpr double kTurnLo = 2.4492935982947064e-16; // 2π is the sum of kTurn and this
     assert(harmonics >= 1 && 2 * m_terms.size() < kAngles);
-    const ClosedForm closedForm{Mechanism({mechanism.a(), mechanism.b(), mechanism.c(), 1.0, 0.0, mechanism.branch()})};
+    const ClosedForm closedForm(withDrive(mechanism, 1.0, 0.0));
     std::vector<SinCos> waves;
     std::vector<std::array<double, 2>> positions;
     for (std::size_t i = 0; i < kAngles; ++i) {
