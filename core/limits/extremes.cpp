@@ -13,15 +13,11 @@ namespace slidercrank
 namespace
 {
 
-/// Returns the points of the largest magnitude, equal except for rounding.
-std::vector<PeakPlace> largestPlaces(const CriticalPoints &points)
+/// Returns the points at which the magnitude is `largest` except for rounding.
+std::vector<PeakPlace> largestPlaces(const CriticalPoints &points, double largest)
 {
     constexpr double kSameValue = 1e-12; // relative
     constexpr double kSamePlace = 1e-10; // rad
-    double largest = 0.0;
-    for (const CriticalPoint &point : points) {
-        largest = std::max(largest, std::abs(point.value));
-    }
     std::vector<PeakPlace> places;
     for (const CriticalPoint &point : points) {
         const auto isNear = [&point](const PeakPlace &place) {
@@ -49,14 +45,13 @@ std::vector<Peak> motionPeaks(const Mechanism &mechanism)
         for (CriticalPoint &point : points[index]) { // an acceleration is unbounded where the velocity jumps
             const bool jumps = point.kind != CriticalPoint::Kind::Extremum && peak.channel.order == Order::Acceleration;
             point.value = jumps || std::isinf(point.value) ? kInfinity : point.value;
+            peak.magnitude = std::max(peak.magnitude, std::abs(point.value));
         }
-        if (turnsUniformly && peak.channel == Channel{Theta3, Order::Velocity}) {
+        const bool isConstant = turnsUniformly && peak.channel == Channel{Theta3, Order::Velocity};
+        if (isConstant || mechanism.omega2() == 0.0) {
             peak.magnitude = std::abs(mechanism.omega2());
-        } else if (mechanism.omega2() != 0.0) {
-            peak.places = largestPlaces(points[index]);
-        }
-        for (const PeakPlace &place : peak.places) {
-            peak.magnitude = std::max(peak.magnitude, std::abs(place.value));
+        } else {
+            peak.places = largestPlaces(points[index], peak.magnitude);
         }
         peaks.push_back(peak);
     }
