@@ -23,6 +23,8 @@ namespace
 /// may appear larger by some units in the last place.
 constexpr double kUlpSlack = 4.0 * std::numeric_limits<double>::epsilon();
 
+constexpr SolverSettings kExactly{.method = Method::ClosedForm, .newton = {}};
+
 constexpr std::size_t kFewestForThreads = 50000; // time stamps: below, threads cost more than they save
 
 /// The sizes with which the errors of a column are compared, in its unit.
@@ -167,12 +169,6 @@ ChannelComparison compareSeries(const Mechanism &mechanism, const Trajectory &tr
     return result;
 }
 
-Trajectory exactMotion(const Mechanism &mechanism, std::vector<double> times, const ChannelSet &channels,
-                       std::stop_token stop = {})
-{
-    return sample(mechanism, std::move(times), channels, {.method = Method::ClosedForm, .newton = {}}, std::move(stop));
-}
-
 /// The effect of time stamps that were rounded, or that are exact in double precision; nullopt if the crank does not
 /// move in that time.
 std::optional<RoundedTimeEffect> effectOfRoundedTime(const Mechanism &mechanism, const ReferenceData &reference,
@@ -193,8 +189,8 @@ std::optional<RoundedTimeEffect> effectOfRoundedTime(const Mechanism &mechanism,
         return std::nullopt;
     }
     const ChannelSet channels = channelsOf(reference);
-    return RoundedTimeEffect{exactMotion(mechanism, std::move(early), channels),
-                             exactMotion(mechanism, std::move(late), channels)};
+    return RoundedTimeEffect{sample(mechanism, std::move(early), channels, kExactly),
+                             sample(mechanism, std::move(late), channels, kExactly)};
 }
 
 } // namespace
@@ -244,10 +240,8 @@ std::vector<ChannelComparison> compare(const Mechanism &mechanism, const Traject
 
 ExactComparison compareExactly(const Mechanism &mechanism, const ReferenceData &reference, std::stop_token stop)
 {
-    Trajectory model = exactMotion(mechanism, reference.time, channelsOf(reference), std::move(stop));
-    ExactComparison result{compare(mechanism, model, reference), {}};
-    result.status = std::move(model.status);
-    return result;
+    Trajectory model = sample(mechanism, reference.time, channelsOf(reference), kExactly, std::move(stop));
+    return {compare(mechanism, model, reference), std::move(model.status)};
 }
 
 MotionDifference differenceOf(const Mechanism &mechanism, const Mechanism &other, double from, double to)
@@ -259,7 +253,7 @@ MotionDifference differenceOf(const Mechanism &mechanism, const Mechanism &other
     }
     ReferenceData pinned;
     pinned.time = Sampling{std::min(from, to), duration, kSteps}.timeStamps();
-    Trajectory motion = exactMotion(other, pinned.time, plottedChannels());
+    Trajectory motion = sample(other, pinned.time, plottedChannels(), kExactly);
     for (const Channel channel : kPlottedChannels) {
         pinned.series.push_back({channel, std::move(motion.values[indexOf(channel)]), Rounding()});
     }
