@@ -24,13 +24,10 @@ Clock clockOf(std::span<const double> time, const Rounding &rounding)
     clock.printedStep = rounding.stepAt(latest);
     const double slack =
         std::max(kPartOfStep * clock.printedStep, kUlps * std::numeric_limits<double>::epsilon() * latest);
-    double least = kInfinity;
-    double most = 0.0;
+    ValueRange differences;
     for (std::size_t i = 1; i < time.size() && clock.even; ++i) {
-        const double difference = time[i] - time[i - 1];
-        least = std::min(least, difference);
-        most = std::max(most, difference);
-        clock.even = most - least <= slack;
+        differences.include(time[i] - time[i - 1]);
+        clock.even = differences.width() <= slack;
     }
     clock.printedStep = clock.even ? rounding.finestStep() : clock.printedStep;
     if (!clock.even && time.size() >= kFewestTimeStamps) {
