@@ -50,28 +50,6 @@ void readRow(RawTable &table, const TableFile &file, std::size_t row)
     }
 }
 
-/// Returns why a row is skipped, as far as the cell of one column shows it.
-SkippedRow faultAt(const RawTable &table, const RawColumn &column, std::size_t row)
-{
-    const TableFile &file = table.fileOf(column);
-    const Line &line = file.rows[row];
-    const Cells cells = splitCells(line.text, file.layout.delimiter);
-    const auto cellAt = [&cells](std::size_t i) { return i < cells.size() ? cells[i] : std::string_view(); };
-    std::size_t i = column.index - file.firstColumn;
-    std::optional<RowFault> fault = parseCell(column, cellAt(i), file.layout.decimalSign).fault;
-    if (!fault && cells.size() > file.width) {
-        for (i = file.width; cells[i].empty(); ++i) { // the last one is not empty
-        }
-        fault = RowFault::TooManyCells;
-    } else if (!fault) {
-        fault = !column.isUnreadable(row)                           ? RowFault::RepeatedTime
-                : std::isnan(column.values[row])                    ? RowFault::NoTime
-                : cells.size() < std::min(file.width, kFewestCells) ? RowFault::TooFewCells
-                                                                    : RowFault::TooLarge; // once converted
-    }
-    return {line.number, i + 1, excerpt(cellAt(i)), *fault, column.use.file};
-}
-
 } // namespace
 
 bool RawColumn::isUnreadable(std::size_t row) const
@@ -121,7 +99,24 @@ SkippedRow findRowFault(RawTable &table, std::size_t row)
 {
     const RawColumn *const unreadable =
         findElement(table.columns, [row](const RawColumn &column) { return column.isUnreadable(row); });
-    return faultAt(table, unreadable ? *unreadable : *table.abscissa(), row);
+    const RawColumn &column = unreadable ? *unreadable : *table.abscissa();
+    const TableFile &file = table.fileOf(column);
+    const Line &line = file.rows[row];
+    const Cells cells = splitCells(line.text, file.layout.delimiter);
+    const auto cellAt = [&cells](std::size_t i) { return i < cells.size() ? cells[i] : std::string_view(); };
+    std::size_t i = column.index - file.firstColumn;
+    std::optional<RowFault> fault = parseCell(column, cellAt(i), file.layout.decimalSign).fault;
+    if (!fault && cells.size() > file.width) {
+        for (i = file.width; cells[i].empty(); ++i) { // the last one is not empty
+        }
+        fault = RowFault::TooManyCells;
+    } else if (!fault) {
+        fault = !unreadable                                         ? RowFault::RepeatedTime
+                : std::isnan(column.values[row])                    ? RowFault::NoTime
+                : cells.size() < std::min(file.width, kFewestCells) ? RowFault::TooFewCells
+                                                                    : RowFault::TooLarge; // once converted
+    }
+    return {line.number, i + 1, excerpt(cellAt(i)), *fault, column.use.file};
 }
 
 FileLayout takeLayout(RawTable &table)
