@@ -4,6 +4,7 @@
 #include "core/identification/candidate_search.h"
 #include "core/identification/interpretation.h"
 #include "core/identification/least_squares.h"
+#include "core/import/crank_angles.h"
 #include "core/mechanism/turn.h"
 
 #include <algorithm>
