@@ -15,8 +15,8 @@
 namespace slidercrank
 {
 
-/// The conventions of an accepted candidate, in the order of application. Reports origin offsets of at least 5 standard
-/// errors and a thousandth of the column's spread.
+/// The conventions of an accepted candidate, in the order of application. An origin of θ2 below a thousandth of a radian
+/// is not one of them.
 std::vector<ConventionFinding> findConventions(const Observations &data, const Candidate &candidate,
                                                const Uncertainty &uncertainty);
 
