@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <ranges>
 #include <span>
 #include <utility>
 
@@ -22,6 +21,12 @@ constexpr std::size_t kLongestLine = std::size_t{1} << 20U;
 constexpr std::string_view kDelimiters = "\t;,|";
 
 using Lines = std::span<const Line>;
+
+/// The lines that are examined.
+Lines firstLines(Lines lines)
+{
+    return lines.first(std::min(lines.size(), kExaminedLines));
+}
 
 /// A line that was split into cells.
 struct SplitLine {
@@ -240,7 +245,7 @@ std::vector<Line> splitLines(std::string_view text)
 
 std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout)
 {
-    const Lines examined = Lines(lines) | std::views::take(kExaminedLines);
+    const Lines examined = firstLines(lines);
     if (lines.empty()) {
         throw ReadError{.fault = {ReadFault::Kind::Empty}};
     }
@@ -256,7 +261,7 @@ std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout)
         if (row && lines[row->line].text.starts_with('"') && row->cells.size() == headings.size() + 1) {
             headings.insert(headings.begin(), Heading()); // R writes row names without a heading
         }
-        rows = rows.subspan(readAnnotations(rows | std::views::take(kExaminedLines), row, headings));
+        rows = rows.subspan(readAnnotations(firstLines(rows), row, headings));
     }
     for (std::size_t i = 0; row && i < std::min(row->cells.size(), headings.size()); ++i) {
         headings[i].cellUnit = splitUnit(row->cells[i]).unit;
@@ -270,7 +275,7 @@ std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout)
         headings[i].isClock = colon != cells[i].npos; // not behind a quantity, like the times of a race
         headings[i].hasDate = cells[i].find_first_of("-/.") < colon;
     }
-    layout.decimalSign = findDecimalSign(rows | std::views::take(kExaminedLines), layout.delimiter);
+    layout.decimalSign = findDecimalSign(firstLines(rows), layout.delimiter);
     lines.erase(lines.begin(), lines.end() - static_cast<std::ptrdiff_t>(rows.size()));
     return headings;
 }
