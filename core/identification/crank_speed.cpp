@@ -10,10 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <map>
 #include <numbers>
-#include <ranges>
 #include <span>
 
 namespace slidercrank
@@ -81,7 +79,7 @@ double givenCrankSpeed(const Observations &data)
 /// The lowest minima of the periodogram, from the lowest.
 std::vector<double> periodogramMinima(const Observations &data, double low, double high, double step)
 {
-    constexpr int kMost = 4;
+    constexpr std::size_t kMost = 4;
     constexpr int kBits = 12; // accuracy of a speed
     const auto misfitAt = [&](double speed) { return harmonicMisfit(data, speed); };
     std::vector<double> misfits;
@@ -98,7 +96,11 @@ std::vector<double> periodogramMinima(const Observations &data, double low, doub
         }
     }
     std::vector<double> best;
-    std::ranges::copy(minima | std::views::values | std::views::take(kMost), std::back_inserter(best));
+    for (const auto &[misfit, speed] : minima) {
+        if (best.size() < kMost) {
+            best.push_back(speed);
+        }
+    }
     return best;
 }
 

@@ -71,7 +71,7 @@ void removeSaturation(std::vector<double> &values, double step)
         });
         double neighbours = 0.0;
         double jumps = 0.0;
-        const bool hasRun = !std::ranges::search_n(values, kShortestRun, limit).empty();
+        const bool hasRun = std::search_n(values.begin(), values.end(), kShortestRun, limit) != values.end();
         for (std::size_t i = 2; i + 1 < values.size(); ++i) {
             if ((values[i] == limit) != (values[i - 1] == limit)) {
                 neighbours += 1.0;
