@@ -63,42 +63,44 @@ struct WordMeaning {
     std::optional<Body> body{};
 };
 
-/// Words with a dot are variables of Modelica, capital letters those of Inventor.
-constexpr std::nullopt_t kOpen = std::nullopt;
-constexpr std::array<WordMeaning, 23> kVocabulary{{
-    {"position posicion posizione posicao lage pos displacement disp desplazamiento deplacement spostamento "
-     "deslocamento "
-     "verschiebung weg P",
-     Order::Position},
-    {"coordinate coordenada distance distancia abstand stroke carrera hub .s", Order::Position, Dimension::Length},
-    {"velocity velocidad velocita velocidade vitesse speed vel v geschwindigkeit V", Order::Velocity},
-    {"acceleration aceleracion accelerazione aceleracao accelerometer accel acel acc a beschleunigung A .a",
-     Order::Acceleration},
-    {"x tx", kOpen, Dimension::Length, 'x'},
-    {"y ty", kOpen, Dimension::Length, 'y'},
-    {"vx", Order::Velocity, Dimension::Length, 'x'},
-    {"vy", Order::Velocity, Dimension::Length, 'y'},
-    {"ax", Order::Acceleration, Dimension::Length, 'x'},
-    {"ay", Order::Acceleration, Dimension::Length, 'y'},
-    {"angle angulo angolo rotation rotacion rotazione giro orientation theta tita phi winkel .phi", Order::Position,
-     Dimension::Angle},
-    {"omega w .w", Order::Velocity, Dimension::Angle},
-    {"alpha alfa", Order::Acceleration, Dimension::Angle},
-    {".v", Order::Velocity, Dimension::Length},
-    {"ang angular angulaire angolare rotational rz psi", kOpen, Dimension::Angle},
-    {"linear lineal lineaire lineare", kOpen, Dimension::Length},
-    {"crank input manivela manivelle manovella kurbel", kOpen, Dimension::Angle, ' ', Body::Crank},
-    {"ca cad kurbelwinkel drehwinkel", Order::Position, Dimension::Angle, ' ', Body::Crank},
-    {"coupler rod conrod connecting biela bielle biella acoplador pleuel", kOpen, kOpen, ' ', Body::Coupler},
-    {"pleuelwinkel", Order::Position, Dimension::Angle, ' ', Body::Coupler},
-    {"slider piston pistone pistao corredera deslizadera deslizador deslizante embolo block bloque kolben schieber",
-     kOpen, Dimension::Length, ' ', Body::Slider},
-    {"kolbenweg kolbenposition kolbenhub schieberweg", Order::Position, Dimension::Length, ' ', Body::Slider},
-    {"de del la el da do du of the en component componente comp trans translational latest"},
-}};
-
+/// Returns what a word says. Words with a dot are variables of Modelica, capital letters those of Inventor.
 const WordMeaning *find(std::string_view word)
 {
+    using enum Order;
+    using enum Dimension;
+    using enum Body;
+    constexpr std::nullopt_t kOpen = std::nullopt;
+    static constexpr std::array<WordMeaning, 23> kVocabulary{{
+        {"position posicion posizione posicao lage pos displacement disp desplazamiento deplacement spostamento "
+         "deslocamento "
+         "verschiebung weg P",
+         Position},
+        {"coordinate coordenada distance distancia abstand stroke carrera hub .s", Position, Length},
+        {"velocity velocidad velocita velocidade vitesse speed vel v geschwindigkeit V", Velocity},
+        {"acceleration aceleracion accelerazione aceleracao accelerometer accel acel acc a beschleunigung A .a",
+         Acceleration},
+        {"x tx", kOpen, Length, 'x'},
+        {"y ty", kOpen, Length, 'y'},
+        {"vx", Velocity, Length, 'x'},
+        {"vy", Velocity, Length, 'y'},
+        {"ax", Acceleration, Length, 'x'},
+        {"ay", Acceleration, Length, 'y'},
+        {"angle angulo angolo rotation rotacion rotazione giro orientation theta tita phi winkel .phi", Position,
+         Angle},
+        {"omega w .w", Velocity, Angle},
+        {"alpha alfa", Acceleration, Angle},
+        {".v", Velocity, Length},
+        {"ang angular angulaire angolare rotational rz psi", kOpen, Angle},
+        {"linear lineal lineaire lineare", kOpen, Length},
+        {"crank input manivela manivelle manovella kurbel", kOpen, Angle, ' ', Crank},
+        {"ca cad kurbelwinkel drehwinkel", Position, Angle, ' ', Crank},
+        {"coupler rod conrod connecting biela bielle biella acoplador pleuel", kOpen, kOpen, ' ', Coupler},
+        {"pleuelwinkel", Position, Angle, ' ', Coupler},
+        {"slider piston pistone pistao corredera deslizadera deslizador deslizante embolo block bloque kolben schieber",
+         kOpen, Length, ' ', Slider},
+        {"kolbenweg kolbenposition kolbenhub schieberweg", Position, Length, ' ', Slider},
+        {"de del la el da do du of the en component componente comp trans translational latest"},
+    }};
     return findElement(kVocabulary, [&](const WordMeaning &known) { return isAmong(word, known.words); });
 }
 

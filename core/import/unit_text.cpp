@@ -18,29 +18,6 @@ struct NamedUnit {
     Unit unit;
 };
 
-constexpr std::array<NamedUnit, 19> kUnits{{
-    {"mm millimeter millimetre millimeters millimetres milimetros", {Dimension::Length, 0, 1.0}},
-    {"cm centimeter centimetre centimeters centimetres centimetros", {Dimension::Length, 0, 10.0}},
-    {"m meter metre meters metres metros", {Dimension::Length, 0, 1e3}},
-    {"um micron microns", {Dimension::Length, 0, 1e-3}},
-    {"in inch inches", {Dimension::Length, 0, 25.4}},
-    {"ft foot feet", {Dimension::Length, 0, 304.8}},
-    {"g", {Dimension::Length, 2, 9806.65}},
-    {"deg degs degree degrees grado grados grad grd ca cad degca cadeg", {Dimension::Angle, 0, 1.0}},
-    {"rad radian radians radianes", {Dimension::Angle, 0, kDegreesPerRadian}},
-    {"mrad", {Dimension::Angle, 0, 1e-3 * kDegreesPerRadian}},
-    {"gon gons gradian gradians grads", {Dimension::Angle, 0, 0.9}},
-    {"rev revs revolution revolutions turn turns r u tr", {Dimension::Angle, 0, 360.0}},
-    {"rpm", {Dimension::Angle, 1, 6.0}},
-    {"s sec secs second seconds sek sekunde sekunden seconde secondes secondi seg segundo segundos",
-     {Dimension::Time, 0, 1.0}},
-    {"ms msec msecs millis millisecond milliseconds milisegundos", {Dimension::Time, 0, 1e3}},
-    {"us usec micros microsecond microseconds microsegundos", {Dimension::Time, 0, 1e6}},
-    {"ns nanosecond nanoseconds", {Dimension::Time, 0, 1e9}},
-    {"min mins minute minutes minuto minutos", {Dimension::Time, 0, 1.0 / 60.0}},
-    {"h hr hour hours hora horas stunde stunden", {Dimension::Time, 0, 1.0 / 3600.0}},
-}};
-
 /// On Spanish keyboards, the ordinal sign º stands for degrees. Micro has two code points, one is the Greek letter.
 constexpr std::string_view kUnitSpellings =
     "1/min=rpm|min^-1=rpm|min-1=rpm|min⁻¹=rpm|s^-1=/s|s^-2=/s2|s-1=/s|s-2=/s2|s⁻¹=/s|s⁻²=/s2| "
@@ -48,6 +25,29 @@ constexpr std::string_view kUnitSpellings =
 
 std::optional<Unit> unitNamed(std::string_view name)
 {
+    using enum Dimension;
+    static constexpr std::array<NamedUnit, 19> kUnits{{
+        {"mm millimeter millimetre millimeters millimetres milimetros", {Length, 0, 1.0}},
+        {"cm centimeter centimetre centimeters centimetres centimetros", {Length, 0, 10.0}},
+        {"m meter metre meters metres metros", {Length, 0, 1e3}},
+        {"um micron microns", {Length, 0, 1e-3}},
+        {"in inch inches", {Length, 0, 25.4}},
+        {"ft foot feet", {Length, 0, 304.8}},
+        {"g", {Length, 2, 9806.65}},
+        {"deg degs degree degrees grado grados grad grd ca cad degca cadeg", {Angle, 0, 1.0}},
+        {"rad radian radians radianes", {Angle, 0, kDegreesPerRadian}},
+        {"mrad", {Angle, 0, 1e-3 * kDegreesPerRadian}},
+        {"gon gons gradian gradians grads", {Angle, 0, 0.9}},
+        {"rev revs revolution revolutions turn turns r u tr", {Angle, 0, 360.0}},
+        {"rpm", {Angle, 1, 6.0}},
+        {"s sec secs second seconds sek sekunde sekunden seconde secondes secondi seg segundo segundos",
+         {Time, 0, 1.0}},
+        {"ms msec msecs millis millisecond milliseconds milisegundos", {Time, 0, 1e3}},
+        {"us usec micros microsecond microseconds microsegundos", {Time, 0, 1e6}},
+        {"ns nanosecond nanoseconds", {Time, 0, 1e9}},
+        {"min mins minute minutes minuto minutos", {Time, 0, 1.0 / 60.0}},
+        {"h hr hour hours hora horas stunde stunden", {Time, 0, 1.0 / 3600.0}},
+    }};
     const auto *const found = findElement(kUnits, [&](const NamedUnit &unit) { return isAmong(name, unit.names); });
     return found ? std::optional(found->unit) : std::nullopt;
 }
