@@ -47,8 +47,8 @@ double noiseVarianceOf(const std::vector<double> &residuals, const std::vector<d
 }
 
 /// Computes residuals, variances, noise and their sums at the unknowns of the hypothesis. Returns false if the
-/// mechanism cannot be assembled in some row. `mayBeNoisy`: estimates the noise; otherwise it is zero.
-bool weigh(const Observations &data, Fit &fit, bool mayBeNoisy = true)
+/// mechanism cannot be assembled in some row.
+bool weigh(const Observations &data, Fit &fit)
 {
     constexpr double kDoublePrecision = 1e-15; // relative to the largest angle, with some margin
     const std::size_t columnCount = data.columns.size();
@@ -74,7 +74,7 @@ bool weigh(const Observations &data, Fit &fit, bool mayBeNoisy = true)
         return false;
     }
     for (std::size_t j = 0; j < columnCount; ++j) {
-        if (mayBeNoisy && hypothesis.columns[j].isUsed && data.columns[j].count > 0.0) {
+        if (hypothesis.columns[j].isUsed && data.columns[j].count > 0.0) {
             fit.noiseVariances[j] = noiseVarianceOf(fit.residuals[j], fit.variances[j], data.columns[j].count);
             const double spread = interpretedSpread(data, hypothesis, j);
             fit.noiseParts[j] = data.columns[j].varies ? fit.noiseVariances[j] / (spread * spread) : 0.0;
@@ -233,13 +233,12 @@ Fit fitHypothesis(const Observations &data, Hypothesis hypothesis, int rounds)
             break;
         }
     }
-    const int iterations = fit.iterations;
     if (fit.hypothesis.unknowns[0] < 0.0) { // a positive crank half a turn on, which a column of θ2 contradicts
         fit.hypothesis.unknowns[0] *= -1.0;
         fit.hypothesis.unknowns[4] += std::numbers::pi;
     }
     Fit settled = evaluateHypothesis(data, std::move(fit.hypothesis));
-    settled.iterations = iterations;
+    settled.iterations = fit.iterations;
     return settled;
 }
 
