@@ -213,33 +213,32 @@ Uncertainty computeUncertainty(const Observations &data, const Candidate &candid
     return result;
 }
 
-/// The candidate with a = b and c = 0, if they are that within their errors. Such a mechanism folds, and the smallest
-/// errors of a and b decide about its derivatives.
-std::optional<Candidate> foldedMechanism(const Observations &data, const Candidate &candidate,
-                                         const Uncertainty &uncertainty)
+/// The candidate with a = b and c = 0, if it differs from that by less than a millionth and explains the file as well.
+/// Such a mechanism folds, and the smallest errors of a, b and c change its derivatives.
+std::optional<Candidate> foldedMechanism(const Observations &data, const Candidate &candidate)
 {
-    constexpr double kErrors = 3.0;
+    constexpr double kNearly = 1e-6;
     Hypothesis folded = candidate.hypothesis;
-    Eigen::VectorXd &unknowns = folded.unknowns;
-    if (!(std::abs(unknowns[1] - unknowns[0]) <= kErrors * uncertainty.errors[1] &&
-          std::abs(unknowns[2]) <= kErrors * uncertainty.errors[2])) {
-        return std::nullopt;
-    }
-    unknowns[1] = unknowns[0];
-    unknowns[2] = 0.0;
-    if (!(chiSquareOf(data, candidate, folded) < candidate.chiSquare + kMargin)) {
-        return std::nullopt;
-    }
-    return judgedCandidate(data, evaluateHypothesis(data, std::move(folded)));
+    const double a = folded.unknowns[0];
+    const double distance = std::hypot(folded.unknowns[1] - a, folded.unknowns[2]);
+    folded.unknowns.segment(1, 2) << a, 0.0;
+    return distance < kNearly * a && chiSquareOf(data, candidate, folded) < candidate.chiSquare + kMargin
+               ? std::optional(judgedCandidate(data, evaluateHypothesis(data, std::move(folded))))
+               : std::nullopt;
 }
 
-/// Whether an origin is free that the file does not determine.
+/// Whether an origin is free that is less than five standard errors or, for the crank angle, 0.06°.
 bool hasUncertainOrigin(const Observations &data, const Hypothesis &hypothesis, const Uncertainty &uncertainty)
 {
     constexpr double kErrors = 5.0;
+    constexpr double kSmallestOfCrank = 0.06;
     return std::ranges::any_of(conventionsOf(data, hypothesis), [&](const Convention &convention) {
-        return convention.kind == Convention::Kind::ZeroPoint &&
-               std::abs(convention.amount) < kErrors * uncertainty.originError(hypothesis, convention.channels.front());
+        if (convention.kind != Convention::Kind::ZeroPoint) {
+            return false;
+        }
+        const Channel channel = convention.channels.front();
+        const double smallest = channel == kCrankAngle ? kSmallestOfCrank : 0.0;
+        return std::abs(convention.amount) < std::max(kErrors * uncertainty.originError(hypothesis, channel), smallest);
     });
 }
 
@@ -363,7 +362,7 @@ Decision decide(const Observations &data, std::span<const Candidate> candidates,
         result.outcome = Outcome::Insufficient;
         return decision;
     }
-    if (std::optional<Candidate> folded = foldedMechanism(data, best, uncertainty)) {
+    if (std::optional<Candidate> folded = foldedMechanism(data, best)) {
         decision.candidate = *std::move(folded);
     }
     result.parameters = foundParameters(data, best, given);

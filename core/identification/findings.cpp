@@ -18,29 +18,25 @@ namespace
 
 using Kind = Convention::Kind;
 
-/// Rounds an origin offset to the roundest number within its standard error, unless this changes the residuals, because
-/// the other parameters are not rounded with it. Returns false if the offset of θ2 is less than a thousandth of a
-/// radian.
-bool settleOrigin(const Observations &data, const Candidate &candidate, const Uncertainty &uncertainty,
-                  ConventionFinding &finding)
+/// Rounds an origin to the roundest number within its standard error, unless this changes the residuals of its column,
+/// because the other parameters are not rounded with it.
+void roundOrigin(const Observations &data, const Candidate &candidate, const Uncertainty &uncertainty,
+                 ConventionFinding &finding)
 {
     constexpr double kSmallPart = 0.3; // of the rms residual
     const Channel channel = finding.channels.front();
-    const bool isCrank = channel == kCrankAngle;
+    const std::size_t j = columnIndex(data.columns, channel);
+    const double residual = j < data.columns.size()
+                                ? std::sqrt(candidate.noiseVariances[j] + data.columns[j].meanVariance)
+                                : kInfinity; // of the crank angle in the abscissa
     const double error = uncertainty.originError(candidate.hypothesis, channel);
-    double &amount = finding.amount;
-    if (isCrank && std::abs(amount) < toFileUnit(channel, 1e-3)) {
-        return false;
-    }
+    const double rounded = roundest(finding.amount, error);
     if (error > 0.0) {
-        const std::size_t j = columnIndex(candidate.hypothesis.columns, channel);
         finding.standardError = error;
-        const double rounded = roundest(amount, error);
-        const double residual =
-            isCrank ? kInfinity : std::sqrt(candidate.noiseVariances[j] + data.columns[j].meanVariance);
-        amount = std::abs(rounded - amount) <= toFileUnit(channel, kSmallPart * residual) ? rounded : amount;
     }
-    return true;
+    if (std::abs(rounded - finding.amount) <= toFileUnit(channel, kSmallPart * residual)) {
+        finding.amount = rounded;
+    }
 }
 
 } // namespace
@@ -63,9 +59,10 @@ std::vector<ConventionFinding> findConventions(const Observations &data, const C
                 continue;
             }
         }
-        if (finding.kind != Kind::ZeroPoint || settleOrigin(data, candidate, uncertainty, finding)) {
-            findings.push_back(std::move(finding));
+        if (finding.kind == Kind::ZeroPoint) {
+            roundOrigin(data, candidate, uncertainty, finding);
         }
+        findings.push_back(std::move(finding));
     }
     return findings;
 }

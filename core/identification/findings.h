@@ -15,8 +15,7 @@
 namespace slidercrank
 {
 
-/// The conventions of an accepted candidate, in the order of application. An origin of θ2 below a thousandth of a radian
-/// is not one of them.
+/// The conventions of an accepted candidate, in the order of application.
 std::vector<ConventionFinding> findConventions(const Observations &data, const Candidate &candidate,
                                                const Uncertainty &uncertainty);
 
