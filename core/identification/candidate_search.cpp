@@ -65,7 +65,7 @@ void addWithVariants(const Observations &data, Hypothesis hypothesis, std::vecto
         return;
     }
     all.push_back(candidate);
-    constexpr double kSmallOffset = 0.3; // may be one that the file does not determine
+    constexpr double kSmallOffset = 0.3; // smaller ones may not be determined by the file
     for (const double part : {kIdleOffset, kSmallOffset}) {
         Hypothesis without = candidate.hypothesis;
         for (std::size_t j = 0; j < data.columns.size(); ++j) {
@@ -126,8 +126,8 @@ double bonusOf(const Observations &data, const Hypothesis &hypothesis, const Par
     return !data.isByCrankAngle && areNear(given, parametersOf(data, hypothesis), kPart) ? kBonus : 0.0;
 }
 
-/// Adds those images of the best candidate with which the headings are right. From a rough start, they may have been
-/// fitted not as well.
+/// Adds those images of the best candidate that agree with the headings. From a rough start, their fit may have been
+/// worse.
 void addPlainImages(const Observations &data, const Parameters &given, std::vector<Candidate> &all)
 {
     constexpr double kNearly = 1e-3; // of a column's variance

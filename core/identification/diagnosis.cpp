@@ -102,7 +102,7 @@ bool interpret(const ReferenceData &data, const Observations &all, const FileSea
         if (j < candidate.judgements.size() && candidate.judgements[j] == Residual::NotUsed) {
             const double ofZeros = channel.maxAbs.value_or(0.0) > 0.0 ? 100.0 : 0.0; // percent of the motion's peak
             found.leftOut.push_back({channel.channel, channel.percentOfPeak.value_or(ofZeros)});
-            // A small deviation is one of all columns, which the origin may hide.
+            // If it deviates so little, the used columns may deviate, too, and the origin may hide that.
             if (found.leftOut.back().percentOfPeak < kSmallPercent && hasOrigin) {
                 return false;
             }

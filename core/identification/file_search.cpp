@@ -54,14 +54,15 @@ std::vector<bool> suspiciousRows(const Observations &data)
     return flags;
 }
 
-/// Flags rows with a residual beyond 8 standard deviations and visible, by the rounding or by the median absolute
-/// residual, of all rows or of those at similar crank angles: noise may grow with the reading or the speed.
+/// Flags rows with a residual beyond 8 standard deviations. The standard deviation is that of the rounding, the one
+/// that follows from the median absolute residual of all rows, or the same of the rows at similar crank angles, because
+/// noise may grow with the reading or the speed. Residuals below a hundred-thousandth of the spread are never flagged.
 std::vector<bool> outliers(const Observations &data, const Candidate &candidate)
 {
     constexpr std::size_t kMostSectors = 8; // so that a block of bad rows is less than half of a sector
     constexpr std::size_t kRowsOfSector = 20;
-    constexpr double kClearly = 1.5; // larger
-    constexpr double kVisiblePart = 1e-6;
+    constexpr double kClearlyLarger = 1.5;
+    constexpr double kSmallestPart = 1e-6; // of the spread
     const std::size_t count = data.abscissa.size();
     const std::size_t sectors = std::clamp<std::size_t>(count / kRowsOfSector, 1, kMostSectors);
     const Fit fit = evaluateHypothesis(data, candidate.hypothesis);
@@ -76,11 +77,11 @@ std::vector<bool> outliers(const Observations &data, const Candidate &candidate)
             residuals[sectorOf(i)].push_back(fit.residuals[j][i]);
         }
         const double scale =
-            std::max(robustDeviation(fit.residuals[j]), kVisiblePart * interpretedSpread(data, fit.hypothesis, j));
+            std::max(robustDeviation(fit.residuals[j]), kSmallestPart * interpretedSpread(data, fit.hypothesis, j));
         std::vector<double> scales(sectors, scale);
         std::ranges::transform(residuals, scales.begin(), [&](const std::vector<double> &values) {
             const double ofSector = robustDeviation(values);
-            return ofSector > kClearly * scale ? ofSector : scale;
+            return ofSector > kClearlyLarger * scale ? ofSector : scale;
         });
         for (std::size_t i = 0; i < count; ++i) {
             const double rounding = std::sqrt(std::max(fit.variances[j][i] - fit.noiseVariances[j], 0.0));

@@ -86,7 +86,7 @@ double interpretColumn(const Observations &data, std::size_t j, const ColumnRegr
     if (isPlain) {
         return best;
     }
-    const bool isNeeded = !mayBeLeftOut(column.channel); // but from any origin
+    const bool isNeeded = !mayBeLeftOut(column.channel); // its origin may be another one
     if (isNeeded) {
         const double price = kPriceOfOffset + kPriceOfParameter - (use.isHalfTurned() ? kPriceOfHalfTurn : 0.0);
         if (misfit(aboutMean) + price < best) {

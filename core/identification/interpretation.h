@@ -32,7 +32,7 @@ struct InterpretationOptions {
     /// half turns, and without derivatives that cannot be explained.
     bool isPlain = true;
     Parameters given;     ///< supplies a if the file contains no length, and ω2 if it contains no time
-    bool hasSize = false; ///< whether the shape has its size
+    bool hasSize = false; ///< whether the lengths of the shape are known, and not only their ratios
 };
 
 /// Adds the interpretations of a shape that was fitted with free scales and offsets. The scores include the prices.

@@ -60,7 +60,7 @@ void removeSaturation(std::vector<double> &values, double step)
     constexpr double kMostJumps = 0.2; // of all changes between saturated and other values
     const ValueRange range = rangeOf(values);
     for (const double limit : {range.low, range.high}) {
-        double nearest = kInfinity; // distance of another value: the step may be larger than the digits show
+        double nearest = kInfinity; // distance of another value; the rounding step may be larger than the digits show
         for (const double value : values) {
             nearest = value == limit ? nearest : std::min(nearest, std::abs(value - limit));
         }
@@ -115,11 +115,11 @@ void learnStatistics(ObservedColumn &column, const Rounding &rounding, double un
     }
 }
 
-/// Returns nullopt if the column tells nothing. `span`: of the abscissa.
+/// Returns nullopt if the column contains no information. `span`: of the abscissa.
 std::optional<ObservedColumn> observedColumn(const ReferenceSeries &series, std::span<const std::size_t> rows,
                                              double span)
 {
-    constexpr double kZero = 1e-8; // mm or rad, change in the time of the file
+    constexpr double kZero = 1e-8; // mm or rad, change in the time of the file: rounding errors
     ObservedColumn column;
     column.channel = series.channel;
     column.unitOfHeading = series.rounding.unitFactor;
