@@ -2,6 +2,7 @@
 #include "core/identification/observations.h"
 
 #include "core/import/clock.h"
+#include "core/import/crank_angles.h"
 #include "core/mechanism/turn.h"
 
 #include <algorithm>
@@ -160,30 +161,6 @@ void learnSpread(ObservedColumn &column)
         squares += std::isnan(value) ? 0.0 : (value - column.mean) * (value - column.mean);
     }
     column.spread = std::max(std::sqrt(squares / column.count), column.varies ? 0.0 : column.step);
-}
-
-bool removeJumps(std::vector<double> &angles, double turn)
-{
-    std::vector<double> continuous = angles;
-    double last = kNone;
-    double turns = 0.0;
-    bool hadJumps = false;
-    for (double &value : continuous) {
-        if (std::isnan(value)) {
-            continue;
-        }
-        const double change = std::isnan(last) ? 0.0 : value + turns - last;
-        const double jump = turn * std::round(change / turn);
-        if (jump != 0.0 && std::abs(change - jump) > 0.25 * turn) {
-            return false;
-        }
-        hadJumps = hadJumps || jump != 0.0;
-        turns -= jump;
-        value += turns;
-        last = value;
-    }
-    angles = std::move(continuous);
-    return hadJumps;
 }
 
 bool tellsShape(const ObservedColumn &column)

@@ -37,10 +37,6 @@ struct ObservedColumn : ColumnStatistics {
 /// Computes count, mean, range and spread of a column from its values. If it has none, only the count has a meaning.
 void learnSpread(ObservedColumn &column);
 
-/// Removes jumps by whole turns and returns whether there were any. Angles with jumps of another size are not changed:
-/// they are in another unit. `turn`: in the unit of the angles.
-bool removeJumps(std::vector<double> &angles, double turn);
-
 /// Whether a column contains information on the shape of the motion: it varies, and its channel depends on more than
 /// the crank angle or the offset.
 bool tellsShape(const ObservedColumn &column);

@@ -10,16 +10,34 @@
 namespace slidercrank
 {
 
-std::vector<double> unwrapped(std::vector<double> angles, double period)
+bool removeJumps(std::vector<double> &angles, double turn, double largestChange)
 {
-    if (!findReversal(angles)) {
-        return angles;
-    }
+    std::vector<double> continuous = angles;
+    double last = kNone;
     double turns = 0.0;
-    for (std::size_t i = 1; i < angles.size(); ++i) {
-        const double step = angles[i] + turns - angles[i - 1];
-        turns -= std::abs(step) > 0.5 * period && std::isfinite(step) ? period * std::round(step / period) : 0.0;
-        angles[i] += turns;
+    bool hadJumps = false;
+    for (double &value : continuous) {
+        if (!std::isfinite(value)) {
+            continue;
+        }
+        const double change = std::isnan(last) ? 0.0 : value + turns - last;
+        const double jump = turn * std::rint(change / turn);
+        if (jump != 0.0 && std::abs(change - jump) > largestChange * turn) {
+            return false;
+        }
+        hadJumps = hadJumps || jump != 0.0;
+        turns -= jump;
+        value += turns;
+        last = value;
+    }
+    angles = std::move(continuous);
+    return hadJumps;
+}
+
+std::vector<double> unwrapped(std::vector<double> angles, double turn)
+{
+    if (findReversal(angles)) {
+        removeJumps(angles, turn, 0.5);
     }
     return angles;
 }

@@ -20,9 +20,14 @@ namespace slidercrank
 
 inline constexpr Channel kCrankAngle{Theta2, Order::Position};
 
+/// Removes jumps by whole turns, as in angles that are limited to one turn, and returns whether there were any. If a
+/// change by more than `largestChange` of a turn would remain of a jump, changes nothing: the angles are in another
+/// unit. `turn`: in the unit of the angles.
+bool removeJumps(std::vector<double> &angles, double turn, double largestChange = 0.25);
+
 /// Removes the jumps of angles that are limited to one turn: 359, 0, 1 becomes 359, 360, 361. Angles that already go in
-/// one direction throughout are returned unchanged. A clock has another `period` than a turn.
-std::vector<double> unwrapped(std::vector<double> angles, double period = 360.0);
+/// one direction throughout are returned unchanged. The `turn` of a clock is half a day.
+std::vector<double> unwrapped(std::vector<double> angles, double turn = 360.0);
 
 /// Returns whether the values are points of a straight line over the time, apart from a tolerance.
 bool isStraight(std::span<const double> values, std::span<const double> time, double tolerance);
