@@ -25,45 +25,47 @@ HarmonicSeries::HarmonicSeries(const Mechanism &mechanism, int harmonics)
     constexpr double kTurnLo = 2.4492935982947064e-16; // 2π is the sum of kTurn and this
     assert(harmonics >= 1 && 2 * m_terms.size() < kAngles);
     const ClosedForm closedForm(withDrive(mechanism, 1.0, 0.0));
-    std::vector<SinCos> waves;
+    std::vector<Complex> waves; // e^-iθ
     std::vector<std::array<double, 2>> positions;
     for (std::size_t i = 0; i < kAngles; ++i) {
         const double part = static_cast<double>(i) / kAngles;
         const TwoPart theta2 = crankAngle(kTurn, part, kTurnLo * part);
         const Motion motion = closedForm.motionAt(theta2.hi); // ω2 = 1: the time is θ2
-        waves.push_back(sinCos(theta2));
+        const SinCos wave = sinCos(theta2);
+        waves.emplace_back(wave.cos, -wave.sin);
         positions.push_back({motion.theta3, motion.R4x});
     }
     for (std::size_t n = 0; n < m_terms.size(); ++n) {
-        const auto coefficient = [&](std::size_t channel, double SinCos::*wave) {
-            TwoPart sum; // keeps the digits that the second derivative needs
-            for (std::size_t i = 0; i < kAngles; ++i) {
-                const TwoPart next = twoSum(sum.hi, positions[i][channel] * waves[n * i % kAngles].*wave);
-                sum = {next.hi, sum.lo + next.lo};
-            }
-            return (n == 0 ? 1.0 : 2.0) * (sum.hi + sum.lo) / kAngles;
-        };
         for (const std::size_t channel : {0U, 1U}) {
-            m_terms[n][channel] = {coefficient(channel, &SinCos::cos), coefficient(channel, &SinCos::sin)};
+            Complex sum;
+            Complex rest; // keeps the digits that the second derivative needs
+            for (std::size_t i = 0; i < kAngles; ++i) {
+                const Complex next = positions[i][channel] * waves[n * i % kAngles];
+                const TwoPart real = twoSum(sum.real(), next.real());
+                const TwoPart imaginary = twoSum(sum.imag(), next.imag());
+                sum = {real.hi, imaginary.hi};
+                rest += Complex(real.lo, imaginary.lo);
+            }
+            m_terms[n][channel] = (n == 0 ? 1.0 : 2.0) / kAngles * (sum + rest);
         }
     }
 }
 
 std::array<HarmonicSeries::Sums, 2> HarmonicSeries::at(double t) const
 {
-    const SinCos once = sinCos(crankAngle(m_omega2, t, m_theta20));
-    SinCos nth{0.0, 1.0};
+    const SinCos crank = sinCos(crankAngle(m_omega2, t, m_theta20));
+    const Complex once(crank.cos, crank.sin);
+    Complex nth = 1.0;
     std::array<Sums, 2> sums{};
     for (std::size_t n = 0; n < m_terms.size(); ++n) {
         const double speed = static_cast<double>(n) * m_omega2;
         for (std::size_t channel = 0; channel < sums.size(); ++channel) {
-            const auto [cosine, sine] = m_terms[n][channel];
-            const double value = cosine * nth.cos + sine * nth.sin;
-            sums[channel][0] += value;
-            sums[channel][1] += speed * (sine * nth.cos - cosine * nth.sin);
-            sums[channel][2] -= speed * speed * value;
+            const Complex value = m_terms[n][channel] * nth;
+            sums[channel][0] += value.real();
+            sums[channel][1] -= speed * value.imag();
+            sums[channel][2] -= speed * speed * value.real();
         }
-        nth = {nth.sin * once.cos + nth.cos * once.sin, nth.cos * once.cos - nth.sin * once.sin};
+        nth *= once;
     }
     return sums;
 }

@@ -16,6 +16,7 @@
 #include "core/mechanism/mechanism.h"
 
 #include <array>
+#include <complex>
 #include <vector>
 
 namespace slidercrank
@@ -34,14 +35,11 @@ public:
     std::array<Sums, 2> at(double t) const;
 
 private:
-    struct Harmonic {
-        double cosine = 0.0;
-        double sine = 0.0;
-    };
+    using Complex = std::complex<double>;
 
     double m_omega2;
     double m_theta20;
-    std::vector<std::array<Harmonic, 2>> m_terms; ///< of θ3 and R4x, by n from 0
+    std::vector<std::array<Complex, 2>> m_terms; ///< Aₙ - i Bₙ of θ3 and R4x, by n from 0
 };
 
 } // namespace slidercrank
