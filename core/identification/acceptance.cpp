@@ -72,12 +72,10 @@ Residual judgeColumn(const Observations &data, const Fit &fit, std::size_t j)
     }
     std::vector<double> values;
     std::vector<double> angles;
-    double largest = 0.0;
     for (std::size_t i = 0; i < data.abscissa.size(); ++i) {
         if (const double residual = fit.residuals[j][i]; !std::isnan(residual)) {
             values.push_back(residual / std::sqrt(fit.variances[j][i]));
             angles.push_back(crankAngle(data, hypothesis, i));
-            largest = std::max(largest, std::abs(residual));
         }
     }
     const ObservedColumn &column = data.columns[j];
@@ -91,7 +89,8 @@ Residual judgeColumn(const Observations &data, const Fit &fit, std::size_t j)
     if (isSmall && isWhiteInTime(values) && isWhiteInAngle(values, angles)) {
         return Residual::White;
     }
-    return largest <= kLargestSystematicPart * range ? Residual::Systematic : Residual::Unexplained;
+    return rangeOf(fit.residuals[j]).size() <= kLargestSystematicPart * range ? Residual::Systematic
+                                                                              : Residual::Unexplained;
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include "core/identification/interpretation.h"
 #include "core/identification/least_squares.h"
 #include "core/import/crank_angles.h"
+#include "core/mechanism/find_element.h"
 #include "core/mechanism/turn.h"
 
 #include <algorithm>
@@ -135,10 +136,10 @@ void addAlternatives(const Observations &data, std::span<const Candidate> candid
 const Candidate &believedCandidate(std::span<const Candidate> candidates)
 {
     const Candidate &best = candidates.front();
-    const auto simpler = std::ranges::find_if(candidates, [&](const Candidate &other) {
+    const Candidate *const simpler = findElement(candidates, [&](const Candidate &other) {
         return other.worst == Residual::Systematic && !other.hasFreeOrigin && !best.isExact;
     });
-    return best.hasFreeOrigin && simpler != candidates.end() ? *simpler : best;
+    return best.hasFreeOrigin && simpler ? *simpler : best;
 }
 
 /// The covariance of the unknowns that follows from errors of the values that are not independent: the values may be

@@ -4,6 +4,7 @@
 #include "core/identification/interpretation.h"
 #include "core/identification/round_numbers.h"
 #include "core/import/crank_angles.h"
+#include "core/mechanism/find_element.h"
 #include "core/mechanism/turn.h"
 
 #include <algorithm>
@@ -75,10 +76,10 @@ std::vector<ConventionFinding> findFaultsOfWholeFile(const ReferenceData &data, 
     // Each fault changes the mechanism by one symmetry (convention.h), which the ratios of the parameters tell.
     Parameters p = found.parameters;
     std::array errors = found.standardError;
-    const auto length =
-        std::ranges::find_if(data.series, [](const ReferenceSeries &series) { return isLength(series.channel); });
+    const ReferenceSeries *const length =
+        findElement(data.series, [](const ReferenceSeries &series) { return isLength(series.channel); });
     const double lengthFactor =
-        nearestFactor(kLengthFactors, given.a / p.a, length != data.series.end() ? length->rounding.unitFactor : 1.0);
+        nearestFactor(kLengthFactors, given.a / p.a, length ? length->rounding.unitFactor : 1.0);
     const double timeFactor = nearestFactor(kTimeFactors, p.omega2 / given.omega2, data.timeRounding.unitFactor);
     const bool isReversed = p.omega2 * given.omega2 < 0.0;
     const double sense = isReversed ? -1.0 : 1.0;

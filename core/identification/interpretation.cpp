@@ -2,6 +2,7 @@
 #include "core/identification/interpretation.h"
 
 #include "core/import/crank_angles.h"
+#include "core/mechanism/find_element.h"
 #include "core/mechanism/turn.h"
 
 #include <algorithm>
@@ -241,11 +242,10 @@ std::vector<Convention> conventionsOf(const Observations &data, const Hypothesis
             return other.kind == kind && other.amount == amount &&
                    (kind != Kind::Sign || isLength(other.channels.front()) == isLength(channel));
         };
-        const auto known = std::ranges::find_if(conventions, isSame);
-        if (known == conventions.end()) {
-            conventions.push_back({kind, {channel}, amount});
-        } else {
+        if (Convention *const known = findElement(conventions, isSame)) {
             known->channels.push_back(channel);
+        } else {
+            conventions.push_back({kind, {channel}, amount});
         }
     };
     for (std::size_t j = 0; j < data.columns.size(); ++j) { // first, because the others name the columns as exchanged
