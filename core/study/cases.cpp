@@ -15,12 +15,14 @@ namespace slidercrank
 namespace
 {
 
+using enum Branch;
+
 /// A mechanism with a crank of 20 mm that makes one revolution per second.
 struct Row {
     const char *name;
     double b;
     double c = 25.0;
-    Branch branch = Branch::Open;
+    Branch branch = Open;
 };
 
 /// Returns a coupler length that exceeds the shortest for full turns by the relative `gap`.
@@ -30,25 +32,25 @@ constexpr double toggle(double gap, double c = 25.0)
 }
 
 const std::vector<Row> kNominal = {
-    {"Table 1 of the reference report", 65.0},        {"b = 60, the reference report's file", 60.0},
-    {"b = 60, crossed", 60.0, 25.0, Branch::Crossed}, {"c = 0", 60.0, 0.0},
-    {"c = 0, crossed", 60.0, 0.0, Branch::Crossed},   {"c < 0", 60.0, -25.0},
-    {"c < 0, crossed", 60.0, -25.0, Branch::Crossed}, {"b/a = 10", 200.0},
+    {"Table 1 of the reference report", 65.0}, {"b = 60, the reference report's file", 60.0},
+    {"b = 60, crossed", 60.0, 25.0, Crossed},  {"c = 0", 60.0, 0.0},
+    {"c = 0, crossed", 60.0, 0.0, Crossed},    {"c < 0", 60.0, -25.0},
+    {"c < 0, crossed", 60.0, -25.0, Crossed},  {"b/a = 10", 200.0},
 };
 
 const std::vector<Row> kHard{
-    {"toggle gap 1e-4, crossed", toggle(1e-4), 25.0, Branch::Crossed},
-    {"toggle gap 1e-8, crossed", toggle(1e-8), 25.0, Branch::Crossed},
+    {"toggle gap 1e-4, crossed", toggle(1e-4), 25.0, Crossed},
+    {"toggle gap 1e-8, crossed", toggle(1e-8), 25.0, Crossed},
     {"exact toggle, c > 0", toggle(0.0)},
     {"exact toggle, c < 0", toggle(0.0), -25.0},
-    {"exact toggle, crossed", toggle(0.0), 25.0, Branch::Crossed},
+    {"exact toggle, crossed", toggle(0.0), 25.0, Crossed},
     {"change point, a = b and c = 0", 20.0, 0.0},
-    {"change point, crossed", 20.0, 0.0, Branch::Crossed},
+    {"change point, crossed", 20.0, 0.0, Crossed},
     {"rocker, one arc", 40.0},
     {"rocker, one arc, c < 0", 40.0, -25.0},
-    {"rocker, one arc, crossed", 40.0, 25.0, Branch::Crossed},
+    {"rocker, one arc, crossed", 40.0, 25.0, Crossed},
     {"rocker, two arcs", 10.0, 5.0},
-    {"rocker, two arcs, crossed", 10.0, 5.0, Branch::Crossed},
+    {"rocker, two arcs, crossed", 10.0, 5.0, Crossed},
     {"rocker, two arcs, c = 0", 10.0, 0.0},
     {"barely a rocker, gap -1e-8", toggle(-1e-8)},
     {"locked, b = |c| - a", 5.0},
