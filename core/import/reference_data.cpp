@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <new>
 #include <utility>
 
@@ -191,7 +192,7 @@ try {
     RawTable table;
     std::size_t file = 0; // that is being read
     try {
-        std::size_t shortest = std::numeric_limits<std::size_t>::max();
+        std::size_t shortest = SIZE_MAX;
         for (; file < files.size(); ++file) {
             const auto progress = [&](double part) {
                 return !options.progress ||
@@ -215,12 +216,6 @@ try {
     }
 } catch (const std::bad_alloc &) {
     return ReadError{.fault = {Fault::NoMemory}};
-}
-
-std::variant<ReferenceData, ReadError> readReferenceData(std::string_view bytes, const ReadOptions &options)
-{
-    const FileBytes file{bytes};
-    return readFiles({&file, 1}, options);
 }
 
 } // namespace slidercrank

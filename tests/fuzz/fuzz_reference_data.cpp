@@ -2,8 +2,8 @@
 
 // Reads arbitrary bytes, with arbitrary choices of columns. The result is consistent data or an error.
 
-#include "core/import/reference_data.h"
 #include "tests/fuzz/promise.h"
+#include "tests/support/reading.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 // Reads reference files from memory and describes the results in one line.
 
-#include "core/import/reference_data.h"
+#include "tests/support/reading.h"
 
 #include <QByteArray>
 #include <QFile>

@@ -5,8 +5,8 @@
 // printf. The closed form, which they judge, shares no formula with them.
 
 #include "core/closed_form/textbook_motion.h"
-#include "core/import/reference_data.h"
 #include "core/mechanism/mechanism.h"
+#include "tests/support/reading.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/comparison/comparison.h"
 #include "tests/support/files.h"
+#include "tests/support/reading.h"
 #include "tests/support/suite.h"
 
 #include <QFile>

@@ -9,6 +9,7 @@
 #include "tests/support/claim_file.h"
 #include "tests/support/long_tests.h"
 #include "tests/support/random_mechanisms.h"
+#include "tests/support/reading.h"
 #include "tests/support/suite.h"
 
 #include <QTest>

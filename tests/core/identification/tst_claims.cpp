@@ -11,6 +11,7 @@
 #include "core/mechanism/in_parallel.h"
 #include "tests/support/claim_judge.h"
 #include "tests/support/long_tests.h"
+#include "tests/support/reading.h"
 #include "tests/support/suite.h"
 
 #include <QDir>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/channels.h"
+#include "tests/support/reading.h"
 #include "tests/support/suite.h"
 #include "ui/document/column_choices.h"
 #include "ui/document/reference_file.h"

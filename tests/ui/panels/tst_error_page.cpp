@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/channels.h"
 #include "tests/support/page_text.h"
+#include "tests/support/reading.h"
 #include "tests/support/suite.h"
 #include "ui/panels/error_page.h"
 #include "ui/panels/reference_page.h"
