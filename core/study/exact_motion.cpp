@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/exact_motion.h"
 
+#include "core/closed_form/textbook_motion.h"
+
+#include <cmath>
+
 namespace slidercrank
 {
 
@@ -13,6 +17,25 @@ struct ConstantsOfThread {
 };
 
 } // namespace
+
+ExactState exactState(const ExactInput &in)
+{
+    const auto &[a, b, c, omega2, theta20, t] = in.numbers;
+    ExactState out;
+    TextbookMotion<ManyDigits> motion;
+    const bool isSolved = motion.compute({a, b, c, omega2}, omega2 * t + theta20,
+                                         in.branch == Branch::Open ? 1.0 : -1.0, acos(ManyDigits(-1.0)));
+    out.clearance = (b - abs(c - motion.pinY[0])) / b;
+    out.status = isSolved ? Status::Solved : out.clearance < 0 ? Status::NotAssemblable : Status::Singular;
+    if (out.status == Status::NotAssemblable) {
+        return out;
+    }
+    out.cosTheta3 = (motion.sliderX[0] - motion.pinX[0]) / b;
+    for (std::size_t index = 0; index < (isSolved ? kChannelCount : kCoordinateCount); ++index) {
+        out.values[index] = motion.valueAt(channelAt(index));
+    }
+    return out;
+}
 
 std::array<double, kChannelCount> conditioning(const Parameters &parameters, double t)
 {
@@ -38,7 +61,7 @@ std::array<double, kChannelCount> conditioning(const Parameters &parameters, dou
 Judged judge(const Parameters &parameters, double t)
 {
     thread_local const ConstantsOfThread constants;
-    const ExactState exact = exactState(parameters, t);
+    const ExactState exact = exactState(ExactInput(parameters, t));
     Judged judged{exact.status, static_cast<double>(exact.clearance), {}, {}};
     std::array<double, kChannelCount> kappa{};
     if (exact.status == Status::Solved) {
@@ -52,7 +75,5 @@ Judged judge(const Parameters &parameters, double t)
     }
     return judged;
 }
-
-template ExactState<> exactState(const ExactInput<> &);
 
 } // namespace slidercrank

@@ -4,6 +4,7 @@
 // Measures and describes the deviation of a computed motion from the exact one (exact_motion.h). Lengths in mm, angles
 // in rad, time in s.
 
+#include "core/closed_form/textbook_motion.h"
 #include "core/mechanism/state.h"
 #include "core/study/exact_motion.h"
 
@@ -26,13 +27,20 @@ inline double valueOf(const State &state, Channel channel)
     return std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Returns the peak of each channel in a run (rad, mm), or its naturalSize() where it is identically zero.
+/// A state with fewer digits than ExactState, which takes less time to compute.
 template <class Real>
-std::array<double, kChannelCount> channelSizes(const Parameters &parameters, const std::vector<ExactState<Real>> &run)
+struct RoughState {
+    Status status = Status::Solved;
+    std::array<Real, kChannelCount> values{}; ///< by indexOf(channel)
+};
+
+/// Returns the peak of each channel in a run (rad, mm), or its naturalSize() where it is identically zero.
+template <class AnyState>
+std::array<double, kChannelCount> channelSizes(const Parameters &parameters, const std::vector<AnyState> &run)
 {
     using std::abs;
     std::array<double, kChannelCount> sizes{};
-    for (const ExactState<Real> &state : run) {
+    for (const AnyState &state : run) {
         for (std::size_t index = 0; index < kChannelCount; ++index) {
             sizes[index] = std::max(sizes[index], static_cast<double>(abs(state.values[index])));
         }
@@ -46,15 +54,35 @@ std::array<double, kChannelCount> channelSizes(const Parameters &parameters, con
     return sizes;
 }
 
-template <class Real = ManyDigits>
-std::vector<ExactState<Real>> exactRun(const Parameters &parameters, std::span<const double> instants)
+inline ExactState exactState(const Parameters &parameters, double t)
 {
-    std::vector<ExactState<Real>> run;
-    run.reserve(instants.size());
+    return exactState(ExactInput(parameters, t));
+}
+
+inline std::vector<ExactState> exactRun(const Parameters &parameters, std::span<const double> instants)
+{
+    std::vector<ExactState> run;
     for (const double t : instants) {
-        run.push_back(exactState<Real>(parameters, t));
+        run.push_back(exactState(parameters, t));
     }
     return run;
+}
+
+/// Returns channelSizes() of a motion that is computed by the formulas of the textbook in extended precision.
+/// Precondition: the mechanism can be assembled everywhere.
+inline std::array<double, kChannelCount> roughSizes(const Parameters &p, std::span<const double> instants)
+{
+    using Real = long double;
+    std::vector<RoughState<Real>> run(instants.size());
+    TextbookMotion<Real> motion;
+    for (std::size_t i = 0; i < run.size(); ++i) {
+        motion.compute({p.a, p.b, p.c, p.omega2}, Real(p.omega2) * instants[i] + p.theta20,
+                       p.branch == Branch::Open ? 1.0 : -1.0, std::numbers::pi_v<Real>);
+        for (std::size_t index = 0; index < kChannelCount; ++index) {
+            run[i].values[index] = motion.valueAt(channelAt(index));
+        }
+    }
+    return channelSizes(p, run);
 }
 
 /// A computed value with the exact value and its tolerance.
@@ -73,8 +101,8 @@ struct Deviation {
 
 /// Returns the deviation of the channel with the largest error in units of its tolerance. Considers the orders up to
 /// `last`; without an exact solution of the derivatives, only positions.
-template <class Real>
-Deviation worstDeviation(const State &got, const ExactState<Real> &exact, double t,
+template <class AnyState>
+Deviation worstDeviation(const State &got, const AnyState &exact, double t,
                          const std::array<double, kChannelCount> &tolerances, Order last = Order::Acceleration)
 {
     using std::abs;
@@ -87,9 +115,8 @@ Deviation worstDeviation(const State &got, const ExactState<Real> &exact, double
         }
         Deviation deviation{channel,          t, valueOf(got, channel), static_cast<double>(exact.values[index]), 0.0,
                             tolerances[index]};
-        deviation.error = std::isfinite(deviation.got)
-                              ? static_cast<double>(abs(Real(deviation.got) - exact.values[index]))
-                              : kInfinity;
+        deviation.error =
+            std::isfinite(deviation.got) ? static_cast<double>(abs(deviation.got - exact.values[index])) : kInfinity;
         if (deviation.ratio() > worstRatio) {
             worstRatio = deviation.ratio();
             worst = deviation;

@@ -32,7 +32,7 @@ QString text(const Parameters &parameters, const Deviation &deviation)
 
 /// Returns the size of each value plus that of its terms, which may cancel in the channels of bodies 3 and 4:
 /// R4x = a cos θ2 + s and R3 = (A + B)/2. The terms of the position R4x itself do not cancel.
-std::array<double, kChannelCount> termSizes(const Parameters &parameters, const ExactState<> &exact)
+std::array<double, kChannelCount> termSizes(const Parameters &parameters, const ExactState &exact)
 {
     std::array<double, kChannelCount> sizes;
     for (std::size_t index = 0; index < kChannelCount; ++index) {
@@ -164,7 +164,7 @@ private slots:
             for (const Branch branch : {Branch::Open, Branch::Crossed}) {
                 p.branch = branch;
                 const std::vector<double> around = Sampling{0.0, turn, 200}.timeStamps();
-                const auto tolerances = scaled(channelSizes(p, exactRun<long double>(p, around)), kPromise);
+                const auto tolerances = scaled(roughSizes(p, around), kPromise);
                 for (const double t : times) {
                     const State got = ClosedForm{Mechanism(p)}.stateAt(t);
                     QCOMPARE(got.status, Status::Solved);
@@ -185,7 +185,7 @@ private slots:
                 continue;
             }
             const std::vector<double> times = timeStampsOf(which);
-            const std::vector<ExactState<>> run = exactRun(p, times);
+            const std::vector<ExactState> run = exactRun(p, times);
             const auto tolerances = scaled(channelSizes(p, run), kPromise);
             for (std::size_t i = 0; i < times.size(); ++i) {
                 const State got = ClosedForm{Mechanism(p)}.stateAt(times[i]);
@@ -224,7 +224,7 @@ private slots:
                     for (const double factor : {-2.0, -1.0, -0.5, 0.5, 1.0, 2.0}) {
                         near.push_back(factor * distance);
                     }
-                    const std::vector<ExactState<>> exact = exactRun(p, near);
+                    const std::vector<ExactState> exact = exactRun(p, near);
                     const auto tolerances = scaled(channelSizes(p, exact), kRoundings * kUnitRoundoff);
                     for (const std::size_t i : {1, 4}) {
                         const State got = ClosedForm{Mechanism(p)}.stateAt(near[i]);
@@ -313,7 +313,7 @@ private slots:
     void isExactAtAnyCrankAngle()
     {
         const Parameters p{.b = 60.0};
-        auto tolerances = scaled(channelSizes(p, exactRun<long double>(p, Sampling{}.timeStamps())), 2.0 * kPromise);
+        auto tolerances = scaled(roughSizes(p, Sampling{}.timeStamps()), 2.0 * kPromise);
         tolerances[indexOf({Theta2, Order::Position})] =
             kInfinity; // the angle grows, and one double cannot represent it
         const double limit = 1.6e6 / p.omega2;

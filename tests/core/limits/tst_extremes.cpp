@@ -26,7 +26,7 @@ double valleyOf(const Parameters &p)
     return std::min(1.0, std::sqrt(static_cast<double>(2 * gap / p.a)));
 }
 
-ExactState<> exactAt(const Parameters &p, const ManyDigits &theta2)
+ExactState exactAt(const Parameters &p, const ManyDigits &theta2)
 {
     ExactInput in(p, 0.0);
     in.numbers[4] = theta2;

@@ -59,17 +59,20 @@ Mobility exactMobility(const Parameters &p)
     return b == offset - a ? Mobility::Locked : Mobility::Rocker;
 }
 
-template <class Real = ManyDigits>
-ExactState<Real> atAngle(Parameters p, double theta2)
+ExactState atAngle(Parameters p, double theta2)
 {
     p.omega2 = 1.0;
     p.theta20 = theta2;
-    return exactState<Real>(p, 0.0);
+    return exactState(ExactInput(p, 0.0));
+}
+
+Motion motionAt(const Parameters &p, double theta2)
+{
+    return ClosedForm(withCrankAt(Mechanism(p), theta2)).motionAt(0.0);
 }
 
 /// Returns R4x or its derivative.
-template <class Real>
-double sliderIn(const ExactState<Real> &exact, Order order = Order::Position)
+double sliderIn(const ExactState &exact, Order order = Order::Position)
 {
     return static_cast<double>(exact.values[indexOf({R4x, order})]);
 }
@@ -174,9 +177,10 @@ private slots:
             }
             for (int i = 0; i < 200; ++i) {
                 const double theta2 = -pi + kTurn * i / 200.0;
-                const auto exact = atAngle<long double>(p, theta2);
-                if (std::abs(exact.clearance) > kBesideAnEnd) {
-                    VERIFY_FOR(p, isWithin(limits, theta2) == (exact.status != Status::NotAssemblable));
+                const long double height = p.c - p.a * std::sin(static_cast<long double>(theta2));
+                const long double clearance = (p.b - std::abs(height)) / p.b;
+                if (std::abs(clearance) > kBesideAnEnd) {
+                    VERIFY_FOR(p, isWithin(limits, theta2) == (clearance > 0.0));
                 }
             }
         }
@@ -231,10 +235,10 @@ private slots:
                     const double to = std::clamp(square, range.from, range.to);
                     for (int i = 0; i <= kSamples; ++i) {
                         const double along = crowded(crowded(static_cast<double>(i) / kSamples));
-                        const ExactState<double> exact = atAngle<double>(p, from + along * (to - from));
-                        if (exact.status != Status::NotAssemblable) {
-                            least = std::min(least, sliderIn(exact));
-                            most = std::max(most, sliderIn(exact));
+                        const Motion motion = motionAt(p, from + along * (to - from));
+                        if (motion.status != Status::NotAssemblable) {
+                            least = std::min(least, motion.R4x);
+                            most = std::max(most, motion.R4x);
                         }
                     }
                     from = to;
@@ -293,9 +297,9 @@ private slots:
                                         : ManyDigits(1);
             VERIFY_FOR(p, near(largest, static_cast<double>(asin(sine)), 1e-15));
             for (int i = 0; i < 100; ++i) {
-                const ExactState<double> exact = atAngle<double>(p, kTurn * i / 100.0);
-                if (exact.status != Status::NotAssemblable) {
-                    VERIFY_FOR(p, std::acos(std::min(1.0, std::abs(exact.cosTheta3))) <= largest + 1e-7);
+                const Motion motion = motionAt(p, kTurn * i / 100.0);
+                if (motion.status != Status::NotAssemblable) {
+                    VERIFY_FOR(p, std::acos(std::min(1.0, std::abs(motion.s / p.b))) <= largest + 1e-7);
                 }
             }
         }

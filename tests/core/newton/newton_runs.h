@@ -90,10 +90,10 @@ inline QString described(const Parameters &parameters, const NewtonTimeStep &ins
 }
 
 /// Returns the state by the closed form, as reference for deviations.
-inline ExactState<double> closedFormState(const Parameters &parameters, double t)
+inline RoughState<double> closedFormState(const Parameters &parameters, double t)
 {
     const State state = ClosedForm{Mechanism(parameters)}.stateAt(t);
-    ExactState<double> exact;
+    RoughState<double> exact;
     exact.status = state.status;
     for (std::size_t index = 0; index < kChannelCount; ++index) {
         exact.values[index] = valueOf(state, channelAt(index));

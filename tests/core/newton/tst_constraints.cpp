@@ -48,7 +48,7 @@ bool isWithin(const Eigen::MatrixXd &error, const Eigen::MatrixXd &tolerance)
 constexpr double kStep = 1e-5;
 constexpr double kDifferenceTolerance = 1e-9;
 
-Vector12 coordinates(const ExactState<> &exact, Order order)
+Vector12 coordinates(const ExactState &exact, Order order)
 {
     Vector12 result;
     for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {

@@ -20,7 +20,7 @@ namespace
 {
 
 /// Returns |f| + κ for each channel. Rounding the inputs causes an error of u times this.
-std::array<double, kChannelCount> roundingSizes(const Parameters &p, double t, const ExactState<> &exact)
+std::array<double, kChannelCount> roundingSizes(const Parameters &p, double t, const ExactState &exact)
 {
     std::array<double, kChannelCount> sizes = conditioning(p, t);
     for (std::size_t k = 0; k < kChannelCount; ++k) {
@@ -51,7 +51,7 @@ private slots:
                 const std::vector<double> times = turn(p, 40);
                 for (const Branch branch : {Branch::Open, Branch::Crossed}) {
                     p.branch = branch;
-                    const auto sizes = scaled(channelSizes(p, exactRun<long double>(p, times)), kPart);
+                    const auto sizes = scaled(roughSizes(p, times), kPart);
                     for (const Elimination elimination : {Elimination::Dense, Elimination::Structured}) {
                         if (elimination == Elimination::Dense && factor != 1.0) {
                             continue; // the matrix mixes mm and rad: 1e-11 rad/s² is lost in rounding next to 1e11 mm
@@ -288,7 +288,7 @@ private slots:
         for (const Row &row : rows) {
             const Parameters &p = row.parameters;
             const std::vector<double> times = Sampling{}.timeStamps();
-            const auto tolerances = scaled(channelSizes(p, exactRun<long double>(p, times)), 0.01);
+            const auto tolerances = scaled(roughSizes(p, times), 0.01);
             for (const NewtonOptions &options : everyWay(60, row.tolerance)) {
                 if (options.toleranceKind != row.kind) {
                     continue;

@@ -72,13 +72,13 @@ double randomTime(const Parameters &p, int i, RandomMechanisms &random)
 std::array<double, kChannelCount> peaks(const Parameters &p)
 {
     constexpr int kPoses = 100;
-    std::vector<ExactState<double>> states;
+    std::vector<RoughState<double>> states;
     for (int k = 0; k < 2 * kPoses; ++k) {
         const double angle = kTurn * (k / 2 + 0.5) / kPoses;
         const double posed = std::asin(std::clamp((p.c + p.b * std::cos(angle)) / p.a, -1.0, 1.0));
         states.push_back(closedFormState(p, ((k % 2 == 0 ? angle : posed) - p.theta20) / p.omega2));
     }
-    std::array<double, kChannelCount> sizes = channelSizes<double>(p, states);
+    std::array<double, kChannelCount> sizes = channelSizes(p, states);
     for (std::size_t index = 0; index < kChannelCount && p.a == p.b && p.c == 0.0; ++index) {
         const double natural = naturalSize(p, channelAt(index));
         sizes[index] = sizes[index] <= 1e-14 * natural ? natural : sizes[index]; // only rounding
@@ -116,7 +116,7 @@ private slots:
                     const double t = randomTime(p, k, random);
                     const double before = t - std::pow(10.0, random.uniform(-4.0, 0.0)) / p.omega2;
                     const NewtonTimeStep instant = solve(mechanism, t, options, solve(mechanism, before, options));
-                    const ExactState<double> exact = closedFormState(p, t);
+                    const RoughState<double> exact = closedFormState(p, t);
                     const Status status = instant.state.status;
                     if (exact.status != Status::Solved) {
                         continue;
