@@ -80,7 +80,7 @@ bool interpret(const ReferenceData &data, const Observations &all, const FileSea
         return found.outcome == Outcome::Insufficient;
     }
     result.conventions = findConventions(search.data, candidate, uncertainty);
-    std::set<std::size_t> excluded(search.excluded.begin(), search.excluded.end());
+    std::set<std::size_t> excluded = search.excluded;
     const ReferenceData good = withoutExcluded(data, all, excluded);
     if (!found.onlyRatios) {
         std::ranges::copy(findFaultsOfWholeFile(good, given, found), std::back_inserter(result.conventions));

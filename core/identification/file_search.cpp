@@ -186,10 +186,9 @@ void excludeOutliers(const Observations &all, const Parameters &given, const std
     const std::vector<bool> remaining = outliers(all, search.candidates.front());
     for (std::size_t i = 0; i < flags.size(); ++i) {
         if (flags[i] && remaining[i]) {
-            search.excluded.push_back(all.rows[i]);
+            search.excluded.insert(all.rows[i]);
         }
     }
-    std::ranges::sort(search.excluded);
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 #include "core/identification/candidate_search.h"
 
 #include <cstddef>
+#include <set>
 #include <stop_token>
 #include <vector>
 
@@ -16,7 +17,7 @@ namespace slidercrank
 struct FileSearch {
     Observations data;                 ///< at most a thousand rows, without the excluded ones
     std::vector<Candidate> candidates; ///< fitted to `data`, from best to worst
-    std::vector<std::size_t> excluded; ///< the rows of the file that are outliers, increasing
+    std::set<std::size_t> excluded;    ///< the rows of the file that are outliers
 };
 
 /// Searches all rows. `given` supplies parameters that the file does not determine.
