@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <span>
 #include <utility>
@@ -21,7 +20,7 @@ namespace
 
 /// Relative tolerance of a bound: decimal numbers are not exact in binary, so that a difference of exactly half a step
 /// may appear larger by some units in the last place.
-constexpr double kUlpSlack = 4.0 * std::numeric_limits<double>::epsilon();
+constexpr double kUlpSlack = 4.0 * kEpsilon;
 
 constexpr SolverSettings kExactly{.method = Method::ClosedForm, .newton = {}};
 

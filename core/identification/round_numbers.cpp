@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <climits>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -42,7 +42,7 @@ double roundedTo(int place, double value)
 std::optional<double> roundNumber(std::span<const double> units, double value, double standardError)
 {
     std::optional<double> best;
-    int fewest = std::numeric_limits<int>::max(); // digits
+    int fewest = INT_MAX; // digits
     const double tolerance = kStandardErrors * standardError;
     if (std::abs(value) <= tolerance) {
         return 0.0;

@@ -5,8 +5,8 @@
 
 #include "core/import/read_fault.h"
 #include "core/import/rounding.h"
+#include "core/mechanism/mechanism.h"
 
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -44,7 +44,7 @@ Cells splitCells(std::string_view line, char delimiter);
 Cells splitAtBlanks(std::string_view line, std::size_t least);
 
 struct CellNumber {
-    double value = std::numeric_limits<double>::quiet_NaN(); ///< NaN for a gap or a fault
+    double value = kNone; ///< NaN for a gap or a fault
     PrintedPlaces places{};
     std::optional<RowFault> fault{};
 };

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace slidercrank
@@ -22,8 +21,7 @@ Clock clockOf(std::span<const double> time, const Rounding &rounding)
     }
     const double latest = std::max(std::abs(time.front()), std::abs(time.back()));
     clock.printedStep = rounding.stepAt(latest);
-    const double slack =
-        std::max(kPartOfStep * clock.printedStep, kUlps * std::numeric_limits<double>::epsilon() * latest);
+    const double slack = std::max(kPartOfStep * clock.printedStep, kUlps * kEpsilon * latest);
     ValueRange differences;
     for (std::size_t i = 1; i < time.size() && clock.even; ++i) {
         differences.include(time[i] - time[i - 1]);

@@ -7,7 +7,6 @@
 #include "core/import/unit_text.h"
 #include "core/mechanism/channel.h"
 
-#include <limits>
 #include <optional>
 #include <string_view>
 
@@ -31,7 +30,7 @@ enum class QuantityFault {
 };
 
 struct Quantity {
-    double value = std::numeric_limits<double>::quiet_NaN(); ///< NaN if there is a fault
+    double value = kNone; ///< NaN if there is a fault
     std::optional<QuantityFault> fault;
 };
 

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace slidercrank
 {
@@ -15,7 +14,6 @@ namespace
 {
 
 constexpr double kUnreadable = kInfinity;
-constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kFewestCells = 2; // in a row: other missing cells at the end are gaps
 
 CellNumber parseCell(const RawColumn &column, std::string_view cell, DecimalSign decimalSign)
@@ -83,7 +81,7 @@ void readTable(const FileBytes &bytes, const std::function<bool(double part)> &p
     for (const Heading &heading : headings) {
         RawColumn &column = table.columns.emplace_back(RawColumn{heading, table.columns.size()});
         column.use.file = table.files.size() - 1;
-        column.values.assign(file.rows.size(), kGap);
+        column.values.assign(file.rows.size(), kNone);
     }
     for (std::size_t row = 0; row < file.rows.size(); ++row) {
         readRow(table, file, row);

@@ -7,9 +7,9 @@
 // of the same double: 12.3456000000000003 is 12.3456.
 
 #include <array>
+#include <climits>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 
@@ -31,10 +31,10 @@ struct Rounding {
     int smallestExponent = 0; ///< smallest power of ten of the non-zero values; used for a value of zero
 
     /// Power of ten of the last digit printed anywhere in the column: no step of significant digits is finer.
-    int finestPlace = std::numeric_limits<int>::min();
+    int finestPlace = INT_MIN;
 
     /// No step is coarser than this power of ten: next to 40, 70 is a whole number and not a multiple of ten.
-    int coarsestPlace = std::numeric_limits<int>::max();
+    int coarsestPlace = INT_MAX;
 
     double quantum = 0.0; ///< step of Rule::Multiples, in the unit of the file
 
@@ -95,9 +95,9 @@ private:
 
     std::uint64_t m_values = 0;        ///< number of values that are not zero and differ from the one before
     std::uint64_t m_trailingZeros = 0; ///< number of zeros printed after the last non-zero decimal of these values
-    int m_coarsestPlace = std::numeric_limits<int>::min(); ///< of the last printed digits
-    int m_finestPlace = std::numeric_limits<int>::max();
-    int m_smallestExponent = std::numeric_limits<int>::max();
+    int m_coarsestPlace = INT_MIN;     ///< of the last printed digits
+    int m_finestPlace = INT_MAX;
+    int m_smallestExponent = INT_MAX;
     PrintedPlaces m_lastPlaces; ///< of the last value that is not zero
     double m_lastMagnitude = 0.0;
 };

@@ -26,6 +26,7 @@ namespace slidercrank
 /// NaN represents a value that does not exist.
 inline constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+inline constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 /// The two assemblies: on the open branch the slider lies to the right of A (cos θ3 > 0), on the crossed one to the
 /// left.

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace slidercrank
@@ -17,8 +16,6 @@ namespace slidercrank
 
 namespace
 {
-
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 /// Returns the centre of the range of θ3 that belongs to the branch.
 double branchCentre(Branch branch)

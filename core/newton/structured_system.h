@@ -15,7 +15,6 @@
 #include "core/mechanism/two_part_angle.h"
 
 #include <cmath>
-#include <limits>
 
 namespace slidercrank
 {
@@ -238,13 +237,13 @@ private:
     double m_halfB;
     double m_c;
     double m_omega2;
-    double m_drive;                                                  ///< ω2 t + θ20
-    SinCos m_drivenCrank;                                            ///< of m_drive
-    SinCos m_coupler;                                                ///< of θ3
-    double m_exactTheta3 = std::numeric_limits<double>::quiet_NaN(); ///< θ3 of the last moveTo()
-    bool m_isTurned = false;                                         ///< the last move was a rotation in moveNear()
-    double m_crankX, m_crankY;                                       ///< (a/2) u(θ2)
-    double m_couplerX, m_couplerY;                                   ///< (b/2) u(θ3)
+    double m_drive;                ///< ω2 t + θ20
+    SinCos m_drivenCrank;          ///< of m_drive
+    SinCos m_coupler;              ///< of θ3
+    double m_exactTheta3 = kNone;  ///< θ3 of the last moveTo()
+    bool m_isTurned = false;       ///< the last move was a rotation in moveNear()
+    double m_crankX, m_crankY;     ///< (a/2) u(θ2)
+    double m_couplerX, m_couplerY; ///< (b/2) u(θ3)
     Rows m_C;
 };
 

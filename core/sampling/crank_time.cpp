@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace slidercrank
 {
@@ -18,7 +17,7 @@ std::optional<double> timeAtCrankAngle(const Mechanism &mechanism, double theta2
 
     // The same angle entered in degrees and in radians differs by rounding. Without this tolerance a difference in the
     // last digit would add a whole revolution.
-    const double same = 1e-12 + 4.0 * std::numeric_limits<double>::epsilon() * std::abs(angle);
+    const double same = 1e-12 + 4.0 * kEpsilon * std::abs(angle);
 
     if (mechanism.omega2() == 0.0) {
         const bool hasAngle = std::abs(std::remainder(angle - wanted, kTurn)) <= same;

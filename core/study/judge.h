@@ -8,12 +8,11 @@
 #include "core/mechanism/two_part_angle.h"
 
 #include <array>
-#include <limits>
 
 namespace slidercrank
 {
 
-inline constexpr double kUnitRoundoff = 0.5 * std::numeric_limits<double>::epsilon(); // 2^-53
+inline constexpr double kUnitRoundoff = 0.5 * kEpsilon; // 2^-53
 
 /// Values below this fraction of naturalSize() are zero except for the rounding of the exact motion.
 inline constexpr double kExactZero = 1e-36;
