@@ -47,7 +47,8 @@ installMissing() {
         asRoot apt-get update "${aptOptions[@]}" >"$log" 2>&1 </dev/null || true
     fi
     for package in "${packagesSplitOff[@]}"; do
-        if ! isInstalled "$package" && apt-cache show "$package" >/dev/null 2>&1; then
+        # apt-cache prints nothing, but succeeds, for a package that exists only as a dependency of another one.
+        if ! isInstalled "$package" && [[ -n $(apt-cache show "$package" 2>/dev/null) ]]; then
             echo "Installing $package" >&2
             missing+=("$package")
         fi
