@@ -175,7 +175,6 @@ void openTabs(MainWindow &window)
 /// Opens the sample, and fills every tab.
 void fillTabs(MainWindow &window)
 {
-    QSignalSpy diagnosed(&window.session(), &Session::diagnosisChanged);
     window.openSample();
     AWAIT(window.session().diagnosis());
     openTabs(window);
@@ -290,9 +289,7 @@ private slots:
             const QByteArray texts = (message.context + QStringLiteral(": ") + message.source).toUtf8();
             QVERIFY2(message.state.isEmpty(), texts + " is " + message.state.toUtf8());
             QCOMPARE(message.translations.size(), message.isPlural ? 2 : 1);
-            for (const QString &translation : message.translations) {
-                QVERIFY2(!translation.isEmpty(), texts);
-            }
+            QVERIFY2(!message.translations.contains(QString()), texts);
         }
     }
 
