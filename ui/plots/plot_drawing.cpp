@@ -30,7 +30,7 @@ protected:
         constexpr double kEndless = 1e9;
         constexpr double kShortest = 1e-3; // px
         QPen pen = painter->pen();
-        const QVector<double> dashes = pen.style() == Qt::SolidLine ? QVector{kEndless} : pen.dashPattern();
+        const QVector<double> dashes = pen.style() == Qt::SolidLine ? QVector<double>{kEndless} : pen.dashPattern();
         qsizetype dash = 0; // odd in a gap between two dashes
         double left = dashes[0] * pen.widthF();
         QVector<QLineF> segments;

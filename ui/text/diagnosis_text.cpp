@@ -10,7 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
+#include <span>
 #include <vector>
 
 namespace slidercrank
@@ -198,7 +198,7 @@ QString linesText(const std::vector<std::size_t> &lines)
 {
     constexpr std::size_t kMostListed = 10;
     QStringList texts;
-    for (const std::size_t line : lines | std::views::take(kMostListed)) {
+    for (const std::size_t line : std::span(lines).first(std::min(lines.size(), kMostListed))) {
         texts << QString::number(line);
     }
     return texts.join(", ") + (lines.size() > kMostListed ? ", …" : "");
