@@ -24,7 +24,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *bytes, std::size_t siz
             require(readSampling(options).steps > 0, "there are time steps");
             readSolver(options);
             readColumns(options);
-            readTimeStamp(options, mechanism, 0.0);
+            readTimeStamp(options, mechanism);
         } catch (const UsageError &error) {
             require(!error.message.isEmpty(), "a wrong option is explained");
         }
