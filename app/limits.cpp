@@ -20,7 +20,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace slidercrank
 {
@@ -60,7 +59,7 @@ std::vector<Record> listLimits(const std::vector<MotionFact> &facts)
             }
         }
         if (records.size() == before) {
-            add({.number = std::numeric_limits<double>::quiet_NaN()});
+            add({.number = kNone});
         }
     }
     return records;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/json_node.h"
 
+#include <cfloat>
 #include <cmath>
-#include <limits>
 
 namespace slidercrank
 {
@@ -10,7 +10,7 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kLargestNumber = std::numeric_limits<double>::max();
+constexpr double kLargestNumber = DBL_MAX;
 
 } // namespace
 

@@ -11,7 +11,7 @@
 #include <QJsonDocument>
 
 #include <algorithm>
-#include <limits>
+#include <cfloat>
 
 namespace slidercrank
 {
@@ -24,7 +24,7 @@ struct SceneText {
 };
 
 constexpr int kVersion = 1;
-constexpr double kLargestTime = std::numeric_limits<double>::max();
+constexpr double kLargestTime = DBL_MAX;
 
 /// Returns the path relative to the folder if the file is in or below the folder. Returns other paths, and those of the
 /// program's resources, unchanged.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/settings_fields.h"
 
+#include <cfloat>
 #include <limits>
 
 namespace slidercrank
@@ -57,7 +58,7 @@ void describe(SolverSettings &solver, JsonNode &node)
     NewtonOptions &newton = solver.newton;
     node("method", solver.method, {"newton", "closed-form"});
     node("maxIterations", newton.maxIterations, kMostIterations);
-    node("tolerance", newton.tolerance, 0.0, std::numeric_limits<double>::max());
+    node("tolerance", newton.tolerance, 0.0, DBL_MAX);
     node("toleranceKind", newton.toleranceKind, {"absolute", "relative"});
     node("warmStart", newton.warmStart, {"previous", "taylor"});
     node("elimination", newton.elimination, {"dense", "structured"});

@@ -37,7 +37,7 @@ std::vector<CurvePoint> cutOff(std::vector<CurvePoint> points, double CurvePoint
             crossing.*coordinate = edge;
             kept.push_back(crossing);
             if (isInside(from)) {
-                kept.push_back({crossing.t, kNoValue});
+                kept.push_back({crossing.t, kNone});
             }
         }
         if (isGap(to) ? !kept.empty() && !isGap(kept.back()) : isInside(to)) {
@@ -85,7 +85,7 @@ std::vector<CurvePoint> decimate(std::span<const double> time, std::span<const d
         std::ranges::sort(kept);
         const auto last = std::unique(kept.begin(), kept.end());
         for (auto i = kept.begin(); i != last && *i < end; ++i) {
-            points.push_back({time[*i], std::isfinite(values[*i]) ? values[*i] : kNoValue});
+            points.push_back({time[*i], std::isfinite(values[*i]) ? values[*i] : kNone});
         }
     }
     return points;

@@ -2,12 +2,12 @@
 #pragma once
 
 // Converts samples into the points that a plot of a given width in pixels can show. Units are those of the caller. A
-// value that is not finite is a gap in the curve, stored as kNoValue.
+// value that is not finite is a gap in the curve, stored as kNone.
 
+#include "core/mechanism/mechanism.h"
 #include "ui/text/interval.h"
 
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -15,12 +15,11 @@
 namespace slidercrank
 {
 
-inline constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double kBeyondAll = 1e300; ///< replaces ∞: beyond the end of any axis, but lines to it can be clipped
 
 struct CurvePoint {
     double t = 0.0;
-    double value = 0.0; ///< kNoValue for a gap
+    double value = 0.0; ///< kNone for a gap
 };
 
 /// Returns the index of the time stamp nearest to t. Requires `time` to be ascending and not empty.

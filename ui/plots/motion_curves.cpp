@@ -32,7 +32,7 @@ std::vector<CurvePoint> strokes(const std::vector<CurvePoint> &turn, const Inter
     for (std::size_t i = 0; i < columns; ++i) {
         const double t = range.lower + range.length() * (static_cast<double>(i) + 0.5) / static_cast<double>(columns);
         for (const Interval &band : bands) {
-            points.insert(points.end(), {{t, band.lower}, {t, band.upper}, {t, kNoValue}});
+            points.insert(points.end(), {{t, band.lower}, {t, band.upper}, {t, kNone}});
         }
     }
     return points;
@@ -51,7 +51,7 @@ double MotionCurves::value(std::size_t channel, double time) const
     if (!isExact()) {
         return (*m_samples)[plotted][nearestIndex(m_samples->time, time)];
     }
-    double value = kNoValue;
+    double value = kNone;
     Status status = Status::Solved;
     PlottedColumns columns{};
     columns[channel] = &value;
@@ -66,7 +66,7 @@ std::vector<CurvePoint> MotionCurves::exactPoints(std::size_t channel, const Tra
     std::vector<CurvePoint> points;
     for (std::size_t i = 0; i < samples.time.size(); ++i) {
         const double value = samples[kPlottedChannels[channel]][i];
-        points.push_back({samples.time[i], std::isfinite(value) ? value : kNoValue});
+        points.push_back({samples.time[i], std::isfinite(value) ? value : kNone});
     }
     const Interval range{samples.time.front(), samples.time.back()};
     const double omega2 = m_mechanism.omega2();
@@ -82,7 +82,7 @@ std::vector<CurvePoint> MotionCurves::exactPoints(std::size_t channel, const Tra
             if (range.contains(t)) {
                 points.push_back({t, value});
                 if (point.kind != CriticalPoint::Kind::Extremum) {
-                    points.push_back({std::nextafter(t, isLast ? kBeyondAll : -kBeyondAll), kNoValue});
+                    points.push_back({std::nextafter(t, isLast ? kBeyondAll : -kBeyondAll), kNone});
                 }
             }
         }

@@ -305,14 +305,14 @@ double PlotFigure::referenceValue(std::size_t channel, const ReadTime &time) con
         return m_motions[m_motions.size() - 2].value(channel, time.t);
     }
     const ReferenceSeries *series = m_result->reference->data.find(kPlottedChannels[channel]);
-    return series && time.row ? series->values[*time.row] : kNoValue;
+    return series && time.row ? series->values[*time.row] : kNone;
 }
 
 std::vector<PlotReading> PlotFigure::readings(std::size_t plot, const ReadTime &time) const
 {
     std::vector<PlotReading> readings;
     for (const PlotCurve &curve : m_plots[plot].curves) {
-        const double value = curve.read ? curve.read(time) : kNoValue;
+        const double value = curve.read ? curve.read(time) : kNone;
         if (std::isfinite(value)) {
             readings.push_back({value, isLogarithmic(plot) ? std::pow(10.0, value) : value, curve.ink});
         }

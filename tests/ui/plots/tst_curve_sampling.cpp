@@ -68,13 +68,13 @@ private slots:
             QCOMPARE(written(decimate(time, values, kWhole, 200)).count(",-"), 1);
         }
         std::vector<double> values(time.size(), 0.0);
-        values[20] = kNoValue;
+        values[20] = kNone;
         values[30] = -7.0;
         values[40] = 9.0;
         const std::vector<CurvePoint> points = decimate(time, values, kWhole, 2);
         QCOMPARE(written({points.begin(), points.begin() + 3}), "0.001,- 0.0015,-7 0.002,9");
         QCOMPARE(usualRange(points, kWhole), std::optional(Interval{-7.0, 9.0}));
-        QVERIFY(!usualRange(std::vector<CurvePoint>{{0.0, kNoValue}}, kWhole));
+        QVERIFY(!usualRange(std::vector<CurvePoint>{{0.0, kNone}}, kWhole));
         std::vector<CurvePoint> ramp;
         for (int i = 0; i <= 100; ++i) {
             ramp.push_back({0.01 * i, double(i)});
@@ -94,13 +94,13 @@ private slots:
         for (const Row &row :
              {Row{{{-1, -0.5}, {0.5, 0.5}, {1.5, 2.5}, {2, 0.5}}, "0,0.166667 0.5,0.5 0.75,1 0.75,- 1.875,1 2,0.5"},
               Row{{{0, -1}, {1, 3}}, "0.25,0 0.5,1 0.5,-"}, // both ends are outside
-              Row{{{0, 2}, {1, 3}}, ""}, Row{{{0, 0.5}, {1, kNoValue}, {1.5, 0.25}}, "0,0.5 1,- 1.5,0.25"},
+              Row{{{0, 2}, {1, 3}}, ""}, Row{{{0, 0.5}, {1, kNone}, {1.5, 0.25}}, "0,0.5 1,- 1.5,0.25"},
               Row{{{0, 0.5}, {1, 1e300}}, "0,0.5 5e-301,1 5e-301,-"}}) {
             QCOMPARE(written(clip(row.points, {0.0, 2.0}, {0.0, 1.0})), row.expected);
         }
-        QCOMPARE(written(isolatedPoints(
-                     std::vector<CurvePoint>{{0, 1}, {1, kNoValue}, {2, 3}, {3, 4}, {4, kNoValue}, {5, 6}})),
-                 "0,1 5,6");
+        QCOMPARE(
+            written(isolatedPoints(std::vector<CurvePoint>{{0, 1}, {1, kNone}, {2, 3}, {3, 4}, {4, kNone}, {5, 6}})),
+            "0,1 5,6");
     }
 
     void removesOnlyPointsOnTheRemainingLine()
@@ -119,8 +119,8 @@ private slots:
             QVERIFY(std::abs(std::lerp(kept[part].value, kept[part + 1].value, along) - point.value) <=
                     kTolerance * (1.0 + 1e-9));
         }
-        const std::vector<CurvePoint> corners{{0, 0}, {1, 1},        {2, 2}, {3, 0}, {4, kNoValue},
-                                              {5, 7}, {6, kNoValue}, {7, 1}, {8, 1}, {9, 1}};
+        const std::vector<CurvePoint> corners{{0, 0}, {1, 1},     {2, 2}, {3, 0}, {4, kNone},
+                                              {5, 7}, {6, kNone}, {7, 1}, {8, 1}, {9, 1}};
         QCOMPARE(written(withoutNeedlessPoints(corners, 0.01)), "0,0 2,2 3,0 4,- 5,7 6,- 7,1 9,1");
         QVERIFY(withoutNeedlessPoints({}, 0.01).empty());
     }
