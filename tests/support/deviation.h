@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -83,6 +84,14 @@ inline std::array<double, kChannelCount> roughSizes(const Parameters &p, std::sp
         }
     }
     return channelSizes(p, run);
+}
+
+/// Returns the motion by the formulas of the textbook, or nullopt if the mechanism cannot be assembled.
+inline std::optional<TextbookMotion<double>> motionAt(const Parameters &p, double theta2)
+{
+    TextbookMotion<double> motion;
+    motion.compute({p.a, p.b, p.c}, theta2, p.branch == Branch::Open ? 1.0 : -1.0);
+    return std::abs(motion.height) <= p.b ? std::optional(motion) : std::nullopt;
 }
 
 /// A computed value with the exact value and its tolerance.

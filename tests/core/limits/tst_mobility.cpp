@@ -66,11 +66,6 @@ ExactState atAngle(Parameters p, double theta2)
     return exactState(ExactInput(p, 0.0));
 }
 
-Motion motionAt(const Parameters &p, double theta2)
-{
-    return ClosedForm(withCrankAt(Mechanism(p), theta2)).motionAt(0.0);
-}
-
 /// Returns R4x or its derivative.
 double sliderIn(const ExactState &exact, Order order = Order::Position)
 {
@@ -235,10 +230,9 @@ private slots:
                     const double to = std::clamp(square, range.from, range.to);
                     for (int i = 0; i <= kSamples; ++i) {
                         const double along = crowded(crowded(static_cast<double>(i) / kSamples));
-                        const Motion motion = motionAt(p, from + along * (to - from));
-                        if (motion.status != Status::NotAssemblable) {
-                            least = std::min(least, motion.R4x);
-                            most = std::max(most, motion.R4x);
+                        if (const auto motion = motionAt(p, from + along * (to - from))) {
+                            least = std::min(least, motion->sliderX[0]);
+                            most = std::max(most, motion->sliderX[0]);
                         }
                     }
                     from = to;
@@ -297,9 +291,8 @@ private slots:
                                         : ManyDigits(1);
             VERIFY_FOR(p, near(largest, static_cast<double>(asin(sine)), 1e-15));
             for (int i = 0; i < 100; ++i) {
-                const Motion motion = motionAt(p, kTurn * i / 100.0);
-                if (motion.status != Status::NotAssemblable) {
-                    VERIFY_FOR(p, std::acos(std::min(1.0, std::abs(motion.s / p.b))) <= largest + 1e-7);
+                if (const auto motion = motionAt(p, kTurn * i / 100.0)) {
+                    VERIFY_FOR(p, std::acos(std::min(1.0, std::abs(motion->reach / p.b))) <= largest + 1e-7);
                 }
             }
         }
