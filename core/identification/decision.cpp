@@ -228,7 +228,7 @@ std::optional<Candidate> foldedMechanism(const Observations &data, const Candida
                : std::nullopt;
 }
 
-/// Whether an origin is free that is less than five standard errors or, for the crank angle, 0.06°.
+/// Whether a free origin is smaller than five of its standard errors or, for the crank angle, than 0.06°.
 bool hasUncertainOrigin(const Observations &data, const Hypothesis &hypothesis, const Uncertainty &uncertainty)
 {
     constexpr double kErrors = 5.0;

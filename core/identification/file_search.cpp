@@ -56,7 +56,7 @@ std::vector<bool> suspiciousRows(const Observations &data)
 
 /// Flags rows with a residual beyond 8 standard deviations. The standard deviation is that of the rounding, the one
 /// that follows from the median absolute residual of all rows, or the same of the rows at similar crank angles, because
-/// noise may grow with the reading or the speed. Residuals below a hundred-thousandth of the spread are never flagged.
+/// noise may grow with the reading or the speed. Residuals below 8 millionths of the spread are never flagged.
 std::vector<bool> outliers(const Observations &data, const Candidate &candidate)
 {
     constexpr std::size_t kMostSectors = 8; // so that a block of bad rows is less than half of a sector

@@ -21,8 +21,8 @@ namespace slidercrank
 inline constexpr Channel kCrankAngle{Theta2, Order::Position};
 
 /// Removes jumps by whole turns, as in angles that are limited to one turn, and returns whether there were any. If a
-/// change by more than `largestChange` of a turn would remain of a jump, changes nothing: the angles are in another
-/// unit. `turn`: in the unit of the angles.
+/// jump would leave a change of more than `largestChange` turns, changes nothing: the angles are in another unit.
+/// `turn`: in the unit of the angles.
 bool removeJumps(std::vector<double> &angles, double turn, double largestChange = 0.25);
 
 /// Removes the jumps of angles that are limited to one turn: 359, 0, 1 becomes 359, 360, 361. Angles that already go in
