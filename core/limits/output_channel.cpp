@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/limits/output_channel.h"
+
+#include "core/closed_form/crank_acceleration.h"
+#include "core/closed_form/state_at.h"
+
+#include <algorithm>
+#include <cmath>
+
+// The displacement x of the slider from the outer dead centre, at which B has the distance a + b from O2, is a
+// difference of nearly equal numbers near that dead centre. The law of cosines gives it without a cancellation. B has
+// the distance d from O2, with d² = R4x² + c² = a² + b² + 2ab cos(θ3 - θ2), and d = a + b at the outer dead centre:
+//
+//     R_outer² - R4x² = 2ab (1 - cos(θ3 - θ2)) = 4ab sin²((θ3 - θ2)/2)
+//     x = |R_outer - R4x| = 4ab sin²((θ3 - θ2)/2) / |R_outer + R4x|
+
+namespace slidercrank
+{
+
+namespace
+{
+
+/// Names by quantity and order.
+constexpr std::array<std::array<std::string_view, 3>, kDerivedQuantities.size()> kDerivedNames{
+    {{"transmission_angle", "transmission_angle_diff", "transmission_angle_diff2"},
+     {"displacement", "displacement_diff", "displacement_diff2"},
+     {"A_x", "A_x_diff", "A_x_diff2"},
+     {"A_y", "A_y_diff", "A_y_diff2"}}};
+
+/// Returns a multiple of a coordinate's motion.
+QuantityMotion multiple(const State &state, Coordinate coordinate, double factor)
+{
+    return {factor * state.q[coordinate], factor * state.qDot[coordinate], factor * state.qDDot[coordinate]};
+}
+
+QuantityMotion transmissionAngle(const Mechanism &mechanism, const State &state, double adjacent)
+{
+    const bool isOpen = mechanism.branch() == Branch::Open;
+    const double elevation = isOpen ? state.q[Theta3] : std::numbers::pi - state.q[Theta3]; // asin(h/b)
+    const double opposite = mechanism.b() * std::abs(std::sin(elevation));
+    // μ = 90° - |elevation|: its derivatives are those of θ3, with the sign that the elevation and the branch decide.
+    const double slope = elevation > 0.0 ? -1.0 : elevation < 0.0 ? 1.0 : kNone;
+    QuantityMotion motion = multiple(state, Theta3, isOpen ? slope : -slope);
+    motion.position = std::atan2(std::abs(adjacent), opposite);
+    return motion;
+}
+
+QuantityMotion displacement(const Mechanism &mechanism, const State &state)
+{
+    const double side = mechanism.branch() == Branch::Open ? 1.0 : -1.0; // of the outer dead centre
+    const MotionConstants k(mechanism);
+    const double outer = std::sqrt(k.reach * k.gamma);
+    const double reached = side * state.q[R4x];
+    const double sine = std::sin(0.5 * (state.q[Theta3] - state.q[Theta2]));
+    QuantityMotion motion = multiple(state, R4x, -side);
+    motion.position =
+        reached > 0.0 ? 4.0 * mechanism.a() * mechanism.b() * sine * sine / (outer + reached) : outer - reached;
+    return motion;
+}
+
+} // namespace
+
+std::vector<OutputChannel> allOutputChannels()
+{
+    std::vector<OutputChannel> channels;
+    for (const Order order : {Order::Position, Order::Velocity, Order::Acceleration}) {
+        for (std::ptrdiff_t coordinate = 0; coordinate < kCoordinateCount; ++coordinate) {
+            channels.emplace_back(Channel{static_cast<Coordinate>(coordinate), order});
+        }
+        for (const DerivedQuantity quantity : kDerivedQuantities) {
+            channels.emplace_back(DerivedChannel{quantity, order});
+        }
+    }
+    return channels;
+}
+
+std::string_view nameOf(const OutputChannel &channel)
+{
+    if (const Channel *coordinate = std::get_if<Channel>(&channel)) {
+        return nameOf(*coordinate);
+    }
+    const auto &[quantity, order] = std::get<DerivedChannel>(channel);
+    return kDerivedNames[static_cast<std::size_t>(quantity)][static_cast<std::size_t>(order)];
+}
+
+std::optional<OutputChannel> outputChannelNamed(std::string_view name)
+{
+    for (const OutputChannel &channel : allOutputChannels()) {
+        if (nameOf(channel) == name) {
+            return channel;
+        }
+    }
+    return std::nullopt;
+}
+
+Order orderOf(const OutputChannel &channel)
+{
+    return std::visit([](const auto &each) { return each.order; }, channel);
+}
+
+Measure measureOf(const OutputChannel &channel)
+{
+    if (const Channel *coordinate = std::get_if<Channel>(&channel)) {
+        return measureOf(*coordinate);
+    }
+    const auto &[quantity, order] = std::get<DerivedChannel>(channel);
+    return quantity == DerivedQuantity::TransmissionAngle ? angleMeasure(order) : lengthMeasure(order);
+}
+
+double QuantityMotion::at(Order order) const
+{
+    switch (order) {
+    case Order::Position: return position;
+    case Order::Velocity: return velocity;
+    case Order::Acceleration: return acceleration;
+    }
+    return kNone;
+}
+
+const QuantityMotion &DerivedState::of(DerivedQuantity quantity) const
+{
+    switch (quantity) {
+    case DerivedQuantity::TransmissionAngle: return transmissionAngle;
+    case DerivedQuantity::Displacement: return displacement;
+    case DerivedQuantity::PinX: return pinX;
+    case DerivedQuantity::PinY: break;
+    }
+    return pinY;
+}
+
+DerivedState derivedState(const Mechanism &mechanism, const State &state, double adjacent)
+{
+    return {transmissionAngle(mechanism, state, adjacent), displacement(mechanism, state),
+            multiple(state, R2x, 2.0), // R2 is the midpoint of O2-A
+            multiple(state, R2y, 2.0)};
+}
+
+double OutputState::valueOf(const OutputChannel &channel) const
+{
+    if (const Channel *coordinate = std::get_if<Channel>(&channel)) {
+        switch (coordinate->order) {
+        case Order::Position: return state.q[coordinate->coordinate];
+        case Order::Velocity: return state.qDot[coordinate->coordinate];
+        case Order::Acceleration: return state.qDDot[coordinate->coordinate];
+        }
+    }
+    const auto &[quantity, order] = std::get<DerivedChannel>(channel);
+    return derived.of(quantity).at(order);
+}
+
+OutputState outputStateAt(const Mechanism &mechanism, double t, double alpha2)
+{
+    OutputState output;
+    output.state = ClosedForm(mechanism).stateAt(t);
+    addCrankAcceleration(mechanism, t, alpha2, output.state);
+    output.derived = derivedState(mechanism, output.state, ClosedForm(mechanism).motionAt(t).s);
+    return output;
+}
+
+} // namespace slidercrank

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The kinds of quantities that the program shows. The kind decides the unit: the core computes in mm, rad and s; files
+// and the screen have mm, degrees and s unless a person chooses other units.
+
+#include "core/mechanism/channel.h"
+
+namespace slidercrank
+{
+
+enum class Measure { Ratio, Time, Length, Speed, Acceleration, Angle, AngularSpeed, AngularAcceleration };
+
+constexpr bool isAngle(Measure measure)
+{
+    return measure == Measure::Angle || measure == Measure::AngularSpeed || measure == Measure::AngularAcceleration;
+}
+
+constexpr bool isLength(Measure measure)
+{
+    return measure == Measure::Length || measure == Measure::Speed || measure == Measure::Acceleration;
+}
+
+/// Returns the measure of a derivative of an angle or of a length.
+constexpr Measure angleMeasure(Order order)
+{
+    return order == Order::Position   ? Measure::Angle
+           : order == Order::Velocity ? Measure::AngularSpeed
+                                      : Measure::AngularAcceleration;
+}
+constexpr Measure lengthMeasure(Order order)
+{
+    return order == Order::Position   ? Measure::Length
+           : order == Order::Velocity ? Measure::Speed
+                                      : Measure::Acceleration;
+}
+constexpr Measure measureOf(Channel channel)
+{
+    return isAngle(channel.coordinate) ? angleMeasure(channel.order) : lengthMeasure(channel.order);
+}
+
+/// Converts a value from the core's unit (mm, rad, s) to that of files (mm, °, s).
+constexpr double toFileUnit(Measure measure, double value)
+{
+    return isAngle(measure) ? value * kDegreesPerRadian : value;
+}
+
+} // namespace slidercrank

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/limits/output_channel.h"
+#include "tests/support/deviation.h"
+#include "tests/support/random_mechanisms.h"
+#include "tests/support/suite.h"
+
+#include <QTest>
+
+#include <map>
+
+using namespace slidercrank;
+
+namespace
+{
+
+using ExactOutputs = std::map<std::string_view, ManyDigits>; ///< by name, positions only
+
+/// Returns all positions at a crank angle, with the derived quantities from their definitions.
+ExactOutputs exactPositions(const Parameters &p, const ManyDigits &theta2)
+{
+    ExactInput in(p, 0.0);
+    in.numbers[4] = theta2;
+    const ExactState exact = exactState(in);
+    ExactOutputs outputs;
+    const auto value = [&](Coordinate coordinate) { return exact.values[indexOf({coordinate, Order::Position})]; };
+    for (std::size_t index = 0; index < static_cast<std::size_t>(kCoordinateCount); ++index) {
+        outputs[nameOf(channelAt(index))] = exact.values[index];
+    }
+    const ManyDigits a = p.a;
+    const ManyDigits pinX = a * cos(theta2);
+    const ManyDigits pinY = a * sin(theta2);
+    outputs["A_x"] = pinX;
+    outputs["A_y"] = pinY;
+    const ManyDigits outer = sqrt((a + p.b) * (a + p.b) - ManyDigits(p.c) * p.c);
+    outputs["displacement"] =
+        p.branch == Branch::Open ? ManyDigits(outer - value(R4x)) : ManyDigits(value(R4x) + outer);
+    outputs["transmission_angle"] = atan2(abs(value(R4x) - pinX), abs(p.c - pinY));
+    return outputs;
+}
+
+/// Returns all output channels at t = 0 of a crank that accelerates, θ2 = θ20 + ω2 t + α2 t²/2, by differences of the
+/// positions with 115 digits.
+ExactOutputs exactMotion(const Parameters &p, double alpha2)
+{
+    const ManyDigits step = 1e-25; // s
+    const auto at = [&](const ManyDigits &t) {
+        return exactPositions(p, ManyDigits(p.theta20 + t * p.omega2 + t * t * alpha2 / 2));
+    };
+    ExactOutputs outputs = at(0.0);
+    const ExactOutputs before = at(ManyDigits(-step));
+    const ExactOutputs after = at(step);
+    ExactOutputs motion = outputs;
+    for (const OutputChannel &channel : allOutputChannels()) {
+        const std::string_view name = nameOf(channel);
+        const std::string_view position = name.substr(0, name.find("_diff"));
+        if (orderOf(channel) == Order::Velocity) {
+            motion[name] = (after.at(position) - before.at(position)) / (2 * step);
+        } else if (orderOf(channel) == Order::Acceleration) {
+            motion[name] = (after.at(position) - 2 * outputs[position] + before.at(position)) / (step * step);
+        }
+    }
+    return motion;
+}
+
+} // namespace
+
+class TestOutputChannel : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void namesAreUniqueAndReadBack()
+    {
+        std::map<std::string_view, int> seen;
+        for (const OutputChannel &channel : allOutputChannels()) {
+            ++seen[nameOf(channel)];
+            QVERIFY(outputChannelNamed(nameOf(channel)) == channel);
+        }
+        QCOMPARE(seen.size(), std::size_t(48));
+        QVERIFY(!outputChannelNamed("transmission angle"));
+        QVERIFY(measureOf(*outputChannelNamed("transmission_angle_diff2")) == Measure::AngularAcceleration);
+        QVERIFY(measureOf(*outputChannelNamed("displacement")) == Measure::Length);
+    }
+
+    /// The tolerance is relative to the natural size of the channel, with the margin to the toggle taken into account.
+    void equalsTheMotionOfAnAcceleratingCrank()
+    {
+        RandomMechanisms random(4601);
+        for (int i = 0; i < 400; ++i) {
+            Parameters p = random.next();
+            const double alpha2 = random.uniform(-3.0, 3.0) * p.omega2 * p.omega2;
+            if (i % 10 == 0) {
+                p.omega2 = 0.0; // a crank that starts from rest
+            }
+            const OutputState state = outputStateAt(Mechanism(p), 0.0, alpha2);
+            const double rate = std::hypot(p.omega2, std::sqrt(std::abs(alpha2)));
+            for (const auto &[name, exact] : exactMotion(p, alpha2)) {
+                const OutputChannel channel = *outputChannelNamed(name);
+                const double size = (isAngle(measureOf(channel)) ? 1.0 : characteristicLength(p)) *
+                                    std::pow(rate, static_cast<int>(orderOf(channel)));
+                const double error = static_cast<double>(abs(exact - state.valueOf(channel)));
+                QVERIFY2(error <= 1e-12 * size, (std::string(name) + " of " + describe(p)).c_str());
+            }
+        }
+    }
+
+    /// Near the outer dead centre the displacement is as accurate, relative to itself, as the crank angle allows.
+    void displacementKeepsItsDigitsNearTheDeadCentre()
+    {
+        RandomMechanisms random(4602);
+        for (int i = 0; i < 300; ++i) {
+            Parameters p = random.next();
+            p.c = 0.0; // the dead centre is at 0° or 180°
+            p.theta20 = std::pow(10.0, random.uniform(-12.0, -1.0));
+            p.branch = Branch::Open;
+            const double computed = outputStateAt(Mechanism(p), 0.0).derived.displacement.position;
+            const double exact = static_cast<double>(exactPositions(p, p.theta20).at("displacement"));
+            QVERIFY2(std::abs(computed - exact) <= 2e-15 * exact, describe(p).c_str());
+        }
+    }
+
+    void transmissionAngleKeepsItsDigitsNearAToggle()
+    {
+        RandomMechanisms random(4603);
+        for (int i = 0; i < 300; ++i) {
+            Parameters p = random.next();
+            p.b = (p.a + std::abs(p.c)) * (1.0 + std::pow(10.0, -random.uniform(2.0, 15.0)));
+            p.theta20 = (p.c < 0.0 ? 0.5 : -0.5) * std::numbers::pi;
+            const double computed = outputStateAt(Mechanism(p), 0.0).derived.transmissionAngle.position;
+            const double exact = static_cast<double>(exactPositions(p, p.theta20).at("transmission_angle"));
+            QVERIFY2(std::abs(computed - exact) <= 2e-15 * exact, describe(p).c_str());
+        }
+    }
+
+    void valuesThatDoNotExistAreNaN()
+    {
+        const OutputState impossible = outputStateAt(Mechanism({.b = 40.0, .theta20 = -1.5}), 0.0, 5.0);
+        for (const OutputChannel &channel : allOutputChannels()) {
+            QVERIFY(std::isnan(impossible.valueOf(channel)));
+        }
+        const OutputState toggle = outputStateAt(Mechanism({.b = 25.0}), 0.0, 5.0);
+        QCOMPARE(toggle.derived.transmissionAngle.position, 0.0);
+        QVERIFY(std::isnan(toggle.derived.displacement.acceleration));
+        const OutputState kink = outputStateAt(Mechanism({.c = 0.0}), 0.0, 5.0); // parallel to the slider's line
+        QCOMPARE(kink.derived.transmissionAngle.position, 0.5 * std::numbers::pi);
+        QVERIFY(std::isnan(kink.derived.transmissionAngle.velocity));
+        QVERIFY(std::isfinite(kink.derived.displacement.acceleration));
+    }
+};
+
+const Suite outputChannelSuite("tst_output_channel", runWithoutApplication<TestOutputChannel>);
+#include "tst_output_channel.moc"
