@@ -15,12 +15,19 @@ namespace
 {
 
 constexpr double kBesideToggle = 1e-15; // rad
-constexpr std::size_t kCount = kPlottedChannels.size();
 
-/// The channels at one crank angle for ω2 = 1, and their derivatives with respect to the angle.
+/// A function and its first three derivatives by the crank angle.
+using Derivatives = std::array<double, 4>;
+
+/// All functions at one crank angle, by CrankFunction.
 struct Rates {
-    std::array<double, kCount> value;
-    std::array<double, kCount> slope;
+    std::array<Derivatives, kCrankFunctionCount> functions;
+
+    double value(const CrankCurve &curve) const { return of(curve)[static_cast<std::size_t>(curve.order)]; }
+    double slope(const CrankCurve &curve) const { return of(curve)[static_cast<std::size_t>(curve.order) + 1]; }
+
+private:
+    const Derivatives &of(const CrankCurve &curve) const { return functions[static_cast<std::size_t>(curve.function)]; }
 };
 
 /// The motion near a crank angle of ±90°, at which the coupler is steepest, as a function of u. If the mechanism passes
@@ -67,8 +74,12 @@ public:
         const double sJerk = (aCos * (4.0 * aSin - m_c) - 3.0 * motion.sDot * motion.sDDot) / motion.s;
         const double theta3Jerk =
             (aCos - motion.sDDot * motion.theta3Dot - 2.0 * motion.sDot * motion.theta3DDot) / motion.s;
-        return {motion.plotted(),
-                {motion.theta3Dot, motion.R4xDot, motion.theta3DDot, motion.R4xDDot, theta3Jerk, aSin + sJerk}};
+        const Derivatives theta3{motion.theta3, motion.theta3Dot, motion.theta3DDot, theta3Jerk};
+        const Derivatives slider{motion.R4x, motion.R4xDot, motion.R4xDDot, aSin + sJerk};
+        const Derivatives coupler{aCos + 0.5 * motion.s, -aSin + 0.5 * motion.sDot, -aCos + 0.5 * motion.sDDot,
+                                  aSin + 0.5 * sJerk};
+        return {
+            {theta3, slider, coupler, Derivatives{aCos, -aSin, -aCos, aSin}, Derivatives{aSin, aCos, -aSin, -aCos}}};
     }
 
 private:
@@ -80,75 +91,101 @@ private:
     ClosedForm m_motion;
 };
 
-using AllPoints = std::array<CriticalPoints, kCount>;
-
-/// Adds the extrema between two values of u. Bisects each interval in which a slope changes its sign.
-void addExtrema(const SteepPlace &place, double from, double to, AllPoints &points)
+/// The curves whose critical points are searched, and the points that have been found of each.
+class PointSearch
 {
-    constexpr double kCell = 0.1;
-    constexpr int kFewestCells = 16;
-    const int cells = std::max(kFewestCells, static_cast<int>(std::ceil((to - from) / kCell)));
-    double left = from;
-    Rates atLeft = place.at(left);
-    for (int i = 1; i <= cells; ++i) {
-        const double right = from + (to - from) * i / cells;
-        const Rates atRight = place.at(right);
-        for (std::size_t channel = 0; channel < kCount; ++channel) {
-            const bool falls = atLeft.slope[channel] < 0.0;
-            if (falls == (atRight.slope[channel] < 0.0)) {
-                continue;
-            }
-            double low = left;
-            double high = right;
-            for (double u = std::midpoint(low, high); low < u && u < high; u = std::midpoint(low, high)) {
-                ((place.at(u).slope[channel] < 0.0) == falls ? low : high) = u;
-            }
-            const double value = place.at(high).value[channel];
-            if (std::isfinite(value)) {
-                points[channel].push_back({place.theta2(high), value, CriticalPoint::Kind::Extremum});
-            }
+public:
+    explicit PointSearch(std::span<const CrankCurve> curves)
+        : m_curves(curves)
+        , m_points(curves.size())
+    {
+    }
+
+    /// Adds all critical points with |φ| <= reach.
+    void addPoints(const SteepPlace &place, double reach)
+    {
+        const double end = place.uAt(reach);
+        if (place.isPassed()) {
+            addExtrema(place, -end, end);
+            return;
         }
-        left = right;
-        atLeft = atRight;
+        // At this distance positions are accurate to rounding; nearer to the limit the crank angle has too few digits.
+        constexpr double kBesideLimit = 1e-6;
+        const double start =
+            place.isToggle() ? kBesideToggle : std::max(kBesideLimit, std::sqrt(4.0 * kBesideToggle / place.nearest()));
+        for (const double side : {-1.0, 1.0}) {
+            addLimits(place, side * start);
+            addExtrema(place, std::min(side * start, side * end), std::max(side * start, side * end));
+        }
     }
-}
 
-/// Adds the limits of all channels on one side of an angle that the mechanism does not pass.
-void addLimits(const SteepPlace &place, double u, AllPoints &points)
-{
-    const Rates rates = place.at(u);
-    const double theta2 = place.theta2(place.isToggle() ? u : std::copysign(0.0, u));
-    for (std::size_t channel = 0; channel < kCount; ++channel) {
-        const bool isFinite = place.isToggle() || kPlottedChannels[channel].order == Order::Position;
-        const double value = rates.value[channel];
-        points[channel].push_back({theta2, isFinite ? value : std::copysign(kInfinity, value),
+    /// Returns the points of each curve, ascending.
+    std::vector<CriticalPoints> sorted()
+    {
+        for (CriticalPoints &points : m_points) {
+            std::ranges::stable_sort(points, {}, &CriticalPoint::theta2);
+        }
+        return std::move(m_points);
+    }
+
+private:
+    /// Adds the extrema between two values of u. Bisects each interval in which a slope changes its sign.
+    void addExtrema(const SteepPlace &place, double from, double to)
+    {
+        constexpr double kCell = 0.1;
+        constexpr int kFewestCells = 16;
+        const int cells = std::max(kFewestCells, static_cast<int>(std::ceil((to - from) / kCell)));
+        double left = from;
+        Rates atLeft = place.at(left);
+        for (int i = 1; i <= cells; ++i) {
+            const double right = from + (to - from) * i / cells;
+            const Rates atRight = place.at(right);
+            for (std::size_t k = 0; k < m_curves.size(); ++k) {
+                if ((atLeft.slope(m_curves[k]) < 0.0) != (atRight.slope(m_curves[k]) < 0.0)) {
+                    addExtremum(place, left, right, k);
+                }
+            }
+            left = right;
+            atLeft = atRight;
+        }
+    }
+
+    void addExtremum(const SteepPlace &place, double low, double high, std::size_t curve)
+    {
+        const bool falls = place.at(low).slope(m_curves[curve]) < 0.0;
+        for (double u = std::midpoint(low, high); low < u && u < high; u = std::midpoint(low, high)) {
+            ((place.at(u).slope(m_curves[curve]) < 0.0) == falls ? low : high) = u;
+        }
+        const double value = place.at(high).value(m_curves[curve]);
+        if (std::isfinite(value)) {
+            m_points[curve].push_back({place.theta2(high), value, CriticalPoint::Kind::Extremum});
+        }
+    }
+
+    /// Adds the limits of all curves on one side of an angle that the mechanism does not pass.
+    void addLimits(const SteepPlace &place, double u)
+    {
+        const Rates rates = place.at(u);
+        const double theta2 = place.theta2(place.isToggle() ? u : std::copysign(0.0, u));
+        for (std::size_t k = 0; k < m_curves.size(); ++k) {
+            const bool isOfCrank =
+                m_curves[k].function == CrankFunction::PinX || m_curves[k].function == CrankFunction::PinY;
+            const bool isFinite = place.isToggle() || isOfCrank || m_curves[k].order == Order::Position;
+            const double value = rates.value(m_curves[k]);
+            m_points[k].push_back({theta2, isFinite ? value : std::copysign(kInfinity, value),
                                    u > 0.0 ? CriticalPoint::Kind::Begin : CriticalPoint::Kind::End});
+        }
     }
-}
 
-/// Adds all critical points with |φ| <= reach.
-void addPoints(const SteepPlace &place, double reach, AllPoints &points)
-{
-    const double end = place.uAt(reach);
-    if (place.isPassed()) {
-        addExtrema(place, -end, end, points);
-        return;
-    }
-    // At this distance positions are accurate to rounding; nearer to the limit the crank angle has too few digits.
-    constexpr double kBesideLimit = 1e-6;
-    const double start =
-        place.isToggle() ? kBesideToggle : std::max(kBesideLimit, std::sqrt(4.0 * kBesideToggle / place.nearest()));
-    for (const double side : {-1.0, 1.0}) {
-        addLimits(place, side * start, points);
-        addExtrema(place, std::min(side * start, side * end), std::max(side * start, side * end), points);
-    }
-}
+    std::span<const CrankCurve> m_curves;
+    std::vector<CriticalPoints> m_points;
+};
 
 } // namespace
 
-AllPoints findCriticalPoints(const Mechanism &mechanism)
+std::vector<CriticalPoints> findCriticalPoints(const Mechanism &mechanism, std::span<const CrankCurve> curves)
 {
-    AllPoints points;
+    PointSearch search(curves);
     const MotionConstants k(mechanism);
     const double below = -k.side * kQuarterTurn; // p = ε there, and m = β opposite (motion_constants.h)
     const SteepPlace placeBelow(mechanism, below, k.epsilon / k.a);
@@ -156,18 +193,27 @@ AllPoints findCriticalPoints(const Mechanism &mechanism)
     // The two searches meet half way and overlap a little, so that no extremum is missed, although some are found
     // twice.
     const double half = 0.5 * (0.5 * kTurn - placeBelow.nearest() - placeAbove.nearest());
-    if (!(half > 0.0)) {
-        return points; // cannot be assembled, or locked
+    if (half > 0.0) { // otherwise it cannot be assembled, or is locked
+        const double overlap = std::min(0.1, 0.1 * half);
+        search.addPoints(placeBelow, placeBelow.nearest() + half + overlap);
+        search.addPoints(placeAbove, placeAbove.nearest() + half + overlap);
     }
-    const double overlap = std::min(0.1, 0.1 * half);
-    addPoints(placeBelow, placeBelow.nearest() + half + overlap, points);
-    addPoints(placeAbove, placeAbove.nearest() + half + overlap, points);
-    for (std::size_t i = 0; i < kCount; ++i) {
-        std::ranges::stable_sort(points[i], {}, &CriticalPoint::theta2);
+    return search.sorted();
+}
+
+std::array<CriticalPoints, kPlottedChannels.size()> findCriticalPoints(const Mechanism &mechanism)
+{
+    std::array<CrankCurve, kPlottedChannels.size()> curves;
+    std::ranges::transform(kPlottedChannels, curves.begin(), [](Channel channel) {
+        const bool isCoupler = channel.coordinate == Theta3;
+        return CrankCurve{isCoupler ? CrankFunction::CouplerAngle : CrankFunction::SliderPosition, channel.order};
+    });
+    std::array<CriticalPoints, kPlottedChannels.size()> points;
+    std::ranges::move(findCriticalPoints(mechanism, curves), points.begin());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double factor = std::pow(mechanism.omega2(), static_cast<int>(kPlottedChannels[i].order));
         for (CriticalPoint &point : points[i]) {
-            for (int order = 0; order < static_cast<int>(kPlottedChannels[i].order); ++order) {
-                point.value *= mechanism.omega2();
-            }
+            point.value *= factor;
         }
     }
     return points;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Computes the critical points of each plotted channel over a revolution of the crank: its extrema, and the limits of
-// the motion. Between two of them the channel is monotone, so that its extremes over any time span are among them and
-// the values at the start and at the end of that time span. Lengths in mm, angles in rad, time in s.
+// Computes the critical points of functions of the crank angle over a revolution: their extrema, and the limits of the
+// motion. Between two of them a function is monotone, so that its extremes over any time span are among them and the
+// values at the start and at the end of that time span. Lengths in mm, angles in rad, time in s.
 //
 // Extrema are found as the zeros of the next derivative, not as the largest of some samples. Near a toggle the search
 // resolves the width of the peaks there, √(ε/a) rad.
@@ -11,6 +11,7 @@
 #include "core/mechanism/channel.h"
 
 #include <array>
+#include <span>
 #include <vector>
 
 namespace slidercrank
@@ -29,6 +30,25 @@ struct CriticalPoint {
 /// In ascending order of the crank angle; empty if there is no motion. The same extremum can occur twice, with angles
 /// that differ by rounding only.
 using CriticalPoints = std::vector<CriticalPoint>;
+
+/// The functions of the crank angle of which every channel is a multiple, except for a constant.
+enum class CrankFunction {
+    CouplerAngle,   ///< θ3
+    SliderPosition, ///< R4x
+    CouplerCentreX, ///< R3x
+    PinX,           ///< a cos θ2
+    PinY            ///< a sin θ2
+};
+inline constexpr std::size_t kCrankFunctionCount = 5;
+
+/// Such a function, or its first or second derivative by the crank angle.
+struct CrankCurve {
+    CrankFunction function = CrankFunction::CouplerAngle;
+    Order order = Order::Position;
+};
+
+/// Returns the critical points of each curve, with values for ω2 = 1 rad/s.
+std::vector<CriticalPoints> findCriticalPoints(const Mechanism &mechanism, std::span<const CrankCurve> curves);
 
 /// Returns the critical points of each channel, in the order of kPlottedChannels.
 std::array<CriticalPoints, kPlottedChannels.size()> findCriticalPoints(const Mechanism &mechanism);

@@ -34,6 +34,14 @@ struct DerivedChannel {
     friend bool operator==(const DerivedChannel &, const DerivedChannel &) = default;
 };
 
+inline constexpr std::size_t kDerivedChannelCount = 3 * kDerivedQuantities.size();
+
+constexpr std::size_t indexOf(DerivedChannel channel)
+{
+    return static_cast<std::size_t>(channel.order) * kDerivedQuantities.size() +
+           static_cast<std::size_t>(channel.quantity);
+}
+
 /// Everything that `solve` and the tables can show: one of the 36 channels, or a quantity derived from them.
 using OutputChannel = std::variant<Channel, DerivedChannel>;
 

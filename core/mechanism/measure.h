@@ -11,12 +11,12 @@ namespace slidercrank
 
 enum class Measure { Ratio, Time, Length, Speed, Acceleration, Angle, AngularSpeed, AngularAcceleration };
 
-constexpr bool isAngle(Measure measure)
+constexpr bool isAngular(Measure measure)
 {
     return measure == Measure::Angle || measure == Measure::AngularSpeed || measure == Measure::AngularAcceleration;
 }
 
-constexpr bool isLength(Measure measure)
+constexpr bool isLinear(Measure measure)
 {
     return measure == Measure::Length || measure == Measure::Speed || measure == Measure::Acceleration;
 }
@@ -42,7 +42,7 @@ constexpr Measure measureOf(Channel channel)
 /// Converts a value from the core's unit (mm, rad, s) to that of files (mm, °, s).
 constexpr double toFileUnit(Measure measure, double value)
 {
-    return isAngle(measure) ? value * kDegreesPerRadian : value;
+    return isAngular(measure) ? value * kDegreesPerRadian : value;
 }
 
 } // namespace slidercrank

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/limits/crank_search.h"
+
+#include "core/closed_form/motion_constants.h"
+#include "core/limits/critical_points.h"
+#include "core/mechanism/turn.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+/// A channel as a multiple of a function of the crank angle; its position also has a constant part.
+struct ScaledFunction {
+    CrankFunction function = CrankFunction::CouplerAngle;
+    double factor = 1.0;
+    double constant = 0.0;
+};
+
+std::optional<ScaledFunction> scaledFunction(const Mechanism &mechanism, Coordinate coordinate)
+{
+    switch (coordinate) {
+    case R2x: return ScaledFunction{CrankFunction::PinX, 0.5};
+    case R2y: return ScaledFunction{CrankFunction::PinY, 0.5};
+    case R3x: return ScaledFunction{CrankFunction::CouplerCentreX};
+    case R3y: return ScaledFunction{CrankFunction::PinY, 0.5, 0.5 * mechanism.c()};
+    case Theta3: return ScaledFunction{CrankFunction::CouplerAngle};
+    case R4x: return ScaledFunction{CrankFunction::SliderPosition};
+    case R1x:
+    case R1y:
+    case Theta1:
+    case Theta2:
+    case R4y:
+    case Theta4: break;
+    }
+    return std::nullopt;
+}
+
+/// The transmission angle is no multiple of one function; see transmissionSolutions().
+std::optional<ScaledFunction> scaledFunction(const Mechanism &mechanism, DerivedQuantity quantity)
+{
+    switch (quantity) {
+    case DerivedQuantity::PinX: return ScaledFunction{CrankFunction::PinX};
+    case DerivedQuantity::PinY: return ScaledFunction{CrankFunction::PinY};
+    case DerivedQuantity::Displacement: {
+        const MotionConstants k(mechanism);
+        return ScaledFunction{CrankFunction::SliderPosition, -k.branch, std::sqrt(k.reach * k.gamma)};
+    }
+    case DerivedQuantity::TransmissionAngle: break;
+    }
+    return std::nullopt;
+}
+
+/// Returns the critical points of the channel for ω2 = 1 rad/s, each of them once.
+CriticalPoints criticalPointsOf(const Mechanism &mechanism, const ScaledFunction &scaled, Order order)
+{
+    constexpr double kSamePlace = 1e-10; // rad
+    constexpr double kSameValue = 1e-12; // relative
+    const std::array curve{CrankCurve{scaled.function, order}};
+    CriticalPoints points;
+    const std::vector<CriticalPoints> found = findCriticalPoints(mechanism, curve);
+    for (CriticalPoint point : found.front()) {
+        point.value = scaled.factor * point.value + (order == Order::Position ? scaled.constant : 0.0);
+        const bool isRepeated = !points.empty() && point.kind == points.back().kind &&
+                                point.theta2 - points.back().theta2 < kSamePlace &&
+                                std::abs(point.value - points.back().value) <= kSameValue * std::abs(point.value);
+        if (!isRepeated) {
+            points.push_back(point);
+        }
+    }
+    return points;
+}
+
+/// Solves channel(θ2) = value for ω2 = 1 rad/s.
+class Solver
+{
+public:
+    Solver(const Mechanism &mechanism, const OutputChannel &channel, double value)
+        : m_mechanism(mechanism)
+        , m_channel(channel)
+        , m_value(value)
+        , m_smallest(isAngular(measureOf(channel)) ? 1.0 : characteristicLength(mechanism.parameters()))
+    {
+    }
+
+    std::vector<double> solve(const CriticalPoints &points) const
+    {
+        std::vector<double> solutions;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const CriticalPoint &point = points[i];
+            CriticalPoint next = points[(i + 1) % points.size()];
+            next.theta2 += i + 1 < points.size() ? 0.0 : kTurn;
+            const double difference = differenceAt(point);
+            if (difference == 0.0) {
+                solutions.push_back(point.theta2);
+            } else if (point.kind != CriticalPoint::Kind::End && difference * differenceAt(next) < 0.0) {
+                solutions.push_back(wrapToPi(bisect(point, next)));
+            }
+        }
+        std::ranges::sort(solutions);
+        const auto repeated = std::ranges::unique(solutions);
+        solutions.erase(repeated.begin(), repeated.end());
+        return solutions;
+    }
+
+private:
+    /// Returns the value of a critical point minus the wanted one; 0 if that is only rounding.
+    double differenceAt(const CriticalPoint &point) const
+    {
+        constexpr double kRounding = 8.0 * kEpsilon;
+        const double difference = point.value - m_value;
+        const double size = std::max(std::abs(m_value), m_smallest);
+        return std::abs(difference) <= kRounding * size ? 0.0 : difference;
+    }
+
+    double bisect(const CriticalPoint &from, const CriticalPoint &to) const
+    {
+        double low = from.theta2;
+        double high = to.theta2;
+        const bool isBelow = from.value < m_value;
+        for (double middle = std::midpoint(low, high); low < middle && middle < high;
+             middle = std::midpoint(low, high)) {
+            const double value = outputStateAt(withDrive(m_mechanism, 1.0, middle), 0.0).valueOf(m_channel);
+            // At an end of the motion the mechanism cannot be assembled because of rounding.
+            const bool isNearStart =
+                std::isnan(value) ? middle - from.theta2 < to.theta2 - middle : (value < m_value) == isBelow;
+            (isNearStart ? low : high) = middle;
+        }
+        return low;
+    }
+
+    const Mechanism &m_mechanism;
+    const OutputChannel &m_channel;
+    double m_value;
+    double m_smallest; ///< below this fraction of it, rounding decides
+};
+
+std::vector<double> solutionsOf(const Mechanism &mechanism, const OutputChannel &channel, const ScaledFunction &scaled,
+                                double value)
+{
+    return Solver(mechanism, channel, value).solve(criticalPointsOf(mechanism, scaled, orderOf(channel)));
+}
+
+/// On either side of the position in which the coupler is parallel to the slider's line, the transmission angle is
+/// π/2 minus or plus the angle φ = asin(h/b), where φ is θ3 on the open branch and π - θ3 on the crossed one.
+std::vector<double> transmissionSolutions(const Mechanism &mechanism, Order order, double value)
+{
+    const bool isPosition = order == Order::Position;
+    const bool isOpen = mechanism.branch() == Branch::Open;
+    const Channel theta3{Theta3, order};
+    std::vector<double> solutions;
+    for (const double side : {1.0, -1.0}) { // the sign of φ
+        const double elevation = isPosition ? side * (kQuarterTurn - value) : -side * value;
+        const double angle = isOpen ? elevation : (isPosition ? std::numbers::pi : 0.0) - elevation;
+        for (const double theta2 : solutionsOf(mechanism, theta3, {CrankFunction::CouplerAngle}, angle)) {
+            const double height = side * (mechanism.c() - mechanism.a() * std::sin(theta2)); // |h| if on this side
+            if (height > 0.0 || (isPosition && elevation == 0.0 && side > 0.0)) {
+                solutions.push_back(theta2);
+            }
+        }
+    }
+    std::ranges::sort(solutions);
+    const auto repeated = std::ranges::unique(solutions);
+    solutions.erase(repeated.begin(), repeated.end());
+    return solutions;
+}
+
+bool canBeAssembled(const Mechanism &mechanism, double theta2)
+{
+    return !std::isnan(outputStateAt(withCrankAt(mechanism, theta2), 0.0).state.q[R4x]);
+}
+
+} // namespace
+
+std::optional<std::vector<double>> crankAnglesAt(const Mechanism &mechanism, const OutputChannel &channel, double value)
+{
+    const Order order = orderOf(channel);
+    const double unit = std::pow(mechanism.omega2(), static_cast<int>(order));
+    if (unit == 0.0) {
+        return std::nullopt;
+    }
+    const double valueAtUnitSpeed = value / unit;
+    if (const DerivedChannel *derived = std::get_if<DerivedChannel>(&channel)) {
+        const std::optional<ScaledFunction> scaled = scaledFunction(mechanism, derived->quantity);
+        return scaled ? solutionsOf(mechanism, channel, *scaled, valueAtUnitSpeed)
+                      : transmissionSolutions(mechanism, order, valueAtUnitSpeed);
+    }
+    const Coordinate coordinate = std::get<Channel>(channel).coordinate;
+    if (coordinate == Theta2 && order == Order::Position) {
+        const double theta2 = wrapToPi(value);
+        return canBeAssembled(mechanism, theta2) ? std::vector{theta2} : std::vector<double>();
+    }
+    const std::optional<ScaledFunction> scaled = scaledFunction(mechanism, coordinate);
+    return scaled ? std::optional(solutionsOf(mechanism, channel, *scaled, valueAtUnitSpeed)) : std::nullopt;
+}
+
+std::optional<double> crankSpeedFor(const Mechanism &mechanism, double theta2, const OutputChannel &channel,
+                                    double value)
+{
+    constexpr double kRounding = 1e-15; // a coefficient that is zero except for rounding
+    const double coefficient = outputStateAt(withDrive(mechanism, 1.0, theta2), 0.0).valueOf(channel);
+    const double size = isAngular(measureOf(channel)) ? 1.0 : characteristicLength(mechanism.parameters());
+    return std::abs(coefficient) > kRounding * size ? std::optional(value / coefficient) : std::nullopt;
+}
+
+} // namespace slidercrank

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Finds the crank angles at which a quantity has a given value, and the crank speed at which a velocity has one.
+// Lengths in mm, angles in rad, time in s.
+//
+// A quantity is monotone between two successive critical points (critical_points.h), so that each of these pieces holds
+// at most one solution, which bisection finds to the last digit of the crank angle.
+
+#include "core/limits/output_channel.h"
+
+#include <optional>
+#include <vector>
+
+namespace slidercrank
+{
+
+/// Returns all crank angles within [-π, π), ascending, at which the channel of a crank with constant speed has the
+/// value (mm, rad, s). A value that equals an extremum except for rounding has the single solution there. Returns
+/// nullopt if the channel does not depend on the crank angle, such as R4_y, or a velocity for ω2 = 0.
+std::optional<std::vector<double>> crankAnglesAt(const Mechanism &mechanism, const OutputChannel &channel,
+                                                 double value);
+
+/// Returns the crank speed (rad/s) at which a first derivative has the value at the crank angle theta2 (rad), or
+/// nullopt if it is zero at any speed there, such as the slider's velocity at a dead centre, or does not exist.
+/// Requires a channel of Order::Velocity.
+std::optional<double> crankSpeedFor(const Mechanism &mechanism, double theta2, const OutputChannel &channel,
+                                    double value);
+
+} // namespace slidercrank

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/limits/crank_search.h"
+#include "core/mechanism/turn.h"
+#include "tests/support/deviation.h"
+#include "tests/support/random_mechanisms.h"
+#include "tests/support/suite.h"
+
+#include <QTest>
+
+using namespace slidercrank;
+
+namespace
+{
+
+/// Returns a channel for ω2 = 1 in extended precision by the formulas of the textbook; NaN if it does not exist.
+long double textbookValue(const Parameters &p, const OutputChannel &channel, long double theta2)
+{
+    using Real = long double;
+    TextbookMotion<Real> motion;
+    if (!motion.compute({p.a, p.b, p.c, 1.0}, theta2, p.branch == Branch::Open ? 1.0 : -1.0,
+                        std::numbers::pi_v<Real>)) {
+        return std::numeric_limits<Real>::quiet_NaN();
+    }
+    if (const Channel *coordinate = std::get_if<Channel>(&channel)) {
+        return motion.valueAt(*coordinate);
+    }
+    const auto &[quantity, order] = std::get<DerivedChannel>(channel);
+    const auto k = static_cast<std::size_t>(order);
+    switch (quantity) {
+    case DerivedQuantity::PinX: return motion.pinX[k];
+    case DerivedQuantity::PinY: return motion.pinY[k];
+    case DerivedQuantity::Displacement: {
+        const Real sum = Real(p.a) + p.b;
+        const Real outer = motion.side * std::sqrt(sum * sum - Real(p.c) * p.c);
+        return motion.side * ((k == 0 ? outer : 0.0L) - motion.sliderX[k]);
+    }
+    case DerivedQuantity::TransmissionAngle: break;
+    }
+    const Real sign = (motion.height > 0.0L ? -1.0L : 1.0L) * motion.side;
+    return k == 0   ? std::atan2(std::abs(motion.reach), std::abs(motion.height))
+           : k == 1 ? sign * motion.omega3
+                    : sign * motion.alpha3;
+}
+
+std::vector<OutputChannel> channelsThatVary()
+{
+    std::vector<OutputChannel> channels;
+    for (const char *name :
+         {"theta3", "R4_x", "R3_x", "R2_x", "R2_y", "R3_y", "transmission_angle", "displacement", "A_x", "A_y"}) {
+        for (const char *suffix : {"", "_diff", "_diff2"}) {
+            channels.push_back(*outputChannelNamed(std::string(name) + suffix));
+        }
+    }
+    return channels;
+}
+
+constexpr int kScan = 1500;
+
+/// Returns the channel over a revolution.
+std::vector<long double> scan(const Parameters &p, const OutputChannel &channel)
+{
+    std::vector<long double> values;
+    for (int i = 0; i <= kScan; ++i) {
+        values.push_back(textbookValue(p, channel, -kTurn / 2.0L + static_cast<long double>(kTurn) * i / kScan));
+    }
+    return values;
+}
+
+/// Returns the number of times that the scanned channel passes the value.
+int passages(const std::vector<long double> &values, long double value, double largestStep)
+{
+    int count = 0;
+    for (std::size_t i = 0; i + 1 < values.size(); ++i) {
+        const bool jumps = std::abs(values[i + 1] - values[i]) > largestStep;
+        count += !jumps && (values[i] < value) != (values[i + 1] < value) && std::isfinite(values[i]) &&
+                 std::isfinite(values[i + 1]);
+    }
+    return count;
+}
+
+} // namespace
+
+class TestCrankSearch : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    /// Every solution satisfies the equation, and there are as many as a scan of the revolution finds. The values are
+    /// away from the extremes, where a scan cannot count.
+    void findsAllSolutionsAndNoneElse()
+    {
+        RandomMechanisms random(461);
+        const std::vector<OutputChannel> channels = channelsThatVary();
+        int solutions = 0;
+        for (int i = 0; i < 1000; ++i) {
+            Parameters p = random.next();
+            p.b *= i % 4 == 0 ? random.uniform(0.3, 1.0) : 1.0; // some rockers
+            const OutputChannel channel = channels[static_cast<std::size_t>(i) % channels.size()];
+            const std::vector<long double> values = scan(p, channel);
+            std::vector<long double> sorted;
+            std::ranges::copy_if(values, std::back_inserter(sorted),
+                                 [](long double value) { return std::isfinite(value); });
+            std::ranges::sort(sorted);
+            if (sorted.size() < kScan / 10) {
+                continue;
+            }
+            const long double usual = sorted[sorted.size() * 9 / 10] - sorted[sorted.size() / 10];
+            const long double value = sorted[sorted.size() / 10] + usual * random.uniform(-0.3, 1.3);
+            const double size = static_cast<double>(std::max(std::abs(sorted.front()), std::abs(sorted.back())));
+            const double unit = std::pow(p.omega2, static_cast<int>(orderOf(channel)));
+            const auto found = crankAnglesAt(Mechanism(p), channel, static_cast<double>(value) * unit);
+            QVERIFY(found);
+            for (const double theta2 : *found) {
+                ++solutions;
+                const long double step = 1e-6L;
+                const long double slope =
+                    (textbookValue(p, channel, theta2 + step) - textbookValue(p, channel, theta2 - step)) /
+                    (2.0L * step);
+                const long double error = std::abs(textbookValue(p, channel, theta2) - value);
+                QVERIFY2(error <= 1e-12L * std::max<long double>(size, std::abs(slope)) ||
+                             (std::isnan(slope) && error <= 1e-9L * size),
+                         (std::string(nameOf(channel)) + " of " + describe(p)).c_str());
+            }
+            const bool isKinked = std::holds_alternative<DerivedChannel>(channel) &&
+                                  std::get<DerivedChannel>(channel).quantity == DerivedQuantity::TransmissionAngle &&
+                                  orderOf(channel) != Order::Position;
+            const int expected = passages(values, value, isKinked ? 0.2 * static_cast<double>(usual) : kInfinity);
+            const bool isRocker = p.b < p.a + std::abs(p.c);
+            const auto count = static_cast<int>(found->size());
+            // Between the last sample and the limit of a rocker the motion may pass the value once more.
+            QVERIFY2(isRocker ? count >= expected && count <= expected + 4 : count == expected,
+                     (std::string(nameOf(channel)) + " of " + describe(p) + ": " + std::to_string(count) + " for " +
+                      std::to_string(expected))
+                         .c_str());
+        }
+        QVERIFY(solutions > 1000);
+    }
+
+    void finds60Millimetres()
+    {
+        const auto found = crankAnglesAt(Mechanism(), Channel{R4x, Order::Position}, 60.0);
+        QVERIFY(found);
+        QCOMPARE(found->size(), std::size_t(2));
+        for (const double theta2 : *found) { // (x - a cos θ2)² + (c - a sin θ2)² = b²
+            const double side = std::hypot(60.0 - 20.0 * std::cos(theta2), 25.0 - 20.0 * std::sin(theta2));
+            QVERIFY(std::abs(side - 65.0) < 1e-12);
+        }
+    }
+
+    void anExtremeHasOneSolution()
+    {
+        const double outer = std::sqrt(85.0 * 85.0 - 25.0 * 25.0);
+        const Channel slider{R4x, Order::Position};
+        QCOMPARE(crankAnglesAt(Mechanism(), slider, outer)->size(), std::size_t(1));
+        QCOMPARE(crankAnglesAt(Mechanism(), slider, outer * (1.0 + 1e-12))->size(), std::size_t(0));
+        QCOMPARE(crankAnglesAt(Mechanism(), slider, outer * (1.0 - 1e-12))->size(), std::size_t(2));
+        QCOMPARE(crankAnglesAt(Mechanism({.c = 0.0}), *outputChannelNamed("transmission_angle"), kQuarterTurn)->size(),
+                 std::size_t(2));
+    }
+
+    void tellsConstantsApart()
+    {
+        for (const char *name : {"R4_y", "theta1", "theta2_diff", "theta2_diff2", "R1_x_diff"}) {
+            QVERIFY2(!crankAnglesAt(Mechanism(), *outputChannelNamed(name), 0.0), name);
+        }
+        QVERIFY(!crankAnglesAt(Mechanism({.omega2 = 0.0}), *outputChannelNamed("R4_x_diff"), 0.0));
+        QCOMPARE(*crankAnglesAt(Mechanism(), *outputChannelNamed("theta2"), 7.0), std::vector{7.0 - kTurn});
+        QVERIFY(crankAnglesAt(Mechanism({.b = 40.0}), *outputChannelNamed("theta2"), -1.5)->empty());
+        QVERIFY(crankAnglesAt(Mechanism({.b = 4.0}), *outputChannelNamed("R4_x"), 0.0)->empty()); // cannot be assembled
+    }
+
+    void scalesTheCrankSpeed()
+    {
+        RandomMechanisms random(462);
+        const Channel velocity{R4x, Order::Velocity};
+        for (int i = 0; i < 300; ++i) {
+            const Parameters p = random.next();
+            const double theta2 = random.uniform(-3.0, 3.0);
+            const double wanted = random.uniform(-1e4, 1e4);
+            const auto speed = crankSpeedFor(Mechanism(p), theta2, velocity, wanted);
+            QVERIFY(speed);
+            const OutputState state = outputStateAt(withDrive(Mechanism(p), *speed, theta2), 0.0);
+            QVERIFY(std::abs(state.valueOf(velocity) - wanted) <= 1e-14 * std::abs(wanted));
+        }
+        QVERIFY(!crankSpeedFor(Mechanism({.c = 0.0}), 0.0, velocity, 5.0)); // a dead centre
+        QVERIFY(!crankSpeedFor(Mechanism({.b = 40.0}), -1.5, velocity, 5.0));
+        QCOMPARE(*crankSpeedFor(Mechanism(), 1.0, *outputChannelNamed("theta2_diff"), 5.0), 5.0);
+    }
+};
+
+const Suite crankSearchSuite("tst_crank_search", runWithoutApplication<TestCrankSearch>);
+#include "tst_crank_search.moc"
