@@ -5,14 +5,16 @@
 
 #include "app/answer.h"
 #include "app/commands.h"
+#include "app/positions.h"
 #include "core/import/quantity.h"
 #include "core/limits/design.h"
-#include "core/limits/mobility.h"
+#include "core/limits/tolerance.h"
 #include "core/mechanism/turn.h"
 #include "ui/document/settings_fields.h"
 #include "ui/text/design_text.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/motion_facts.h"
+#include "ui/text/written_number.h"
 
 #include <QJsonArray>
 #include <QRegularExpression>
@@ -30,44 +32,138 @@ namespace
 /// Names in JSON, by Mobility.
 constexpr std::array kMobilityNames{"full-turn", "rocker", "locked", "impossible"};
 
-/// Returns the facts of the window's tab "Motion limits" over one revolution.
-std::vector<MotionFact> findFacts(const Mechanism &mechanism, const MotionLimits &limits)
+/// Returns one revolution of the crank, in which every limit has a time.
+Sampling oneRevolution(const Mechanism &mechanism)
 {
     Sampling revolution;
     if (mechanism.omega2() != 0.0) {
         revolution.duration = kTurn / std::abs(mechanism.omega2());
     }
-    return motionFacts(mechanism, limits, revolution);
+    return revolution;
 }
 
-/// Returns a record for each limit and place. A limit that does not exist has one record without a value.
-std::vector<Record> listLimits(const std::vector<MotionFact> &facts)
+QString keyText(LimitKind kind)
 {
-    std::vector<Record> records;
-    for (const LimitDescription &limit : limitsInFiles()) {
-        const auto add = [&](const MotionFact &fact) {
-            records.push_back({{"name", limit.key},
-                               {"value", jsonNumber(fact.number)},
-                               {"unit", limit.unit},
-                               {"theta2", fact.theta2 ? degreesFromZero(*fact.theta2) : QJsonValue()},
-                               {"time", jsonNumber(fact.time)}});
-        };
-        const std::size_t before = records.size();
-        for (const MotionFact &fact : facts) {
-            if (fact.key == limit.key) {
-                add(fact);
+    const std::string_view key = describe(kind).key;
+    return QString::fromUtf8(key.data(), static_cast<qsizetype>(key.size()));
+}
+
+/// How much a limit may decrease and increase, in the unit that is shown.
+struct Change {
+    std::optional<double> minus = {};
+    std::optional<double> plus = {};
+};
+
+/// The limits of a mechanism as the command prints them.
+struct LimitList {
+    const Mechanism &mechanism;
+    MotionLimits motion;
+    std::vector<Limit> limits;
+    Units units;
+    std::optional<LimitRanges> ranges = {}; ///< of --tolerance
+
+    LimitList(const Mechanism &theMechanism, const Units &theUnits)
+        : mechanism(theMechanism)
+        , motion(motionLimits(theMechanism))
+        , limits(findLimits(theMechanism, motion))
+        , units(theUnits)
+    {
+    }
+
+    double shown(const Limit &limit) const { return shownValue(describe(limit.kind).measure, limit.value, units); }
+
+    /// Returns what the tolerances may change; a negative peak decreases where its magnitude grows.
+    Change changeOf(const Limit &limit) const
+    {
+        const std::optional<LimitRange> &range = (*ranges)[static_cast<std::size_t>(limit.kind)];
+        if (!range) {
+            return {};
+        }
+        const bool isNegativePeak = peakChannel(limit.kind) && limit.value < 0.0;
+        const double magnitude = isNegativePeak ? -limit.value : limit.value;
+        const Measure measure = describe(limit.kind).measure;
+        const double less = shownValue(measure, magnitude - range->least, units);
+        const double more = shownValue(measure, range->greatest - magnitude, units);
+        return isNegativePeak ? Change{more, less} : Change{less, more};
+    }
+
+    /// Returns a record for each limit and place. A limit that does not exist has one record without a value.
+    std::vector<Record> records() const
+    {
+        std::vector<Record> all;
+        for (const LimitDescription &description : kLimitDescriptions) {
+            if (description.key.empty()) {
+                continue;
+            }
+            const std::size_t before = all.size();
+            for (const Limit &limit : limits) {
+                if (limit.kind == description.kind) {
+                    all.push_back(record(limit));
+                }
+            }
+            if (all.size() == before) {
+                all.push_back(record({.kind = description.kind, .value = kNone}));
             }
         }
-        if (records.size() == before) {
-            add({.number = kNone});
-        }
+        return all;
     }
-    return records;
+
+    /// Returns the table of the window's tab "Motion limits".
+    QString table() const
+    {
+        std::vector<QStringList> rows = limitTable(motionFacts(mechanism, motion, oneRevolution(mechanism), units));
+        if (ranges) {
+            rows[0] += {CommandLine::tr("minus"), CommandLine::tr("plus")};
+            for (std::size_t i = 0; i < limits.size(); ++i) {
+                const Change change = changeOf(limits[i]);
+                rows[i + 1] += {shortNumber(change.minus), shortNumber(change.plus)};
+            }
+        }
+        return alignedTable(rows);
+    }
+
+private:
+    Record record(const Limit &limit) const
+    {
+        const LimitDescription &description = describe(limit.kind);
+        Record record{{"name", keyText(limit.kind)},
+                      {"value", jsonNumber(shown(limit))},
+                      {"unit", unitText(description.measure, units)},
+                      {"theta2", limit.theta2 ? degreesFromZero(*limit.theta2) : QJsonValue()},
+                      {"time", jsonNumber(timeOf(limit, mechanism, oneRevolution(mechanism)))}};
+        if (ranges) {
+            const Change change = std::isnan(limit.value) ? Change() : changeOf(limit);
+            record.emplace_back("minus", jsonNumber(change.minus));
+            record.emplace_back("plus", jsonNumber(change.plus));
+        }
+        return record;
+    }
+};
+
+/// Reads --tolerance, such as "a=0.05,b=0.1": half the range of each length.
+LengthTolerances readTolerances(const OptionReader &options)
+{
+    LengthTolerances tolerances;
+    QStringList names;
+    for (const QString &part : options.text("tolerance").split(',')) {
+        const QString name = part.section('=', 0, 0).trimmed();
+        double *tolerance = name == u"a"   ? &tolerances.a
+                            : name == u"b" ? &tolerances.b
+                            : name == u"c" ? &tolerances.c
+                                           : nullptr;
+        if (!tolerance || names.contains(name)) {
+            throw UsageError{CommandLine::tr("--tolerance must be a list such as a=0.05,b=0.1,c=0.05, not \"%1\".")
+                                 .arg(options.text("tolerance"))};
+        }
+        names += name;
+        *tolerance = parseNumber("tolerance", part.section('=', 1), kMillimetre, 0.0);
+    }
+    return tolerances;
 }
 
 /// Reads --vary, such as "b=50..120". Returns a row for each value of the parameter: the value, then the limits by
 /// their names. Of several equal peaks the row has the first.
-std::vector<Record> varyLimits(const OptionReader &options, Parameters parameters)
+std::vector<Record> varyLimits(const OptionReader &options, Parameters parameters, const Units &units)
 {
     static const QRegularExpression syntax("^(\\w+)=(.+?)\\.\\.(.+)$");
     const QRegularExpressionMatch match = syntax.match(options.text("vary"));
@@ -86,11 +182,11 @@ std::vector<Record> varyLimits(const OptionReader &options, Parameters parameter
         const double value = first + (count > 1 ? static_cast<double>(i) / (count - 1) : 0.0) * (last - first);
         valueOf(parameters, *parameter) = value;
         const Mechanism varied(parameters);
+        const std::vector<Limit> limits = findLimits(varied, motionLimits(varied));
         Record row{{match.captured(1), value}};
-        for (const Record &limit : listLimits(findFacts(varied, motionLimits(varied)))) {
-            const QString name = limit[0].second.toString();
-            if (row.back().first != name) {
-                row.emplace_back(name, limit[1].second);
+        for (const auto &[kind, key, measure] : kLimitDescriptions) {
+            if (!key.empty()) {
+                row.emplace_back(keyText(kind), jsonNumber(shownValue(measure, valueOf(limits, kind), units)));
             }
         }
         rows.push_back(row);
@@ -98,7 +194,7 @@ std::vector<Record> varyLimits(const OptionReader &options, Parameters parameter
     return rows;
 }
 
-/// Reads --design, such as "stroke=80,time-ratio=1.2,transmission-angle=40".
+/// Reads --design, such as "stroke=80,time-ratio=1.2,transmission-angle=40". Without a stroke, its stroke is 0.
 DesignRequest readDesign(const OptionReader &options)
 {
     DesignRequest request;
@@ -120,19 +216,31 @@ DesignRequest readDesign(const OptionReader &options)
             isKnown = false;
         }
     }
-    if (!isKnown || !(request.stroke > 0.0)) {
+    const bool findsOffset = keys == QStringList("time-ratio");
+    if (!isKnown || !(request.stroke > 0.0 || findsOffset)) {
         throw UsageError{
-            CommandLine::tr(
-                "--design must be a list such as stroke=80,time-ratio=1.2,transmission-angle=40, not \"%1\".")
+            CommandLine::tr("--design must be a list such as stroke=80,time-ratio=1.2,transmission-angle=40, or "
+                            "time-ratio=1.2 beside --a and --b, not \"%1\".")
                 .arg(options.text("design"))};
     }
     return request;
 }
 
-/// Returns the mechanism with the lengths that the request asks for. All other parameters are those given.
-Mechanism designMechanism(const DesignRequest &request, Parameters parameters)
+/// Returns the mechanism with the lengths that --design asks for. All other parameters are those given.
+Mechanism designMechanism(const OptionReader &options, Parameters parameters)
 {
-    const std::variant<Lengths, DesignFault> designed = design(request);
+    const DesignRequest request = readDesign(options);
+    const bool findsOffset = request.stroke == 0.0;
+    if (findsOffset) {
+        options.refuse({"c", "vary"}, CommandLine::tr("--design time-ratio computes c: remove %1."));
+        if (!options.has("a") || !options.has("b")) {
+            throw UsageError{CommandLine::tr("--design time-ratio needs a stroke, or the lengths --a and --b.")};
+        }
+    } else {
+        options.refuse({"a", "b", "c", "vary"}, CommandLine::tr("--design computes a, b and c: remove %1."));
+    }
+    const std::variant<Lengths, DesignFault> designed =
+        findsOffset ? designOffset(parameters.a, parameters.b, request.timeRatio) : design(request);
     if (const DesignFault *fault = std::get_if<DesignFault>(&designed)) {
         throw UsageError{designFaultText(*fault, request), ExitStatus::NotAssemblable};
     }
@@ -148,34 +256,37 @@ Mechanism designMechanism(const DesignRequest &request, Parameters parameters)
 ExitStatus limitsCommand(const OptionReader &options, const Streams &streams)
 {
     const Question question(options);
+    const Units units = readUnits(options);
     options.refuseFiles();
     Mechanism mechanism = question.mechanism;
     QString design;
     if (options.has("design")) {
-        options.refuse({"a", "b", "c", "vary"}, CommandLine::tr("--design computes a, b and c: remove %1."));
-        mechanism = designMechanism(readDesign(options), mechanism.parameters());
+        mechanism = designMechanism(options, mechanism.parameters());
         design = mechanismText(mechanism, 9) + '\n';
     }
     if (options.has("vary")) {
-        const std::vector<Record> rows = varyLimits(options, mechanism.parameters());
+        options.refuse({"tolerance"}, CommandLine::tr("--vary prints values without their tolerances: remove %1."));
+        const std::vector<Record> rows = varyLimits(options, mechanism.parameters(), units);
         return question.write(streams,
                               {.text = csvText(rows), .rows = rows, .json = {{"rows", jsonList(rows, jsonObject)}}});
     }
     options.refuse({"count"}, CommandLine::tr("%1 applies to --vary only: remove it."));
-    const MotionLimits limits = motionLimits(mechanism);
-    const std::vector<MotionFact> facts = findFacts(mechanism, limits);
-    const QString sentence = mobilitySentence(mechanism, limits);
-    const std::vector<Record> rows = listLimits(facts);
+    LimitList list(mechanism, units);
+    if (options.has("tolerance")) {
+        list.ranges = limitRanges(mechanism, readTolerances(options));
+    }
+    const QString sentence = mobilitySentence(mechanism, list.motion);
+    const std::vector<Record> rows = list.records();
     Answer answer{.rows = rows,
                   .json = {{"mechanism", toJson(mechanism.parameters())},
-                           {"mobility", kMobilityNames[static_cast<std::size_t>(limits.mobility)]},
+                           {"mobility", kMobilityNames[static_cast<std::size_t>(list.motion.mobility)]},
                            {"reason", sentence},
                            {"limits", jsonList(rows, jsonObject)}}};
-    if (limits.mobility == Mobility::Impossible) {
+    if (list.motion.mobility == Mobility::Impossible) {
         streams.report(sentence);
         answer.status = ExitStatus::NotAssemblable;
     } else {
-        answer.text = design + sentence + '\n' + alignedTable(limitTable(facts));
+        answer.text = design + sentence + '\n' + list.table();
     }
     return question.write(streams, answer);
 }

@@ -8,6 +8,7 @@
 #include "ui/document/settings_fields.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/quantity_text.h"
+#include "ui/text/written_number.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -87,12 +88,18 @@ Sampling readSampling(const OptionReader &options)
     sampling.start = readStart(options);
     sampling.duration = options.number("duration", sampling.duration, kSecond, kShortestTime);
     sampling.steps = options.integer("steps", sampling.steps, 1, kLargestStepCount);
+    checkTimeSteps(sampling,
+                   CommandLine::tr("The time steps are too short to be distinguished: choose fewer --steps, a "
+                                   "longer --duration or a --start nearer to 0."));
+    return sampling;
+}
+
+void checkTimeSteps(const Sampling &sampling, const QString &message)
+{
     constexpr double kSpacing = 4.5e-16; // of doubles, relative to their size, twice
     if (sampling.duration / sampling.steps < kSpacing * (std::abs(sampling.start) + sampling.duration)) {
-        throw UsageError{CommandLine::tr("The time steps are too short to be distinguished: choose fewer --steps, a "
-                                         "longer --duration or a --start nearer to 0.")};
+        throw UsageError{message};
     }
-    return sampling;
 }
 
 SolverSettings readSolver(const OptionReader &options)
@@ -105,6 +112,17 @@ SolverSettings readSolver(const OptionReader &options)
     return solver;
 }
 
+double firstTimeAtAngle(const OptionReader &options, const Mechanism &mechanism, double theta2)
+{
+    const std::optional<double> time = timeAtCrankAngle(mechanism, theta2, readStart(options));
+    if (!time || std::abs(*time) > kLargestParameter) {
+        throw UsageError{
+            CommandLine::tr("The crank does not reach %1° within 1e12 s: choose a different --omega2 or --theta20.")
+                .arg(numberText(theta2 * kDegreesPerRadian))};
+    }
+    return *time;
+}
+
 std::optional<double> readTimeStamp(const OptionReader &options, const Mechanism &mechanism)
 {
     if (options.has("at")) {
@@ -114,14 +132,7 @@ std::optional<double> readTimeStamp(const OptionReader &options, const Mechanism
     if (!options.has("at-angle")) {
         return std::nullopt;
     }
-    const double degrees = options.number("at-angle", 0.0, kDegree);
-    const std::optional<double> time = timeAtCrankAngle(mechanism, degrees / kDegreesPerRadian, readStart(options));
-    if (!time || std::abs(*time) > kLargestParameter) {
-        throw UsageError{
-            CommandLine::tr("The crank does not reach %1° within 1e12 s: choose another --omega2 or --theta20.")
-                .arg(degrees)};
-    }
-    return time;
+    return firstTimeAtAngle(options, mechanism, options.number("at-angle", 0.0, kDegree) / kDegreesPerRadian);
 }
 
 std::vector<ColumnChoice> readColumns(const OptionReader &options)

@@ -27,6 +27,12 @@ SolverSettings readSolver(const OptionReader &options);
 
 double readStart(const OptionReader &options); ///< --start, in s
 
+/// Throws with the message if two successive time stamps cannot be distinguished.
+void checkTimeSteps(const Sampling &sampling, const QString &message);
+
+/// Returns the first time (s) from --start on at which the crank has the angle theta2 (rad).
+double firstTimeAtAngle(const OptionReader &options, const Mechanism &mechanism, double theta2);
+
 /// The time (s) that --at or --at-angle asks for, if one of them is given. An angle stands for the first time from
 /// --start on at which the crank has it.
 std::optional<double> readTimeStamp(const OptionReader &options, const Mechanism &mechanism);

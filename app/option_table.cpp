@@ -34,10 +34,11 @@ public:
              "alone if its unit is mm, ° or s; any other unit follows the name: theta3_diff [rad/s]."),
          solveCommand},
         {"limits", "[options]", QT_TR_NOOP("dead centres, stroke, transmission angle, peaks"),
-         QT_TR_NOOP("Prints whether the crank makes full turns and why, the dead centres, the stroke, angles and times "
-                    "of both strokes, the time ratio, the minimum transmission angle, mean and peak speeds and peak "
-                    "accelerations, and where and when they occur. Angles in JSON and CSV are in degrees. The exit "
-                    "status is 4 if the mechanism cannot be assembled at all."),
+         QT_TR_NOOP(
+             "Prints whether the crank makes full turns and why, the dead centres, the stroke, angles and times "
+             "of both strokes, the time ratio, the extremes of the transmission angle and of the coupler angle, mean "
+             "and peak speeds and peak accelerations, and where and when they occur. Crank angles in JSON and "
+             "CSV are in degrees. The exit status is 4 if the mechanism cannot be assembled at all."),
          limitsCommand},
         {"compare", "FILE… [options]", QT_TR_NOOP("how far simulation files are from the model"),
          QT_TR_NOOP(
@@ -99,7 +100,16 @@ public:
           {"solve", "at", "SECONDS", QT_TR_NOOP("instead of --steps and --duration: one row, for this time")},
           {"render", "at", "SECONDS", QT_TR_NOOP("the time that is drawn, and marked in the plots (--start)")},
           {"solve render", "at-angle", "DEGREES",
-           QT_TR_NOOP("the same by crank angle: the first time from --start on at which the crank has this angle")}}},
+           QT_TR_NOOP("the same by crank angle: the first time from --start on at which the crank has this angle")},
+          {"solve", "when", "CHANNEL=VALUE",
+           QT_TR_NOOP("a row for each position of one revolution in which a channel has this value: R4_x=60, "
+                      "theta3=10deg, R4_x_diff=-0.2m/s")},
+          {"solve", "alpha2", "RAD_PER_S2",
+           QT_TR_NOOP("crank acceleration at the positions of --at, --at-angle, --step-angle or --when (0): a channel "
+                      "f has the second derivative f″ω₂² + f′α₂")},
+          {"solve", "omega2-for", "CHANNEL=VALUE",
+           QT_TR_NOOP("with --at-angle: compute the crank speed at which a first derivative has this value, and report "
+                      "it: R4_x_diff=8m/s")}}},
         {QT_TR_NOOP("Method"),
          {{"solve compare render", "method", "newton|closed-form",
            QT_TR_NOOP("how the motion is computed (closed-form)")},
@@ -122,8 +132,12 @@ public:
                "whether the first column holds time stamps or crank angles, which --omega2 and --theta20 convert "
                "to time")}}},
         {QT_TR_NOOP("Result"),
-         {{"solve", "channels", "LIST", QT_TR_NOOP("all, or names separated by commas: theta3,R4_x_diff (all)")},
-          {"solve", "angle-unit", "deg|rad", QT_TR_NOOP("unit of the angles in the output (deg)")},
+         {{"solve", "channels", "LIST",
+           QT_TR_NOOP(
+               "all, or names separated by commas: theta3,R4_x_diff (all); also transmission_angle, displacement "
+               "(from the outer dead centre), A_x and A_y, with _diff and _diff2")},
+          {"solve limits", "angle-unit", "deg|rad", QT_TR_NOOP("unit of the angles in the output (deg)")},
+          {"solve limits", "length-unit", "mm|cm|m|in", QT_TR_NOOP("unit of the lengths in the output (mm)")},
           {"solve", "format", "csv|json", QT_TR_NOOP("output format (csv)")},
           {"identify", "format", "text|json", QT_TR_NOOP("output format (text)")},
           {"limits compare study", "format", "text|csv|json", QT_TR_NOOP("output format (text)")},
@@ -134,7 +148,12 @@ public:
           {"limits", "design", "LIST",
            QT_TR_NOOP(
                "find the mechanism with this stroke, this time ratio (1) and at least this minimum transmission angle: "
-               "stroke=80,time-ratio=1.2,transmission-angle=40; of several, the one with the largest angle is chosen")},
+               "stroke=80,time-ratio=1.2,transmission-angle=40; of several, the one with the largest angle is chosen. "
+               "With time-ratio=1.2 alone, --a and --b: the offset c")},
+          {"limits", "tolerance", "LIST",
+           QT_TR_NOOP(
+               "a=0.05,b=0.1,c=0.05: how much each limit may decrease and increase if the lengths deviate by this "
+               "much (mm)")},
           {"compare", "fail-on-difference", nullptr, QT_TR_NOOP("exit with status 1 if a channel differs")},
           {"study", "cases", "nominal|hard|all",
            QT_TR_NOOP("the mechanism of the options, the hard cases (after the mechanism, if one is given), or ten "

@@ -226,7 +226,7 @@ ExitStatus renderCommand(const OptionReader &options, const Streams &streams)
     SamplingSummary summary = result->summary;
     summary.add(result->atReference.summary);
     if (request.subject == Subject::Mechanism) {
-        summary = sample(result->mechanism, {scene.time}, {}, {}).summary;
+        summary = sample(result->mechanism, {scene.time}, ChannelSet(), {}).summary;
     }
     return reportTimeSteps(streams, summary, result->mechanism, result->solver.newton);
 }

@@ -5,14 +5,12 @@
 #include "app/answer.h"
 #include "app/commands.h"
 #include "app/output.h"
+#include "app/positions.h"
 #include "app/time_step_report.h"
-#include "core/import/quantity.h"
-#include "core/mechanism/turn.h"
 #include "ui/document/settings_fields.h"
 #include "ui/export/motion_csv.h"
-#include "ui/text/finding_text.h"
 
-#include <cmath>
+#include <array>
 
 namespace slidercrank
 {
@@ -20,79 +18,97 @@ namespace slidercrank
 namespace
 {
 
-ChannelSet readChannels(const OptionReader &options)
+std::vector<OutputChannel> readChannels(const OptionReader &options)
 {
+    std::vector<OutputChannel> all = allOutputChannels();
     if (!options.has("channels") || options.text("channels") == u"all") {
-        return allChannels();
+        std::erase_if(all,
+                      [](const OutputChannel &channel) { return std::holds_alternative<DerivedChannel>(channel); });
+        return all;
     }
-    ChannelSet channels;
+    std::vector<OutputChannel> wanted;
     for (const QString &part : options.text("channels").split(',')) {
-        channels.set(static_cast<std::size_t>(indexAmong(channelNames(), part.trimmed(), "channels")));
+        wanted.push_back(parseOutputChannel("channels", part.trimmed()));
     }
-    return channels;
+    std::erase_if(all, [&wanted](const OutputChannel &channel) { return !std::ranges::count(wanted, channel); });
+    return all;
 }
 
-/// Reads --step-angle: one revolution of the crank from --start on, in equal steps of that angle.
-Sampling oneRevolution(const OptionReader &options, const Mechanism &mechanism)
+/// What is written: the columns, and their units.
+struct Table {
+    std::vector<OutputChannel> channels;
+    Units units;
+
+    double value(const Trajectory &motion, const OutputChannel &channel, std::size_t row) const
+    {
+        return fromFileUnit(measureOf(channel), motion[channel][row], units);
+    }
+};
+
+/// Returns the line of names. A name without unit means mm, ° and s; any other unit follows the name.
+QByteArray headerOf(const Table &table)
 {
-    const double steps = 360.0 / options.number("step-angle", 0.0, kDegree, 1e-4, 360.0);
-    if (std::abs(steps - std::round(steps)) > 1e-9 * steps) {
-        throw UsageError{CommandLine::tr("--step-angle must divide 360° into equal steps, such as 15 or 0.5, not %1.")
-                             .arg(options.text("step-angle"))};
+    QByteArray header("time");
+    for (const OutputChannel &channel : table.channels) {
+        header += ',' + columnName(channel, table.units).toUtf8();
     }
-    if (mechanism.omega2() == 0.0) {
-        throw UsageError{CommandLine::tr("The crank stands still: --step-angle needs an --omega2 that is not 0.")};
-    }
-    Sampling sampling;
-    sampling.start = readStart(options);
-    sampling.duration = kTurn / std::abs(mechanism.omega2());
-    sampling.steps = static_cast<int>(std::lround(steps));
-    return sampling;
+    return header + '\n';
 }
 
-QByteArray motionJson(const Mechanism &mechanism, Method method, AngleUnit angleUnit,
-                      const std::vector<Channel> &channels, const Trajectory &motion)
+/// Writes a row for each time step. Returns false if nothing more can be written.
+bool writeRows(Output &output, const Table &table, const Trajectory &motion)
 {
+    constexpr qsizetype kFullBuffer = 1 << 20; // bytes
+    QByteArray text;
+    for (std::size_t row = 0; row < motion.time.size(); ++row) {
+        appendNumber(text, motion.time[row]);
+        for (const OutputChannel &channel : table.channels) {
+            text += ',';
+            appendNumber(text, table.value(motion, channel, row));
+        }
+        text += '\n';
+        if (text.size() >= kFullBuffer) {
+            if (!output.write(text)) {
+                return false;
+            }
+            text.resize(0); // unlike clear(), this does not free the memory
+        }
+    }
+    return output.write(text);
+}
+
+QByteArray motionJson(const Mechanism &mechanism, Method method, const Table &table, const Trajectory &motion)
+{
+    constexpr std::array kLengthUnits{"mm", "cm", "m", "in"}; // by LengthUnit
     QJsonObject values;
-    for (const Channel channel : channels) {
-        const double factor = factorTo(angleUnit, channel);
-        values.insert(columnName(channel),
-                      jsonList(motion[channel], [factor](double value) { return jsonNumber(factor * value); }));
+    for (const OutputChannel &channel : table.channels) {
+        QJsonArray column;
+        for (std::size_t row = 0; row < motion.time.size(); ++row) {
+            column += jsonNumber(table.value(motion, channel, row));
+        }
+        values.insert(columnName(channel), column);
     }
-    return jsonDocument(
-        {{"mechanism", toJson(mechanism.parameters())},
-         {"method", method == Method::Newton ? "newton" : "closed-form"},
-         {"units",
-          QJsonObject{{"length", "mm"}, {"angle", angleUnit == AngleUnit::Radian ? "rad" : "deg"}, {"time", "s"}}},
-         {"time", jsonList(motion.time, jsonNumber)},
-         {"channels", values}});
+    return jsonDocument({{"mechanism", toJson(mechanism.parameters())},
+                         {"method", method == Method::Newton ? "newton" : "closed-form"},
+                         {"units", QJsonObject{{"length", kLengthUnits[static_cast<std::size_t>(table.units.length)]},
+                                               {"angle", table.units.angle == AngleUnit::Radian ? "rad" : "deg"},
+                                               {"time", "s"}}},
+                         {"time", jsonList(motion.time, jsonNumber)},
+                         {"channels", values}});
 }
 
 } // namespace
 
 ExitStatus solveCommand(const OptionReader &options, const Streams &streams)
 {
-    const Mechanism mechanism = readMechanism(options);
-    std::optional<double> timeStamp; // s; instead of the sampling
-    Sampling sampling;
-    if (options.has("at") || options.has("at-angle")) {
-        options.refuse({"steps", "duration", "step-angle"},
-                       CommandLine::tr("--at and --at-angle ask for one time and %1 for several: remove one of them."));
-        if (options.has("at")) {
-            options.refuse({"start"}, CommandLine::tr("--at already sets the time: remove %1."));
-        }
-        timeStamp = readTimeStamp(options, mechanism);
-    } else if (options.has("step-angle")) {
-        options.refuse({"steps", "duration"}, CommandLine::tr("--step-angle covers one revolution: remove %1."));
-        sampling = oneRevolution(options, mechanism);
-    } else {
-        sampling = readSampling(options);
-    }
-    const SolverSettings solver = readSolver(options);
-    const ChannelSet channelSet = readChannels(options);
-    const std::vector<Channel> channels = listed(channelSet);
-    const AngleUnit angleUnit = options.choice("angle-unit", AngleUnit::Degree);
+    const Table table{readChannels(options), readUnits(options)};
     const bool isJson = options.word("format", "csv") == u"json";
+    const SolverSettings solver = readSolver(options);
+    const SampledChannels channels(table.channels, readCrankAcceleration(options));
+    const Mechanism undriven = readMechanism(options);
+    const std::optional<Positions> positions = readPositions(options, undriven, table.units, streams);
+    const Mechanism &mechanism = positions ? positions->mechanism : undriven;
+    const Sampling sampling = positions ? Sampling() : readSampling(options);
     Output output(streams, readOutput(options));
     options.refuseFiles();
     if (!output.open()) {
@@ -101,19 +117,16 @@ ExitStatus solveCommand(const OptionReader &options, const Streams &streams)
     SamplingSummary summary;
     const auto write = [&](const Trajectory &motion) {
         summary.add(motion.summary);
-        if (isJson) {
-            return output.write(motionJson(mechanism, solver.method, angleUnit, channels, motion));
-        }
-        return writeCsvRows(motion, channels, angleUnit, [&](const QByteArray &text) { return output.write(text); });
+        return isJson ? output.write(motionJson(mechanism, solver.method, table, motion))
+                      : writeRows(output, table, motion);
     };
     if (!isJson) {
-        output.write(csvHeader(channels, angleUnit));
+        output.write(headerOf(table));
     }
-    if (timeStamp || isJson) { // JSON holds all values of a channel together
-        const std::vector<double> times = timeStamp ? std::vector{*timeStamp} : sampling.timeStamps();
-        write(sample(mechanism, times, channelSet, solver));
+    if (positions || isJson) { // JSON holds all values of a channel together
+        write(sample(mechanism, positions ? positions->times : sampling.timeStamps(), channels, solver));
     } else {
-        sampleInPieces(mechanism, sampling, channelSet, solver, write);
+        sampleInPieces(mechanism, sampling, channels, solver, write);
     }
     if (output.finish() != ExitStatus::Success) {
         return ExitStatus::FileError;

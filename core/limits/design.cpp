@@ -31,6 +31,8 @@
 // μ is 0 at both ends of the range and largest where the derivative vanishes between them: with R = r²
 //
 //     k² (1 + k²) R² - k² R - 1 = 0
+//
+// With a and b given, the two equations above give s and then c; the crank makes full turns if tan² p < a/b.
 
 namespace slidercrank
 {
@@ -101,6 +103,26 @@ Lengths findLengths(double stroke, double timeRatio, double couplerRatio)
     const double a = 0.5 * stroke / std::hypot(std::cos(p), couplerRatio * std::sin(p));
     const double c = a * (couplerRatio - 1.0) * (couplerRatio + 1.0) * std::sin(2.0 * p) * (a / stroke);
     return {a, couplerRatio * a, timeRatio < 1.0 ? -c : c};
+}
+
+std::variant<Lengths, DesignFault> designOffset(double a, double b, double timeRatio)
+{
+    using Reason = DesignFault::Reason;
+    if (!findDesignRange(timeRatio)) {
+        return DesignFault{Reason::TimeRatioOutOfRange, kTimeRatioBound};
+    }
+    if (!(b > a)) {
+        return DesignFault{Reason::CouplerTooShort};
+    }
+    const double p = halfDeadCentreAngle(timeRatio);
+    const double tangent = std::tan(p);
+    if (!(tangent * tangent * b < a)) {
+        const double alpha = 2.0 * std::atan(std::sqrt(a / b));
+        return DesignFault{Reason::TimeRatioTooLarge, (std::numbers::pi + alpha) / (std::numbers::pi - alpha)};
+    }
+    const double stroke = 2.0 * std::hypot(a * std::cos(p), b * std::sin(p));
+    const double c = (b - a) * std::sin(2.0 * p) * ((b + a) / stroke);
+    return Lengths{a, b, timeRatio < 1.0 ? -c : c};
 }
 
 std::variant<Lengths, DesignFault> design(const DesignRequest &request)

@@ -52,8 +52,10 @@ struct DesignRequest {
 struct DesignFault {
     enum class Reason {
         StrokeNotPositive,
-        TimeRatioOutOfRange,      ///< not in (1/3, 3)
-        TransmissionAngleTooLarge ///< `bound` is the largest that the time ratio allows
+        TimeRatioOutOfRange,       ///< not in (1/3, 3)
+        TransmissionAngleTooLarge, ///< `bound` is the largest that the time ratio allows
+        CouplerTooShort,           ///< of given a and b: b must be longer than a
+        TimeRatioTooLarge          ///< of given a and b: `bound` is the upper bound of the time ratio
     };
     Reason reason = Reason::StrokeNotPositive;
     double bound = 0.0;
@@ -64,5 +66,9 @@ struct DesignFault {
 /// Returns the mechanism with the largest minimum transmission angle. Its coupler is longer than kLongestCoupler only
 /// if the requested transmission angle needs it.
 std::variant<Lengths, DesignFault> design(const DesignRequest &request);
+
+/// Returns the mechanism with these lengths of crank and coupler (mm) whose offset c gives the time ratio; c has the
+/// sign that findLengths() gives it.
+std::variant<Lengths, DesignFault> designOffset(double a, double b, double timeRatio);
 
 } // namespace slidercrank

@@ -69,32 +69,64 @@ SliderPosition deadCentre(const Mechanism &mechanism, double distance, bool isOu
     return {wrapToPi(theta2), R4x};
 }
 
-/// Returns the positions at which the slider reverses: the dead centres and, of a rocker, the ends of its arcs. There
-/// the coupler is perpendicular to the slider's line, so that R4x = a cos θ2.
-std::vector<SliderPosition> findReversals(const Mechanism &mechanism, const MotionLimits &limits)
+/// Returns the ends of the ranges, once each. With x = sin θ2 (-sin θ2 for c < 0), they are at x = (C - b)/a, where B
+/// is beyond A, and in case of two arcs also at x = (C + b)/a. Which is which follows from the direction in which x
+/// grows, because for a very short coupler the angles are equal except for rounding.
+std::vector<CrankEnd> findCrankEnds(const MotionConstants &k, Mobility mobility, const std::vector<CrankRange> &ranges)
 {
-    std::vector<SliderPosition> reversals;
+    std::vector<CrankEnd> ends;
+    for (const CrankRange &range : mobility == Mobility::FullTurn ? std::vector<CrankRange>() : ranges) {
+        const bool hasOneArc = k.beta >= 0.0;
+        const bool grows = k.side * std::cos(0.5 * (range.from + range.to)) > 0.0;
+        ends.push_back({wrapToPi(range.from), hasOneArc || grows});
+        ends.push_back({wrapToPi(range.to), hasOneArc || !grows});
+    }
+    if (mobility == Mobility::Locked) {
+        ends.pop_back(); // both limits are the only position
+    }
+    return ends;
+}
+
+/// Returns the slider's position at the ends, where R4x = a cos θ2: a |cos θ2| = √(-ε γ) where B is beyond A, else
+/// √(-β L).
+std::vector<SliderPosition> findCrankLimits(const MotionConstants &k, const std::vector<CrankEnd> &ends)
+{
+    std::vector<SliderPosition> limits;
+    for (const CrankEnd &end : ends) {
+        const double distance = std::sqrt(end.isBeyondPin ? -k.epsilon * k.gamma : -k.beta * k.reach);
+        limits.push_back({end.theta2, std::copysign(distance, std::cos(end.theta2))});
+    }
+    return limits;
+}
+
+/// Returns the positions at which the slider reverses: the dead centres and, of a rocker, the ends of its arcs.
+std::vector<SliderPosition> findReversals(const MotionLimits &limits)
+{
+    std::vector<SliderPosition> reversals = limits.crankLimits;
     for (const std::optional<SliderPosition> &centre : {limits.outer, limits.inner}) {
         if (centre) {
             reversals.push_back(*centre);
         }
     }
-    for (const CrankRange &range : limits.ranges) {
-        for (const double end : {range.from, range.to}) {
-            if (limits.mobility != Mobility::FullTurn) {
-                reversals.push_back({end, mechanism.a() * std::cos(end)});
-            }
-        }
-    }
     return reversals;
 }
 
-/// Returns the stroke within a range.
-double strokeWithin(const CrankRange &range, std::vector<SliderPosition> reversals)
+/// Returns the stroke without a difference of nearly equal numbers. With D = √(L γ) and I = √(ε β), the distances of
+/// the dead centres, and e = √(-ε γ), f = √(-β L), those of the ends of the arcs:
+///
+///     full turn   D - I = (L γ - ε β) / (D + I) = 4ab / (D + I)
+///     one arc     D + e, from an end on one side of O2 to the outer dead centre on the other
+///     two arcs    D - f = L (γ + β) / (D + f) = 2bL / (D + f) in the arc with the outer dead centre, which is more
+///     than
+///                 e - I in the other arc, because (D + I)² - (e + f)² = 4b²
+double findStroke(const MotionConstants &k, Mobility mobility)
 {
-    std::erase_if(reversals, [&range](const SliderPosition &place) { return !contains(range, place.theta2); });
-    const auto [least, most] = std::ranges::minmax(reversals, {}, &SliderPosition::R4x);
-    return most.R4x - least.R4x;
+    const double outer = std::sqrt(k.reach * k.gamma);
+    if (mobility == Mobility::FullTurn) {
+        return 4.0 * k.a * k.b / (outer + std::sqrt(k.epsilon * k.beta));
+    }
+    return k.beta >= 0.0 ? outer + std::sqrt(-k.epsilon * k.gamma)
+                         : 2.0 * k.b * k.reach / (outer + std::sqrt(-k.beta * k.reach));
 }
 
 } // namespace
@@ -112,21 +144,16 @@ MotionLimits motionLimits(const Mechanism &mechanism)
     if (k.epsilon * k.beta >= 0.0) {
         limits.inner = deadCentre(mechanism, std::sqrt(k.epsilon * k.beta), false);
     }
-    const std::vector<SliderPosition> reversals = findReversals(mechanism, limits);
-    for (const CrankRange &range : limits.ranges) {
-        limits.stroke = std::max(limits.stroke.value_or(0.0), strokeWithin(range, reversals));
-    }
+    const std::vector<CrankEnd> ends = findCrankEnds(k, limits.mobility, limits.ranges);
+    limits.crankLimits = findCrankLimits(k, ends);
+    limits.stroke = findStroke(k, limits.mobility);
+    limits.coupler = couplerAngles(k, ends);
     if (limits.mobility == Mobility::FullTurn) {
         const double counterClockwise = wrapToTwoPi(limits.outer->theta2 - limits.inner->theta2);
         const double outwards = mechanism.omega2() < 0.0 ? kTurn - counterClockwise : counterClockwise;
         limits.angleOutwards = outwards;
         limits.angleInwards = kTurn - outwards;
         limits.timeRatio = std::max(outwards, kTurn - outwards) / std::min(outwards, kTurn - outwards);
-        limits.largestPressureAngle = std::atan2(k.a + k.C, std::sqrt(k.epsilon * k.reach));
-        limits.largestPressureAngleAt = -k.side * kQuarterTurn;
-    } else {
-        limits.largestPressureAngle = kQuarterTurn;
-        limits.largestPressureAngleAt = limits.ranges.front().from;
     }
     return limits;
 }
@@ -158,12 +185,11 @@ std::vector<double> anglesAcross(const CrankRange &range, int steps)
     return angles;
 }
 
-std::optional<SliderStroke> strokeAround(const Mechanism &mechanism, const MotionLimits &limits, double theta2,
-                                         int sense)
+std::optional<SliderStroke> strokeAround(const MotionLimits &limits, double theta2, int sense)
 {
     constexpr double kAtAnEnd = 1e-9; // rad: an angle nearer than this to the end of a stroke is considered to be there
     const double inside = theta2 + sense * kAtAnEnd;
-    std::vector<SliderPosition> ends = findReversals(mechanism, limits);
+    std::vector<SliderPosition> ends = findReversals(limits);
     if (ends.empty()) {
         return std::nullopt;
     }

@@ -8,6 +8,7 @@
 // Source: Grashof's condition for the slider-crank and the dead centres, Norton, "Design of
 // Machinery", 2.13, 3.8, 4.10.
 
+#include "core/limits/coupler_angles.h"
 #include "core/mechanism/mechanism.h"
 
 #include <optional>
@@ -42,6 +43,10 @@ struct MotionLimits {
     /// The crank angles at which the mechanism can be assembled; disjoint, ascending.
     std::vector<CrankRange> ranges;
 
+    /// The ends of the ranges, where the coupler is perpendicular to the slider's line; empty if the crank makes full
+    /// turns. A locked mechanism has one.
+    std::vector<SliderPosition> crankLimits;
+
     /// The dead centres of this branch, where crank and coupler are collinear and the velocity of the slider is zero: B
     /// farthest from O2 (extended, b + a) and nearest to it (folded, |b - a|). θ2 is within [-π, π).
     std::optional<SliderPosition> outer;
@@ -57,10 +62,7 @@ struct MotionLimits {
     std::optional<double> angleInwards;
     std::optional<double> timeRatio;
 
-    /// The largest pressure angle, that is the acute angle between the coupler and the slider's line, and a crank angle
-    /// at which it occurs. The transmission angle there is π/2 minus it.
-    double largestPressureAngle = 0.0;
-    double largestPressureAngleAt = 0.0;
+    CouplerAngles coupler; ///< not valid if Impossible
 };
 
 /// Computes all of the above.
@@ -83,8 +85,7 @@ struct SliderStroke {
 
 /// Returns the stroke that contains the crank angle; at the end of a stroke, the one that follows in the direction
 /// `sense` (+1 or -1). Returns nullopt if the mechanism cannot be assembled there.
-std::optional<SliderStroke> strokeAround(const Mechanism &mechanism, const MotionLimits &limits, double theta2,
-                                         int sense);
+std::optional<SliderStroke> strokeAround(const MotionLimits &limits, double theta2, int sense);
 
 /// Returns the crank angle within the stroke at which the slider is at R4x; for R4x beyond the stroke, that of the
 /// nearer end.

@@ -5,6 +5,7 @@
 #include "core/closed_form/state_at.h"
 #include "core/mechanism/in_parallel.h"
 #include "core/mechanism/turn.h"
+#include "core/mechanism/two_part_angle.h"
 #include "core/newton/newton.h"
 
 #include <algorithm>
@@ -20,37 +21,84 @@ namespace
 /// Time stamps between two checks of the stop token.
 constexpr std::size_t kStopInterval = 256;
 
-/// Fills the trajectory by calling solve(t), which returns a State, for each time stamp in turn.
-template <class Solve>
-void sampleOneByOne(Trajectory &trajectory, const ChannelSet &channels, const std::stop_token &stop, const Solve &solve)
+/// Writes one time step at a time into a trajectory.
+class RowWriter
 {
-    std::vector<Channel> wanted;
-    for (std::size_t index = 0; index < kChannelCount; ++index) {
-        if (channels.test(index)) {
-            wanted.push_back(channelAt(index));
+public:
+    RowWriter(Trajectory &trajectory, const SampledChannels &channels)
+        : m_trajectory(trajectory)
+    {
+        for (std::size_t index = 0; index < kChannelCount; ++index) {
+            if (channels.coordinates.test(index)) {
+                m_coordinates.push_back(channelAt(index));
+            }
+        }
+        for (const OutputChannel &channel : allOutputChannels()) {
+            const DerivedChannel *derived = std::get_if<DerivedChannel>(&channel);
+            if (derived && channels.derived.test(indexOf(*derived))) {
+                m_derived.push_back(*derived);
+            }
         }
     }
+
+    void write(std::size_t row, const State &state)
+    {
+        m_trajectory.status[row] = state.status;
+        const std::array<const Vector12 *, 3> derivatives{&state.q, &state.qDot, &state.qDDot};
+        for (const Channel channel : m_coordinates) {
+            const double value = (*derivatives[static_cast<std::size_t>(channel.order)])[channel.coordinate];
+            m_trajectory.values[indexOf(channel)][row] = toFileUnit(channel, value);
+        }
+    }
+
+    void write(std::size_t row, const OutputState &output)
+    {
+        write(row, output.state);
+        for (const DerivedChannel channel : m_derived) {
+            m_trajectory.derived[indexOf(channel)][row] =
+                toFileUnit(measureOf(OutputChannel(channel)), output.valueOf(channel));
+        }
+    }
+
+private:
+    Trajectory &m_trajectory;
+    std::vector<Channel> m_coordinates;
+    std::vector<DerivedChannel> m_derived;
+};
+
+/// Fills the trajectory by calling solve(t), which returns a State or an OutputState, for each time stamp in turn.
+template <class Solve>
+void sampleOneByOne(Trajectory &trajectory, const SampledChannels &channels, const std::stop_token &stop,
+                    const Solve &solve)
+{
+    RowWriter writer(trajectory, channels);
     for (std::size_t i = 0; i < trajectory.time.size(); ++i) {
         if (i % kStopInterval == 0 && stop.stop_requested()) {
             trajectory.complete = false;
             return;
         }
-        const State &state = solve(trajectory.time[i]);
-        trajectory.status[i] = state.status;
-        const std::array<const Vector12 *, 3> derivatives{&state.q, &state.qDot, &state.qDDot};
-        for (const Channel channel : wanted) {
-            const double value = (*derivatives[static_cast<std::size_t>(channel.order)])[channel.coordinate];
-            trajectory.values[indexOf(channel)][i] = toFileUnit(channel, value);
-        }
+        writer.write(i, solve(trajectory.time[i]));
     }
 }
 
-void sampleByNewton(const Mechanism &mechanism, const NewtonOptions &options, const ChannelSet &channels,
+/// Returns the state with the crank acceleration, and the derived quantities, from a state by Newton-Raphson. The
+/// kinematic coefficients are the velocities at a speed of 1 rad/s (crank_acceleration.h).
+OutputState outputOf(const Mechanism &mechanism, double t, State state, double alpha2, const NewtonOptions &options)
+{
+    if (alpha2 != 0.0 && state.status == Status::Solved) {
+        const TwoPart angle = crankAngle(mechanism.omega2(), t, mechanism.theta20());
+        state.qDDot += alpha2 * solve(withDrive(mechanism, 1.0, angle.hi), angle.lo, options).state.qDot;
+    }
+    const double adjacent = mechanism.b() * std::cos(state.q[Theta3]);
+    return {state, derivedState(mechanism, state, adjacent)};
+}
+
+void sampleByNewton(const Mechanism &mechanism, const NewtonOptions &options, const SampledChannels &channels,
                     Trajectory &trajectory, const std::stop_token &stop)
 {
     NewtonTimeStep timeStep;
     SamplingSummary &summary = trajectory.summary;
-    sampleOneByOne(trajectory, channels, stop, [&](double t) -> const State & {
+    const auto advanceTo = [&](double t) -> const State & {
         advance(mechanism, t, timeStep, options);
         if (timeStep.positionStatus == Status::Solved) {
             summary.add({.iterations = timeStep.iterations,
@@ -58,7 +106,13 @@ void sampleByNewton(const Mechanism &mechanism, const NewtonOptions &options, co
                          .largestResidual = timeStep.residual});
         }
         return timeStep.state;
-    });
+    };
+    if (channels.isPlain()) {
+        sampleOneByOne(trajectory, channels, stop, advanceTo);
+    } else {
+        sampleOneByOne(trajectory, channels, stop,
+                       [&](double t) { return outputOf(mechanism, t, advanceTo(t), channels.alpha2, options); });
+    }
 }
 
 /// Samples any of the six plotted channels, but no others: faster, and on all processors.
@@ -99,6 +153,24 @@ std::vector<double> Sampling::timeStamps(int first, int count) const
     return times;
 }
 
+SampledChannels::SampledChannels(const std::vector<OutputChannel> &channels, double crankAcceleration)
+    : alpha2(crankAcceleration)
+{
+    for (const OutputChannel &channel : channels) {
+        if (const Channel *coordinate = std::get_if<Channel>(&channel)) {
+            coordinates.set(indexOf(*coordinate));
+        } else {
+            derived.set(indexOf(std::get<DerivedChannel>(channel)));
+        }
+    }
+}
+
+const std::vector<double> &Trajectory::operator[](const OutputChannel &channel) const
+{
+    const Channel *coordinate = std::get_if<Channel>(&channel);
+    return coordinate ? values[indexOf(*coordinate)] : derived[indexOf(std::get<DerivedChannel>(channel))];
+}
+
 double timeStepsPerTurn(const Mechanism &mechanism, const Sampling &sampling)
 {
     return kTurn * sampling.steps / std::abs(mechanism.omega2() * sampling.duration);
@@ -116,18 +188,24 @@ void SamplingSummary::add(const SamplingSummary &next)
     largestResidual = std::max(largestResidual, next.largestResidual);
 }
 
-Trajectory sample(const Mechanism &mechanism, std::vector<double> times, const ChannelSet &channels,
+Trajectory sample(const Mechanism &mechanism, std::vector<double> times, const SampledChannels &channels,
                   const SolverSettings &settings, std::stop_token stop)
 {
     Trajectory trajectory;
     trajectory.time = std::move(times);
     trajectory.status.resize(trajectory.time.size());
     for (std::size_t index = 0; index < kChannelCount; ++index) {
-        trajectory.values[index].resize(channels.test(index) ? trajectory.time.size() : 0);
+        trajectory.values[index].resize(channels.coordinates.test(index) ? trajectory.time.size() : 0);
+    }
+    for (std::size_t index = 0; index < kDerivedChannelCount; ++index) {
+        trajectory.derived[index].resize(channels.derived.test(index) ? trajectory.time.size() : 0);
     }
     if (settings.method == Method::Newton) {
         sampleByNewton(mechanism, settings.newton, channels, trajectory, stop);
-    } else if ((channels & ~plottedChannels()).none()) {
+    } else if (!channels.isPlain()) {
+        sampleOneByOne(trajectory, channels, stop,
+                       [&](double t) { return outputStateAt(mechanism, t, channels.alpha2); });
+    } else if ((channels.coordinates & ~plottedChannels()).none()) {
         samplePlotted(mechanism, trajectory, stop);
     } else {
         const ClosedForm closedForm(mechanism);
@@ -143,7 +221,7 @@ Trajectory sample(const Mechanism &mechanism, std::vector<double> times, const C
     return trajectory;
 }
 
-void sampleInPieces(const Mechanism &mechanism, const Sampling &sampling, const ChannelSet &channels,
+void sampleInPieces(const Mechanism &mechanism, const Sampling &sampling, const SampledChannels &channels,
                     const SolverSettings &settings, const std::function<bool(const Trajectory &)> &take,
                     std::stop_token stop)
 {

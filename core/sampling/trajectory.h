@@ -3,11 +3,13 @@
 
 // Samples the motion at many time stamps by a chosen method. The result has one array for each requested channel.
 
+#include "core/limits/output_channel.h"
 #include "core/mechanism/channel.h"
 #include "core/mechanism/mechanism.h"
 #include "core/newton/newton_options.h"
 
 #include <array>
+#include <bitset>
 #include <functional>
 #include <stop_token>
 #include <vector>
@@ -67,6 +69,22 @@ struct SamplingSummary {
     void add(const SamplingSummary &next);
 };
 
+/// What is sampled. A set of channels converts to it.
+struct SampledChannels {
+    ChannelSet coordinates;
+    std::bitset<kDerivedChannelCount> derived = {}; ///< by indexOf(DerivedChannel)
+    double alpha2 = 0.0; ///< rad/s²: the crank has this acceleration at each time stamp, beside the speed ω2
+
+    SampledChannels(const ChannelSet &channels)
+        : coordinates(channels)
+    {
+    }
+    explicit SampledChannels(const std::vector<OutputChannel> &channels, double crankAcceleration = 0.0);
+
+    /// Whether the coordinates at constant speed are all that is asked for.
+    bool isPlain() const { return derived.none() && alpha2 == 0.0; }
+};
+
 struct Trajectory {
     std::vector<double> time; ///< s
 
@@ -75,22 +93,25 @@ struct Trajectory {
     /// Singular.
     std::array<std::vector<double>, kChannelCount> values;
 
+    std::array<std::vector<double>, kDerivedChannelCount> derived; ///< by indexOf(DerivedChannel), likewise
+
     std::vector<Status> status; ///< one for each time stamp
     SamplingSummary summary;
     bool complete = true; ///< false if stopped before the end: then no other member is valid
 
     const std::vector<double> &operator[](Channel channel) const { return values[indexOf(channel)]; }
+    const std::vector<double> &operator[](const OutputChannel &channel) const;
 };
 
 /// Samples the motion at the time stamps `times` (s), in their order: Newton-Raphson starts each from the previous one.
 /// Ends early if `stop` is requested.
-Trajectory sample(const Mechanism &mechanism, std::vector<double> times, const ChannelSet &channels,
+Trajectory sample(const Mechanism &mechanism, std::vector<double> times, const SampledChannels &channels,
                   const SolverSettings &settings, std::stop_token stop = {});
 
 /// Samples the motion in pieces and passes each to take(), so that a long motion in closed form is never in memory as a
 /// whole. Newton-Raphson, which starts each time step from the previous one, makes a single piece. Ends early if `stop`
 /// is requested or take() returns false.
-void sampleInPieces(const Mechanism &mechanism, const Sampling &sampling, const ChannelSet &channels,
+void sampleInPieces(const Mechanism &mechanism, const Sampling &sampling, const SampledChannels &channels,
                     const SolverSettings &settings, const std::function<bool(const Trajectory &)> &take,
                     std::stop_token stop = {});
 

@@ -395,10 +395,6 @@
         <translation>excentricidad: de O₂ a la línea de la corredera (25)</translation>
     </message>
     <message>
-        <source>all, or names separated by commas: theta3,R4_x_diff (all)</source>
-        <translation>all (todos), o nombres separados por comas: theta3,R4_x_diff (all)</translation>
-    </message>
-    <message>
         <source>how the motion is computed (closed-form)</source>
         <translation>cómo se calcula el movimiento (closed-form)</translation>
     </message>
@@ -433,10 +429,6 @@
     <message>
         <source>Computes the motion and writes a row for each time step: time, then the channels: positions (R1_x, R1_y, theta1, R2_x … theta4), first derivatives (theta3_diff) and second derivatives (theta3_diff2), with 17 significant digits. A value that does not exist is nan in CSV and null in JSON. A column name stands alone if its unit is mm, ° or s; any other unit follows the name: theta3_diff [rad/s].</source>
         <translation>Calcula el movimiento y escribe una fila por cada paso de tiempo: el tiempo y después los canales: posiciones (R1_x, R1_y, theta1, R2_x … theta4), primeras derivadas (theta3_diff) y segundas derivadas (theta3_diff2), con 17 cifras significativas. Un valor que no existe es nan en CSV y null en JSON. El nombre de una columna va solo si su unidad es mm, ° o s; cualquier otra unidad sigue al nombre: theta3_diff [rad/s].</translation>
-    </message>
-    <message>
-        <source>Prints whether the crank makes full turns and why, the dead centres, the stroke, angles and times of both strokes, the time ratio, the minimum transmission angle, mean and peak speeds and peak accelerations, and where and when they occur. Angles in JSON and CSV are in degrees. The exit status is 4 if the mechanism cannot be assembled at all.</source>
-        <translation>Indica si la manivela da vueltas completas y por qué, los puntos muertos, la carrera, los ángulos y tiempos de ida y de retorno, la relación de tiempos, el ángulo de transmisión mínimo, las velocidades medias y máximas y las aceleraciones máximas, y dónde y cuándo se dan. En JSON y CSV los ángulos están en grados. El estado de salida es 4 si el mecanismo no se puede ensamblar en ninguna posición.</translation>
     </message>
     <message>
         <source>Reads CSV files of simulations (time,R4_x,theta3_diff,…) and prints how far each column is from the model at the file&apos;s own time stamps. A value is uncertain by half a unit of its last digit and by the motion within half a unit of its time stamp. A column agrees if at least 95 % of its errors are within that bound and none exceeds ten times the bound; it is close if none exceeds a hundred times the bound; otherwise it differs. It also differs if an error exceeds its bound by more than 1 % of half the range of the motion. For a file that differs, the program says what would explain the difference. A file that cannot be read is reported, and the others are still compared. FILE may be - for standard input.</source>
@@ -641,10 +633,6 @@ Equipo: %1. Tiempo: %2 s.
 </translation>
     </message>
     <message>
-        <source>The crank does not reach %1° within 1e12 s: choose another --omega2 or --theta20.</source>
-        <translation>La manivela no alcanza %1° en 1e12 s: elija otro --omega2 u otro --theta20.</translation>
-    </message>
-    <message>
         <source>%1: %2, %3 rows</source>
         <translation>%1: %2, %3 filas</translation>
     </message>
@@ -761,10 +749,6 @@ Equipo: %1. Tiempo: %2 s.
         <translation>Estado de salida: 0 correcto; 1 se dio --fail-on-difference y un canal difiere; 2 error de uso; 3 un archivo no se puede leer o escribir; 4 el mecanismo no se puede ensamblar en algún paso de tiempo (los demás se escriben igualmente), o --design es imposible; 5 sin convergencia o singular en algún paso de tiempo, o ningún mecanismo identificado. Si se dan varios: 3 antes que 4, antes que 5, antes que 1.</translation>
     </message>
     <message>
-        <source>--design must be a list such as stroke=80,time-ratio=1.2,transmission-angle=40, not &quot;%1&quot;.</source>
-        <translation>--design debe ser una lista como stroke=80,time-ratio=1.2,transmission-angle=40, y no «%1».</translation>
-    </message>
-    <message>
         <source>instead of --steps and --duration: a row for each step of this crank angle, over one revolution</source>
         <translation>en lugar de --steps y --duration: una fila por cada paso de este ángulo de la manivela, durante una vuelta</translation>
     </message>
@@ -775,10 +759,6 @@ Equipo: %1. Tiempo: %2 s.
     <message>
         <source>the time that is drawn, and marked in the plots (--start)</source>
         <translation>el instante que se dibuja, marcado en las gráficas (--start)</translation>
-    </message>
-    <message>
-        <source>find the mechanism with this stroke, this time ratio (1) and at least this minimum transmission angle: stroke=80,time-ratio=1.2,transmission-angle=40; of several, the one with the largest angle is chosen</source>
-        <translation>busca el mecanismo con esta carrera, esta relación de tiempos (1) y al menos este ángulo de transmisión mínimo: stroke=80,time-ratio=1.2,transmission-angle=40; de varios, se elige el que tiene el mayor ángulo</translation>
     </message>
     <message>
         <source>write to this file instead of standard output (-)</source>
@@ -799,6 +779,126 @@ Equipo: %1. Tiempo: %2 s.
     <message>
         <source>%1 of %2 time steps, first at </source>
         <translation>%1 de %2 pasos de tiempo, el primero en </translation>
+    </message>
+    <message>
+        <source>minus</source>
+        <translation>menos</translation>
+    </message>
+    <message>
+        <source>plus</source>
+        <translation>más</translation>
+    </message>
+    <message>
+        <source>--tolerance must be a list such as a=0.05,b=0.1,c=0.05, not &quot;%1&quot;.</source>
+        <translation>--tolerance debe ser una lista como a=0.05,b=0.1,c=0.05, no «%1».</translation>
+    </message>
+    <message>
+        <source>--design must be a list such as stroke=80,time-ratio=1.2,transmission-angle=40, or time-ratio=1.2 beside --a and --b, not &quot;%1&quot;.</source>
+        <translation>--design debe ser una lista como stroke=80,time-ratio=1.2,transmission-angle=40, o time-ratio=1.2 junto con --a y --b, no «%1».</translation>
+    </message>
+    <message>
+        <source>--design time-ratio computes c: remove %1.</source>
+        <translation>--design time-ratio calcula c: quite %1.</translation>
+    </message>
+    <message>
+        <source>--design time-ratio needs a stroke, or the lengths --a and --b.</source>
+        <translation>--design time-ratio necesita una carrera (stroke), o las longitudes --a y --b.</translation>
+    </message>
+    <message>
+        <source>--vary prints values without their tolerances: remove %1.</source>
+        <translation>--vary escribe valores sin sus tolerancias: quite %1.</translation>
+    </message>
+    <message>
+        <source>The crank does not reach %1° within 1e12 s: choose a different --omega2 or --theta20.</source>
+        <translation>La manivela no alcanza %1° en menos de 1e12 s: elija otro valor de --omega2 o de --theta20.</translation>
+    </message>
+    <message>
+        <source>Prints whether the crank makes full turns and why, the dead centres, the stroke, angles and times of both strokes, the time ratio, the extremes of the transmission angle and of the coupler angle, mean and peak speeds and peak accelerations, and where and when they occur. Crank angles in JSON and CSV are in degrees. The exit status is 4 if the mechanism cannot be assembled at all.</source>
+        <translation>Escribe si la manivela da vueltas completas y por qué, los puntos muertos, la carrera, los ángulos y tiempos de ambas carreras, la relación de tiempos, los valores extremos del ángulo de transmisión y del ángulo de la biela, las velocidades medias y máximas y las aceleraciones máximas, y dónde y cuándo se dan. Los ángulos de la manivela en JSON y CSV están en grados. El estado de salida es 4 si el mecanismo no se puede ensamblar en ninguna posición.</translation>
+    </message>
+    <message>
+        <source>a row for each position of one revolution in which a channel has this value: R4_x=60, theta3=10deg, R4_x_diff=-0.2m/s</source>
+        <translation>una fila por cada posición de una revolución en la que un canal tiene este valor: R4_x=60, theta3=10deg, R4_x_diff=-0.2m/s</translation>
+    </message>
+    <message>
+        <source>crank acceleration at the positions of --at, --at-angle, --step-angle or --when (0): a channel f has the second derivative f″ω₂² + f′α₂</source>
+        <translation>aceleración de la manivela en las posiciones de --at, --at-angle, --step-angle o --when (0): un canal f tiene la segunda derivada f″ω₂² + f′α₂</translation>
+    </message>
+    <message>
+        <source>with --at-angle: compute the crank speed at which a first derivative has this value, and report it: R4_x_diff=8m/s</source>
+        <translation>con --at-angle: calcula la velocidad de la manivela con la que una primera derivada tiene este valor, y la indica: R4_x_diff=8m/s</translation>
+    </message>
+    <message>
+        <source>find the mechanism with this stroke, this time ratio (1) and at least this minimum transmission angle: stroke=80,time-ratio=1.2,transmission-angle=40; of several, the one with the largest angle is chosen. With time-ratio=1.2 alone, --a and --b: the offset c</source>
+        <translation>busca el mecanismo con esta carrera, esta relación de tiempos (1) y al menos este ángulo de transmisión mínimo: stroke=80,time-ratio=1.2,transmission-angle=40; entre varios, elige el de mayor ángulo. Solo con time-ratio=1.2, --a y --b: la excentricidad c</translation>
+    </message>
+    <message>
+        <source>a=0.05,b=0.1,c=0.05: how much each limit may decrease and increase if the lengths deviate by this much (mm)</source>
+        <translation>a=0.05,b=0.1,c=0.05: cuánto puede disminuir y aumentar cada límite si las longitudes se desvían esto (mm)</translation>
+    </message>
+    <message>
+        <source>--%1 must be a channel, = and its value, such as %2, not &quot;%3&quot;.</source>
+        <translation>--%1 debe ser un canal, = y su valor, como %2, no «%3».</translation>
+    </message>
+    <message>
+        <source>A revolution of the crank takes more than 1e12 s: choose a larger --omega2.</source>
+        <translation>Una revolución de la manivela dura más de 1e12 s: elija un valor mayor de --omega2.</translation>
+    </message>
+    <message>
+        <source>The rows are too close in time to be distinguished: choose a larger --step-angle, a smaller --omega2 or a --start nearer to 0.</source>
+        <translation>Las filas están demasiado próximas en el tiempo para distinguirlas: elija un valor mayor de --step-angle, uno menor de --omega2 o un --start más próximo a 0.</translation>
+    </message>
+    <message>
+        <source>--when: the crank stands still, so that %1 is 0 everywhere.</source>
+        <translation>--when: la manivela está en reposo, de modo que %1 es 0 en todas partes.</translation>
+    </message>
+    <message>
+        <source>--when: %1 does not depend on the crank angle.</source>
+        <translation>--when: %1 no depende del ángulo de la manivela.</translation>
+    </message>
+    <message>
+        <source>There is no position with %1 = %2: &quot;slidercrank limits&quot; shows how far the motion goes.</source>
+        <translation>No hay ninguna posición con %1 = %2: «slidercrank limits» muestra hasta dónde llega el movimiento.</translation>
+    </message>
+    <message>
+        <source>--when finds second derivatives at a constant speed: remove %1.</source>
+        <translation>--when busca segundas derivadas a velocidad constante: quite %1.</translation>
+    </message>
+    <message>
+        <source>The crank stands still: --when needs an --omega2 that is not 0.</source>
+        <translation>La manivela está en reposo: --when necesita un --omega2 distinto de 0.</translation>
+    </message>
+    <message>
+        <source>--omega2-for computes the crank speed: remove %1.</source>
+        <translation>--omega2-for calcula la velocidad de la manivela: quite %1.</translation>
+    </message>
+    <message>
+        <source>--omega2-for needs a first derivative, such as R4_x_diff=8m/s, not %1.</source>
+        <translation>--omega2-for necesita una primera derivada, como R4_x_diff=8m/s, no %1.</translation>
+    </message>
+    <message>
+        <source>No crank speed gives %1 = %2 at %3°: there %1 is 0 at every speed, as at a dead centre, or does not exist.</source>
+        <translation>Ninguna velocidad de la manivela da %1 = %2 a %3°: allí %1 es 0 a cualquier velocidad, como en un punto muerto, o no existe.</translation>
+    </message>
+    <message>
+        <source>--when covers one revolution: remove %1.</source>
+        <translation>--when abarca una revolución: quite %1.</translation>
+    </message>
+    <message>
+        <source>%1 needs the position: add --at-angle.</source>
+        <translation>%1 necesita la posición: añada --at-angle.</translation>
+    </message>
+    <message>
+        <source>The crank has a constant speed over time, and %1 applies to single positions: add --at-angle, --at, --step-angle or --when.</source>
+        <translation>La manivela tiene velocidad constante en el tiempo, y %1 se aplica a posiciones sueltas: añada --at-angle, --at, --step-angle o --when.</translation>
+    </message>
+    <message>
+        <source>all, or names separated by commas: theta3,R4_x_diff (all); also transmission_angle, displacement (from the outer dead centre), A_x and A_y, with _diff and _diff2</source>
+        <translation>all, o nombres separados por comas: theta3,R4_x_diff (all); también transmission_angle, displacement (desde el punto muerto exterior), A_x y A_y, con _diff y _diff2</translation>
+    </message>
+    <message>
+        <source>unit of the lengths in the output (mm)</source>
+        <translation>unidad de las longitudes en la salida (mm)</translation>
     </message>
 </context>
 <context>
@@ -972,6 +1072,14 @@ Equipo: %1. Tiempo: %2 s.
     <message>
         <source>There is no such mechanism: with a time ratio of %1 the minimum transmission angle is at most %2°; an angle of %3° needs a time ratio below %4.</source>
         <translation>No existe tal mecanismo: con una relación de tiempos de %1, el ángulo de transmisión mínimo es como máximo %2°; un ángulo de %3° exige una relación de tiempos menor que %4.</translation>
+    </message>
+    <message>
+        <source>There is no such mechanism: the coupler b must be longer than the crank a.</source>
+        <translation>No existe tal mecanismo: la biela b debe ser más larga que la manivela a.</translation>
+    </message>
+    <message>
+        <source>There is no such mechanism: with these lengths a and b the time ratio is below %1, not %2.</source>
+        <translation>No existe tal mecanismo: con estas longitudes a y b la relación de tiempos es menor que %1, no %2.</translation>
     </message>
 </context>
 <context>
@@ -2109,26 +2217,6 @@ PA = %3 mm, PB = %4 mm</translation>
 <context>
     <name>slidercrank::MotionFacts</name>
     <message>
-        <source>outer dead centre</source>
-        <translation>punto muerto exterior</translation>
-    </message>
-    <message>
-        <source>inner dead centre</source>
-        <translation>punto muerto interior</translation>
-    </message>
-    <message>
-        <source>forward stroke</source>
-        <translation>carrera de ida</translation>
-    </message>
-    <message>
-        <source>return stroke</source>
-        <translation>carrera de vuelta</translation>
-    </message>
-    <message>
-        <source>time ratio</source>
-        <translation>relación de tiempos</translation>
-    </message>
-    <message>
         <source>throughout</source>
         <translation>siempre</translation>
     </message>
@@ -2137,76 +2225,12 @@ PA = %3 mm, PB = %4 mm</translation>
         <translation>manivela en reposo</translation>
     </message>
     <message>
-        <source>stroke</source>
-        <translation>carrera</translation>
-    </message>
-    <message>
-        <source>crank limit position</source>
-        <translation>posición límite de la manivela</translation>
-    </message>
-    <message>
-        <source>Crank rotation from the inner to the outer dead centre</source>
-        <translation>Giro de la manivela del punto muerto interior al exterior</translation>
-    </message>
-    <message>
-        <source>Crank rotation from the outer to the inner dead centre</source>
-        <translation>Giro de la manivela del punto muerto exterior al interior</translation>
-    </message>
-    <message>
-        <source>Time of the slower stroke divided by the time of the faster one</source>
-        <translation>El tiempo de la carrera más lenta dividido por el de la más rápida</translation>
-    </message>
-    <message>
-        <source>Travel of the slider: its largest position minus its smallest</source>
-        <translation>Recorrido de la corredera: su posición máxima menos la mínima</translation>
-    </message>
-    <message>
-        <source>minimum transmission angle</source>
-        <translation>ángulo de transmisión mínimo</translation>
-    </message>
-    <message>
-        <source>Angle between the coupler and the normal to the slider&apos;s line, 90° − |θ³|, at its minimum. Mechanisms with less than about 40° tend to jam.</source>
-        <translation>Ángulo entre la biela y la normal a la línea de la corredera, 90° − |θ³|, en su mínimo. Los mecanismos con menos de unos 40° tienden a trabarse.</translation>
-    </message>
-    <message>
-        <source>mean forward speed</source>
-        <translation>velocidad media de ida</translation>
-    </message>
-    <message>
-        <source>mean return speed</source>
-        <translation>velocidad media de vuelta</translation>
-    </message>
-    <message>
-        <source>Slider position Rₓ⁴ at which the slider reverses, crank and coupler extended in one line</source>
-        <translation>Posición de la corredera Rₓ⁴ en la que se invierte su movimiento, con manivela y biela extendidas en línea</translation>
-    </message>
-    <message>
-        <source>Slider position Rₓ⁴ at which the slider reverses, crank and coupler overlapping in one line</source>
-        <translation>Posición de la corredera Rₓ⁴ en la que se invierte su movimiento, con manivela y biela superpuestas en línea</translation>
-    </message>
-    <message>
-        <source>The crank can go no further: the coupler is perpendicular to the slider&apos;s line. The value is the slider position Rₓ⁴.</source>
-        <translation>La manivela no puede ir más allá: la biela es perpendicular a la línea de la corredera. El valor es la posición Rₓ⁴ de la corredera.</translation>
-    </message>
-    <message>
         <source>Largest value over one revolution of the crank, where its derivative is zero</source>
         <translation>El mayor valor en una vuelta de la manivela, donde su derivada es cero</translation>
     </message>
     <message>
         <source>%1 in total, at most %2 at a time step</source>
         <translation>%1 en total, a lo sumo %2 en un instante</translation>
-    </message>
-    <message>
-        <source>forward time</source>
-        <translation>tiempo de ida</translation>
-    </message>
-    <message>
-        <source>return time</source>
-        <translation>tiempo de vuelta</translation>
-    </message>
-    <message>
-        <source>The stroke divided by its time</source>
-        <translation>La carrera dividida por su tiempo</translation>
     </message>
     <message>
         <source>limit</source>
@@ -2252,6 +2276,134 @@ PA = %3 mm, PB = %4 mm</translation>
         <source>peak %1</source>
         <comment>of a velocity or an acceleration</comment>
         <translation>pico de %1</translation>
+    </message>
+    <message>
+        <source>outer dead centre</source>
+        <translation>punto muerto exterior</translation>
+    </message>
+    <message>
+        <source>Slider position at which the slider reverses, crank and coupler extended in one line</source>
+        <translation>Posición de la corredera en la que esta invierte su sentido, con manivela y biela alineadas y extendidas</translation>
+    </message>
+    <message>
+        <source>inner dead centre</source>
+        <translation>punto muerto interior</translation>
+    </message>
+    <message>
+        <source>Slider position at which the slider reverses, crank and coupler overlapping in one line</source>
+        <translation>Posición de la corredera en la que esta invierte su sentido, con manivela y biela alineadas y superpuestas</translation>
+    </message>
+    <message>
+        <source>crank limit position</source>
+        <translation>posición límite de la manivela</translation>
+    </message>
+    <message>
+        <source>The crank can go no further: the coupler is perpendicular to the slider&apos;s line. The value is the slider position.</source>
+        <translation>La manivela no puede avanzar más: la biela es perpendicular a la línea de la corredera. El valor es la posición de la corredera.</translation>
+    </message>
+    <message>
+        <source>stroke</source>
+        <translation>carrera</translation>
+    </message>
+    <message>
+        <source>Travel of the slider: its largest position minus its smallest</source>
+        <translation>Recorrido de la corredera: su posición máxima menos la mínima</translation>
+    </message>
+    <message>
+        <source>crank angle, forward stroke</source>
+        <translation>giro de la manivela, carrera de ida</translation>
+    </message>
+    <message>
+        <source>Crank rotation from the inner to the outer dead centre</source>
+        <translation>Giro de la manivela del punto muerto interior al exterior</translation>
+    </message>
+    <message>
+        <source>time, forward stroke</source>
+        <translation>tiempo, carrera de ida</translation>
+    </message>
+    <message>
+        <source>Time from the inner to the outer dead centre: the crank rotation divided by |ω₂|</source>
+        <translation>Tiempo del punto muerto interior al exterior: el giro de la manivela dividido por |ω₂|</translation>
+    </message>
+    <message>
+        <source>mean speed, forward stroke</source>
+        <translation>velocidad media, carrera de ida</translation>
+    </message>
+    <message>
+        <source>The stroke divided by the time of the forward stroke</source>
+        <translation>La carrera dividida por el tiempo de la carrera de ida</translation>
+    </message>
+    <message>
+        <source>crank angle, return stroke</source>
+        <translation>giro de la manivela, carrera de retorno</translation>
+    </message>
+    <message>
+        <source>Crank rotation from the outer to the inner dead centre</source>
+        <translation>Giro de la manivela del punto muerto exterior al interior</translation>
+    </message>
+    <message>
+        <source>time, return stroke</source>
+        <translation>tiempo, carrera de retorno</translation>
+    </message>
+    <message>
+        <source>Time from the outer to the inner dead centre: the crank rotation divided by |ω₂|</source>
+        <translation>Tiempo del punto muerto exterior al interior: el giro de la manivela dividido por |ω₂|</translation>
+    </message>
+    <message>
+        <source>mean speed, return stroke</source>
+        <translation>velocidad media, carrera de retorno</translation>
+    </message>
+    <message>
+        <source>The stroke divided by the time of the return stroke</source>
+        <translation>La carrera dividida por el tiempo de la carrera de retorno</translation>
+    </message>
+    <message>
+        <source>time ratio</source>
+        <translation>relación de tiempos</translation>
+    </message>
+    <message>
+        <source>Time of the slower stroke divided by the time of the faster one</source>
+        <translation>El tiempo de la carrera más lenta dividido por el de la más rápida</translation>
+    </message>
+    <message>
+        <source>minimum transmission angle</source>
+        <translation>ángulo de transmisión mínimo</translation>
+    </message>
+    <message>
+        <source>The transmission angle μ is the acute angle between the coupler and the normal to the slider&apos;s line. Mechanisms with less than about 40° tend to jam.</source>
+        <translation>El ángulo de transmisión μ es el ángulo agudo entre la biela y la normal a la línea de la corredera. Los mecanismos con menos de unos 40° tienden a atascarse.</translation>
+    </message>
+    <message>
+        <source>maximum transmission angle</source>
+        <translation>ángulo de transmisión máximo</translation>
+    </message>
+    <message>
+        <source>90° where the coupler is parallel to the slider&apos;s line</source>
+        <translation>90° donde la biela es paralela a la línea de la corredera</translation>
+    </message>
+    <message>
+        <source>minimum coupler angle</source>
+        <translation>ángulo mínimo de la biela</translation>
+    </message>
+    <message>
+        <source>Smallest angle of the coupler over a revolution of the crank</source>
+        <translation>Menor ángulo de la biela en una revolución de la manivela</translation>
+    </message>
+    <message>
+        <source>maximum coupler angle</source>
+        <translation>ángulo máximo de la biela</translation>
+    </message>
+    <message>
+        <source>Largest angle of the coupler over a revolution of the crank</source>
+        <translation>Mayor ángulo de la biela en una revolución de la manivela</translation>
+    </message>
+    <message>
+        <source>swing of the coupler</source>
+        <translation>oscilación de la biela</translation>
+    </message>
+    <message>
+        <source>The largest angle of the coupler minus its smallest</source>
+        <translation>El mayor ángulo de la biela menos el menor</translation>
     </message>
 </context>
 <context>
@@ -3201,28 +3353,24 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>respuesta</translation>
     </message>
     <message>
-        <source>stroke [mm]</source>
-        <translation>carrera [mm]</translation>
-    </message>
-    <message>
-        <source>time ratio</source>
-        <translation>relación de tiempos</translation>
-    </message>
-    <message>
-        <source>min. transmission angle [°]</source>
-        <translation>ángulo transm. mín. [°]</translation>
-    </message>
-    <message>
-        <source>peak slider speed [mm/s]</source>
-        <translation>velocidad máx. [mm/s]</translation>
-    </message>
-    <message>
-        <source>peak slider acc. [mm/s²]</source>
-        <translation>aceleración máx. [mm/s²]</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>stroke [%1]</source>
+        <translation>carrera [%1]</translation>
+    </message>
+    <message>
+        <source>min. transmission angle [%1]</source>
+        <translation>áng. de transmisión mín. [%1]</translation>
+    </message>
+    <message>
+        <source>peak slider speed [%1]</source>
+        <translation>velocidad máx. corredera [%1]</translation>
+    </message>
+    <message>
+        <source>peak slider acc. [%1]</source>
+        <translation>aceleración máx. corredera [%1]</translation>
     </message>
 </context>
 <context>

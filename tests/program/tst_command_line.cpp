@@ -82,7 +82,7 @@ private slots:
             {"solve --at-angle 30 --steps 5", "remove one"},
             {"solve --at 1 --start 0.5", "remove --start"},
             {"solve --at-angle 30 --omega2 0", "does not reach 30°"},
-            {"solve --at-angle 30 --omega2 1e-300", "another --omega2"},
+            {"solve --at-angle 30 --omega2 1e-300", "different --omega2"},
             {"solve --step-angle 7", "must divide 360"},
             {"solve --step-angle 10 --omega2 0", "stands still"},
             {"solve --step-angle 10 --steps 3", "remove --steps"},

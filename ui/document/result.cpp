@@ -31,7 +31,7 @@ SamplingSummary summarize(const Choices &choices, std::stop_token stop)
         summary.add(piece.summary);
         return true;
     };
-    sampleInPieces(mechanism, choices.sampling, {}, choices.solver, add, std::move(stop));
+    sampleInPieces(mechanism, choices.sampling, ChannelSet(), choices.solver, add, std::move(stop));
     return summary;
 }
 

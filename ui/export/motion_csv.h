@@ -6,6 +6,7 @@
 
 #include "core/sampling/trajectory.h"
 #include "ui/document/result.h"
+#include "ui/text/units.h"
 
 #include <QByteArray>
 #include <QString>
@@ -17,8 +18,6 @@
 
 namespace slidercrank
 {
-
-enum class AngleUnit { Degree, Radian };
 
 /// Returns the factor that converts the degrees of a Trajectory to the unit; 1 for channels that are not angles.
 double factorTo(AngleUnit unit, Channel channel);

@@ -63,7 +63,7 @@ std::optional<MechanismDrag> MechanismDrag::begin(const MechanismScene &scene, D
     }
     if ((part == DrawnPart::B || part == DrawnPart::Slider) && scene.pose.exists()) {
         drag.m_grip = pointer - scene.wristPin();
-        drag.m_stroke = strokeAround(drag.m_mechanism, drag.m_limits, scene.pose.theta2, omega2 > 0.0 ? 1 : -1);
+        drag.m_stroke = strokeAround(drag.m_limits, scene.pose.theta2, omega2 > 0.0 ? 1 : -1);
     }
     return drag.m_stroke ? std::optional(drag) : std::nullopt;
 }
@@ -96,7 +96,7 @@ double MechanismDrag::crankAngleOfSlider(double R4x)
             return end.theta2; // the pointer is still beyond the end
         }
         // Where an oscillating crank reverses there is no next stroke; the slider returns on the same one.
-        if (const std::optional<SliderStroke> next = strokeAround(m_mechanism, m_limits, end.theta2, m_pushedAgainst)) {
+        if (const std::optional<SliderStroke> next = strokeAround(m_limits, end.theta2, m_pushedAgainst)) {
             m_stroke = next;
         }
     }

@@ -111,7 +111,7 @@ void DesignForm::showParameters()
     const double best = kDegreesPerRadian * (range ? range->bestTransmissionAngle : 0.0);
     m_stroke->setValue(m_wanted.stroke);
     m_timeRatio->setValue(std::max(m_wanted.timeRatio, 1.0 / m_wanted.timeRatio));
-    m_transmissionAngle->setValue(turns ? 90.0 - kDegreesPerRadian * limits.largestPressureAngle : best);
+    m_transmissionAngle->setValue(turns ? kDegreesPerRadian * limits.coupler.minimumTransmissionAngle.angle : best);
     m_ratio->setEnabled(turns && range);
     m_best->setEnabled(range.has_value());
     const auto number = [](double value) { return numberText(value, 5); };

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/response.h"
 
-#include "core/limits/extremes.h"
-#include "core/limits/mobility.h"
 #include "ui/text/finding_text.h"
+#include "ui/text/units.h"
 #include "ui/text/written_number.h"
 
 #include <QCoreApplication>
@@ -25,51 +24,35 @@ struct ResponseText {
 
 LimitValues limitValues(const Mechanism &mechanism)
 {
-    const MotionLimits limits = motionLimits(mechanism);
-    LimitValues values{limits.stroke.value_or(kNone), limits.timeRatio.value_or(kNone), kNone, kNone, kNone};
-    if (limits.mobility != Mobility::FullTurn) {
-        return values;
-    }
-    values[2] = 90.0 - kDegreesPerRadian * limits.largestPressureAngle;
-    for (const Peak &peak : motionPeaks(mechanism)) {
-        if (peak.channel.coordinate == R4x) {
-            values[peak.channel.order == Order::Velocity ? kFirstPeak : kFirstPeak + 1] =
-                std::isfinite(peak.magnitude) ? peak.magnitude : kNone;
-        }
-    }
+    LimitValues values = responseLimits(mechanism);
+    std::ranges::transform(values, kResponseLimits, values.begin(),
+                           [](double value, LimitKind kind) { return shownValue(describe(kind).measure, value); });
     return values;
 }
 
 ResponseRange responseRange(const Parameters &parameters, Parameter parameter)
 {
-    const auto &[a, b, offset, omega2, theta20, branch] = parameters;
-    const double c = std::abs(offset);
+    const double a = parameters.a;
+    const double b = parameters.b;
+    const double c = std::abs(parameters.c);
     const double value = valueOf(parameters, parameter);
-    const auto upTo = [value](double end) { return std::min(std::max(end, 1.25 * value), kLargestParameter); };
-    Interval assembled;
-    Interval fullTurn;
+    const auto &[assembled, fullTurn] = parameterRanges(parameters, parameter);
+    Interval shown{assembled.lower, assembled.upper};
+    const auto cutAbove = [&shown, value](double end) {
+        shown.upper = std::min(std::max(end, 1.25 * value), shown.upper);
+    };
     switch (parameter) {
-    case Parameter::A:
-        assembled = {std::max(kShortestLink, c - b), upTo(b > c ? 1.5 * (b - c) : 2.0 * (b + c))};
-        fullTurn = {assembled.lower, b - c};
-        break;
-    case Parameter::B:
-        assembled = {std::max(kShortestLink, c - a), upTo(3.0 * (a + c))};
-        fullTurn = {a + c, kLargestParameter};
-        break;
-    case Parameter::C:
-        assembled = {-(a + b), a + b};
-        fullTurn = {a - b, b - a};
-        break;
+    case Parameter::A: cutAbove(b > c ? 1.5 * (b - c) : 2.0 * (b + c)); break;
+    case Parameter::B: cutAbove(3.0 * (a + c)); break;
+    case Parameter::C: break;
     case Parameter::Omega2:
     case Parameter::Theta20: {
         const double end = nextRoundNumber(std::max(1.25 * std::abs(value), 1.0));
-        assembled = {-end, end};
-        fullTurn = b >= a + c ? assembled : Interval{1.0, -1.0};
+        shown = {-end, end};
         break;
     }
     }
-    return {assembled, fullTurn};
+    return {shown, {fullTurn.lower, fullTurn.upper}};
 }
 
 QString fullTurnText(Parameter parameter, const ResponseRange &range)
@@ -103,8 +86,9 @@ Response computeResponse(const Parameters &parameters, Parameter parameter, int 
         Parameters varied = parameters;
         valueOf(varied, parameter) = value;
         const bool isUsable = !stop.stop_requested() && !findFault(varied);
-        response.limits.push_back(isUsable ? limitValues(Mechanism(varied))
-                                           : LimitValues{kNone, kNone, kNone, kNone, kNone});
+        LimitValues none;
+        none.fill(kNone);
+        response.limits.push_back(isUsable ? limitValues(Mechanism(varied)) : none);
     }
     return response;
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Computes how the limits of the motion depend on one parameter. Units: mm, degrees, mm/s, mm/s², rad/s.
+// The curves of the limits of the motion over one parameter.
 
-#include "core/mechanism/mechanism.h"
+#include "core/limits/response.h"
 #include "ui/text/interval.h"
 
 #include <QString>
@@ -15,11 +15,9 @@
 namespace slidercrank
 {
 
-/// Stroke, time ratio, smallest transmission angle, peak slider speed and peak slider acceleration. A value is NaN if
-/// the limit does not exist or is unbounded.
-inline constexpr std::size_t kLimitCount = 5;
-inline constexpr std::size_t kFirstPeak = 3;
-using LimitValues = std::array<double, kLimitCount>;
+/// In the order of kResponseLimits, in the units that are shown. A value is NaN if the limit does not exist or is
+/// unbounded.
+using LimitValues = ResponseLimits;
 
 LimitValues limitValues(const Mechanism &mechanism);
 
@@ -27,9 +25,9 @@ LimitValues limitValues(const Mechanism &mechanism);
 inline constexpr std::array kVariedParameters{Parameter::A, Parameter::B, Parameter::C, Parameter::Omega2};
 
 struct ResponseRange {
-    Interval assembled; ///< values with which the mechanism can be assembled; unbounded ends are cut off
-    Interval fullTurn; ///< values with which the crank makes full turns; may exceed `assembled`; lower > upper if there
-                       ///< are none
+    Interval assembled; ///< values with which the mechanism can be assembled; distant ends are cut off
+    Interval fullTurn;  ///< values with which the crank makes full turns; may exceed `assembled`; lower > upper if
+                        ///< there are none
 };
 
 /// Returns the range of one parameter, with all others fixed. It contains the current value if the mechanism can be

@@ -6,7 +6,9 @@
 #include "ui/panels/table_panel.h"
 #include "ui/text/axis_scale.h"
 #include "ui/text/finding_text.h"
+#include "ui/text/motion_facts.h"
 #include "ui/text/record.h"
+#include "ui/text/units.h"
 #include "ui/text/written_number.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/paragraph.h"
@@ -32,17 +34,30 @@ constexpr QSize kSmallestChart(100, 90); // px; below this the page scrolls
 
 std::vector<Record> recordsOf(const Response &response)
 {
-    constexpr std::array kKeys{"stroke", "time-ratio", "least-transmission-angle", "peak-slider-speed",
-                               "peak-slider-acceleration"}; // in the order of LimitValues
     std::vector<Record> records;
     for (std::size_t i = 0; i < response.values.size(); ++i) {
         Record &record = records.emplace_back();
         record.emplace_back(QLatin1String(optionName(response.parameter)), response.values[i]);
-        for (std::size_t k = 0; k < kLimitCount; ++k) {
-            record.emplace_back(kKeys[k], jsonNumber(response.limits[i][k]));
+        for (std::size_t k = 0; k < kResponseLimits.size(); ++k) {
+            const std::string_view key = describe(kResponseLimits[k]).key;
+            record.emplace_back(QString::fromUtf8(key.data(), static_cast<qsizetype>(key.size())),
+                                jsonNumber(response.limits[i][k]));
         }
     }
     return records;
+}
+
+/// Returns the name of a limit, short enough for the title of a small chart, with its unit.
+QString chartName(LimitKind kind)
+{
+    const QString unit = unitText(describe(kind).measure);
+    switch (kind) {
+    case LimitKind::Stroke: return ResponseView::tr("stroke [%1]").arg(unit);
+    case LimitKind::MinimumTransmissionAngle: return ResponseView::tr("min. transmission angle [%1]").arg(unit);
+    case LimitKind::PeakSliderSpeed: return ResponseView::tr("peak slider speed [%1]").arg(unit);
+    case LimitKind::PeakSliderAcceleration: return ResponseView::tr("peak slider acc. [%1]").arg(unit);
+    default: return limitName(kind);
+    }
 }
 
 /// Returns the range of the finite values of a limit, without the steep rise of a peak towards infinity.
@@ -60,7 +75,7 @@ Interval valueRange(const Response &response, std::size_t limit)
     }
     std::ranges::sort(values);
     const double steep = std::max(kSteep * values[values.size() / 2], values.front());
-    return {values.front(), limit >= kFirstPeak ? std::min(values.back(), steep) : values.back()};
+    return {values.front(), peakChannel(kResponseLimits[limit]) ? std::min(values.back(), steep) : values.back()};
 }
 
 /// Returns a dot for each of the mechanisms that has the limit.
@@ -108,7 +123,7 @@ ResponseView::ResponseView(Session *session, QWidget *parent)
     auto *grid = new QGridLayout;
     grid->setSpacing(2);
     grid->setRowStretch(1, 1);
-    for (std::size_t i = 0; i < kLimitCount; ++i) {
+    for (std::size_t i = 0; i < kResponseLimits.size(); ++i) {
         auto *chart = m_charts[i] = named(QStringLiteral("responseChart%1").arg(i), new Chart);
         chart->setMinimumSize(kSmallestChart);
         chart->setCursor(Qt::SizeHorCursor);
@@ -165,13 +180,11 @@ void ResponseView::refresh()
 
 void ResponseView::showResponse()
 {
-    const std::array names{tr("stroke [mm]"), tr("time ratio"), tr("min. transmission angle [°]"),
-                           tr("peak slider speed [mm/s]"), tr("peak slider acc. [mm/s²]")};
     const LimitValues present = limitValues(Mechanism(m_response.parameters));
     m_sentence->setText(fullTurnText(m_response.parameter, m_response.range) + u' ' +
                         tr("Drag a dot to change %1.").arg(symbolText(m_response.parameter)));
-    for (std::size_t i = 0; i < kLimitCount; ++i) {
-        const QString title = tr("%1: %2").arg(names[i], shortNumber(present[i]));
+    for (std::size_t i = 0; i < kResponseLimits.size(); ++i) {
+        const QString title = tr("%1: %2").arg(chartName(kResponseLimits[i]), shortNumber(present[i]));
         m_titles[i]->setText(QString(title).replace(u'/', "/\u2060")); // no line break within a unit
         m_charts[i]->setAccessibleName(title);
         m_charts[i]->setContent(chartOf(i));
@@ -240,7 +253,7 @@ FigureDrawing ResponseView::drawing() const
     return [this](QPainter &painter, const QSize &size) {
         const QPalette light = paletteFor(Theme::Light);
         const int line = 2 * QFontMetrics(font()).height();
-        const QSize part(size.width() / static_cast<int>(kLimitCount), size.height() - line);
+        const QSize part(size.width() / static_cast<int>(kResponseLimits.size()), size.height() - line);
         painter.fillRect(QRect(QPoint(), size), light.base());
         int left = 0;
         for (Chart *chart : m_charts) {

@@ -56,8 +56,8 @@ private:
     BackgroundTask m_task;
     QComboBox *m_parameter;
     QLabel *m_sentence;
-    std::array<Chart *, kLimitCount> m_charts;
-    std::array<QLabel *, kLimitCount> m_titles; ///< name and current value of each limit
+    std::array<Chart *, kResponseLimits.size()> m_charts;
+    std::array<QLabel *, kResponseLimits.size()> m_titles; ///< name and current value of each limit
 };
 
 } // namespace slidercrank

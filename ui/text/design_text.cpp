@@ -33,6 +33,12 @@ QString designFaultText(const DesignFault &fault, const DesignRequest &request)
                    "an angle of %3° needs a time ratio below %4.")
             .arg(ratio, numberText(fault.bound * kDegreesPerRadian, 4),
                  numberText(*request.transmissionAngle * kDegreesPerRadian, 4), numberText(fault.timeRatioBound, 4));
+    case DesignFault::Reason::CouplerTooShort:
+        return DesignText::tr("There is no such mechanism: the coupler b must be longer than the crank a.");
+    case DesignFault::Reason::TimeRatioTooLarge:
+        return DesignText::tr(
+                   "There is no such mechanism: with these lengths a and b the time ratio is below %1, not %2.")
+            .arg(numberText(fault.bound, 4), ratio);
     }
     return {};
 }

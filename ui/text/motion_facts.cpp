@@ -2,7 +2,6 @@
 #include "ui/text/motion_facts.h"
 
 #include "core/closed_form/closed_form.h"
-#include "core/limits/extremes.h"
 #include "core/sampling/crank_time.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/written_number.h"
@@ -11,7 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <iterator>
 
 namespace slidercrank
 {
@@ -19,61 +18,69 @@ namespace slidercrank
 namespace
 {
 
+/// The texts of a limit, untranslated. Those of a peak follow from its channel.
+struct LimitText {
+    LimitKind kind;
+    const char *name;
+    const char *explanation;
+};
+
 struct MotionFacts {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::MotionFacts)
 
 public:
-    // In the order of Limit. The name and the explanation of a peak depend on the mechanism.
-    static constexpr LimitDescription kLimits[] = {
-        {"outer-dead-centre", "mm", QT_TR_NOOP("outer dead centre"),
-         QT_TR_NOOP("Slider position Rₓ⁴ at which the slider reverses, crank and coupler extended in one line")},
-        {"inner-dead-centre", "mm", QT_TR_NOOP("inner dead centre"),
-         QT_TR_NOOP("Slider position Rₓ⁴ at which the slider reverses, crank and coupler overlapping in one line")},
-        {"stroke", "mm", QT_TR_NOOP("stroke"),
+    /// By LimitKind.
+    static constexpr LimitText kTexts[] = {
+        {LimitKind::OuterDeadCentre, QT_TR_NOOP("outer dead centre"),
+         QT_TR_NOOP("Slider position at which the slider reverses, crank and coupler extended in one line")},
+        {LimitKind::InnerDeadCentre, QT_TR_NOOP("inner dead centre"),
+         QT_TR_NOOP("Slider position at which the slider reverses, crank and coupler overlapping in one line")},
+        {LimitKind::CrankLimit, QT_TR_NOOP("crank limit position"),
+         QT_TR_NOOP("The crank can go no further: the coupler is perpendicular to the slider's line. The value "
+                    "is the slider position.")},
+        {LimitKind::Stroke, QT_TR_NOOP("stroke"),
          QT_TR_NOOP("Travel of the slider: its largest position minus its smallest")},
-        {"forward-angle", "°", QT_TR_NOOP("forward stroke"),
+        {LimitKind::ForwardAngle, QT_TR_NOOP("crank angle, forward stroke"),
          QT_TR_NOOP("Crank rotation from the inner to the outer dead centre")},
-        {"return-angle", "°", QT_TR_NOOP("return stroke"),
+        {LimitKind::ForwardTime, QT_TR_NOOP("time, forward stroke"),
+         QT_TR_NOOP("Time from the inner to the outer dead centre: the crank rotation divided by |ω₂|")},
+        {LimitKind::MeanForwardSpeed, QT_TR_NOOP("mean speed, forward stroke"),
+         QT_TR_NOOP("The stroke divided by the time of the forward stroke")},
+        {LimitKind::ReturnAngle, QT_TR_NOOP("crank angle, return stroke"),
          QT_TR_NOOP("Crank rotation from the outer to the inner dead centre")},
-        {"forward-time", "s", QT_TR_NOOP("forward time"),
-         QT_TR_NOOP("Crank rotation from the inner to the outer dead centre")},
-        {"return-time", "s", QT_TR_NOOP("return time"),
-         QT_TR_NOOP("Crank rotation from the outer to the inner dead centre")},
-        {"time-ratio", "", QT_TR_NOOP("time ratio"),
+        {LimitKind::ReturnTime, QT_TR_NOOP("time, return stroke"),
+         QT_TR_NOOP("Time from the outer to the inner dead centre: the crank rotation divided by |ω₂|")},
+        {LimitKind::MeanReturnSpeed, QT_TR_NOOP("mean speed, return stroke"),
+         QT_TR_NOOP("The stroke divided by the time of the return stroke")},
+        {LimitKind::TimeRatio, QT_TR_NOOP("time ratio"),
          QT_TR_NOOP("Time of the slower stroke divided by the time of the faster one")},
-        {"least-transmission-angle", "°", QT_TR_NOOP("minimum transmission angle"),
-         QT_TR_NOOP("Angle between the coupler and the normal to the slider's line, 90° − |θ³|, at its minimum. "
-                    "Mechanisms with less than about 40° tend to jam.")},
-        {"mean-forward-speed", "mm/s", QT_TR_NOOP("mean forward speed"), QT_TR_NOOP("The stroke divided by its time")},
-        {"mean-return-speed", "mm/s", QT_TR_NOOP("mean return speed"), QT_TR_NOOP("The stroke divided by its time")},
-        {"peak-slider-speed", "mm/s", "", ""},
-        {"peak-slider-acceleration", "mm/s²", "", ""},
-        {"peak-coupler-speed", "°/s", "", ""},
-        {"peak-coupler-acceleration", "°/s²", "", ""},
-        {"", "mm", QT_TR_NOOP("crank limit position"),
-         QT_TR_NOOP("The crank can go no further: the coupler is perpendicular to the slider's line. The value is the "
-                    "slider position Rₓ⁴.")}};
-};
+        {LimitKind::MinimumTransmissionAngle, QT_TR_NOOP("minimum transmission angle"),
+         QT_TR_NOOP("The transmission angle μ is the acute angle between the coupler and the normal to the "
+                    "slider's line. Mechanisms with less than about 40° tend to jam.")},
+        {LimitKind::MaximumTransmissionAngle, QT_TR_NOOP("maximum transmission angle"),
+         QT_TR_NOOP("90° where the coupler is parallel to the slider's line")},
+        {LimitKind::MinimumCouplerAngle, QT_TR_NOOP("minimum coupler angle"),
+         QT_TR_NOOP("Smallest angle of the coupler over a revolution of the crank")},
+        {LimitKind::MaximumCouplerAngle, QT_TR_NOOP("maximum coupler angle"),
+         QT_TR_NOOP("Largest angle of the coupler over a revolution of the crank")},
+        {LimitKind::CouplerSwing, QT_TR_NOOP("swing of the coupler"),
+         QT_TR_NOOP("The largest angle of the coupler minus its smallest")},
+        {LimitKind::PeakSliderSpeed, "", ""},
+        {LimitKind::PeakSliderAcceleration, "", ""},
+        {LimitKind::PeakCouplerSpeed, "", ""},
+        {LimitKind::PeakCouplerAcceleration, "", ""}};
 
-/// Indices of MotionFacts::kLimits. Where there are two strokes, that of the forward stroke; the other one follows.
-enum Limit : std::size_t {
-    kOuter,
-    kInner,
-    kStroke,
-    kStrokeAngle,
-    kStrokeTime = 5,
-    kTimeRatio = 7,
-    kTransmissionAngle,
-    kMeanStrokeSpeed,
-    kFirstPeak = 11,
-    kCrankLimit = 15
+    static constexpr bool isInOrder()
+    {
+        for (std::size_t i = 0; i < std::size(kTexts); ++i) {
+            if (kTexts[i].kind != kLimitDescriptions[i].kind) {
+                return false;
+            }
+        }
+        return std::size(kTexts) == kLimitKindCount;
+    }
 };
-
-MotionFact makeFact(std::size_t limit, double number, std::optional<double> theta2 = {})
-{
-    const auto &[key, unit, name, explanation] = MotionFacts::kLimits[limit];
-    return {key, MotionFacts::tr(name), number, unit, MotionFacts::tr(explanation), theta2};
-}
+static_assert(MotionFacts::isInOrder());
 
 /// Returns two lengths with enough digits to distinguish them.
 QStringList distinctTexts(double x, double y)
@@ -82,8 +89,8 @@ QStringList distinctTexts(double x, double y)
     return {parameterText(Parameter::B, x, digits), parameterText(Parameter::B, y, digits)};
 }
 
-/// Returns the first time within the time range at which the crank has an angle. Limit positions are known only up to a
-/// rounding error; there, the time is one at which the mechanism can be assembled.
+/// Limit positions are known only up to a rounding error; there, the time is one at which the mechanism can be
+/// assembled.
 std::optional<double> firstTimeAt(double theta2, const Mechanism &mechanism, const Sampling &sampling)
 {
     constexpr double kNudge = 1e-9; // rad, more than the rounding error of a crank angle
@@ -100,37 +107,23 @@ std::optional<double> firstTimeAt(double theta2, const Mechanism &mechanism, con
     return first;
 }
 
-/// Returns a length, or 0 if it is only a rounding error of a + b + |c|.
-double cleaned(double length, const Mechanism &mechanism)
+QString limitExplanation(const Limit &limit)
 {
-    constexpr double kRounding = 1e-14;
-    return std::abs(length) < kRounding * characteristicLength(mechanism.parameters()) ? 0.0 : length;
+    if (!peakChannel(limit.kind)) {
+        return MotionFacts::tr(MotionFacts::kTexts[static_cast<std::size_t>(limit.kind)].explanation);
+    }
+    return std::isinf(limit.value)
+               ? MotionFacts::tr("Unbounded where the coupler is perpendicular to the slider's line")
+               : MotionFacts::tr("Largest value over one revolution of the crank, where its derivative is zero");
 }
 
-/// Appends a fact for each place of each peak.
-void addPeaks(std::vector<MotionFact> &facts, const Mechanism &mechanism)
+/// Says why a peak belongs to no crank angle.
+QString peakRemark(const Limit &limit)
 {
-    const std::vector<Peak> peaks = motionPeaks(mechanism);
-    for (std::size_t i = 0; i < peaks.size(); ++i) {
-        const Peak &peak = peaks[i];
-        MotionFact fact = makeFact(kFirstPeak + i, toFileUnit(peak.channel, peak.magnitude));
-        fact.name = MotionFacts::tr("peak %1", "of a velocity or an acceleration").arg(quantityName(peak.channel));
-        fact.explanation =
-            std::isinf(peak.magnitude)
-                ? MotionFacts::tr("Unbounded where the coupler is perpendicular to the slider's line")
-                : MotionFacts::tr("Largest value over one revolution of the crank, where its derivative is zero");
-        if (peak.places.empty()) {
-            fact.remark = peak.magnitude > 0.0 ? MotionFacts::tr("throughout") : MotionFacts::tr("crank at rest");
-            facts.push_back(fact);
-        }
-        std::vector<PeakPlace> places = peak.places;
-        std::ranges::sort(places, {}, [](const PeakPlace &place) { return degreesFromZero(place.theta2); });
-        for (const PeakPlace &place : places) {
-            fact.number = toFileUnit(peak.channel, place.value);
-            fact.theta2 = place.theta2;
-            facts.push_back(fact);
-        }
+    if (!peakChannel(limit.kind) || limit.theta2) {
+        return {};
     }
+    return limit.value > 0.0 ? MotionFacts::tr("throughout") : MotionFacts::tr("crank at rest");
 }
 
 } // namespace
@@ -149,7 +142,7 @@ QString mobilitySentence(const Mechanism &mechanism, const MotionLimits &limits)
     case Mobility::FullTurn: {
         const QString text =
             MotionFacts::tr("The crank can make full turns: b = %1 ≥ a + |c| = %2.").arg(turning[0], turning[1]);
-        return limits.largestPressureAngle < 0.5 * std::numbers::pi
+        return limits.coupler.minimumTransmissionAngle.angle > 0.0
                    ? text
                    : text + u' ' +
                          MotionFacts::tr(
@@ -181,8 +174,7 @@ QString mobilitySentence(const Mechanism &mechanism, const MotionLimits &limits)
 
 QString valueText(const MotionFact &fact, int digits)
 {
-    const QString text = shortNumber(fact.number, digits);
-    return fact.unit == u"°" ? text + fact.unit : (text + u' ' + fact.unit).trimmed();
+    return withUnit(shortNumber(fact.number, digits), fact.unit);
 }
 
 double degreesFromZero(double theta2)
@@ -192,58 +184,27 @@ double degreesFromZero(double theta2)
     return std::max(0.0, angle - 360.0 * std::floor((angle + kRounding) / 360.0));
 }
 
-std::span<const LimitDescription> limitsInFiles()
+QString limitName(LimitKind kind)
 {
-    return std::span(MotionFacts::kLimits).first(kCrankLimit);
+    const std::optional<Channel> channel = peakChannel(kind);
+    return channel ? MotionFacts::tr("peak %1", "of a velocity or an acceleration").arg(quantityName(*channel))
+                   : MotionFacts::tr(MotionFacts::kTexts[static_cast<std::size_t>(kind)].name);
 }
 
-std::vector<MotionFact> motionFacts(const Mechanism &mechanism, const MotionLimits &limits, const Sampling &sampling)
+std::optional<double> timeOf(const Limit &limit, const Mechanism &mechanism, const Sampling &sampling)
 {
-    const bool isFullTurn = limits.mobility == Mobility::FullTurn;
+    return limit.theta2 ? firstTimeAt(*limit.theta2, mechanism, sampling) : std::nullopt;
+}
+
+std::vector<MotionFact> motionFacts(const Mechanism &mechanism, const MotionLimits &motion, const Sampling &sampling,
+                                    const Units &units)
+{
     std::vector<MotionFact> facts;
-    const auto add = [&facts](std::size_t limit, double number, std::optional<double> theta2 = {}) {
-        facts.push_back(makeFact(limit, number, theta2));
-    };
-    if (limits.outer) {
-        add(kOuter, cleaned(limits.outer->R4x, mechanism), limits.outer->theta2);
-    }
-    if (limits.inner) {
-        add(kInner, cleaned(limits.inner->R4x, mechanism), limits.inner->theta2);
-    }
-    for (const CrankRange &range : isFullTurn ? std::vector<CrankRange>() : limits.ranges) {
-        for (const double theta2 : {range.from, range.to}) {
-            add(kCrankLimit, cleaned(mechanism.a() * std::cos(theta2), mechanism), theta2);
-        }
-    }
-    if (limits.mobility == Mobility::Locked) {
-        facts.pop_back(); // both limits are the only position
-    }
-    if (limits.stroke) {
-        add(kStroke, cleaned(*limits.stroke, mechanism));
-    }
-    if (isFullTurn) {
-        const double angles[] = {*limits.angleOutwards, *limits.angleInwards}; // of the crank, rad
-        for (std::size_t i = 0; i < std::size(angles); ++i) {
-            add(kStrokeAngle + i, kDegreesPerRadian * angles[i]);
-            if (mechanism.omega2() != 0.0) {
-                const double time = angles[i] / std::abs(mechanism.omega2());
-                add(kStrokeTime + i, time);
-                add(kMeanStrokeSpeed + i, *limits.stroke / time);
-            }
-        }
-        add(kTimeRatio, *limits.timeRatio);
-    }
-    if (limits.mobility != Mobility::Impossible) {
-        const double theta2 = limits.largestPressureAngleAt;
-        const double angle = 90.0 - kDegreesPerRadian * limits.largestPressureAngle;
-        add(kTransmissionAngle, angle, theta2);
-        if (isFullTurn && mechanism.c() == 0.0) { // symmetric
-            add(kTransmissionAngle, angle, -theta2);
-        }
-    }
-    addPeaks(facts, mechanism);
-    for (MotionFact &fact : facts) {
-        fact.time = fact.theta2 ? firstTimeAt(*fact.theta2, mechanism, sampling) : std::nullopt;
+    for (const Limit &limit : findLimits(mechanism, motion)) {
+        const Measure measure = describe(limit.kind).measure;
+        facts.push_back({limit.kind, limitName(limit.kind), shownValue(measure, limit.value, units),
+                         unitText(measure, units), limitExplanation(limit), limit.theta2, peakRemark(limit),
+                         timeOf(limit, mechanism, sampling)});
     }
     return facts;
 }

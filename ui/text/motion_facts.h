@@ -4,34 +4,22 @@
 // Describes the limits of a motion: whether and why the crank makes full turns, where the slider reverses, and the peak
 // velocities and accelerations of slider and coupler.
 
-#include "core/limits/mobility.h"
+#include "core/limits/limit.h"
 #include "core/sampling/trajectory.h"
+#include "ui/text/units.h"
 
 #include <QString>
 #include <QStringList>
 
 #include <optional>
-#include <span>
-#include <string_view>
 #include <vector>
 
 namespace slidercrank
 {
 
-/// A limit that exists for some mechanisms.
-struct LimitDescription {
-    const char *key; ///< name in JSON and CSV
-    const char *unit;
-    const char *name;        ///< untranslated
-    const char *explanation; ///< untranslated
-};
-
-/// The limits in JSON and CSV, in their order.
-std::span<const LimitDescription> limitsInFiles();
-
 /// A row of the table of limits: a value, with the crank angle at which it occurs or with a remark.
 struct MotionFact {
-    std::string_view key = {}; ///< name in JSON and CSV; empty for what only tables show
+    LimitKind kind = LimitKind::Stroke;
     QString name = {};
     double number = 0.0; ///< the value at full precision, in `unit`; infinite if it is unbounded
     QString unit = {};   ///< empty if the value is a ratio
@@ -48,9 +36,15 @@ QString mobilitySentence(const Mechanism &mechanism, const MotionLimits &limits)
 /// text contains no unit.
 QString atLeastText(double limit);
 
-/// Returns the dead centres, the limit positions of the crank, the stroke, its times and the transmission angle; then
-/// the peaks of motionPeaks(), whose keys begin with "peak", one fact for each place.
-std::vector<MotionFact> motionFacts(const Mechanism &mechanism, const MotionLimits &limits, const Sampling &sampling);
+/// Describes the limits in the order of findLimits().
+std::vector<MotionFact> motionFacts(const Mechanism &mechanism, const MotionLimits &motion, const Sampling &sampling,
+                                    const Units &units = {});
+
+/// Returns the name of a limit in the current language: "stroke", "peak slider velocity".
+QString limitName(LimitKind kind);
+
+/// Returns the first time (s) within the time range at which the crank has the angle of the limit.
+std::optional<double> timeOf(const Limit &limit, const Mechanism &mechanism, const Sampling &sampling);
 
 /// Returns a table of the facts. The first row contains the headings.
 std::vector<QStringList> limitTable(const std::vector<MotionFact> &facts);

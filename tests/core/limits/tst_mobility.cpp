@@ -276,23 +276,25 @@ private slots:
         QVERIFY(seen > 50);
     }
 
-    void largestPressureAngleEqualsThatOfTheMotion()
+    void minimumTransmissionAngleEqualsThatOfTheMotion()
     {
         for (const auto &[p, limits] : subjects()) {
             if (limits.mobility == Mobility::Impossible) {
                 continue;
             }
-            const double largest = limits.largestPressureAngle;
-            // the largest θ3 is asin of the largest sine, accurate to √u if the sine is 1
-            const double height = std::abs(p.c - p.a * std::sin(limits.largestPressureAngleAt));
-            VERIFY_FOR(p, near(std::sin(largest), height / p.b, kTolerance * characteristicLength(p) / p.b));
-            const ManyDigits sine = limits.mobility == Mobility::FullTurn
-                                        ? ManyDigits((ManyDigits(p.a) + std::abs(p.c)) / p.b)
-                                        : ManyDigits(1);
-            VERIFY_FOR(p, near(largest, static_cast<double>(asin(sine)), 1e-15));
+            const AngleExtreme &minimum = limits.coupler.minimumTransmissionAngle;
+            const ManyDigits cosine = limits.mobility == Mobility::FullTurn
+                                          ? ManyDigits((ManyDigits(p.a) + std::abs(p.c)) / p.b)
+                                          : ManyDigits(1);
+            const auto exact = static_cast<double>(acos(cosine));
+            VERIFY_FOR(p, near(minimum.angle, exact, 1e-15 * exact));
+            for (const double theta2 : minimum.places) {
+                const double height = std::abs(p.c - p.a * std::sin(theta2));
+                VERIFY_FOR(p, near(std::cos(minimum.angle), height / p.b, kTolerance * characteristicLength(p) / p.b));
+            }
             for (int i = 0; i < 100; ++i) {
                 if (const auto motion = motionAt(p, kTurn * i / 100.0)) {
-                    VERIFY_FOR(p, std::acos(std::min(1.0, std::abs(motion->reach / p.b))) <= largest + 1e-7);
+                    VERIFY_FOR(p, std::asin(std::min(1.0, std::abs(motion->reach / p.b))) >= minimum.angle - 1e-7);
                 }
             }
         }
@@ -315,7 +317,7 @@ private slots:
                 continue;
             }
             ++checked;
-            const auto stroke = strokeAround(mechanism, motionLimits(mechanism), motion.theta2, i % 2 == 0 ? 1 : -1);
+            const auto stroke = strokeAround(motionLimits(mechanism), motion.theta2, i % 2 == 0 ? 1 : -1);
             VERIFY_FOR(p, stroke && stroke->from.theta2 < stroke->to.theta2);
             const double found = crankAngleAt(mechanism, *stroke, motion.R4x);
             VERIFY_FOR(p, near(motionAt(found).R4x, motion.R4x, 1e-12 * characteristicLength(p)));

@@ -35,7 +35,7 @@ using namespace slidercrank;
 namespace
 {
 
-constexpr std::size_t kStroke = 0, kRatio = 1, kSpeed = 3, kAcceleration = 4;
+constexpr std::size_t kStroke = 0, kRatio = 1, kTransmissionAngle = 2, kSpeed = 3, kAcceleration = 4;
 
 /// Compares two lists of limits; NaN equals NaN.
 bool isSame(const LimitValues &first, const LimitValues &second)
@@ -54,8 +54,11 @@ LimitValues expectedLimits(const Parameters &parameters)
     if (limits.mobility == Mobility::FullTurn) {
         const auto finite = [](double peak) { return std::isfinite(peak) ? peak : kNone; };
         const std::vector<Peak> peaks = motionPeaks(mechanism); // slider velocity and acceleration come first
-        expected = {*limits.stroke, *limits.timeRatio, 90.0 - kDegreesPerRadian * limits.largestPressureAngle,
-                    finite(peaks[0].magnitude), finite(peaks[1].magnitude)};
+        expected = {*limits.stroke, *limits.timeRatio,
+                    kDegreesPerRadian * limits.coupler.minimumTransmissionAngle.angle, finite(peaks[0].magnitude),
+                    finite(peaks[1].magnitude)};
+    } else if (limits.mobility != Mobility::Impossible) {
+        expected[kTransmissionAngle] = 0.0;
     }
     return expected;
 }
@@ -252,13 +255,13 @@ private slots:
         QVERIFY(file.open(QFile::ReadOnly));
         const QList<QByteArray> lines = file.readAll().trimmed().split('\n');
         QCOMPARE(lines[0],
-                 QByteArray("c,stroke,time-ratio,least-transmission-angle,peak-slider-speed,peak-slider-acceleration"));
+                 QByteArray("c,stroke,time-ratio,minimum-transmission-angle,peak-slider-speed,peak-slider-acceleration"));
         QCOMPARE(lines.size() - 1, static_cast<qsizetype>(response.values.size()));
         const QList<QByteArray> cells = lines[lines.size() / 2].split(',');
         const std::size_t middle = static_cast<std::size_t>(lines.size() / 2 - 1);
         QCOMPARE(cells[0].toDouble(), response.values[middle]);
         QCOMPARE(cells[5].toDouble(), response.limits[middle][kAcceleration]);
-        QVERIFY(lines[1].endsWith(",,,,")); // in the locked mechanism only the stroke exists
+        QVERIFY(lines[1].endsWith(",,0,,")); // in the locked mechanism only the stroke and this angle exist
         child<QToolButton>(shown.view, "responseCopy")->click();
         QVERIFY(!QApplication::clipboard()->image().isNull());
     }
@@ -291,7 +294,8 @@ private slots:
         shown.type("designStroke", "80");
         shown.type("designTimeRatio", "1.4");
         QVERIFY(shown.has(80.0, 1.4));
-        const double best = shown.limits().largestPressureAngle;
+        const auto angle = [&] { return shown.limits().coupler.minimumTransmissionAngle.angle; };
+        const double best = angle();
         QCOMPARE(static_cast<float>(shown.parameters().b / shown.parameters().a),
                  static_cast<float>(findDesignRange(1.4)->bestRatio));
         letTimePass(shown.session); // otherwise the edits would form one undo step
@@ -301,12 +305,12 @@ private slots:
         for (const int position : {slider->minimum(), slider->maximum() / 3, slider->maximum()}) {
             slider->setValue(position);
             QVERIFY(shown.has(80.0, 1.4));
-            QVERIFY(shown.limits().mobility == Mobility::FullTurn && shown.limits().largestPressureAngle > best);
+            QVERIFY(shown.limits().mobility == Mobility::FullTurn && angle() < best);
         }
         slider->setSliderDown(false);
         QCOMPARE(shown.session.undoStack().count(), steps + 1);
         child<QToolButton>(shown.form, "designBest")->click();
-        QVERIFY(std::abs(shown.limits().largestPressureAngle - best) < 1e-12);
+        QVERIFY(std::abs(angle() - best) < 1e-12);
         shown.type("designTimeRatio", "0.5"); // forward and return stroke exchanged
         QVERIFY(shown.has(80.0, 2.0) && shown.parameters().c < 0.0);
         shown.type("designTimeRatio", "1.5"); // the strokes remain exchanged

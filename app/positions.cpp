@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/positions.h"
+
+#include "core/import/quantity.h"
+#include "core/limits/crank_search.h"
+#include "core/mechanism/turn.h"
+#include "ui/text/quantity_text.h"
+#include "ui/text/written_number.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+/// A channel with a value, as in "R4_x=60", "theta3=10deg" or "R4_x_diff=8m/s".
+struct ChannelValue {
+    OutputChannel channel;
+    double value = 0.0; ///< mm, rad, s
+    QString text;       ///< with its unit
+};
+
+/// Parses such a text. A number without a unit is in the units of the output.
+ChannelValue readChannelValue(const char *option, const QString &text, const Units &units)
+{
+    const QString name = text.section('=', 0, 0).trimmed();
+    if (!text.contains('=')) {
+        throw UsageError{CommandLine::tr("--%1 must be a channel, = and its value, such as %2, not \"%3\".")
+                             .arg(option, QLatin1String(option) == u"when" ? "R4_x=60" : "R4_x_diff=8m/s", text)};
+    }
+    const OutputChannel channel = parseOutputChannel(option, name);
+    const Measure measure = measureOf(channel);
+    const Unit fileUnit{isAngular(measure) ? Dimension::Angle : Dimension::Length, static_cast<int>(orderOf(channel)),
+                        1.0};
+    const double perFileUnit = fromFileUnit(measure, 1.0, units);
+    const QString number = text.section('=', 1).trimmed();
+    const bool hasUnit = readQuantity(number, {}, QLocale::c()).fault.has_value();
+    const double inFileUnit = parseNumber(option, number, fileUnit) / (hasUnit ? 1.0 : perFileUnit);
+    return {channel, isAngular(measure) ? inFileUnit / kDegreesPerRadian : inFileUnit,
+            withUnit(numberText(inFileUnit * perFileUnit, 10), unitText(measure, units))};
+}
+
+/// A crank at rest, whether it starts to move or not, is at the angle by its initial angle.
+Positions atRest(const OptionReader &options, const Mechanism &mechanism, double theta2)
+{
+    return {withCrankAt(withDrive(mechanism, 0.0, 0.0), theta2), {readStart(options)}};
+}
+
+/// Reads --step-angle: one revolution of the crank from --start on, in equal steps of that angle.
+Positions readRevolution(const OptionReader &options, const Mechanism &mechanism)
+{
+    const double steps = 360.0 / options.number("step-angle", 0.0, kDegree, 1e-4, 360.0);
+    if (std::abs(steps - std::round(steps)) > 1e-9 * steps) {
+        throw UsageError{CommandLine::tr("--step-angle must divide 360° into equal steps, such as 15 or 0.5, not %1.")
+                             .arg(options.text("step-angle"))};
+    }
+    if (mechanism.omega2() == 0.0) {
+        throw UsageError{CommandLine::tr("The crank stands still: --step-angle needs an --omega2 that is not 0.")};
+    }
+    const Sampling revolution{readStart(options), kTurn / std::abs(mechanism.omega2()),
+                              static_cast<int>(std::lround(steps))};
+    if (!(revolution.duration <= kLargestParameter)) {
+        throw UsageError{
+            CommandLine::tr("A revolution of the crank takes more than 1e12 s: choose a larger --omega2.")};
+    }
+    checkTimeSteps(revolution, CommandLine::tr("The rows are too close in time to be distinguished: choose a larger "
+                                               "--step-angle, a smaller --omega2 or a --start nearer to 0."));
+    return {mechanism, revolution.timeStamps()};
+}
+
+/// Reads --when: all positions of the revolution that begins at --start.
+Positions readSolutions(const OptionReader &options, const Mechanism &mechanism, const Units &units)
+{
+    const ChannelValue wanted = readChannelValue("when", options.text("when"), units);
+    const std::optional<std::vector<double>> angles = crankAnglesAt(mechanism, wanted.channel, wanted.value);
+    const QString name = columnName(wanted.channel);
+    if (!angles) {
+        throw UsageError{mechanism.omega2() == 0.0
+                             ? CommandLine::tr("--when: the crank stands still, so that %1 is 0 everywhere.").arg(name)
+                             : CommandLine::tr("--when: %1 does not depend on the crank angle.").arg(name)};
+    }
+    if (angles->empty()) {
+        throw UsageError{
+            CommandLine::tr("There is no position with %1 = %2: \"slidercrank limits\" shows how far the motion goes.")
+                .arg(name, wanted.text),
+            ExitStatus::NotAssemblable};
+    }
+    if (orderOf(wanted.channel) == Order::Acceleration) {
+        options.refuse({"alpha2"}, CommandLine::tr("--when finds second derivatives at a constant speed: remove %1."));
+    }
+    if (mechanism.omega2() == 0.0 && angles->size() > 1) {
+        throw UsageError{CommandLine::tr("The crank stands still: --when needs an --omega2 that is not 0.")};
+    }
+    Positions positions{mechanism, {}};
+    for (const double theta2 : *angles) {
+        if (mechanism.omega2() == 0.0) {
+            return atRest(options, mechanism, theta2);
+        }
+        positions.times.push_back(firstTimeAtAngle(options, mechanism, theta2));
+    }
+    std::ranges::sort(positions.times);
+    return positions;
+}
+
+/// Reads --at-angle, and --omega2-for if it is given.
+Positions readAngle(const OptionReader &options, const Mechanism &mechanism, const Units &units, const Streams &streams)
+{
+    const double theta2 = options.number("at-angle", 0.0, kDegree) / kDegreesPerRadian;
+    if (!options.has("omega2-for")) {
+        const bool startsFromRest = mechanism.omega2() == 0.0 && options.has("alpha2");
+        return startsFromRest ? atRest(options, mechanism, theta2)
+                              : Positions{mechanism, {firstTimeAtAngle(options, mechanism, theta2)}};
+    }
+    options.refuse({"omega2"}, CommandLine::tr("--omega2-for computes the crank speed: remove %1."));
+    const ChannelValue wanted = readChannelValue("omega2-for", options.text("omega2-for"), units);
+    const QString name = columnName(wanted.channel);
+    if (orderOf(wanted.channel) != Order::Velocity) {
+        throw UsageError{
+            CommandLine::tr("--omega2-for needs a first derivative, such as R4_x_diff=8m/s, not %1.").arg(name)};
+    }
+    const std::optional<double> speed = crankSpeedFor(mechanism, theta2, wanted.channel, wanted.value);
+    if (!speed || std::abs(*speed) > kLargestParameter) {
+        throw UsageError{CommandLine::tr("No crank speed gives %1 = %2 at %3°: there %1 is 0 at every speed, as at a "
+                                         "dead centre, or does not exist.")
+                             .arg(name, wanted.text, numberText(theta2 * kDegreesPerRadian)),
+                         ExitStatus::NotAssemblable};
+    }
+    streams.report("--omega2 " + typedNumberText(*speed));
+    if (*speed == 0.0) {
+        return atRest(options, mechanism, theta2);
+    }
+    const Mechanism driven = withDrive(mechanism, *speed, mechanism.theta20());
+    return {driven, {firstTimeAtAngle(options, driven, theta2)}};
+}
+
+/// Throws if two options ask for different rows.
+void checkSelection(const OptionReader &options)
+{
+    if (options.has("at") || options.has("at-angle")) {
+        options.refuse({"steps", "duration", "step-angle", "when"},
+                       CommandLine::tr("--at and --at-angle ask for one time and %1 for several: remove one of them."));
+    }
+    if (options.has("at")) {
+        options.refuse({"start", "at-angle"}, CommandLine::tr("--at already sets the time: remove %1."));
+    }
+    if (options.has("step-angle")) {
+        options.refuse({"steps", "duration", "when"},
+                       CommandLine::tr("--step-angle covers one revolution: remove %1."));
+    }
+    if (options.has("when")) {
+        options.refuse({"steps", "duration"}, CommandLine::tr("--when covers one revolution: remove %1."));
+    }
+    if (!options.has("at-angle")) {
+        options.refuse({"omega2-for"}, CommandLine::tr("%1 needs the position: add --at-angle."));
+    }
+}
+
+} // namespace
+
+std::optional<Positions> readPositions(const OptionReader &options, const Mechanism &mechanism, const Units &units,
+                                       const Streams &streams)
+{
+    checkSelection(options);
+    if (options.has("at")) {
+        return Positions{mechanism, {options.number("at", 0.0, kSecond)}};
+    }
+    if (options.has("at-angle")) {
+        return readAngle(options, mechanism, units, streams);
+    }
+    if (options.has("step-angle")) {
+        return readRevolution(options, mechanism);
+    }
+    if (options.has("when")) {
+        return readSolutions(options, mechanism, units);
+    }
+    options.refuse({"alpha2"}, CommandLine::tr("The crank has a constant speed over time, and %1 applies to single "
+                                               "positions: add --at-angle, --at, --step-angle or --when."));
+    return std::nullopt;
+}
+
+Units readUnits(const OptionReader &options)
+{
+    return {options.choice("length-unit", LengthUnit::Millimetre), options.choice("angle-unit", AngleUnit::Degree)};
+}
+
+double readCrankAcceleration(const OptionReader &options)
+{
+    constexpr Unit kRadianPerSquareSecond{Dimension::Angle, 2, kDegreesPerRadian};
+    return options.number("alpha2", 0.0, kRadianPerSquareSecond);
+}
+
+QStringList outputChannelNames()
+{
+    QStringList names;
+    for (const OutputChannel &channel : allOutputChannels()) {
+        names += columnName(channel);
+    }
+    return names;
+}
+
+OutputChannel parseOutputChannel(const char *option, const QString &name)
+{
+    return allOutputChannels()[static_cast<std::size_t>(indexAmong(outputChannelNames(), name, option))];
+}
+
+} // namespace slidercrank

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Reads which positions `solve` computes, if they are not equal time steps: --at, --at-angle, --step-angle, --when and
+// --omega2-for. All functions throw UsageError.
+
+#include "app/option_groups.h"
+#include "core/limits/output_channel.h"
+#include "ui/text/units.h"
+
+#include <vector>
+
+namespace slidercrank
+{
+
+/// Time stamps (s) of positions, and the mechanism that has them there: --omega2-for computes its crank speed.
+struct Positions {
+    Mechanism mechanism;
+    std::vector<double> times;
+};
+
+/// Returns the positions that the options ask for, or nullopt if they ask for time steps. Reports the crank speed that
+/// --omega2-for finds.
+std::optional<Positions> readPositions(const OptionReader &options, const Mechanism &mechanism, const Units &units,
+                                       const Streams &streams);
+
+/// Reads --length-unit and --angle-unit.
+Units readUnits(const OptionReader &options);
+
+/// Reads --alpha2 (rad/s²), which applies to positions only.
+double readCrankAcceleration(const OptionReader &options);
+
+/// Parses the name of a channel of the output.
+OutputChannel parseOutputChannel(const char *option, const QString &name);
+
+/// The names of all channels of the output.
+QStringList outputChannelNames();
+
+} // namespace slidercrank

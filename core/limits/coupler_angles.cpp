@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/limits/coupler_angles.h"
+
+#include "core/mechanism/turn.h"
+
+#include <cmath>
+#include <utility>
+
+// With g = ±1, the sign of c, the angle φ = asin(g h/b) is θ3 for c >= 0 on the open branch. Here g h = C - a x varies
+// between C - a (x = 1) and C + a (x = -1), unless the motion ends before, at g h = ±b. With √(b² - h²), which is
+//
+//     s = √(ε L) at g h = C + a        t = √(β γ) at g h = C - a
+//
+// the angle is φ = atan2(g h, √(b² - h²)), accurate also where it is near 90°. The transmission angle is 90° - |φ|.
+
+namespace slidercrank
+{
+
+namespace
+{
+
+/// The extremes of φ.
+struct Elevation {
+    AngleExtreme maximum; ///< its magnitude is the largest one, too: |C - a| <= C + a
+    AngleExtreme minimum;
+};
+
+Elevation elevationExtremes(const MotionConstants &k, double s, double t, const std::vector<CrankEnd> &ends)
+{
+    const double nearest = k.side * kQuarterTurn; // the crank angle with x = 1
+    if (ends.empty()) {
+        return {{std::atan2(k.C + k.a, s), {-nearest}}, {std::atan2(k.C - k.a, t), {nearest}}};
+    }
+    Elevation elevation{{kQuarterTurn, {}}, {-kQuarterTurn, {}}};
+    for (const CrankEnd &end : ends) {
+        (end.isBeyondPin ? elevation.maximum : elevation.minimum).places.push_back(end.theta2);
+    }
+    if (elevation.minimum.places.empty()) {
+        elevation.minimum = {std::atan2(k.C - k.a, t), {nearest}};
+    }
+    return elevation;
+}
+
+AngleExtreme minimumTransmissionAngle(const MotionConstants &k, double s, bool isFullTurn, const Elevation &elevation)
+{
+    AngleExtreme minimum{isFullTurn ? std::atan2(s, k.C + k.a) : 0.0, elevation.maximum.places};
+    const bool isAlsoBelow = isFullTurn ? k.C == 0.0 : elevation.minimum.angle == -kQuarterTurn;
+    if (isAlsoBelow) {
+        minimum.places.insert(minimum.places.end(), elevation.minimum.places.begin(), elevation.minimum.places.end());
+    }
+    return minimum;
+}
+
+AngleExtreme maximumTransmissionAngle(const MotionConstants &k, double t, const Elevation &elevation)
+{
+    if (k.C >= k.a) {
+        return {std::atan2(t, k.C - k.a), elevation.minimum.places};
+    }
+    // The coupler becomes parallel to the slider's line, where a sin θ2 = c.
+    const double theta2 = std::atan2(k.side * k.C, std::sqrt((k.a - k.C) * (k.a + k.C)));
+    return {kQuarterTurn, {theta2, wrapToPi(std::numbers::pi - theta2)}};
+}
+
+/// Returns the difference of the extremes of φ without a difference of nearly equal numbers: for full turns
+///
+///     b² sin(swing) = (C + a) t - (C - a) s = 4a C²/(s + t) + a (s + t)        b² cos(swing) = s t + C² - a²
+double swing(const MotionConstants &k, double s, double t, bool isFullTurn, const Elevation &elevation)
+{
+    if (!isFullTurn) {
+        return elevation.minimum.angle == -kQuarterTurn ? std::numbers::pi : std::atan2(t, k.C - k.a);
+    }
+    const double sum = s + t; // 0 only for a = b and c = 0
+    const double sine = (k.C > 0.0 ? 4.0 * k.a * k.C * k.C / sum : 0.0) + k.a * sum;
+    return std::atan2(sine, s * t + (k.C - k.a) * (k.C + k.a));
+}
+
+AngleExtreme negative(AngleExtreme extreme)
+{
+    extreme.angle = -extreme.angle;
+    return extreme;
+}
+
+/// Returns the same places with the angle π - φ.
+AngleExtreme crossed(AngleExtreme extreme)
+{
+    extreme.angle = std::numbers::pi - extreme.angle;
+    return extreme;
+}
+
+} // namespace
+
+CouplerAngles couplerAngles(const MotionConstants &k, const std::vector<CrankEnd> &ends)
+{
+    const bool isFullTurn = ends.empty();
+    const double s = isFullTurn ? std::sqrt(k.epsilon * k.reach) : 0.0;
+    const double t = k.beta > 0.0 ? std::sqrt(k.betaGamma) : 0.0;
+    Elevation elevation = elevationExtremes(k, s, t, ends);
+    CouplerAngles angles;
+    angles.minimumTransmissionAngle = minimumTransmissionAngle(k, s, isFullTurn, elevation);
+    angles.maximumTransmissionAngle = maximumTransmissionAngle(k, t, elevation);
+    angles.swing = swing(k, s, t, isFullTurn, elevation);
+    if (k.side < 0.0) {
+        elevation = {negative(elevation.minimum), negative(elevation.maximum)};
+    }
+    if (k.branch < 0.0) {
+        elevation = {crossed(elevation.minimum), crossed(elevation.maximum)};
+    }
+    angles.maximumTheta3 = elevation.maximum;
+    angles.minimumTheta3 = elevation.minimum;
+    return angles;
+}
+
+} // namespace slidercrank

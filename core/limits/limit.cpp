@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/limits/limit.h"
+
+#include "core/limits/extremes.h"
+#include "core/mechanism/find_element.h"
+#include "core/mechanism/turn.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+class LimitList
+{
+public:
+    void add(LimitKind kind, double value, std::optional<double> theta2 = {})
+    {
+        m_limits.push_back({kind, value, theta2});
+    }
+
+    void add(LimitKind kind, const AngleExtreme &extreme)
+    {
+        for (const double theta2 : extreme.places) {
+            add(kind, extreme.angle, theta2);
+        }
+    }
+
+    /// Adds one of the two strokes, which take a crank rotation `angle` each.
+    void addStroke(const std::array<LimitKind, 3> &angleTimeSpeed, double angle, double stroke, double omega2)
+    {
+        add(angleTimeSpeed[0], angle);
+        if (omega2 != 0.0) {
+            const double time = angle / std::abs(omega2);
+            add(angleTimeSpeed[1], time);
+            add(angleTimeSpeed[2], stroke / time);
+        }
+    }
+
+    std::vector<Limit> sorted()
+    {
+        constexpr double kRounding = 1e-11; // rad: an angle that is 0 except for rounding comes first
+        std::ranges::stable_sort(m_limits, {}, [](const Limit &limit) {
+            return std::pair(limit.kind, limit.theta2 ? wrapToTwoPi(*limit.theta2 + kRounding) : 0.0);
+        });
+        return m_limits;
+    }
+
+private:
+    std::vector<Limit> m_limits;
+};
+
+void addPeaks(LimitList &limits, const Mechanism &mechanism)
+{
+    for (const Peak &peak : motionPeaks(mechanism)) {
+        const auto *description = findElement(kLimitDescriptions, [&peak](const LimitDescription &each) {
+            return peakChannel(each.kind) == peak.channel;
+        });
+        if (peak.places.empty()) {
+            limits.add(description->kind, peak.magnitude);
+        }
+        for (const PeakPlace &place : peak.places) {
+            limits.add(description->kind, place.value, place.theta2);
+        }
+    }
+}
+
+} // namespace
+
+std::optional<Channel> peakChannel(LimitKind kind)
+{
+    switch (kind) {
+    case LimitKind::PeakSliderSpeed: return Channel{R4x, Order::Velocity};
+    case LimitKind::PeakSliderAcceleration: return Channel{R4x, Order::Acceleration};
+    case LimitKind::PeakCouplerSpeed: return Channel{Theta3, Order::Velocity};
+    case LimitKind::PeakCouplerAcceleration: return Channel{Theta3, Order::Acceleration};
+    default: return std::nullopt;
+    }
+}
+
+std::vector<Limit> findLimits(const Mechanism &mechanism, const MotionLimits &motion)
+{
+    using enum LimitKind;
+    LimitList limits;
+    for (const auto &[kind, centre] :
+         {std::pair(OuterDeadCentre, motion.outer), std::pair(InnerDeadCentre, motion.inner)}) {
+        if (centre) {
+            limits.add(kind, centre->R4x, centre->theta2);
+        }
+    }
+    for (const SliderPosition &end : motion.crankLimits) {
+        limits.add(CrankLimit, end.R4x, end.theta2);
+    }
+    if (motion.stroke) {
+        limits.add(Stroke, *motion.stroke);
+    }
+    if (motion.timeRatio) {
+        limits.addStroke({ForwardAngle, ForwardTime, MeanForwardSpeed}, *motion.angleOutwards, *motion.stroke,
+                         mechanism.omega2());
+        limits.addStroke({ReturnAngle, ReturnTime, MeanReturnSpeed}, *motion.angleInwards, *motion.stroke,
+                         mechanism.omega2());
+        limits.add(TimeRatio, *motion.timeRatio);
+    }
+    if (motion.mobility != Mobility::Impossible) {
+        limits.add(MinimumTransmissionAngle, motion.coupler.minimumTransmissionAngle);
+        limits.add(MaximumTransmissionAngle, motion.coupler.maximumTransmissionAngle);
+        limits.add(MinimumCouplerAngle, motion.coupler.minimumTheta3);
+        limits.add(MaximumCouplerAngle, motion.coupler.maximumTheta3);
+        limits.add(CouplerSwing, motion.coupler.swing);
+    }
+    addPeaks(limits, mechanism);
+    return limits.sorted();
+}
+
+double valueOf(const std::vector<Limit> &limits, LimitKind kind)
+{
+    const Limit *limit = findElement(limits, [kind](const Limit &each) { return each.kind == kind; });
+    return limit ? limit->value : kNone;
+}
+
+} // namespace slidercrank

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/limits/tolerance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <vector>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+using KindValues = std::array<double, kLimitKindCount>; ///< by LimitKind; NaN if the limit does not exist
+
+enum Length : std::size_t { A, B, C };
+using Point = std::array<double, 3>; ///< by Length, mm
+
+KindValues valuesAt(const Parameters &parameters, const Point &lengths)
+{
+    Parameters varied = parameters;
+    varied.a = lengths[A];
+    varied.b = lengths[B];
+    varied.c = lengths[C];
+    KindValues values;
+    values.fill(kNone);
+    if (findFault(varied)) {
+        return values;
+    }
+    const Mechanism mechanism(varied);
+    for (const Limit &limit : findLimits(mechanism, motionLimits(mechanism))) {
+        const bool isPeak = peakChannel(limit.kind).has_value();
+        values[static_cast<std::size_t>(limit.kind)] = isPeak ? std::abs(limit.value) : limit.value;
+    }
+    return values;
+}
+
+/// Returns the values of one length that are tried: the ends of its range, the nominal value, and c = 0.
+std::vector<double> valuesOfLength(double nominal, double tolerance, Length length)
+{
+    if (tolerance == 0.0) {
+        return {nominal};
+    }
+    std::vector<double> values{nominal - tolerance, nominal, nominal + tolerance};
+    if (length == C && std::abs(nominal) < tolerance && nominal != 0.0) {
+        values.push_back(0.0);
+        std::ranges::sort(values);
+    }
+    return values;
+}
+
+/// Finds the extremes of the limits over the box of lengths. Points that are needed again are computed once.
+class Box
+{
+public:
+    Box(const Parameters &parameters, const LengthTolerances &tolerances)
+        : m_parameters(parameters)
+        , m_values{valuesOfLength(parameters.a, tolerances.a, A), valuesOfLength(parameters.b, tolerances.b, B),
+                   valuesOfLength(parameters.c, tolerances.c, C)}
+    {
+        for (const double a : m_values[A]) {
+            for (const double b : m_values[B]) {
+                for (const double c : m_values[C]) {
+                    m_grid.push_back({a, b, c});
+                }
+            }
+        }
+    }
+
+    std::optional<LimitRange> range(std::size_t kind)
+    {
+        const bool isBounded = std::ranges::all_of(
+            m_grid, [this, kind](const Point &point) { return std::isfinite(limitsAt(point)[kind]); });
+        return isBounded ? std::optional(LimitRange{-greatest(kind, -1.0), greatest(kind, 1.0)}) : std::nullopt;
+    }
+
+private:
+    const KindValues &limitsAt(const Point &point)
+    {
+        const auto known = m_known.find(point);
+        return known != m_known.end() ? known->second
+                                      : m_known.emplace(point, valuesAt(m_parameters, point)).first->second;
+    }
+
+    /// Returns the largest value of sign · limit. Starts from the best point of the grid, and follows each length.
+    double greatest(std::size_t kind, double sign)
+    {
+        Point best = *std::ranges::max_element(
+            m_grid, {}, [this, kind, sign](const Point &point) { return sign * limitsAt(point)[kind]; });
+        for (const Length length : {A, B, C}) {
+            best = refined(kind, sign, length, best);
+        }
+        return sign * limitsAt(best)[kind];
+    }
+
+    /// Returns the point with the largest value between the neighbouring values of one length, by golden section
+    /// search.
+    Point refined(std::size_t kind, double sign, Length length, const Point &point)
+    {
+        const auto moved = [&point, length](double x) {
+            Point next = point;
+            next[length] = x;
+            return next;
+        };
+        const auto valueAt = [&](double x) { return sign * limitsAt(moved(x))[kind]; };
+        const std::vector<double> &grid = m_values[length];
+        const double here = point[length];
+        const auto index = static_cast<std::size_t>(std::ranges::find(grid, here) - grid.begin());
+        double low = grid[index > 0 ? index - 1 : 0];
+        double high = grid[std::min(index + 1, grid.size() - 1)];
+
+        constexpr double kProbe = 0.01;     // of the interval: whether the value rises towards its inside,
+        constexpr double kRounding = 1e-13; // by more than rounding
+        const double largest = valueAt(here) + kRounding * std::abs(valueAt(here));
+        const bool risesDown = valueAt(here - kProbe * (here - low)) > largest;
+        const bool risesUp = valueAt(here + kProbe * (high - here)) > largest;
+        if (!risesDown && !risesUp) {
+            return point; // a corner, as almost always
+        }
+        constexpr double kGolden = 0.6180339887498949;
+        constexpr double kResolution = 1e-6; // of the range of the length: the error of the value is its square
+        while (high - low > kResolution * (grid.back() - grid.front())) {
+            const double left = high - kGolden * (high - low);
+            const double right = low + kGolden * (high - low);
+            if (valueAt(left) < valueAt(right)) {
+                low = left;
+            } else {
+                high = right;
+            }
+        }
+        return moved(0.5 * (low + high));
+    }
+
+    const Parameters &m_parameters;
+    std::array<std::vector<double>, 3> m_values; ///< by Length
+    std::vector<Point> m_grid;
+    std::map<Point, KindValues> m_known;
+};
+
+} // namespace
+
+LimitRanges limitRanges(const Mechanism &mechanism, const LengthTolerances &tolerances)
+{
+    Box box(mechanism.parameters(), tolerances);
+    LimitRanges ranges;
+    for (const LimitDescription &description : kLimitDescriptions) {
+        if (description.kind != LimitKind::CrankLimit) {
+            const auto kind = static_cast<std::size_t>(description.kind);
+            ranges[kind] = box.range(kind);
+        }
+    }
+    return ranges;
+}
+
+} // namespace slidercrank

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Computes how much the limits of a motion change while the lengths vary within their tolerances. Lengths in mm.
+//
+// To first order the change of a limit f is ±(|∂f/∂a| δa + |∂f/∂b| δb + |∂f/∂c| δc). That fails where f is stationary,
+// such as the time ratio at c = 0, which can only grow. Therefore the range is the exact one: almost always f is
+// largest and smallest at corners of the box of lengths, else on its faces, at c = 0, or at a vertex between them,
+// which is refined.
+
+#include "core/limits/limit.h"
+
+#include <array>
+#include <optional>
+
+namespace slidercrank
+{
+
+/// Each length may be this much shorter or longer; 0 if it is exact.
+struct LengthTolerances {
+    double a = 0.0;
+    double b = 0.0;
+    double c = 0.0;
+};
+
+/// The smallest and the largest value of a limit; of a peak, those of its magnitude.
+struct LimitRange {
+    double least = 0.0;
+    double greatest = 0.0;
+};
+
+/// By LimitKind. nullopt if the limit does not exist, or is unbounded, for some of the lengths, and for CrankLimit.
+using LimitRanges = std::array<std::optional<LimitRange>, kLimitKindCount>;
+
+LimitRanges limitRanges(const Mechanism &mechanism, const LengthTolerances &tolerances);
+
+} // namespace slidercrank

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The exercises of a textbook through the command line: the tables of positions, velocities and accelerations of offset
+// slider-cranks (R. L. Norton, "Design of Machinery", Tables P4-2, P6-2 and P7-2), the
+// positions in which a quantity has a value, and the effect of tolerances.
+
+#include "core/limits/tolerance.h"
+#include "tests/program/run_program.h"
+#include "tests/support/accelerating_motion.h"
+#include "tests/support/random_mechanisms.h"
+#include "tests/support/suite.h"
+
+#include <QTest>
+
+#include <cmath>
+
+using namespace slidercrank;
+
+namespace
+{
+
+/// A row of the tables: inches, degrees, rad/s and rad/s².
+struct TextbookRow {
+    const char *name;
+    double a;
+    double b;
+    double c;
+    double theta2;
+    double omega2;
+    double alpha2;
+};
+
+constexpr TextbookRow kTextbookRows[] = {
+    {"a", 1.4, 4.0, 1.0, 45.0, 10.0, 0.0},      {"b", 2.0, 6.0, -3.0, 60.0, -12.0, 5.0},
+    {"c", 3.0, 8.0, 2.0, -30.0, -15.0, -10.0},  {"d", 3.5, 10.0, 1.0, 120.0, 24.0, -4.0},
+    {"e", 5.0, 20.0, -5.0, 225.0, -50.0, 10.0}, {"f", 3.0, 13.0, 0.0, 100.0, -45.0, 50.0},
+    {"g", 7.0, 25.0, 10.0, 330.0, 100.0, 18.0},
+};
+
+/// The options of a mechanism, with every digit.
+QString optionsOf(const Parameters &p)
+{
+    const auto number = [](double value) { return QString::number(value, 'g', 17); };
+    return QStringLiteral(" --a %1 --b %2 --c %3 --omega2 %4 --theta20 %5rad --branch %6")
+        .arg(number(p.a), number(p.b), number(p.c), number(p.omega2), number(p.theta20),
+             p.branch == Branch::Open ? "open" : "crossed");
+}
+
+} // namespace
+
+class TestHomework : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void solvesTheTextbooksTables_data()
+    {
+        QTest::addColumn<int>("row");
+        QTest::addColumn<bool>("isOpen");
+        for (int i = 0; i < static_cast<int>(std::size(kTextbookRows)); ++i) {
+            QTest::addRow("%s open", kTextbookRows[i].name) << i << true;
+            QTest::addRow("%s crossed", kTextbookRows[i].name) << i << false;
+        }
+    }
+
+    /// Every value by one command, in inches and radians and in mm and degrees.
+    void solvesTheTextbooksTables()
+    {
+        QFETCH(int, row);
+        QFETCH(bool, isOpen);
+        const TextbookRow &exercise = kTextbookRows[row];
+        constexpr double kInch = 25.4; // mm
+        const Parameters p{exercise.a * kInch,
+                           exercise.b * kInch,
+                           exercise.c * kInch,
+                           exercise.omega2,
+                           exercise.theta2 / kDegreesPerRadian,
+                           isOpen ? Branch::Open : Branch::Crossed};
+        const ExactOutputs exact = exactMotion(p, exercise.alpha2);
+        const QString line = QStringLiteral("solve --a %1in --b %2in --c %3in --omega2 %4 --at-angle %5 --alpha2 %6 "
+                                            "--branch %7 --channels ")
+                                 .arg(exercise.a)
+                                 .arg(exercise.b)
+                                 .arg(exercise.c)
+                                 .arg(exercise.omega2)
+                                 .arg(exercise.theta2)
+                                 .arg(exercise.alpha2)
+                                 .arg(isOpen ? "open" : "crossed");
+        const QByteArrayList names{"theta3",     "theta3_diff", "theta3_diff2",       "R4_x",        "R4_x_diff",
+                                   "R4_x_diff2", "A_x_diff",    "A_y_diff",           "A_x_diff2",   "A_y_diff2",
+                                   "R3_x_diff2", "R3_y_diff2",  "transmission_angle", "displacement"};
+        const RunResult inInches = run(line + names.join(',') + " --length-unit in --angle-unit rad");
+        const RunResult inDefault = run(line + names.join(','));
+        QCOMPARE(inInches.status, 0);
+        QCOMPARE(inDefault.status, 0);
+        const CsvTable inches(inInches.output);
+        const CsvTable millimetres(inDefault.output);
+        QVERIFY(inches.header.contains("R4_x_diff2 [in/s^2]") && inches.header.contains("theta3_diff [rad/s]"));
+        for (const QByteArray &name : names) {
+            const OutputChannel channel =
+                *outputChannelNamed({name.constData(), static_cast<std::size_t>(name.size())});
+            const bool angle = isAngular(measureOf(channel));
+            const qsizetype column =
+                std::ranges::find_if(
+                    inches.header, [&name](const QByteArray &heading) { return heading.split(' ').first() == name; }) -
+                inches.header.begin();
+            QVERIFY2(column < inches.header.size(), name);
+            const double value = static_cast<double>(exact.at(nameOf(channel)));
+            const double size = (angle ? 1.0 : characteristicLength(p)) *
+                                std::pow(std::abs(p.omega2), static_cast<int>(orderOf(channel)));
+            const double inCore = inches.rows[0][column].toDouble() * (angle ? 1.0 : kInch);
+            const double inFile = millimetres.at(0, name) / (angle ? kDegreesPerRadian : 1.0);
+            QVERIFY2(std::abs(inCore - value) <= 1e-12 * size, name);
+            QVERIFY2(std::abs(inFile - value) <= 1e-12 * size, name);
+        }
+    }
+
+    /// At constant speed the option changes nothing, by either method; with an acceleration both methods agree.
+    void accelerationIsThatOfBothMethods()
+    {
+        QCOMPARE(run("solve --at-angle 60 --alpha2 0").output, run("solve --at-angle 60").output);
+        const QString line = "solve --step-angle 30 --alpha2 25 --tolerance 0 --method ";
+        const CsvTable closedForm(run(line + "closed-form").output);
+        const CsvTable newton(run(line + "newton").output);
+        for (std::size_t row = 0; row < closedForm.rows.size(); ++row) {
+            for (const char *name : {"R4_x_diff2", "theta3_diff2", "R3_x_diff2", "theta2_diff2"}) {
+                QVERIFY2(std::abs(closedForm.at(row, name) - newton.at(row, name)) <= 1e-9 * 1e4, name);
+            }
+        }
+        QVERIFY(std::abs(closedForm.at(0, "theta2_diff2") - 25.0 * kDegreesPerRadian) < 1e-9);
+        // From rest, the acceleration alone moves the links.
+        const CsvTable rest(run("solve --omega2 0 --at-angle 60 --alpha2 5").output);
+        QCOMPARE(rest.at(0, "theta2"), 60.0);
+        QCOMPARE(rest.at(0, "R4_x_diff"), 0.0);
+        QVERIFY(std::abs(rest.at(0, "R4_x_diff2")) > 1.0);
+    }
+
+    void findsThePositionsOfAValue()
+    {
+        const CsvTable table(run("solve --when R4_x=60 --channels theta2,R4_x").output);
+        QCOMPARE(table.rows.size(), std::size_t(2));
+        for (std::size_t row = 0; row < table.rows.size(); ++row) {
+            QVERIFY(std::abs(table.at(row, "R4_x") - 60.0) < 1e-12);
+        }
+        QVERIFY(table.at(0, "time") >= 0.0 && table.at(0, "time") < table.at(1, "time") && table.at(1, "time") < 1.0);
+        const CsvTable later(run("solve --when R4_x=6cm --start 0.5 --channels R4_x").output);
+        QVERIFY(later.at(0, "time") >= 0.5 && later.at(1, "time") < 1.5);
+        const CsvTable inches(run("solve --when R4_x=2.5 --length-unit in --channels R4_x").output);
+        QVERIFY(std::abs(inches.at(0, "R4_x [in]") - 2.5) < 1e-14);
+        QCOMPARE(CsvTable(run("solve --when transmission_angle=60deg").output).rows.size(), std::size_t(2));
+        QCOMPARE(CsvTable(run("solve --when theta3_diff=0.1rad/s").output).rows.size(), std::size_t(2));
+
+        const RunResult none = run("solve --when R4_x=90");
+        QCOMPARE(none.status, 4);
+        QVERIFY2(none.output.isEmpty() && none.hasOneLineError() && none.error.contains("R4_x = 90 mm"), none.error);
+    }
+
+    /// 100 random mechanisms by the command; tst_crank_search has more, and all channels.
+    void findsEveryPositionOfRandomMechanisms()
+    {
+        RandomMechanisms random(465);
+        for (int i = 0; i < 100; ++i) {
+            Parameters p = random.next();
+            p.theta20 = 0.0;
+            const double outer = std::sqrt((p.a + p.b) * (p.a + p.b) - p.c * p.c);
+            const double inner = std::sqrt((p.b - p.a) * (p.b - p.a) - p.c * p.c);
+            const double value =
+                (p.branch == Branch::Open ? 1.0 : -1.0) * std::lerp(inner, outer, random.uniform(0.01, 0.99));
+            const RunResult found = run(
+                QStringLiteral("solve --channels theta2,R4_x --when R4_x=%1").arg(value, 0, 'g', 17) + optionsOf(p));
+            QCOMPARE(found.status, 0);
+            const CsvTable table(found.output);
+            QCOMPARE(table.rows.size(), std::size_t(2));
+            for (std::size_t row = 0; row < 2; ++row) {
+                QVERIFY(std::abs(table.at(row, "R4_x") - value) <= 1e-12 * characteristicLength(p));
+            }
+        }
+    }
+
+    void findsTheCrankSpeedForAVelocity()
+    {
+        const RunResult found = run("solve --at-angle 60 --omega2-for R4_x_diff=-8m/s");
+        QCOMPARE(found.status, 0);
+        const CsvTable table(found.output);
+        QVERIFY(std::abs(table.at(0, "R4_x_diff") + 8000.0) < 1e-9);
+        QVERIFY(std::abs(table.at(0, "theta2") - 60.0) < 1e-9);
+        QVERIFY(found.error.startsWith("--omega2 ") && found.hasOneLineError());
+        const double speed = found.error.split(' ').last().toDouble();
+        QVERIFY(std::abs(table.at(0, "theta2_diff") / kDegreesPerRadian - speed) <= 1e-14 * std::abs(speed));
+        const RunResult deadCentre = run("solve --c 0 --at-angle 0 --omega2-for R4_x_diff=8m/s");
+        QVERIFY(deadCentre.status == 4 && deadCentre.hasOneLineError() && deadCentre.error.contains("dead centre"));
+    }
+
+    void refusesWhatDoesNotFitTogether()
+    {
+        struct Row {
+            const char *line;
+            const char *message;
+        };
+        for (const Row &row : {Row{"solve --alpha2 5", "add --at-angle"},
+                               Row{"solve --when R4_x", "such as R4_x=60"},
+                               Row{"solve --when R4_y=25", "does not depend"},
+                               Row{"solve --when nothing=25", "--when must be"},
+                               Row{"solve --when R4_x=60s", "units here are"},
+                               Row{"solve --when R4_x=60 --steps 5", "remove --steps"},
+                               Row{"solve --when R4_x=60 --at-angle 5", "remove one"},
+                               Row{"solve --when R4_x_diff2=60 --alpha2 5", "remove --alpha2"},
+                               Row{"solve --when R4_x_diff=60 --omega2 0", "stands still"},
+                               Row{"solve --omega2-for R4_x_diff=60", "add --at-angle"},
+                               Row{"solve --at-angle 60 --omega2-for R4_x=60", "first derivative"},
+                               Row{"solve --at-angle 60 --omega2-for R4_x_diff=60 --omega2 5", "remove --omega2"},
+                               Row{"solve --length-unit ft", "--length-unit must be mm, cm, m or in"},
+                               Row{"solve --start 1e12 --omega2 1e6 --step-angle 90", "too close in time"},
+                               Row{"solve --omega2 1e-300 --step-angle 90", "larger --omega2"},
+                               Row{"limits --tolerance d=5", "such as a=0.05"},
+                               Row{"limits --tolerance a=-5", "from 0"},
+                               Row{"limits --vary b=50..60 --tolerance a=1", "remove --tolerance"},
+                               Row{"limits --design time-ratio=1.2", "--a and --b"},
+                               Row{"limits --design time-ratio=1.2 --a 40 --b 120 --c 5", "remove --c"}}) {
+            const RunResult outcome = run(QString(row.line));
+            QVERIFY2(outcome.status == 2 && outcome.error.contains(row.message) && outcome.hasOneLineError(),
+                     row.line + outcome.error);
+        }
+    }
+
+    void printsWhatTolerancesChange()
+    {
+        const Parameters p;
+        const RunResult json = run("limits --tolerance a=0.05,b=0.1,c=0.05 --format json");
+        int seen = 0;
+        for (const QJsonValue &limit : json.json()["limits"].toArray()) {
+            const QString name = limit["name"].toString();
+            const double plus = limit["plus"].toDouble();
+            const double minus = limit["minus"].toDouble();
+            const auto strokeOf = [](double a, double b, double c) {
+                return std::sqrt((a + b) * (a + b) - c * c) - std::sqrt((b - a) * (b - a) - c * c);
+            };
+            if (name == u"stroke") { // grows with a and |c|, decreases with b
+                ++seen;
+                const double stroke = strokeOf(p.a, p.b, p.c);
+                QVERIFY(std::abs(plus - (strokeOf(20.05, 64.9, 25.05) - stroke)) < 1e-10);
+                QVERIFY(std::abs(minus - (stroke - strokeOf(19.95, 65.1, 24.95))) < 1e-10);
+            } else if (name == u"minimum-transmission-angle") {
+                ++seen;
+                const double angle = std::acos(45.0 / 65.0) * kDegreesPerRadian;
+                QVERIFY(std::abs(plus - (std::acos(44.9 / 65.1) * kDegreesPerRadian - angle)) < 1e-10);
+                QVERIFY(std::abs(minus - (angle - std::acos(45.1 / 64.9) * kDegreesPerRadian)) < 1e-10);
+            }
+        }
+        QCOMPARE(seen, 2);
+        QVERIFY(run("limits --tolerance b=0.1").output.contains("plus"));
+        const CsvTable toggle(run("limits --b 45.05 --tolerance b=0.1 --format csv").output);
+        for (const QByteArrayList &row : toggle.rows) {
+            QVERIFY(row[0] != "time-ratio" || (row[5].isEmpty() && row[6].isEmpty() && !row[1].isEmpty()));
+        }
+    }
+
+    void designsTheOffset()
+    {
+        const RunResult found = run("limits --design time-ratio=1.2 --a 40 --b 120 --format json");
+        QCOMPARE(found.status, 0);
+        const QJsonObject mechanism = found.json()["mechanism"].toObject();
+        QCOMPARE(mechanism["a"].toDouble(), 40.0);
+        QCOMPARE(mechanism["b"].toDouble(), 120.0);
+        const double c = mechanism["c"].toDouble();
+        QVERIFY(c > 0.0);
+        const double alpha = std::asin(c / 80.0) - std::asin(c / 160.0);
+        QVERIFY(std::abs((M_PI + alpha) / (M_PI - alpha) - 1.2) < 1e-13);
+        const RunResult tooLarge = run("limits --design time-ratio=2.9 --a 40 --b 120");
+        QVERIFY(tooLarge.status == 4 && tooLarge.error.contains("time ratio is below 2"));
+        QCOMPARE(run("limits --design time-ratio=1.2 --a 40 --b 30").status, 4);
+    }
+
+    void printsLimitsInOtherUnits()
+    {
+        const QJsonArray limits =
+            run("limits --length-unit in --angle-unit rad --format json").json()["limits"].toArray();
+        for (const QJsonValue &limit : limits) {
+            if (limit["name"].toString() == u"coupler-swing") {
+                QCOMPARE(limit["unit"].toString(), QStringLiteral("rad"));
+                QVERIFY(std::abs(limit["value"].toDouble() - (std::asin(45.0 / 65.0) - std::asin(5.0 / 65.0))) < 1e-14);
+            } else if (limit["name"].toString() == u"peak-slider-speed") {
+                QCOMPARE(limit["unit"].toString(), QStringLiteral("in/s"));
+            }
+        }
+        QVERIFY(run("limits --length-unit in").output.contains(" in/s"));
+        QVERIFY(run("limits --a 1e-3 --b 1e12 --c 0 --format csv").output.contains("\nstroke,0.002,mm"));
+    }
+};
+
+const Suite homeworkSuite("tst_homework", runWithWidgets<TestHomework>);
+#include "tst_homework.moc"
