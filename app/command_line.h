@@ -15,7 +15,7 @@ namespace slidercrank
 /// The exit status of the program.
 enum class ExitStatus {
     Success = 0,
-    Differs = 1,        ///< --fail-on-difference was given and a channel differs
+    Differs = 1,        ///< --fail-on-difference was given and a channel differs, or a value of `check` is wrong
     UsageError = 2,     ///< the arguments are wrong
     FileError = 3,      ///< a file cannot be read or written, or its content is not valid
     NotAssemblable = 4, ///< the mechanism cannot be assembled at some time step

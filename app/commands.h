@@ -16,6 +16,7 @@ ExitStatus solveCommand(const OptionReader &options, const Streams &streams);  /
 ExitStatus limitsCommand(const OptionReader &options, const Streams &streams); ///< dead centres, stroke, peak values …
 ExitStatus compareCommand(const OptionReader &options, const Streams &streams);  ///< reference files against the model
 ExitStatus identifyCommand(const OptionReader &options, const Streams &streams); ///< the mechanism of reference files
+ExitStatus checkCommand(const OptionReader &options, const Streams &streams);    ///< a calculation by hand
 ExitStatus studyCommand(const OptionReader &options, const Streams &streams);    ///< speed and error of every method
 ExitStatus renderCommand(const OptionReader &options, const Streams &streams);   ///< pictures, frames and reports
 

@@ -40,6 +40,16 @@ public:
              "and peak speeds and peak accelerations, and where and when they occur. Crank angles in JSON and "
              "CSV are in degrees. The exit status is 4 if the mechanism cannot be assembled at all."),
          limitsCommand},
+        {"check", "NAME=VALUE… [options]", QT_TR_NOOP("which slip gives the numbers of a calculation by hand"),
+         QT_TR_NOOP(
+             "Checks numbers of a calculation by hand for one position of the crank (--at-angle), and names the slip "
+             "that gives exactly the wrong ones. Names: x, v, a (position, velocity and acceleration of the slider), "
+             "theta3, omega3, alpha3 (of the coupler), displacement (from the outer dead centre), mu (transmission "
+             "angle), and every channel of solve. A number alone is in mm, degrees and s; units are accepted: "
+             "omega3=5.42rad/s. A number is right if the exact one rounds to it; zeros at the end of a whole number "
+             "count up to the third digit. theta3 may also be measured at B, as in Norton's book. A slip is named "
+             "only if no other one gives all wrong numbers, and if their digits exclude chance."),
+         checkCommand},
         {"compare", "FILE… [options]", QT_TR_NOOP("how far simulation files are from the model"),
          QT_TR_NOOP(
              "Reads CSV files of simulations (time,R4_x,theta3_diff,…) and prints how far each column is from the "
@@ -76,8 +86,8 @@ public:
          renderCommand, Platform::Offscreen},
     };
 
-    static constexpr const char *kWithMechanism = "solve limits compare identify study render";
-    static constexpr const char *kEveryCommand = "window solve limits compare identify study render";
+    static constexpr const char *kWithMechanism = "solve limits check compare identify study render";
+    static constexpr const char *kEveryCommand = "window solve limits check compare identify study render";
 
     static inline const std::vector<OptionGroup> kGroups{
         {QT_TR_NOOP("Mechanism"),
@@ -101,6 +111,8 @@ public:
           {"render", "at", "SECONDS", QT_TR_NOOP("the time that is drawn, and marked in the plots (--start)")},
           {"solve render", "at-angle", "DEGREES",
            QT_TR_NOOP("the same by crank angle: the first time from --start on at which the crank has this angle")},
+          {"check", "at-angle", "DEGREES", QT_TR_NOOP("crank angle at which the values are checked (--theta20)")},
+          {"check", "alpha2", "RAD_PER_S2", QT_TR_NOOP("crank acceleration (0)")},
           {"solve", "when", "CHANNEL=VALUE",
            QT_TR_NOOP("a row for each position of one revolution in which a channel has this value: R4_x=60, "
                       "theta3=10deg, R4_x_diff=-0.2m/s")},
@@ -139,7 +151,7 @@ public:
           {"solve limits", "angle-unit", "deg|rad", QT_TR_NOOP("unit of the angles in the output (deg)")},
           {"solve limits", "length-unit", "mm|cm|m|in", QT_TR_NOOP("unit of the lengths in the output (mm)")},
           {"solve", "format", "csv|json", QT_TR_NOOP("output format (csv)")},
-          {"identify", "format", "text|json", QT_TR_NOOP("output format (text)")},
+          {"check identify", "format", "text|json", QT_TR_NOOP("output format (text)")},
           {"limits compare study", "format", "text|csv|json", QT_TR_NOOP("output format (text)")},
           {"limits", "vary", "NAME=FROM..TO",
            QT_TR_NOOP(
@@ -173,7 +185,7 @@ public:
            QT_TR_NOOP("required: a name that ends in .png, .svg or .pdf; for frames the name of a new folder, or of a "
                       "video that ends in .mp4, .webm or .gif (needs ffmpeg)"),
            "o"},
-          {"solve limits compare identify study", "output", "FILE",
+          {"solve limits check compare identify study", "output", "FILE",
            QT_TR_NOOP("write to this file instead of standard output (-)"), "o"}}},
         {QT_TR_NOOP("Other"),
          {{"window", "reset-settings", nullptr,

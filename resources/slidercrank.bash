@@ -5,7 +5,7 @@
 _slidercrank() {
     local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} command='' help line choices
     case ${COMP_WORDS[1]-} in
-    solve | limits | compare | identify | study | render) ((COMP_CWORD > 1)) && command=${COMP_WORDS[1]} ;;
+    solve | limits | check | compare | identify | study | render) ((COMP_CWORD > 1)) && command=${COMP_WORDS[1]} ;;
     esac
     # shellcheck disable=SC2086 # without a command, there must be no word
     help=$(LC_ALL=C.UTF-8 LANGUAGE=en "${COMP_WORDS[0]}" $command --help 2>/dev/null)
@@ -33,12 +33,12 @@ _slidercrank() {
         return
     fi
     if [[ ${COMP_WORDS[1]} == help ]] && ((COMP_CWORD > 1)); then
-        mapfile -t COMPREPLY < <(compgen -W "solve limits compare identify study render" -- "$current")
+        mapfile -t COMPREPLY < <(compgen -W "solve limits check compare identify study render" -- "$current")
         return
     fi
     mapfile -t COMPREPLY < <(compgen -f -- "$current")
     if ((COMP_CWORD == 1)); then
-        mapfile -t -O "${#COMPREPLY[@]}" COMPREPLY < <(compgen -W "solve limits compare identify study render help" -- "$current")
+        mapfile -t -O "${#COMPREPLY[@]}" COMPREPLY < <(compgen -W "solve limits check compare identify study render help" -- "$current")
     fi
 }
 

@@ -75,6 +75,173 @@
     </message>
 </context>
 <context>
+    <name>slidercrank::CheckText</name>
+    <message>
+        <source>The other assembly</source>
+        <translation>La otra configuración</translation>
+    </message>
+    <message>
+        <source>The offset c with the opposite sign</source>
+        <translation>La excentricidad c con el signo opuesto</translation>
+    </message>
+    <message>
+        <source>Omitting the offset c</source>
+        <translation>Omitir la excentricidad c</translation>
+    </message>
+    <message>
+        <source>ω₂ with the opposite sign</source>
+        <translation>ω₂ con el signo opuesto</translation>
+    </message>
+    <message>
+        <source>α₂ with the opposite sign</source>
+        <translation>α₂ con el signo opuesto</translation>
+    </message>
+    <message>
+        <source>Omitting α₂</source>
+        <translation>Omitir α₂</translation>
+    </message>
+    <message>
+        <source>θ₂ with the opposite sign</source>
+        <translation>θ₂ con el signo opuesto</translation>
+    </message>
+    <message>
+        <source>Taking the degrees of θ₂ as radians (or the reverse: check the mode of the calculator)</source>
+        <translation>Tomar los grados de θ₂ como radianes (o al revés: revise el modo de la calculadora)</translation>
+    </message>
+    <message>
+        <source>Taking ω₂ in rpm as rad/s (or the reverse)</source>
+        <translation>Tomar ω₂ en rpm como rad/s (o al revés)</translation>
+    </message>
+    <message>
+        <source>Taking ω₂ in °/s as rad/s (or the reverse)</source>
+        <translation>Tomar ω₂ en °/s como rad/s (o al revés)</translation>
+    </message>
+    <message>
+        <source>Exchanging a and b</source>
+        <translation>Intercambiar a y b</translation>
+    </message>
+    <message>
+        <source>Taking twice or half the crank length a (diameter or stroke instead of radius)</source>
+        <translation>Tomar el doble o la mitad de la longitud a de la manivela (diámetro o carrera en lugar del radio)</translation>
+    </message>
+    <message>
+        <source>Measuring θ₃ clockwise</source>
+        <translation>Medir θ₃ en sentido horario</translation>
+    </message>
+    <message>
+        <source>Exchanging sine and cosine of θ₂</source>
+        <translation>Intercambiar el seno y el coseno de θ₂</translation>
+    </message>
+    <message>
+        <source>Exchanging sine and cosine of θ₃</source>
+        <translation>Intercambiar el seno y el coseno de θ₃</translation>
+    </message>
+    <message>
+        <source>ω₂ instead of ω₂²</source>
+        <translation>ω₂ en lugar de ω₂²</translation>
+    </message>
+    <message>
+        <source>Omitting the centripetal term a ω₂² of the crank</source>
+        <translation>Omitir el término centrípeto a ω₂² de la manivela</translation>
+    </message>
+    <message>
+        <source>Omitting the centripetal term b ω₃² of the coupler</source>
+        <translation>Omitir el término centrípeto b ω₃² de la biela</translation>
+    </message>
+    <message>
+        <source>Omitting both centripetal terms (a ω₂² and b ω₃²)</source>
+        <translation>Omitir ambos términos centrípetos (a ω₂² y b ω₃²)</translation>
+    </message>
+    <message>
+        <source>Simple harmonic motion (that of the crank pin A instead of the wrist pin B)</source>
+        <translation>El movimiento armónico simple (el del pasador A de la manivela en lugar del pasador B)</translation>
+    </message>
+    <message>
+        <source>The approximation x ≈ a cos θ₂ + b − a²/4b (1 − cos 2θ₂) with its derivatives</source>
+        <translation>La aproximación x ≈ a cos θ₂ + b − a²/4b (1 − cos 2θ₂), con sus derivadas,</translation>
+    </message>
+    <message>
+        <source>The centre of the coupler instead of the wrist pin B</source>
+        <translation>El centro de la biela en lugar del pasador B</translation>
+    </message>
+    <message>
+        <source>Measuring from the outer dead centre towards the crank</source>
+        <translation>Medir desde el punto muerto exterior hacia la manivela</translation>
+    </message>
+    <message>
+        <source>Measuring from the inner dead centre outwards</source>
+        <translation>Medir desde el punto muerto interior hacia afuera</translation>
+    </message>
+    <message>
+        <source>Taking inches as millimetres (or the reverse)</source>
+        <translation>Tomar pulgadas como milímetros (o al revés)</translation>
+    </message>
+    <message>
+        <source>Taking metres as millimetres (or the reverse)</source>
+        <translation>Tomar metros como milímetros (o al revés)</translation>
+    </message>
+    <message>
+        <source>Taking centimetres as millimetres (or the reverse)</source>
+        <translation>Tomar centímetros como milímetros (o al revés)</translation>
+    </message>
+    <message>
+        <source>Taking radians as degrees (or the reverse)</source>
+        <translation>Tomar radianes como grados (o al revés)</translation>
+    </message>
+    <message>
+        <source>The pressure angle 90° − μ instead of μ</source>
+        <translation>El ángulo de presión 90° − μ en lugar de μ</translation>
+    </message>
+    <message>
+        <source>Rounding θ₃ to three digits</source>
+        <translation>Redondear θ₃ a tres cifras</translation>
+    </message>
+    <message>
+        <source>does not exist here</source>
+        <translation>no existe aquí</translation>
+    </message>
+    <message>
+        <source>off by %1</source>
+        <translation>difiere en %1</translation>
+    </message>
+    <message>
+        <source>right to its %1 digits</source>
+        <translation>correcto en sus %1 cifras</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>correcto</translation>
+    </message>
+    <message>
+        <source>%1, measured at B (θ₃ = θ³ + 180°)</source>
+        <translation>%1, medido en B (θ₃ = θ³ + 180°)</translation>
+    </message>
+    <message>
+        <source>%1 gives exactly your %2.</source>
+        <translation>%1 da exactamente sus valores de %2.</translation>
+    </message>
+    <message>
+        <source>All values are right to their digits.</source>
+        <translation>Todos los valores son correctos en sus cifras.</translation>
+    </message>
+    <message>
+        <source>More than one slip is possible; more quantities or digits may decide:</source>
+        <translation>Más de un descuido es posible; más magnitudes o más cifras pueden decidirlo:</translation>
+    </message>
+    <message>
+        <source>The values have too few digits to name a slip: add digits or other quantities.</source>
+        <translation>Los valores tienen muy pocas cifras para nombrar un descuido: agregue cifras u otras magnitudes.</translation>
+    </message>
+    <message>
+        <source>The deviation is within the error of an intermediate result (θ₃, ω₃, α₃) that was rounded to three digits.</source>
+        <translation>La desviación está dentro del error de un resultado intermedio (θ₃, ω₃, α₃) redondeado a tres cifras.</translation>
+    </message>
+    <message>
+        <source>No known slip gives exactly these values.</source>
+        <translation>Ningún descuido conocido da exactamente estos valores.</translation>
+    </message>
+</context>
+<context>
     <name>slidercrank::ColumnMapping</name>
     <message>
         <source>ignored</source>
@@ -314,6 +481,42 @@
 </context>
 <context>
     <name>slidercrank::CommandLine</name>
+    <message>
+        <source>A value must be a name, = and a number, such as x=9.74 or theta3=-154deg, not &quot;%1&quot;.</source>
+        <translation>Un valor debe ser un nombre, = y un número, como x=9.74 o theta3=-154deg, no «%1».</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no quantity: choose x, v, a, theta3, omega3, alpha3, displacement, mu, or a channel of &quot;slidercrank solve&quot;.</source>
+        <translation>«%1» no es una magnitud: elija x, v, a, theta3, omega3, alpha3, displacement, mu o un canal de «slidercrank solve».</translation>
+    </message>
+    <message>
+        <source>%1 is given more than once: keep one of them.</source>
+        <translation>%1 se da más de una vez: deje una sola.</translation>
+    </message>
+    <message>
+        <source>Give the values to be checked, such as x=9.74 v=45.1.</source>
+        <translation>Indique los valores que se deben revisar, como x=9.74 v=45.1.</translation>
+    </message>
+    <message>
+        <source>exact: %1</source>
+        <translation>exacto: %1</translation>
+    </message>
+    <message>
+        <source>which slip gives the numbers of a calculation by hand</source>
+        <translation>qué descuido da los números de un cálculo a mano</translation>
+    </message>
+    <message>
+        <source>Checks numbers of a calculation by hand for one position of the crank (--at-angle), and names the slip that gives exactly the wrong ones. Names: x, v, a (position, velocity and acceleration of the slider), theta3, omega3, alpha3 (of the coupler), displacement (from the outer dead centre), mu (transmission angle), and every channel of solve. A number alone is in mm, degrees and s; units are accepted: omega3=5.42rad/s. A number is right if the exact one rounds to it; zeros at the end of a whole number count up to the third digit. theta3 may also be measured at B, as in Norton&apos;s book. A slip is named only if no other one gives all wrong numbers, and if their digits exclude chance.</source>
+        <translation>Revisa los números de un cálculo a mano para una posición de la manivela (--at-angle) y nombra el descuido que da exactamente los erróneos. Nombres: x, v, a (posición, velocidad y aceleración de la corredera), theta3, omega3, alpha3 (de la biela), displacement (desde el punto muerto exterior), mu (ángulo de transmisión) y todo canal de solve. Un número sin unidad está en mm, grados y s; se aceptan unidades: omega3=5.42rad/s. Un número es correcto si el exacto se redondea a él; los ceros al final de un número entero cuentan hasta la tercera cifra. theta3 también puede medirse en B, como en el libro de Norton. Un descuido se nombra solo si ningún otro da todos los números erróneos y si sus cifras excluyen el azar.</translation>
+    </message>
+    <message>
+        <source>crank angle at which the values are checked (--theta20)</source>
+        <translation>ángulo de la manivela en el que se revisan los valores (--theta20)</translation>
+    </message>
+    <message>
+        <source>crank acceleration (0)</source>
+        <translation>aceleración de la manivela (0)</translation>
+    </message>
     <message>
         <source>--%1 is given more than once: keep one of them.</source>
         <translation>--%1 se da más de una vez: deje una sola.</translation>
@@ -745,8 +948,8 @@ Equipo: %1. Tiempo: %2 s.
         <translation>Solo --what frames tiene velocidad: quite %1.</translation>
     </message>
     <message>
-        <source>Exit status: 0 success; 1 --fail-on-difference was given and a channel differs; 2 usage error; 3 a file cannot be read or written; 4 the mechanism cannot be assembled at some time step (the other steps are still written), or --design is impossible; 5 not converged or singular at some time step, or no mechanism identified. If several apply: 3 before 4 before 5 before 1.</source>
-        <translation>Estado de salida: 0 correcto; 1 se dio --fail-on-difference y un canal difiere; 2 error de uso; 3 un archivo no se puede leer o escribir; 4 el mecanismo no se puede ensamblar en algún paso de tiempo (los demás se escriben igualmente), o --design es imposible; 5 sin convergencia o singular en algún paso de tiempo, o ningún mecanismo identificado. Si se dan varios: 3 antes que 4, antes que 5, antes que 1.</translation>
+        <source>Exit status: 0 success; 1 --fail-on-difference was given and a channel differs, or a value to be checked is wrong; 2 usage error; 3 a file cannot be read or written; 4 the mechanism cannot be assembled at some time step (the other steps are still written), or --design is impossible; 5 not converged or singular at some time step, or no mechanism identified. If several apply: 3 before 4 before 5 before 1.</source>
+        <translation>Estado de salida: 0 correcto; 1 se dio --fail-on-difference y un canal difiere, o un valor revisado es erróneo; 2 error de uso; 3 un archivo no se puede leer o escribir; 4 el mecanismo no se puede ensamblar en algún paso de tiempo (los demás se escriben igualmente), o --design es imposible; 5 sin convergencia o singular en algún paso de tiempo, o ningún mecanismo identificado. Si se dan varios: 3 antes que 4, antes que 5, antes que 1.</translation>
     </message>
     <message>
         <source>instead of --steps and --duration: a row for each step of this crank angle, over one revolution</source>

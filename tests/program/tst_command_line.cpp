@@ -53,7 +53,7 @@ private slots:
             {"--reset-settings --reference x.csv", "remove the other arguments"},
             {"--steps 3", "Unknown option 'steps'"},
             {"-", "does not read standard input"},
-            {"help fly", "solve, limits, compare"},
+            {"help fly", "solve, limits, check, compare"},
             {"solve --omga2 3", "--help describes the options"},
             {"solve file.csv", "remove \"file.csv\""},
             {"solve --b", "--b"},

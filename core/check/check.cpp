@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/check/check.h"
+
+#include "core/mechanism/find_element.h"
+#include "core/mechanism/turn.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+constexpr double kArithmetic = 1e-12; ///< allowance for rounding errors of the computation, relative to the value
+
+/// Returns the angle after which two values of the channel mean the same, or 0 if there is none.
+double periodOf(const OutputChannel &channel)
+{
+    if (channel == OutputChannel(Channel{Theta3, Order::Position})) {
+        return 0.5 * kTurn;
+    }
+    return channel == OutputChannel(Channel{Theta2, Order::Position}) ? kTurn : 0.0;
+}
+
+double difference(const OutputChannel &channel, double x, double y)
+{
+    const double period = periodOf(channel);
+    return period > 0.0 ? std::remainder(x - y, period) : x - y;
+}
+
+/// Returns whether a value rounds to the given one.
+bool roundsTo(const GivenValue &given, double value)
+{
+    return std::abs(difference(given.channel, given.value, value)) <=
+           given.halfStep + kArithmetic * std::abs(given.value);
+}
+
+CheckedValue checkValue(const GivenValue &given, double exact)
+{
+    CheckedValue checked;
+    checked.deviation = difference(given.channel, given.value, exact);
+    checked.isRight = roundsTo(given, exact);
+    const double halfTurns = std::round((given.value - exact - checked.deviation) / (0.5 * kTurn));
+    checked.isMeasuredAtB = checked.isRight && periodOf(given.channel) > 0.0 && std::remainder(halfTurns, 2.0) != 0.0;
+    return checked;
+}
+
+/// A slip beside the given values. Only slips that change every wrong value by more than its rounding, or fit, are
+/// compared.
+struct Comparison {
+    Slip slip;
+    bool fits;             ///< gives every wrong value
+    bool keepsRightValues; ///< leaves every right value right
+    double change;         ///< product of the changes of the wrong values
+};
+
+std::vector<Comparison> compareSlips(const CrankPosition &position, const OutputState &exact,
+                                     std::span<const GivenValue> given, std::span<const CheckedValue> checked)
+{
+    std::vector<Comparison> comparisons;
+    for (const SlipOutcome &outcome : slipOutcomes(position, exact)) {
+        Comparison comparison{outcome.slip, true, true, 1.0};
+        bool changesAll = true;
+        for (std::size_t i = 0; i < given.size(); ++i) {
+            const double predicted = outcome.values.valueOf(given[i].channel);
+            const bool isGiven = roundsTo(given[i], predicted);
+            if (checked[i].isRight) {
+                comparison.keepsRightValues &= isGiven;
+                continue;
+            }
+            const double change = std::abs(difference(given[i].channel, predicted, exact.valueOf(given[i].channel)));
+            comparison.fits &= isGiven;
+            comparison.change *= change;
+            changesAll &= change > given[i].halfStep;
+        }
+        if (changesAll || comparison.fits) {
+            comparisons.push_back(comparison);
+        }
+    }
+    return comparisons;
+}
+
+/// Returns the slips that fit, without repetition. Requires that at least one fits.
+std::vector<Slip> fittingSlips(const std::vector<Comparison> &comparisons)
+{
+    std::vector<Slip> slips;
+    for (const Comparison &comparison : comparisons) {
+        if (comparison.fits && std::ranges::count(slips, comparison.slip) == 0) {
+            slips.push_back(comparison.slip);
+        }
+    }
+    return slips;
+}
+
+/// Returns how many different changes the slips make that are at most as large as those of the slips that fit.
+std::ptrdiff_t countTried(const std::vector<Comparison> &comparisons)
+{
+    constexpr double kSame = 1e-9; // relative: the same change, computed in two ways
+    double largest = 0.0;
+    std::vector<double> changes;
+    for (const Comparison &comparison : comparisons) {
+        changes.push_back(comparison.change);
+        largest = comparison.fits ? std::max(largest, comparison.change) : largest;
+    }
+    std::erase_if(changes, [largest](double change) { return change > largest; });
+    std::ranges::sort(changes);
+    const auto repeated =
+        std::ranges::unique(changes, [](double x, double y) { return std::abs(y - x) <= kSame * std::abs(x); });
+    return std::distance(changes.begin(), repeated.begin());
+}
+
+/// Explains the wrong values by the slips. `coincidence`: h/d of the wrong values, multiplied.
+void explainBySlips(CheckResult &result, std::vector<Comparison> comparisons, double coincidence)
+{
+    const auto keepsRightValues = [](const Comparison &each) { return each.keepsRightValues; };
+    const auto fitsAll = [](const Comparison &each) { return each.keepsRightValues && each.fits; };
+    if (std::ranges::any_of(comparisons, fitsAll)) {
+        std::erase_if(comparisons, std::not_fn(keepsRightValues));
+    }
+    const std::vector<Slip> slips = fittingSlips(comparisons);
+    if (slips.empty()) {
+        return;
+    }
+    if (static_cast<double>(countTried(comparisons)) * coincidence >= kLargestChance) {
+        result.explanation = Explanation::TooFewDigits;
+    } else {
+        result.slips = slips;
+        result.explanation = slips.size() == 1 ? Explanation::Named : Explanation::Ambiguous;
+    }
+}
+
+/// Returns whether all deviations are within the error of intermediate results that are rounded to three digits.
+bool areRoundedEarlier(const CrankPosition &position, const OutputState &exact, std::span<const GivenValue> given,
+                       std::span<const CheckedValue> checked)
+{
+    const OutputState errors = roundingErrors(position, exact);
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        if (!(std::abs(checked[i].deviation) <= errors.valueOf(given[i].channel) + given[i].halfStep)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+} // namespace
+
+std::optional<OutputChannel> quantityNamed(std::string_view name)
+{
+    struct ShortName {
+        std::string_view name;
+        std::string_view channel;
+    };
+    constexpr std::array kShortNames{ShortName{"x", "R4_x"},
+                                     ShortName{"v", "R4_x_diff"},
+                                     ShortName{"a", "R4_x_diff2"},
+                                     ShortName{"omega3", "theta3_diff"},
+                                     ShortName{"alpha3", "theta3_diff2"},
+                                     ShortName{"mu", "transmission_angle"}};
+    const ShortName *shortName = findElement(kShortNames, [name](const ShortName &each) { return each.name == name; });
+    return outputChannelNamed(shortName ? shortName->channel : name);
+}
+
+CheckResult check(const CrankPosition &position, std::span<const GivenValue> given)
+{
+    const OutputState exact = outputStateAt(position.mechanism, 0.0, position.alpha2);
+    CheckResult result{.status = exact.state.status};
+    double coincidence = 1.0;
+    for (const GivenValue &each : given) {
+        const CheckedValue checked = checkValue(each, exact.valueOf(each.channel));
+        if (!checked.isRight) {
+            coincidence *= each.halfStep / std::abs(checked.deviation);
+        }
+        result.values.push_back(checked);
+    }
+    if (std::ranges::all_of(result.values, &CheckedValue::isRight)) {
+        return result;
+    }
+    result.explanation = Explanation::None;
+    if (exact.state.status != Status::Solved) {
+        return result;
+    }
+    explainBySlips(result, compareSlips(position, exact, given, result.values), coincidence);
+    if (result.slips.empty() && areRoundedEarlier(position, exact, given, result.values)) {
+        result.explanation = Explanation::RoundedEarlier;
+    }
+    return result;
+}
+
+} // namespace slidercrank

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Checks numbers of a calculation by hand, for one position of the mechanism, and finds the slip that gives exactly
+// these numbers.
+//
+// A value is right if the exact value rounds to it: if its deviation d is at most h, half a unit of its last digit.
+//
+// Every slip of slips.h predicts all values. It fits if it gives every wrong value to its digits. It is named only if
+//
+//  - no other slip fits. A slip that also leaves the right values right is preferred to one that does not; and
+//  - chance is unlikely. Of all numbers that are at most as far off as the wrong one, the fraction h/d rounds to the
+//    digits that the slip predicts. So n slips fit k wrong values by chance with a probability of at most
+//
+//        n · h₁/d₁ · … · h_k/d_k,
+//
+//    which must be below kLargestChance. n is the number of different changes that slips make of every wrong value and
+//    that are at most as large (product of the k changes) as the one that fits: only these had a chance to fit numbers
+//    that are no farther off.
+//
+// Pairs of slips are not tried. A textbook may measure θ3 at B, from B to A (Norton). That is half a turn more than the
+// angle at A of this program, no error: θ3 is compared modulo 180°.
+
+#include "core/check/slips.h"
+
+#include <span>
+#include <vector>
+
+namespace slidercrank
+{
+
+/// The largest probability of a coincidence with which a slip is named.
+inline constexpr double kLargestChance = 0.04;
+
+/// Returns the quantity with this name: x, v, a (of the slider), theta3, omega3, alpha3, displacement, mu (transmission
+/// angle), or an output channel.
+std::optional<OutputChannel> quantityNamed(std::string_view name);
+
+/// A number of the calculation by hand.
+struct GivenValue {
+    OutputChannel channel;
+    double value = 0.0;    ///< mm, rad, s
+    double halfStep = 0.0; ///< half a unit of its last digit
+};
+
+struct CheckedValue {
+    double deviation =
+        kNone; ///< given minus exact; of an angle within half a turn. NaN if the exact value does not exist
+    bool isRight = false;
+    bool isMeasuredAtB = false; ///< θ3 is given as the direction from B to A
+};
+
+/// What is known about the wrong values.
+enum class Explanation {
+    NotNeeded,      ///< all values are right
+    Named,          ///< exactly one slip gives the wrong values
+    Ambiguous,      ///< several slips give them
+    TooFewDigits,   ///< a slip gives them, but chance is not unlikely
+    RoundedEarlier, ///< no slip is named, but the deviations are within the error of intermediate results that are
+                    ///< rounded to three digits
+    None            ///< no slip gives them
+};
+
+struct CheckResult {
+    Status status = Status::Solved;        ///< if it is not Solved, values may not exist
+    std::vector<CheckedValue> values = {}; ///< of every given value
+    Explanation explanation = Explanation::NotNeeded;
+    std::vector<Slip> slips = {}; ///< one if Named, several if Ambiguous, otherwise none
+};
+
+/// Checks the values at this position.
+CheckResult check(const CrankPosition &position, std::span<const GivenValue> given);
+
+} // namespace slidercrank

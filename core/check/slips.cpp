@@ -1,0 +1,396 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/check/slips.h"
+
+#include "core/mechanism/turn.h"
+#include "core/mechanism/two_part_angle.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <utility>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+// The textbook derives the motion from the vector loop a e^(iθ2) + b e^(iθ3) = x + ic:
+//
+//     ω3 = -a ω2 cos θ2 / (b cos θ3)
+//     α3 = (-a α2 cos θ2 + a ω2² sin θ2 + b ω3² sin θ3) / (b cos θ3)
+//     x  =  a cos θ2 + b cos θ3
+//     ẋ  = -a ω2 sin θ2 - b ω3 sin θ3
+//     ẍ  = -a α2 sin θ2 - a ω2² cos θ2 - b α3 sin θ3 - b ω3² cos θ3
+
+/// A calculation by hand. A slip replaces some of its members.
+struct Calculation {
+    Parameters parameters; ///< with θ2 as the initial angle
+    double alpha2;
+    OutputState values; ///< the results
+
+    // What enters the formulas above.
+    SinCos crank;                     ///< of θ2
+    SinCos coupler;                   ///< of θ3
+    double crankNormal;               ///< ω2² in the terms with a ω2²
+    double couplerNormalFactor = 1.0; ///< factor of the terms with b ω3²
+    double omega3Error = 0.0;         ///< is added to ω3
+    double alpha3Error = 0.0;         ///< is added to α3
+
+    Calculation(const CrankPosition &position, const OutputState &exact)
+        : parameters(position.mechanism.parameters())
+        , alpha2(position.alpha2)
+        , values(exact)
+        , crank(sinCos({parameters.theta20}))
+        , coupler(sinCos({exact.state.q[Theta3]}))
+        , crankNormal(parameters.omega2 * parameters.omega2)
+    {
+    }
+
+    /// b, or -b if the slider is to the left of A.
+    double directedCoupler() const { return parameters.branch == Branch::Open ? parameters.b : -parameters.b; }
+};
+
+/// Computes ω3 and α3 by the formulas above.
+void solveCoupler(Calculation &hand)
+{
+    const auto &[a, b, c, omega2, theta2, branch] = hand.parameters;
+    const auto &[sin2, cos2] = hand.crank;
+    const auto &[sin3, cos3] = hand.coupler;
+    const double omega3 = -a * omega2 * cos2 / (b * cos3) + hand.omega3Error;
+    const double normals = a * hand.crankNormal * sin2 + b * hand.couplerNormalFactor * omega3 * omega3 * sin3;
+    hand.values.state.qDot[Theta3] = omega3;
+    hand.values.state.qDDot[Theta3] = (normals - a * hand.alpha2 * cos2) / (b * cos3) + hand.alpha3Error;
+}
+
+/// Computes the slider by the formulas above from ω3 and α3.
+void solveSlider(Calculation &hand)
+{
+    const auto &[a, b, c, omega2, theta2, branch] = hand.parameters;
+    const auto &[sin2, cos2] = hand.crank;
+    const auto &[sin3, cos3] = hand.coupler;
+    State &state = hand.values.state;
+    const double omega3 = state.qDot[Theta3];
+    const double normals = a * hand.crankNormal * cos2 + b * hand.couplerNormalFactor * omega3 * omega3 * cos3;
+    state.q[R4x] = a * cos2 + b * cos3;
+    state.qDot[R4x] = -a * omega2 * sin2 - b * omega3 * sin3;
+    state.qDDot[R4x] = -a * hand.alpha2 * sin2 - b * state.qDDot[Theta3] * sin3 - normals;
+}
+
+void setSlider(Calculation &hand, const QuantityMotion &motion)
+{
+    State &state = hand.values.state;
+    state.q[R4x] = motion.position;
+    state.qDot[R4x] = motion.velocity;
+    state.qDDot[R4x] = motion.acceleration;
+}
+
+/// Sets the slider from its position and the first and second derivative of that by θ2, and the displacement from the
+/// outer dead centre of a mechanism without offset.
+void setSlider(Calculation &hand, double x, double slope, double curvature)
+{
+    const double omega2 = hand.parameters.omega2;
+    const double velocity = slope * omega2;
+    const double acceleration = curvature * omega2 * omega2 + slope * hand.alpha2;
+    const double side = hand.directedCoupler() / hand.parameters.b;
+    setSlider(hand, {x, velocity, acceleration});
+    hand.values.derived.displacement = {hand.parameters.a + hand.parameters.b - side * x, -side * velocity,
+                                        -side * acceleration};
+}
+
+/// Sets the slider to a cos θ2 beside `middle`.
+void moveHarmonically(Calculation &hand, double middle)
+{
+    const double a = hand.parameters.a;
+    const auto &[sin, cos] = hand.crank;
+    setSlider(hand, middle + a * cos, -a * sin, -a * cos);
+}
+
+void approximateByTwoHarmonics(Calculation &hand)
+{
+    const double a = hand.parameters.a;
+    const double b = hand.directedCoupler();
+    const double omega2 = hand.parameters.omega2;
+    const auto &[sin, cos] = hand.crank;
+    const auto &[sinTwice, cosTwice] = sinCos({2.0 * hand.parameters.theta20});
+    setSlider(hand, a * cos + b - a * a / (4.0 * b) * (1.0 - cosTwice), -a * sin - a * a / (2.0 * b) * sinTwice,
+              -a * cos - a * a / b * cosTwice);
+    hand.values.state.qDot[Theta3] = -a * omega2 * cos / b;
+    hand.values.state.qDDot[Theta3] = a * (omega2 * omega2 * sin - hand.alpha2 * cos) / b;
+}
+
+void measureFromInnerDeadCentre(Calculation &hand)
+{
+    const auto &[a, b, c, omega2, theta2, branch] = hand.parameters;
+    const double side = hand.directedCoupler() / b;
+    const State &state = hand.values.state;
+    hand.values.derived.displacement = {side * state.q[R4x] - std::sqrt((b - a) * (b - a) - c * c),
+                                        side * state.qDot[R4x], side * state.qDDot[R4x]};
+    setSlider(hand, hand.values.derived.displacement);
+}
+
+/// Takes ω2 for ω2² in the accelerations q'' ω2² + q' α2.
+void omitSquareOfSpeed(Calculation &hand)
+{
+    State &state = hand.values.state;
+    const double omega2 = hand.parameters.omega2;
+    const Vector12 slopeTerm = state.qDot / omega2 * hand.alpha2;
+    state.qDDot = (state.qDDot - slopeTerm) / omega2 + slopeTerm;
+}
+
+void scale(QuantityMotion &motion, double factor)
+{
+    motion = {factor * motion.position, factor * motion.velocity, factor * motion.acceleration};
+}
+
+void scaleCoordinates(State &state, bool (*isScaled)(Coordinate), double factor)
+{
+    for (std::ptrdiff_t i = 0; i < kCoordinateCount; ++i) {
+        if (isScaled(static_cast<Coordinate>(i))) {
+            state.q[i] *= factor;
+            state.qDot[i] *= factor;
+            state.qDDot[i] *= factor;
+        }
+    }
+}
+
+void scaleLengths(Calculation &hand, double factor)
+{
+    DerivedState &derived = hand.values.derived;
+    scaleCoordinates(
+        hand.values.state, [](Coordinate coordinate) { return !isAngle(coordinate); }, factor);
+    for (QuantityMotion *motion : {&derived.displacement, &derived.pinX, &derived.pinY}) {
+        scale(*motion, factor);
+    }
+}
+
+/// Multiplies all angles. θ3 may be measured at A or B, and in either direction: before, half turns are added to it.
+template <int halfTurns>
+void scaleAngles(Calculation &hand, double factor)
+{
+    hand.values.state.q[Theta3] += halfTurns * std::numbers::pi;
+    scaleCoordinates(hand.values.state, isAngle, factor);
+    scale(hand.values.derived.transmissionAngle, factor);
+}
+
+/// Measures as many textbooks do: the slider from the outer dead centre towards the crank, and the coupler clockwise.
+void measureTowardsCrank(Calculation &hand)
+{
+    setSlider(hand, hand.values.derived.displacement);
+    scaleAngles<0>(hand, -1.0);
+}
+
+template <int halfTurns>
+void takeRadiansAsDegrees(Calculation &hand)
+{
+    scaleAngles<halfTurns>(hand, 1.0 / kDegreesPerRadian);
+}
+
+template <int halfTurns>
+void takeDegreesAsRadians(Calculation &hand)
+{
+    scaleAngles<halfTurns>(hand, kDegreesPerRadian);
+}
+
+/// Returns half a unit of the third significant digit.
+double halfUnitOfThirdDigit(double value)
+{
+    return value == 0.0 ? 0.0 : 0.5 * std::pow(10.0, std::floor(std::log10(std::abs(value))) - 2.0);
+}
+
+/// Rounds θ3 to three digits of its degrees. `atB`: the angle at B minus that at A (rad).
+void roundTheta3(Calculation &hand, double atB)
+{
+    const double degrees = (hand.values.state.q[Theta3] + atB) * kDegreesPerRadian;
+    const double unit = 2.0 * halfUnitOfThirdDigit(degrees);
+    hand.coupler = sinCos({std::round(degrees / unit) * unit / kDegreesPerRadian - atB});
+}
+
+constexpr double kInch = 25.4; // mm
+constexpr double kRadiansPerSecondPerRpm = std::numbers::pi / 30.0;
+
+/// Where a slip is made.
+enum class Stage {
+    Input,   ///< before everything is computed
+    Formula, ///< after θ3 is known: in all formulas that follow, or only in those of the slider
+    Result   ///< after everything is computed
+};
+
+/// A way to make a slip.
+struct SlipRow {
+    Slip slip;
+    Stage stage;
+    void (*make)(Calculation &hand);
+};
+
+std::span<const SlipRow> allSlips()
+{
+    using enum Slip;
+    using enum Stage;
+    using Hand = Calculation;
+    static constexpr SlipRow kSlips[] = {
+        {OtherAssembly, Input, [](Hand &hand) { hand.parameters.branch = oppositeBranch(hand.parameters.branch); }},
+        {OffsetSign, Input, [](Hand &hand) { hand.parameters.c *= -1.0; }},
+        {OffsetOmitted, Input, [](Hand &hand) { hand.parameters.c = 0.0; }},
+        {CrankSpeedSign, Input, [](Hand &hand) { hand.parameters.omega2 *= -1.0; }},
+        {CrankAccelerationSign, Input, [](Hand &hand) { hand.alpha2 *= -1.0; }},
+        {CrankAccelerationOmitted, Input, [](Hand &hand) { hand.alpha2 = 0.0; }},
+        {CrankAngleSign, Input, [](Hand &hand) { hand.parameters.theta20 *= -1.0; }},
+        {CrankAngleUnit, Input, [](Hand &hand) { hand.parameters.theta20 *= kDegreesPerRadian; }},
+        {CrankAngleUnit, Input, [](Hand &hand) { hand.parameters.theta20 /= kDegreesPerRadian; }},
+        {CrankSpeedInRpm, Input, [](Hand &hand) { hand.parameters.omega2 *= kRadiansPerSecondPerRpm; }},
+        {CrankSpeedInRpm, Input, [](Hand &hand) { hand.parameters.omega2 /= kRadiansPerSecondPerRpm; }},
+        {CrankSpeedInDegrees, Input, [](Hand &hand) { hand.parameters.omega2 *= kDegreesPerRadian; }},
+        {CrankSpeedInDegrees, Input, [](Hand &hand) { hand.parameters.omega2 /= kDegreesPerRadian; }},
+        {LinksExchanged, Input, [](Hand &hand) { std::swap(hand.parameters.a, hand.parameters.b); }},
+        {DiameterForRadius, Input, [](Hand &hand) { hand.parameters.a *= 2.0; }},
+        {DiameterForRadius, Input, [](Hand &hand) { hand.parameters.a /= 2.0; }},
+        {CouplerAngleSign, Result, [](Hand &hand) { hand.values.state.q[Theta3] *= -1.0; }},
+        {CouplerAngleSign, Result, [](Hand &hand) { scaleAngles<0>(hand, -1.0); }},
+        {CrankSineForCosine, Input,
+         [](Hand &hand) { hand.parameters.theta20 = kQuarterTurn - hand.parameters.theta20; }},
+        {CrankSineForCosine, Formula, [](Hand &hand) { std::swap(hand.crank.sin, hand.crank.cos); }},
+        {CouplerSineForCosine, Formula, [](Hand &hand) { std::swap(hand.coupler.sin, hand.coupler.cos); }},
+        {CrankSpeedNotSquared, Formula, [](Hand &hand) { hand.crankNormal = hand.parameters.omega2; }},
+        {CrankSpeedNotSquared, Result, omitSquareOfSpeed},
+        {CrankNormalOmitted, Formula, [](Hand &hand) { hand.crankNormal = 0.0; }},
+        {CouplerNormalOmitted, Formula, [](Hand &hand) { hand.couplerNormalFactor = 0.0; }},
+        {NormalsOmitted, Formula, [](Hand &hand) { hand.crankNormal = hand.couplerNormalFactor = 0.0; }},
+        {HarmonicMotion, Result, [](Hand &hand) { moveHarmonically(hand, 0.0); }},
+        {HarmonicMotion, Result, [](Hand &hand) { moveHarmonically(hand, hand.directedCoupler()); }},
+        {HarmonicMotion, Result,
+         [](Hand &hand) {
+             moveHarmonically(hand, hand.directedCoupler());
+             measureTowardsCrank(hand);
+         }},
+        {TwoHarmonics, Result, approximateByTwoHarmonics},
+        {TwoHarmonics, Result,
+         [](Hand &hand) {
+             approximateByTwoHarmonics(hand);
+             measureTowardsCrank(hand);
+         }},
+        {CouplerCentre, Result,
+         [](Hand &hand) {
+             const State &state = hand.values.state;
+             setSlider(hand, {state.q[R3x], state.qDot[R3x], state.qDDot[R3x]});
+         }},
+        {FromOuterDeadCentre, Result, [](Hand &hand) { setSlider(hand, hand.values.derived.displacement); }},
+        {FromOuterDeadCentre, Result, measureTowardsCrank},
+        {FromInnerDeadCentre, Result, measureFromInnerDeadCentre},
+        {Inches, Result, [](Hand &hand) { scaleLengths(hand, kInch); }},
+        {Inches, Result, [](Hand &hand) { scaleLengths(hand, 1.0 / kInch); }},
+        {Metres, Result, [](Hand &hand) { scaleLengths(hand, 1000.0); }},
+        {Metres, Result, [](Hand &hand) { scaleLengths(hand, 0.001); }},
+        {Centimetres, Result, [](Hand &hand) { scaleLengths(hand, 10.0); }},
+        {Centimetres, Result, [](Hand &hand) { scaleLengths(hand, 0.1); }},
+        {ValueInRadians, Result, takeRadiansAsDegrees<-2>},
+        {ValueInRadians, Result, takeRadiansAsDegrees<-1>},
+        {ValueInRadians, Result, takeRadiansAsDegrees<0>},
+        {ValueInRadians, Result, takeRadiansAsDegrees<1>},
+        {ValueInRadians, Result, takeDegreesAsRadians<-2>},
+        {ValueInRadians, Result, takeDegreesAsRadians<-1>},
+        {ValueInRadians, Result, takeDegreesAsRadians<0>},
+        {ValueInRadians, Result, takeDegreesAsRadians<1>},
+        {PressureAngle, Result,
+         [](Hand &hand) {
+             double &angle = hand.values.derived.transmissionAngle.position;
+             angle = kQuarterTurn - angle;
+         }},
+        {CouplerAngleRounded, Formula, [](Hand &hand) { roundTheta3(hand, 0.0); }},
+        {CouplerAngleRounded, Formula, [](Hand &hand) { roundTheta3(hand, -std::numbers::pi); }},
+    };
+    return kSlips;
+}
+
+/// By Slip.
+constexpr std::array<std::string_view, kSlipCount> kNames{"other-assembly",
+                                                          "offset-sign",
+                                                          "offset-omitted",
+                                                          "crank-speed-sign",
+                                                          "crank-acceleration-sign",
+                                                          "crank-acceleration-omitted",
+                                                          "crank-angle-sign",
+                                                          "crank-angle-unit",
+                                                          "crank-speed-in-rpm",
+                                                          "crank-speed-in-degrees",
+                                                          "links-exchanged",
+                                                          "diameter-for-radius",
+                                                          "coupler-angle-sign",
+                                                          "crank-sine-for-cosine",
+                                                          "coupler-sine-for-cosine",
+                                                          "crank-speed-not-squared",
+                                                          "crank-normal-omitted",
+                                                          "coupler-normal-omitted",
+                                                          "normals-omitted",
+                                                          "harmonic-motion",
+                                                          "two-harmonics",
+                                                          "coupler-centre",
+                                                          "from-outer-dead-centre",
+                                                          "from-inner-dead-centre",
+                                                          "inches",
+                                                          "metres",
+                                                          "centimetres",
+                                                          "value-in-radians",
+                                                          "pressure-angle",
+                                                          "coupler-angle-rounded"};
+
+/// Computes the motion from a wrong input. Returns whether there is such a mechanism.
+bool solveMechanism(Calculation &hand)
+{
+    if (findFault(hand.parameters)) {
+        return false;
+    }
+    hand.values = outputStateAt(Mechanism(hand.parameters), 0.0, hand.alpha2);
+    return hand.values.state.status == Status::Solved;
+}
+
+} // namespace
+
+std::string_view nameOf(Slip slip)
+{
+    return kNames[static_cast<std::size_t>(slip)];
+}
+
+std::vector<SlipOutcome> slipOutcomes(const CrankPosition &position, const OutputState &exact)
+{
+    std::vector<SlipOutcome> outcomes;
+    for (const auto &[slip, stage, make] : allSlips()) {
+        Calculation hand(position, exact);
+        make(hand);
+        if (stage == Stage::Input && !solveMechanism(hand)) {
+            continue;
+        }
+        if (stage == Stage::Formula) {
+            solveSlider(hand);
+            outcomes.push_back({slip, hand.values});
+            solveCoupler(hand);
+            solveSlider(hand);
+        }
+        outcomes.push_back({slip, hand.values});
+    }
+    return outcomes;
+}
+
+OutputState roundingErrors(const CrankPosition &position, const OutputState &exact)
+{
+    Calculation theta3Rounded(position, exact);
+    Calculation omega3Rounded(position, exact);
+    Calculation alpha3Rounded(position, exact);
+    const double elevation = std::asin(theta3Rounded.coupler.sin) * kDegreesPerRadian; // the acute angle: at A and B
+    const double theta3Error = halfUnitOfThirdDigit(elevation) / kDegreesPerRadian;
+    theta3Rounded.coupler = sinCos({exact.state.q[Theta3] + theta3Error});
+    omega3Rounded.omega3Error = halfUnitOfThirdDigit(exact.state.qDot[Theta3]);
+    alpha3Rounded.alpha3Error = halfUnitOfThirdDigit(exact.state.qDDot[Theta3]);
+    OutputState errors{State{Vector12::Zero(), Vector12::Zero(), Vector12::Zero()}, {}};
+    for (Calculation *rounded : {&theta3Rounded, &omega3Rounded, &alpha3Rounded}) {
+        solveCoupler(*rounded);
+        solveSlider(*rounded);
+        errors.state.q += (rounded->values.state.q - exact.state.q).cwiseAbs();
+        errors.state.qDot += (rounded->values.state.qDot - exact.state.qDot).cwiseAbs();
+        errors.state.qDDot += (rounded->values.state.qDDot - exact.state.qDDot).cwiseAbs();
+    }
+    return errors;
+}
+
+} // namespace slidercrank

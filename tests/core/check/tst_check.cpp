@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The check of a calculation by hand.
+
+#include "core/check/check.h"
+#include "core/check/written_value.h"
+#include "tests/core/check/hand_calculation.h"
+#include "tests/support/random_mechanisms.h"
+#include "tests/support/suite.h"
+
+#include <QTest>
+
+using namespace slidercrank;
+
+namespace
+{
+
+constexpr std::array kQuantities{"x", "v", "a", "theta3", "omega3", "alpha3"};
+
+/// Writes a value with significant digits of mm and degrees, and reads it as a person's number.
+GivenValue written(const char *name, double value, int digits)
+{
+    const OutputChannel channel = *quantityNamed(name);
+    const Measure measure = measureOf(channel);
+    const double shown = toFileUnit(measure, value);
+    const QByteArray text = QByteArray::number(shown, 'e', digits - 1);
+    const Unit unit{measure != lengthMeasure(orderOf(channel)) ? Dimension::Angle : Dimension::Length,
+                    static_cast<int>(orderOf(channel)), 1.0};
+    const WrittenValue read = readWrittenValue(text.toStdString(), unit);
+    const double factor = toFileUnit(measure, 1.0);
+    return {channel, read.value / factor, read.halfStep / factor};
+}
+
+struct Problem {
+    Parameters parameters;
+    double alpha2;
+
+    CrankPosition position() const { return {Mechanism(parameters), alpha2}; }
+    HandCalculation calculation() const { return {parameters, alpha2}; }
+};
+
+Problem randomProblem(RandomMechanisms &random)
+{
+    const Parameters parameters = random.ordinary();
+    const double normal = parameters.omega2 * parameters.omega2;
+    return {parameters, random.uniform(0.2, 2.0) * normal * (random.uniform(-1.0, 1.0) < 0.0 ? -1.0 : 1.0)};
+}
+
+/// What was said about the numbers of 300 mechanisms.
+struct Tally {
+    int wrong = 0; ///< cases with a wrong number
+    int named = 0;
+    int misnamed = 0;  ///< another slip was named
+    int ambiguous = 0; ///< several were, the right one among them
+};
+
+Tally tally(const SlipCase &slipCase, int digits)
+{
+    Tally result;
+    RandomMechanisms random(20261);
+    for (int i = 0; i < 300; ++i) {
+        const Problem problem = randomProblem(random);
+        HandCalculation hand = problem.calculation();
+        slipCase.calculate(hand);
+        std::vector<GivenValue> given;
+        for (const char *name : kQuantities) {
+            if (std::isfinite(hand.valueOf(name))) {
+                given.push_back(written(name, hand.valueOf(name), digits));
+            }
+        }
+        const CheckResult checked = check(problem.position(), given);
+        const bool isAmong = std::ranges::count(checked.slips, slipCase.slip) == 1;
+        result.wrong += checked.explanation != Explanation::NotNeeded && given.size() == kQuantities.size();
+        result.named += checked.explanation == Explanation::Named && isAmong;
+        result.ambiguous += checked.explanation == Explanation::Ambiguous && isAmong;
+        result.misnamed += !checked.slips.empty() && !isAmong;
+    }
+    return result;
+}
+
+/// The position of the examples: a = 3 mm, b = 8 mm, c = 2 mm, θ2 = -30°, ω2 = -15 rad/s, α2 = -10 rad/s².
+const Problem kExample{{.a = 3.0, .b = 8.0, .c = 2.0, .omega2 = -15.0, .theta20 = -kPi / 6.0}, -10.0};
+
+} // namespace
+
+class TestCheck : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void theHandCalculationIsRight()
+    {
+        RandomMechanisms random(3);
+        for (int i = 0; i < 300; ++i) {
+            const Problem problem = randomProblem(random);
+            std::vector<GivenValue> given;
+            for (const char *name : kQuantities) {
+                given.push_back(written(name, problem.calculation().solve().valueOf(name), 10));
+            }
+            QVERIFY(check(problem.position(), given).explanation == Explanation::NotNeeded);
+        }
+    }
+
+    void namesEverySlip_data()
+    {
+        QTest::addColumn<const SlipCase *>("slipCase");
+        for (const SlipCase &slipCase : kSlipCases) {
+            QTest::newRow(slipCase.title) << &slipCase;
+        }
+    }
+
+    void namesEverySlip()
+    {
+        QFETCH(const SlipCase *, slipCase);
+        const Tally five = tally(*slipCase, 5);
+        const Tally three = tally(*slipCase, 3);
+        const QString counts = QStringLiteral("five digits: %1 wrong, %2 named, %3 ambiguous, %4 misnamed; "
+                                              "three digits: %5 wrong, %6 named, %7 ambiguous, %8 misnamed")
+                                   .arg(five.wrong)
+                                   .arg(five.named)
+                                   .arg(five.ambiguous)
+                                   .arg(five.misnamed)
+                                   .arg(three.wrong)
+                                   .arg(three.named)
+                                   .arg(three.ambiguous)
+                                   .arg(three.misnamed);
+        qInfo("%s", qPrintable(counts));
+        const bool isSmall = slipCase->slip == Slip::CouplerAngleRounded; // some change the last digit only
+        QVERIFY2(five.wrong > 50, qPrintable(counts));
+        QVERIFY2(five.named >= five.wrong * (isSmall ? 80 : 97) / 100, qPrintable(counts));
+        QVERIFY2(five.misnamed == 0 && three.misnamed == 0, qPrintable(counts));
+    }
+
+    void seldomNamesASlipForRandomNumbers_data()
+    {
+        QTest::addColumn<double>("off");
+        QTest::addColumn<bool>("isExactlyOff");
+        QTest::addColumn<int>("count");
+        for (const double off : {0.05, 0.2}) {
+            for (const int count : {1, 2, 3, 4}) {
+                const QString title = QStringLiteral("%1 numbers, %2 % off").arg(count).arg(100.0 * off);
+                QTest::newRow(qPrintable("exactly " + title)) << off << true << count;
+                QTest::newRow(qPrintable("up to " + title)) << off << false << count;
+            }
+        }
+    }
+
+    void seldomNamesASlipForRandomNumbers()
+    {
+        QFETCH(double, off);
+        QFETCH(bool, isExactlyOff);
+        QFETCH(int, count);
+        constexpr int kCases = 1000;
+        RandomMechanisms random(77);
+        int named = 0;
+        for (int i = 0; i < kCases; ++i) {
+            const Problem problem = randomProblem(random);
+            const HandCalculation hand = problem.calculation().solve();
+            std::vector<const char *> names(kQuantities.begin(), kQuantities.end());
+            std::vector<GivenValue> given;
+            while (static_cast<int>(given.size()) < count) {
+                const auto chosen =
+                    names.begin() + static_cast<int>(random.uniform(0.0, static_cast<double>(names.size())));
+                const double sense = random.uniform(-1.0, 1.0);
+                const double error = off * (isExactlyOff ? std::copysign(1.0, sense) : sense);
+                given.push_back(written(*chosen, hand.valueOf(*chosen) * (1.0 + error), 3));
+                names.erase(chosen);
+            }
+            named += check(problem.position(), given).slips.empty() ? 0 : 1;
+        }
+        qInfo("%d of %d", named, kCases);
+        QVERIFY2(named <= kCases / (count == 1 ? 50 : 200), qPrintable(QString::number(named)));
+    }
+
+    void readsTheLastDigit_data()
+    {
+        QTest::addColumn<double>("value");
+        QTest::addColumn<double>("halfStep");
+        QTest::addColumn<int>("digits");
+        QTest::newRow("9.74") << 9.74 << 0.005 << 3;
+        QTest::newRow("-9.740") << -9.74 << 0.0005 << 4;
+        QTest::newRow("+0.0120") << 0.012 << 0.00005 << 3;
+        QTest::newRow(".5") << 0.5 << 0.05 << 1;
+        QTest::newRow("1.20e3") << 1200.0 << 5.0 << 3;
+        QTest::newRow("1.20·10³") << 1200.0 << 5.0 << 3;
+        QTest::newRow("1024") << 1024.0 << 0.5 << 4;
+        QTest::newRow("1200") << 1200.0 << 5.0 << 3;
+        QTest::newRow("1000") << 1000.0 << 5.0 << 3;
+        QTest::newRow("-12000") << -12000.0 << 50.0 << 3;
+        QTest::newRow("10240") << 10240.0 << 5.0 << 4;
+        QTest::newRow("1200.") << 1200.0 << 0.5 << 4;
+        QTest::newRow("1200.0") << 1200.0 << 0.05 << 5;
+        QTest::newRow("100") << 100.0 << 0.5 << 3;
+        QTest::newRow("10") << 10.0 << 0.5 << 2;
+        QTest::newRow("0") << 0.0 << 0.5 << 0;
+        QTest::newRow("0.00") << 0.0 << 0.005 << 0;
+        QTest::newRow("1 024 mm") << 1024.0 << 0.5 << 4;
+        QTest::newRow("9.74 cm") << 97.4 << 0.05 << 3;
+        QTest::newRow("1.9in") << 48.26 << 1.27 << 2;
+        QTest::newRow("0.99m") << 990.0 << 5.0 << 2;
+    }
+
+    void readsTheLastDigit()
+    {
+        QFETCH(double, value);
+        QFETCH(double, halfStep);
+        QFETCH(int, digits);
+        const WrittenValue read = readWrittenValue(QTest::currentDataTag(), kMillimetre);
+        QVERIFY(!read.fault);
+        QVERIFY(std::abs(read.value - value) <= 1e-12 * std::abs(value));
+        QVERIFY(std::abs(read.halfStep - halfStep) <= 1e-9 * halfStep);
+        QCOMPARE(read.digits, digits);
+    }
+
+    void acceptsTheta3MeasuredAtB()
+    {
+        // The coupler is inclined by 25.9445°: asin(3.5/8). At B it is 205.9445°, or -154.0555°.
+        struct Row {
+            const char *degrees;
+            bool isRight;
+            bool isMeasuredAtB;
+        };
+        for (const Row &row :
+             {Row{"25.94", true, false}, Row{"385.94", true, false}, Row{"-334.06", true, false},
+              Row{"205.94", true, true}, Row{"-154.06", true, true}, Row{"565.94", true, true}, Row{"-154", true, true},
+              Row{"-25.94", false, false}, Row{"154.06", false, false}, Row{"25.95", false, false}}) {
+            const WrittenValue read = readWrittenValue(row.degrees, kDegree);
+            const GivenValue given{Channel{Theta3, Order::Position}, read.value / kDegreesPerRadian,
+                                   read.halfStep / kDegreesPerRadian};
+            const CheckedValue checked = check(kExample.position(), std::vector{given}).values.front();
+            QCOMPARE(checked.isRight, row.isRight);
+            QCOMPARE(checked.isMeasuredAtB, row.isMeasuredAtB);
+        }
+    }
+
+    void prefersSlipsThatKeepTheRightValues()
+    {
+        // The opposite sign of v alone is that of ω2, or the direction towards the crank. A right x excludes the
+        // latter.
+        const HandCalculation hand = kExample.calculation().solve();
+        const GivenValue v = written("v", -hand.v, 5);
+        const CheckResult alone = check(kExample.position(), std::vector{v});
+        QVERIFY(alone.explanation == Explanation::Ambiguous);
+        QVERIFY(alone.slips == (std::vector{Slip::CrankSpeedSign, Slip::FromOuterDeadCentre}));
+        const CheckResult beside = check(kExample.position(), std::vector{v, written("x", hand.x, 5)});
+        QVERIFY(beside.slips == std::vector{Slip::CrankSpeedSign});
+    }
+
+    void excludesChanceByDigitsAndQuantities()
+    {
+        // α2 omitted changes the acceleration by 4 %: two digits of one number may be a coincidence.
+        HandCalculation hand = kExample.calculation();
+        const double exact = hand.solve().acceleration;
+        hand.alpha2 = 0.0;
+        const double wrong = hand.solve().acceleration;
+        QVERIFY(std::abs(wrong / exact - 1.0) < 0.05);
+        const auto explanation = [&](const std::vector<GivenValue> &given) {
+            return check(kExample.position(), given).explanation;
+        };
+        const GivenValue alpha3 = written("alpha3", hand.alpha3, 2);
+        QVERIFY(explanation({written("a", wrong, 2)}) == Explanation::TooFewDigits);
+        QVERIFY(explanation({written("a", wrong, 5)}) == Explanation::Named);
+        QVERIFY(explanation({written("a", wrong, 2), alpha3}) == Explanation::Named);
+    }
+
+    void forgivesRoundedIntermediateResults()
+    {
+        HandCalculation hand = kExample.calculation().solve();
+        const double v = hand.v;
+        hand.omega3 = 5.42; // 5.417…
+        hand.solveSlider(hand.theta3);
+        QVERIFY(std::abs(hand.v - v) > 0.005);
+        const auto explanation = [](double value) {
+            return check(kExample.position(), std::vector{written("v", value, 5)}).explanation;
+        };
+        QVERIFY(explanation(hand.v) == Explanation::RoundedEarlier);
+        QVERIFY(explanation(v + 10.0 * (hand.v - v)) == Explanation::None);
+    }
+
+    void saysNothingWhereTheMechanismIsImpossible()
+    {
+        const Problem impossible{{.a = 10.0, .b = 5.0, .c = 0.0, .theta20 = kQuarterTurn}, 0.0};
+        const CheckResult result = check(impossible.position(), std::vector{written("x", 1.0, 3)});
+        QVERIFY(result.status == Status::NotAssemblable);
+        QVERIFY(!result.values.front().isRight && result.slips.empty());
+    }
+};
+
+const Suite checkSuite("tst_check", runWithoutApplication<TestCheck>);
+#include "tst_check.moc"

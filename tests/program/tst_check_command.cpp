@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The command check: which slip gives the numbers of a calculation by hand.
+
+#include "tests/program/run_program.h"
+#include "tests/support/suite.h"
+
+#include <QLocale>
+#include <QStandardPaths>
+#include <QTest>
+
+using namespace slidercrank;
+
+namespace
+{
+
+// By a pocket calculator: θ3 = asin(3.5/8) = 25.9445°, x = 9.79182 mm, v = -41.4608 mm/s, ω3 = 5.41736 rad/s = 310.392
+// °/s, a = -709.099 mm/s², and without α2 -681.458 mm/s².
+constexpr const char *kExample = "check --a 3 --b 8 --c 2 --at-angle -30 --omega2 -15 --alpha2 -10 ";
+
+QJsonObject checkJson(const QString &values, const char *command = kExample)
+{
+    return run(command + values + " --format json").json();
+}
+
+QString slipName(const QString &values, const char *command = kExample)
+{
+    return checkJson(values, command)["slip"].toObject()["name"].toString();
+}
+
+} // namespace
+
+class TestCheckCommand : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QStandardPaths::setTestModeEnabled(true);
+        QLocale::setDefault(QLocale::c());
+    }
+
+    void judgesEachValueAtItsLastDigit()
+    {
+        const RunResult right = run(QString(kExample) + "x=9.79 v=-41.46 a=-709 theta3=25.9 omega3=310.4 R4_y=2.00");
+        QCOMPARE(right.status, 0);
+        QCOMPARE(right.error, QByteArray());
+        QVERIFY(right.output.contains("right to its 3 digits"));
+        QVERIFY(right.output.endsWith("All values are right to their digits.\n"));
+
+        const RunResult wrong = run(QString(kExample) + "x=9.80 v=-41.46");
+        QCOMPARE(wrong.status, 1);
+        QVERIFY(wrong.output.contains("exact: 9.792 mm  off by 0.00818 mm"));
+    }
+
+    void understandsUnitsAndConventions()
+    {
+        QCOMPARE(run(QString(kExample) + "x=0.979cm v=-4.146cm/s omega3=5.42rad/s theta3=0.453rad").status, 0);
+        QCOMPARE(run("check --a 3in --b 8in --c 2in --at-angle -30deg x=9.79in").status, 0);
+        const QJsonObject atB = checkJson("theta3=-154deg")["values"].toArray().first().toObject();
+        QCOMPARE(atB["verdict"].toString(), QString("right"));
+        QCOMPARE(atB["convention"].toString(), QString("measured-at-B"));
+        QCOMPARE(atB["unit"].toString(), QString("deg"));
+        QVERIFY(std::abs(atB["exact"].toDouble() + 154.0555) < 1e-4);
+        QVERIFY(run(QString(kExample) + "theta3=-154").output.contains("measured at B (θ₃ = θ³ + 180°)"));
+    }
+
+    void writesJson()
+    {
+        const RunResult outcome = run(QString(kExample) + "x=9.79 theta3=-154 v=41.46 omega3=-310.4 --format json");
+        QCOMPARE(outcome.status, 1);
+        const QJsonObject json = outcome.json();
+        const QJsonObject v = json["values"].toArray()[2].toObject();
+        QCOMPARE(v["name"].toString(), QString("v"));
+        QCOMPARE(v["given"].toDouble(), 41.46);
+        QVERIFY(std::abs(v["exact"].toDouble() + 41.4608) < 1e-4);
+        QCOMPARE(v["digits"].toInt(), 4);
+        QCOMPARE(v["verdict"].toString(), QString("wrong"));
+        QVERIFY(v["convention"].isNull());
+        QCOMPARE(json["slip"].toObject()["name"].toString(), QString("crank-speed-sign"));
+        QCOMPARE(json["slip"].toObject()["sentence"].toString(),
+                 QString("ω₂ with the opposite sign gives exactly your v and omega3."));
+        QVERIFY(checkJson("x=9.79 v=-41.46").contains("slip"));
+        QVERIFY(checkJson("x=9.79 v=-41.46")["slip"].isNull());
+    }
+
+    void namesSlipsOfASheet()
+    {
+        QCOMPARE(slipName("x=-4.596 theta3=154.06"), QString("other-assembly"));
+        QCOMPARE(slipName("x=9.79 v=-41.46 a=-681.46"), QString("crank-acceleration-omitted"));
+        QCOMPARE(slipName("x=9.79 v=-41.46 omega3=5.42"), QString("value-in-radians"));
+        QCOMPARE(slipName("x=0.3855 v=-41.46"), QString("inches"));
+        QCOMPARE(slipName("x=9.79 v=-41.46 mu=25.94"), QString("pressure-angle"));
+        QCOMPARE(slipName("x=2.5981 v=-22.500"), QString("harmonic-motion"));
+        QCOMPARE(slipName("x=9.79 v=-50"), QString());
+        const QJsonArray candidates = checkJson("v=41.46")["candidates"].toArray();
+        QCOMPARE(candidates.size(), qsizetype(2));
+        QCOMPARE(candidates[0].toObject()["name"].toString(), QString("crank-speed-sign"));
+    }
+
+    void reportsPositionsWithoutMotion()
+    {
+        const RunResult impossible = run("check --a 10 --b 5 --c 0 --at-angle 90 x=1.0");
+        QCOMPARE(impossible.status, 4);
+        QVERIFY(impossible.hasOneLineError());
+        const RunResult singular = run("check --a 10 --b 5 --c 5 --at-angle 0 x=10.00 v=1.0");
+        QCOMPARE(singular.status, 5);
+        QVERIFY(singular.output.endsWith("does not exist here\n"));
+    }
+
+    void refusesWhatIsNoValue_data()
+    {
+        QTest::addColumn<QString>("values");
+        QTest::addColumn<QString>("message");
+        QTest::newRow("no values") << ""
+                                   << "Give the values to be checked";
+        QTest::newRow("no equals sign") << "9.74"
+                                        << "A value must be a name, = and a number";
+        QTest::newRow("unknown quantity") << "speed=3"
+                                          << "\"speed\" is no quantity";
+        QTest::newRow("no number") << "x=nine"
+                                   << "x: “nine” is not a number";
+        QTest::newRow("decimal comma") << "x=9,74"
+                                       << "The decimal sign here is";
+        QTest::newRow("other dimension") << "x=9deg"
+                                         << "the units here are";
+        QTest::newRow("twice") << "v=1 R4_x_diff=2"
+                               << "is given more than once";
+        QTest::newRow("acceleration without a number") << "x=1 --alpha2 5mm"
+                                                       << "--alpha2";
+    }
+
+    void refusesWhatIsNoValue()
+    {
+        QFETCH(QString, values);
+        QFETCH(QString, message);
+        const RunResult outcome = run("check --at-angle 30 " + values);
+        QCOMPARE(outcome.status, 2);
+        QVERIFY(outcome.hasOneLineError());
+        QVERIFY2(outcome.error.contains(message.toUtf8()), outcome.error.constData());
+        QVERIFY(outcome.output.isEmpty());
+    }
+};
+
+const Suite checkCommandSuite("tst_check_command", runWithWidgets<TestCheckCommand>);
+#include "tst_check_command.moc"

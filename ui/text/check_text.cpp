@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/text/check_text.h"
+
+#include "ui/text/finding_text.h"
+#include "ui/text/written_number.h"
+
+#include <QCoreApplication>
+
+#include <array>
+#include <cmath>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+struct CheckText {
+    Q_DECLARE_TR_FUNCTIONS(slidercrank::CheckText)
+
+public:
+    /// By Slip; the subjects of "… gives exactly your v and a."
+    static constexpr std::array<const char *, kSlipCount> kSlips{
+        QT_TR_NOOP("The other assembly"),
+        QT_TR_NOOP("The offset c with the opposite sign"),
+        QT_TR_NOOP("Omitting the offset c"),
+        QT_TR_NOOP("ω₂ with the opposite sign"),
+        QT_TR_NOOP("α₂ with the opposite sign"),
+        QT_TR_NOOP("Omitting α₂"),
+        QT_TR_NOOP("θ₂ with the opposite sign"),
+        QT_TR_NOOP("Taking the degrees of θ₂ as radians (or the reverse: check the mode of the calculator)"),
+        QT_TR_NOOP("Taking ω₂ in rpm as rad/s (or the reverse)"),
+        QT_TR_NOOP("Taking ω₂ in °/s as rad/s (or the reverse)"),
+        QT_TR_NOOP("Exchanging a and b"),
+        QT_TR_NOOP("Taking twice or half the crank length a (diameter or stroke instead of radius)"),
+        QT_TR_NOOP("Measuring θ₃ clockwise"),
+        QT_TR_NOOP("Exchanging sine and cosine of θ₂"),
+        QT_TR_NOOP("Exchanging sine and cosine of θ₃"),
+        QT_TR_NOOP("ω₂ instead of ω₂²"),
+        QT_TR_NOOP("Omitting the centripetal term a ω₂² of the crank"),
+        QT_TR_NOOP("Omitting the centripetal term b ω₃² of the coupler"),
+        QT_TR_NOOP("Omitting both centripetal terms (a ω₂² and b ω₃²)"),
+        QT_TR_NOOP("Simple harmonic motion (that of the crank pin A instead of the wrist pin B)"),
+        QT_TR_NOOP("The approximation x ≈ a cos θ₂ + b − a²/4b (1 − cos 2θ₂) with its derivatives"),
+        QT_TR_NOOP("The centre of the coupler instead of the wrist pin B"),
+        QT_TR_NOOP("Measuring from the outer dead centre towards the crank"),
+        QT_TR_NOOP("Measuring from the inner dead centre outwards"),
+        QT_TR_NOOP("Taking inches as millimetres (or the reverse)"),
+        QT_TR_NOOP("Taking metres as millimetres (or the reverse)"),
+        QT_TR_NOOP("Taking centimetres as millimetres (or the reverse)"),
+        QT_TR_NOOP("Taking radians as degrees (or the reverse)"),
+        QT_TR_NOOP("The pressure angle 90° − μ instead of μ"),
+        QT_TR_NOOP("Rounding θ₃ to three digits")};
+};
+
+} // namespace
+
+QString checkedValueText(const CheckedValue &checked, int digits, double deviation, const QString &unit)
+{
+    if (std::isnan(deviation)) {
+        return CheckText::tr("does not exist here");
+    }
+    if (!checked.isRight) {
+        return CheckText::tr("off by %1").arg(shortNumber(deviation, 3) + unit);
+    }
+    const QString right = digits > 0 ? CheckText::tr("right to its %1 digits").arg(digits) : CheckText::tr("right");
+    return checked.isMeasuredAtB ? CheckText::tr("%1, measured at B (θ₃ = θ³ + 180°)").arg(right) : right;
+}
+
+QString slipText(Slip slip, const QStringList &wrongNames)
+{
+    return CheckText::tr("%1 gives exactly your %2.")
+        .arg(CheckText::tr(CheckText::kSlips[static_cast<std::size_t>(slip)]), listed(wrongNames));
+}
+
+QString explanationText(const CheckResult &result, const QStringList &wrongNames)
+{
+    if (result.status != Status::Solved) {
+        return {}; // a value may not exist: that is said elsewhere
+    }
+    switch (result.explanation) {
+    case Explanation::NotNeeded: return CheckText::tr("All values are right to their digits.");
+    case Explanation::Named: return slipText(result.slips.front(), wrongNames);
+    case Explanation::Ambiguous: {
+        QStringList sentences(CheckText::tr("More than one slip is possible; more quantities or digits may decide:"));
+        for (const Slip slip : result.slips) {
+            sentences += slipText(slip, wrongNames);
+        }
+        return sentences.join(' ');
+    }
+    case Explanation::TooFewDigits:
+        return CheckText::tr("The values have too few digits to name a slip: add digits or other quantities.");
+    case Explanation::RoundedEarlier:
+        return CheckText::tr("The deviation is within the error of an intermediate result (θ₃, ω₃, α₃) that was "
+                             "rounded to three digits.");
+    case Explanation::None: return CheckText::tr("No known slip gives exactly these values.");
+    }
+    return {};
+}
+
+} // namespace slidercrank
