@@ -46,11 +46,13 @@ NumberBox::NumberBox(QWidget *parent)
     lineEdit()->installEventFilter(this);
     connect(this, &QDoubleSpinBox::valueChanged, this, &NumberBox::edited);
     connect(this, &QAbstractSpinBox::editingFinished, this, [this] {
+        m_hasTyped = false;
         if (!m_refusal.isEmpty()) {
             refuse(std::exchange(m_refusal, {}));
         }
     });
     connect(lineEdit(), &QLineEdit::textEdited, this, [this] {
+        m_hasTyped = true;
         if (m_note) {
             m_note->hide();
             setAccessibleDescription({});
@@ -243,7 +245,7 @@ bool NumberBox::event(QEvent *event)
         const auto is = [key](QKeySequence::StandardKey meaning) { return key->matches(meaning); };
         const bool isClipboard =
             is(QKeySequence::Copy) || is(QKeySequence::Cut) || is(QKeySequence::Paste) || is(QKeySequence::SelectAll);
-        const bool isPlayback = key->key() == Qt::Key_Space && !isTyping();
+        const bool isPlayback = key->key() == Qt::Key_Space && !m_hasTyped; // "120 in" begins like "120 mm"
         const bool isMeant = isPlayback     ? false
                              : isUndo(*key) ? isTyping()
                                             : isClipboard || !key->modifiers().testFlag(Qt::ControlModifier);
@@ -290,6 +292,7 @@ void NumberBox::keyPressEvent(QKeyEvent *event)
     }
     if (isTyping() && (event->key() == Qt::Key_Escape || event->matches(QKeySequence::Undo))) {
         lineEdit()->setText(shownText());
+        m_hasTyped = false;
         selectNumber();
         return;
     }

@@ -106,6 +106,19 @@ private slots:
         QVERIFY(!m_timeline->isPlaying());
     }
 
+    /// A former defect: "65 in" over 65 mm started the animation at the space.
+    void spaceIsTypedAlsoAfterThePresentNumber()
+    {
+        typeInto("box_b", "65 in");
+        QVERIFY(!m_timeline->isPlaying());
+        press(Qt::Key_Return);
+        QCOMPARE(session().parameters().b, 65.0 * 25.4);
+        typeInto("box_b", "1651");
+        press(Qt::Key_Escape);
+        press(Qt::Key_Space); // the typed text is gone
+        QVERIFY(m_timeline->isPlaying());
+    }
+
     /// A former defect: Home set b to 1 mm after its slider had been dragged.
     void homeAndEndMoveTheTimeUnlessATextIsEdited()
     {
