@@ -8,6 +8,7 @@ namespace slidercrank
 
 QString withUnbrokenUnits(QString text)
 {
+    text.replace("θ₂₀ = ", "θ₂₀\u00a0=\u00a0");
     return text.replace(QRegularExpression("(?<=\\d) (?=%|°|mm|rad|s\\b)"), "\u00a0");
 }
 
