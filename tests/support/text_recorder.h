@@ -9,6 +9,7 @@
 #include <QRectF>
 #include <QSize>
 #include <QString>
+#include <QTransform>
 
 #include <utility>
 #include <vector>
@@ -32,13 +33,19 @@ private:
     bool begin(QPaintDevice *) override { return true; }
     bool end() override { return true; }
     Type type() const override { return QPaintEngine::User; }
-    void updateState(const QPaintEngineState &) override {}
+    void updateState(const QPaintEngineState &state) override
+    {
+        if (state.state().testFlag(DirtyTransform)) {
+            m_transform = state.transform();
+        }
+    }
     void drawPath(const QPainterPath &) override {}
     void drawPolygon(const QPointF *, int, PolygonDrawMode) override {}
     void drawPixmap(const QRectF &, const QPixmap &, const QRectF &) override {}
     void drawTextItem(const QPointF &at, const QTextItem &item) override
     {
-        texts.emplace_back(item.text(), QFontMetricsF(item.font()).tightBoundingRect(item.text()).translated(at));
+        const QRectF box = QFontMetricsF(item.font()).tightBoundingRect(item.text()).translated(at);
+        texts.emplace_back(item.text(), m_transform.mapRect(box));
     }
     int metric(PaintDeviceMetric metric) const override
     {
@@ -53,4 +60,5 @@ private:
     }
 
     QSize m_size;
+    QTransform m_transform;
 };

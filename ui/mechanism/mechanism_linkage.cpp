@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/mechanism/mechanism_sketch.h"
 
-#include "core/mechanism/turn.h"
 #include "ui/mechanism/mechanism_text.h"
 #include "ui/text/written_number.h"
 
@@ -43,6 +42,9 @@ void MechanismSketch::addLinkage()
     if (settings.dimensions) {
         avoid(offsetDimension(), 24.0); // with its letter
     }
+    for (const auto &[name, box] : deadCentreCaptions()) {
+        avoid(box);
+    }
     addModel();
     if (m_exists) {
         if (settings.acceleration) {
@@ -58,8 +60,8 @@ void MechanismSketch::addLinkage()
             addLengths();
         }
         if (settings.angles) {
-            addAngle("θ₂", {m_O2, m_A}, wrapToTwoPi(m_scene->pose.theta2), 30.0);
-            addAngle("θ³", {m_A, m_B}, wrapToPi(m_scene->pose.theta3), 36.0);
+            addAngle("θ₂", {m_O2, m_A}, m_scene->pose.theta2, 30.0);
+            addAngle("θ³", {m_A, m_B}, m_scene->pose.theta3, 36.0);
         }
     }
     if (settings.names) {
@@ -143,7 +145,8 @@ void MechanismSketch::addGhost()
         return;
     }
     const bool isFile = !m_scene->result->difference;
-    const QColor &colour = isFile ? m_colours.reference : m_colours.pinned;
+    const std::size_t pinned = m_scene->result->pinned.size(); // the last one is drawn
+    const QColor &colour = isFile ? m_colours.reference : m_colours.*kPinnedColours[std::max<std::size_t>(pinned, 1) - 1];
     const QLineF coupler(toPixels({ghost.pinX, ghost.pinY}), toPixels({ghost.sliderX, ghost.sliderY}));
     QPainterPath path = sliderPath(coupler.p2());
     path.moveTo(m_O2);

@@ -79,10 +79,8 @@ void MechanismSketch::addInstantCentre()
     if (!centre) {
         return;
     }
-    int line = cornerLineCount();
-    for (const QString &text : instantCentreText(*centre, mechanism()).split(u'\n')) { // too long for a narrow drawing
-        addCornerLabel(line++, 0.0, text);
-        avoid(m_labels.back().box);
+    if (m_legend == Legend::InCorner) {
+        addInstantCentreText(*centre, cornerLineCount());
     }
     if (isAtInfinity(*centre, mechanism())) {
         return;
@@ -97,6 +95,32 @@ void MechanismSketch::addInstantCentre()
         addLine(P - QPointF(0.0, 8.0), P + QPointF(0.0, 8.0), pen);
         addLabelBeside(P, {1.0, -0.3}, 11.0, "P", m_ink);
     }
+}
+
+/// Adds the lines of the legend about the instant centre, the first one in that line.
+void MechanismSketch::addInstantCentreText(const InstantCentre &centre, int line)
+{
+    for (const QString &text : instantCentreText(centre, mechanism()).split(u'\n')) { // too long for a narrow drawing
+        addCornerLabel(line++, 0.0, text);
+        avoid(m_labels.back().box);
+    }
+}
+
+void MechanismSketch::addLegend()
+{
+    addScales(0);
+    const std::optional<InstantCentre> centre =
+        m_scene->settings.instantCentre && m_exists ? instantCentre(mechanism(), m_scene->pose.time) : std::nullopt;
+    if (centre) {
+        addInstantCentreText(*centre, scaleCount());
+    }
+}
+
+double MechanismSketch::legendHeight() const
+{
+    constexpr int kLinesOfInstantCentre = 2;
+    const int lines = scaleCount() + (m_scene->settings.instantCentre ? kLinesOfInstantCentre : 0);
+    return lines == 0 ? 0.0 : cornerLineTop(lines);
 }
 
 /// Adds a line from the point towards P and the mark of the right angle between this line and the velocity.
@@ -125,13 +149,6 @@ void MechanismSketch::addNames()
         addLabelBeside(m_B, {0.0, -1.0}, 20.0, "B", m_ink);
         addLabelBeside(0.5 * (m_A + m_B), across.y() < 0.0 ? across : -across, kBesideJoint, "G₃", m_ink);
     }
-    for (const auto &[centre, name] :
-         {std::pair(limits().outer, tr("outer dead centre")), {limits().inner, tr("inner dead centre")}}) {
-        if (centre) {
-            const double aboveNameOfB = 23.0 + textSize(name).height();
-            addLabelBeside(toPixels({centre->R4x, mechanism().c()}), {0.0, -1.0}, aboveNameOfB, name, m_muted, true);
-        }
-    }
 }
 
 /// Adds the letters a and b below their links.
@@ -143,7 +160,8 @@ void MechanismSketch::addLengths()
     }
 }
 
-/// Adds an angle of a link, measured from the x direction.
+/// Adds an angle of a link, measured from the x direction. The number is the one in the plots and the timeline; of an
+/// angle beyond a whole turn, the arc shows the rest.
 void MechanismSketch::addAngle(const QString &name, const QLineF &link, double angle, double largestRadius)
 {
     const double radius = std::clamp(0.5 * link.length(), 14.0, largestRadius);
@@ -153,7 +171,7 @@ void MechanismSketch::addAngle(const QString &name, const QLineF &link, double a
     QPainterPath path(base.p1());
     path.lineTo(base.p2());
     path.arcMoveTo(circle, 0.0);
-    path.arcTo(circle, 0.0, kDegreesPerRadian * angle);
+    path.arcTo(circle, 0.0, std::fmod(kDegreesPerRadian * angle, 360.0));
     add(path, QPen(faded(m_ink, 0.7), 1.0));
     avoid(base, 2.0);
     // The label is on the side of the base line away from the arc, so that it need not move while the angle changes.

@@ -14,13 +14,16 @@ namespace
 {
 
 constexpr double kBelowLine = 13.0; // from the slider's line to the rail
+constexpr double kHatch = 7.0;      // height of the hatching below a line of ground
+constexpr double kPivot = 17.0;     // half the width and the height of the support of O2
 
 } // namespace
 
 MechanismSketch::MechanismSketch(const MechanismScene &scene, const MechanismProjection &projection,
-                                 const QPalette &palette, const QFont &font)
+                                 const QPalette &palette, const QFont &font, Legend legend)
     : MechanismDrawing(projection, palette, font)
     , m_scene(&scene)
+    , m_legend(legend)
     , m_O2(toPixels({0.0, 0.0}))
 {
     if (scene.result) {
@@ -39,6 +42,9 @@ void MechanismSketch::addScenery()
         addPath();
         addPivot();
         addDimensionsAndScales();
+        for (const auto &[name, box] : deadCentreCaptions()) {
+            m_labels.push_back({name, box, m_muted, withAlpha(m_paper, 0.6), true});
+        }
     }
 }
 
@@ -66,7 +72,8 @@ void MechanismSketch::addGrid()
     // The offset's dimension, with its letter on the left, may lie over the left edge.
     const MechanismSettings &settings = m_scene->settings;
     const bool isCovered = settings.dimensions && offsetDimension().x1() < 2.0 * corner.right();
-    const double top = isCovered ? corner.top() : cornerLineTop(cornerLineCount() + 2 * int(settings.instantCentre));
+    const int legendLines = cornerLineCount() + (m_legend == Legend::InCorner ? 2 * int(settings.instantCentre) : 0);
+    const double top = isCovered ? corner.top() : cornerLineTop(legendLines);
     for (double i = std::ceil(shown.top() / step); i <= std::floor(shown.bottom() / step); i += 1.0) {
         const double y = std::floor(toPixels({0.0, i * step}).y());
         m_grid << QRectF(0.0, y, size.width(), 1.0);
@@ -79,12 +86,11 @@ void MechanismSketch::addGrid()
 /// Adds a line of ground, with hatching below it.
 void MechanismSketch::addGround(QPointF from, double to, DrawnPart part)
 {
-    constexpr double kSpacing = 7.0;
     QPainterPath path(from);
     path.lineTo(to, from.y());
-    for (double x = from.x() + kSpacing; x <= to; x += kSpacing) {
+    for (double x = from.x() + kHatch; x <= to; x += kHatch) {
         path.moveTo(x, from.y());
-        path.lineTo(x - kSpacing, from.y() + kSpacing);
+        path.lineTo(x - kHatch, from.y() + kHatch);
     }
     add(path, QPen(m_muted, 1.2), Qt::NoBrush, part);
 }
@@ -127,6 +133,44 @@ void MechanismSketch::addGuide()
     }
 }
 
+/// Returns the names of the dead centres and their places, each below its own mark. Where two full names do not fit, they
+/// are shortened; a short one that does not fit is left out.
+std::vector<std::pair<QString, QRectF>> MechanismSketch::deadCentreCaptions() const
+{
+    if (!m_scene->settings.names) {
+        return {};
+    }
+    const auto captions = [this](const QString &outer, const QString &inner) {
+        std::vector<std::pair<QString, QRectF>> boxes;
+        for (const auto &[centre, name] : {std::pair(limits().outer, outer), {limits().inner, inner}}) {
+            if (centre) {
+                const QPointF mark = toPixels({centre->R4x, mechanism().c()});
+                QRectF box(QPointF(), textSize(name, true));
+                box.moveCenter(mark + QPointF(0.0, kBelowLine + kHatch + 2.0 + 0.5 * box.height()));
+                boxes.emplace_back(name, box);
+            }
+        }
+        return boxes;
+    };
+    const double numbers = textSize({}, true).height(); // of the grid, along the lower edge
+    const QRectF inside = QRectF(QPointF(), size).adjusted(0.0, 0.0, 0.0, -numbers);
+    const QRectF pivot(m_O2 - QPointF(kPivot, 0.0), QSizeF(2.0 * kPivot, kPivot + kHatch));
+    const auto fits = [&](const QRectF &box) { return inside.contains(box) && !box.intersects(pivot); };
+    const auto allFit = [&](const auto &boxes) {
+        const bool areApart = boxes.size() < 2 || !boxes.front().second.intersects(boxes.back().second);
+        return areApart && std::ranges::all_of(boxes, [&](const auto &caption) { return fits(caption.second); });
+    };
+    auto boxes = captions(tr("outer dead centre"), tr("inner dead centre"));
+    if (!allFit(boxes)) {
+        boxes = captions(tr("outer", "dead centre"), tr("inner", "dead centre"));
+        std::erase_if(boxes, [&](const auto &caption) { return !fits(caption.second); });
+        if (!allFit(boxes)) {
+            boxes.clear(); // the dead centres are too close together
+        }
+    }
+    return boxes;
+}
+
 /// Adds the path of G3.
 void MechanismSketch::addPath()
 {
@@ -152,8 +196,8 @@ void MechanismSketch::addPath()
 /// Adds the support of O2.
 void MechanismSketch::addPivot()
 {
-    const QPointF foot = m_O2 + QPointF(0.0, 17.0);
-    addGround(foot - QPointF(17.0, 0.0), foot.x() + 17.0, Ground);
+    const QPointF foot = m_O2 + QPointF(0.0, kPivot);
+    addGround(foot - QPointF(kPivot, 0.0), foot.x() + kPivot, Ground);
     QPainterPath bracket;
     bracket.addPolygon(QPolygonF{m_O2, foot - QPointF(11.0, 0.0), foot + QPointF(11.0, 0.0), m_O2});
     add(bracket, QPen(m_ink, 1.4), faded(m_ink, 0.15), Ground);
@@ -162,28 +206,45 @@ void MechanismSketch::addPivot()
 void MechanismSketch::addDimensionsAndScales()
 {
     const MechanismSettings &settings = m_scene->settings;
-    int line = 0;
     if (settings.dimensions) {
         const QLineF offset = offsetDimension();
         addLine(offset.p1(), m_O2, QPen(m_muted, 1.0));
         addDimension(offset.p1(), offset.p2(), m_muted);
         addLabelBeside(offset.center(), {m_O2.x() < offset.x1() ? 1.0 : -1.0, 0.0}, 3.0, "c", m_ink);
-        QStringList lengths;
-        for (const Parameter length : {Parameter::A, Parameter::B, Parameter::C}) {
-            lengths << lengthText(mechanism(), length);
-        }
-        addCornerLabel(line++, 0.0, lengths.join("   "));
     }
-    const auto addScale = [&](bool isShown, const ArrowScale &arrows) {
-        constexpr double kSample = 26.0;
-        if (isShown) {
-            const QPointF left(7.0, cornerLineTop(line) + 0.5 * textSize({}, true).height());
-            addArrow(left, left + QPointF(kSample, 0.0), arrows, false);
-            addCornerLabel(line++, kSample + 8.0, arrowScaleText(arrows));
+    if (m_legend == Legend::InCorner) {
+        if (settings.dimensions) {
+            QStringList lengths;
+            for (const Parameter length : {Parameter::A, Parameter::B, Parameter::C}) {
+                lengths << lengthText(mechanism(), length);
+            }
+            addCornerLabel(0, 0.0, lengths.join("   "));
         }
+        addScales(int(settings.dimensions));
+    }
+}
+
+/// Adds the scales of the arrows to the legend, the first one in that line.
+void MechanismSketch::addScales(int line)
+{
+    constexpr double kSample = 26.0;
+    const MechanismSettings &settings = m_scene->settings;
+    const auto addScale = [&](const ArrowScale &arrows) {
+        const QPointF left(7.0, cornerLineTop(line) + 0.5 * textSize({}, true).height());
+        addArrow(left, left + QPointF(kSample, 0.0), arrows, false);
+        addCornerLabel(line++, kSample + 8.0, arrowScaleText(arrows));
     };
-    addScale(settings.showsVelocity(), m_scene->arrows(&PointMotion::velocity));
-    addScale(settings.acceleration, m_scene->arrows(&PointMotion::acceleration));
+    if (settings.showsVelocity()) {
+        addScale(m_scene->arrows(&PointMotion::velocity));
+    }
+    if (settings.acceleration) {
+        addScale(m_scene->arrows(&PointMotion::acceleration));
+    }
+}
+
+int MechanismSketch::scaleCount() const
+{
+    return int(m_scene->settings.showsVelocity()) + int(m_scene->settings.acceleration);
 }
 
 /// Returns the vertical line from the height of O2 to the slider's line, beside the crank's circle on the side away
@@ -199,8 +260,7 @@ QLineF MechanismSketch::offsetDimension() const
 /// Returns the number of text lines in the upper left corner.
 int MechanismSketch::cornerLineCount() const
 {
-    const MechanismSettings &settings = m_scene->settings;
-    return int(settings.dimensions) + int(settings.showsVelocity()) + int(settings.acceleration);
+    return m_legend == Legend::InCorner ? int(m_scene->settings.dimensions) + scaleCount() : 0;
 }
 
 } // namespace slidercrank

@@ -4,10 +4,14 @@
 // The drawing of a mechanism by the conventions of textbooks: a hatched line is the ground, a circle is a revolute
 // joint. Parts have fixed sizes in pixels, so that they are visible and easy to grasp at every scale.
 
+#include "core/limits/instant_centre.h"
 #include "ui/mechanism/mechanism_drawing.h"
 #include "ui/mechanism/mechanism_scene.h"
 
 #include <QCoreApplication>
+
+#include <utility>
+#include <vector>
 
 namespace slidercrank
 {
@@ -17,8 +21,12 @@ class MechanismSketch : public MechanismDrawing
     Q_DECLARE_TR_FUNCTIONS(slidercrank::MechanismSketch)
 
 public:
+    /// Whether the lengths, the scales of the arrows and the text about the instant centre are in the upper left corner,
+    /// as on the screen, or are omitted, because addLegend() draws them beside the drawing.
+    enum class Legend { InCorner, Separate };
+
     MechanismSketch(const MechanismScene &scene, const MechanismProjection &projection, const QPalette &palette,
-                    const QFont &font);
+                    const QFont &font, Legend legend = Legend::InCorner);
 
     /// Adds the parts that do not move: the grid, the ground, the crank's circle, the rail, the dead centres and the
     /// crank angles at which the mechanism cannot be assembled; depending on the settings the path of G3, the offset's
@@ -30,6 +38,10 @@ public:
     /// Where the mechanism cannot be assembled, it adds the crank at its angle, the circle of radius b about A, the gap
     /// between this circle and the slider's line, and the reason.
     void addLinkage();
+
+    /// Adds the legend of a separate drawing: the scales of the arrows and the text about the instant centre.
+    void addLegend();
+    double legendHeight() const; ///< px; 0 if the settings need no legend
 
 private:
     const Mechanism &mechanism() const { return m_scene->mechanism(); }
@@ -44,6 +56,9 @@ private:
     void addDimensionsAndScales();
     QLineF offsetDimension() const;
     int cornerLineCount() const;
+    void addScales(int line);
+    int scaleCount() const;
+    std::vector<std::pair<QString, QRectF>> deadCentreCaptions() const;
 
     void addLink(QPointF from, QPointF to, double width, const QColor &colour, DrawnPart part);
     void addJoint(QPointF centre, const QColor &edge, DrawnPart part);
@@ -55,6 +70,7 @@ private:
     void addArrow(QPointF tail, QPointF tip, const ArrowScale &arrows, bool isCut);
     void addMotionArrows(const ArrowScale &arrows, bool withCentreOfMass);
     void addInstantCentre();
+    void addInstantCentreText(const InstantCentre &centre, int line);
     void addRay(LinkagePoint point, QPointF centre);
 
     void addNames();
@@ -62,6 +78,7 @@ private:
     void addAngle(const QString &name, const QLineF &link, double angle, double largestRadius);
 
     const MechanismScene *m_scene;
+    Legend m_legend;
     QPointF m_O2;
     QPointF m_A;
     QPointF m_B; ///< undefined where the mechanism cannot be assembled

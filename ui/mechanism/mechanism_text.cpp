@@ -49,9 +49,15 @@ QStringList pointLines(const MechanismScene &scene, LinkagePoint point)
         vectorText(MechanismText::tr("acceleration %1 mm/s² (%2; %3)"), motion.acceleration, size * omega2 * omega2)};
 }
 
+/// Returns the crank angle as the timeline shows it: beyond a whole turn, it counts on.
+QString shownCrankAngle(const MechanismScene &scene)
+{
+    return fixedText(kDegreesPerRadian * scene.pose.theta2, 2);
+}
+
 QStringList crankLines(const MechanismScene &scene)
 {
-    return {QStringLiteral("θ₂ = %1°").arg(crankAngleText(scene.pose.theta2)),
+    return {QStringLiteral("θ₂ = %1°").arg(shownCrankAngle(scene)),
             QStringLiteral("ω₂ = %1 rad/s").arg(valueText(scene.mechanism().omega2(), 0.0))};
 }
 
@@ -147,7 +153,7 @@ QString assemblyProblem(const MechanismScene &scene)
     }
     return MechanismText::tr("The mechanism cannot be assembled at θ₂ = %1°: the coupler is too short. The crank makes "
                              "full turns if b ≥ %2 mm.")
-        .arg(crankAngleText(scene.pose.theta2), forFullTurn);
+        .arg(shownCrankAngle(scene), forFullTurn);
 }
 
 } // namespace slidercrank

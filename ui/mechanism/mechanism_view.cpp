@@ -235,14 +235,6 @@ QRectF MechanismView::bounds() const
     return fits ? both : own; // also own if the ghost's bounds are not finite
 }
 
-QSize MechanismView::pictureSize() const
-{
-    constexpr int kWidth = 900;
-    const QRectF shown = m_frame.zoomed().value_or(m_frame.fitted());
-    const double height = shown.isNull() ? 0.5 : shown.height() / shown.width();
-    return {kWidth, static_cast<int>(kWidth * std::clamp(height, 0.4, 0.75))};
-}
-
 /// With letters that are larger than usual, as in presentation mode, links, joints and arrows are larger, too.
 double MechanismView::magnification() const
 {
@@ -267,8 +259,17 @@ void MechanismView::refresh()
     m_isSceneryNew = true;
     m_sceneryPicture = QPixmap();
     m_flip->resize(m_flip->sizeHint());
-    m_flip->move(width() - m_flip->width() - kInset, kInset);
+    m_flip->move(width() - m_flip->width() - kInset, m_scene.result ? flipButtonTop() : kInset);
     update();
+}
+
+/// Returns the height at which the button hides the slider at no time: at the top, or above the numbers of the grid.
+int MechanismView::flipButtonTop() const
+{
+    constexpr int kAroundLine = 40; // px, the slider and its mark
+    const double line = toPixels({0.0, m_scene.mechanism().c()}).y();
+    const int lowest = height() - m_flip->height() - fontMetrics().height() - kInset;
+    return line - kAroundLine < kInset + m_flip->height() ? std::max(kInset, lowest) : kInset;
 }
 
 /// Returns the parts that move, in the current pose.
@@ -319,16 +320,32 @@ void MechanismView::paintEvent(QPaintEvent *)
 
 void MechanismView::paintMechanism(QPainter &painter, const QSize &size, const QPalette &palette) const
 {
-    MechanismSketch sketch = newSketch(size, palette);
+    const auto newPicture = [&](const QSizeF &part) {
+        return MechanismSketch(m_scene, m_frame.projection(part), palette, painter.font(),
+                               MechanismSketch::Legend::Separate);
+    };
+    MechanismSketch legend = newPicture(size);
+    legend.addLegend();
+    const QSizeF drawing(size.width(), size.height() - legend.legendHeight());
+    MechanismSketch sketch = newPicture(drawing);
     sketch.addScenery();
     sketch.addLinkage();
-    const QRect area(QPoint(), size);
     painter.save();
-    painter.setClipRect(area, Qt::IntersectClip);
-    painter.fillRect(area, sketch.colours().background);
-    painter.scale(magnification(), magnification());
+    painter.setClipRect(QRect(QPoint(), size), Qt::IntersectClip);
+    painter.fillRect(QRect(QPoint(), size), sketch.colours().background);
+    painter.translate(0.0, drawing.height());
+    legend.paint(painter);
+    painter.translate(0.0, -drawing.height());
+    painter.setClipRect(QRectF(QPointF(), drawing), Qt::IntersectClip);
     sketch.paint(painter);
     painter.restore();
+}
+
+int MechanismView::pictureHeight(int width) const
+{
+    const QRectF shown = m_frame.zoomed().value_or(m_frame.fitted());
+    const double height = shown.isNull() ? 0.5 : shown.height() / shown.width();
+    return static_cast<int>(width * std::clamp(height, 0.4, 0.75));
 }
 
 /// Shows the note about the part under the pointer. Where the mechanism cannot be assembled, the drawing shows the

@@ -31,11 +31,12 @@ class MechanismView : public QWidget
 public:
     explicit MechanismView(QWidget *parent = nullptr);
 
-    /// Paints the drawing as vectors, with its background, on any paint device.
+    /// Paints the drawing as vectors, with its background, on any paint device, in the font of the painter. The scales of
+    /// the arrows are below it. The lengths are not written, since every picture names the parameters once.
     void paintMechanism(QPainter &painter, const QSize &size, const QPalette &palette) const;
 
-    /// Returns a size in landscape format for pictures in documents. Its aspect ratio is that of the part in view.
-    QSize pictureSize() const;
+    /// Returns the height of a picture of that width in landscape format, with the aspect ratio of the part in view.
+    int pictureHeight(int width) const;
 
     /// Converts a point of the model (mm) to a position in this widget.
     QPointF toPixels(QPointF model) const { return projection().toPixels(model); }
@@ -116,6 +117,7 @@ private:
     MechanismProjection projection() const { return m_frame.projection(size()); }
     QRectF bounds() const;
     void refresh();
+    int flipButtonTop() const;
     MechanismSketch linkage() const;
     void paintScenery(QPainter &painter) const;
     void describe();
