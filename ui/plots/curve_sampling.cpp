@@ -91,6 +91,68 @@ std::vector<CurvePoint> decimate(std::span<const double> time, std::span<const d
     return points;
 }
 
+namespace
+{
+
+/// Inserts points of a curve between two others.
+struct CurveRefinement {
+    const std::function<double(double)> &valueAt;
+    CurveScale scale; ///< px
+    double tolerance; ///< px
+    Interval values;
+    std::vector<CurvePoint> &points;
+
+    /// Returns the distance (px) of a point from the line through two others.
+    double distance(const CurvePoint &point, const CurvePoint &from, const CurvePoint &to) const
+    {
+        const double dx = scale.time * (to.t - from.t);
+        const double dy = scale.value * (to.value - from.value);
+        const double x = scale.time * (point.t - from.t);
+        const double y = scale.value * (point.value - from.value);
+        return std::abs(dx * y - dy * x) / std::hypot(dx, dy);
+    }
+
+    /// Appends the points between two others.
+    void insertBetween(const CurvePoint &from, const CurvePoint &to, int depth)
+    {
+        constexpr int kDeepest = 12;
+        const auto isBeyond = [&](double value) { return value < values.lower ? -1 : int(value > values.upper); };
+        const bool isSeen = isBeyond(from.value) == 0 || isBeyond(from.value) != isBeyond(to.value);
+        if (depth == kDeepest || !isSeen) {
+            return;
+        }
+        const auto pointAt = [&](double part) {
+            const double t = std::lerp(from.t, to.t, part);
+            return CurvePoint{t, valueAt(t)};
+        };
+        const CurvePoint middle = pointAt(0.5);
+        // The second point detects a curve that crosses the line in the middle.
+        const bool isCurved = distance(middle, from, to) > tolerance || distance(pointAt(0.25), from, to) > tolerance;
+        if (std::isfinite(middle.value) && isCurved) {
+            insertBetween(from, middle, depth + 1);
+            points.push_back(middle);
+            insertBetween(middle, to, depth + 1);
+        }
+    }
+};
+
+} // namespace
+
+std::vector<CurvePoint> refine(std::span<const CurvePoint> points, const std::function<double(double)> &valueAt,
+                               const CurveScale &scale, double tolerance, const Interval &values)
+{
+    std::vector<CurvePoint> refined;
+    refined.reserve(2 * points.size());
+    CurveRefinement refinement{valueAt, scale, tolerance, values, refined};
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (i > 0 && !isGap(points[i - 1]) && !isGap(points[i])) {
+            refinement.insertBetween(points[i - 1], points[i], 0);
+        }
+        refined.push_back(points[i]);
+    }
+    return refined;
+}
+
 // Starting at the last point that was kept, the lines that pass all later points within the tolerance form a fan of
 // slopes. Each further point narrows this fan. When a point lies outside the fan, the point before it is kept, and a
 // new fan starts there.

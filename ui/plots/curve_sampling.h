@@ -8,6 +8,7 @@
 #include "ui/text/interval.h"
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -30,6 +31,17 @@ std::size_t nearestIndex(std::span<const double> time, double t);
 /// ascending and `values` to have one value per time stamp.
 std::vector<CurvePoint> decimate(std::span<const double> time, std::span<const double> values, const Interval &range,
                                  std::size_t columns);
+
+/// Pixels per unit of the time and per unit of the values.
+struct CurveScale {
+    double time = 1.0;
+    double value = 1.0;
+};
+
+/// Inserts points of the curve where the polyline is farther than `tolerance` (px) from it within the range of values.
+/// A curve has at most 4096 times as many points as before, and only beside a kink.
+std::vector<CurvePoint> refine(std::span<const CurvePoint> points, const std::function<double(double)> &valueAt,
+                               const CurveScale &scale, double tolerance, const Interval &values);
 
 /// Removes the points that lie within `tolerance` (in values) of the line between the remaining points. A smooth curve
 /// is left with a quarter of its points. Gaps and the points beside them are never removed.

@@ -100,7 +100,7 @@ MotionCurves::Curves MotionCurves::curves(const Interval &range, std::size_t col
         for (std::size_t channel = 0; channel < curves.size(); ++channel) {
             std::vector<CurvePoint> points =
                 decimate(m_samples->time, (*m_samples)[kPlottedChannels[channel]], range, columns);
-            curves[channel] = {points, usualRange(points, range)};
+            curves[channel] = {points, usualRange(points, range), 2 * points.size() >= 3 * columns};
         }
         return curves;
     }
@@ -117,7 +117,7 @@ MotionCurves::Curves MotionCurves::curves(const Interval &range, std::size_t col
     for (std::size_t channel = 0; channel < curves.size(); ++channel) {
         const std::vector<CurvePoint> points = exactPoints(channel, samples, critical[channel]);
         curves[channel] = {isBand ? strokes(points, shown, columns) : points,
-                           usualRange(points, {samples.time.front(), samples.time.back()})};
+                           usualRange(points, {samples.time.front(), samples.time.back()}), isBand};
     }
     return curves;
 }

@@ -4,6 +4,7 @@
 
 #include "ui/plots/plot_figure.h"
 
+#include "ui/plots/plot_drawing.h"
 #include "ui/text/axis_scale.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/motion_facts.h"
@@ -146,11 +147,11 @@ void PlotFigure::computeMotions(Plot &plot, std::size_t channel)
         include(plot.values, curve.values);
         return plot.curves.emplace_back(PlotCurve{name, ink, curve.points});
     };
-    const auto isDense = [this](const PlotCurve &curve) { return 2 * curve.points.size() >= 3 * m_columns; };
     for (std::size_t i = 0; i < pinned.size(); ++i) {
-        PlotCurve &curve = add(pinnedText(pinned[i], parameters), &SeriesColours::pinned, m_curves[i][channel]);
+        PlotCurve &curve = add(pinnedText(pinned[i], parameters), kPinnedColours[i], m_curves[i][channel]);
         curve.read = [&motion = m_motions[i], channel](const ReadTime &at) { return motion.value(channel, at.t); };
-        curve.dashes = isDense(curve) ? QVector<double>() : kPinnedDashes[i];
+        curve.valueAt = [&motion = m_motions[i], channel](double t) { return motion.value(channel, t); };
+        curve.dashes = m_curves[i][channel].isDense ? QVector<double>() : kPinnedDashes[i];
         curve.width = m_isPresentation ? curve.width : 1.0;
     }
     const bool isNamed = m_isPresentation && !pinned.empty() && pinned.back() != parameters;
@@ -158,12 +159,14 @@ void PlotFigure::computeMotions(Plot &plot, std::size_t channel)
     const QString name = isNamed ? pinnedText(parameters, pinned.back()) : tr("model");
     PlotCurve &curve = add(tooFew.isEmpty() ? name : tooFew, &SeriesColours::model, m_curves.back()[channel]);
     curve.read = [this, channel](const ReadTime &at) { return modelValue(channel, at); };
-    if (!model().isExact()) {
+    if (model().isExact()) {
+        curve.valueAt = [this, channel](double t) { return model().value(channel, t); };
+    } else {
         constexpr std::size_t kPixelsPerDot = 12;
         if (!tooFew.isEmpty() || curve.points.size() * kPixelsPerDot < m_columns) {
             curve.dots = curve.points;
         }
-        if (!tooFew.isEmpty() && !isDense(curve)) { // dense samples look like a band
+        if (!tooFew.isEmpty() && !m_curves.back()[channel].isDense) { // dense samples look like a band
             curve.points.clear();
         }
     }
@@ -185,14 +188,20 @@ PlotCurve PlotFigure::errorCurve(std::size_t channel) const
 {
     const bool hasFile = m_result->reference != nullptr;
     const bool isSlider = channel % kErrorsPerRow != 0;
-    const std::array names{tr("difference of the coupler"), tr("difference of the slider"), tr("error of the coupler"),
-                           tr("error of the slider")};
-    PlotCurve curve{names[(hasFile ? 2 : 0) + (isSlider ? 1 : 0)],
+    const std::array names{tr("difference of the coupler from %1"), tr("difference of the slider from %1"),
+                           tr("error of the coupler"), tr("error of the slider")};
+    const QString name = names[(hasFile ? 2 : 0) + (isSlider ? 1 : 0)];
+    PlotCurve curve{hasFile ? name : name.arg(m_style.comparedWith),
                     isSlider ? &SeriesColours::errorOther : &SeriesColours::error};
     curve.width = 1.6; // thin, since the errors of a matching file are noise
     curve.read = [this, channel](const ReadTime &at) {
         return m_errors->error(channel, modelValue(channel, at), referenceValue(channel, at));
     };
+    if (!hasFile && model().isExact()) {
+        curve.valueAt = [this, channel](double t) {
+            return m_errors->error(channel, model().value(channel, t), referenceValue(channel, {t, {}}));
+        };
+    }
     const std::vector<double> &values = (*m_errors)[channel].values;
     const auto isSeen = [this](double error) {
         return m_settings.logarithmicError ? std::isfinite(error) : error > 0.0;
@@ -306,6 +315,31 @@ double PlotFigure::referenceValue(std::size_t channel, const ReadTime &time) con
     }
     const ReferenceSeries *series = m_result->reference->data.find(kPlottedChannels[channel]);
     return series && time.row ? series->values[*time.row] : kNone;
+}
+
+std::optional<PlotCursor> PlotFigure::cursorAt(std::size_t index, double time, const QStringList &headings) const
+{
+    constexpr double kRoundingError = 1e-9; // of the axis
+    const Plot &plot = m_plots[index];
+    if (!plot.values || !timeRange().contains(time)) {
+        return std::nullopt;
+    }
+    const ReadTime read = readTime(time);
+    PlotCursor cursor{std::round(plot.timeAxis->coordToPixel(time))};
+    for (const QString &heading : headings) {
+        cursor.labels.push_back({QStaticText(heading), m_colours.text});
+    }
+    for (const PlotReading &reading : readings(index, read)) {
+        const QPointF place(plot.timeAxis->coordToPixel(read.t), plot.valueAxis->coordToPixel(reading.value));
+        if (QRectF(plot.axes->rect()).adjusted(-1.0, -1.0, 1.0, 1.0).contains(place)) {
+            // On a linear axis, a value that is far below a pixel is the rounding error of zero.
+            const bool isZero = reading.value == reading.number &&
+                                std::abs(reading.number) < kRoundingError * plot.valueAxis->range().size();
+            cursor.labels.push_back(
+                {QStaticText(shortNumber(isZero ? 0.0 : reading.number)), m_colours.*reading.ink, place});
+        }
+    }
+    return cursor;
 }
 
 std::vector<PlotReading> PlotFigure::readings(std::size_t plot, const ReadTime &time) const

@@ -24,7 +24,7 @@ public:
 protected:
     void drawLinePlot(QCPPainter *painter, const QVector<QPointF> &points) const override
     {
-        if (painter->modes().testFlag(QCPPainter::pmVectorized)) {
+        if (painter->device()->devType() == QInternal::Picture) { // an export: the corners of the line are joined
             return QCPGraph::drawLinePlot(painter, points);
         }
         constexpr double kEndless = 1e9;
@@ -58,6 +58,17 @@ protected:
 };
 
 } // namespace
+
+double smallestDetail(const QPainter &painter)
+{
+    constexpr double kOnPaper = 0.06; // mm
+    constexpr double kMmPerInch = 25.4;
+    const QPaintEngine *engine = painter.paintEngine();
+    const bool isVector = engine && (engine->type() == QPaintEngine::SVG || engine->type() == QPaintEngine::Pdf);
+    const double dotsPerPixel = std::sqrt(std::abs(painter.deviceTransform().determinant()));
+    const double dots = isVector ? kOnPaper / kMmPerInch * painter.device()->logicalDpiX() : 1.0;
+    return dots / dotsPerPixel;
+}
 
 double NumberTicker::getTickStep(const QCPRange &range)
 {

@@ -3,6 +3,12 @@
 
 // The QCustomPlot that draws the figure and the charts. It lays itself out for a size in pixels and draws with any
 // painter, so that screen, image, SVG and PDF look alike. QCustomPlot's own painting and interactions are not used.
+//
+// Nine axis rectangles with three curves of 440 points, with QCPLegend and QCPTextElement instead of our legend and
+// titles, were measured in alternation with this class (CPU time, median of 260 frames, offscreen): replotted by
+// QCustomPlot into its buffers 3.8 to 4.2 ms, drawn here directly on the widget 3.1 to 3.4 ms; at a pixel ratio of 2,
+// 9.9 and 7.5 ms. QCPLegend does not wrap, one box that zooms time and values of nine plots together is not among
+// QCustomPlot's interactions, and what could be removed is about a thousand tokens.
 
 #include "ui/plots/curve_sampling.h"
 #include "ui/plots/plot_fonts.h"
@@ -30,6 +36,9 @@ private:
     double m_step = 1.0;
     int m_digits = 6; ///< significant digits of the labels
 };
+
+/// Returns the size, in units of the painter, of the smallest detail that its device shows: a pixel, or 0.06 mm on paper.
+double smallestDetail(const QPainter &painter);
 
 class PlotDrawing : public QCustomPlot
 {

@@ -10,6 +10,7 @@
 #include <QFontMetricsF>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace slidercrank
@@ -26,12 +27,19 @@ int lineHeight(const QFont &font)
     return QFontMetrics(font).height();
 }
 
-/// Clips the curve to the axes and removes the points that make no visible difference.
-void fit(PlotCurve &curve, const Interval &time, const Interval &values, int height)
+/// Clips the curve to the axes, inserts the points that are missing on a device with that smallest detail (px), and
+/// removes those that make no visible difference. Both together are off by less than a third of the detail.
+void fit(PlotCurve &curve, const Interval &time, const Interval &values, const QSize &axes, double detail)
 {
-    constexpr double kInvisible = 0.2; // px
-    constexpr double kBelowEdge = 3.0; // px
-    const double pixel = values.length() / std::max(height, 1);
+    constexpr double kScreenDetail = 1.0; // px, for which the samples of a curve suffice
+    constexpr double kMissing = 0.1;      // details
+    constexpr double kInvisible = 0.2;    // details
+    constexpr double kBelowEdge = 3.0;    // px
+    const double pixel = values.length() / std::max(axes.height(), 1);
+    if (curve.valueAt && detail < kScreenDetail) {
+        const CurveScale scale{axes.width() / time.length(), 1.0 / pixel};
+        curve.points = refine(curve.points, curve.valueAt, scale, kMissing * detail, values);
+    }
     for (CurvePoint &dot : curve.dots) {
         dot.value = dot.value == PlotCurve::kUpperEdge ? values.upper - kBelowEdge * pixel : dot.value;
     }
@@ -41,7 +49,13 @@ void fit(PlotCurve &curve, const Interval &time, const Interval &values, int hei
     if (curve.dots.empty()) {
         curve.dots = isolatedPoints(curve.points);
     }
-    curve.points = withoutNeedlessPoints(curve.points, kInvisible * pixel);
+    curve.points = withoutNeedlessPoints(curve.points, kInvisible * detail * pixel);
+}
+
+/// Returns the number of plots side by side: as in the grid if rows are complete, otherwise at most three.
+std::size_t columnsFor(std::size_t plots)
+{
+    return plots == 4 ? 2 : std::min(plots, kPlotColumns);
 }
 
 } // namespace
@@ -65,18 +79,24 @@ void PlotFigure::applyStyle(const PlotStyle &style)
     m_drawing->clearGraphs();
     m_drawing->plotLayout()->clear();
     m_plots = {};
-    for (const std::size_t index : style.plots) {
+    const std::size_t count = style.plots.size();
+    const bool isWithoutErrors = std::ranges::none_of(style.plots, &isErrorPlot);
+    // Six plots without errors are three rows of the grid.
+    const std::size_t columns = count == 2 * kPlotRows && isWithoutErrors ? kErrorColumn : columnsFor(count);
+    for (std::size_t place = 0; place < count; ++place) {
+        const std::size_t index = style.plots[place];
         Plot &plot = m_plots[index];
+        plot.row = place / columns;
+        plot.hasTimeLabels = count % columns != 0 || plot.row + 1 == count / columns; // all if the last row is short
         plot.axes = new QCPAxisRect(m_drawing.get(), false);
         plot.timeAxis = plot.axes->addAxis(QCPAxis::atBottom);
         plot.valueAxis = plot.axes->addAxis(QCPAxis::atLeft);
         plot.axes->setMinimumSize(50, 20); // low enough for the legend to keep its height in a small window
         plot.axes->setMarginGroup(QCP::msLeft | QCP::msRight, m_margins);
-        plot.axes->setMargins(QMargins(0, lineHeight(m_fonts.title) + kLabelGap, 0, lineHeight(m_fonts.tick)));
+        const int below = (plot.hasTimeLabels && count % columns != 0 ? 3 : 1) * lineHeight(m_fonts.tick);
+        plot.axes->setMargins(QMargins(0, lineHeight(m_fonts.title) + kLabelGap, 0, below));
         plot.axes->setAutoMargins(QCP::msLeft | QCP::msRight);
-        const std::size_t place = style.plots.size() == 1 ? 0 : index;
-        m_drawing->plotLayout()->addElement(static_cast<int>(place / kPlotColumns),
-                                            static_cast<int>(place % kPlotColumns), plot.axes);
+        m_drawing->plotLayout()->addElement(static_cast<int>(plot.row), static_cast<int>(place % columns), plot.axes);
         plot.ticker.reset(new NumberTicker);
         for (const QString &title : titles(index)) {
             plot.titles.emplace_back(title).prepare({}, m_fonts.title);
@@ -97,6 +117,9 @@ void PlotFigure::compose(PlotStyle style, const QSize &size)
     m_isStale = false;
     style.isOfFile = m_result->reference != nullptr;
     style.error = m_settings.error;
+    if (!m_result->pinned.empty()) {
+        style.comparedWith = pinnedText(m_result->pinned.back(), m_result->mechanism.parameters());
+    }
     if (style != m_style) {
         applyStyle(style);
     }
@@ -124,8 +147,7 @@ void PlotFigure::chooseTitles()
         Plot &plot = m_plots[index];
         plot.title = 0;
         for (const std::size_t other : plots()) {
-            const bool isAlike =
-                other / kPlotColumns == index / kPlotColumns && isErrorPlot(other) == isErrorPlot(index);
+            const bool isAlike = m_plots[other].row == plot.row && isErrorPlot(other) == isErrorPlot(index);
             while (isAlike && plot.title + 1 < plot.titles.size() &&
                    m_plots[other].titles[plot.title].size().width() > space) {
                 ++plot.title;
@@ -138,7 +160,8 @@ void PlotFigure::fill()
 {
     constexpr int kPixelsPerTick = 30;
     m_drawing->clearGraphs();
-    m_columns = static_cast<std::size_t>(std::max(1, m_plots[plots().front()].axes->width()));
+    const int width = std::max(1, m_plots[plots().front()].axes->width());
+    m_columns = static_cast<std::size_t>(std::ceil(width / m_style.detail));
     const Interval time = timeRange();
     m_curves.clear();
     for (const MotionCurves &motion : m_motions) {
@@ -169,7 +192,7 @@ void PlotFigure::fill()
         plot.ticker->isLogarithmic = isLogarithmic(index);
         plot.ticker->setTickCount(std::max(2, plot.axes->height() / kPixelsPerTick));
         for (PlotCurve &curve : plot.curves) {
-            fit(curve, time, values, plot.axes->height());
+            fit(curve, time, values, plot.axes->size(), m_style.detail);
             const QPen pen = addCurve(plot, curve);
             if (std::ranges::none_of(m_legend, [&](const auto &entry) { return entry.first == curve.name; })) {
                 m_legend.emplace_back(curve.name, pen);
@@ -219,6 +242,7 @@ void PlotFigure::setTimeScale()
 {
     constexpr double kLeast = 44.0; // px from tick to tick
     constexpr double kSpace = 14.0;
+    constexpr int kAround = 3;      // px; a label that ends at the edge of the figure is not drawn
     constexpr int kUsualDigits = 6; // of a value; the axes do not move until a label has more
     const QFontMetrics metrics(m_fonts.tick);
     const Interval time = timeRange();
@@ -227,7 +251,7 @@ void PlotFigure::setTimeScale()
     m_timeTicker->setTickOrigin(zeroTime());
     int labelWidth = 0;
     const auto setDistance = [this](double pixels) {
-        m_timeTicker->setTickCount(std::max(1, static_cast<int>(static_cast<double>(m_columns) / pixels)));
+        m_timeTicker->setTickCount(std::max(1, static_cast<int>(m_plots[plots().front()].axes->width() / pixels)));
     };
     setDistance(kLeast);
     QVector<double> ticks;
@@ -239,13 +263,13 @@ void PlotFigure::setTimeScale()
     setDistance(std::max(kLeast, labelWidth + kSpace));
     const QString title = isOverAngle() ? "θ₂ [°]" : "t [s]";
     const int valueWidth = kUsualDigits * metrics.horizontalAdvance(u'0');
-    const QMargins least(valueWidth + kTickLength + kLabelGap, 0, labelWidth / 2, 0);
+    const QMargins least(valueWidth + kTickLength + kLabelGap, 0, labelWidth / 2 + kAround, 0);
     for (const std::size_t index : plots()) {
-        const bool isBottom = static_cast<int>(index / kPlotColumns) + 1 >= m_drawing->plotLayout()->rowCount();
+        const bool hasLabels = m_plots[index].hasTimeLabels;
         QCPAxis &axis = *m_plots[index].timeAxis;
         axis.setRange(time.lower, time.upper);
-        axis.setTickLabels(isBottom);
-        axis.setLabel(isBottom ? title : QString());
+        axis.setTickLabels(hasLabels);
+        axis.setLabel(hasLabels ? title : QString());
         m_plots[index].axes->setMinimumMargins(least);
     }
 }
@@ -262,14 +286,19 @@ QStringList PlotFigure::titles(std::size_t index) const
                                QStringLiteral("%1; %2").arg(unit, unitText({Coordinate::R4x, channel.order})),
                                tr("% of peak")};
         unit = units[static_cast<std::size_t>(m_style.error)];
-        titles = {m_style.isOfFile ? tr("error") : tr("difference"), QString()};
+        titles = {tr("difference"), QString()};
+        if (m_style.isOfFile) {
+            titles.front() = tr("error");
+        } else {
+            titles.prepend(tr("difference from %1").arg(m_style.comparedWith));
+        }
     } else {
         const auto order = static_cast<std::size_t>(channel.order);
         const std::array shortNames{isAngle(channel.coordinate) ? tr("angle") : tr("position"), tr("velocity"),
                                     tr("acceleration")};
         const QString name = quantityName(channel);
         const QString symbol = symbolText(channel);
-        titles = {name + u' ' + symbol, name, shortNames[order]};
+        titles = {name + u' ' + symbol, name, shortNames[order] + u' ' + symbol, symbol};
         if (order > 0) {
             const QString integral = symbolText(Channel{channel.coordinate, static_cast<Order>(order - 1)});
             titles.prepend(QStringLiteral("%1 = d%2/dt").arg(titles.front(), integral));
@@ -309,13 +338,67 @@ void PlotFigure::drawInto(QPaintDevice &device)
     drawTexts(painter);
 }
 
-void PlotFigure::paint(QPainter &painter)
+void PlotFigure::paint(QPainter &painter, const std::optional<double> &cursorTime)
 {
     m_drawing->paint(painter, m_drawing->viewport().size());
     drawTexts(painter);
+    if (!cursorTime) {
+        return;
+    }
+    for (const std::size_t index : plots()) {
+        const QRectF axes = m_plots[index].axes->rect();
+        const QStringList heading = index == plots().front() ? QStringList(timeText(*cursorTime)) : QStringList();
+        std::vector<PlotCursor> cursors;
+        if (const std::optional<PlotCursor> cursor = cursorAt(index, *cursorTime, heading)) {
+            cursors.push_back(*cursor);
+        }
+        placeLabels(cursors, axes, m_fonts.tick);
+        paintCursors(painter, cursors, axes, m_fonts.tick, m_colours);
+    }
 }
 
-/// Draws the legend, the titles and the notes over the plots, and marks the time.
+int PlotFigure::heightFor(std::size_t plotCount, int width, const QFont &font)
+{
+    constexpr std::array kRowHeight{0.0, 0.55, 0.66, 0.76}; // in widths of a plot, by the number of plots in a row
+    const std::size_t columns = columnsFor(plotCount);
+    const std::size_t rows = (plotCount + columns - 1) / columns;
+    const double row = kRowHeight[columns] * width / static_cast<double>(columns);
+    return static_cast<int>(std::lround(static_cast<double>(rows) * row)) + 3 * lineHeight(font); // with the legend
+}
+
+/// Returns where the note of a plot hides no curve: the first of several places that no curve passes through.
+QRectF PlotFigure::notePlace(const Plot &plot) const
+{
+    const QRectF axes = plot.axes->rect();
+    QRectF box = QFontMetricsF(m_fonts.tick).boundingRect(plot.note).adjusted(-2.0, 0.0, 2.0, 0.0);
+    if (!plot.values) {
+        box.moveCenter(axes.center());
+        return box;
+    }
+    const auto isCrossed = [&](const QRectF &place) {
+        const auto isInside = [&](const CurvePoint &point) {
+            return place.contains({plot.timeAxis->coordToPixel(point.t), plot.valueAxis->coordToPixel(point.value)});
+        };
+        return std::ranges::any_of(plot.curves,
+                                   [&](const PlotCurve &curve) { return std::ranges::any_of(curve.points, isInside); });
+    };
+    const double edge = 0.5 * box.height() + 2.0; // px
+    for (const double y : {axes.top() + edge, axes.bottom() - edge}) {
+        for (const double part : {0.5, 0.25, 0.75, 0.12, 0.88}) {
+            const double half = 0.5 * box.width();
+            const double x = std::clamp(axes.left() + part * axes.width(), axes.left() + half,
+                                        std::max(axes.left() + half, axes.right() - half));
+            box.moveCenter({x, y});
+            if (!isCrossed(box)) {
+                return box;
+            }
+        }
+    }
+    box.moveCenter({axes.center().x(), axes.bottom() - edge});
+    return box;
+}
+
+/// Draws the legend, the titles and the notes over the plots.
 void PlotFigure::drawTexts(QPainter &painter)
 {
     constexpr double kAboveAxes = 2.0; // px
@@ -328,15 +411,10 @@ void PlotFigure::drawTexts(QPainter &painter)
         const QRect axes = plot.axes->rect();
         painter.setFont(m_fonts.title);
         painter.drawStaticText(QPointF(axes.left(), axes.top() - kAboveAxes - titleHeight), plot.titles[plot.title]);
-        if (m_markedTime && timeRange().contains(*m_markedTime)) {
-            const double x = std::round(plot.timeAxis->coordToPixel(*m_markedTime));
-            painter.fillRect(QRectF(x, axes.top(), 1.0, axes.height()), m_colours.cursor);
+        if (!plot.note.isEmpty()) {
+            painter.setFont(m_fonts.tick);
+            painter.drawText(notePlace(plot), Qt::AlignCenter, plot.note);
         }
-        painter.setFont(m_fonts.tick);
-        QRect note = painter.fontMetrics().boundingRect(plot.note);
-        note.moveCenter({axes.center().x(), plot.values ? axes.top() + axes.height() / 10 : axes.center().y()});
-        painter.fillRect(note, m_colours.background);
-        painter.drawText(note, Qt::AlignCenter, plot.note);
     }
 }
 

@@ -9,6 +9,7 @@
 #include "ui/document/view_settings.h"
 #include "ui/plots/motion_curves.h"
 #include "ui/plots/motion_errors.h"
+#include "ui/plots/plot_cursor.h"
 #include "ui/plots/plot_fonts.h"
 #include "ui/text/theme.h"
 
@@ -51,6 +52,8 @@ struct PlotCurve {
     std::vector<CurvePoint> points = {};
     std::function<double(const ReadTime &)> read = {}; ///< returns the value on the axis; empty if none is read
 
+    std::function<double(double)> valueAt = {}; ///< the exact value at a time; empty if the curve consists of samples
+
     double width = 2.0;                ///< px
     QVector<double> dashes = {};       ///< lengths of dashes and gaps in line widths; empty for a solid line
     std::vector<CurvePoint> dots = {}; ///< samples that are drawn as single dots
@@ -69,6 +72,8 @@ struct Plot {
     QString note;                    ///< why something is missing
     std::vector<QStaticText> titles; ///< variants of the title, the longest first
     std::size_t title = 0;           ///< the variant that is drawn
+    std::size_t row = 0;             ///< of the figure
+    bool hasTimeLabels = true;       ///< whether the time axis has numbers and a title
 };
 
 /// A value read off a curve.
@@ -78,11 +83,19 @@ struct PlotReading {
     Ink ink = &SeriesColours::text;
 };
 
+/// What an exported figure contains.
+struct FigureContent {
+    std::vector<std::size_t> plots = {};   ///< in their order; empty for all that can be shown
+    std::optional<double> cursorTime = {}; ///< s; the values at this time are written beside a line
+};
+
 /// The plots that are shown, and their look.
 struct PlotStyle {
     std::vector<std::size_t> plots;
     QFont font;
     QPalette palette;
+    double detail = 1.0;   ///< size (px) of the smallest detail that the device shows
+    QString comparedWith;  ///< the pinned motion whose differences are shown; empty for those of a file
     bool isOfFile = false; ///< whether the errors are those of a file
     ErrorMeasure error = ErrorMeasure::OfPeak;
 
@@ -119,17 +132,17 @@ public:
     void zoomValues(std::size_t plot, const Interval &range);
     Interval timeRange() const { return m_zoom.time.value_or(sampledRange()); }
 
-    /// Draws a line at that time (s) in each plot.
-    void markTime(double seconds) { m_markedTime = seconds; }
-
     /// Lays out the plots for that size (px) and fills them.
     void compose(PlotStyle style, const QSize &size);
 
     /// Draws the figure on a pixmap or, in its paint event, a widget of the size for which it is composed.
     void drawInto(QPaintDevice &device);
 
-    /// Draws the figure at the size for which it is composed.
-    void paint(QPainter &painter);
+    /// Draws the figure at the size for which it is composed, with the values at that time (s).
+    void paint(QPainter &painter, const std::optional<double> &cursorTime);
+
+    /// Returns the height (px) at which that many plots have good proportions in a figure of that width.
+    static int heightFor(std::size_t plotCount, int width, const QFont &font);
 
     const std::vector<std::size_t> &plots() const { return m_style.plots; }
     const Plot &shownPlot(std::size_t plot) const { return m_plots[plot]; }
@@ -139,6 +152,10 @@ public:
 
     /// Returns the values of a plot that is shown, in the order of the legend.
     std::vector<PlotReading> readings(std::size_t plot, const ReadTime &time) const;
+
+    /// Returns a cursor of a plot that is shown, in px of the figure, with its headings and the values of the curves.
+    /// Returns nullopt outside the time shown.
+    std::optional<PlotCursor> cursorAt(std::size_t plot, double time, const QStringList &headings) const;
 
     /// Returns "t = 0.2500 s", or over the crank angle "θ₂ = 90.00°". With the time `since`, returns the difference
     /// from it: "Δt = 0.2500 s".
@@ -173,6 +190,7 @@ private:
     void fill();
     void setTimeScale();
     QStringList titles(std::size_t index) const;
+    QRectF notePlace(const Plot &plot) const;
     void chooseTitles();
     QSize placeLegend(QPainter *painter = nullptr);
     QPen addCurve(const Plot &plot, const PlotCurve &curve);
@@ -182,11 +200,10 @@ private:
     std::shared_ptr<const Result> m_result;
     PlotSettings m_settings;
     bool m_isPresentation = false;
-    std::optional<double> m_markedTime;  ///< s
     std::vector<MotionCurves> m_motions; ///< the pinned motions and, last, the model
 
     // These are computed for the time range and the pixels of the plots.
-    std::size_t m_columns = 1;                  ///< pixel columns of a plot
+    std::size_t m_columns = 1;                  ///< the details that a plot can show side by side
     std::vector<MotionCurves::Curves> m_curves; ///< of m_motions
     std::optional<MotionErrors> m_errors;
     std::array<Plot, kPlotCount> m_plots;

@@ -50,8 +50,9 @@ void PlotGrid::makeChoices()
         m_choices << measures->addAction(makeSettingAction(this, text, &PlotSettings::error, measure, measure));
     }
     m_choices << makeSettingAction(this, tr("&Logarithmic errors"), &PlotSettings::logarithmicError, true, false)
-              << makeSettingAction(this, tr("File's &rounding"), &PlotSettings::roundingBand, true, false)
-              << makeSettingAction(this, tr("Over the crank &angle"), &PlotSettings::abscissa, Abscissa::CrankAngle,
+              << makeSettingAction(this, tr("File's &rounding"), &PlotSettings::roundingBand, true, false);
+    m_errorChoices = m_choices;
+    m_choices << makeSettingAction(this, tr("Over the crank &angle"), &PlotSettings::abscissa, Abscissa::CrankAngle,
                                    Abscissa::Time);
 }
 
@@ -156,6 +157,9 @@ void PlotGrid::refresh()
             m_panes[index]->setAccessibleDescription(plot.titles.front().text() + ". " + plot.note);
         }
     }
+    for (QAction *choice : m_errorChoices) {
+        choice->setVisible(hasErrors());
+    }
     const bool isAlone = !result()->isCompared() && !m_maximized && !isPresentation();
     constexpr int kGap = 12;
     const int hintWidth = m_hint->sizeHint().width();
@@ -165,34 +169,20 @@ void PlotGrid::refresh()
     update();
 }
 
-/// Returns the cursors of a plot: at the current time and at the pointer.
-std::vector<PlotPane::Cursor> PlotGrid::cursors(std::size_t plot)
+/// Returns the cursors of a plot, in its pane: at the current time and at the pointer.
+std::vector<PlotCursor> PlotGrid::cursors(std::size_t plot)
 {
-    constexpr double kRoundingError = 1e-9; // of the axis
-    const Plot &shown = shownPlot(plot);
-    const QPoint corner = m_panes[plot]->pos();
-    const SeriesColours colours = seriesColours(palette());
-    std::vector<PlotPane::Cursor> cursors;
+    std::vector<PlotCursor> cursors;
     const auto add = [&](double time, const QStringList &headings, bool isLight = false) {
-        if (!shown.values || !timeRange().contains(time)) {
-            return;
-        }
-        const ReadTime read = readTime(time);
-        PlotPane::Cursor cursor{std::round(shown.timeAxis->coordToPixel(time)) - corner.x(), isLight, {}};
-        for (const QString &heading : headings) {
-            cursor.labels.push_back({QStaticText(heading), colours.text});
-        }
-        for (const PlotReading &reading : readings(plot, read)) {
-            const QPointF place(shown.timeAxis->coordToPixel(read.t), shown.valueAxis->coordToPixel(reading.value));
-            if (QRectF(axes(plot)).adjusted(-1.0, -1.0, 1.0, 1.0).contains(place)) {
-                // On a linear axis, a value that is far below a pixel is the rounding error of zero.
-                const bool isZero = reading.value == reading.number &&
-                                    std::abs(reading.number) < kRoundingError * shown.valueAxis->range().size();
-                cursor.labels.push_back(
-                    {QStaticText(shortNumber(isZero ? 0.0 : reading.number)), colours.*reading.ink, place - corner});
+        if (std::optional<PlotCursor> cursor = cursorAt(plot, time, headings)) {
+            const QPoint corner = m_panes[plot]->pos();
+            cursor->isLight = isLight;
+            cursor->x -= corner.x();
+            for (PlotCursor::Label &label : cursor->labels) {
+                label.dot = label.dot ? std::optional(*label.dot - corner) : std::nullopt;
             }
+            cursors.push_back(*cursor);
         }
-        cursors.push_back(cursor);
     };
     if (m_time) {
         add(*m_time, {});
@@ -249,13 +239,26 @@ void PlotGrid::paintEvent(QPaintEvent *)
     }
 }
 
-void PlotGrid::paintFigure(QPainter &painter, const QString &name, const QSize &size, const QPalette &palette)
+void PlotGrid::paintFigure(QPainter &painter, const FigureContent &content, const QSize &size, const QPalette &palette)
 {
-    const qsizetype index = plotNames().indexOf(name);
-    const std::optional<std::size_t> plot = name.isEmpty() ? std::nullopt : std::optional<std::size_t>(index);
-    compose({plotsToShow(plot), font(), palette}, size);
-    paint(painter);
+    const std::vector<std::size_t> plots = content.plots.empty() ? plotsToShow({}) : content.plots;
+    compose({plots, painter.font(), palette, smallestDetail(painter)}, size);
+    paint(painter, content.cursorTime);
     requestRefresh(); // restores the figure for the screen
+}
+
+std::vector<std::pair<QString, QString>> PlotGrid::choosablePlots() const
+{
+    std::vector<std::pair<QString, QString>> plots;
+    for (const std::size_t plot : plotsToShow({})) {
+        plots.emplace_back(plotName(plot), m_panes[plot]->accessibleName());
+    }
+    return plots;
+}
+
+int PlotGrid::figureHeight(const FigureContent &content, int width, const QFont &font) const
+{
+    return heightFor(content.plots.empty() ? plotsToShow({}).size() : content.plots.size(), width, font);
 }
 
 } // namespace slidercrank

@@ -36,9 +36,15 @@ public:
     /// have these object names.
     static QStringList plotNames();
 
-    /// Paints the plot of that name, or the whole figure if the name is empty, with the legend, at that logical size,
-    /// zoomed as on the screen. The widget need not be visible.
-    void paintFigure(QPainter &painter, const QString &plotName, const QSize &size, const QPalette &palette);
+    /// Paints plots with the legend, at that logical size and in the font of the painter, zoomed as on the screen. The
+    /// widget need not be visible.
+    void paintFigure(QPainter &painter, const FigureContent &content, const QSize &size, const QPalette &palette);
+
+    /// Returns the names and the titles of the plots that can be shown.
+    std::vector<std::pair<QString, QString>> choosablePlots() const;
+
+    /// Returns the height (px) at which the plots have good proportions.
+    int figureHeight(const FigureContent &content, int width, const QFont &font) const;
 
     /// Returns checkable actions for the settings of the plots, to be shown in menus.
     const QList<QAction *> &choices() const { return m_choices; }
@@ -83,7 +89,7 @@ private:
     void refresh();
     void moveCursors();
     void placeCursors();
-    std::vector<PlotPane::Cursor> cursors(std::size_t plot);
+    std::vector<PlotCursor> cursors(std::size_t plot);
 
     QRect axes(std::size_t plot) const; ///< px
     std::optional<std::size_t> plotAt(const QPointF &place) const;
@@ -96,11 +102,13 @@ private:
     QPixmap m_picture; ///< of the figure, under the moving cursors; null until a cursor moves
     std::array<PlotPane *, kPlotCount> m_panes{};
     QList<QAction *> m_choices;
+    QList<QAction *> m_errorChoices; ///< those about errors, which are hidden where nothing is compared
     QLabel *m_hint; ///< how to compare with a file; to the right of the legend
     std::optional<std::size_t> m_maximized;
     std::optional<std::size_t> m_hovered; ///< the plot under the pointer
     double m_hoverTime = 0.0;             ///< s
     std::optional<double> m_time;         ///< s, the current time
+    std::optional<double> m_timeBeforeClick; ///< s
     QRubberBand *m_rubberBand;            ///< the box that a drag zooms into
 
     /// A mouse button that is held down over a plot.

@@ -148,6 +148,7 @@ void PlotGrid::mouseReleaseEvent(QMouseEvent *event)
         return;
     }
     if (!drag.hasMoved && axes.contains(event->pos())) {
+        m_timeBeforeClick = m_time;
         emit timeRequested(readTime(coordinates(drag.plot, event->pos()).x()).t);
     } else if (drag.hasMoved && box.isValid()) {
         const QPointF first = coordinates(drag.plot, box.bottomLeft());
@@ -184,6 +185,9 @@ void PlotGrid::mouseDoubleClickEvent(QMouseEvent *event)
         toggleMaximized(*plot); // on the title
     } else if (plot) {
         showAll();
+        if (m_timeBeforeClick) { // the first of both clicks moved the time
+            emit timeRequested(*m_timeBeforeClick);
+        }
     }
 }
 

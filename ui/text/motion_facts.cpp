@@ -174,7 +174,9 @@ QString mobilitySentence(const Mechanism &mechanism, const MotionLimits &limits)
 
 QString valueText(const MotionFact &fact, int digits)
 {
-    return withUnit(shortNumber(fact.number, digits), fact.unit);
+    constexpr double kRounding = 1e-10; // °, of an angle that is zero
+    const bool isZero = fact.unit == u"°" && std::abs(fact.number) < kRounding;
+    return withUnit(shortNumber(isZero ? 0.0 : fact.number, digits), fact.unit);
 }
 
 double degreesFromZero(double theta2)

@@ -7,6 +7,8 @@
 #include <QColor>
 #include <QPalette>
 
+#include <array>
+
 class QWidget;
 
 namespace slidercrank
@@ -21,7 +23,10 @@ QPalette paletteFor(Theme theme);
 struct SeriesColours {
     QColor model;      ///< solid curves, the mechanism's links
     QColor reference;  ///< dashed curves
-    QColor pinned;     ///< thin curves of pinned motions
+    QColor pinned;     ///< thin curves of pinned motions, the first of kPinnedColours
+    QColor pinnedOther;
+    QColor pinnedThird;
+    QColor pinnedFourth;
     QColor error;      ///< angle errors
     QColor errorOther; ///< length errors, drawn in the same axes
     QColor cursor;     ///< the current time
@@ -31,6 +36,10 @@ struct SeriesColours {
     QColor background;
 };
 SeriesColours seriesColours(const QPalette &palette);
+
+/// The colours of the pinned motions, the oldest first.
+inline constexpr std::array kPinnedColours{&SeriesColours::pinned, &SeriesColours::pinnedOther,
+                                           &SeriesColours::pinnedThird, &SeriesColours::pinnedFourth};
 
 /// Returns an opaque mixture that contains that share of the colour.
 QColor mixed(const QColor &colour, const QColor &background, double share);

@@ -55,8 +55,8 @@ inline std::array<double, 2> positionsAt(double turns, double b)
 inline QString textOf(const PlotPane &pane)
 {
     QStringList lines;
-    for (const PlotPane::Cursor &cursor : pane.cursors()) {
-        for (const PlotPane::Label &label : cursor.labels) {
+    for (const PlotCursor &cursor : pane.cursors()) {
+        for (const PlotCursor::Label &label : cursor.labels) {
             lines << label.text.text();
         }
     }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plots/plot_figure.h"
 
+#include "tests/support/pixels.h"
 #include "tests/support/suite.h"
+#include "tests/support/text_recorder.h"
 #include "tests/ui/plots/plot_results.h"
 #include "ui/plots/plot_drawing.h"
 
+#include <QPainter>
 #include <QTest>
 
 #include <algorithm>
@@ -159,6 +162,48 @@ private slots:
         QVERIFY(plotOf(figureOf({.reference = referenceOf(65.0)}), kPositionErrors).note.isEmpty());
     }
 
+    /// A former defect: all pinned motions were solid grey lines.
+    void pinnedMotionsDifferInColourAndDashes()
+    {
+        const std::vector<Parameters> pinned{withCoupler(62.0), withCoupler(66.0), withCoupler(70.0), withCoupler(75.0)};
+        PlotFigure &figure = figureOf({.pinned = pinned});
+        const std::vector<PlotCurve> curves = plotOf(figure, 0).curves;
+        QCOMPARE(curves.size(), pinned.size() + 1);
+        for (std::size_t i = 0; i < pinned.size(); ++i) {
+            QVERIFY(curves[i].name.contains(QString::number(pinned[i].b)));
+            for (std::size_t j = 0; j < i; ++j) {
+                QVERIFY(curves[i].ink != curves[j].ink && curves[i].dashes != curves[j].dashes);
+            }
+        }
+        const Plot &errors = plotOf(figure, kPositionErrors);
+        QVERIFY2(errors.titles.front().text().contains("b = 75 mm"), qPrintable(errors.titles.front().text()));
+        QVERIFY(curveIn(errors, &SeriesColours::error).name.contains("b = 75 mm"));
+    }
+
+    /// A former defect: the note hid the peak of the curve.
+    void aNoteHidesNoCurve()
+    {
+        const QSize size(360, 200);
+        for (std::size_t plot : {0, 1, 3, 4, 6, 7}) {
+            PlotFigure &figure = figureOf({.reference = referenceOf(65.0, 0)});
+            figure.compose({{plot}, QFont(), paletteFor(Theme::Light)}, size);
+            QCOMPARE(figure.shownPlot(plot).note, "not in the file");
+            TextRecorder recorder(size);
+            QPainter texts(&recorder);
+            figure.paint(texts, {});
+            texts.end();
+            QImage picture(size, QImage::Format_RGB32);
+            QPainter painter(&picture);
+            figure.paint(painter, {});
+            painter.end();
+            const auto isNote = [](const TextRecorder::Text &text) { return text.first.startsWith("not"); };
+            const auto note = std::ranges::find_if(recorder.texts, isNote);
+            QVERIFY(note != recorder.texts.end());
+            const QRect box = note->second.toAlignedRect();
+            QCOMPARE(countPixels(picture.copy(box), seriesColours(paletteFor(Theme::Light)).model), 0);
+        }
+    }
+
     void withoutAColumnInTheFileAPlotShowsOnlyTheModel()
     {
         PlotFigure &figure = figureOf({.reference = referenceOf(65.0, 1)});
@@ -210,7 +255,7 @@ private slots:
         }
     }
 
-    void shorterTitlesFirstDropTheExplanationThenTheSymbol()
+    void shorterTitlesStillTellWhichQuantityTheyName()
     {
         PlotFigure &figure = figureOf({});
         QStringList titles;
@@ -218,7 +263,7 @@ private slots:
             titles << title.text();
         }
         QCOMPARE(titles, (QStringList{"coupler angular velocity ω³ = dθ³/dt [°/s]", "coupler angular velocity ω³ [°/s]",
-                                      "coupler angular velocity [°/s]", "velocity [°/s]"}));
+                                      "coupler angular velocity [°/s]", "velocity ω³ [°/s]", "ω³ [°/s]"}));
         QVERIFY(plotOf(figure, 7).titles.front().text().startsWith("slider acceleration a⁴ = dv⁴/dt"));
         QCOMPARE(plotOf(figure, 0).titles.front().text(), "coupler angle θ³ [°]");
     }

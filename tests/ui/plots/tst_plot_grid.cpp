@@ -177,7 +177,7 @@ private slots:
             shown.setTime(t);
             QCOMPARE(shown.repaints, 0);
             for (PlotPane *pane : shown.grid.findChildren<PlotPane *>()) {
-                const PlotPane::Cursor &cursor = pane->cursors().at(0);
+                const PlotCursor &cursor = pane->cursors().at(0);
                 QCOMPARE(cursor.labels.size(), pane->objectName().contains("error") ? 2U : 3U);
                 QVERIFY(std::abs(cursor.x - shown.at(pane->objectName(), t).x()) < 2.0);
                 const QImage image = pane->grab().toImage();
@@ -208,11 +208,11 @@ private slots:
                 for (const PlotPane *pane : shown.grid.findChildren<PlotPane *>()) {
                     QVERIFY(pane->cursors().size() == 2 && pane->cursors()[1].isLight && !pane->cursors()[0].isLight);
                     QCOMPARE(pane->cursors()[1].labels.size(), std::size_t(pane == &shown.pane(kAngle) ? 4 : 2));
-                    for (const PlotPane::Cursor &cursor : pane->cursors()) {
-                        for (const PlotPane::Label &label : cursor.labels) {
+                    for (const PlotCursor &cursor : pane->cursors()) {
+                        for (const PlotCursor::Label &label : cursor.labels) {
                             const bool isCovered = !cursor.isLight && label.text.text().isEmpty();
                             QVERIFY(isCovered || QRectF(pane->rect()).contains(label.place));
-                            for (const PlotPane::Label &light : pane->cursors()[1].labels) {
+                            for (const PlotCursor::Label &light : pane->cursors()[1].labels) {
                                 QVERIFY(cursor.isLight || !label.place.intersects(light.place));
                             }
                         }
@@ -224,7 +224,7 @@ private slots:
                 QVERIFY2(textOf(shown.pane(kAngle)).contains(QString::fromUtf8(wanted)), wanted);
             }
             shown.drag(kAngle, shown.at(kAngle, 0.4), shown.at(kAngle, 0.6)); // zooms: the pointer is at another time
-            QVERIFY(std::ranges::none_of(shown.pane(kAngle).cursors(), &PlotPane::Cursor::isLight));
+            QVERIFY(std::ranges::none_of(shown.pane(kAngle).cursors(), &PlotCursor::isLight));
             shown.grid.showAll();
             settle();
             QEvent leave(QEvent::Leave);
@@ -379,6 +379,30 @@ private slots:
         QCOMPARE(shown.pane(kSlider).size(), small);
     }
 
+    /// A former defect: the first of the two clicks moved the time.
+    void doubleClickResetsTheZoomAndLeavesTheTime()
+    {
+        ShownGrid shown;
+        shown.setTime(0.2);
+        QSignalSpy requested(&shown.grid, &PlotGrid::timeRequested);
+        QObject::connect(&shown.grid, &PlotGrid::timeRequested, &shown, [&shown](double t) { shown.setTime(t); });
+        const QPoint place = shown.at(kSlider, 0.7);
+        QTest::mouseClick(&shown.pane(kSlider), Qt::LeftButton, {}, place);
+        QVERIFY(std::abs(requested.back()[0].toDouble() - 0.7) < 0.01);
+        QTest::mouseDClick(&shown.pane(kSlider), Qt::LeftButton, {}, place);
+        QCOMPARE(requested.back()[0].toDouble(), 0.2);
+    }
+
+    void errorsAreOfferedOnlyWhereSomethingIsCompared()
+    {
+        for (const Shown &content : {Shown(), Shown{.reference = referenceOf(65.0)}}) {
+            ShownGrid shown(content);
+            const auto isOffered = [](const QAction *choice) { return choice->isVisible(); };
+            const auto offered = std::ranges::count_if(shown.grid.choices(), isOffered);
+            QCOMPARE(offered, content.reference ? shown.grid.choices().size() : 1);
+        }
+    }
+
     void itsMenuCopiesValuesAndExportsThePlot()
     {
         ShownGrid shown;
@@ -412,10 +436,10 @@ private slots:
     {
         ShownGrid shown({.reference = referenceOf(65.0)});
         const QImage before = shown.grid.grab().toImage();
-        for (const QString &plot : {QString(), kSlider}) {
+        for (const FigureContent &content : {FigureContent(), FigureContent{.plots = {1}}}) {
             TextRecorder recorder({900, 700});
             QPainter painter(&recorder);
-            shown.grid.paintFigure(painter, plot, {900, 700}, paletteFor(Theme::Light));
+            shown.grid.paintFigure(painter, content, {900, 700}, paletteFor(Theme::Light));
             painter.end();
             QString text;
             for (const auto &[part, place] : recorder.texts) {

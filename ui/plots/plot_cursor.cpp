@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plots/plot_cursor.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+
+#include <algorithm>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+/// Places the labels to the right of the line, or to its left where they do not fit. Headings are at the top, values at
+/// the height of their dots, moved only so far that they do not overlap.
+void placeLabelsOf(PlotCursor &cursor, const QRectF &axes, const QFont &font)
+{
+    constexpr double kGap = 6.0; // px, between the line and the text
+    const double height = QFontMetricsF(font).height();
+    std::ranges::stable_sort(cursor.labels, {},
+                             [](const PlotCursor::Label &label) { return label.dot ? label.dot->y() : 0.0; });
+    double top = std::max(0.0, std::min(axes.top(), axes.bottom() - static_cast<double>(cursor.labels.size()) * height));
+    double lowest = std::max(top, axes.bottom() - static_cast<double>(cursor.labels.size()) * height);
+    for (PlotCursor::Label &label : cursor.labels) {
+        label.text.prepare({}, font);
+        const double width = label.text.size().width();
+        const bool fits = cursor.x + kGap + width <= axes.right();
+        const double x = fits ? cursor.x + kGap : std::max(1.0, cursor.x - kGap - width);
+        const double wanted = std::max(top, label.dot ? label.dot->y() - 0.5 * height : top);
+        label.place = QRectF(x, std::min(lowest, wanted), width, height);
+        top = label.place.bottom();
+        lowest += height;
+    }
+}
+
+} // namespace
+
+double dotRadius(const QFont &font)
+{
+    return std::max(3.5, 0.27 * font.pixelSize());
+}
+
+void placeLabels(std::vector<PlotCursor> &cursors, const QRectF &axes, const QFont &font)
+{
+    for (PlotCursor &cursor : cursors) {
+        placeLabelsOf(cursor, axes, font);
+        for (PlotCursor::Label &covered : cursors.front().labels) {
+            const auto covers = [&](const PlotCursor::Label &label) { return label.place.intersects(covered.place); };
+            if (&cursor != &cursors.front() && std::ranges::any_of(cursor.labels, covers)) {
+                covered.text.setText({});
+                covered.place = QRectF();
+            }
+        }
+    }
+}
+
+void paintCursors(QPainter &painter, std::span<const PlotCursor> cursors, const QRectF &axes, const QFont &font,
+                  const SeriesColours &colours)
+{
+    const double radius = dotRadius(font);
+    painter.setFont(font);
+    for (const PlotCursor &cursor : cursors) {
+        painter.setOpacity(cursor.isLight ? 0.45 : 1.0);
+        painter.fillRect(QRectF(cursor.x, axes.top(), 1.0, axes.height()), colours.cursor);
+        painter.setOpacity(1.0);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(colours.background); // separates a dot from its curve
+        for (const PlotCursor::Label &label : cursor.labels) {
+            if (label.dot) {
+                painter.setBrush(label.colour);
+                painter.drawEllipse(*label.dot, radius, radius);
+            }
+        }
+        painter.setRenderHint(QPainter::Antialiasing, false);
+    }
+    QColor behind = colours.background;
+    behind.setAlphaF(0.8F);
+    for (const PlotCursor &cursor : cursors) {
+        for (const PlotCursor::Label &label : cursor.labels) {
+            painter.fillRect(label.place, behind);
+            painter.setPen(label.colour);
+            painter.drawStaticText(label.place.topLeft(), label.text);
+        }
+    }
+}
+
+} // namespace slidercrank

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// A time at which the curves of a plot are read: a vertical line, a dot on each curve, and the values beside the line.
+// The panes draw it on the screen, the figure in exported pictures.
+
+#include "ui/text/theme.h"
+
+#include <QColor>
+#include <QFont>
+#include <QPointF>
+#include <QRectF>
+#include <QStaticText>
+
+#include <optional>
+#include <span>
+#include <vector>
+
+class QPainter;
+
+namespace slidercrank
+{
+
+struct PlotCursor {
+    /// Text beside the line: a heading, or a value with a dot on its curve. Positions are in px.
+    struct Label {
+        QStaticText text;
+        QColor colour;
+        std::optional<QPointF> dot = {}; ///< a heading has none
+        QRectF place = {};               ///< of the text; placeLabels() chooses it
+    };
+
+    double x = 0.0;       ///< px
+    bool isLight = false; ///< follows the pointer
+    std::vector<Label> labels = {};
+};
+
+/// The radius (px) of a dot beside text of that font.
+double dotRadius(const QFont &font);
+
+/// Places the labels of the cursors of one plot with these axes. Where a label of a later cursor covers one of the first
+/// cursor, only the dot of the covered one remains.
+void placeLabels(std::vector<PlotCursor> &cursors, const QRectF &axes, const QFont &font);
+
+/// Paints the cursors, whose labels have been placed.
+void paintCursors(QPainter &painter, std::span<const PlotCursor> cursors, const QRectF &axes, const QFont &font,
+                  const SeriesColours &colours);
+
+} // namespace slidercrank
