@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
+// How the report is laid out on pages. report_text.cpp makes its text.
+
 #include "ui/export/report.h"
 
 #include "ui/document/whole_file.h"
-#include "ui/text/column_text.h"
-#include "ui/text/diagnosis_text.h"
-#include "ui/text/finding_text.h"
-#include "ui/text/motion_facts.h"
-#include "ui/text/written_number.h"
 
 #include <QAbstractTextDocumentLayout>
 #include <QCoreApplication>
@@ -15,12 +13,13 @@
 #include <QPageSize>
 #include <QPainter>
 #include <QPdfWriter>
+#include <QTextBlock>
 #include <QTextCursor>
 #include <QTextDocument>
 #include <QTextObjectInterface>
 
 #include <algorithm>
-#include <vector>
+#include <cmath>
 
 namespace slidercrank
 {
@@ -28,142 +27,9 @@ namespace slidercrank
 namespace
 {
 
-struct Report {
-    Q_DECLARE_TR_FUNCTIONS(slidercrank::Report)
+struct ReportLayout {
+    Q_DECLARE_TR_FUNCTIONS(slidercrank::ReportLayout)
 };
-
-QString element(const char *tag, const QString &text)
-{
-    return QStringLiteral("<%1>%2</%1>").arg(QLatin1String(tag), text.toHtmlEscaped().replace(u'\n', "<br>"));
-}
-
-QString heading(const QString &text)
-{
-    return element("h2", text);
-}
-
-QString paragraph(const QString &text)
-{
-    return text.isEmpty() ? QString() : element("p", text);
-}
-
-QString note(const QString &text)
-{
-    return text.isEmpty() ? QString() : QStringLiteral("<div class=note>%1</div>").arg(element("p", text));
-}
-
-QString newPage(const QString &title)
-{
-    return QStringLiteral("<div style='page-break-before:always'>%1</div>").arg(heading(title));
-}
-
-/// Returns an HTML table. The first row is the header. All columns but the first are right-aligned.
-QString table(const std::vector<QStringList> &rows)
-{
-    QString html = "<table cellspacing=0 cellpadding=2>";
-    for (const QStringList &row : rows) {
-        html += "<tr>";
-        for (qsizetype i = 0; i < row.size(); ++i) {
-            const char *tag = &row == &rows.front() ? "th" : "td";
-            html += QStringLiteral("<%1 align=%2>%3&nbsp;&nbsp;</%1>")
-                        .arg(QLatin1String(tag), QLatin1String(i == 0 ? "left" : "right"), row[i].toHtmlEscaped());
-        }
-        html += "</tr>";
-    }
-    return html + "</table>";
-}
-
-bool isFound(const ReportContent &content)
-{
-    return content.result->reference && content.diagnosis.identification.hasMechanism();
-}
-
-/// Returns the table of the parameters of the model and of the mechanism found for the file.
-QString parameterTable(const ReportContent &content)
-{
-    const Parameters &model = content.result->mechanism.parameters();
-    const Identification &found = content.diagnosis.identification;
-    std::vector<QStringList> rows{{QString(), Report::tr("model")}};
-    for (const Parameter parameter : kAllParameters) {
-        rows.push_back({QStringLiteral("%1, %2").arg(symbolText(parameter), parameterName(parameter)),
-                        parameterText(parameter, valueOf(model, parameter))});
-    }
-    rows.push_back({Report::tr("assembly"), assemblyText(model.branch)});
-    if (isFound(content)) {
-        rows.front() << (found.outcome == Identification::Outcome::Identified ? Report::tr("found in the file")
-                                                                              : Report::tr("one of those found"));
-        for (std::size_t i = 0; i < kAllParameters.size(); ++i) {
-            rows[i + 1] << measuredText(kAllParameters[i], found);
-        }
-        rows.back() << assemblyText(found.parameters.branch);
-    }
-    return table(rows);
-}
-
-QString pinnedText(const Result &result)
-{
-    QStringList motions;
-    for (const Parameters &pinned : result.pinned) {
-        motions << pinnedText(pinned, result.mechanism.parameters());
-    }
-    return motions.isEmpty() ? QString() : Report::tr("Thin curves: pinned motions, %1.").arg(motions.join(u", "));
-}
-
-/// Returns the description of the reference: the files, and how their columns were interpreted.
-QString fileText(const Reference &reference)
-{
-    const ReferenceData &data = reference.data;
-    QString html =
-        paragraph(Report::tr("Reference: %1, %2, %3 rows.")
-                      .arg(displayName(reference.paths), abscissaText(data), QString::number(data.time.size())));
-    for (const QString &doubt : doubtTexts(data)) {
-        html += note(doubt);
-    }
-    return html;
-}
-
-/// Returns the section about the reference: the verdict, the mechanism found and the errors.
-QString comparisonText(const ReportContent &content)
-{
-    const Result &result = *content.result;
-    const Diagnosis &diagnosis = content.diagnosis;
-    QString html = newPage(Report::tr("Errors: model against reference")) + fileText(*result.reference) +
-                   QStringLiteral("<b>%1</b>").arg(paragraph(summaryText(result.comparison)));
-    for (const QString &line : explanationLines(diagnosis, result.reference->data, result.mechanism)) {
-        html += paragraph(line);
-    }
-    if (isFound(content)) {
-        html += paragraph(roundNumbersText(diagnosis)) +
-                note(Report::tr("Found by weighted least squares; ± is one standard error."));
-    }
-    return html + table(comparisonTable(result.comparison, result.reference->data)) +
-           note(Report::tr("Largest %: max |model − reference| / |reference| · 100 where the reference is not zero. "
-                           "Rounding step: the distance of neighbouring numbers in the file, where it is largest."));
-}
-
-QString methodText(const Result &result)
-{
-    const NewtonOptions &newton = result.solver.newton;
-    const Sampling &sampling = result.sampling;
-    const SamplingSummary &summary = result.summary;
-    QString text;
-    if (result.solver.method == Method::ClosedForm) {
-        text = Report::tr("Closed form, exact to rounding.");
-    } else {
-        text =
-            Report::tr("Newton-Raphson in the 12 absolute coordinates: tolerance %1 (%2), at most %3 iterations per "
-                       "time step. Iterations: %4; largest residual: %5.")
-                .arg(numberText(newton.tolerance),
-                     newton.toleranceKind == ToleranceKind::Absolute ? Report::tr("absolute") : Report::tr("relative"),
-                     QString::number(newton.maxIterations), iterationsText(summary),
-                     numberText(summary.largestResidual, 2));
-    }
-    text +=
-        u' ' + Report::tr("%1 time steps from t = %2 s to %3 s, %4 of them solved.")
-                   .arg(QString::number(summary.timeSteps), numberText(sampling.start),
-                        numberText(sampling.start + sampling.duration), QString::number(summary.count(Status::Solved)));
-    return text + u' ' + fewSamplesSentence(result.mechanism, sampling);
-}
 
 #ifdef Q_MOC_RUN // moc reads no headers of Qt
 Q_DECLARE_INTERFACE(QTextObjectInterface, "org.qt-project.Qt.QTextObjectInterface")
@@ -176,28 +42,29 @@ class DrawingObject : public QObject, public QTextObjectInterface
     Q_INTERFACES(QTextObjectInterface)
 
 public:
-    /// The drawing is made for the logical size and scaled to the width.
-    DrawingObject(const FigureDrawing &draw, const QSize &size, double width)
+    DrawingObject(const FigureDrawing &draw, const QFont &font, const QSize &size)
         : m_draw(draw)
+        , m_font(font)
         , m_size(size)
-        , m_scale(width / size.width())
     {
     }
 
-    QSizeF intrinsicSize(QTextDocument *, int, const QTextFormat &) override { return m_scale * QSizeF(m_size); }
+    void setHeight(int height) { m_size.setHeight(height); } ///< px
+
+    QSizeF intrinsicSize(QTextDocument *, int, const QTextFormat &) override { return m_size; }
     void drawObject(QPainter *painter, const QRectF &box, QTextDocument *, int, const QTextFormat &) override
     {
         painter->save();
         painter->translate(box.topLeft());
-        painter->scale(m_scale, m_scale);
+        painter->setFont(m_font);
         m_draw(*painter, m_size);
         painter->restore();
     }
 
 private:
     FigureDrawing m_draw;
+    QFont m_font;
     QSize m_size;
-    double m_scale;
 };
 
 void insertDrawing(QTextDocument &document, const QString &placeholder, int type, DrawingObject &drawing)
@@ -208,47 +75,230 @@ void insertDrawing(QTextDocument &document, const QString &placeholder, int type
     document.find(placeholder).insertText(QString(QChar::ObjectReplacementCharacter), format);
 }
 
+/// Arranges the sections of a document on its pages.
+class Pages
+{
+public:
+    explicit Pages(QTextDocument &document)
+        : m_document(document)
+        , m_page(document.pageSize())
+    {
+    }
+
+    /// Moves each section that a page break would divide to the next page, if it fits on a page.
+    void keepSectionsTogether()
+    {
+        for (QTextBlock block = m_document.begin(); block.isValid(); block = block.next()) {
+            if (block.blockFormat().headingLevel() == kSection) {
+                const double top = boxOf(block).top();
+                const double bottom = bottomOf(block);
+                const bool isDivided = pageAt(top) != pageAt(bottom);
+                if (isDivided && bottom - top <= m_page.height() && std::fmod(top, m_page.height()) > 0.0) {
+                    beginPageWith(block);
+                }
+            }
+        }
+    }
+
+    /// Makes the section with this drawing and the one after it fill a page.
+    void fillPage(DrawingObject &drawing, int type, int largestHeight)
+    {
+        constexpr int kToSpare = 24; // px, since the space between paragraphs depends on the page
+        for (QTextBlock block = m_document.begin(); block.isValid(); block = block.next()) {
+            if (hasObject(block, type)) {
+                const QTextBlock heading = headingOf(block);
+                beginPageWith(heading);
+                const QTextBlock next = headingAfter(block);
+                const double others = bottomOf(next.isValid() ? next : heading) - boxOf(heading).top();
+                drawing.setHeight(std::min(largestHeight, static_cast<int>(m_page.height() - others) - kToSpare));
+                layOut();
+                return;
+            }
+        }
+    }
+
+    void beginPageWith(const QTextBlock &heading)
+    {
+        QTextCursor cursor(heading);
+        QTextBlockFormat format = heading.blockFormat();
+        format.setPageBreakPolicy(QTextFormat::PageBreak_AlwaysBefore);
+        cursor.setBlockFormat(format);
+        layOut();
+    }
+
+private:
+    static constexpr int kSection = 2; ///< level of the headings of sections
+
+    void layOut() { m_document.markContentsDirty(0, m_document.characterCount()); }
+    QRectF boxOf(const QTextBlock &block) const { return m_document.documentLayout()->blockBoundingRect(block); }
+    int pageAt(double y) const { return static_cast<int>(y / m_page.height()); }
+
+    static bool hasObject(const QTextBlock &block, int type)
+    {
+        for (auto fragment = block.begin(); !fragment.atEnd(); ++fragment) {
+            if (fragment.fragment().charFormat().objectType() == type) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    static QTextBlock headingOf(QTextBlock block)
+    {
+        while (block.isValid() && block.blockFormat().headingLevel() != kSection) {
+            block = block.previous();
+        }
+        return block;
+    }
+
+    static QTextBlock headingAfter(QTextBlock block)
+    {
+        do {
+            block = block.next();
+        } while (block.isValid() && block.blockFormat().headingLevel() != kSection);
+        return block;
+    }
+
+    /// Returns the lower end of a section.
+    double bottomOf(const QTextBlock &heading) const
+    {
+        double bottom = boxOf(heading).bottom();
+        const QTextBlock end = headingAfter(heading);
+        for (QTextBlock block = heading.next(); block.isValid() && block != end; block = block.next()) {
+            bottom = std::max(bottom, boxOf(block).bottom());
+        }
+        return bottom;
+    }
+
+    QTextDocument &m_document;
+    QSizeF m_page;
+};
+
+QFont letterFont(int pixels)
+{
+    QFont font = QGuiApplication::font();
+    font.setPixelSize(pixels);
+    font.setHintingPreference(QFont::PreferNoHinting); // the spacing of letters is that of the printer
+    return font;
+}
+
+const QString kStyle =
+    "h1 {font-size: x-large; margin-bottom: 2px} h2 {font-size: large; margin-top: 12px; margin-bottom: 4px} "
+    "p {margin-top: 4px; margin-bottom: 4px} th, td {padding-right: 10px} td.unbroken {white-space: nowrap} "
+    ".note {color: #505050}";
+
+void setText(QTextDocument &document, const QFont &font, const QString &html)
+{
+    document.setDefaultFont(font);
+    document.setDefaultStyleSheet(kStyle);
+    document.setDocumentMargin(0.0);
+    document.setHtml(html);
+}
+
+/// Returns the size of the drawing, which is below the table of parameters or beside it.
+QSize mechanismSize(const ReportContent &content, const QFont &font, double textWidth)
+{
+    constexpr double kApart = 48.0; // px
+    constexpr double kSmallest = 240.0;
+    constexpr double kLargest = 380.0;
+    constexpr double kBelow = 320.0;
+    constexpr double kHeight = 0.6; // widths
+    QTextDocument table;
+    setText(table, font, parameterTable(content));
+    const double beside = textWidth - table.idealWidth() - kApart;
+    const double width = hasFoundMechanism(content) ? kBelow : std::clamp(beside, kSmallest, kLargest);
+    return {static_cast<int>(width), static_cast<int>(kHeight * width)};
+}
+
+/// A report laid out on pages of a size (px).
+class LaidOutReport
+{
+public:
+    LaidOutReport(const ReportContent &content, const QFont &font, const QSizeF &page, const FigureDrawing &mechanism,
+                  const FigureDrawing &figure)
+        : m_font(font)
+        , m_mechanism(mechanism, font, mechanismSize(content, font, page.width()))
+        , m_figure(figure, font, {static_cast<int>(page.width()), 1})
+    {
+        constexpr double kTallestFigure = 1.4; // widths
+        constexpr int kMechanismType = QTextFormat::UserObject;
+        constexpr int kFigureType = QTextFormat::UserObject + 1;
+        setText(m_document, font, reportHtml(content));
+        insertDrawing(m_document, kMechanismPlace, kMechanismType, m_mechanism);
+        insertDrawing(m_document, kFigurePlace, kFigureType, m_figure);
+        m_document.setPageSize(page);
+        Pages pages(m_document);
+        pages.fillPage(m_figure, kFigureType, static_cast<int>(kTallestFigure * page.width()));
+        pages.keepSectionsTogether();
+    }
+
+    /// Whether no line is wider than the page.
+    bool fits() const { return m_document.size().width() <= m_document.pageSize().width() + 0.5; }
+
+    /// Prints the pages with their numbers.
+    void print(QPdfWriter &writer, const QMarginsF &margins)
+    {
+        QPainter painter(&writer);
+        const QSizeF page = m_document.pageSize();
+        const int count = m_document.pageCount();
+        for (int i = 0; i < count; ++i) {
+            if (i > 0) {
+                writer.newPage();
+            }
+            // A line that begins exactly where the page ends belongs to the next page alone.
+            const QRectF shown(0.0, i * page.height(), page.width(), page.height() - 1.0);
+            painter.save();
+            painter.translate(margins.left(), margins.top() - shown.top());
+            painter.setClipRect(shown);
+            QAbstractTextDocumentLayout::PaintContext context;
+            context.clip = shown;
+            context.palette.setColor(QPalette::Text, Qt::black);
+            m_document.documentLayout()->draw(&painter, context);
+            painter.restore();
+            const QRectF footer(margins.left(), margins.top() + page.height(), page.width(), margins.bottom());
+            painter.setFont(m_font);
+            painter.setPen(QColor(0x50, 0x50, 0x50));
+            painter.drawText(footer, Qt::AlignRight | Qt::AlignTop,
+                             ReportLayout::tr("page %1 of %2").arg(i + 1).arg(count));
+        }
+    }
+
+private:
+    QFont m_font;
+    DrawingObject m_mechanism; ///< these outlive the document, which draws them
+    DrawingObject m_figure;
+    QTextDocument m_document;
+};
+
 } // namespace
 
-QString reportHtml(const ReportContent &content)
+PaperSize usualPaper()
 {
-    const Result &result = *content.result;
-    QString caption;
-    if (result.isCompared()) {
-        caption = result.reference ? Report::tr("Thin lines: the motion in the file.")
-                                   : Report::tr("Thin lines: the pinned mechanism.");
-    }
-    return element("h1", Report::tr("Motion of an offset slider-crank")) +
-           note(Report::tr("%1, by %2 %3")
-                    .arg(QLocale().toString(content.written, QLocale::LongFormat), QCoreApplication::applicationName(),
-                         QCoreApplication::applicationVersion())) +
-           QStringLiteral("<table width=100%><tr><td>%1</td><td align=right>[mechanism]%2</td></tr></table>")
-               .arg(parameterTable(content), note(caption)) +
-           heading(Report::tr("Motion limits")) + paragraph(mobilitySentence(result.mechanism, result.limits)) +
-           table(limitTable(motionFacts(result.mechanism, result.limits, result.sampling))) +
-           newPage(Report::tr("Motion")) + paragraph(pinnedText(result)) + "<p>[figure]</p>" +
-           (result.reference ? comparisonText(content) : QString()) + heading(Report::tr("Method")) +
-           paragraph(methodText(result));
+    return QLocale().measurementSystem() == QLocale::ImperialUSSystem ? PaperSize::Letter : PaperSize::A4;
 }
 
 std::optional<QString> exportReport(const QString &path, const ReportContent &content, const FigureDrawing &mechanism,
                                     const FigureDrawing &figure)
 {
-    constexpr double kTextWidth = 640.0; // A4 without margins of 2 cm, at 96 dots per inch
-    DrawingObject mechanismObject(mechanism, {560, 380}, 280.0);
-    DrawingObject figureObject(figure, {900, 1200}, kTextWidth);
-    QTextDocument document;
-    QFont font = QGuiApplication::font();
-    font.setPointSizeF(8.5);
-    document.setDefaultFont(font);
-    document.setDefaultStyleSheet(QStringLiteral(
-        "h1 {font-size: 17pt} h2 {font-size: 11pt} td, th {white-space: nowrap} .note {color: #505050}"));
-    document.setHtml(reportHtml(content));
-    insertDrawing(document, "[mechanism]", QTextFormat::UserObject, mechanismObject);
-    insertDrawing(document, "[figure]", QTextFormat::UserObject + 1, figureObject);
-
-    const auto print = [&document](QPdfWriter &writer) { document.print(&writer); };
-    return writeWhole(path, makePdf(QPageSize(QPageSize::A4), Report::tr("Motion of an offset slider-crank"), print));
+    constexpr double kMargin = 18.0 / kMmPerInch * kDotsPerInch; // px
+    constexpr double kFooter = 18.0;                             // px, above the lower margin
+    constexpr int kLargestLetters = 12;                          // px, 9 pt
+    constexpr int kSmallestLetters = 9;
+    const QPageSize paper(content.paper == PaperSize::A4 ? QPageSize::A4 : QPageSize::Letter);
+    const QSizeF page = paper.size(QPageSize::Point) * (kDotsPerInch / kPointsPerInch);
+    const QMarginsF margins(kMargin, kMargin, kMargin, kMargin);
+    const QSizeF text(page.width() - 2.0 * kMargin, page.height() - 2.0 * kMargin - kFooter);
+    const auto fill = [&](QPdfWriter &writer) {
+        writer.setPageMargins(QMarginsF());
+        for (int letters = kLargestLetters; letters >= kSmallestLetters; --letters) {
+            LaidOutReport report(content, letterFont(letters), text, mechanism, figure);
+            if (report.fits() || letters == kSmallestLetters) {
+                report.print(writer, margins);
+                return;
+            }
+        }
+    };
+    return writeWhole(path, makePdf(paper, ReportLayout::tr("Motion of an offset slider-crank"), fill));
 }
 
 } // namespace slidercrank

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Writes a report as PDF on A4. It contains the mechanism with its motion limits and its drawing, the plots, the errors
-// relative to a reference file with the mechanism found for this file, and the method of computation.
+// Writes a report as PDF on A4 or Letter: the mechanism with its drawing, the values at one crank angle, the motion
+// limits, the plots with the method of computation, and the comparison with a reference file or a pinned motion.
 
 #include "core/identification/diagnosis.h"
 #include "ui/document/result.h"
@@ -17,13 +17,30 @@
 namespace slidercrank
 {
 
+enum class PaperSize { A4, Letter };
+
+/// Returns the paper that is usual in the country of the locale.
+PaperSize usualPaper();
+
 struct ReportContent {
     std::shared_ptr<const Result> result; ///< not null
     Diagnosis diagnosis;                  ///< of the reference; unused without one
+    double time = 0.0;                    ///< s, at which the values are stated and the mechanism is drawn
+    PaperSize paper = PaperSize::A4;
     QDateTime written = QDateTime::currentDateTime();
 };
 
-/// Returns the report as HTML. The paragraphs "[mechanism]" and "[figure]" stand for the drawings.
+/// The paragraphs that stand for the drawings in the text of a report.
+inline constexpr const char *kMechanismPlace = "[mechanism]";
+inline constexpr const char *kFigurePlace = "[figure]";
+
+/// Whether the report states the mechanism that was found for the file, beside the parameters of the model.
+bool hasFoundMechanism(const ReportContent &content);
+
+/// Returns the table of the parameters of the model and of the mechanism found for the file, as HTML.
+QString parameterTable(const ReportContent &content);
+
+/// Returns the report as HTML. Each section begins with a heading.
 QString reportHtml(const ReportContent &content);
 
 /// Writes the report with these drawings, on white. Returns nullopt on success, else a message; an older file of that

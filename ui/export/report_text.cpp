@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/export/report.h"
+
+#include "ui/text/column_text.h"
+#include "ui/text/diagnosis_text.h"
+#include "ui/text/finding_text.h"
+#include "ui/text/motion_facts.h"
+#include "ui/text/written_number.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <algorithm>
+#include <vector>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+struct Report {
+    Q_DECLARE_TR_FUNCTIONS(slidercrank::Report)
+};
+
+constexpr int kDigits = 6; // of the values, enough for a calculation by hand
+
+QString element(const char *tag, const QString &text)
+{
+    return QStringLiteral("<%1>%2</%1>").arg(QLatin1String(tag), text.toHtmlEscaped().replace(u'\n', "<br>"));
+}
+
+QString heading(const QString &text)
+{
+    return element("h2", text);
+}
+
+/// Returns a paragraph in which no equation is broken at its sign.
+QString paragraph(QString text)
+{
+    return text.isEmpty() ? QString() : element("p", text.replace(" = ", "\u00a0=\u00a0"));
+}
+
+QString note(const QString &text)
+{
+    return text.isEmpty() ? QString() : QStringLiteral("<div class=note>%1</div>").arg(element("p", text));
+}
+
+/// Whether the last column of a table contains numbers or text.
+enum class LastColumn { Number, Text };
+
+/// Returns an HTML table. The first row is the header. The first column is aligned to the left, numbers to the right. Only
+/// headings and a last column of text are broken into lines.
+QString table(const std::vector<QStringList> &rows, LastColumn last = LastColumn::Number)
+{
+    QString html = "<table cellspacing=0 cellpadding=2>";
+    for (const QStringList &row : rows) {
+        html += "<tr>";
+        for (qsizetype i = 0; i < row.size(); ++i) {
+            const bool isText = last == LastColumn::Text && i + 1 == row.size();
+            html += QStringLiteral("<%1 class=%2 align=%3>%4</%1>")
+                        .arg(QLatin1String(&row == &rows.front() ? "th" : "td"),
+                             QLatin1String(isText ? "text" : "unbroken"),
+                             QLatin1String(isText || i == 0 ? "left" : "right"), row[i].toHtmlEscaped());
+        }
+        html += "</tr>";
+    }
+    return html + "</table>";
+}
+
+/// Returns the values of the plotted channels at the chosen time.
+QString valueTable(const ReportContent &content)
+{
+    const Result &result = *content.result;
+    const Trajectory values = sample(result.mechanism, std::vector{content.time}, plottedChannels(), result.solver);
+    std::vector<QStringList> rows{{QString(), Report::tr("coupler"), Report::tr("slider")},
+                                  {Report::tr("position")},
+                                  {Report::tr("velocity")},
+                                  {Report::tr("acceleration")}};
+    for (const Channel channel : kPlottedChannels) {
+        const double value = values[channel].front();
+        const QString unit = unitText(channel);
+        const QString space = unit.startsWith(u'°') ? QString() : QString(QChar::Nbsp);
+        rows[static_cast<std::size_t>(channel.order) + 1]
+            << QStringLiteral("%1 = %2%3%4").arg(symbolText(channel), shortNumber(value, kDigits), space, unit);
+    }
+    return table(rows);
+}
+
+QString crankText(const ReportContent &content)
+{
+    const Mechanism &mechanism = content.result->mechanism;
+    const double theta2 = mechanism.theta20() + mechanism.omega2() * content.time;
+    return QStringLiteral("θ₂ = %1°, t = %2 s")
+        .arg(fixedText(kDegreesPerRadian * theta2, 2), numberText(content.time));
+}
+
+QString pinnedText(const Result &result)
+{
+    QStringList motions;
+    for (const Parameters &pinned : result.pinned) {
+        motions << pinnedText(pinned, result.mechanism.parameters());
+    }
+    return motions.isEmpty() ? QString() : Report::tr("Thin curves: pinned motions, %1.").arg(motions.join(u", "));
+}
+
+/// Returns a table of errors, with the names of the quantities as in the window and, for a file, the verdicts in words.
+QString errorTable(const std::vector<ChannelComparison> &comparison, const ReferenceData *file)
+{
+    const bool isOverAngle = file && file->crank;
+    std::vector<QStringList> rows{{Report::tr("quantity"), Report::tr("largest error"),
+                                   isOverAngle ? Report::tr("at θ₂ [°]") : Report::tr("at t [s]"),
+                                   Report::tr("rms"), Report::tr("% of peak")}};
+    if (file) {
+        rows.front() << Report::tr("rounding step") << Report::tr("verdict");
+    }
+    for (const ChannelComparison &channel : comparison) {
+        const QString unit = QChar::Nbsp + unitText(channel.channel);
+        const double time = channel.timeOfMaxAbs;
+        const double place =
+            isOverAngle ? (file->crank->omega2 * time + file->crank->theta20) * kDegreesPerRadian : time;
+        rows.push_back({QStringLiteral("%1 %2").arg(quantityName(channel.channel), symbolText(channel.channel)),
+                        errorText(channel.maxAbs) + (channel.maxAbs ? unit : QString()),
+                        channel.maxAbs ? numberText(place) : dash(), errorText(channel.rms),
+                        errorText(channel.percentOfPeak)});
+        if (file) {
+            rows.back() << numberText(channel.roundingStep, 3) << verdictText(channel);
+        }
+    }
+    return table(rows, file ? LastColumn::Text : LastColumn::Number);
+}
+
+/// Returns the description of the reference: the files, and how their columns were interpreted.
+QString fileText(const Reference &reference)
+{
+    const ReferenceData &data = reference.data;
+    QString html =
+        paragraph(Report::tr("Reference: %1, %2, %3 rows.")
+                      .arg(displayName(reference.paths), abscissaText(data), QString::number(data.time.size())));
+    for (const QString &doubt : doubtTexts(data)) {
+        html += note(doubt);
+    }
+    return html;
+}
+
+/// Returns the section about the reference: the verdict, its cause, the mechanism found and the errors.
+QString comparisonText(const ReportContent &content)
+{
+    const Result &result = *content.result;
+    const Diagnosis &diagnosis = content.diagnosis;
+    QString html = heading(Report::tr("Errors: model against reference")) + fileText(*result.reference) +
+                   QStringLiteral("<b>%1</b>").arg(paragraph(summaryText(result.comparison)));
+    for (const QString &line : explanationLines(diagnosis, result.reference->data, result.mechanism)) {
+        html += paragraph(line);
+    }
+    if (hasFoundMechanism(content)) {
+        html += paragraph(roundNumbersText(diagnosis)) +
+                note(Report::tr("Found by weighted least squares; ± is one standard error."));
+    }
+    return html + errorTable(result.comparison, &result.reference->data) +
+           note(Report::tr("Rounding step: the distance of neighbouring numbers in the file, where it is largest."));
+}
+
+/// Returns the section about the difference from the motion that was pinned last.
+QString differenceText(const Result &result)
+{
+    const QString pinned = pinnedText(result.pinned.back(), result.mechanism.parameters());
+    return heading(Report::tr("Difference from the pinned motion")) +
+           paragraph(Report::tr("The model is compared with the pinned motion (%1).").arg(pinned)) +
+           errorTable(result.difference->channels, nullptr);
+}
+
+QString methodText(const Result &result)
+{
+    const NewtonOptions &newton = result.solver.newton;
+    const Sampling &sampling = result.sampling;
+    const SamplingSummary &summary = result.summary;
+    QString text;
+    if (result.solver.method == Method::ClosedForm) {
+        text = Report::tr("Closed form, exact to rounding.");
+    } else {
+        text =
+            Report::tr("Newton-Raphson in the 12 absolute coordinates: tolerance %1 (%2), at most %3 iterations per "
+                       "time step. Iterations: %4; largest residual: %5.")
+                .arg(numberText(newton.tolerance),
+                     newton.toleranceKind == ToleranceKind::Absolute ? Report::tr("absolute") : Report::tr("relative"),
+                     QString::number(newton.maxIterations), iterationsText(summary),
+                     numberText(summary.largestResidual, 2));
+    }
+    text +=
+        u' ' + Report::tr("%1 time steps from t = %2 s to %3 s, %4 of them solved.")
+                   .arg(QString::number(summary.timeSteps), numberText(sampling.start),
+                        numberText(sampling.start + sampling.duration), QString::number(summary.count(Status::Solved)));
+    return text + u' ' + fewSamplesSentence(result.mechanism, sampling);
+}
+
+} // namespace
+
+bool hasFoundMechanism(const ReportContent &content)
+{
+    return content.result->reference && content.diagnosis.identification.hasMechanism();
+}
+
+QString parameterTable(const ReportContent &content)
+{
+    const Parameters &model = content.result->mechanism.parameters();
+    const Identification &found = content.diagnosis.identification;
+    std::vector<QStringList> rows{{QString(), Report::tr("model")}};
+    for (const Parameter parameter : kAllParameters) {
+        rows.push_back({QStringLiteral("%1, %2").arg(symbolText(parameter), parameterName(parameter)),
+                        parameterText(parameter, valueOf(model, parameter))});
+    }
+    rows.push_back({Report::tr("assembly"), assemblyText(model.branch)});
+    if (hasFoundMechanism(content)) {
+        rows.front() << (found.outcome == Identification::Outcome::Identified ? Report::tr("found in the file")
+                                                                              : Report::tr("one of those found"));
+        for (std::size_t i = 0; i < kAllParameters.size(); ++i) {
+            rows[i + 1] << measuredText(kAllParameters[i], found);
+        }
+        rows.back() << assemblyText(found.parameters.branch);
+    }
+    return table(rows);
+}
+
+QString reportHtml(const ReportContent &content)
+{
+    const Result &result = *content.result;
+    const QString beside = "<table width=100%><tr><td>%1</td><td align=right>%2</td></tr></table>";
+    const QString below = "%1<p>%2</p>"; // the table is wide
+    QString caption = Report::tr("The mechanism at %1.").arg(crankText(content));
+    if (result.isCompared()) {
+        caption += u' ' + (result.reference ? Report::tr("Thin lines: the motion in the file.")
+                                            : Report::tr("Thin lines: the pinned mechanism."));
+    }
+    const QString comparison = result.reference    ? comparisonText(content)
+                               : result.difference ? differenceText(result)
+                                                   : QString();
+    return element("h1", Report::tr("Motion of an offset slider-crank")) +
+           note(Report::tr("%1, by %2 %3")
+                    .arg(QLocale().toString(content.written.toLocalTime(), Report::tr("d MMMM yyyy, HH:mm")),
+                         QCoreApplication::applicationName(), QCoreApplication::applicationVersion())) +
+           (hasFoundMechanism(content) ? below : beside).arg(parameterTable(content), kMechanismPlace) +
+           note(caption) +
+           heading(Report::tr("Values at %1").arg(crankText(content))) + valueTable(content) +
+           heading(Report::tr("Motion limits")) + paragraph(mobilitySentence(result.mechanism, result.limits)) +
+           table(limitTable(motionFacts(result.mechanism, result.limits, result.sampling))) +
+           heading(Report::tr("Motion")) + paragraph(pinnedText(result)) + QStringLiteral("<p>%1</p>").arg(kFigurePlace) +
+           heading(Report::tr("Method")) + paragraph(methodText(result)) + comparison;
+}
+
+} // namespace slidercrank
