@@ -176,8 +176,17 @@ public:
                "theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, "
                "error_acceleration (figure)")},
           {"render", "size", "WxH",
-           QT_TR_NOOP("pixels (figure 1400x1800, mechanism and frames 900x700, plot 900x600)")},
-          {"render", "scale", "FACTOR", QT_TR_NOOP("pixels of a PNG per pixel of --size, 0.1 to 10 (1)")},
+           QT_TR_NOOP("pixels of a picture, instead of --width (frames: 1920x1080)")},
+          {"render", "scale", "FACTOR", QT_TR_NOOP("factor of the number of pixels of a PNG, 0.1 to 10 (1)")},
+          {"render", "width", "WIDTH",
+           QT_TR_NOOP("width of a picture in mm or px, such as 85mm or 1200px; the height follows (160mm, at 300 dots "
+                      "per inch)")},
+          {"render", "font-size", "SIZE", QT_TR_NOOP("size of the letters in a picture, such as 10pt (9pt)")},
+          {"render", "plots", "NAMES",
+           QT_TR_NOOP("the plots of the figure, separated by commas: channels, error_position, error_velocity, "
+                      "error_acceleration (all)")},
+          {"render", "no-cursor", nullptr, QT_TR_NOOP("do not write the values at the time of --at in the plots")},
+          {"render", "paper", "a4|letter", QT_TR_NOOP("paper of a report (a4)")},
           {"render", "theme", "light|dark", QT_TR_NOOP("colours (light)")},
           {"render", "speed", "FACTOR",
            QT_TR_NOOP("for frames (30 per second): seconds of motion per second of playback (1)")},

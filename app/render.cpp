@@ -22,7 +22,9 @@
 #include <QRegularExpression>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
+#include <utility>
 
 namespace slidercrank
 {
@@ -34,44 +36,111 @@ enum class Subject { Figure, Mechanism, Report, Frames, Plot };
 
 struct RenderRequest {
     Subject subject = Subject::Figure;
-    QString plot;        ///< for Subject::Plot: its name in PlotGrid; empty: all plots
+    FigureOptions figure;           ///< of pictures
+    std::optional<FigureSize> size; ///< by --size; otherwise figure.width decides
+    double scale = 1.0;
     Scene scene;         ///< the settings and the time that is drawn
-    Animation animation; ///< for Subject::Frames; its size is that of every picture
+    Animation animation; ///< for Subject::Frames
+    PaperSize paper = PaperSize::A4;
     Theme theme = Theme::Light;
     QString output;
 };
 
-/// Reads --what.
+/// Returns the names of the plots: "theta3", …, "error_acceleration".
+QStringList namesOfPlots()
+{
+    QStringList names;
+    for (const QString &name : PlotGrid::plotNames()) {
+        names << name.mid(static_cast<int>(QStringLiteral("plot_").size()));
+    }
+    return names;
+}
+
+/// Reads --what, --plots and --no-cursor.
 void readSubject(const OptionReader &options, RenderRequest &request)
 {
     QStringList names{"figure", "mechanism", "report", "frames"};
     const qsizetype firstPlot = names.size();
-    for (const Channel channel : kPlottedChannels) {
-        names += columnName(channel);
-    }
-    names += {"error_position", "error_velocity", "error_acceleration"};
+    names += namesOfPlots();
     const qsizetype index = options.has("what") ? indexAmong(names, options.text("what"), "what") : 0;
     request.subject = static_cast<Subject>(std::min(index, firstPlot));
-    request.plot = index < firstPlot ? QString() : "plot_" + names[index];
-    constexpr std::array kSizes{QSize(1400, 1800), QSize(900, 700), QSize(), QSize(900, 700),
-                                QSize(900, 600)}; // by Subject
-    request.animation.size.size = kSizes[static_cast<std::size_t>(request.subject)];
+    QStringList plots = index < firstPlot ? QStringList() : QStringList(names[index]);
+    if (options.has("plots")) {
+        if (request.subject != Subject::Figure) {
+            throw UsageError{CommandLine::tr("--plots chooses among the plots of the figure: use it without --what.")};
+        }
+        plots = options.text("plots").split(',');
+    }
+    for (const QString &plot : plots) {
+        indexAmong(namesOfPlots(), plot, "plots"); // throws if it is not among them
+        request.figure.plots << "plot_" + plot;
+    }
+    request.figure.plots.removeDuplicates();
+    request.figure.showsCursor = !options.has("no-cursor");
+}
+
+/// Reads a number that ends in one of these units, and returns the number and the unit. Throws if it is neither.
+std::pair<double, QString> readLength(const OptionReader &options, const char *name, const QStringList &units)
+{
+    const QString text = options.text(name);
+    for (const QString &unit : units) {
+        bool isNumber = false;
+        const double value = text.chopped(std::min(text.size(), unit.size())).trimmed().toDouble(&isNumber);
+        if (text.endsWith(unit) && isNumber) {
+            return {value, unit};
+        }
+    }
+    throw UsageError{CommandLine::tr("--%1 must be a number with the unit %2, not \"%3\".")
+                         .arg(name, anyOf(units), text)};
+}
+
+void checkRange(const char *name, double value, double smallest, double largest, const QString &unit)
+{
+    if (!(value >= smallest && value <= largest)) {
+        throw UsageError{CommandLine::tr("--%1 must be from %2 to %3 %4.")
+                             .arg(name, typedNumberText(smallest), typedNumberText(largest), unit)};
+    }
+}
+
+/// Reads --width and --font-size.
+void readFigure(const OptionReader &options, FigureOptions &figure)
+{
+    if (options.has("width")) {
+        const auto [width, unit] = readLength(options, "width", {"mm", "px"});
+        const bool isInPixels = unit == u"px";
+        checkRange("width", width, isInPixels ? kSmallestPicture : kSmallestFigure,
+                   isInPixels ? kLargestPicture : kLargestFigure, unit);
+        figure.width = width;
+        figure.unit = isInPixels ? FigureOptions::Unit::Pixel : FigureOptions::Unit::Millimetre;
+    }
+    if (options.has("font-size")) {
+        const auto [size, unit] = readLength(options, "font-size", {"pt"});
+        checkRange("font-size", size, kSmallestFont, kLargestFont, unit);
+        figure.fontSize = size;
+    }
 }
 
 /// Reads --size and --scale.
-void readSize(const OptionReader &options, FigureSize &size)
+void readSize(const OptionReader &options, RenderRequest &request)
 {
     constexpr int kLargestSide = 20'000; // pixels
-    if (options.has("size")) {
-        const QStringList sides = options.text("size").split('x');
-        size.size = sides.size() == 2 ? QSize(sides[0].toInt(), sides[1].toInt()) : QSize();
+    request.scale = options.number("scale", 1.0, {}, 0.1, 10.0);
+    if (!options.has("size")) {
+        return;
     }
-    size.scale = options.number("scale", 1.0, {}, 0.1, 10.0);
-    const auto [shorter, longer] = std::minmax({size.size.width(), size.size.height()});
-    if (shorter < 100 || size.scale * longer > kLargestSide) {
+    options.refuse({"width"}, CommandLine::tr("--size and %1 both state the width: remove one of them."));
+    const QStringList sides = options.text("size").split('x');
+    const QSize size = sides.size() == 2 ? QSize(sides[0].toInt(), sides[1].toInt()) : QSize();
+    const auto [shorter, longer] = std::minmax({size.width(), size.height()});
+    if (shorter < 100 || request.scale * longer > kLargestSide) {
         throw UsageError{CommandLine::tr("--size must be width x height in pixels, such as 900x600, each at least 100, "
                                          "and at most %1 when multiplied by --scale, not \"%2\".")
                              .arg(QString::number(kLargestSide), options.text("size"))};
+    }
+    request.size = FigureSize{size, request.scale};
+    if (options.has("font-size")) {
+        request.size->fontPixels =
+            std::max(1, static_cast<int>(std::lround(request.figure.fontSize / kPointsPerInch * kDotsPerInch)));
     }
 }
 
@@ -124,6 +193,29 @@ void readTime(const OptionReader &options, RenderRequest &request)
     }
 }
 
+/// Reads the options about the size and the paper, and refuses those that do not suit the subject.
+void readPicture(const OptionReader &options, RenderRequest &request)
+{
+    const bool isReport = request.subject == Subject::Report;
+    const bool isFrames = request.subject == Subject::Frames;
+    if (isReport) {
+        options.refuse({"size", "scale", "theme", "width", "font-size", "no-cursor"},
+                       CommandLine::tr("A report has a fixed layout, black on white: remove %1."));
+    } else {
+        options.refuse({"paper"}, CommandLine::tr("Only a report has a paper size: remove %1."));
+    }
+    if (isFrames) {
+        options.refuse({"width", "font-size", "no-cursor"}, CommandLine::tr("Frames have a --size: remove %1."));
+    }
+    request.paper = options.choice("paper", PaperSize::A4);
+    readFigure(options, request.figure);
+    readSize(options, request);
+    request.animation.size = request.size.value_or(videoSize({1920, 1080}));
+    if (isFrames && !request.size) {
+        request.animation.size.scale *= request.scale;
+    }
+}
+
 RenderRequest readRequest(const OptionReader &options)
 {
     RenderRequest request;
@@ -137,15 +229,24 @@ RenderRequest readRequest(const OptionReader &options)
         request.scene.reference = ReferenceSource{files, {}, {}};
     }
     request.theme = options.word("theme", "light") == u"light" ? Theme::Light : Theme::Dark;
-    if (request.subject == Subject::Report) {
-        options.refuse({"size", "scale", "theme"},
-                       CommandLine::tr("A report is printed on A4, black on white: remove %1."));
-    } else {
-        readSize(options, request.animation.size);
-    }
+    readPicture(options, request);
     readTime(options, request);
     options.refuseFiles();
     return request;
+}
+
+/// Returns the plots that are drawn. The values are written at the time that --at or a scene states.
+FigureContent contentOf(const RenderRequest &request)
+{
+    FigureContent content;
+    for (const QString &plot : request.figure.plots) {
+        content.plots.push_back(static_cast<std::size_t>(PlotGrid::plotNames().indexOf(plot)));
+    }
+    const Scene &scene = request.scene;
+    if (request.figure.showsCursor && scene.time != scene.sampling.start && request.subject != Subject::Report) {
+        content.cursorTime = scene.time;
+    }
+    return content;
 }
 
 /// Draws the subject into the file, by the plots and the drawing of the window. Returns a sentence if that fails.
@@ -154,7 +255,7 @@ std::optional<QString> draw(const RenderRequest &request, const std::shared_ptr<
     const Scene &scene = request.scene;
     const QPalette palette = paletteFor(request.theme);
     const bool showsMechanism = request.subject != Subject::Figure && request.subject != Subject::Plot;
-    ReportContent content{.result = result, .diagnosis = {}};
+    ReportContent content{.result = result, .diagnosis = {}, .time = scene.time, .paper = request.paper};
     if (result->reference && showsMechanism) {
         content.diagnosis = diagnose(result->reference->data, result->mechanism);
     }
@@ -162,9 +263,6 @@ std::optional<QString> draw(const RenderRequest &request, const std::shared_ptr<
     plots.setSettings(scene.plots);
     plots.setResult(result);
     plots.setZoom(scene.zoom);
-    if (scene.time != scene.sampling.start) {
-        plots.markTime(scene.time);
-    }
     MechanismView mechanism;
     mechanism.setResult(result);
     mechanism.setSettings(scene.mechanism);
@@ -179,19 +277,32 @@ std::optional<QString> draw(const RenderRequest &request, const std::shared_ptr<
     const FigureDrawing drawMechanism = [&](QPainter &painter, const QSize &size) {
         drawFrame(painter, size, scene.time);
     };
+    const FigureContent figure = contentOf(request);
     const FigureDrawing drawFigure = [&](QPainter &painter, const QSize &size) {
-        plots.paintFigure(painter, request.plot, size, palette);
+        plots.paintFigure(painter, figure, size, palette);
     };
-    const auto write = [&](const FigureDrawing &drawing) {
-        return exportFigure(request.output, request.animation.size, CommandLine::tr("Motion of an offset slider-crank"),
+    const auto write = [&](const FigureDrawing &drawing, const FigureHeight &height) {
+        FigureSize size = request.size.value_or(FigureSize());
+        if (!request.size) {
+            size = figureSize(request.figure, withParameters(height, result->mechanism));
+            size.scale *= request.scale;
+        }
+        return exportFigure(request.output, size, CommandLine::tr("Motion of an offset slider-crank"),
                             withParameters(drawing, result->mechanism, palette));
     };
     switch (request.subject) {
     case Subject::Figure:
-    case Subject::Plot: return write(drawFigure);
-    case Subject::Mechanism: return write(drawMechanism);
-    case Subject::Frames:
-        return exportAnimation(request.output, request.animation, drawFrame, [](int) { return true; });
+    case Subject::Plot:
+        return write(drawFigure, [&](int width, const QFont &font) { return plots.figureHeight(figure, width, font); });
+    case Subject::Mechanism:
+        return write(drawMechanism, [&](int width, const QFont &) { return mechanism.pictureHeight(width); });
+    case Subject::Frames: {
+        const auto drawWithParameters = [&](QPainter &painter, const QSize &size, double time) {
+            const auto paint = [&](QPainter &target, const QSize &part) { drawFrame(target, part, time); };
+            withParameters(FigureDrawing(paint), result->mechanism, palette)(painter, size);
+        };
+        return exportAnimation(request.output, request.animation, drawWithParameters, [](int) { return true; });
+    }
     case Subject::Report: return exportReport(request.output, content, drawMechanism, drawFigure);
     }
     return std::nullopt;

@@ -62,6 +62,10 @@
         <source> s of the motion</source>
         <translation> s del movimiento</translation>
     </message>
+    <message>
+        <source>Videos need the program ffmpeg, which is not installed. Without it, the frames are written as pictures.</source>
+        <translation>Los vídeos requieren el programa ffmpeg, que no está instalado. Sin él, los fotogramas se guardan como imágenes.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::BackgroundTask</name>
@@ -566,10 +570,6 @@
         <translation>Movimiento de un mecanismo biela-manivela descentrado</translation>
     </message>
     <message>
-        <source>pixels (figure 1400x1800, mechanism and frames 900x700, plot 900x600)</source>
-        <translation>píxeles (figure 1400x1800, mechanism y frames 900x700, una gráfica 900x600)</translation>
-    </message>
-    <message>
         <source>There would be more than %1 frames: choose a shorter --duration or a greater --speed.</source>
         <translation>Habría más de %1 fotogramas: elija una --duration menor o una --speed mayor.</translation>
     </message>
@@ -754,10 +754,6 @@
         <translation>figure (todas las gráficas), mechanism, frames (el mecanismo en movimiento), report, o una gráfica: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</translation>
     </message>
     <message>
-        <source>pixels of a PNG per pixel of --size, 0.1 to 10 (1)</source>
-        <translation>píxeles de un PNG por píxel de --size, de 0.1 a 10 (1)</translation>
-    </message>
-    <message>
         <source>required: a name that ends in .png, .svg or .pdf; for frames the name of a new folder, or of a video that ends in .mp4, .webm or .gif (needs ffmpeg)</source>
         <translation>necesario: un nombre que termine en .png, .svg o .pdf; para frames el nombre de una carpeta nueva, o de un vídeo que termine en .mp4, .webm o .gif (necesita ffmpeg)</translation>
     </message>
@@ -780,10 +776,6 @@
     <message>
         <source>t = %1 s lies outside the time range from %2 s to %3 s: choose another time, or another --start or --duration.</source>
         <translation>t = %1 s está fuera del intervalo de %2 s a %3 s: elija otro instante, u otro --start u otra --duration.</translation>
-    </message>
-    <message>
-        <source>A report is printed on A4, black on white: remove %1.</source>
-        <translation>Un informe se imprime en A4, negro sobre blanco: quite %1.</translation>
     </message>
     <message>
         <source>--step-angle must divide 360° into equal steps, such as 15 or 0.5, not %1.</source>
@@ -1102,6 +1094,60 @@ Equipo: %1. Tiempo: %2 s.
     <message>
         <source>unit of the lengths in the output (mm)</source>
         <translation>unidad de las longitudes en la salida (mm)</translation>
+        <source>factor of the number of pixels of a PNG, 0.1 to 10 (1)</source>
+        <translation>factor del número de píxeles de un PNG, de 0.1 a 10 (1)</translation>
+    </message>
+    <message>
+        <source>width of a picture in mm or px, such as 85mm or 1200px; the height follows (160mm, at 300 dots per inch)</source>
+        <translation>ancho de la imagen en mm o px, por ejemplo 85mm o 1200px; la altura resulta del contenido (160mm, a 300 puntos por pulgada)</translation>
+    </message>
+    <message>
+        <source>size of the letters in a picture, such as 10pt (9pt)</source>
+        <translation>tamaño de letra de la imagen, por ejemplo 10pt (9pt)</translation>
+    </message>
+    <message>
+        <source>the plots of the figure, separated by commas: channels, error_position, error_velocity, error_acceleration (all)</source>
+        <translation>las gráficas de la figura, separadas por comas: canales, error_position, error_velocity, error_acceleration (todas)</translation>
+    </message>
+    <message>
+        <source>do not write the values at the time of --at in the plots</source>
+        <translation>no escribir en las gráficas los valores en el instante de --at</translation>
+    </message>
+    <message>
+        <source>paper of a report (a4)</source>
+        <translation>papel del informe (a4)</translation>
+    </message>
+    <message>
+        <source>--plots chooses among the plots of the figure: use it without --what.</source>
+        <translation>--plots elige entre las gráficas de la figura: utilícela sin --what.</translation>
+    </message>
+    <message>
+        <source>--%1 must be a number with the unit %2, not &quot;%3&quot;.</source>
+        <translation>--%1 debe ser un número con la unidad %2, no &quot;%3&quot;.</translation>
+    </message>
+    <message>
+        <source>--%1 must be from %2 to %3 %4.</source>
+        <translation>--%1 debe estar entre %2 y %3 %4.</translation>
+    </message>
+    <message>
+        <source>--size and %1 both state the width: remove one of them.</source>
+        <translation>--size y %1 indican el ancho: elimine una de las dos.</translation>
+    </message>
+    <message>
+        <source>A report has a fixed layout, black on white: remove %1.</source>
+        <translation>El informe tiene un formato fijo, negro sobre blanco: elimine %1.</translation>
+    </message>
+    <message>
+        <source>Only a report has a paper size: remove %1.</source>
+        <translation>Solo el informe tiene tamaño de papel: elimine %1.</translation>
+    </message>
+    <message>
+        <source>Frames have a --size: remove %1.</source>
+        <translation>El tamaño de los fotogramas se indica con --size: elimine %1.</translation>
+    </message>
+    <message>
+        <source>pixels of a picture, instead of --width (frames: 1920x1080)</source>
+        <translation>píxeles de la imagen, en lugar de --width (fotogramas: 1920x1080)</translation>
     </message>
 </context>
 <context>
@@ -1583,14 +1629,6 @@ difiere: lo demás</translation>
 <context>
     <name>slidercrank::Exports</name>
     <message>
-        <source>Export</source>
-        <translation>Exportar</translation>
-    </message>
-    <message>
-        <source>Motion of an offset slider-crank</source>
-        <translation>Movimiento de un mecanismo biela-manivela descentrado</translation>
-    </message>
-    <message>
         <source>The six channels of the plots (*.csv)</source>
         <translation>Los seis canales de las gráficas (*.csv)</translation>
     </message>
@@ -1605,10 +1643,6 @@ difiere: lo demás</translation>
     <message>
         <source>Export report</source>
         <translation>Exportar informe</translation>
-    </message>
-    <message>
-        <source>Reports (*.pdf)</source>
-        <translation>Informes (*.pdf)</translation>
     </message>
     <message>
         <source>Export animation</source>
@@ -1674,6 +1708,14 @@ difiere: lo demás</translation>
         <source>No report was written: the mechanism of the file is still being identified. Export it again in a moment.</source>
         <translation>No se escribió el informe: todavía se está identificando el mecanismo del archivo. Expórtelo de nuevo dentro de un momento.</translation>
     </message>
+    <message>
+        <source>Reports on A4 (*.pdf)</source>
+        <translation>Informes en A4 (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Reports on Letter (*.pdf)</source>
+        <translation>Informes en tamaño carta (*.pdf)</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::FigureExportText</name>
@@ -1684,6 +1726,73 @@ difiere: lo demás</translation>
     <message>
         <source>A figure of %1 × %2 pixels at scale %3 is too small or too large: choose another size or scale.</source>
         <translation>Una figura de %1 × %2 píxeles a escala %3 es demasiado pequeña o demasiado grande: elija otro tamaño u otra escala.</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::FigureForm</name>
+    <message>
+        <source>Motion of an offset slider-crank</source>
+        <translation>Movimiento de un mecanismo biela-manivela descentrado</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
+    </message>
+    <message>
+        <source>&amp;Values at the current time</source>
+        <translation>&amp;Valores en el instante actual</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>Unit of the width</source>
+        <translation>Unidad del ancho</translation>
+    </message>
+    <message>
+        <source> pt</source>
+        <translation> pt</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vista previa</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportar…</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>&amp;Ancho</translation>
+    </message>
+    <message>
+        <source>&amp;Font size</source>
+        <translation>&amp;Tamaño de letra</translation>
+    </message>
+    <message>
+        <source>F&amp;ormat</source>
+        <translation>F&amp;ormato</translation>
+    </message>
+    <message>
+        <source>Choose a width from %1 mm to %2 mm, or from %3 px to %4 px.</source>
+        <translation>Elija un ancho de %1 mm a %2 mm, o de %3 px a %4 px.</translation>
+    </message>
+    <message>
+        <source>Choose a plot.</source>
+        <translation>Elija una gráfica.</translation>
+    </message>
+    <message>
+        <source>%1 × %2 px</source>
+        <translation>%1 × %2 px</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm</source>
+        <translation>%1 × %2 mm</translation>
     </message>
 </context>
 <context>
@@ -2047,6 +2156,16 @@ PA = %3 mm, PB = %4 mm</translation>
     <message>
         <source>mm</source>
         <translation>mm</translation>
+    </message>
+    <message>
+        <source>outer</source>
+        <comment>dead centre</comment>
+        <translation>exterior</translation>
+    </message>
+    <message>
+        <source>inner</source>
+        <comment>dead centre</comment>
+        <translation>interior</translation>
     </message>
 </context>
 <context>
@@ -2997,14 +3116,6 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>error de la corredera</translation>
     </message>
     <message>
-        <source>difference of the coupler</source>
-        <translation>diferencia de la biela</translation>
-    </message>
-    <message>
-        <source>difference of the slider</source>
-        <translation>diferencia de la corredera</translation>
-    </message>
-    <message>
         <source>undefined: the reference is 0</source>
         <translation>sin definir: la referencia es 0</translation>
     </message>
@@ -3019,6 +3130,18 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     <message>
         <source>no time step is solved</source>
         <translation>no se resuelve ningún instante</translation>
+    </message>
+    <message>
+        <source>difference of the coupler from %1</source>
+        <translation>diferencia de la biela respecto a %1</translation>
+    </message>
+    <message>
+        <source>difference of the slider from %1</source>
+        <translation>diferencia de la corredera respecto a %1</translation>
+    </message>
+    <message>
+        <source>difference from %1</source>
+        <translation>diferencia respecto a %1</translation>
     </message>
 </context>
 <context>
@@ -3438,10 +3561,6 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>Referencia: %1, %2, %3 filas.</translation>
     </message>
     <message>
-        <source>Largest %: max |model − reference| / |reference| · 100 where the reference is not zero. Rounding step: the distance of neighbouring numbers in the file, where it is largest.</source>
-        <translation>% máximo: máx |modelo − referencia| / |referencia| · 100 donde la referencia no es cero. Paso de redondeo: la distancia entre números contiguos del archivo, donde es mayor.</translation>
-    </message>
-    <message>
         <source>Closed form, exact to rounding.</source>
         <translation>Forma cerrada, exacta salvo redondeo.</translation>
     </message>
@@ -3476,6 +3595,93 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     <message>
         <source>Thin lines: the pinned mechanism.</source>
         <translation>Líneas finas: el mecanismo fijado.</translation>
+    </message>
+    <message>
+        <source>coupler</source>
+        <translation>biela</translation>
+    </message>
+    <message>
+        <source>slider</source>
+        <translation>corredera</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>posición</translation>
+    </message>
+    <message>
+        <source>velocity</source>
+        <translation>velocidad</translation>
+    </message>
+    <message>
+        <source>acceleration</source>
+        <translation>aceleración</translation>
+    </message>
+    <message>
+        <source>quantity</source>
+        <translation>magnitud</translation>
+    </message>
+    <message>
+        <source>largest error</source>
+        <translation>error máximo</translation>
+    </message>
+    <message>
+        <source>at θ₂ [°]</source>
+        <translation>en θ₂ [°]</translation>
+    </message>
+    <message>
+        <source>at t [s]</source>
+        <translation>en t [s]</translation>
+    </message>
+    <message>
+        <source>rms</source>
+        <translation>rms</translation>
+    </message>
+    <message>
+        <source>% of peak</source>
+        <translation>% del máximo</translation>
+    </message>
+    <message>
+        <source>rounding step</source>
+        <translation>redondeo</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>veredicto</translation>
+    </message>
+    <message>
+        <source>Rounding step: the distance of neighbouring numbers in the file, where it is largest.</source>
+        <translation>Redondeo: la distancia entre números consecutivos del archivo, donde es mayor.</translation>
+    </message>
+    <message>
+        <source>Difference from the pinned motion</source>
+        <translation>Diferencia respecto al movimiento fijado</translation>
+    </message>
+    <message>
+        <source>The model is compared with the pinned motion (%1).</source>
+        <translation>El modelo se compara con el movimiento fijado (%1).</translation>
+    </message>
+    <message>
+        <source>The mechanism at %1.</source>
+        <translation>El mecanismo en %1.</translation>
+    </message>
+    <message>
+        <source>d MMMM yyyy, HH:mm</source>
+        <translation>d &apos;de&apos; MMMM &apos;de&apos; yyyy, HH:mm</translation>
+    </message>
+    <message>
+        <source>Values at %1</source>
+        <translation>Valores en %1</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::ReportLayout</name>
+    <message>
+        <source>page %1 of %2</source>
+        <translation>página %1 de %2</translation>
+    </message>
+    <message>
+        <source>Motion of an offset slider-crank</source>
+        <translation>Movimiento de un mecanismo biela-manivela descentrado</translation>
     </message>
 </context>
 <context>

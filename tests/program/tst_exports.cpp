@@ -235,8 +235,6 @@ private slots:
         auto *plots = m_window->findChild<PlotGrid *>();
         m_window->openReference(kSample);
         AWAIT(m_window->session().diagnosis());
-        m_window->resize(1800, 1000); // wide enough for the explanations in the titles
-        settle(*m_window);
         plots->setZoom(closeZoom());
         const QString scene = m_folder->filePath(QStringLiteral("scene.json"));
         QVERIFY(m_window->scene().saveTo(scene));
@@ -245,27 +243,30 @@ private slots:
         StudyPanel panel(&m_window->session());
         panel.setResult(studyOfATurn());
         Exports &exports = m_window->exports();
+        FigureOptions wide; // wide enough for the explanations in the titles
+        wide.width = 1800.0;
+        wide.unit = FigureOptions::Unit::Pixel;
+        const auto writeTo = [&](const QString &path, const FigureSubject &figure) {
+            exports.write(figure, wide, path);
+            return figureSize(wide, figure.height(wide));
+        };
         const auto exportTo = [&](const QString &path, PictureSubject subject) {
             switch (subject) {
-            case PictureSubject::Figure: exports.write(exports.plot(), path); return plots->size();
+            case PictureSubject::Figure: return writeTo(path, exports.plot());
             case PictureSubject::Plot:
-            case PictureSubject::Errors:
-                exports.write(exports.plot("plot_" + describe(subject).renderName), path);
-                return QSize(900, 600);
-            case PictureSubject::Mechanism:
-                exports.write(exports.mechanism(), path);
-                return m_window->findChild<MechanismView *>()->pictureSize();
-            case PictureSubject::Study: panel.exportTo(path); return QSize(900, 600);
+            case PictureSubject::Errors: return writeTo(path, exports.plot("plot_" + describe(subject).renderName));
+            case PictureSubject::Mechanism: return writeTo(path, exports.mechanism());
+            case PictureSubject::Study: panel.exportTo(path); return FigureSize{QSize(900, 600), 2.0};
             }
-            return QSize();
+            return FigureSize();
         };
         for (const auto subject : {PictureSubject::Figure, PictureSubject::Plot, PictureSubject::Errors,
                                    PictureSubject::Mechanism, PictureSubject::Study}) {
             const QString name = describe(subject).renderName;
             for (const char *suffix : {"png", "svg", "pdf"}) {
                 const QString path = m_folder->filePath(QStringLiteral("%1.%2").arg(describe(subject).name, suffix));
-                const QSize size = exportTo(path, subject);
-                QString fault = pictureFault(path, subject, size, 2.0);
+                const FigureSize size = exportTo(path, subject);
+                QString fault = pictureFault(path, subject, size.size, size.scale);
                 QVERIFY2(fault.isEmpty(), qPrintable(path + u' ' + fault));
                 if (name.isEmpty()) {
                     continue;
@@ -325,7 +326,7 @@ private slots:
                 QVERIFY(!picture.isNull() && !isBlank(picture));
             }
             const QString text = QString::fromUtf8(outputOf(QStringLiteral("pdftotext"), {report, "-"}));
-            for (const char *word : {"inventor_sample.csv", "theta3 [°]", "[mm/s²]", "Method"}) {
+            for (const char *word : {"inventor_sample.csv", "coupler angle θ³", "mm/s²", "Method", "page 3 of 3"}) {
                 QVERIFY2(text.contains(QString::fromUtf8(word)), qPrintable(QString::fromUtf8(word) + text));
             }
         }
@@ -333,15 +334,12 @@ private slots:
 
     void figurePlotAndMechanismAreCopied()
     {
-        const std::pair<const char *, QSize> copies[] = {
-            // sizes before the message bar appears
-            {"Copy figure", m_window->findChild<PlotGrid *>()->size()},
-            {"Copy mechanism", m_window->findChild<MechanismView *>()->pictureSize()}};
-        for (const auto &[name, size] : copies) {
+        constexpr int kWidth = 1890; // 160 mm at 300 dots per inch
+        for (const char *name : {"Copy figure", "Copy mechanism"}) {
             QAction *action = actionNamed(*m_window, QLatin1String(name));
             QVERIFY2(action, name);
             action->trigger();
-            QCOMPARE(QGuiApplication::clipboard()->image().size(), size * 2);
+            QCOMPARE(QGuiApplication::clipboard()->image().width(), kWidth);
             QVERIFY2(messageText(*m_messages).contains(QStringLiteral("in the clipboard")),
                      qPrintable(messageText(*m_messages)));
         }
@@ -349,7 +347,7 @@ private slots:
         for (const QString &name : PlotGrid::plotNames()) {
             emit m_window->findChild<PlotGrid *>()->copyPlotRequested(name); // from the plot's menu
             const QImage image = QGuiApplication::clipboard()->image();
-            QCOMPARE(image.size(), QSize(1800, 1200));
+            QCOMPARE(image.width(), kWidth);
             QVERIFY(image != before);
             before = image;
         }

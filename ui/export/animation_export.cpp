@@ -31,7 +31,7 @@ Problem findFault(const QString &path)
 {
     const QFileInfo target(path);
     if (isVideo(path)) {
-        return QStandardPaths::findExecutable("ffmpeg").isEmpty()
+        return !hasVideoEncoder()
                    ? Problem(AnimationExport::tr(
                                  "%1: a video needs the program ffmpeg, which is not installed. Install it (Debian, "
                                  "Ubuntu: sudo apt install ffmpeg; Windows: winget install ffmpeg; macOS: brew install "
@@ -109,6 +109,21 @@ int Animation::frameCount() const
 double Animation::timeOfFrame(int frame) const
 {
     return start + duration * frame / frameCount();
+}
+
+FigureSize videoSize(const QSize &pixels)
+{
+    constexpr int kLinesPerScale = 540;
+    int scale = std::max(1, pixels.height() / kLinesPerScale);
+    while (pixels.width() % scale != 0 || pixels.height() % scale != 0) {
+        --scale; // so that the frames have exactly these pixels
+    }
+    return {pixels / scale, static_cast<double>(scale)};
+}
+
+bool hasVideoEncoder()
+{
+    return !QStandardPaths::findExecutable("ffmpeg").isEmpty();
 }
 
 bool isVideo(const QString &path)

@@ -24,17 +24,26 @@ struct Animation {
     int framesPerSecond = 30;
     FigureSize size;
 
+    QSize pixels() const { return (QSizeF(size.size) * size.scale).toSize(); } ///< of a frame
+
     /// Each frame represents the time until the next one, so that the last frame of a whole turn is not the first one
     /// again.
     int frameCount() const;
     double timeOfFrame(int frame) const; ///< s
 };
 
+/// Returns the size of frames with that many pixels. Frames of 1080 lines and more are drawn enlarged, so that links and
+/// letters keep their proportions.
+FigureSize videoSize(const QSize &pixels);
+
 /// Draws the frame at that time (s), with its background, in that logical size from the origin.
 using FrameDrawing = std::function<void(QPainter &, const QSize &, double)>;
 
 /// Receives the number of frames that are done; returns false to cancel.
 using AnimationProgress = std::function<bool(int done)>;
+
+/// Returns whether the program ffmpeg, which makes videos, is installed.
+bool hasVideoEncoder();
 
 /// Returns whether the path names a video: .mp4, .webm or .gif.
 bool isVideo(const QString &path);

@@ -20,8 +20,8 @@ AnimationForm::AnimationForm(const Animation &animation, QWidget *parent)
     : QDialog(parent)
     , m_animation(animation)
     , m_rate(makeBox("rateBox", 1, 240, animation.framesPerSecond))
-    , m_width(makeBox("widthBox", 64, 7680, animation.size.size.width()))
-    , m_height(makeBox("heightBox", 64, 7680, animation.size.size.height()))
+    , m_width(makeBox("widthBox", 64, 7680, animation.pixels().width()))
+    , m_height(makeBox("heightBox", 64, 7680, animation.pixels().height()))
     , m_length(named("lengthBox", new QDoubleSpinBox))
     , m_outcome(named("outcomeLabel", new QLabel))
 {
@@ -46,6 +46,12 @@ AnimationForm::AnimationForm(const Animation &animation, QWidget *parent)
     form->addRow(tr("Height"), m_height);
     form->addRow(tr("Length"), m_length);
     form->addRow(m_outcome);
+    if (!hasVideoEncoder()) {
+        auto *hint = named("encoderHint", new QLabel(tr("Videos need the program ffmpeg, which is not installed. "
+                                                        "Without it, the frames are written as pictures.")));
+        hint->setWordWrap(true);
+        form->addRow(hint);
+    }
     form->addRow(buttons);
     showOutcome();
 }
@@ -64,7 +70,7 @@ Animation AnimationForm::animation() const
 {
     Animation chosen = m_animation;
     chosen.framesPerSecond = m_rate->value();
-    chosen.size.size = QSize(m_width->value(), m_height->value());
+    chosen.size = videoSize({m_width->value(), m_height->value()});
     chosen.duration = std::copysign(m_length->value(), m_animation.duration);
     return chosen;
 }

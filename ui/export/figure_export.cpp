@@ -9,6 +9,8 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
+#include <QFontInfo>
+#include <QFontMetrics>
 #include <QGuiApplication>
 #include <QImage>
 #include <QPageSize>
@@ -27,7 +29,8 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kPointsPerPixel = 0.75; // 72 / 96
+const QStringList kSuffixes{"png", "svg", "pdf"}; // in the order of FigureFormat
+constexpr double kPointsPerPixel = kPointsPerInch / kDotsPerInch;
 
 struct FigureExportText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::FigureExportText)
@@ -42,37 +45,46 @@ QString impossibleText(const FigureSize &size)
         .arg(size.scale);
 }
 
-/// Returns a null image if the size is impossible, or if there is not enough memory.
-QImage drawImage(const FigureSize &size, const FigureDrawing &draw)
+QFont figureFont(int pixels)
 {
-    QImage image(size.size * size.scale, QImage::Format_RGB32);
-    if (image.isNull()) {
-        return image;
-    }
-    image.setDevicePixelRatio(size.scale);
-    image.fill(Qt::white);
-    QPainter painter(&image);
-    draw(painter, size.size);
-    return image;
+    QFont font = QGuiApplication::font();
+    font.setPixelSize(pixels > 0 ? pixels : QFontInfo(font).pixelSize());
+    return font;
+}
+
+/// Returns where the mechanism's parameters are written in a figure of that size.
+QRect parameterLines(const QString &text, const QSize &size, const QFont &font)
+{
+    constexpr int kAround = 3; // px
+    const QFontMetrics metrics(font);
+    const QRect available(0, 0, std::max(1, size.width() - 2 * kAround), size.height());
+    const int height = metrics.boundingRect(available, Qt::TextWordWrap, text).height() + 2 * kAround;
+    return {0, size.height() - height, size.width(), height};
 }
 
 /// Corrects what Qt's generator writes: millimetres with three decimals, which viewers round up to one pixel too many,
 /// and fonts without a fallback for computers on which they are missing.
-QByteArray polished(const QByteArray &svg, const QSize &size)
+QByteArray polished(const QByteArray &svg, const FigureSize &size)
 {
+    const double unit = size.paperPixel * (size.isInMillimetres ? kMmPerInch / kDotsPerInch : 1.0);
+    const auto side = [&](int pixels) {
+        return QString::number(unit * pixels, 'g', 7) + (size.isInMillimetres ? "mm" : "");
+    };
     static const QRegularExpression kMillimetres(QStringLiteral(R"re(<svg width="[^"]*" height="[^"]*")re"));
     static const QRegularExpression kFamily(QStringLiteral(R"re(font-family="([^",]*)")re"));
     QString text = QString::fromUtf8(svg);
     text.replace(kMillimetres,
-                 QStringLiteral(R"re(<svg width="%1" height="%2")re").arg(size.width()).arg(size.height()));
+                 QStringLiteral(R"re(<svg width="%1" height="%2")re")
+                                     .arg(side(size.size.width()), side(size.size.height())));
     text.replace(kFamily, QStringLiteral(R"re(font-family="'\1', sans-serif")re"));
     return text.toUtf8();
 }
 
 // All formats are drawn in memory, since neither the generator nor the writer reports a full disk.
 
-QByteArray makeSvg(const QSize &size, const QString &title, const FigureDrawing &draw)
+QByteArray makeSvg(const FigureSize &figure, const QString &title, const FigureDrawing &draw)
 {
+    const QSize size = figure.size;
     QBuffer buffer;
     QSvgGenerator generator;
     generator.setOutputDevice(&buffer);
@@ -81,9 +93,10 @@ QByteArray makeSvg(const QSize &size, const QString &title, const FigureDrawing 
     generator.setViewBox(QRect(QPoint(), size));
     generator.setTitle(title);
     QPainter painter(&generator);
+    painter.setFont(figureFont(figure.fontPixels));
     draw(painter, size);
     painter.end();
-    return polished(buffer.data(), size);
+    return polished(buffer.data(), figure);
 }
 
 } // namespace
@@ -101,27 +114,76 @@ QByteArray makePdf(const QPageSize &page, const QString &title, const std::funct
     return buffer.data();
 }
 
+QString suffixOf(FigureFormat format)
+{
+    return kSuffixes[static_cast<qsizetype>(format)];
+}
+
 std::optional<FigureFormat> figureFormat(const QString &path)
 {
-    const qsizetype format = QStringList{"png", "svg", "pdf"}.indexOf(QFileInfo(path).suffix().toLower());
+    const qsizetype format = kSuffixes.indexOf(QFileInfo(path).suffix().toLower());
     return format < 0 ? std::nullopt : std::optional(static_cast<FigureFormat>(format));
+}
+
+FigureSize figureSize(const FigureOptions &options, const FigureHeight &height)
+{
+    constexpr double kPrintResolution = 300.0; // dots per inch
+    const bool isInMillimetres = options.unit == FigureOptions::Unit::Millimetre;
+    const double width = isInMillimetres ? options.width / kMmPerInch * kDotsPerInch : options.width;
+    const double letters = options.fontSize / kPointsPerInch * kDotsPerInch;
+    FigureSize size;
+    size.isInMillimetres = isInMillimetres;
+    size.fontPixels = std::max(1, static_cast<int>(std::lround(letters)));
+    size.size.setWidth(std::max(1, static_cast<int>(std::lround(width * size.fontPixels / letters))));
+    size.size.setHeight(std::max(1, height(size.size.width(), figureFont(size.fontPixels))));
+    size.paperPixel = width / size.size.width(); // the width is exact
+    size.scale = size.paperPixel * (isInMillimetres ? kPrintResolution / kDotsPerInch : 1.0);
+    return size;
 }
 
 FigureDrawing withParameters(const FigureDrawing &draw, const Mechanism &mechanism, const QPalette &palette)
 {
-    constexpr int kLine = 22; // px
     return [draw, palette, text = mechanismText(mechanism)](QPainter &painter, const QSize &size) {
+        const QFont font = painter.font();
+        const QRect lines = parameterLines(text, size, font);
         painter.save();
-        draw(painter, {size.width(), std::max(1, size.height() - kLine)});
+        draw(painter, {size.width(), std::max(1, lines.top())});
         painter.restore();
-        const QRect line(0, size.height() - kLine, size.width(), kLine);
-        painter.fillRect(line, palette.color(QPalette::Base));
-        QFont font = QGuiApplication::font();
-        font.setPixelSize(12);
+        painter.fillRect(lines, palette.color(QPalette::Base));
         painter.setFont(font);
         painter.setPen(palette.color(QPalette::Text));
-        painter.drawText(line, Qt::AlignCenter, text);
+        painter.drawText(lines, Qt::AlignCenter | Qt::TextWordWrap, text);
     };
+}
+
+FigureHeight withParameters(const FigureHeight &height, const Mechanism &mechanism)
+{
+    return [height, text = mechanismText(mechanism)](int width, const QFont &font) {
+        const int drawing = height(width, font);
+        return drawing + parameterLines(text, {width, drawing}, font).height();
+    };
+}
+
+QImage figureImage(const FigureSize &size, const FigureDrawing &draw)
+{
+    const QSizeF pixels = QSizeF(size.size) * size.scale;
+    QImage image(pixels.toSize(), QImage::Format_RGB32); // rounded
+    if (image.isNull()) {
+        return image;
+    }
+    image.fill(Qt::white);
+    QPainter painter(&image);
+    painter.scale(size.scale, size.scale); // a device pixel ratio below 1 has no effect
+    painter.setFont(figureFont(size.fontPixels));
+    draw(painter, size.size);
+    painter.end();
+    if (size.isInMillimetres) { // after drawing, since it would scale a QPicture
+        const int dotsPerMetre = static_cast<int>(
+            std::lround(size.scale / size.paperPixel * kDotsPerInch * 1000.0 / kMmPerInch));
+        image.setDotsPerMeterX(dotsPerMetre);
+        image.setDotsPerMeterY(dotsPerMetre);
+    }
+    return image;
 }
 
 std::optional<QString> exportFigure(const QString &path, const FigureSize &size, const QString &title,
@@ -135,18 +197,20 @@ std::optional<QString> exportFigure(const QString &path, const FigureSize &size,
     QByteArray bytes;
     switch (*format) {
     case FigureFormat::Png: {
-        QImage image = drawImage(size, draw);
+        QImage image = figureImage(size, draw);
         image.setText("Title", title);
         QBuffer buffer(&bytes);
         image.save(&buffer, "PNG");
         break;
     }
-    case FigureFormat::Svg: bytes = makeSvg(size.size, title, draw); break;
+    case FigureFormat::Svg: bytes = makeSvg(size, title, draw); break;
     case FigureFormat::Pdf: {
-        const QPageSize page(QSizeF(size.size) * kPointsPerPixel, QPageSize::Point, {}, QPageSize::ExactMatch);
+        const QPageSize page(QSizeF(size.size) * size.paperPixel * kPointsPerPixel, QPageSize::Point, {}, QPageSize::ExactMatch);
         bytes = makePdf(page, title, [&](QPdfWriter &writer) {
             writer.setPageMargins(QMarginsF());
             QPainter painter(&writer);
+            painter.scale(size.paperPixel, size.paperPixel);
+            painter.setFont(figureFont(size.fontPixels));
             draw(painter, size.size);
         });
         break;
@@ -157,7 +221,7 @@ std::optional<QString> exportFigure(const QString &path, const FigureSize &size,
 
 std::optional<QString> copyFigureToClipboard(const FigureSize &size, const FigureDrawing &draw)
 {
-    const QImage image = drawImage(size, draw);
+    const QImage image = figureImage(size, draw);
     if (image.isNull()) {
         return impossibleText(size);
     }

@@ -7,8 +7,11 @@
 #include "core/mechanism/mechanism.h"
 
 #include <QByteArray>
+#include <QFont>
+#include <QImage>
 #include <QSize>
 #include <QString>
+#include <QStringList>
 
 #include <functional>
 #include <optional>
@@ -26,18 +29,62 @@ enum class FigureFormat { Png, Svg, Pdf };
 /// Returns the format by the suffix of the file name, ignoring case, or nullopt.
 std::optional<FigureFormat> figureFormat(const QString &path);
 
+/// Returns "png", "svg" or "pdf".
+QString suffixOf(FigureFormat format);
+
 inline constexpr int kDotsPerInch = 96; ///< logical pixels, as in SVG and CSS
 
+inline constexpr double kMmPerInch = 25.4;
+inline constexpr double kPointsPerInch = 72.0;
+
+/// The size of a figure. A drawing is made for a whole number of logical pixels and then scaled to the exact size.
 struct FigureSize {
-    QSize size{1400, 900}; ///< logical pixels
-    double scale = 1.0;    ///< device pixels per logical pixel, for PNG and the clipboard
+    QSize size{1400, 900};     ///< logical pixels
+    double scale = 1.0;        ///< device pixels per logical pixel, for PNG and the clipboard
+    double paperPixel = 1.0;   ///< size of a logical pixel in SVG and PDF, in 1/96 inch
+    bool isInMillimetres = false; ///< whether SVG states its size in mm, and PNG its resolution
+    int fontPixels = 0;        ///< of the painter's font; 0 for the size of the application's font
 };
 
-/// Draws the figure, with its background, at that logical size from the origin.
+/// The size and the content of an exported figure, as the user chooses them.
+struct FigureOptions {
+    enum class Unit { Millimetre, Pixel };
+
+    double width = 160.0; ///< a column of text on A4
+    Unit unit = Unit::Millimetre;
+    double fontSize = 9.0;     ///< points of 1/72 inch
+    QStringList plots = {};    ///< names in PlotGrid; empty for all that can be shown
+    bool showsCursor = false;  ///< whether the values at the current time are written
+    FigureFormat format = FigureFormat::Png;
+
+    friend bool operator==(const FigureOptions &, const FigureOptions &) = default;
+};
+
+/// The width and the font size that a figure can have.
+inline constexpr double kSmallestFigure = 20.0;      ///< mm
+inline constexpr double kLargestFigure = 1000.0;     ///< mm
+inline constexpr double kSmallestPicture = 100.0;    ///< px
+inline constexpr double kLargestPicture = 20'000.0;  ///< px
+inline constexpr double kSmallestFont = 4.0;         ///< pt
+inline constexpr double kLargestFont = 48.0;         ///< pt
+
+/// Returns the height (logical pixels) of a figure of that width with text in that font.
+using FigureHeight = std::function<int(int width, const QFont &)>;
+
+/// Returns the size of a figure of that width, at 300 dots per inch if the width is in mm. `height` chooses the height.
+FigureSize figureSize(const FigureOptions &options, const FigureHeight &height);
+
+/// Draws the figure, with its background, at that logical size from the origin, with text in the font of the painter.
 using FigureDrawing = std::function<void(QPainter &, const QSize &)>;
 
-/// Returns the same drawing with the mechanism's parameters in a line below it.
+/// Returns the same drawing with the mechanism's parameters below it, in as many lines as they need.
 FigureDrawing withParameters(const FigureDrawing &draw, const Mechanism &mechanism, const QPalette &palette);
+
+/// Returns the height with that of the parameters.
+FigureHeight withParameters(const FigureHeight &height, const Mechanism &mechanism);
+
+/// Returns the figure as an image; a null image if the size is impossible, or if there is not enough memory.
+QImage figureImage(const FigureSize &size, const FigureDrawing &draw);
 
 /// Writes the figure to a file, with `title` in its metadata. Returns nullopt on success, else a message that says why
 /// not; an older file of that name is then unchanged.

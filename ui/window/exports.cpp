@@ -4,6 +4,7 @@
 #include "ui/document/session.h"
 #include "ui/export/animation_export.h"
 #include "ui/export/animation_form.h"
+#include "ui/export/figure_form.h"
 #include "ui/export/motion_csv.h"
 #include "ui/export/report.h"
 #include "ui/mechanism/mechanism_view.h"
@@ -24,9 +25,6 @@ namespace
 
 using Problem = std::optional<QString>;
 
-constexpr double kScale = 2.0; // pixels of an exported picture per pixel of the screen
-constexpr QSize kPlotSize(900, 600);
-
 } // namespace
 
 Exports::Exports(Session *session, const Views &views, QWidget *window)
@@ -46,37 +44,80 @@ FigureDrawing Exports::drawMechanism() const
     };
 }
 
-Exports::Picture Exports::plot(const QString &name) const
+FigureDrawing Exports::drawPlots(const FigureContent &content) const
 {
-    const QPalette palette = paletteFor(Theme::Light);
-    const auto paint = [this, name, palette](QPainter &painter, const QSize &size) {
-        m_views.plots->paintFigure(painter, name, size, palette);
+    return [this, content](QPainter &painter, const QSize &size) {
+        m_views.plots->paintFigure(painter, content, size, paletteFor(Theme::Light));
     };
-    const FigureDrawing draw = withParameters(paint, m_session->result()->mechanism, palette);
-    return name.isEmpty() ? Picture{tr("figure"), m_views.plots->size(), draw} : Picture{name, kPlotSize, draw};
 }
 
-Exports::Picture Exports::mechanism() const
+FigureContent Exports::contentOf(const FigureOptions &options) const
 {
-    return {tr("mechanism"), m_views.mechanism->pictureSize(),
-            withParameters(drawMechanism(), m_session->result()->mechanism, paletteFor(Theme::Light))};
+    FigureContent content;
+    for (const QString &name : options.plots) {
+        content.plots.push_back(static_cast<std::size_t>(PlotGrid::plotNames().indexOf(name)));
+    }
+    if (options.showsCursor) {
+        content.cursorTime = m_session->time();
+    }
+    return content;
 }
 
-void Exports::choose(const Picture &picture)
+FigureSubject Exports::plot(const QString &name) const
 {
-    chooseFileToSave(m_window, {tr("Export"), figureFilters(), picture.name,
-                                [this, picture](const QString &path, const QString &) { write(picture, path); }});
+    const Mechanism mechanism = m_session->result()->mechanism;
+    const auto choose = [this, name](FigureOptions options) { // the only plot, or those that were chosen
+        options.plots = name.isEmpty() ? options.plots : QStringList(name);
+        return contentOf(options);
+    };
+    FigureSubject subject;
+    subject.name = name.isEmpty() ? tr("figure") : name;
+    subject.plots = name.isEmpty() ? m_views.plots->choosablePlots() : std::vector<std::pair<QString, QString>>();
+    subject.hasCursor = true;
+    subject.height = [this, mechanism, choose](const FigureOptions &options) {
+        const auto height = [this, content = choose(options)](int width, const QFont &font) {
+            return m_views.plots->figureHeight(content, width, font);
+        };
+        return withParameters(FigureHeight(height), mechanism);
+    };
+    subject.draw = [this, mechanism, choose](const FigureOptions &options) {
+        return withParameters(drawPlots(choose(options)), mechanism, paletteFor(Theme::Light));
+    };
+    return subject;
 }
 
-void Exports::write(const Picture &picture, const QString &path)
+FigureSubject Exports::mechanism() const
 {
-    const QString title = tr("Motion of an offset slider-crank");
-    m_session->reportWritten(path, exportFigure(path, {picture.size, kScale}, title, picture.draw));
+    FigureSubject subject;
+    subject.name = tr("mechanism");
+    subject.height = [this](const FigureOptions &) {
+        const auto height = [this](int width, const QFont &) { return m_views.mechanism->pictureHeight(width); };
+        return withParameters(FigureHeight(height), m_session->result()->mechanism);
+    };
+    subject.draw = [this](const FigureOptions &) {
+        return withParameters(drawMechanism(), m_session->result()->mechanism, paletteFor(Theme::Light));
+    };
+    return subject;
 }
 
-void Exports::copy(const Picture &picture)
+void Exports::choose(const FigureSubject &subject)
 {
-    if (const Problem problem = copyFigureToClipboard({picture.size, kScale}, picture.draw)) {
+    chooseFigure(m_window, subject, [this, subject](const FigureOptions &options, const QString &path) {
+        write(subject, options, path);
+    });
+}
+
+void Exports::write(const FigureSubject &subject, const FigureOptions &options, const QString &path)
+{
+    m_session->reportWritten(path, exportFigure(path, subject, options));
+}
+
+void Exports::copy(const FigureSubject &subject)
+{
+    FigureOptions options = storedFigureOptions();
+    options.plots.clear(); // the whole figure
+    const FigureSize size = figureSize(options, subject.height(options));
+    if (const Problem problem = copyFigureToClipboard(size, subject.draw(options))) {
         emit m_session->failed(*problem);
     } else {
         emit m_session->confirmed(tr("The picture is in the clipboard."));
@@ -119,15 +160,20 @@ void Exports::writeData(const QString &path, const ChannelSet &channels, double 
 
 void Exports::chooseReport()
 {
+    const QString a4 = tr("Reports on A4 (*.pdf)");
+    const QString letter = tr("Reports on Letter (*.pdf)");
+    const bool isLetter = usualPaper() == PaperSize::Letter;
     chooseFileToSave(m_window, {tr("Export report"),
-                                {tr("Reports (*.pdf)")},
+                                isLetter ? QStringList{letter, a4} : QStringList{a4, letter},
                                 tr("report"),
-                                [this](const QString &path, const QString &) { writeReport(path); }});
+                                [this, letter](const QString &path, const QString &filter) {
+                                    writeReport(path, filter == letter ? PaperSize::Letter : PaperSize::A4);
+                                }});
 }
 
-void Exports::writeReport(const QString &path)
+void Exports::writeReport(const QString &path, PaperSize paper)
 {
-    ReportContent content{m_session->result(), {}};
+    ReportContent content{m_session->result(), {}, m_session->time(), paper};
     if (const auto &reference = content.result->choices.reference) {
         const auto &diagnosis = m_session->diagnosis();
         if (!diagnosis || diagnosis->reference != reference ||
@@ -138,7 +184,7 @@ void Exports::writeReport(const QString &path)
         }
         content.diagnosis = diagnosis->found;
     }
-    m_session->reportWritten(path, exportReport(path, content, drawMechanism(), plot().draw));
+    m_session->reportWritten(path, exportReport(path, content, drawMechanism(), drawPlots({})));
 }
 
 Animation Exports::animationShown() const
@@ -147,7 +193,7 @@ Animation Exports::animationShown() const
     Animation animation;
     animation.start = sampling.start;
     animation.duration = sampling.duration;
-    animation.size = {m_views.mechanism->pictureSize(), 1.0};
+    animation.size = videoSize({1920, 1080});
     animation.speed = m_views.timeline->speed();
     return animation;
 }
@@ -161,11 +207,9 @@ void Exports::chooseAnimation()
             const auto writeNow = [this, path, animation] { writeAnimation(path, animation); };
             QMetaObject::invokeMethod(this, writeNow, Qt::QueuedConnection); // after the dialog is closed
         };
-        chooseFileToSave(m_window, {tr("Export animation"),
-                                    {tr("New folder of numbered frames (*)"), tr("Videos (*.mp4)"),
-                                     tr("Videos (*.webm)"), tr("Animated pictures (*.gif)")},
-                                    tr("motion"),
-                                    write});
+        QStringList filters{tr("Videos (*.mp4)"), tr("Videos (*.webm)"), tr("Animated pictures (*.gif)")};
+        filters.insert(hasVideoEncoder() ? filters.size() : 0, tr("New folder of numbered frames (*)"));
+        chooseFileToSave(m_window, {tr("Export animation"), filters, tr("motion"), write});
     });
     form->open();
 }
@@ -176,11 +220,14 @@ void Exports::writeAnimation(const QString &path, const Animation &animation)
     view.setResult(m_session->result());
     view.setSettings(m_views.mechanism->settings());
     view.setFrame(m_views.mechanism->frame());
-    const auto draw = [&view, parameters = m_session->parameters(),
+    const auto draw = [&view, mechanism = m_session->result()->mechanism,
                        ghost = m_views.ghost->motion()](QPainter &painter, const QSize &size, double time) {
-        view.setPose(poseAt(parameters, time));
+        view.setPose(poseAt(mechanism.parameters(), time));
         view.setGhost(ghost ? ghost(time) : ReferencePose());
-        view.paintMechanism(painter, size, paletteFor(Theme::Light));
+        const auto paint = [&view](QPainter &target, const QSize &part) {
+            view.paintMechanism(target, part, paletteFor(Theme::Light));
+        };
+        withParameters(FigureDrawing(paint), mechanism, paletteFor(Theme::Light))(painter, size);
     };
     QProgressDialog dialog(tr("Exporting the animation…"), tr("Cancel"), 0, animation.frameCount(), m_window);
     dialog.setWindowModality(Qt::WindowModal);

@@ -5,7 +5,9 @@
 
 #include "core/mechanism/channel.h"
 #include "ui/document/background_task.h"
-#include "ui/export/figure_export.h"
+#include "ui/export/figure_form.h"
+#include "ui/export/report.h"
+#include "ui/plots/plot_figure.h"
 #include "ui/window/views.h"
 
 #include <QObject>
@@ -30,29 +32,26 @@ public:
 
     bool isWriting() const { return m_task->isRunning(); }
 
-    /// A picture that can be exported or copied.
-    struct Picture {
-        QString name; ///< proposed file name
-        QSize size;
-        FigureDrawing draw;
-    };
-    Picture plot(const QString &name = {}) const; ///< the whole figure if there is no name
-    Picture mechanism() const;
+    FigureSubject plot(const QString &name = {}) const; ///< the whole figure if there is no name
+    FigureSubject mechanism() const;
 
-    void choose(const Picture &picture);
-    void copy(const Picture &picture);
+    /// Asks for the options and the name of the file.
+    void choose(const FigureSubject &subject);
+
+    /// Copies a picture with the options that were chosen last.
+    void copy(const FigureSubject &subject);
 
     /// Writes a PNG, SVG or PDF file, according to the suffix.
-    void write(const Picture &picture, const QString &path);
+    void write(const FigureSubject &subject, const FigureOptions &options, const QString &path);
 
     /// Write the motion as CSV in the background. `crankStep` (°) is the step of the crank angle; 0 means the time
     /// steps.
     void chooseData();
     void writeData(const QString &path, const ChannelSet &channels, double crankStep = 0.0);
 
-    /// Write the report as PDF on A4. It is not written while the mechanism of the reference is being identified.
+    /// Write the report as PDF. It is not written while the mechanism of the reference is being identified.
     void chooseReport();
-    void writeReport(const QString &path);
+    void writeReport(const QString &path, PaperSize paper = PaperSize::A4);
 
     /// Write the moving mechanism as frames in a folder or as a video. A modal dialog shows the progress.
     void chooseAnimation();
@@ -63,6 +62,8 @@ public:
 
 private:
     FigureDrawing drawMechanism() const;
+    FigureDrawing drawPlots(const FigureContent &content) const;
+    FigureContent contentOf(const FigureOptions &options) const;
 
     Session *m_session;
     const Views &m_views;

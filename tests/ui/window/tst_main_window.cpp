@@ -55,7 +55,7 @@ private slots:
     void anUnreadProblemStaysUntilItIsDismissed()
     {
         const QSize columns = part("columns")->size();
-        m_window->exports().write(m_window->exports().plot(), "/no/such/folder/figure.png");
+        m_window->exports().write(m_window->exports().plot(), {}, "/no/such/folder/figure.png");
         QVERIFY(messages()->isVisible() && said().contains("figure.png cannot be written"));
         openSample();
         setB(-1.0); // a problem of another kind

@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Exported figures and reports on paper: curves against the exact motion, in mm, and the pages of the report. Programs
+// that do not use Qt read the files.
+
+#include "core/sampling/trajectory.h"
+#include "tests/program/run_program.h"
+#include "tests/support/initial_mechanism.h"
+#include "tests/support/pixels.h"
+#include "tests/support/printed_picture.h"
+#include "tests/support/suite.h"
+#include "ui/export/report.h"
+#include "ui/mechanism/mechanism_view.h"
+#include "ui/plots/plot_grid.h"
+#include "ui/text/language.h"
+#include "ui/text/theme.h"
+
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTransform>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+using namespace slidercrank;
+
+namespace
+{
+
+constexpr double kPaperWidth = 160.0; // mm, of an exported figure
+
+std::vector<double> numbersIn(const QString &text)
+{
+    static const QRegularExpression kNumber(QStringLiteral("-?[0-9.]+(?:e-?[0-9]+)?"));
+    std::vector<double> numbers;
+    for (auto match = kNumber.globalMatch(text); match.hasNext();) {
+        numbers.push_back(match.next().captured().toDouble());
+    }
+    return numbers;
+}
+
+QString attribute(const QString &element, const QString &name)
+{
+    return QRegularExpression(QStringLiteral("\\b%1=\"([^\"]*)\"").arg(name)).match(element).captured(1);
+}
+
+/// Returns the points (mm) of the curve in the colour of the model that has the most points.
+std::vector<QPointF> curveIn(const QString &svg)
+{
+    static const QRegularExpression kElement(QStringLiteral("<(g|svg|path|polyline)\\b[^>]*>"));
+    const QString colour = seriesColours(paletteFor(Theme::Light)).model.name();
+    const std::vector<double> box = numbersIn(attribute(kElement.match(svg).captured(), "viewBox"));
+    const bool isPdf = svg.contains("stroke:rgb"); // as pdftocairo writes it, in points
+    const double mm = isPdf ? 25.4 / 72.0 : kPaperWidth / box[2];
+    QString group; // the innermost group that states a colour
+    std::vector<QPointF> longest;
+    for (auto match = kElement.globalMatch(svg); match.hasNext();) {
+        const QString element = match.next().captured();
+        group = element.startsWith("<g") ? element : group;
+        const bool isModel = isPdf ? element.contains("stroke:rgb(0%,44.7") && element.contains("fill:none")
+                                   : attribute(group, "stroke") == colour && attribute(group, "fill") == u"none";
+        const std::vector<double> numbers = numbersIn(attribute(element, element.startsWith("<path") ? "d" : "points"));
+        if (!isModel || numbers.size() / 2 <= longest.size()) {
+            continue;
+        }
+        const std::vector<double> m = numbersIn(attribute(isPdf ? element : group, "transform"));
+        const QTransform matrix = m.size() == 6 ? QTransform(m[0], m[1], m[2], m[3], m[4], m[5]) : QTransform();
+        longest.clear();
+        for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) {
+            longest.push_back(mm * matrix.map(QPointF(numbers[i], numbers[i + 1])));
+        }
+    }
+    return longest;
+}
+
+double distanceToSegment(const QPointF &point, const QPointF &from, const QPointF &to)
+{
+    const QPointF along = to - from;
+    const double length = QPointF::dotProduct(along, along);
+    const double part = length > 0.0 ? std::clamp(QPointF::dotProduct(point - from, along) / length, 0.0, 1.0) : 0.0;
+    const QPointF away = point - (from + part * along);
+    return std::hypot(away.x(), away.y());
+}
+
+/// Returns the largest distance (mm) of 1000 points of the motion from the curve. The axes are found from the curve: its
+/// ends are at 0 and 1 s, its extremes are those of the motion.
+double largestDistance(const std::vector<QPointF> &curve, const Parameters &parameters, Channel channel)
+{
+    constexpr int kFine = 400'000;
+    constexpr int kPoints = 1000;
+    std::vector<double> times;
+    for (int i = 0; i <= kFine; ++i) {
+        times.push_back(static_cast<double>(i) / kFine);
+    }
+    const Trajectory motion = sample(Mechanism(parameters), times, ChannelSet(plottedChannels()), {});
+    const std::vector<double> &values = motion[channel];
+    const auto [smallest, largest] = std::ranges::minmax(values);
+    const auto [top, bottom] = std::ranges::minmax(curve, {}, &QPointF::y);
+    const double mmPerValue = (bottom.y() - top.y()) / (largest - smallest);
+    double worst = 0.0;
+    for (int i = 0; i < kPoints; ++i) {
+        const auto sampled = static_cast<std::size_t>((i + 0.37) / kPoints * kFine);
+        const QPointF exact(std::lerp(curve.front().x(), curve.back().x(), times[sampled]),
+                            bottom.y() - mmPerValue * (values[sampled] - smallest));
+        double nearest = 1e9;
+        for (std::size_t j = 1; j < curve.size(); ++j) {
+            nearest = std::min(nearest, distanceToSegment(exact, curve[j - 1], curve[j]));
+        }
+        worst = std::max(worst, nearest);
+    }
+    return worst;
+}
+
+} // namespace
+
+class TestPrintedExports : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { QApplication::setStyle(QStringLiteral("Fusion")); }
+    void cleanup() { setLanguage(Language::English); }
+
+    void exportedCurvesAreTheMotion_data()
+    {
+        QTest::addColumn<QStringList>("options");
+        QTest::addColumn<double>("b");
+        QTest::newRow("a single plot") << QStringList{"--what", "theta3"} << 60.0;
+        QTest::newRow("a velocity") << QStringList{"--what", "theta3_diff"} << 60.0;
+        QTest::newRow("a sharp peak") << QStringList{"--what", "theta3_diff"} << 45.2;
+        QTest::newRow("a small plot") << QStringList{"--plots", "theta3_diff", "--width", "160mm"} << 47.0;
+    }
+
+    void exportedCurvesAreTheMotion()
+    {
+        if (const QString missing = missingProgram({"pdftocairo"}); !missing.isEmpty()) {
+            QSKIP(qPrintable(QStringLiteral("%1 is missing: tests/run installs it.").arg(missing)));
+        }
+        constexpr double kAllowed = 0.02; // mm
+        QFETCH(const QStringList, options);
+        QFETCH(const double, b);
+        const Channel channel{Coordinate::Theta3, options[1] == u"theta3" ? Order::Position : Order::Velocity};
+        const QStringList command = QStringList{"render", "--b", QString::number(b)} + options;
+        QCOMPARE(run(command + QStringList{"-o", path("x.svg")}).status, 0);
+        QCOMPARE(run(command + QStringList{"-o", path("x.pdf")}).status, 0);
+        outputOf("pdftocairo", {"-svg", path("x.pdf"), path("pdf.svg")});
+        for (const QString &file : {path("x.svg"), path("pdf.svg")}) {
+            const std::vector<QPointF> curve = curveIn(QString::fromUtf8(contentOf(file)));
+            QVERIFY2(curve.size() > 60, qPrintable(QString::number(curve.size())));
+            const double worst = largestDistance(curve, withCoupler(b), channel);
+            QVERIFY2(worst < kAllowed, qPrintable(QStringLiteral("%1: %2 mm").arg(file).arg(worst)));
+        }
+    }
+
+    void figuresHaveTheSizeThatWasAskedFor()
+    {
+        struct Row {
+            const char *options;
+            int width; // px
+        };
+        for (const Row &row : {Row{"", 1890}, Row{"--width 80mm", 945}, Row{"--width 900px", 900},
+                               Row{"--width 900px --scale 2", 1800}, Row{"--width 120mm --font-size 11pt", 1417}}) {
+            QCOMPARE(run("render -o " + path("x.png") + ' ' + row.options).status, 0);
+            const QImage picture(path("x.png"));
+            QCOMPARE(picture.width(), row.width);
+        }
+        QCOMPARE(run("render --width 85mm -o " + path("x.svg")).status, 0);
+        QVERIFY(contentOf(path("x.svg")).contains("width=\"85mm\""));
+        QCOMPARE(run("render --width 85mm -o " + path("x.pdf")).status, 0);
+        QVERIFY(contentOf(path("x.pdf")).contains("/MediaBox [0 0 241.0")); // 85 / 25.4 · 72, in whole points
+    }
+
+    void figuresShowTheChosenPlotsAndValues()
+    {
+        const QString file = path("x.svg");
+        QCOMPARE(run("render --b 60 --plots theta3,R4_x --at 0.25 -o " + file).status, 0);
+        const QByteArray both = contentOf(file);
+        QVERIFY(both.contains("θ³") && both.contains("Rₓ⁴") && !both.contains("ω³"));
+        QVERIFY(both.contains("4.780") && both.contains("t = 0.2500 s")); // asin(5/60) in degrees
+        QCOMPARE(run("render --b 60 --plots theta3,R4_x --at 0.25 --no-cursor -o " + file).status, 0);
+        QVERIFY(!contentOf(file).contains("4.780"));
+    }
+
+    void reportsStayWithinTheirMargins_data()
+    {
+        QTest::addColumn<bool>("hasFile");
+        QTest::addColumn<int>("pinned");
+        QTest::addColumn<double>("b");
+        QTest::newRow("the model alone") << false << 0 << 60.0;
+        QTest::newRow("a file") << true << 0 << 65.0;
+        QTest::newRow("a file that agrees") << true << 0 << 60.0;
+        QTest::newRow("pins") << false << 4 << 60.0;
+        QTest::newRow("a file and pins") << true << 4 << 65.0;
+        QTest::newRow("an oscillating crank") << false << 0 << 40.0;
+    }
+
+    /// A former defect: the last column of the table and the drawing were cut off.
+    void reportsStayWithinTheirMargins()
+    {
+        if (const QString missing = missingProgram({"pdftotext", "pdftoppm"}); !missing.isEmpty()) {
+            QSKIP(qPrintable(QStringLiteral("%1 is missing: tests/run installs it.").arg(missing)));
+        }
+        QFETCH(const bool, hasFile);
+        QFETCH(const int, pinned);
+        QFETCH(const double, b);
+        for (const Language language : {Language::English, Language::Spanish}) {
+            for (const PaperSize paper : {PaperSize::A4, PaperSize::Letter}) {
+                setLanguage(language);
+                writeReport(hasFile, pinned, b, paper);
+                checkWords();
+                checkPixels();
+            }
+        }
+    }
+
+private:
+    QString path(const char *name) const { return m_folder.filePath(name); }
+
+    void writeReport(bool hasFile, int pinned, double b, PaperSize paper)
+    {
+        Choices choices{withCoupler(b), {}, {}, nullptr, {}};
+        if (hasFile) {
+            choices.reference = std::get<std::shared_ptr<const Reference>>(readReference({{kSample}, {}, {}}));
+        }
+        for (int i = 0; i < pinned; ++i) {
+            choices.pinned.push_back({.a = 15.0 + i, .b = 70.0 + 10.0 * i, .c = -12.5, .omega2 = 3.0 + i});
+        }
+        ReportContent content{.result = compute(choices, {}), .diagnosis = {}, .time = 0.2, .paper = paper};
+        if (hasFile) {
+            content.diagnosis = diagnose(content.result->reference->data, content.result->mechanism);
+        }
+        PlotGrid plots;
+        plots.setResult(content.result);
+        MechanismView mechanism;
+        mechanism.setResult(content.result);
+        mechanism.setPose(poseAt(choices.parameters, content.time));
+        mechanism.setSettings({.velocity = true, .names = true, .dimensions = true, .angles = true});
+        const QPalette palette = paletteFor(Theme::Light);
+        const auto drawMechanism = [&](QPainter &painter, const QSize &size) {
+            mechanism.paintMechanism(painter, size, palette);
+        };
+        const auto drawPlots = [&](QPainter &painter, const QSize &size) {
+            plots.paintFigure(painter, {}, size, palette);
+        };
+        QCOMPARE(exportReport(path("report.pdf"), content, drawMechanism, drawPlots), std::nullopt);
+    }
+
+    /// Checks the places of all words, and that no page is nearly empty or ends with a heading.
+    void checkWords()
+    {
+        constexpr double kMargin = 50.0; // pt, 17.6 mm
+        static const QRegularExpression kPage(QStringLiteral("<page width=\"([0-9.]+)\" height=\"([0-9.]+)\">"));
+        static const QRegularExpression kWord(QStringLiteral(
+            "<word xMin=\"([-0-9.]+)\" yMin=\"([-0-9.]+)\" xMax=\"([-0-9.]+)\" yMax=\"([-0-9.]+)\">([^<]*)"));
+        const QString text = QString::fromUtf8(outputOf("pdftotext", {"-bbox", path("report.pdf"), "-"}));
+        const QStringList pages = text.split("</page>");
+        for (qsizetype page = 0; page + 1 < pages.size(); ++page) {
+            const QRegularExpressionMatch size = kPage.match(pages[page]);
+            const QRectF inside = QRectF(0.0, 0.0, size.captured(1).toDouble(), size.captured(2).toDouble())
+                                      .adjusted(kMargin, kMargin, -kMargin, -kMargin);
+            int words = 0;
+            for (auto match = kWord.globalMatch(pages[page]); match.hasNext(); ++words) {
+                const QRegularExpressionMatch word = match.next();
+                const QRectF box(QPointF(word.captured(1).toDouble(), word.captured(2).toDouble()),
+                                 QPointF(word.captured(3).toDouble(), word.captured(4).toDouble()));
+                QVERIFY2(inside.contains(box), qPrintable(word.captured()));
+            }
+            QVERIFY2(words > 30, qPrintable(pages[page]));
+        }
+    }
+
+    /// Checks that all pixels of the margins are white.
+    void checkPixels()
+    {
+        constexpr int kMargin = 35; // px of 1/50 inch, 17.8 mm
+        for (int page = 1; page <= 6; ++page) {
+            const QString number = QString::number(page);
+            const QImage picture = imageIn(outputOf(
+                "pdftoppm", {"-r", "50", "-f", number, "-l", number, "-singlefile", path("report.pdf")}));
+            if (picture.isNull()) {
+                QVERIFY(page > 1);
+                return;
+            }
+            const QRect inside = picture.rect().adjusted(kMargin, kMargin, -kMargin, -kMargin);
+            for (int y = 0; y < picture.height(); ++y) {
+                for (int x = 0; x < picture.width(); ++x) {
+                    QVERIFY2(inside.contains(x, y) || qGray(picture.pixel(x, y)) > 250,
+                             qPrintable(QStringLiteral("page %1: %2, %3").arg(page).arg(x).arg(y)));
+                }
+            }
+        }
+    }
+
+    QTemporaryDir m_folder;
+};
+
+const Suite printedExportsSuite("tst_printed_exports", runWithWidgets<TestPrintedExports>);
+
+#include "tst_printed_exports.moc"

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/export/figure_form.h"
+
+#include "ui/text/written_number.h"
+#include "ui/widgets/named.h"
+#include "ui/widgets/save_dialog.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSettings>
+
+#include <algorithm>
+#include <cmath>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+using WidthUnit = FigureOptions::Unit;
+
+constexpr QSize kPreview(460, 460); // px, at most
+
+const QString kWidth = "export/width";
+const QString kUnit = "export/unit";
+const QString kFontSize = "export/fontSize";
+const QString kPlots = "export/plots";
+const QString kCursor = "export/cursor";
+const QString kFormat = "export/format";
+
+QDoubleSpinBox *makeBox(const char *name, int decimals, double smallest, double largest)
+{
+    auto *box = named(name, new QDoubleSpinBox);
+    box->setDecimals(decimals);
+    box->setRange(smallest, largest);
+    box->setKeyboardTracking(false);
+    return box;
+}
+
+} // namespace
+
+FigureOptions storedFigureOptions()
+{
+    const QSettings settings;
+    FigureOptions options;
+    options.unit = settings.value(kUnit).toString() == u"px" ? WidthUnit::Pixel : WidthUnit::Millimetre;
+    const bool isInPixels = options.unit == WidthUnit::Pixel;
+    options.width = std::clamp(settings.value(kWidth, options.width).toDouble(),
+                               isInPixels ? kSmallestPicture : kSmallestFigure,
+                               isInPixels ? kLargestPicture : kLargestFigure);
+    options.fontSize = std::clamp(settings.value(kFontSize, options.fontSize).toDouble(), kSmallestFont, kLargestFont);
+    options.plots = settings.value(kPlots).toStringList();
+    options.showsCursor = settings.value(kCursor, false).toBool();
+    options.format = figureFormat("x." + settings.value(kFormat).toString()).value_or(FigureFormat::Png);
+    return options;
+}
+
+void storeFigureOptions(const FigureOptions &options)
+{
+    QSettings settings;
+    settings.setValue(kWidth, options.width);
+    settings.setValue(kUnit, options.unit == WidthUnit::Pixel ? "px" : "mm");
+    settings.setValue(kFontSize, options.fontSize);
+    settings.setValue(kPlots, options.plots);
+    settings.setValue(kCursor, options.showsCursor);
+    settings.setValue(kFormat, suffixOf(options.format));
+}
+
+std::optional<QString> exportFigure(const QString &path, const FigureSubject &subject, const FigureOptions &options)
+{
+    const FigureSize size = figureSize(options, subject.height(options));
+    return exportFigure(path, size, FigureForm::tr("Motion of an offset slider-crank"), subject.draw(options));
+}
+
+void chooseFigure(QWidget *parent, const FigureSubject &subject,
+                  const std::function<void(const FigureOptions &, const QString &path)> &write)
+{
+    auto *form = new FigureForm(subject, storedFigureOptions(), parent);
+    form->setAttribute(Qt::WA_DeleteOnClose);
+    QObject::connect(form, &QDialog::accepted, parent, [form, parent, name = subject.name, write] {
+        const FigureOptions options = form->options();
+        FigureOptions stored = options;
+        if (options.plots.isEmpty()) { // a figure without choices
+            stored.plots = storedFigureOptions().plots;
+        }
+        storeFigureOptions(stored);
+        QStringList filters = figureFilters();
+        filters.move(static_cast<int>(options.format), 0);
+        chooseFileToSave(parent, {FigureForm::tr("Export"), filters, name,
+                                  [options, write](const QString &path, const QString &) { write(options, path); }});
+    });
+    form->open();
+}
+
+FigureForm::FigureForm(const FigureSubject &subject, const FigureOptions &options, QWidget *parent)
+    : QDialog(parent)
+    , m_subject(subject)
+    , m_width(makeBox("widthBox", 1, kSmallestFigure, kLargestPicture))
+    , m_unit(named("unitBox", new QComboBox))
+    , m_fontSize(makeBox("fontSizeBox", 1, kSmallestFont, kLargestFont))
+    , m_format(named("formatBox", new QComboBox))
+    , m_cursor(named("cursorBox", new QCheckBox(tr("&Values at the current time"))))
+    , m_preview(named("previewLabel", new QLabel))
+    , m_outcome(named("outcomeLabel", new QLabel))
+{
+    named("figureForm", this);
+    setWindowTitle(tr("Export"));
+    m_unit->addItems({tr("mm"), tr("px")}); // in the order of FigureOptions::Unit
+    m_unit->setCurrentIndex(static_cast<int>(options.unit));
+    m_unit->setAccessibleName(tr("Unit of the width"));
+    m_width->setValue(options.width);
+    m_fontSize->setValue(options.fontSize);
+    m_fontSize->setSuffix(tr(" pt"));
+    m_format->addItems({"PNG", "SVG", "PDF"}); // in the order of FigureFormat
+    m_format->setCurrentIndex(static_cast<int>(options.format));
+    m_cursor->setChecked(options.showsCursor);
+    m_cursor->setVisible(subject.hasCursor);
+    m_preview->setFrameShape(QFrame::Box);
+    m_preview->setAlignment(Qt::AlignCenter);
+    m_preview->setMinimumSize(kPreview);
+    m_preview->setAccessibleName(tr("Preview"));
+
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+    m_export = buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto *width = new QHBoxLayout;
+    width->addWidget(m_width);
+    width->addWidget(m_unit);
+    auto *form = new QFormLayout;
+    auto *label = new QLabel(tr("&Width"));
+    label->setBuddy(m_width);
+    form->addRow(label, width);
+    form->addRow(tr("&Font size"), m_fontSize);
+    form->addRow(tr("F&ormat"), m_format);
+    addPlots(options, *form);
+    form->addRow(m_cursor);
+    form->addRow(m_outcome);
+    auto *layout = new QGridLayout(this);
+    layout->addLayout(form, 0, 0);
+    layout->addWidget(m_preview, 0, 1);
+    layout->addWidget(buttons, 1, 0, 1, 2);
+    layout->setColumnStretch(1, 1);
+
+    connect(m_width, &QDoubleSpinBox::valueChanged, this, &FigureForm::showPreview);
+    connect(m_fontSize, &QDoubleSpinBox::valueChanged, this, &FigureForm::showPreview);
+    connect(m_unit, &QComboBox::currentIndexChanged, this, &FigureForm::changeUnit);
+    connect(m_format, &QComboBox::currentIndexChanged, this, &FigureForm::showPreview);
+    connect(m_cursor, &QCheckBox::toggled, this, &FigureForm::showPreview);
+    showPreview();
+}
+
+void FigureForm::addPlots(const FigureOptions &options, QFormLayout &form)
+{
+    constexpr int kColumns = 3; // as in the window
+    auto *grid = new QGridLayout;
+    const auto isChosen = [&](const std::pair<QString, QString> &plot) {
+        return options.plots.isEmpty() || options.plots.contains(plot.first);
+    };
+    const bool isAnyChosen = std::ranges::any_of(m_subject.plots, isChosen); // otherwise other plots were chosen
+    for (const auto &[name, text] : m_subject.plots) {
+        auto *box = named(name, new QCheckBox(text));
+        box->setChecked(!isAnyChosen || isChosen({name, text}));
+        connect(box, &QCheckBox::toggled, this, &FigureForm::showPreview);
+        const int place = static_cast<int>(m_plots.size());
+        grid->addWidget(box, place / kColumns, place % kColumns);
+        m_plots.push_back(box);
+    }
+    form.addRow(grid);
+}
+
+FigureOptions FigureForm::options() const
+{
+    FigureOptions options;
+    options.width = m_width->value();
+    options.unit = static_cast<WidthUnit>(m_unit->currentIndex());
+    options.fontSize = m_fontSize->value();
+    options.format = static_cast<FigureFormat>(m_format->currentIndex());
+    options.showsCursor = m_subject.hasCursor && m_cursor->isChecked();
+    for (const QCheckBox *box : m_plots) {
+        if (box->isChecked()) {
+            options.plots << box->objectName();
+        }
+    }
+    return options;
+}
+
+/// Converts the width, so that the figure keeps its size.
+void FigureForm::changeUnit()
+{
+    constexpr double kPixelsPerMm = kDotsPerInch / kMmPerInch;
+    const bool isInPixels = m_unit->currentIndex() == static_cast<int>(WidthUnit::Pixel);
+    m_width->setValue(isInPixels ? std::round(m_width->value() * kPixelsPerMm) : m_width->value() / kPixelsPerMm);
+    showPreview();
+}
+
+void FigureForm::showPreview()
+{
+    FigureOptions chosen = options();
+    const bool isInPixels = chosen.unit == WidthUnit::Pixel;
+    const bool isSizePossible = isInPixels ? chosen.width >= kSmallestPicture : chosen.width <= kLargestFigure;
+    const bool isPossible = isSizePossible && (m_plots.empty() || !chosen.plots.isEmpty());
+    m_export->setEnabled(isPossible);
+    if (!isPossible) {
+        m_preview->setPixmap({});
+        m_outcome->setText(m_plots.empty() || !chosen.plots.isEmpty()
+                               ? tr("Choose a width from %1 mm to %2 mm, or from %3 px to %4 px.")
+                                     .arg(numberText(kSmallestFigure), numberText(kLargestFigure),
+                                          numberText(kSmallestPicture), numberText(kLargestPicture))
+                               : tr("Choose a plot."));
+        return;
+    }
+    FigureSize size = figureSize(chosen, m_subject.height(chosen));
+    const QSizeF pixels = QSizeF(size.size) * size.scale;
+    const QSizeF paper = QSizeF(size.size) * size.paperPixel * (kMmPerInch / kDotsPerInch);
+    m_outcome->setText(chosen.format == FigureFormat::Png || isInPixels
+                           ? tr("%1 × %2 px").arg(qRound(pixels.width())).arg(qRound(pixels.height()))
+                           : tr("%1 × %2 mm").arg(fixedText(paper.width(), 1), fixedText(paper.height(), 1)));
+    const QSizeF shown = QSizeF(size.size).scaled(QSizeF(kPreview), Qt::KeepAspectRatio);
+    size.scale = devicePixelRatioF() * shown.width() / size.size.width();
+    QPixmap picture = QPixmap::fromImage(figureImage(size, m_subject.draw(chosen)));
+    picture.setDevicePixelRatio(devicePixelRatioF());
+    m_preview->setPixmap(picture);
+}
+
+} // namespace slidercrank
+
+#include "moc_figure_form.cpp"

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The dialog that asks for the size and the content of an exported figure, and shows the figure as it will be. The
+// choices are stored for the next time.
+
+#include "ui/export/figure_export.h"
+
+#include <QDialog>
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QFormLayout;
+class QLabel;
+class QPushButton;
+
+namespace slidercrank
+{
+
+/// A figure that can be exported.
+struct FigureSubject {
+    QString name;                                        ///< proposed file name
+    std::vector<std::pair<QString, QString>> plots = {}; ///< names and texts of the plots that can be chosen
+    bool hasCursor = false;                              ///< whether it can show the values at the current time
+    std::function<FigureHeight(const FigureOptions &)> height;
+    std::function<FigureDrawing(const FigureOptions &)> draw;
+};
+
+/// Return and store the options that were chosen last.
+FigureOptions storedFigureOptions();
+void storeFigureOptions(const FigureOptions &options);
+
+/// Writes the figure to a file with the suffix of its format. Returns as exportFigure().
+std::optional<QString> exportFigure(const QString &path, const FigureSubject &subject, const FigureOptions &options);
+
+/// Opens the dialog, and then the one for the name of the file. `write` is called when both have been answered.
+void chooseFigure(QWidget *parent, const FigureSubject &subject,
+                  const std::function<void(const FigureOptions &, const QString &path)> &write);
+
+class FigureForm : public QDialog
+{
+    Q_OBJECT
+
+public:
+    FigureForm(const FigureSubject &subject, const FigureOptions &options, QWidget *parent);
+
+    FigureOptions options() const;
+
+private:
+    void addPlots(const FigureOptions &options, QFormLayout &form);
+    void changeUnit();
+    void showPreview();
+
+    FigureSubject m_subject;
+    QDoubleSpinBox *m_width;
+    QComboBox *m_unit;
+    QDoubleSpinBox *m_fontSize;
+    QComboBox *m_format;
+    QCheckBox *m_cursor;
+    std::vector<QCheckBox *> m_plots;
+    QLabel *m_preview;
+    QLabel *m_outcome;
+    QPushButton *m_export;
+};
+
+} // namespace slidercrank
