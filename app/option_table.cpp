@@ -175,8 +175,7 @@ public:
                "figure (all plots), mechanism, frames (the mechanism moving), report, or one plot: theta3, R4_x, "
                "theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, "
                "error_acceleration (figure)")},
-          {"render", "size", "WxH",
-           QT_TR_NOOP("pixels of a picture, instead of --width (frames: 1920x1080)")},
+          {"render", "size", "WxH", QT_TR_NOOP("pixels of a picture, instead of --width (frames: 1920x1080)")},
           {"render", "scale", "FACTOR", QT_TR_NOOP("factor of the number of pixels of a PNG, 0.1 to 10 (1)")},
           {"render", "width", "WIDTH",
            QT_TR_NOOP("width of a picture in mm or px, such as 85mm or 1200px; the height follows (160mm, at 300 dots "

@@ -90,8 +90,8 @@ std::pair<double, QString> readLength(const OptionReader &options, const char *n
             return {value, unit};
         }
     }
-    throw UsageError{CommandLine::tr("--%1 must be a number with the unit %2, not \"%3\".")
-                         .arg(name, anyOf(units), text)};
+    throw UsageError{
+        CommandLine::tr("--%1 must be a number with the unit %2, not \"%3\".").arg(name, anyOf(units), text)};
 }
 
 void checkRange(const char *name, double value, double smallest, double largest, const QString &unit)

@@ -349,15 +349,17 @@ private:
         const auto plot = [&exports](const QString &name) {
             return [&exports, name](const QString &path) { exports.write(exports.plot(name), {}, path); };
         };
-        return {
-            {"scene", "x.json", {}, [this](const QString &path) { m_window->scene().saveTo(path); }},
-            {"figure as PNG", "x.png", {}, plot({})},
-            {"figure as SVG", "x.svg", {}, plot({})},
-            {"figure as PDF", "x.pdf", {}, plot({})},
-            {"mechanism", "x.pdf", {}, [&exports](const QString &path) { exports.write(exports.mechanism(), {}, path); }},
-            {"plot", "x.svg", {}, plot("plot_theta3")},
-            {"report", "x.pdf", {}, [&exports](const QString &path) { exports.writeReport(path); }},
-            {"data", "x.csv", {}, [&exports](const QString &path) { exports.writeData(path, plottedChannels()); }}};
+        return {{"scene", "x.json", {}, [this](const QString &path) { m_window->scene().saveTo(path); }},
+                {"figure as PNG", "x.png", {}, plot({})},
+                {"figure as SVG", "x.svg", {}, plot({})},
+                {"figure as PDF", "x.pdf", {}, plot({})},
+                {"mechanism",
+                 "x.pdf",
+                 {},
+                 [&exports](const QString &path) { exports.write(exports.mechanism(), {}, path); }},
+                {"plot", "x.svg", {}, plot("plot_theta3")},
+                {"report", "x.pdf", {}, [&exports](const QString &path) { exports.writeReport(path); }},
+                {"data", "x.csv", {}, [&exports](const QString &path) { exports.writeData(path, plottedChannels()); }}};
     }
 
     Outcome saveInWindow(const Save &save, const QString &path)

@@ -293,10 +293,9 @@ private slots:
             const char *options;
             QSize size; // of the height 0 only the width is known
         };
-        for (const Row &row :
-             {Row{"", {1890, 0}}, Row{"--what mechanism --theme dark", {1890, 0}},
-              Row{"--what theta3 --size 500x300 --scale 2", {1000, 600}},
-              Row{"--what error_position --width 900px", {900, 0}}}) {
+        for (const Row &row : {Row{"", {1890, 0}}, Row{"--what mechanism --theme dark", {1890, 0}},
+                               Row{"--what theta3 --size 500x300 --scale 2", {1000, 600}},
+                               Row{"--what error_position --width 900px", {900, 0}}}) {
             const QString file = path("picture.png");
             const RunResult outcome =
                 run(QStringLiteral("render --b 60 --reference %1 -o %2 ").arg(kSample, file) + row.options);

@@ -32,8 +32,8 @@ struct Animation {
     double timeOfFrame(int frame) const; ///< s
 };
 
-/// Returns the size of frames with that many pixels. Frames of 1080 lines and more are drawn enlarged, so that links and
-/// letters keep their proportions.
+/// Returns the size of frames with that many pixels. Frames of 1080 lines and more are drawn enlarged, so that links
+/// and letters keep their proportions.
 FigureSize videoSize(const QSize &pixels);
 
 /// Draws the frame at that time (s), with its background, in that logical size from the origin.

@@ -73,9 +73,9 @@ QByteArray polished(const QByteArray &svg, const FigureSize &size)
     static const QRegularExpression kMillimetres(QStringLiteral(R"re(<svg width="[^"]*" height="[^"]*")re"));
     static const QRegularExpression kFamily(QStringLiteral(R"re(font-family="([^",]*)")re"));
     QString text = QString::fromUtf8(svg);
-    text.replace(kMillimetres,
-                 QStringLiteral(R"re(<svg width="%1" height="%2")re")
-                                     .arg(side(size.size.width()), side(size.size.height())));
+    text.replace(
+        kMillimetres,
+        QStringLiteral(R"re(<svg width="%1" height="%2")re").arg(side(size.size.width()), side(size.size.height())));
     text.replace(kFamily, QStringLiteral(R"re(font-family="'\1', sans-serif")re"));
     return text.toUtf8();
 }
@@ -178,8 +178,8 @@ QImage figureImage(const FigureSize &size, const FigureDrawing &draw)
     draw(painter, size.size);
     painter.end();
     if (size.isInMillimetres) { // after drawing, since it would scale a QPicture
-        const int dotsPerMetre = static_cast<int>(
-            std::lround(size.scale / size.paperPixel * kDotsPerInch * 1000.0 / kMmPerInch));
+        const int dotsPerMetre =
+            static_cast<int>(std::lround(size.scale / size.paperPixel * kDotsPerInch * 1000.0 / kMmPerInch));
         image.setDotsPerMeterX(dotsPerMetre);
         image.setDotsPerMeterY(dotsPerMetre);
     }
@@ -205,7 +205,8 @@ std::optional<QString> exportFigure(const QString &path, const FigureSize &size,
     }
     case FigureFormat::Svg: bytes = makeSvg(size, title, draw); break;
     case FigureFormat::Pdf: {
-        const QPageSize page(QSizeF(size.size) * size.paperPixel * kPointsPerPixel, QPageSize::Point, {}, QPageSize::ExactMatch);
+        const QPageSize page(QSizeF(size.size) * size.paperPixel * kPointsPerPixel, QPageSize::Point, {},
+                             QPageSize::ExactMatch);
         bytes = makePdf(page, title, [&](QPdfWriter &writer) {
             writer.setPageMargins(QMarginsF());
             QPainter painter(&writer);

@@ -39,11 +39,11 @@ inline constexpr double kPointsPerInch = 72.0;
 
 /// The size of a figure. A drawing is made for a whole number of logical pixels and then scaled to the exact size.
 struct FigureSize {
-    QSize size{1400, 900};     ///< logical pixels
-    double scale = 1.0;        ///< device pixels per logical pixel, for PNG and the clipboard
-    double paperPixel = 1.0;   ///< size of a logical pixel in SVG and PDF, in 1/96 inch
+    QSize size{1400, 900};        ///< logical pixels
+    double scale = 1.0;           ///< device pixels per logical pixel, for PNG and the clipboard
+    double paperPixel = 1.0;      ///< size of a logical pixel in SVG and PDF, in 1/96 inch
     bool isInMillimetres = false; ///< whether SVG states its size in mm, and PNG its resolution
-    int fontPixels = 0;        ///< of the painter's font; 0 for the size of the application's font
+    int fontPixels = 0;           ///< of the painter's font; 0 for the size of the application's font
 };
 
 /// The size and the content of an exported figure, as the user chooses them.
@@ -52,21 +52,21 @@ struct FigureOptions {
 
     double width = 160.0; ///< a column of text on A4
     Unit unit = Unit::Millimetre;
-    double fontSize = 9.0;     ///< points of 1/72 inch
-    QStringList plots = {};    ///< names in PlotGrid; empty for all that can be shown
-    bool showsCursor = false;  ///< whether the values at the current time are written
+    double fontSize = 9.0;    ///< points of 1/72 inch
+    QStringList plots = {};   ///< names in PlotGrid; empty for all that can be shown
+    bool showsCursor = false; ///< whether the values at the current time are written
     FigureFormat format = FigureFormat::Png;
 
     friend bool operator==(const FigureOptions &, const FigureOptions &) = default;
 };
 
 /// The width and the font size that a figure can have.
-inline constexpr double kSmallestFigure = 20.0;      ///< mm
-inline constexpr double kLargestFigure = 1000.0;     ///< mm
-inline constexpr double kSmallestPicture = 100.0;    ///< px
-inline constexpr double kLargestPicture = 20'000.0;  ///< px
-inline constexpr double kSmallestFont = 4.0;         ///< pt
-inline constexpr double kLargestFont = 48.0;         ///< pt
+inline constexpr double kSmallestFigure = 20.0;     ///< mm
+inline constexpr double kLargestFigure = 1000.0;    ///< mm
+inline constexpr double kSmallestPicture = 100.0;   ///< px
+inline constexpr double kLargestPicture = 20'000.0; ///< px
+inline constexpr double kSmallestFont = 4.0;        ///< pt
+inline constexpr double kLargestFont = 48.0;        ///< pt
 
 /// Returns the height (logical pixels) of a figure of that width with text in that font.
 using FigureHeight = std::function<int(int width, const QFont &)>;

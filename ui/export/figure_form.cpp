@@ -53,9 +53,9 @@ FigureOptions storedFigureOptions()
     FigureOptions options;
     options.unit = settings.value(kUnit).toString() == u"px" ? WidthUnit::Pixel : WidthUnit::Millimetre;
     const bool isInPixels = options.unit == WidthUnit::Pixel;
-    options.width = std::clamp(settings.value(kWidth, options.width).toDouble(),
-                               isInPixels ? kSmallestPicture : kSmallestFigure,
-                               isInPixels ? kLargestPicture : kLargestFigure);
+    options.width =
+        std::clamp(settings.value(kWidth, options.width).toDouble(), isInPixels ? kSmallestPicture : kSmallestFigure,
+                   isInPixels ? kLargestPicture : kLargestFigure);
     options.fontSize = std::clamp(settings.value(kFontSize, options.fontSize).toDouble(), kSmallestFont, kLargestFont);
     options.plots = settings.value(kPlots).toStringList();
     options.showsCursor = settings.value(kCursor, false).toBool();

@@ -49,8 +49,8 @@ QString note(const QString &text)
 /// Whether the last column of a table contains numbers or text.
 enum class LastColumn { Number, Text };
 
-/// Returns an HTML table. The first row is the header. The first column is aligned to the left, numbers to the right. Only
-/// headings and a last column of text are broken into lines.
+/// Returns an HTML table. The first row is the header. The first column is aligned to the left, numbers to the right.
+/// Only headings and a last column of text are broken into lines.
 QString table(const std::vector<QStringList> &rows, LastColumn last = LastColumn::Number)
 {
     QString html = "<table cellspacing=0 cellpadding=2>";
@@ -91,8 +91,7 @@ QString crankText(const ReportContent &content)
 {
     const Mechanism &mechanism = content.result->mechanism;
     const double theta2 = mechanism.theta20() + mechanism.omega2() * content.time;
-    return QStringLiteral("θ₂ = %1°, t = %2 s")
-        .arg(fixedText(kDegreesPerRadian * theta2, 2), numberText(content.time));
+    return QStringLiteral("θ₂ = %1°, t = %2 s").arg(fixedText(kDegreesPerRadian * theta2, 2), numberText(content.time));
 }
 
 QString pinnedText(const Result &result)
@@ -109,8 +108,8 @@ QString errorTable(const std::vector<ChannelComparison> &comparison, const Refer
 {
     const bool isOverAngle = file && file->crank;
     std::vector<QStringList> rows{{Report::tr("quantity"), Report::tr("largest error"),
-                                   isOverAngle ? Report::tr("at θ₂ [°]") : Report::tr("at t [s]"),
-                                   Report::tr("rms"), Report::tr("% of peak")}};
+                                   isOverAngle ? Report::tr("at θ₂ [°]") : Report::tr("at t [s]"), Report::tr("rms"),
+                                   Report::tr("% of peak")}};
     if (file) {
         rows.front() << Report::tr("rounding step") << Report::tr("verdict");
     }
@@ -239,13 +238,13 @@ QString reportHtml(const ReportContent &content)
            note(Report::tr("%1, by %2 %3")
                     .arg(QLocale().toString(content.written.toLocalTime(), Report::tr("d MMMM yyyy, HH:mm")),
                          QCoreApplication::applicationName(), QCoreApplication::applicationVersion())) +
-           (hasFoundMechanism(content) ? below : beside).arg(parameterTable(content), kMechanismPlace) +
-           note(caption) +
+           (hasFoundMechanism(content) ? below : beside).arg(parameterTable(content), kMechanismPlace) + note(caption) +
            heading(Report::tr("Values at %1").arg(crankText(content))) + valueTable(content) +
            heading(Report::tr("Motion limits")) + paragraph(mobilitySentence(result.mechanism, result.limits)) +
            table(limitTable(motionFacts(result.mechanism, result.limits, result.sampling))) +
-           heading(Report::tr("Motion")) + paragraph(pinnedText(result)) + QStringLiteral("<p>%1</p>").arg(kFigurePlace) +
-           heading(Report::tr("Method")) + paragraph(methodText(result)) + comparison;
+           heading(Report::tr("Motion")) + paragraph(pinnedText(result)) +
+           QStringLiteral("<p>%1</p>").arg(kFigurePlace) + heading(Report::tr("Method")) +
+           paragraph(methodText(result)) + comparison;
 }
 
 } // namespace slidercrank

@@ -146,7 +146,8 @@ void MechanismSketch::addGhost()
     }
     const bool isFile = !m_scene->result->difference;
     const std::size_t pinned = m_scene->result->pinned.size(); // the last one is drawn
-    const QColor &colour = isFile ? m_colours.reference : m_colours.*kPinnedColours[std::max<std::size_t>(pinned, 1) - 1];
+    const QColor &colour =
+        isFile ? m_colours.reference : m_colours.*kPinnedColours[std::max<std::size_t>(pinned, 1) - 1];
     const QLineF coupler(toPixels({ghost.pinX, ghost.pinY}), toPixels({ghost.sliderX, ghost.sliderY}));
     QPainterPath path = sliderPath(coupler.p2());
     path.moveTo(m_O2);

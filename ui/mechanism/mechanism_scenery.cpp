@@ -133,8 +133,8 @@ void MechanismSketch::addGuide()
     }
 }
 
-/// Returns the names of the dead centres and their places, each below its own mark. Where two full names do not fit, they
-/// are shortened; a short one that does not fit is left out.
+/// Returns the names of the dead centres and their places, each below its own mark. Where two full names do not fit,
+/// they are shortened; a short one that does not fit is left out.
 std::vector<std::pair<QString, QRectF>> MechanismSketch::deadCentreCaptions() const
 {
     if (!m_scene->settings.names) {

@@ -21,8 +21,8 @@ class MechanismSketch : public MechanismDrawing
     Q_DECLARE_TR_FUNCTIONS(slidercrank::MechanismSketch)
 
 public:
-    /// Whether the lengths, the scales of the arrows and the text about the instant centre are in the upper left corner,
-    /// as on the screen, or are omitted, because addLegend() draws them beside the drawing.
+    /// Whether the lengths, the scales of the arrows and the text about the instant centre are in the upper left
+    /// corner, as on the screen, or are omitted, because addLegend() draws them beside the drawing.
     enum class Legend { InCorner, Separate };
 
     MechanismSketch(const MechanismScene &scene, const MechanismProjection &projection, const QPalette &palette,

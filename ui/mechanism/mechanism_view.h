@@ -31,8 +31,8 @@ class MechanismView : public QWidget
 public:
     explicit MechanismView(QWidget *parent = nullptr);
 
-    /// Paints the drawing as vectors, with its background, on any paint device, in the font of the painter. The scales of
-    /// the arrows are below it. The lengths are not written, since every picture names the parameters once.
+    /// Paints the drawing as vectors, with its background, on any paint device, in the font of the painter. The scales
+    /// of the arrows are below it. The lengths are not written, since every picture names the parameters once.
     void paintMechanism(QPainter &painter, const QSize &size, const QPalette &palette) const;
 
     /// Returns the height of a picture of that width in landscape format, with the aspect ratio of the part in view.

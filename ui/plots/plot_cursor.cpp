@@ -20,7 +20,8 @@ void placeLabelsOf(PlotCursor &cursor, const QRectF &axes, const QFont &font)
     const double height = QFontMetricsF(font).height();
     std::ranges::stable_sort(cursor.labels, {},
                              [](const PlotCursor::Label &label) { return label.dot ? label.dot->y() : 0.0; });
-    double top = std::max(0.0, std::min(axes.top(), axes.bottom() - static_cast<double>(cursor.labels.size()) * height));
+    double top =
+        std::max(0.0, std::min(axes.top(), axes.bottom() - static_cast<double>(cursor.labels.size()) * height));
     double lowest = std::max(top, axes.bottom() - static_cast<double>(cursor.labels.size()) * height);
     for (PlotCursor::Label &label : cursor.labels) {
         label.text.prepare({}, font);

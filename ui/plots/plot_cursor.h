@@ -38,8 +38,8 @@ struct PlotCursor {
 /// The radius (px) of a dot beside text of that font.
 double dotRadius(const QFont &font);
 
-/// Places the labels of the cursors of one plot with these axes. Where a label of a later cursor covers one of the first
-/// cursor, only the dot of the covered one remains.
+/// Places the labels of the cursors of one plot with these axes. Where a label of a later cursor covers one of the
+/// first cursor, only the dot of the covered one remains.
 void placeLabels(std::vector<PlotCursor> &cursors, const QRectF &axes, const QFont &font);
 
 /// Paints the cursors, whose labels have been placed.

@@ -37,7 +37,8 @@ private:
     int m_digits = 6; ///< significant digits of the labels
 };
 
-/// Returns the size, in units of the painter, of the smallest detail that its device shows: a pixel, or 0.06 mm on paper.
+/// Returns the size, in units of the painter, of the smallest detail that its device shows: a pixel, or 0.06 mm on
+/// paper.
 double smallestDetail(const QPainter &painter);
 
 class PlotDrawing : public QCustomPlot

@@ -103,13 +103,13 @@ private:
     std::array<PlotPane *, kPlotCount> m_panes{};
     QList<QAction *> m_choices;
     QList<QAction *> m_errorChoices; ///< those about errors, which are hidden where nothing is compared
-    QLabel *m_hint; ///< how to compare with a file; to the right of the legend
+    QLabel *m_hint;                  ///< how to compare with a file; to the right of the legend
     std::optional<std::size_t> m_maximized;
-    std::optional<std::size_t> m_hovered; ///< the plot under the pointer
-    double m_hoverTime = 0.0;             ///< s
-    std::optional<double> m_time;         ///< s, the current time
+    std::optional<std::size_t> m_hovered;    ///< the plot under the pointer
+    double m_hoverTime = 0.0;                ///< s
+    std::optional<double> m_time;            ///< s, the current time
     std::optional<double> m_timeBeforeClick; ///< s
-    QRubberBand *m_rubberBand;            ///< the box that a drag zooms into
+    QRubberBand *m_rubberBand;               ///< the box that a drag zooms into
 
     /// A mouse button that is held down over a plot.
     struct Drag {

@@ -21,9 +21,9 @@ QPalette paletteFor(Theme theme);
 
 /// The colours of the drawing and the plots, chosen for contrast with the palette's base colour.
 struct SeriesColours {
-    QColor model;      ///< solid curves, the mechanism's links
-    QColor reference;  ///< dashed curves
-    QColor pinned;     ///< thin curves of pinned motions, the first of kPinnedColours
+    QColor model;     ///< solid curves, the mechanism's links
+    QColor reference; ///< dashed curves
+    QColor pinned;    ///< thin curves of pinned motions, the first of kPinnedColours
     QColor pinnedOther;
     QColor pinnedThird;
     QColor pinnedFourth;

@@ -290,7 +290,7 @@ void NumberBox::keyPressEvent(QKeyEvent *event)
         event->ignore();
         return;
     }
-    if (isTyping() && (event->key() == Qt::Key_Escape || event->matches(QKeySequence::Undo))) {
+    if ((isTyping() || m_hasTyped) && (event->key() == Qt::Key_Escape || event->matches(QKeySequence::Undo))) {
         lineEdit()->setText(shownText());
         m_hasTyped = false;
         selectNumber();

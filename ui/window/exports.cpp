@@ -102,9 +102,8 @@ FigureSubject Exports::mechanism() const
 
 void Exports::choose(const FigureSubject &subject)
 {
-    chooseFigure(m_window, subject, [this, subject](const FigureOptions &options, const QString &path) {
-        write(subject, options, path);
-    });
+    chooseFigure(m_window, subject,
+                 [this, subject](const FigureOptions &options, const QString &path) { write(subject, options, path); });
 }
 
 void Exports::write(const FigureSubject &subject, const FigureOptions &options, const QString &path)
@@ -163,10 +162,8 @@ void Exports::chooseReport()
     const QString a4 = tr("Reports on A4 (*.pdf)");
     const QString letter = tr("Reports on Letter (*.pdf)");
     const bool isLetter = usualPaper() == PaperSize::Letter;
-    chooseFileToSave(m_window, {tr("Export report"),
-                                isLetter ? QStringList{letter, a4} : QStringList{a4, letter},
-                                tr("report"),
-                                [this, letter](const QString &path, const QString &filter) {
+    chooseFileToSave(m_window, {tr("Export report"), isLetter ? QStringList{letter, a4} : QStringList{a4, letter},
+                                tr("report"), [this, letter](const QString &path, const QString &filter) {
                                     writeReport(path, filter == letter ? PaperSize::Letter : PaperSize::A4);
                                 }});
 }

@@ -165,7 +165,8 @@ private slots:
     /// A former defect: all pinned motions were solid grey lines.
     void pinnedMotionsDifferInColourAndDashes()
     {
-        const std::vector<Parameters> pinned{withCoupler(62.0), withCoupler(66.0), withCoupler(70.0), withCoupler(75.0)};
+        const std::vector<Parameters> pinned{withCoupler(62.0), withCoupler(66.0), withCoupler(70.0),
+                                             withCoupler(75.0)};
         PlotFigure &figure = figureOf({.pinned = pinned});
         const std::vector<PlotCurve> curves = plotOf(figure, 0).curves;
         QCOMPARE(curves.size(), pinned.size() + 1);
