@@ -70,9 +70,14 @@ SinCos sinCos(TwoPart angle)
 {
     const double s = std::sin(angle.hi);
     const double c = std::cos(angle.hi);
-    const double sinLo = std::sin(angle.lo);
-    const double sinHalfLo = std::sin(0.5 * angle.lo);
-    const double versineLo = 2.0 * sinHalfLo * sinHalfLo; // 1 - cos
+    double sinLo = angle.lo;
+    double versineLo = 0.5 * angle.lo * angle.lo; // 1 - cos
+    constexpr double kLargestSecondOrder = 5e-6;  // rad: below, the next term, lo³/6, is less than half an ulp of 1
+    if (std::abs(angle.lo) > kLargestSecondOrder) {
+        sinLo = std::sin(angle.lo);
+        const double sinHalfLo = std::sin(0.5 * angle.lo);
+        versineLo = 2.0 * sinHalfLo * sinHalfLo;
+    }
     return {s + (c * sinLo - s * versineLo), c - (s * sinLo + c * versineLo)};
 }
 
