@@ -17,6 +17,7 @@
 #endif
 
 #include "core/closed_form/motion_constants.h"
+#include "core/closed_form/vector_targets.h"
 #include "core/mechanism/two_part_angle.h"
 
 #include <hwy/highway.h>

@@ -6,6 +6,7 @@
 
 #include "core/closed_form/closed_form.h"
 #include "core/closed_form/state_at.h"
+#include "core/closed_form/vector_targets.h"
 #include "core/limits/extremes.h"
 #include "core/newton/newton.h"
 #include "core/sampling/trajectory.h"
