@@ -59,6 +59,9 @@ void OptionReader::checkRepetitions() const
 {
     const QStringList repeatable{"column", "reference"};
     for (const OptionDescription &option : m_options) {
+        if (!option.value) { // may be repeated, and has no value that could be asked for
+            continue;
+        }
         const QStringList given = texts(option.name);
         if (given.size() > 1 && !repeatable.contains(option.name)) {
             throw UsageError{CommandLine::tr("--%1 is given more than once: keep one of them.").arg(option.name)};
