@@ -26,6 +26,7 @@ namespace
 
 constexpr int kDecimals = 60; // so many that QDoubleSpinBox does not round the number
 constexpr std::chrono::seconds kNoteDuration{10};
+constexpr int kMinimumDigits = 2; // of a number that is shortened to fit into the box
 
 bool isUndo(const QKeyEvent &key)
 {
@@ -111,8 +112,11 @@ QSize NumberBox::sizeHint() const
     QStyleOptionSpinBox option;
     initStyleOption(&option);
     constexpr int kCursor = 4; // px
-    const QSize content(fontMetrics().horizontalAdvance("-000.000" + suffix()) + kCursor,
-                        lineEdit()->sizeHint().height());
+    int width = 0;             // of an ordinary number, and of one with a power of ten, which some fonts draw wider
+    for (const QString &number : {QStringLiteral("-000.000"), numberText(-8.8e-8, kMinimumDigits)}) {
+        width = std::max(width, fontMetrics().horizontalAdvance(number + suffix()));
+    }
+    const QSize content(width + kCursor, lineEdit()->sizeHint().height());
     return style()->sizeFromContents(QStyle::CT_SpinBox, &option, content, this);
 }
 
@@ -138,7 +142,6 @@ QString NumberBox::textFromValue(double value) const
 {
     constexpr int kMargins = 4; // px; margins of QLineEdit
     constexpr int kMaximumDigits = 6;
-    constexpr int kMinimumDigits = 2;
     const auto fits = [this](const QString &text) {
         return fontMetrics().horizontalAdvance(text + suffix()) <= lineEdit()->width() - kMargins;
     };
