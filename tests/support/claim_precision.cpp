@@ -128,9 +128,12 @@ bool isAccurate(const LinearizedFit &fit)
     if (!(svd.singularValues().minCoeff() > 1e-14)) {
         return false;
     }
-    MatrixXd errors = MatrixXd::Zero(unknowns, jacobian.cols()); // a column for each singular vector
-    errors(fit.free, Eigen::all) =
+    const MatrixXd freeErrors =
         scale.asDiagonal() * svd.matrixV() * svd.singularValues().cwiseSqrt().cwiseInverse().asDiagonal();
+    MatrixXd errors = MatrixXd::Zero(unknowns, jacobian.cols()); // a column for each singular vector
+    for (Index j = 0; j < freeErrors.rows(); ++j) {
+        errors.row(fit.free[static_cast<std::size_t>(j)]) = freeErrors.row(j);
+    }
     const VectorXd values = fit.valuesFor(VectorXd::Zero(unknowns));
     for (Index k = 0; k < errors.cols(); ++k) {
         for (const double sign : {-kErrors, kErrors}) {
@@ -140,8 +143,7 @@ bool isAccurate(const LinearizedFit &fit)
             }
         }
     }
-    const VectorXd projections =
-        errors(fit.free, Eigen::all).transpose() * jacobian.transpose() * fit.deviations.matrix();
+    const VectorXd projections = freeErrors.transpose() * jacobian.transpose() * fit.deviations.matrix();
     errors.row(kParameters - 1) -= fit.middle * std::abs(fit.truth.omega2) * errors.row(kParameters - 2);
     return errors.topRows(kParameters).rowwise().norm().maxCoeff() < 0.01 &&
            (errors.topRows(kParameters) * projections).cwiseAbs().maxCoeff() < 0.01;

@@ -109,10 +109,10 @@ inline std::vector<std::pair<int, int>> stretchesWithLines(const QImage &drawn, 
 inline std::vector<QRect> axesIn(const QImage &picture, int across)
 {
     const QImage drawn = drawnPixels(picture);
-    const QImage transposed = drawn.transformed(QTransform().rotate(90)).mirrored(true, false);
+    const QImage turned = drawn.transformed(QTransform().rotate(-90)); // its columns are the rows of the picture
     const auto columns = stretchesWithLines(drawn, picture.width() / across / 2);
     std::vector<QRect> axes;
-    for (const auto &[top, bottom] : stretchesWithLines(transposed, picture.height() / across / 2)) {
+    for (const auto &[top, bottom] : stretchesWithLines(turned, picture.height() / across / 2)) {
         for (const auto &[left, right] : columns) {
             axes.emplace_back(QPoint(left, top), QPoint(right, bottom));
         }
