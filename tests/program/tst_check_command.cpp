@@ -3,7 +3,6 @@
 // The command check: which slip gives the numbers of a calculation by hand.
 
 #include "tests/program/run_program.h"
-#include "tests/support/suite.h"
 
 #include <QLocale>
 #include <QStandardPaths>
@@ -143,5 +142,5 @@ private slots:
     }
 };
 
-const Suite checkCommandSuite("tst_check_command", runWithWidgets<TestCheckCommand>);
+QTEST_MAIN(TestCheckCommand)
 #include "tst_check_command.moc"

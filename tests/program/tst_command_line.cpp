@@ -6,7 +6,6 @@
 #include "app/help.h"
 #include "app/option_table.h"
 #include "tests/program/run_program.h"
-#include "tests/support/suite.h"
 
 #include <QLocale>
 #include <QSettings>
@@ -307,5 +306,5 @@ private:
     QTemporaryDir m_folder;
 };
 
-const Suite commandLineSuite("tst_command_line", runWithWidgets<TestCommandLine>);
+QTEST_MAIN(TestCommandLine)
 #include "tst_command_line.moc"

@@ -8,7 +8,6 @@
 #include "tests/support/pixels.h"
 #include "tests/support/printed_picture.h"
 #include "tests/support/study_of_a_turn.h"
-#include "tests/support/suite.h"
 #include "tests/support/waiting.h"
 #include "tests/support/widget_parts.h"
 #include "ui/export/animation_export.h"
@@ -401,6 +400,6 @@ private:
     MessageBar *m_messages = nullptr;
 };
 
-const Suite exportsSuite("tst_exports", runWithWidgets<TestExports>);
+QTEST_MAIN(TestExports)
 
 #include "tst_exports.moc"

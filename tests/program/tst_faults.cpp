@@ -8,7 +8,6 @@
 #include "tests/support/failing_calls.h"
 #include "tests/support/long_tests.h"
 #include "tests/support/place_of_a_save.h"
-#include "tests/support/suite.h"
 #include "tests/support/waiting.h"
 #include "tests/support/widget_parts.h"
 #include "ui/document/whole_file.h"
@@ -442,5 +441,5 @@ private:
     QStringList m_faults; ///< of the current test
 };
 
-const Suite faultsSuite("tst_faults", runWithWidgets<TestFaults>);
+QTEST_MAIN(TestFaults)
 #include "tst_faults.moc"

@@ -8,7 +8,6 @@
 #include "tests/program/run_program.h"
 #include "tests/support/accelerating_motion.h"
 #include "tests/support/random_mechanisms.h"
-#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -288,5 +287,5 @@ private slots:
     }
 };
 
-const Suite homeworkSuite("tst_homework", runWithWidgets<TestHomework>);
+QTEST_MAIN(TestHomework)
 #include "tst_homework.moc"

@@ -5,7 +5,6 @@
 #include "core/mechanism/channel.h"
 #include "tests/program/run_program.h"
 #include "tests/support/printed_motion.h"
-#include "tests/support/suite.h"
 
 #include <QDir>
 #include <QImage>
@@ -345,5 +344,5 @@ private:
     QTemporaryDir m_folder;
 };
 
-const Suite motionCommandsSuite("tst_motion_commands", runWithWidgets<TestMotionCommands>);
+QTEST_MAIN(TestMotionCommands)
 #include "tst_motion_commands.moc"

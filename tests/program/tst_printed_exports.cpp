@@ -8,7 +8,6 @@
 #include "tests/support/initial_mechanism.h"
 #include "tests/support/pixels.h"
 #include "tests/support/printed_picture.h"
-#include "tests/support/suite.h"
 #include "ui/export/report.h"
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/plots/plot_grid.h"
@@ -296,6 +295,6 @@ private:
     QTemporaryDir m_folder;
 };
 
-const Suite printedExportsSuite("tst_printed_exports", runWithWidgets<TestPrintedExports>);
+QTEST_MAIN(TestPrintedExports)
 
 #include "tst_printed_exports.moc"

@@ -2,8 +2,6 @@
 
 // Runs every command of the README, and checks that it prints the lines that the README shows.
 
-#include "tests/support/suite.h"
-
 #include <QDir>
 #include <QFile>
 #include <QProcess>
@@ -71,5 +69,5 @@ void TestReadme::commandsRunAndPrintWhatIsShown()
     }
 }
 
-const slidercrank::Suite readmeSuite("tst_readme", slidercrank::runWithEventLoop<TestReadme>);
+QTEST_GUILESS_MAIN(TestReadme)
 #include "tst_readme.moc"

@@ -4,7 +4,6 @@
 
 #include "tests/program/run_program.h"
 #include "tests/support/printed_motion.h"
-#include "tests/support/suite.h"
 
 #include <QLocale>
 #include <QRegularExpression>
@@ -299,5 +298,5 @@ private:
     QTemporaryDir m_folder;
 };
 
-const Suite referenceCommandsSuite("tst_reference_commands", runWithWidgets<TestReferenceCommands>);
+QTEST_MAIN(TestReferenceCommands)
 #include "tst_reference_commands.moc"

@@ -5,7 +5,6 @@
 #include "core/import/reference_data.h"
 #include "tests/support/files.h"
 #include "tests/support/printed_motion.h"
-#include "tests/support/suite.h"
 #include "ui/document/reference_file.h"
 
 #include <QJsonArray>
@@ -187,6 +186,6 @@ private slots:
     }
 };
 
-const Suite simulationFilesSuite("tst_simulation_files", runWithoutApplication<TestSimulationFiles>);
+QTEST_APPLESS_MAIN(TestSimulationFiles)
 
 #include "tst_simulation_files.moc"

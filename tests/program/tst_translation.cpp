@@ -11,7 +11,6 @@
 #include "tests/program/run_program.h"
 #include "tests/support/all_cases.h"
 #include "tests/support/study_of_a_turn.h"
-#include "tests/support/suite.h"
 #include "tests/support/waiting.h"
 
 #include <QAbstractButton>
@@ -495,5 +494,5 @@ private:
     QTemporaryDir m_settings;
 };
 
-const Suite translationSuite("tst_translation", runWithWidgets<TestTranslation>);
+QTEST_MAIN(TestTranslation)
 #include "tst_translation.moc"

@@ -4,7 +4,6 @@
 // line. The program must not use much memory for this. The large files are sparse and take no space on the disk.
 
 #include "tests/program/run_program.h"
-#include "tests/support/suite.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -194,5 +193,5 @@ private:
     QString m_file;
 };
 
-const Suite wrongFilesSuite("tst_wrong_files", runWithEventLoop<TestWrongFiles>);
+QTEST_GUILESS_MAIN(TestWrongFiles)
 #include "tst_wrong_files.moc"

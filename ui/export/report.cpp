@@ -31,10 +31,6 @@ struct ReportLayout {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::ReportLayout)
 };
 
-#ifdef Q_MOC_RUN // moc reads no headers of Qt
-Q_DECLARE_INTERFACE(QTextObjectInterface, "org.qt-project.Qt.QTextObjectInterface")
-#endif
-
 /// Draws vector graphics within the text.
 class DrawingObject : public QObject, public QTextObjectInterface
 {
@@ -303,4 +299,4 @@ std::optional<QString> exportReport(const QString &path, const ReportContent &co
 
 } // namespace slidercrank
 
-#include "moc_report.cpp"
+#include "report.moc"

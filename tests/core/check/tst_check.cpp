@@ -6,7 +6,6 @@
 #include "core/check/written_value.h"
 #include "tests/core/check/hand_calculation.h"
 #include "tests/support/random_mechanisms.h"
-#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -286,5 +285,5 @@ private slots:
     }
 };
 
-const Suite checkSuite("tst_check", runWithoutApplication<TestCheck>);
+QTEST_APPLESS_MAIN(TestCheck)
 #include "tst_check.moc"

@@ -3,10 +3,10 @@
 // Compares the closed form with multiple-precision results, and its evaluation of many time stamps with that of one.
 
 #include "core/closed_form/state_at.h"
+#include "core/closed_form/vector_targets.h"
 #include "tests/support/all_cases.h"
 #include "tests/support/deviation.h"
 #include "tests/support/mechanism_list.h"
-#include "tests/support/suite.h"
 
 #include <QTest>
 #include <hwy/highway.h>
@@ -397,5 +397,5 @@ private slots:
     }
 };
 
-const Suite closedFormSuite("tst_closed_form", runWithoutApplication<tst_closed_form>);
+QTEST_APPLESS_MAIN(tst_closed_form)
 #include "tst_closed_form.moc"

@@ -2,7 +2,6 @@
 #include "core/comparison/comparison.h"
 #include "tests/support/files.h"
 #include "tests/support/reading.h"
-#include "tests/support/suite.h"
 
 #include <QFile>
 #include <QTest>
@@ -325,5 +324,5 @@ private slots:
     }
 };
 
-const Suite comparisonSuite("tst_comparison", runWithoutApplication<TestComparison>);
+QTEST_APPLESS_MAIN(TestComparison)
 #include "tst_comparison.moc"

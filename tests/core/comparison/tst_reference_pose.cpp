@@ -2,7 +2,6 @@
 #include "core/closed_form/state_at.h"
 #include "core/comparison/reference_pose.h"
 #include "tests/support/channels.h"
-#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -121,5 +120,5 @@ private slots:
     }
 };
 
-const Suite referencePoseSuite("tst_reference_pose", runWithoutApplication<TestReferencePose>);
+QTEST_APPLESS_MAIN(TestReferencePose)
 #include "tst_reference_pose.moc"

@@ -10,7 +10,6 @@
 #include "tests/support/long_tests.h"
 #include "tests/support/random_mechanisms.h"
 #include "tests/support/reading.h"
-#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -179,5 +178,5 @@ private slots:
     }
 };
 
-const Suite verdictsSuite("tst_verdicts", runWithoutApplication<TestVerdicts>);
+QTEST_APPLESS_MAIN(TestVerdicts)
 #include "tst_verdicts.moc"

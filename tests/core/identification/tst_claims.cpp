@@ -12,7 +12,6 @@
 #include "tests/support/claim_judge.h"
 #include "tests/support/long_tests.h"
 #include "tests/support/reading.h"
-#include "tests/support/suite.h"
 
 #include <QDir>
 #include <QFile>
@@ -220,5 +219,5 @@ private slots:
     }
 };
 
-const Suite claimsSuite("tst_claims", runWithoutApplication<TestClaims>);
+QTEST_APPLESS_MAIN(TestClaims)
 #include "tst_claims.moc"

@@ -8,7 +8,6 @@
 #include "tests/support/long_tests.h"
 #include "tests/support/printed_motion.h"
 #include "tests/support/random_mechanisms.h"
-#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -422,5 +421,5 @@ private slots:
     }
 };
 
-const Suite conventionsSuite("tst_conventions", runWithoutApplication<TestConventions>);
+QTEST_APPLESS_MAIN(TestConventions)
 #include "tst_conventions.moc"

@@ -7,7 +7,6 @@
 #include "tests/support/long_tests.h"
 #include "tests/support/printed_motion.h"
 #include "tests/support/random_mechanisms.h"
-#include "tests/support/suite.h"
 
 #include <QFile>
 #include <QTest>
@@ -377,5 +376,5 @@ private slots:
     }
 };
 
-const Suite identificationSuite("tst_identification", runWithoutApplication<TestIdentification>);
+QTEST_APPLESS_MAIN(TestIdentification)
 #include "tst_identification.moc"

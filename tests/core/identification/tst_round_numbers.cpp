@@ -5,7 +5,6 @@
 #include "core/mechanism/turn.h"
 #include "tests/support/printed_motion.h"
 #include "tests/support/random_mechanisms.h"
-#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -132,5 +131,5 @@ private slots:
     }
 };
 
-const Suite roundNumbersSuite("tst_round_numbers", runWithoutApplication<TestRoundNumbers>);
+QTEST_APPLESS_MAIN(TestRoundNumbers)
 #include "tst_round_numbers.moc"

@@ -2,7 +2,6 @@
 #include "core/import/clock.h"
 #include "core/import/reference_data.h"
 #include "tests/support/described_reading.h"
-#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -66,5 +65,5 @@ private slots:
     }
 };
 
-const Suite clockSuite("tst_clock", runWithoutApplication<TestClock>);
+QTEST_APPLESS_MAIN(TestClock)
 #include "tst_clock.moc"

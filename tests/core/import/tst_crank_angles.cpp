@@ -2,7 +2,6 @@
 #include "core/import/crank_angles.h"
 
 #include "tests/support/described_reading.h"
-#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -80,5 +79,5 @@ private slots:
     }
 };
 
-const Suite crankAnglesSuite("tst_crank_angles", runWithoutApplication<TestCrankAngles>);
+QTEST_APPLESS_MAIN(TestCrankAngles)
 #include "tst_crank_angles.moc"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/described_reading.h"
-#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -48,5 +47,5 @@ private slots:
     }
 };
 
-const Suite differenceSuite("tst_difference", runWithoutApplication<TestDifference>);
+QTEST_APPLESS_MAIN(TestDifference)
 #include "tst_difference.moc"

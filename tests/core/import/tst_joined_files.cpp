@@ -3,7 +3,6 @@
 // Joins several files of one motion.
 
 #include "tests/support/described_reading.h"
-#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -79,5 +78,5 @@ private slots:
     }
 };
 
-const Suite joinedFilesSuite("tst_joined_files", runWithoutApplication<TestJoinedFiles>);
+QTEST_APPLESS_MAIN(TestJoinedFiles)
 #include "tst_joined_files.moc"

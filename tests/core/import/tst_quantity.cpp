@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/import/quantity.h"
-#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -114,5 +113,5 @@ private slots:
     }
 };
 
-const Suite quantitySuite("tst_quantity", runWithEventLoop<TestQuantity>);
+QTEST_GUILESS_MAIN(TestQuantity)
 #include "tst_quantity.moc"

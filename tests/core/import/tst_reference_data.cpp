@@ -2,7 +2,6 @@
 #include "core/import/reference_data.h"
 
 #include "tests/support/described_reading.h"
-#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -364,5 +363,5 @@ private slots:
     }
 };
 
-const Suite referenceDataSuite("tst_reference_data", runWithoutApplication<TestReferenceData>);
+QTEST_APPLESS_MAIN(TestReferenceData)
 #include "tst_reference_data.moc"

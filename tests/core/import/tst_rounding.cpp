@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/import/cells.h"
-#include "tests/support/suite.h"
 
 #include <QStringList>
 #include <QTest>
@@ -183,5 +182,5 @@ private slots:
     }
 };
 
-const Suite roundingSuite("tst_rounding", runWithoutApplication<TestRounding>);
+QTEST_APPLESS_MAIN(TestRounding)
 #include "tst_rounding.moc"

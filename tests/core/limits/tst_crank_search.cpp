@@ -3,7 +3,6 @@
 #include "core/mechanism/turn.h"
 #include "tests/support/deviation.h"
 #include "tests/support/random_mechanisms.h"
-#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -188,5 +187,5 @@ private slots:
     }
 };
 
-const Suite crankSearchSuite("tst_crank_search", runWithoutApplication<TestCrankSearch>);
+QTEST_APPLESS_MAIN(TestCrankSearch)
 #include "tst_crank_search.moc"

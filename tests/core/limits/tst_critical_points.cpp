@@ -7,7 +7,6 @@
 #include "core/sampling/trajectory.h"
 #include "tests/support/long_tests.h"
 #include "tests/support/mechanism_list.h"
-#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -127,5 +126,5 @@ private slots:
     }
 };
 
-const Suite criticalPointsSuite("tst_critical_points", runWithEventLoop<TestCriticalPoints>);
+QTEST_GUILESS_MAIN(TestCriticalPoints)
 #include "tst_critical_points.moc"

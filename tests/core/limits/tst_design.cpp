@@ -4,7 +4,6 @@
 
 #include "core/limits/design.h"
 #include "core/limits/mobility.h"
-#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -100,5 +99,5 @@ private slots:
     }
 };
 
-const Suite designSuite("tst_design", runWithoutApplication<TestDesign>);
+QTEST_APPLESS_MAIN(TestDesign)
 #include "tst_design.moc"

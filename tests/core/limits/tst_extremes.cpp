@@ -5,7 +5,6 @@
 #include "tests/support/all_cases.h"
 #include "tests/support/deviation.h"
 #include "tests/support/random_mechanisms.h"
-#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -223,5 +222,5 @@ private slots:
     }
 };
 
-const Suite extremesSuite("tst_extremes", runWithoutApplication<tst_extremes>);
+QTEST_APPLESS_MAIN(tst_extremes)
 #include "tst_extremes.moc"

@@ -3,7 +3,6 @@
 #include "core/mechanism/turn.h"
 #include "tests/support/deviation.h"
 #include "tests/support/random_mechanisms.h"
-#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -271,5 +270,5 @@ private slots:
     }
 };
 
-const Suite limitSuite("tst_limit", runWithoutApplication<TestLimit>);
+QTEST_APPLESS_MAIN(TestLimit)
 #include "tst_limit.moc"

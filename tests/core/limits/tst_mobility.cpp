@@ -4,7 +4,6 @@
 #include "core/mechanism/turn.h"
 #include "tests/support/deviation.h"
 #include "tests/support/mechanism_list.h"
-#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -330,5 +329,5 @@ private slots:
     }
 };
 
-const Suite mobilitySuite("tst_mobility", runWithoutApplication<tst_mobility>);
+QTEST_APPLESS_MAIN(tst_mobility)
 #include "tst_mobility.moc"

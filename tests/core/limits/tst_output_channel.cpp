@@ -2,7 +2,6 @@
 #include "core/limits/output_channel.h"
 #include "tests/support/accelerating_motion.h"
 #include "tests/support/random_mechanisms.h"
-#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -94,5 +93,5 @@ private slots:
     }
 };
 
-const Suite outputChannelSuite("tst_output_channel", runWithoutApplication<TestOutputChannel>);
+QTEST_APPLESS_MAIN(TestOutputChannel)
 #include "tst_output_channel.moc"

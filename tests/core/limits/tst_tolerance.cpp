@@ -2,7 +2,6 @@
 #include "core/limits/tolerance.h"
 #include "tests/support/deviation.h"
 #include "tests/support/random_mechanisms.h"
-#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -115,5 +114,5 @@ private slots:
     }
 };
 
-const Suite toleranceSuite("tst_tolerance", runWithoutApplication<TestTolerance>);
+QTEST_APPLESS_MAIN(TestTolerance)
 #include "tst_tolerance.moc"

@@ -3,7 +3,6 @@
 #include "core/mechanism/mechanism.h"
 #include "core/study/cases.h"
 #include "tests/support/all_cases.h"
-#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -126,5 +125,5 @@ private slots:
     }
 };
 
-const Suite mechanismSuite("tst_mechanism", runWithoutApplication<tst_mechanism>);
+QTEST_APPLESS_MAIN(tst_mechanism)
 #include "tst_mechanism.moc"

@@ -2,7 +2,6 @@
 #include "core/mechanism/two_part_angle.h"
 #include "core/study/exact_motion.h"
 #include "tests/support/random_mechanisms.h"
-#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -101,5 +100,5 @@ private slots:
     }
 };
 
-const Suite twoPartAngleSuite("tst_two_part_angle", runWithoutApplication<tst_two_part_angle>);
+QTEST_APPLESS_MAIN(tst_two_part_angle)
 #include "tst_two_part_angle.moc"

@@ -4,7 +4,6 @@
 #include "core/study/cases.h"
 #include "tests/core/newton/newton_runs.h"
 #include "tests/support/mechanism_list.h"
-#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -168,5 +167,5 @@ private slots:
     }
 };
 
-const Suite constraintsSuite("tst_constraints", runWithoutApplication<tst_constraints>);
+QTEST_APPLESS_MAIN(tst_constraints)
 #include "tst_constraints.moc"

@@ -8,7 +8,6 @@
 #include "tests/support/all_cases.h"
 #include "tests/support/long_tests.h"
 #include "tests/support/random_mechanisms.h"
-#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -341,5 +340,5 @@ private slots:
     }
 };
 
-const Suite newtonSuite("tst_newton", runWithoutApplication<TestNewton>);
+QTEST_APPLESS_MAIN(TestNewton)
 #include "tst_newton.moc"

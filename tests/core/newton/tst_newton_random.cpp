@@ -8,7 +8,6 @@
 #include "tests/support/all_cases.h"
 #include "tests/support/long_tests.h"
 #include "tests/support/random_mechanisms.h"
-#include "tests/support/suite.h"
 
 #include <Eigen/LU>
 #include <Eigen/SVD>
@@ -226,5 +225,5 @@ private slots:
     }
 };
 
-const Suite newtonRandomSuite("tst_newton_random", runWithoutApplication<TestNewtonRandom>);
+QTEST_APPLESS_MAIN(TestNewtonRandom)
 #include "tst_newton_random.moc"

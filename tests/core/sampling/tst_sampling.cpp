@@ -13,7 +13,6 @@
 #include "tests/support/channels.h"
 #include "tests/support/deviation.h"
 #include "tests/support/random_mechanisms.h"
-#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -234,5 +233,5 @@ private slots:
     }
 };
 
-const Suite samplingSuite("tst_sampling", runWithoutApplication<TestSampling>);
+QTEST_APPLESS_MAIN(TestSampling)
 #include "tst_sampling.moc"

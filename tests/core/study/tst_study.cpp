@@ -3,7 +3,6 @@
 #include "core/study/study.h"
 #include "core/study/study_methods.h"
 #include "tests/support/all_cases.h"
-#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -275,5 +274,5 @@ private slots:
     }
 };
 
-const Suite studySuite("tst_study", runWithoutApplication<tst_study>);
+QTEST_APPLESS_MAIN(tst_study)
 #include "tst_study.moc"

@@ -2,7 +2,6 @@
 
 // Background tasks call back once, in the GUI thread, or not at all if they are discarded.
 
-#include "tests/support/suite.h"
 #include "tests/support/waiting.h"
 #include "ui/document/background_task.h"
 
@@ -191,5 +190,5 @@ private slots:
     }
 };
 
-const Suite backgroundTaskSuite("tst_background_task", runWithEventLoop<TestBackgroundTask>);
+QTEST_GUILESS_MAIN(TestBackgroundTask)
 #include "tst_background_task.moc"

@@ -4,7 +4,6 @@
 
 #include "tests/support/files.h"
 #include "tests/support/random_mechanisms.h"
-#include "tests/support/suite.h"
 #include "tests/support/waiting.h"
 #include "ui/document/scene.h"
 #include "ui/document/session.h"
@@ -280,5 +279,5 @@ private slots:
     }
 };
 
-const Suite sceneSuite("tst_scene", runWithWidgets<TestScene>);
+QTEST_MAIN(TestScene)
 #include "tst_scene.moc"

@@ -5,7 +5,6 @@
 #include "core/closed_form/closed_form.h"
 #include "tests/support/files.h"
 #include "tests/support/initial_mechanism.h"
-#include "tests/support/suite.h"
 #include "tests/support/waiting.h"
 #include "ui/document/session.h"
 #include "ui/document/with.h"
@@ -298,5 +297,5 @@ private slots:
     }
 };
 
-const Suite sessionSuite("tst_session", runWithEventLoop<TestSession>);
+QTEST_GUILESS_MAIN(TestSession)
 #include "tst_session.moc"

@@ -4,7 +4,6 @@
 
 #include "tests/support/files.h"
 #include "tests/support/initial_mechanism.h"
-#include "tests/support/suite.h"
 #include "tests/support/waiting.h"
 #include "ui/document/session.h"
 
@@ -311,5 +310,5 @@ private slots:
     }
 };
 
-const Suite sessionReferenceSuite("tst_session_reference", runWithEventLoop<TestSessionReference>);
+QTEST_GUILESS_MAIN(TestSessionReference)
 #include "tst_session_reference.moc"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/files.h"
-#include "tests/support/suite.h"
 #include "ui/document/session.h"
 #include "ui/export/animation_export.h"
 #include "ui/export/figure_export.h"
@@ -334,5 +333,5 @@ private:
     std::unique_ptr<QTemporaryDir> m_folder;
 };
 
-const Suite exportSuite("tst_export", runWithWidgets<TestExport>);
+QTEST_MAIN(TestExport)
 #include "tst_export.moc"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/pixels.h"
-#include "tests/support/suite.h"
 #include "tests/support/text_recorder.h"
 #include "tests/support/waiting.h"
 #include "tests/ui/mechanism/drawn.h"
@@ -538,5 +537,5 @@ private slots:
     }
 };
 
-const Suite mechanismViewSuite("tst_mechanism_view", runWithWidgets<TestMechanismView>);
+QTEST_MAIN(TestMechanismView)
 #include "tst_mechanism_view.moc"

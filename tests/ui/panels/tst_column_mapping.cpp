@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/channels.h"
 #include "tests/support/reading.h"
-#include "tests/support/suite.h"
 #include "ui/document/column_choices.h"
 #include "ui/document/reference_file.h"
 #include "ui/document/session.h"
@@ -232,5 +231,5 @@ private:
     QTemporaryDir m_folder;
 };
 
-const Suite columnMappingSuite("tst_column_mapping", runWithWidgets<TestColumnMapping>);
+QTEST_MAIN(TestColumnMapping)
 #include "tst_column_mapping.moc"

@@ -2,7 +2,6 @@
 #include "tests/support/channels.h"
 #include "tests/support/page_text.h"
 #include "tests/support/reading.h"
-#include "tests/support/suite.h"
 #include "ui/panels/error_page.h"
 #include "ui/panels/reference_page.h"
 
@@ -288,5 +287,5 @@ private slots:
     }
 };
 
-const Suite errorPageSuite("tst_error_page", runWithoutApplication<TestErrorPage>);
+QTEST_APPLESS_MAIN(TestErrorPage)
 #include "tst_error_page.moc"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/closed_form/closed_form.h"
 #include "tests/support/page_text.h"
-#include "tests/support/suite.h"
 #include "ui/panels/limits_page.h"
 #include "ui/text/motion_facts.h"
 
@@ -205,5 +204,5 @@ private slots:
     }
 };
 
-const Suite limitsPageSuite("tst_limits_page", runWithoutApplication<TestLimitsPage>);
+QTEST_APPLESS_MAIN(TestLimitsPage)
 #include "tst_limits_page.moc"

@@ -4,7 +4,6 @@
 
 #include "core/limits/design.h"
 #include "core/limits/extremes.h"
-#include "tests/support/suite.h"
 #include "ui/panels/design_form.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/panels/response_view.h"
@@ -347,5 +346,5 @@ private slots:
     }
 };
 
-const Suite limitsPanelSuite("tst_limits_panel", runWithWidgets<TestLimitsPanel>);
+QTEST_MAIN(TestLimitsPanel)
 #include "tst_limits_panel.moc"

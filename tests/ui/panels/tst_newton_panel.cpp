@@ -2,7 +2,6 @@
 #include "core/closed_form/state_at.h"
 #include "core/newton/constraints.h"
 #include "core/newton/newton.h"
-#include "tests/support/suite.h"
 #include "ui/document/session.h"
 #include "ui/panels/newton_pages.h"
 #include "ui/panels/solver_form.h"
@@ -182,5 +181,5 @@ private slots:
     }
 };
 
-const Suite newtonPanelSuite("tst_newton_panel", runWithWidgets<TestNewtonPanel>);
+QTEST_MAIN(TestNewtonPanel)
 #include "tst_newton_panel.moc"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/support/suite.h"
 #include "ui/document/session.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/text/finding_text.h"
@@ -172,5 +171,5 @@ private slots:
     }
 };
 
-const Suite parameterPanelSuite("tst_parameter_panel", runWithWidgets<TestParameterPanel>);
+QTEST_MAIN(TestParameterPanel)
 #include "tst_parameter_panel.moc"

@@ -4,7 +4,6 @@
 #include "ui/panels/study_panel.h"
 
 #include "tests/support/page_text.h"
-#include "tests/support/suite.h"
 #include "tests/support/waiting.h"
 #include "tests/support/widget_parts.h"
 
@@ -89,5 +88,5 @@ private slots:
     }
 };
 
-const Suite studyPanelSuite("tst_study_panel", runWithWidgets<TestStudyPanel>);
+QTEST_MAIN(TestStudyPanel)
 #include "tst_study_panel.moc"

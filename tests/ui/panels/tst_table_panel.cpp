@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/support/suite.h"
 #include "ui/document/session.h"
 #include "ui/panels/table_panel.h"
 #include "ui/plots/chart.h"
@@ -224,5 +223,5 @@ private slots:
     }
 };
 
-const Suite tablePanelSuite("tst_table_panel", runWithWidgets<TestTablePanel>);
+QTEST_MAIN(TestTablePanel)
 #include "tst_table_panel.moc"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/support/suite.h"
 #include "ui/document/session.h"
 #include "ui/panels/timeline.h"
 #include "ui/widgets/number_box.h"
@@ -244,5 +243,5 @@ private slots:
     }
 };
 
-const Suite timelineSuite("tst_timeline", runWithWidgets<TestTimeline>);
+QTEST_MAIN(TestTimeline)
 #include "tst_timeline.moc"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/support/suite.h"
 #include "tests/support/text_recorder.h"
 #include "tests/support/waiting.h"
 #include "ui/plots/chart.h"
@@ -137,5 +136,5 @@ private slots:
     }
 };
 
-const Suite chartSuite("tst_chart", runWithWidgets<TestChart>);
+QTEST_MAIN(TestChart)
 #include "tst_chart.moc"

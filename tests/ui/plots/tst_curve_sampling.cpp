@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/support/suite.h"
 #include "tests/ui/plots/plot_results.h"
 #include "ui/plots/curve_sampling.h"
 
@@ -126,5 +125,5 @@ private slots:
     }
 };
 
-const Suite curveSamplingSuite("tst_curve_sampling", runWithoutApplication<TestCurveSampling>);
+QTEST_APPLESS_MAIN(TestCurveSampling)
 #include "tst_curve_sampling.moc"

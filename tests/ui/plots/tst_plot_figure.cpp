@@ -2,7 +2,6 @@
 #include "ui/plots/plot_figure.h"
 
 #include "tests/support/pixels.h"
-#include "tests/support/suite.h"
 #include "tests/support/text_recorder.h"
 #include "tests/ui/plots/plot_results.h"
 #include "ui/plots/plot_drawing.h"
@@ -371,5 +370,5 @@ private slots:
     }
 };
 
-const Suite plotFigureSuite("tst_plot_figure", runWithWidgets<TestPlotFigure>);
+QTEST_MAIN(TestPlotFigure)
 #include "tst_plot_figure.moc"

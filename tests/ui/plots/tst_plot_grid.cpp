@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/pixels.h"
-#include "tests/support/suite.h"
 #include "ui/plots/plot_grid.h"
 
 #include "tests/support/text_recorder.h"
@@ -453,5 +452,5 @@ private slots:
     }
 };
 
-const Suite plotGridSuite("tst_plot_grid", runWithWidgets<TestPlotGrid>);
+QTEST_MAIN(TestPlotGrid)
 #include "tst_plot_grid.moc"

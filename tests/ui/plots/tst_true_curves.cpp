@@ -8,7 +8,6 @@
 #include "core/closed_form/closed_form.h"
 #include "core/limits/extremes.h"
 #include "core/mechanism/turn.h"
-#include "tests/support/suite.h"
 
 #include <QImage>
 #include <QTest>
@@ -326,5 +325,5 @@ private slots:
     }
 };
 
-const Suite trueCurvesSuite("tst_true_curves", runWithWidgets<TestTrueCurves>);
+QTEST_MAIN(TestTrueCurves)
 #include "tst_true_curves.moc"

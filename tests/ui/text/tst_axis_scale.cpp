@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/support/suite.h"
 #include "ui/text/axis_scale.h"
 #include "ui/text/written_number.h"
 
@@ -72,5 +71,5 @@ private:
     static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 };
 
-const Suite axisScaleSuite("tst_axis_scale", runWithoutApplication<TstAxisScale>);
+QTEST_APPLESS_MAIN(TstAxisScale)
 #include "tst_axis_scale.moc"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/channels.h"
-#include "tests/support/suite.h"
 #include "ui/text/convention_text.h"
 
 #include <QLocale>
@@ -81,5 +80,5 @@ private slots:
     }
 };
 
-const Suite conventionTextSuite("tst_convention_text", runWithEventLoop<TestConventionText>);
+QTEST_GUILESS_MAIN(TestConventionText)
 #include "tst_convention_text.moc"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/channels.h"
-#include "tests/support/suite.h"
 #include "ui/text/diagnosis_text.h"
 #include "ui/text/finding_text.h"
 
@@ -242,5 +241,5 @@ private slots:
     }
 };
 
-const Suite diagnosisTextSuite("tst_diagnosis_text", runWithEventLoop<TestDiagnosisText>);
+QTEST_GUILESS_MAIN(TestDiagnosisText)
 #include "tst_diagnosis_text.moc"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/channels.h"
-#include "tests/support/suite.h"
 #include "ui/text/finding_text.h"
 
 #include <QLocale>
@@ -161,5 +160,5 @@ private slots:
     }
 };
 
-const Suite findingTextSuite("tst_finding_text", runWithEventLoop<TestFindingText>);
+QTEST_GUILESS_MAIN(TestFindingText)
 #include "tst_finding_text.moc"

@@ -2,7 +2,6 @@
 
 // Why a file, or a row of it, cannot be read: a sentence for each reason, in both languages.
 
-#include "tests/support/suite.h"
 #include "ui/text/language.h"
 #include "ui/text/read_fault_text.h"
 
@@ -71,5 +70,5 @@ private slots:
     }
 };
 
-const Suite readFaultTextSuite("tst_read_fault_text", runWithEventLoop<TestReadFaultText>);
+QTEST_GUILESS_MAIN(TestReadFaultText)
 #include "tst_read_fault_text.moc"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mechanism/mechanism.h"
-#include "tests/support/suite.h"
 #include "ui/widgets/number_box.h"
 
 #include "tests/support/waiting.h"
@@ -257,5 +256,5 @@ private slots:
     }
 };
 
-const Suite numberBoxSuite("tst_number_box", runWithWidgets<TestNumberBox>);
+QTEST_MAIN(TestNumberBox)
 #include "tst_number_box.moc"

@@ -2,7 +2,6 @@
 
 // Accessibility of the window: the names and values that a screen reader receives, and the order of the Tab key.
 
-#include "tests/support/suite.h"
 #include "tests/ui/window/window_fixture.h"
 
 #include "ui/panels/timeline.h"
@@ -257,5 +256,5 @@ private slots:
     }
 };
 
-const Suite accessibilitySuite("tst_accessibility", runWithWidgets<TestAccessibility>);
+QTEST_MAIN(TestAccessibility)
 #include "tst_accessibility.moc"

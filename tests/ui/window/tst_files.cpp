@@ -2,7 +2,6 @@
 
 // Scene files and exported files: opening, saving, file dialogs, and the questions before changes are lost.
 
-#include "tests/support/suite.h"
 #include "tests/ui/window/window_fixture.h"
 
 #include "ui/export/animation_export.h"
@@ -381,5 +380,5 @@ private:
     std::unique_ptr<QTemporaryDir> m_folder;
 };
 
-const Suite filesSuite("tst_files", runWithWidgets<TestFiles>);
+QTEST_MAIN(TestFiles)
 #include "tst_files.moc"

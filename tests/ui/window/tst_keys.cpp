@@ -2,7 +2,6 @@
 
 // Keys and mouse wheel: the events are sent to the window, with the focus on different controls.
 
-#include "tests/support/suite.h"
 #include "tests/ui/window/window_fixture.h"
 
 #include "ui/panels/timeline.h"
@@ -368,5 +367,5 @@ private slots:
     }
 };
 
-const Suite keysSuite("tst_keys", runWithWidgets<TestKeys>);
+QTEST_MAIN(TestKeys)
 #include "tst_keys.moc"

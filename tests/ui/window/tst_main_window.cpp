@@ -3,7 +3,6 @@
 // The main window, operated with mouse and keys. Most tests check what is painted.
 
 #include "tests/support/pixels.h"
-#include "tests/support/suite.h"
 #include "tests/ui/window/window_fixture.h"
 
 #include "ui/mechanism/mechanism_view.h"
@@ -474,5 +473,5 @@ private slots:
     }
 };
 
-const Suite mainWindowSuite("tst_main_window", runWithWidgets<TestMainWindow>);
+QTEST_MAIN(TestMainWindow)
 #include "tst_main_window.moc"

@@ -10,7 +10,6 @@
 #include "ui/window/status_bar.h"
 
 #include "tests/support/long_tests.h"
-#include "tests/support/suite.h"
 #include "tests/support/waiting.h"
 
 #include <QAbstractButton>
@@ -394,7 +393,7 @@ void configureTwoScreens(const QString &file)
     }
 }
 
-static int run(int argc, char *argv[])
+int main(int argc, char *argv[])
 {
     const QTemporaryDir folder;
     configureTwoScreens(folder.filePath("screens.json"));
@@ -402,5 +401,5 @@ static int run(int argc, char *argv[])
     TestMonkey test;
     return QTest::qExec(&test, argc, argv);
 }
-const Suite monkeySuite("tst_monkey", run);
+
 #include "tst_monkey.moc"

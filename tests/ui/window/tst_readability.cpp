@@ -3,7 +3,6 @@
 // No text is cut off in either language, with large fonts or on small screens, and every control remains accessible.
 // Numbers on the screen follow the locale, here with a decimal comma; numbers in files always have a decimal point.
 
-#include "tests/support/suite.h"
 #include "tests/ui/plots/plot_results.h"
 #include "tests/ui/window/window_fixture.h"
 
@@ -262,5 +261,5 @@ private slots:
     }
 };
 
-const Suite readabilitySuite("tst_readability", runWithWidgets<TestReadability>);
+QTEST_MAIN(TestReadability)
 #include "tst_readability.moc"

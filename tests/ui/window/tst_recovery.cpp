@@ -2,7 +2,6 @@
 
 // Recovery after a crash: the tests kill windows in other processes, and check what the next window offers.
 
-#include "tests/support/suite.h"
 #include "tests/ui/window/window_fixture.h"
 
 #include "ui/window/recovery.h"
@@ -208,7 +207,7 @@ private:
 
     void editElsewhere(const QString &scene = {})
     {
-        m_other.start(QCoreApplication::applicationFilePath(), {"tst_recovery", "--edit", m_folder->path(), scene});
+        m_other.start(QCoreApplication::applicationFilePath(), {"--edit", m_folder->path(), scene});
         AWAIT(hasCopy());
     }
 
@@ -223,7 +222,7 @@ private:
     QProcess m_other;
 };
 
-static int runOrEdit(int argc, char *argv[])
+int main(int argc, char *argv[])
 {
     QApplication application(argc, argv);
     QStandardPaths::setTestModeEnabled(true);
@@ -234,5 +233,5 @@ static int runOrEdit(int argc, char *argv[])
     TestRecovery tests;
     return QTest::qExec(&tests, argc, argv);
 }
-const Suite recoverySuite("tst_recovery", runOrEdit);
+
 #include "tst_recovery.moc"

@@ -4,7 +4,6 @@
 // also after the window was moved to a screen with another ratio. In a picture that was scaled up, some neighbouring
 // columns of pixels hardly differ.
 
-#include "tests/support/suite.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/widgets/folding_tabs.h"
 
@@ -135,7 +134,7 @@ private slots:
     }
 };
 
-static int runOnTwoScreens(int argc, char *argv[])
+int main(int argc, char *argv[])
 {
     const QTemporaryDir folder;
     QFile screens(folder.filePath("screens.json"));
@@ -149,5 +148,5 @@ static int runOnTwoScreens(int argc, char *argv[])
     TestSharpness test;
     return QTest::qExec(&test, argc, argv);
 }
-const Suite sharpnessSuite("tst_sharpness", runOnTwoScreens);
+
 #include "tst_sharpness.moc"

@@ -4,7 +4,6 @@
 // F. Fernandes, "A Physiologically-based Model for Simulation of Color Vision Deficiency", IEEE TVCG 15 (2009), the
 // matrices of severity 1; CIE 1976 L*a*b* differences; the contrast of the W3C's WCAG 2.1.
 
-#include "tests/support/suite.h"
 #include "ui/text/theme.h"
 
 #include <QTest>
@@ -132,5 +131,5 @@ private slots:
     }
 };
 
-const Suite themeSuite("tst_theme", runWithWidgets<TestTheme>);
+QTEST_MAIN(TestTheme)
 #include "tst_theme.moc"

@@ -10,6 +10,7 @@
 #include "tests/support/waiting.h"
 #include "tests/support/widget_parts.h"
 
+#include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
 #include <QDropEvent>
