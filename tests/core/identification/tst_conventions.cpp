@@ -274,7 +274,8 @@ private slots:
                 // The negated angles of a crossed mechanism differ by a whole turn from those of its mirror image.
                 const bool isTurned = rangeOf(valuesOf(data, kTheta3)).high < -90.0;
                 const auto found = findConventions(data, random.ordinary());
-                QVERIFY2(isTurned ? areFound(found, {{Kind::WholeTurns, {kTheta3}, 360.0}}) : found.empty(),
+                const std::vector<Convention> wholeTurn{{Kind::WholeTurns, {kTheta3}, 360.0}};
+                QVERIFY2(isTurned ? areFound(found, wholeTurn) : found.empty(),
                          QByteArray(fault.name) + ' ' + QByteArray::number(i) + ": " + described(found));
             }
         }
