@@ -94,9 +94,9 @@ struct PlotStyle {
     std::vector<std::size_t> plots;
     QFont font;
     QPalette palette;
-    double detail = 1.0;   ///< size (px) of the smallest detail that the device shows
-    QString comparedWith;  ///< the pinned motion whose differences are shown; empty for those of a file
-    bool isOfFile = false; ///< whether the errors are those of a file
+    double detail = 1.0;    ///< size (px) of the smallest detail that the device shows
+    QString comparedWith{}; ///< the pinned motion whose differences are shown; empty for those of a file
+    bool isOfFile = false;  ///< whether the errors are those of a file
     ErrorMeasure error = ErrorMeasure::OfPeak;
 
     friend bool operator==(const PlotStyle &, const PlotStyle &) = default;
