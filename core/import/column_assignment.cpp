@@ -2,6 +2,7 @@
 #include "core/import/column_assignment.h"
 
 #include "core/import/crank_angles.h"
+#include "core/import/unnamed_bodies.h"
 #include "core/mechanism/find_element.h"
 
 #include <algorithm>
@@ -85,53 +86,60 @@ void setAbscissa(RawTable &table, RawColumn &column, ColumnRole role, ColumnReas
     }
 }
 
-/// Returns whether the column has an unknown name and values that only rise, apart from unreadable cells.
+/// Returns whether the values of a column only rise, but are no row numbers, and its name is unknown. Whole numbers that
+/// rise evenly to 180 or more may be degrees.
 bool mayBeTime(const RawColumn &column)
 {
+    constexpr double kHalfTurn = 180.0;
     Values values = column.values;
     std::erase_if(values, [](double value) { return std::isinf(value); });
-    return column.isUndecided() && column.meaning.kind == Kind::Nothing && column.unitAs(ColumnRole::Time) &&
-           values.size() >= 2 && values[0] < values[1] && !findReversal(values);
-}
-
-/// Returns whether the column is an angle of an unnamed body that does not change its direction.
-bool isTurningAngle(const RawColumn &column)
-{
-    constexpr double kTurn = 360.0;
-    const std::optional<Unit> unit = column.unitAs(ColumnRole::CrankAngle);
-    return column.meaning.kind == Kind::Quantity && column.meaning.channel == Channel{Theta3, Order::Position} &&
-           unit && !findReversal(unwrapped(column.values, kTurn / unit->factor));
+    if (column.isUsed() || column.meaning.kind != Kind::Nothing || !column.unitAs(ColumnRole::Time) ||
+        values.size() < 2 || !(values[0] < values[1]) || findReversal(values)) {
+        return false;
+    }
+    const bool isWhole = std::ranges::all_of(values, [](double value) { return value == std::rint(value); });
+    const bool mayBeNumber = column.use.heading.empty() || column.meaning.reason == ColumnReason::RowNumber;
+    return !isWhole || (!mayBeNumber && values.back() < kHalfTurn);
 }
 
 /// Finds the abscissa of a file in which no column is named as the time. If another file has one, it is the column with
-/// the same heading. Otherwise it is the first column, if it has an unknown name and only rises; else the crank angle;
-/// else the first column, if it is an angle that does not change its direction, as in "theta, x, v".
+/// the same heading. Otherwise it is the first column that is no row number or parameter, if it has an unknown name and
+/// only rises; else the crank angle; else this first column, if it is an angle that does not change its direction, as
+/// in "theta, x, v".
 void guessAbscissa(RawTable &table, const TableFile &file)
 {
-    const auto find = [columns = table.columnsOf(file)](const auto &suits) {
-        return findElement(
-            columns, [&](const RawColumn &column) { return column.meaning.kind != Kind::Chosen && suits(column); });
-    };
+    const auto find = [columns = table.columnsOf(file)](const auto &suits) { return findElement(columns, suits); };
+    const auto isChosen = [](const RawColumn &column) { return column.meaning.kind == Kind::Chosen; };
     if (const RawColumn *const other = table.abscissa()) {
-        if (RawColumn *const same =
-                find([&](const RawColumn &column) { return column.use.heading == other->use.heading; })) {
+        if (RawColumn *const same = find([&](const RawColumn &column) {
+                return !isChosen(column) && column.use.heading == other->use.heading;
+            })) {
             setAbscissa(table, *same, other->use.role, ColumnReason::KnownName);
         }
         return;
     }
-    RawColumn *const leading = find([](const RawColumn &column) {
-        return column.use.reason != ColumnReason::NoName && column.use.reason != ColumnReason::RowNumber;
+    if (RawColumn *const chosen = find([&](const RawColumn &column) {
+            return isChosen(column) && column.isUndecided() && column.meaning.channel == kCrankAngle;
+        })) {
+        return setAbscissa(table, *chosen, ColumnRole::CrankAngle, ColumnReason::Chosen);
+    }
+    RawColumn *const leading = find([&](const RawColumn &column) {
+        const bool isNumber = column.use.heading.empty() || column.use.reason == ColumnReason::RowNumber;
+        return !isChosen(column) && !isConstant(column) && (!isNumber || mayBeTime(column));
     });
     if (leading && mayBeTime(*leading)) {
         return setAbscissa(table, *leading, ColumnRole::Time, ColumnReason::RisingValues);
     }
-    RawColumn *const named = find([](const RawColumn &column) {
-        return column.meaning.kind > Kind::Quantity && column.meaning.channel == kCrankAngle &&
+    RawColumn *const named = find([&](const RawColumn &column) {
+        return !isChosen(column) && column.meaning.kind > Kind::Quantity && column.meaning.channel == kCrankAngle &&
                column.unitAs(ColumnRole::CrankAngle);
     });
-    RawColumn *const angle = named || !leading || !isTurningAngle(*leading) ? named : leading;
-    if (angle) {
-        setAbscissa(table, *angle, ColumnRole::CrankAngle, ColumnReason::AngleForTime);
+    const bool isAngle = leading && leading->meaning.kind == Kind::Quantity &&
+                         leading->meaning.channel == Channel{Theta3, Order::Position} && isTurningAngle(*leading);
+    if (named) {
+        setAbscissa(table, *named, ColumnRole::CrankAngle, named->meaning.reason);
+    } else if (isAngle) {
+        setAbscissa(table, *leading, ColumnRole::CrankAngle, ColumnReason::AngleForTime);
     }
 }
 
@@ -146,12 +154,18 @@ void assignAbscissas(RawTable &table)
         const auto isNumeric = [&](const RawColumn &column) {
             return isTime(column) && !column.isClock && rangeOf(column.values).count > 0;
         };
+        const auto hasTimeUnit = [&](const RawColumn &column) {
+            return isTime(column) && column.unitAs(ColumnRole::Time);
+        };
         const bool isAnyNumeric = std::ranges::any_of(table.columnsOf(file), isNumeric);
+        const bool isAnyInTime = std::ranges::any_of(table.columnsOf(file), hasTimeUnit);
         for (RawColumn &column : table.columnsOf(file)) {
             if (!isTime(column)) {
                 continue;
             }
-            if (isAnyNumeric && !isNumeric(column)) {
+            if (isAnyInTime && !hasTimeUnit(column)) {
+                column.use.reason = ColumnReason::UnknownUnit; // "T (Nm)", next to the time
+            } else if (isAnyNumeric && !isNumeric(column)) {
                 column.use.reason = ColumnReason::NoNumber; // "2024-03-01 12:00", next to the seconds
             } else if (chosen && &table.fileOf(*chosen) == &file) {
                 column.use.reason = ColumnReason::LikeOther;
@@ -218,6 +232,12 @@ void applyChoices(RawTable &table, std::span<const ColumnChoice> choices)
     }
 }
 
+/// Returns whether the coordinate is the same in every position of the mechanism.
+bool isFixed(Coordinate coordinate)
+{
+    return coordinate == R1x || coordinate == R1y || coordinate == Theta1 || coordinate == Theta4 || coordinate == R4y;
+}
+
 /// Returns the columns that could be channels according to their names and units, in the default unit and with
 /// the channel that they would be. Sets the reason of columns with unsuitable units.
 std::vector<RawColumn *> findCandidates(RawTable &table)
@@ -236,69 +256,26 @@ std::vector<RawColumn *> findCandidates(RawTable &table)
             column.use.reason = ColumnReason::UnknownUnit;
             continue;
         }
+        const auto unreadable = std::ranges::count_if(column.values, [](double value) { return std::isinf(value); });
+        if (2 * unreadable > std::ssize(column.values) && meaning.kind < Kind::Chosen) {
+            column.use.reason = ColumnReason::NoNumber; // it consists of words
+            continue;
+        }
         convert(column, *unit);
         column.use.channel = meaning.channel;
+        if (isFixed(meaning.channel.coordinate)) { // whose values nobody needs
+            std::ranges::replace_if(column.values, [](double value) { return std::isinf(value); }, kNone);
+        }
         candidates.push_back(&column);
     }
     return candidates;
-}
-
-/// Reassigns angles of an unnamed body that have to be the crank angle, and the derivatives that belong to them. If
-/// another angle of the same owner does not, it is open whose derivatives they are, and they are no candidates.
-void findCrank(RawTable &table, std::vector<RawColumn *> &candidates)
-{
-    constexpr double kHalfTurn = 180.0; // the coupler swings less in every mechanism that makes full turns
-    constexpr double kEvenness = 1e-3;  // of the range: the coupler never turns evenly by so many degrees
-    constexpr double kEvenRange = 6.0;  // in the unit of the file, which may be rad though the heading does not say so
-    constexpr double kVariation = 0.01; // of a speed that is constant
-    constexpr std::size_t kFewestRows = 10;
-    const RawColumn *const abscissa = table.abscissa();
-    std::vector<RawColumn *> angles;
-    std::vector<RawColumn *> derivatives;
-    for (RawColumn *const column : candidates) {
-        if (column->meaning.kind == Kind::Quantity && isAngle(column->use.channel.coordinate)) {
-            (column->use.channel.order == Order::Position ? angles : derivatives).push_back(column);
-        }
-    }
-    for (RawColumn *const column : angles) {
-        Values degrees = column->values;
-        std::erase_if(degrees, [](double value) { return !std::isfinite(value); });
-        const double width = rangeOf(unwrapped(std::move(degrees))).width(); // without the jumps after one turn
-        const bool isEven = abscissa && column->values.size() >= kFewestRows && width > kEvenRange * column->factor &&
-                            isStraight(column->values, abscissa->values, kEvenness * width);
-        if (width > kHalfTurn || isEven) {
-            column->use.channel = kCrankAngle;
-            column->meaning.reason = ColumnReason::WideAngle;
-        }
-    }
-    for (RawColumn *const column : derivatives) {
-        const ValueRange range = rangeOf(column->values);
-        const bool isConstant =
-            range.count >= kFewestRows && range.size() > 0.0 && range.width() <= kVariation * range.size();
-        const RawColumn *crank = nullptr; // whose derivative the column may be
-        bool isAmbiguous = false;
-        for (const RawColumn *const angle : angles) {
-            if (angle->meaning.owner == column->meaning.owner) {
-                const bool isCrank = angle->use.channel == kCrankAngle;
-                crank = isCrank ? angle : crank;
-                isAmbiguous = isAmbiguous || !isCrank;
-            }
-        }
-        if (crank && isAmbiguous) {
-            column->use.reason = ColumnReason::LikeOther;
-            std::erase(candidates, column);
-        } else if (crank || isConstant) {
-            column->use.channel.coordinate = Theta2;
-            column->meaning.reason = ColumnReason::WideAngle;
-        }
-    }
 }
 
 /// Gives each channel to the candidate with the best evidence, if there is only one.
 void assignChannels(RawTable &table)
 {
     std::vector<RawColumn *> candidates = findCandidates(table);
-    findCrank(table, candidates);
+    assignBodies(table, candidates);
     for (RawColumn *const column : candidates) {
         const Kind evidence = column->meaning.kind;
         const auto *const rival = findElement(candidates, [&](const RawColumn *other) {
@@ -348,6 +325,7 @@ void requireData(RawTable &table, std::size_t file)
 void assignColumns(RawTable &table, std::span<const ColumnChoice> choices)
 {
     applyChoices(table, choices);
+    correctMeanings(table);
     assignAbscissas(table);
     assignChannels(table);
     for (std::size_t file = 0; file < table.files.size(); ++file) {

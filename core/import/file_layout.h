@@ -47,7 +47,8 @@ enum class ColumnReason {
     NoNumber,       ///< no cell contains a number
     UnknownUnit,    ///< the unit is unknown, or does not suit the quantity
     LikeOther,      ///< another column could be the same channel: a person has to choose
-    AngleOrLength   ///< it is unknown whether it is an angle or a length
+    AngleOrLength,  ///< it is unknown whether it is an angle or a length
+    Constant        ///< it does not change, as a parameter, which the quantity would
 };
 
 constexpr bool isGuess(ColumnReason reason)

@@ -2,6 +2,7 @@
 #include "core/import/heading.h"
 
 #include "core/import/cells.h"
+#include "core/import/vocabulary.h"
 #include "core/mechanism/find_element.h"
 
 #include <algorithm>
@@ -16,93 +17,62 @@ namespace
 
 using Words = std::vector<std::string>;
 using Kind = NameMeaning::Kind;
+using Doubt = NameMeaning::Doubt;
 
-/// Letters outside ASCII, and their plain spelling.
-constexpr std::string_view kLetterSpellings =
-    "á=a|à=a|â=a|ã=a|ä=a|ç=c|é=e|è=e|ê=e|í=i|ì=i|ó=o|ò=o|ô=o|õ=o|ö=o|ú=u|ù=u|ü=u|ñ=n|Á=A|Â=A|Ä=A|É=E|Í=I|Ó=O|Ö=O|Ú=U|"
-    "Ü=U|Ñ=N|\u0300=|\u0301=|\u0303=|\u0308=|θ=theta|ϑ=theta|Θ=theta|φ=phi|ϕ=phi|ψ=psi|ω=omega|α=alpha|"
-    "²=2|³=3|⁴=4|₂=2|₃=3|₄=4|°=";
+// ---- The path of a name ----
 
-/// Also true for the bytes of other letters outside ASCII, which no known word contains.
-bool isLetter(char c)
-{
-    return (lowerCase(c) >= 'a' && lowerCase(c) <= 'z') || static_cast<unsigned char>(c) >= 0x80;
-}
-
-/// Splits a name into runs of letters and runs of digits, in lower case. "SliderPosition" has two words.
-Words wordsOf(std::string_view name)
-{
-    Words words;
-    char before = ' ';
-    for (const char c : respelled(name, kLetterSpellings)) {
-        const bool startsWithCapital = lowerCase(c) != c && lowerCase(before) == before;
-        const bool continues = isLetter(c) ? isLetter(before) && !startsWithCapital : isDigit(before);
-        if (isLetter(c) || isDigit(c)) {
-            words.resize(words.size() + (continues ? 0 : 1));
-            words.back() += lowerCase(c);
-        }
-        before = c;
-    }
-    return words;
-}
-
-constexpr std::string_view kTimeWords = "time times t tiempo timestamp zeit temps tempo instante millis micros";
-constexpr std::string_view kTimeCompanions =
-    "elapsed row sim simulation simulacion transcurrido de la stamp latest since start relative";
-constexpr std::string_view kRowNumbers =
-    "n no nr num index row id fila frame paso step sample point node nodo element elemento";
-constexpr std::string_view kCountedUnits = "steps step frames frame samples sample rows points pasos muestras";
-enum class Body { Crank, Coupler, Slider };
-
-/// What a word, or a name of several words, says about a quantity.
-struct WordMeaning {
-    std::string_view words{};
-    std::optional<Order> order{};
-    std::optional<Dimension> dimension{};
-    char axis = ' ';
-    std::optional<Body> body{};
+/// A name as a path whose last part is the quantity, and whose other parts may name the body:
+///
+///     slider.s   /crank_slider/slider/position   Latest: Position   Pos_TX@Slider
+struct NamePath {
+    std::vector<std::string_view> parts{};
+    std::string owner{};       ///< all parts but the last one
+    bool isOfModelica = false; ///< "slider.s": a variable of Modelica's library, in m, rad and s
 };
 
-/// Returns what a word says. Words with a dot are variables of Modelica, capital letters those of Inventor.
-const WordMeaning *find(std::string_view word)
+NamePath splitPath(std::string_view name)
 {
-    using enum Order;
-    using enum Dimension;
-    using enum Body;
-    constexpr std::nullopt_t kOpen = std::nullopt;
-    static constexpr std::array<WordMeaning, 23> kVocabulary{{
-        {"position posicion posizione posicao lage pos displacement disp desplazamiento deplacement spostamento "
-         "deslocamento "
-         "verschiebung weg P",
-         Position},
-        {"coordinate coordenada distance distancia abstand stroke carrera hub .s", Position, Length},
-        {"velocity velocidad velocita velocidade vitesse speed vel v geschwindigkeit V", Velocity},
-        {"acceleration aceleracion accelerazione aceleracao accelerometer accel acel acc a beschleunigung A .a",
-         Acceleration},
-        {"x tx", kOpen, Length, 'x'},
-        {"y ty", kOpen, Length, 'y'},
-        {"vx", Velocity, Length, 'x'},
-        {"vy", Velocity, Length, 'y'},
-        {"ax", Acceleration, Length, 'x'},
-        {"ay", Acceleration, Length, 'y'},
-        {"angle angulo angolo rotation rotacion rotazione giro orientation theta tita phi winkel .phi", Position,
-         Angle},
-        {"omega w .w", Velocity, Angle},
-        {"alpha alfa", Acceleration, Angle},
-        {".v", Velocity, Length},
-        {"ang angular angulaire angolare rotational rz psi", kOpen, Angle},
-        {"linear lineal lineaire lineare", kOpen, Length},
-        {"crank input manivela manivelle manovella kurbel", kOpen, Angle, ' ', Crank},
-        {"ca cad kurbelwinkel drehwinkel", Position, Angle, ' ', Crank},
-        {"coupler rod conrod connecting biela bielle biella acoplador pleuel", kOpen, kOpen, ' ', Coupler},
-        {"pleuelwinkel", Position, Angle, ' ', Coupler},
-        {"slider piston pistone pistao corredera deslizadera deslizador deslizante embolo block bloque kolben schieber",
-         kOpen, Length, ' ', Slider},
-        {"kolbenweg kolbenposition kolbenhub schieberweg", Position, Length, ' ', Slider},
-        {"de del la el da do du of the en component componente comp trans translational latest"},
-    }};
-    return findElement(kVocabulary, [&](const WordMeaning &known) { return isAmong(word, known.words); });
+    const bool isOfRecurDyn = name.starts_with("Y:"); // "Y:Pos_TX-Slider"
+    name.remove_prefix(isOfRecurDyn ? 2 : 0);
+    if (const std::size_t at = name.find(isOfRecurDyn ? '-' : '@'); at != name.npos) {
+        return {{name.substr(at + 1), name.substr(0, at)}, std::string(name.substr(at + 1))};
+    }
+    const bool hasBlank = name.find_first_of(" (") != name.npos; // then a point belongs to an abbreviation
+    NamePath path;
+    std::size_t begin = 0;
+    char separator = ' ';
+    for (std::size_t i = 0; i <= name.size(); ++i) {
+        const bool isEnd = i == name.size();
+        if (isEnd || name[i] == '/' || name[i] == ':' || name[i] == '|' || (name[i] == '.' && !hasBlank)) {
+            if (i > begin) {
+                path.owner = begin == 0 ? std::string() : std::string(name.substr(0, begin - 1));
+                path.parts.push_back(name.substr(begin, i - begin));
+            }
+            begin = i + 1;
+            separator = isEnd ? separator : name[i];
+        }
+    }
+    path.isOfModelica = path.parts.size() > 1 && separator == '.' && name.find_first_of(" ,;:/") == name.npos &&
+                        findWord('.' + std::string(path.parts.back()), WordUse::Symbol);
+    return path;
 }
+
+// ---- The words of a name ----
+
+/// What the words of a name say together.
+struct NameReading {
+    std::optional<Dimension> dimension{};
+    std::optional<Order> order{}; ///< without `derivatives`
+    std::optional<Body> body{};
+    char axis = ' ';
+    int derivatives = 0;
+    bool hasSymbol = false;
+    bool isBodyNamed = false;   ///< by a word or number, and not only by an index such as B
+    bool isFrame = false;       ///< it has the number 1, as the frame if the links are numbered from there
+    bool isUnknownBody = false; ///< it has an index that denotes none of the three bodies
+    Doubt doubt = Doubt::None;
+    std::string_view symbol{};
+};
 
 /// Sets `all` to a value that is known. Returns false if it is another one than before.
 template <typename Value>
@@ -113,130 +83,348 @@ bool merge(std::optional<Value> &all, const std::optional<Value> &value)
     return agrees;
 }
 
-/// Returns the channel whose name has the same letters and digits, regardless of punctuation. "dot" is a derivative.
-std::optional<Channel> channelSpelled(const Words &words)
+/// Includes what an entry of the vocabulary says. Returns false if it contradicts the rest.
+bool merge(NameReading &all, const WordMeaning &entry)
 {
-    std::string text;
-    for (const std::string &word : words) {
-        text += word == "dot" ? "diff" : word == "ddot" ? "diff2" : word;
-    }
-    for (std::size_t index = 0; index < kChannelCount; ++index) {
-        std::string name = lowered(nameOf(channelAt(index)));
-        std::erase(name, '_');
-        if (name == text) {
-            return channelAt(index);
-        }
-    }
-    return std::nullopt;
+    all.order = std::max(all.order, entry.order);
+    all.axis = entry.axis != ' ' ? entry.axis : all.axis;
+    return merge(all.dimension, entry.dimension) && merge(all.body, entry.body);
 }
 
-bool isTime(const Words &words)
+/// Includes the number of a link after a symbol: the crank is link 2, the coupler 3 and the slider 4. Returns false if
+/// the link has no such quantity. Behind a word, a number only counts columns ("Linear Velocity1").
+bool includeNumber(NameReading &all, std::string_view digits)
 {
-    const auto isNamed = [](const std::string &word) { return isAmong(word, kTimeWords); };
-    const auto suits = [&](const std::string &word) { return isNamed(word) || isAmong(word, kTimeCompanions); };
-    return std::ranges::any_of(words, isNamed) && std::ranges::all_of(words, suits);
+    if (!all.hasSymbol) {
+        return true;
+    }
+    const bool isAngle = all.dimension == Dimension::Angle;
+    all.isBodyNamed = true;
+    if (digits == "4" && !isAngle) {
+        return merge(all.body, std::optional(Body::Slider));
+    }
+    all.isUnknownBody = !isAngle;
+    all.isFrame = digits == "1";
+    const std::optional<Body> link = digits == "2"   ? std::optional(Body::Crank)
+                                     : digits == "3" ? std::optional(Body::Coupler)
+                                                     : std::nullopt;
+    return isAmong(digits, "1 2 3") && (!isAngle || merge(all.body, link));
 }
 
-/// The words of a name, which some programs compose of a quantity and the joint or body to which it belongs:
-///
-///     P[3.1]   V[3,1]                    Inventor's Output Grapher
-///     slider.s   crank.phi               Modelica's library
-///     Pos_TX@Slider   Y:Pos_TX-Slider    RecurDyn
-struct SplitName {
-    Words words{}; ///< with those of the owner that name a body
-    std::string owner{};
-    ColumnReason reason = ColumnReason::UnknownName; ///< that a name of this program implies
-};
-
-SplitName splitName(std::string_view name)
+/// Includes an entry of the vocabulary. Returns false if the word is unknown there or contradicts the words before.
+bool includeEntry(NameReading &all, std::string_view word, bool mayBeSymbol)
 {
-    SplitName split;
-    const std::size_t prefix = name.starts_with("Y:") ? 2 : 0;
-    const std::size_t sign = name.find(prefix > 0 ? '-' : '@');
-    const std::size_t dot = std::min(name.rfind('.'), name.size());
-    if (name.size() >= 4 && isAmong(name.substr(0, 1), "P V A") && name[1] == '[' && name.ends_with(']')) {
-        split = {{std::string(name.substr(0, 1))},
-                 std::string(name.substr(2, name.size() - 3)),
-                 ColumnReason::AngleOrLength};
-    } else if (sign != name.npos) {
-        split = {wordsOf(name.substr(prefix, sign - prefix)), std::string(name.substr(sign + 1))};
-    } else if (dot > 0 && isLetter(name[0]) && name.find_first_of(" ,;:(") == name.npos && find(name.substr(dot)) &&
-               !isTime(wordsOf(name.substr(0, dot)))) { // "time.s" is the time in seconds
-        split = {{std::string(name.substr(dot))}, std::string(name.substr(0, dot)), ColumnReason::ModelicaName};
-    } else {
-        split.words = wordsOf(name);
+    if (isDigits(word)) {
+        return includeNumber(all, word);
     }
-    for (const std::string &word : wordsOf(split.owner.substr(split.owner.rfind('.') + 1))) {
-        if (const WordMeaning *const known = find(word); known && known->body) {
-            split.words.push_back(word);
-        }
+    if (const WordMeaning *const entry = findWord(word, WordUse::Word)) {
+        all.isBodyNamed = all.isBodyNamed || entry->body;
+        return merge(all, *entry);
     }
-    return split;
+    if (findWord(word, WordUse::Filler)) {
+        return true;
+    }
+    if (const WordMeaning *const index = all.hasSymbol ? findWord(word, WordUse::Index) : nullptr) {
+        return merge(all, *index);
+    }
+    if (all.hasSymbol && findWord(word, WordUse::LetterOfOne)) {
+        const bool isOfPiston = word == "p" && all.order; // v_p and a_p, for which a derivative is unusual
+        all.doubt = isOfPiston ? all.doubt : word == "p" ? Doubt::IsPistonsIndex : Doubt::IsDerivative;
+        return !isOfPiston || merge(all.body, std::optional(Body::Slider));
+    }
+    const WordMeaning *const symbol = mayBeSymbol ? findWord(word, WordUse::Symbol) : nullptr;
+    if (symbol && (symbol->axis != ' ' || (!all.order && !all.hasSymbol))) {
+        all.hasSymbol = true;
+        all.symbol = word;
+        return merge(all, *symbol);
+    }
+    const WordMeaning *const derivative = findWord(word, WordUse::Derivative);
+    all.derivatives += derivative ? static_cast<int>(*derivative->order) : 0;
+    return derivative;
 }
 
-/// Returns what several words mean together, or nullopt if one of them is unknown or they contradict each other:
-/// "rotation about x", "linear velocity of the crank".
-std::optional<WordMeaning> combine(const Words &words)
+/// Includes one word, which may be a compound of entries such as "kolbenweg", "crankangle" or "xdot". Returns false if
+/// it is unknown or contradicts the words before.
+bool includeWord(NameReading &all, std::string_view word, bool mayBeSymbol)
 {
-    WordMeaning all;
-    std::optional<Body> link; // by its number after θ, ω or α
-    bool isGreek = false;
-    for (const std::string &word : words) {
-        if (isDigit(word[0])) {
-            const bool isNumber = isGreek && word.size() == 1;
-            if (isNumber && !isAmong(word, "2 3")) {
-                return std::nullopt;
-            }
-            link = !isNumber ? link : word == "2" ? Body::Crank : Body::Coupler;
-            continue;
+    NameReading with = all;
+    if (includeEntry(with, word, mayBeSymbol)) {
+        all = with;
+        return true;
+    }
+    for (std::size_t end = word.size() - 1; end > 0; --end) {
+        const std::string_view first = word.substr(0, end);
+        const std::string_view rest = word.substr(end);
+        const bool isDifferential = first == "d" && !all.hasSymbol && findWord(rest, WordUse::Symbol); // "dx"
+        with = all;
+        if ((isDifferential || includeEntry(with, first, mayBeSymbol)) && includeWord(with, rest, mayBeSymbol)) {
+            all = with;
+            all.doubt = isDifferential ? Doubt::IsDerivative : all.doubt;
+            return true;
         }
-        // "v" is a velocity if it is the whole name, but not in "v_0"; "tx" is an axis only in longer names.
-        const bool isAmbiguous = isAmong(word, words.size() > 1 ? "v a w" : "tx ty rz psi");
-        const WordMeaning *const known = isAmbiguous ? nullptr : find(word);
-        if (!known || !merge(all.dimension, known->dimension) || !merge(all.body, known->body)) {
+    }
+    const bool isIndex = all.hasSymbol && word.size() <= 2 && all.dimension == Dimension::Angle;
+    all.isUnknownBody = all.isUnknownBody || isIndex; // "theta_m", which may be the angle of the crank
+    return isIndex;
+}
+
+/// Removes the words that stand for a derivative, wherever they are: the dot of "theta3_dot", the d and dt of
+/// "d^2x/dt^2". Returns the number of derivatives.
+int takeDerivatives(Words &words)
+{
+    int count = 0;
+    for (std::size_t i = 0; i < words.size();) {
+        const bool hasNext = i + 1 < words.size();
+        const WordMeaning *const two =
+            hasNext ? findWord(words[i] + '_' + words[i + 1], WordUse::Derivative) : nullptr;
+        const WordMeaning *const entry = two ? two : findWord(words[i], WordUse::Derivative);
+        if (entry) {
+            count += static_cast<int>(*entry->order);
+            words.erase(words.begin() + static_cast<std::ptrdiff_t>(i),
+                        words.begin() + static_cast<std::ptrdiff_t>(i + (two ? 2 : 1)));
+        } else {
+            ++i;
+        }
+    }
+    const bool isSecond = words.size() > 2 && words[0] == "d" && words[1] == "2";
+    const auto denominator = std::ranges::find_if(words, [](const std::string &word) { return word.ends_with("dt"); });
+    if (words.size() > 1 || (denominator != words.end() && denominator->size() > 3)) {
+        if (denominator != words.end()) { // "dx/dt"
+            denominator->resize(denominator->size() - 2);
+            words.erase(denominator + (denominator->empty() ? 0 : 1), words.end());
+            count += words[0].starts_with('d') && !isSecond ? 1 : 0;
+            words[0].erase(0, isSecond ? 0 : 1);
+        }
+        if (isSecond) {
+            count += 2;
+            words.erase(words.begin(), words.begin() + 2);
+        }
+    }
+    std::erase(words, std::string());
+    return count;
+}
+
+/// Returns what the parts of a path say together, from the last one; nullopt if the last one has unknown words, or
+/// such that contradict each other, as in "linear velocity of the crank". Unknown parts before it are ignored, as
+/// that of "/slider_crank/slider/position" which names two bodies.
+std::optional<NameReading> readPath(const NamePath &path, int derivatives, const Words &lastWords)
+{
+    NameReading all{.derivatives = derivatives};
+    for (std::size_t i = path.parts.size(); i-- > 0;) {
+        const bool isLast = i + 1 == path.parts.size();
+        const Words words = isLast ? lastWords : wordsOf(path.parts[i]);
+        NameReading with = all;
+        bool isKnown = true;
+        for (std::size_t k = 0; k < words.size() && isKnown; ++k) {
+            const std::string two = k + 1 < words.size() ? words[k] + '_' + words[k + 1] : std::string();
+            const bool isPair = findWord(two, WordUse::Word); // "link 3"
+            isKnown = includeWord(with, isPair ? two : words[k], isLast);
+            k += isPair ? 1 : 0;
+        }
+        if (!isKnown && isLast) {
             return std::nullopt;
         }
-        isGreek = isAmong(word, "theta omega alpha alfa tita");
-        all.order = std::max(all.order, known->order);
-        all.axis = known->axis != ' ' ? known->axis : all.axis;
+        all = isKnown ? with : all;
     }
-    all.body = all.body ? all.body : link;
     const bool isOfCoupler = !all.body || all.body == Body::Coupler;
     const Dimension ofBody = all.body == Body::Crank ? Dimension::Angle : Dimension::Length;
     return isOfCoupler || merge(all.dimension, std::optional(ofBody)) ? std::optional(all) : std::nullopt;
 }
 
-/// Returns the channel or quantity of a name, given the unit if it is known; nullopt if it has none.
-std::optional<NameMeaning> meaningOfWords(const SplitName &name, const std::string &unitText)
+// ---- The meaning of a name ----
+
+/// Returns the channel whose name has the same letters and digits, regardless of punctuation.
+std::optional<Channel> channelSpelled(const Words &words, int derivatives)
 {
-    const std::optional<WordMeaning> all = combine(name.words);
-    if (!all) {
+    std::string text;
+    for (const std::string &word : words) {
+        text += word;
+    }
+    for (std::size_t index = 0; index < kCoordinateCount; ++index) {
+        const Channel channel = channelAt(index);
+        std::string name = lowered(nameOf(channel));
+        std::erase(name, '_');
+        if (name == text && derivatives <= 2) {
+            return Channel{channel.coordinate, static_cast<Order>(derivatives)};
+        }
+    }
+    return std::nullopt;
+}
+
+/// Returns the order of the quantity, as far as the name or its unit tells it.
+std::optional<Order> orderOf(const NameReading &name, const std::optional<Unit> &unit)
+{
+    const bool isAngleUnit = unit && unit->dimension == Dimension::Angle && unit->order == 0;
+    const bool isAlpha = findWord(name.symbol, WordUse::Symbol) && name.order == Order::Acceleration &&
+                         name.dimension == Dimension::Angle && !name.derivatives && isAngleUnit;
+    std::optional<int> order;
+    if (name.order && !isAlpha) {
+        order = static_cast<int>(*name.order) + name.derivatives;
+    } else if (unit && (!name.derivatives || isAlpha)) {
+        order = unit->order;
+    } else if (name.hasSymbol || name.derivatives || (name.body && name.body != Body::Coupler)) {
+        order = name.derivatives;
+    }
+    return order && *order <= 2 ? std::optional(static_cast<Order>(*order)) : std::nullopt;
+}
+
+/// Returns the channel or quantity of a name with known words.
+NameMeaning meaningOfReading(const NameReading &name, const NamePath &path, const std::string &unitText)
+{
+    const std::optional<Unit> unit = parseUnit(unitText);
+    const Dimension usual = unit ? unit->dimension : Dimension::Length;
+    const bool isAngle = name.dimension.value_or(usual) == Dimension::Angle;
+    const bool says = name.order || name.hasSymbol || name.body;
+    const std::optional<Order> order = says ? orderOf(name, unit) : std::nullopt;
+    const bool isUnknownBody = name.isUnknownBody && !isAngle;
+    if (!order || (name.body == Body::Coupler && !isAngle) || isUnknownBody) {
+        return {.reason = isUnknownBody ? ColumnReason::UnknownBody : ColumnReason::UnknownName};
+    }
+    NameMeaning meaning{.owner = path.owner};
+    const Coordinate ofAngle = name.isFrame ? Theta1 : name.body == Body::Crank ? Theta2 : Theta3;
+    const Coordinate coordinate = isAngle ? ofAngle : name.axis == 'y' ? R4y : R4x;
+    const bool isCertain = (name.body || name.isFrame) && name.isBodyNamed && (name.order || name.hasSymbol || name.axis != ' ' || isAngle);
+    meaning.kind = isCertain ? Kind::Words : Kind::Quantity;
+    meaning.channel = {coordinate, *order};
+    meaning.reason = path.isOfModelica && unitText.empty() ? ColumnReason::ModelicaName
+                     : isCertain                           ? ColumnReason::KnownName
+                                                           : ColumnReason::QuantityInName;
+    const bool isAlpha = isAmong(name.symbol, "alpha alfa al") && !name.body && !unit && !name.derivatives;
+    meaning.doubt = name.isUnknownBody ? Doubt::IsOfCrank
+                    : isAlpha          ? Doubt::IsAngle
+                    : unit             ? Doubt::None
+                                       : name.doubt;
+    return meaning;
+}
+
+/// Returns the meaning of P[3.1], V[3.1] and A[3.1] in Inventor's Output Grapher, where only the unit tells an angle
+/// from a length.
+std::optional<NameMeaning> meaningInInventor(std::string_view name, const std::string &unitText)
+{
+    constexpr std::string_view kLetters = "PVA";
+    const std::size_t order = name.size() >= 4 && name[1] == '[' && name.ends_with(']') ? kLetters.find(name[0]) : kLetters.npos;
+    if (order == kLetters.npos) {
         return std::nullopt;
     }
     const std::optional<Unit> unit = parseUnit(unitText);
-    const Dimension usual = unit ? unit->dimension : Dimension::Length;
-    const bool isAngle = all->dimension.value_or(usual) == Dimension::Angle;
-    const bool isPosition = all->axis != ' ' ? name.words.size() == 1 || all->body : all->body && isAngle;
-    const std::optional<Order> order = all->order || !isPosition ? all->order : Order::Position; // "x", "crank"
-    if (!order || (all->body == Body::Coupler && !isAngle)) {
-        return std::nullopt;
+    if (!unit) {
+        return NameMeaning{.reason = unitText.empty() ? ColumnReason::AngleOrLength : ColumnReason::UnknownUnit};
     }
-    if (name.reason == ColumnReason::AngleOrLength && !all->dimension && !unit) {
-        return NameMeaning{.reason = unitText.empty() ? name.reason : ColumnReason::UnknownUnit};
-    }
-    const Coordinate coordinate = all->body == Body::Crank ? Theta2 : isAngle ? Theta3 : all->axis == 'y' ? R4y : R4x;
-    const ColumnReason reason = name.reason == ColumnReason::ModelicaName && unitText.empty() ? name.reason
-                                : all->body                                                   ? ColumnReason::KnownName
-                                            : ColumnReason::QuantityInName;
-    return NameMeaning{all->body ? Kind::Words : Kind::Quantity, {coordinate, *order}, reason, name.owner};
+    const Coordinate coordinate = unit->dimension == Dimension::Angle ? Theta3 : R4x;
+    return NameMeaning{Kind::Quantity,
+                       {coordinate, static_cast<Order>(order)},
+                       ColumnReason::QuantityInName,
+                       std::string(name.substr(2, name.size() - 3))};
 }
 
 /// Returns whether an unknown name ends in a quantity: "J1_x", "part 7 velocity".
 bool endsInQuantity(Words words)
 {
-    std::erase_if(words, [](const std::string &word) { return isDigit(word[0]); });
-    const WordMeaning *const known = words.size() < 2 ? nullptr : find(words.back());
-    return known && !known->body && (words.back().size() > 1 ? known->order || known->dimension : known->axis != ' ');
+    std::erase_if(words, isDigits);
+    if (words.size() < 2) {
+        return false;
+    }
+    const WordMeaning *const word = findWord(words.back(), WordUse::Word);
+    const WordMeaning *const symbol = findWord(words.back(), WordUse::Symbol);
+    return (word && !word->body && (word->order || word->dimension)) || (symbol && symbol->axis != ' ');
+}
+
+/// Returns what a name with that unit means by itself.
+NameMeaning meaningOf(std::string_view name, const std::string &unit)
+{
+    constexpr std::string_view kCountedUnits = "steps step frames frame samples sample rows points pasos muestras";
+    if (const std::optional<NameMeaning> meaning = meaningInInventor(name, unit)) {
+        return *meaning;
+    }
+    std::string plain = respelled(name, "/dt=dt|/ dt=dt|/d t=dt"); // not a path
+    const NamePath path = splitPath(plain);
+    const std::size_t bracket = name.rfind('(');
+    if (path.parts.empty() || (bracket != name.npos && bracket > 0 && name.substr(bracket + 1).find_first_not_of("0123456789)") == name.npos)) {
+        return {.reason = path.parts.empty() ? ColumnReason::UnknownName : ColumnReason::UnknownBody}; // "x(4)"
+    }
+    Words words = path.isOfModelica ? Words{'.' + std::string(path.parts.back())} : wordsOf(path.parts.back());
+    const bool isNamedTime = isTime(words);
+    if (isNamedTime ? isAmong(unit, kCountedUnits) : isRowNumber(words)) {
+        return {.reason = ColumnReason::RowNumber};
+    }
+    if (isNamedTime) {
+        return {Kind::Time};
+    }
+    const Words allWords = wordsOf(name);
+    const int derivatives = takeDerivatives(words);
+    if (const std::optional<Channel> channel = channelSpelled(words, derivatives)) {
+        return {Kind::ChannelName, *channel, ColumnReason::KnownName};
+    }
+    const std::optional<NameReading> reading = readPath(path, derivatives, words);
+    NameMeaning meaning = reading ? meaningOfReading(*reading, path, unit) : NameMeaning();
+    if (meaning.reason == ColumnReason::UnknownName && meaning.kind == Kind::Nothing && endsInQuantity(allWords)) {
+        meaning.reason = ColumnReason::UnknownBody;
+    }
+    return meaning;
+}
+
+// ---- The unit in a heading ----
+
+/// Returns whether a quantity or time can have the unit.
+bool suits(const NameMeaning &meaning, const std::string &unit)
+{
+    const ColumnRole role = meaning.kind == Kind::Time ? ColumnRole::Time : ColumnRole::Channel;
+    return meaning.kind != Kind::Nothing && parseColumnUnit(unit, role, meaning.channel);
+}
+
+/// Sets name and unit of "Position (m) Run #1", and returns whether there is a unit in brackets. Text in brackets that
+/// is no unit is part of the name if the name has a meaning with it, as "x(B)", or if it is an index, as "P[3.1]".
+bool splitAtBrackets(std::string_view text, Heading &heading)
+{
+    constexpr std::string_view kOpening = "[({<";
+    constexpr std::string_view kClosing = "])}>";
+    for (std::size_t end = text.size(); end-- > 0;) {
+        const std::size_t kind = kClosing.find(text[end]);
+        const std::size_t begin = kind == kClosing.npos ? text.npos : text.substr(0, end).rfind(kOpening[kind]);
+        if (begin == text.npos) {
+            continue;
+        }
+        const std::string_view unit = trimmed(text.substr(begin + 1, end - begin - 1));
+        const bool isLast = end + 1 == text.size();
+        const bool isUnit = parseUnit(unit) || unit.empty();
+        const bool isPart = kind > 1 || (kind == 0 && looksNumeric(unit)) ||
+                            meaningOf(text, {}).kind != Kind::Nothing;
+        if (isUnit || (isLast && !isPart)) {
+            heading.name = trimmed(text.substr(0, begin));
+            heading.name += isLast ? "" : text.substr(end + 1);
+            heading.use.unit = unit;
+            return true;
+        }
+        end = begin;
+    }
+    return false;
+}
+
+/// Sets name and unit of "v/(m/s)", "Time in s", "t, s", "x-mm", "time_ms" or "timeMs" if the unit suits the name. The
+/// longest one that does is the unit.
+void splitAtEnd(std::string_view text, Heading &heading)
+{
+    constexpr std::string_view kAlsoWords = "in min h r u g"; // units only where nothing else is possible
+    for (std::size_t at = 1; at < text.size(); ++at) {
+        const bool isCapital = lowerCase(text[at]) != text[at] && lowerCase(text[at - 1]) == text[at - 1];
+        const bool isSeparator = std::string_view("/, _-.:").find(text[at]) != std::string_view::npos;
+        if (!isSeparator && (!isCapital || isBlank(text[at - 1]))) {
+            continue;
+        }
+        std::string_view unit = trimmed(text.substr(at + (isSeparator ? 1 : 0)));
+        std::string_view name = trimmed(text.substr(0, at));
+        const bool hasIn = unit.starts_with("in ") || unit.starts_with("en ");
+        unit = trimmed(unit.substr(hasIn ? 3 : 0));
+        const bool isClear = text[at] == '/' || text[at] == ',' || hasIn;
+        if (unit.empty() || (!isClear && isAmong(lowered(unit), kAlsoWords)) || !parseUnit(unit)) {
+            continue;
+        }
+        if (const std::string unitText(unit); suits(meaningOf(name, unitText), unitText)) {
+            heading.name = name;
+            heading.use.unit = unit;
+            return;
+        }
+    }
 }
 
 } // namespace
@@ -244,57 +432,49 @@ bool endsInQuantity(Words words)
 Heading parseHeading(std::string_view cell)
 {
     Heading heading{.use = {.heading = respelled(cell, "\"\"=\"")}};
-    const std::string_view name = heading.use.heading;
-    heading.name = name;
-    heading.use.unit = isAmong(lowered(name), "millis micros") ? name : ""; // functions of Arduino
-    if (name.starts_with("X:")) { // RecurDyn writes pairs "X:Pos_TX-Slider(mm)" of time stamps, "Y:…" of values
+    const std::string &text = heading.use.heading;
+    heading.name = text;
+    const std::optional<Unit> alone = text.size() > 1 ? parseUnit(text) : std::nullopt;
+    if (text.starts_with("X:")) { // RecurDyn writes pairs "X:Pos_TX-Slider(mm)" of time stamps, "Y:…" of values
         heading.name = "time";
-        return heading;
+    } else if (alone && alone->dimension == Dimension::Time && alone->order == 0) { // "millis", "seconds"
+        heading.name = "time";
+        heading.use.unit = text;
+    } else if (!splitAtBrackets(text, heading)) {
+        splitAtEnd(text, heading);
     }
-    if (splitName(name).reason == ColumnReason::ModelicaName) {
-        return heading;
-    }
-    const bool hasBrackets = name.ends_with(']') || name.ends_with(')');
-    for (const char separator : std::string_view(name.ends_with(']') ? "[" : hasBrackets ? "(" : ", _")) {
-        const std::size_t at = name.rfind(separator);
-        if (at == name.npos || (at == 0 && !hasBrackets)) {
-            continue;
-        }
-        const std::string_view unit = trimmed(name.substr(at + 1, name.size() - at - (hasBrackets ? 2 : 1)));
-        const bool isIndex = separator == '[' && looksNumeric(unit);            // "P[3.1]"
-        const bool isKnown = !isAmong(unit, "in min h r u") && parseUnit(unit); // these are also words
-        if (hasBrackets ? !isIndex : isKnown) {
-            std::string_view rest = trimmed(name.substr(0, at));
-            rest.remove_suffix(rest.ends_with(" in") ? 3 : 0); // "Time in s"
-            heading.name = trimmed(rest);
-            heading.use.unit = unit;
-            break;
-        }
-    }
+    const bool isUnitAlone = alone && text.find('/') != text.npos; // "mm/s" in a line of units
+    heading.meaning = isUnitAlone ? NameMeaning() : meaningOf(heading.name, heading.use.unit);
     return heading;
 }
 
-NameMeaning meaningOf(const Heading &heading)
+/// Decides between the meanings of "xp", "dx" and the like by the other columns: beside "xpp" or "d2x", or both "v_p"
+/// and "x_p", there is only one. Otherwise only a person can tell.
+void resolveDoubts(std::vector<Heading> &row)
 {
-    const std::string &unit = heading.use.unit;
-    SplitName name = splitName(heading.name);
-    Words &words = name.words;
-    if (words.size() == 2 && isAmong(words[0], "v a") && isAmong(words[1], "x y")) {
-        words = {words[0] + words[1]}; // "v_x", "v_{x}"
+    const auto isSecond = [](const Heading &heading) {
+        const Words words = wordsOf(heading.name);
+        return heading.meaning.channel.order == Order::Acceleration && heading.meaning.kind >= Kind::Quantity &&
+               heading.meaning.doubt == Doubt::None && !words.empty() && !findWord(words[0], WordUse::Word) &&
+               words[0] != "a";
+    };
+    const auto isOfPiston = [](const Heading &heading) {
+        const Words words = wordsOf(heading.name);
+        return words.size() == 2 && isAmong(words[0], "v a") && words[1] == "p";
+    };
+    const bool hasSecond = std::ranges::any_of(row, isSecond);
+    const bool hasPiston = std::ranges::any_of(row, isOfPiston);
+    for (Heading &heading : row) {
+        NameMeaning &meaning = heading.meaning;
+        if (meaning.doubt != Doubt::IsDerivative && meaning.doubt != Doubt::IsPistonsIndex) {
+            continue;
+        }
+        if (hasSecond && meaning.channel.order < Order::Acceleration) {
+            meaning.channel.order = static_cast<Order>(static_cast<int>(meaning.channel.order) + 1);
+        } else if (meaning.doubt == Doubt::IsDerivative || !hasPiston) {
+            meaning = {.reason = ColumnReason::UnknownBody};
+        }
     }
-    const bool isNamedTime = isTime(words);
-    if (isNamedTime ? isAmong(unit, kCountedUnits) : words.size() == 1 && isAmong(words[0], kRowNumbers)) {
-        return {.reason = ColumnReason::RowNumber};
-    }
-    if (isNamedTime) {
-        return {Kind::Time};
-    }
-    if (const std::optional<Channel> channel = channelSpelled(words)) {
-        return {Kind::ChannelName, *channel, ColumnReason::KnownName};
-    }
-    const ColumnReason unknown =
-        endsInQuantity(wordsOf(heading.name)) ? ColumnReason::UnknownBody : ColumnReason::UnknownName;
-    return meaningOfWords(name, unit).value_or(NameMeaning{.reason = unknown});
 }
 
 void interpretHeadings(std::vector<Heading> &row)
@@ -309,13 +489,16 @@ void interpretHeadings(std::vector<Heading> &row)
             heading.name = whole.name + (heading.name[0] == 'X' ? " x" : " y");
             heading.use.unit = heading.use.unit.empty() ? whole.use.unit : heading.use.unit;
         }
-        heading.meaning = meaningOf(heading);
+        heading.meaning = meaningOf(heading.name, heading.use.unit);
+        if (!isComponent) {
+            magnitude = heading.meaning.kind == Kind::Quantity ? std::optional(i) : std::nullopt;
+        }
+    }
+    resolveDoubts(row);
+    for (Heading &heading : row) {
         const NameMeaning &meaning = heading.meaning;
         if (meaning.kind == Kind::Nothing) {
             heading.use.reason = heading.use.heading.empty() ? ColumnReason::NoName : meaning.reason;
-        }
-        if (!isComponent) {
-            magnitude = meaning.kind == Kind::Quantity ? std::optional(i) : std::nullopt;
         }
         if (meaning.reason == ColumnReason::ModelicaName && meaning.kind >= Kind::Quantity &&
             heading.use.unit.empty()) {

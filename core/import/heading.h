@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Interprets the heading of a column, as programs and people write it in English or Spanish.
+// Interprets the heading of a column: splits it into name and unit, and finds the quantity that the name denotes by
+// the words of vocabulary.h.
 
 #include "core/import/file_layout.h"
 
@@ -25,10 +26,21 @@ struct NameMeaning {
         ChannelName, ///< nameOf() a channel
         Chosen       ///< by a person
     };
+
+    /// What only the other columns can tell.
+    enum class Doubt {
+        None,
+        IsDerivative,   ///< "x_d", "xp" or "dx" may be a derivative of x
+        IsPistonsIndex, ///< "x_p" may be a derivative, or the x of the piston
+        IsAngle,        ///< "α" is an angle or an angular acceleration
+        IsOfCrank       ///< an angle of an unknown body, which is a channel only if it is that of the crank
+    };
+
     Kind kind = Kind::Nothing;
     Channel channel{};
     ColumnReason reason = ColumnReason::UnknownName; ///< why a column with this name is used, or not
     std::string owner{};                             ///< "3.1" in "P[3.1]", "slider" in "slider.s"; empty: none
+    Doubt doubt = Doubt::None;
 };
 
 /// The heading of a column: "theta3_diff [rad/s]" has the name "theta3_diff" and the unit "rad/s".
@@ -41,17 +53,16 @@ struct Heading {
     NameMeaning meaning{};       ///< set by interpretHeadings()
 };
 
-/// Splits a cell, given without surrounding quotation marks, into name and unit. The unit is at the end, in brackets or
-/// parentheses, or after a comma, a space or an underscore.
+/// Splits a cell, given without surrounding quotation marks, into name and unit, and sets the meaning that it has
+/// alone. The unit is in brackets of any kind, or at the end, after "/", "in", a comma, a space, a hyphen, an
+/// underscore, or as a word that begins with a capital letter. Without brackets it must suit the name.
 Heading parseHeading(std::string_view cell);
-
-/// Returns what the name means. If the name does not tell an angle from a length, the unit does.
-NameMeaning meaningOf(const Heading &heading);
 
 /// Sets the meanings of a row of headings, including those that depend on others, and why columns are ignored:
 ///
 ///     Velocity (cm/s)   X-comp   Y-comp     PMKS+ writes the magnitude of a vector before its components
 ///     slider.s   slider.a   crank.phi       Modelica: m, rad and s are implied
+///     x   xp   xpp                          xp is a derivative, because xpp can be nothing else
 void interpretHeadings(std::vector<Heading> &row);
 
 } // namespace slidercrank

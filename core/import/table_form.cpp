@@ -2,10 +2,12 @@
 #include "core/import/table_form.h"
 
 #include "core/import/reference_data.h"
+#include "core/import/vocabulary.h"
 
 #include <algorithm>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <utility>
 
 namespace slidercrank
@@ -89,11 +91,19 @@ SplitLine makeNames(Cells cells, char delimiter)
 {
     SplitLine names{std::move(cells), delimiter};
     for (const std::string_view cell : names.cells) {
-        const Kind kind = looksNumeric(cell) ? Kind::Nothing : meaningOf(parseHeading(cell)).kind;
+        const Kind kind = looksNumeric(cell) ? Kind::Nothing : parseHeading(cell).meaning.kind;
         names.times += kind == Kind::Time ? 1 : 0;
         names.quantities += kind >= Kind::Quantity ? 1 : 0;
     }
     return names;
+}
+
+/// Returns whether a line begins with a number, so that it is a row of data.
+bool isData(std::string_view line)
+{
+    const std::string_view text = trimmed(line);
+    const std::size_t digit = text.find_first_not_of("+-.,\"");
+    return digit != text.npos && isDigit(text[digit]) && digit <= 3;
 }
 
 /// Splits a line at the delimiter that yields most known names. Names above rows that are separated by spaces, or
@@ -104,6 +114,10 @@ SplitLine readNames(std::string_view line, const std::optional<SplitLine> &row)
     const bool bySpaces = row && row->delimiter == ' ';
     const std::string_view unmarked = withoutMark(line);
     SplitLine best;
+    std::tuple<std::size_t, bool, std::size_t> bestRank; // number of known names, whether there are as many as numbers
+    if (isData(unmarked)) {
+        return bySpaces ? SplitLine{splitCells(unmarked, ' '), ' '} : best;
+    }
     for (const std::string_view text : {unmarked, line}) {
         const auto consider = [&](const Cells &cells, char delimiter) {
             const SplitLine names = makeNames(cells, delimiter);
@@ -113,8 +127,10 @@ SplitLine readNames(std::string_view line, const std::optional<SplitLine> &row)
                 !row || unmarked.size() == line.size() || (names.isComplete() && cells.size() > row->cells.size());
             const bool isAllowed =
                 fits ? delimiter != ' ' || bySpaces || isKnown : isFree && delimiter != ' ' && !bySpaces;
-            if (isAllowed && std::pair(names.known(), cells.size()) > std::pair(best.known(), best.cells.size())) {
+            const std::tuple rank(names.known(), fits, cells.size());
+            if (isAllowed && rank > bestRank) {
                 best = names;
+                bestRank = rank;
             }
         };
         for (const char delimiter : kDelimiters) {
@@ -274,6 +290,11 @@ std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout)
         const std::size_t colon = cells[i].find(':');
         headings[i].isClock = colon != cells[i].npos; // not behind a quantity, like the times of a race
         headings[i].hasDate = cells[i].find_first_of("-/.") < colon;
+    }
+    for (Heading &heading : headings) {
+        if (!heading.isClock && isTimeOfDay(wordsOf(heading.name))) {
+            heading.meaning = {};
+        }
     }
     layout.decimalSign = findDecimalSign(firstLines(rows), layout.delimiter);
     lines.erase(lines.begin(), lines.end() - static_cast<std::ptrdiff_t>(rows.size()));

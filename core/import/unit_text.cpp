@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/import/unit_text.h"
 
+#include "core/import/cells.h"
 #include "core/mechanism/channel.h"
 #include "core/mechanism/find_element.h"
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cstdlib>
 
 namespace slidercrank
 {
@@ -18,38 +21,83 @@ struct NamedUnit {
     Unit unit;
 };
 
-/// On Spanish keyboards, the ordinal sign º stands for degrees. Micro has two code points, one is the Greek letter.
+/// Other spellings of units. On Spanish keyboards, the ordinal sign º stands for degrees. Micro has two code points,
+/// one is the Greek letter.
 constexpr std::string_view kUnitSpellings =
-    "1/min=rpm|min^-1=rpm|min-1=rpm|min⁻¹=rpm|s^-1=/s|s^-2=/s2|s-1=/s|s-2=/s2|s⁻¹=/s|s⁻²=/s2| "
-    "=|\t=|.=|^=|*=|·=|(=|)=|²=2|°=deg|º=deg|\u00B5=u|\u03BC=u";
+    "1/min=rpm|min^-1=rpm|min-1=rpm|min⁻¹=rpm| per =/|_per_=/|Per=/| pro =/| por =/| par =/| al secondo=/s|"
+    " squared=2| al cuadrado=2| al quadrato=2| ao quadrado=2|\\mathrm=|\\text=|\\,= |^\\circ=deg|\\circ=deg|\\=|"
+    "°=deg|º=deg|\u00B5=u|\u03BC=u|é=e|è=e|ê=e|í=i|ì=i|²=2|¹=1|⁻=-|\u2212=-|"
+    "\t= |.= |·= |⋅= |**=|*= |×= |_=/|^=|(=|)=|{=|}=|$=";
 
 std::optional<Unit> unitNamed(std::string_view name)
 {
     using enum Dimension;
-    static constexpr std::array<NamedUnit, 19> kUnits{{
-        {"mm millimeter millimetre millimeters millimetres milimetros", {Length, 0, 1.0}},
-        {"cm centimeter centimetre centimeters centimetres centimetros", {Length, 0, 10.0}},
-        {"m meter metre meters metres metros", {Length, 0, 1e3}},
+    static constexpr std::array<NamedUnit, 20> kUnits{{
+        {"mm millimeter millimetre millimeters millimetres millimetern milimetro milimetros millimetro millimetri",
+         {Length, 0, 1.0}},
+        {"cm centimeter centimetre centimeters centimetres centimetro centimetros centimetri", {Length, 0, 10.0}},
+        {"m meter metre meters metres metern metro metros metri", {Length, 0, 1e3}},
         {"um micron microns", {Length, 0, 1e-3}},
-        {"in inch inches", {Length, 0, 25.4}},
+        {"in inch inches pulgada pulgadas zoll", {Length, 0, 25.4}},
         {"ft foot feet", {Length, 0, 304.8}},
         {"g", {Length, 2, 9806.65}},
-        {"deg degs degree degrees grado grados grad grd ca cad degca cadeg", {Angle, 0, 1.0}},
-        {"rad radian radians radianes", {Angle, 0, kDegreesPerRadian}},
+        {"deg degs degree degrees degre degres grado grados gradi grau graus graden grad grd stopnie stopni ca cad "
+         "degca cadeg kw degkw",
+         {Angle, 0, 1.0}},
+        {"dps", {Angle, 1, 1.0}},
+        {"rad radian radians radianes radianos radianti radianen", {Angle, 0, kDegreesPerRadian}},
         {"mrad", {Angle, 0, 1e-3 * kDegreesPerRadian}},
         {"gon gons gradian gradians grads", {Angle, 0, 0.9}},
-        {"rev revs revolution revolutions turn turns r u tr", {Angle, 0, 360.0}},
+        {"rev revs revolution revolutions turn turns r u tr giri obr omw", {Angle, 0, 360.0}},
         {"rpm", {Angle, 1, 6.0}},
-        {"s sec secs second seconds sek sekunde sekunden seconde secondes secondi seg segundo segundos",
+        {"s sec secs second seconds sek sekunde sekunden seconde secondes secondi secondo seconden seg segundo "
+         "segundos segon segons sekundy sekund",
          {Time, 0, 1.0}},
-        {"ms msec msecs millis millisecond milliseconds milisegundos", {Time, 0, 1e3}},
-        {"us usec micros microsecond microseconds microsegundos", {Time, 0, 1e6}},
+        {"ms msec msecs millis millisecond milliseconds milisegundo milisegundos millisekunden millisecondi "
+         "millisecondes",
+         {Time, 0, 1e3}},
+        {"us usec micros microsecond microseconds microsegundos mikrosekunden", {Time, 0, 1e6}},
         {"ns nanosecond nanoseconds", {Time, 0, 1e9}},
-        {"min mins minute minutes minuto minutos", {Time, 0, 1.0 / 60.0}},
+        {"min mins minute minutes minuto minutos minuten minuti", {Time, 0, 1.0 / 60.0}},
         {"h hr hour hours hora horas stunde stunden", {Time, 0, 1.0 / 3600.0}},
     }};
     const auto *const found = findElement(kUnits, [&](const NamedUnit &unit) { return isAmong(name, unit.names); });
     return found ? std::optional(found->unit) : std::nullopt;
+}
+
+/// A factor of a product of units: "s-2" has the name "s" and the power -2.
+struct UnitFactor {
+    std::string_view name{};
+    int power = 1;
+};
+
+/// Removes the first factor from a product, and returns it. A power that is no number counts as 0.
+UnitFactor takeFactor(std::string_view &product)
+{
+    UnitFactor factor{product.substr(0, product.find_first_of(" /-0123456789"))};
+    product.remove_prefix(factor.name.size());
+    const std::string_view power = product.substr(0, product.find_first_not_of("-0123456789"));
+    if (!power.empty()) {
+        factor.power = 0;
+        std::from_chars(power.data(), power.data() + power.size(), factor.power);
+    }
+    product.remove_prefix(power.size());
+    return factor;
+}
+
+/// Returns the unit of a numerator. The last letters of "mmps" mean "per second".
+std::optional<Unit> numeratorNamed(const UnitFactor &factor)
+{
+    std::optional<Unit> unit = unitNamed(factor.name);
+    if (unit && factor.power == 1) {
+        return unit;
+    }
+    const bool isRate = !unit && factor.name.ends_with("ps");
+    unit = isRate ? unitNamed(factor.name.substr(0, factor.name.size() - 2)) : std::nullopt;
+    if (unit) {
+        unit->order = factor.power;
+    }
+    return unit && unit->dimension != Dimension::Time ? unit : std::nullopt;
 }
 
 } // namespace
@@ -103,21 +151,40 @@ std::string respelled(std::string_view text, std::string_view table)
 
 std::optional<Unit> parseUnit(std::string_view text)
 {
-    const std::string plain = lowered(respelled(text, kUnitSpellings)) + '/';
-    std::string_view rest = plain;
-    std::optional<Unit> unit = unitNamed(takeUntil('/', rest));
-    while (unit && !rest.empty()) {
-        std::string_view per = takeUntil('/', rest);
-        const int power = per.ends_with('2') ? 2 : 1;
-        per.remove_suffix(power == 2 ? 1 : 0);
-        const std::optional<Unit> time = unitNamed(per);
-        if (!time || time->dimension != Dimension::Time || unit->dimension == Dimension::Time) {
+    constexpr int kLargestOrder = 2;
+    const std::string plain = lowered(respelled(text, kUnitSpellings));
+    std::optional<Unit> unit;
+    bool isDivided = false;
+    for (std::string_view rest = trimmed(plain); !rest.empty(); rest = trimmed(rest)) {
+        if (rest[0] == '/') {
+            isDivided = true;
+            rest.remove_prefix(1);
+            continue;
+        }
+        const UnitFactor factor = takeFactor(rest);
+        if (factor.name.empty() && factor.power == 1 && !unit && !isDivided) { // "1/s"
+            continue;
+        }
+        const std::optional<Unit> time = unitNamed(factor.name);
+        const bool isReciprocalTime =
+            time && time->dimension == Dimension::Time && factor.power != 0 && (isDivided || factor.power < 0);
+        if (!unit && !isReciprocalTime) {
+            unit = numeratorNamed(factor);
+            if (!unit || isDivided) {
+                return std::nullopt;
+            }
+            continue;
+        }
+        unit = unit.value_or(Unit{Dimension::Angle, 0, kDegreesPerRadian}); // 1/s is rad/s
+        if (!isReciprocalTime || unit->dimension == Dimension::Time) {
             return std::nullopt;
         }
-        unit->factor *= power == 2 ? time->factor * time->factor : time->factor;
-        unit->order += power;
+        for (int i = 0; i < std::abs(factor.power) && unit->order <= kLargestOrder; ++i) {
+            unit->factor *= time->factor;
+            ++unit->order;
+        }
     }
-    return unit && unit->order <= 2 ? unit : std::nullopt;
+    return unit && unit->order <= kLargestOrder ? unit : std::nullopt;
 }
 
 } // namespace slidercrank

@@ -22,7 +22,7 @@ public:
         QT_TR_NOOP("recognized by its heading"),                                 // KnownName
         QT_TR_NOOP("chosen by hand"),                                            // Chosen
         QT_TR_NOOP("assumed: the heading names the quantity, but not the body"), // QuantityInName
-        QT_TR_NOOP("assumed from its values: an angle beyond half a turn, an even one, or a derivative"), // WideAngle
+        QT_TR_NOOP("assumed from its values: an angle that spans more than half a turn or rises evenly, or its derivative"), // WideAngle
         QT_TR_NOOP("assumed: the first column, whose values only increase"),              // RisingValues
         QT_TR_NOOP("assumed from the heading: named as in Modelica, in m, rad and s"),    // ModelicaName
         QT_TR_NOOP("assumed: no column is the time, and this is the angle of the crank"), // AngleForTime
@@ -36,10 +36,11 @@ public:
         QT_TR_NOOP("its unit is unknown, or does not suit the quantity"),                 // UnknownUnit
         QT_TR_NOOP("another column could be the same quantity"),                          // LikeOther
         QT_TR_NOOP("neither unit nor values tell whether it is an angle or a length"),    // AngleOrLength
+        QT_TR_NOOP("its values do not change, as those of a parameter"),                  // Constant
     };
 };
 
-static_assert(std::size(ColumnText::kReasons) == static_cast<std::size_t>(ColumnReason::AngleOrLength) + 1);
+static_assert(std::size(ColumnText::kReasons) == static_cast<std::size_t>(ColumnReason::Constant) + 1);
 
 /// Appends the name of the file if several files are joined.
 QString withFile(const QString &text, const FileLayout &layout, std::size_t file)

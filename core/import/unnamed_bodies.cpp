@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/import/unnamed_bodies.h"
+
+#include "core/import/crank_angles.h"
+#include "core/mechanism/find_element.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+using Kind = NameMeaning::Kind;
+using Doubt = NameMeaning::Doubt;
+using Values = std::vector<double>;
+
+constexpr double kHalfTurn = 180.0; // the coupler swings less in every mechanism that makes full turns
+constexpr std::size_t kFewestRows = 10;
+
+/// Returns the readable values.
+Values finiteValues(const RawColumn &column)
+{
+    Values values = column.values;
+    std::erase_if(values, [](double value) { return !std::isfinite(value); });
+    return values;
+}
+
+/// Returns the range of angles in degrees, without the jumps after one turn.
+double widthOf(Values degrees)
+{
+    return rangeOf(unwrapped(std::move(degrees))).width();
+}
+
+/// Returns the values in degrees of a column that has not been converted; empty if its unit is not that of an angle.
+Values degreesOf(const RawColumn &column)
+{
+    const std::optional<Unit> unit = column.unitAs(ColumnRole::CrankAngle);
+    Values degrees = unit ? finiteValues(column) : Values();
+    std::ranges::for_each(degrees, [&](double &value) { value = unit->toDefault(value); });
+    return degrees;
+}
+
+bool isOfUnnamedBody(const RawColumn *column)
+{
+    return column->meaning.kind == Kind::Quantity;
+}
+
+/// Removes lengths and angles that do not change: a table may contain parameters, such as the radius of the crank.
+void removeConstants(std::vector<RawColumn *> &candidates)
+{
+    std::erase_if(candidates, [](RawColumn *column) {
+        const Channel channel = column->use.channel;
+        const bool mayBeConstant = channel.coordinate == R4y || channel.order != Order::Position;
+        const bool isParameter = isOfUnnamedBody(column) && !mayBeConstant && isConstant(*column) &&
+                                 finiteValues(*column).front() != 0.0;
+        column->use.reason = isParameter ? ColumnReason::Constant : column->use.reason;
+        return isParameter;
+    });
+}
+
+/// Reassigns angles that have to be the crank angle, and the derivatives that belong to them. If another angle of the
+/// same owner does not, nothing tells whose derivatives they are, and they are removed.
+void findCrank(RawTable &table, std::vector<RawColumn *> &candidates)
+{
+    constexpr double kEvenness = 1e-3;  // of the range: the coupler never turns evenly by so many degrees
+    constexpr double kEvenRange = 6.0;  // in the unit of the file, which may be rad though the heading does not say so
+    constexpr double kVariation = 0.01; // of a speed that is constant
+    const RawColumn *const abscissa = table.abscissa();
+    std::vector<RawColumn *> angles;
+    std::vector<RawColumn *> derivatives;
+    for (RawColumn *const column : candidates) {
+        if (isOfUnnamedBody(column) && isAngle(column->use.channel.coordinate)) {
+            (column->use.channel.order == Order::Position ? angles : derivatives).push_back(column);
+        }
+    }
+    for (RawColumn *const column : angles) {
+        const double width = widthOf(finiteValues(*column));
+        const bool isEven = abscissa && column->values.size() >= kFewestRows && width > kEvenRange * column->factor &&
+                            isStraight(column->values, abscissa->values, kEvenness * width);
+        if (width > kHalfTurn || isEven) {
+            column->use.channel = kCrankAngle;
+            column->meaning.reason = ColumnReason::WideAngle;
+        }
+    }
+    for (RawColumn *const column : derivatives) {
+        const ValueRange range = rangeOf(column->values);
+        const bool isConstantSpeed =
+            range.count >= kFewestRows && range.size() > 0.0 && range.width() <= kVariation * range.size();
+        bool hasCrank = false; // whose derivative the column may be
+        bool hasOther = false;
+        for (const RawColumn *const angle : angles) {
+            const bool isCrank = angle->use.channel == kCrankAngle;
+            const bool hasSameOwner = angle->meaning.owner == column->meaning.owner;
+            hasCrank = hasCrank || (hasSameOwner && isCrank);
+            hasOther = hasOther || (hasSameOwner && !isCrank);
+        }
+        if (isConstantSpeed || (hasCrank && !hasOther)) {
+            column->use.channel.coordinate = Theta2;
+            column->meaning.reason = ColumnReason::WideAngle;
+        } else if (hasCrank) {
+            column->use.reason = ColumnReason::LikeOther;
+            std::erase(candidates, column);
+        }
+    }
+}
+
+/// Returns the candidate of an unnamed body with that channel and owner, or null.
+RawColumn *findUnnamed(const std::vector<RawColumn *> &candidates, Channel channel, const std::string &owner)
+{
+    const auto *const found = findElement(candidates, [&](const RawColumn *column) {
+        return isOfUnnamedBody(column) && column->use.channel == channel && column->meaning.owner == owner;
+    });
+    return found ? *found : nullptr;
+}
+
+/// Finds the body of the columns x, y and an angle, which programs write for each body: the slider does not turn. If
+/// both x and y change, it is not the slider, but the crank if it makes turns, and else the coupler.
+void findBodyOfPosition(std::vector<RawColumn *> &candidates)
+{
+    constexpr double kUnturned = 1e-6; // degrees
+    for (RawColumn *const angle : candidates) {
+        const Channel channel = angle->use.channel;
+        const bool isPosition = channel.order == Order::Position && isAngle(channel.coordinate);
+        const std::string &owner = angle->meaning.owner;
+        RawColumn *const x = findUnnamed(candidates, {R4x, Order::Position}, owner);
+        RawColumn *const y = findUnnamed(candidates, {R4y, Order::Position}, owner);
+        if (!isOfUnnamedBody(angle) || !isPosition || !x || !y) {
+            continue;
+        }
+        const bool turns = rangeOf(angle->values).width() > kUnturned;
+        if (turns && (isConstant(*x) || isConstant(*y))) {
+            continue; // x and y are those of the slider, and the angle is not
+        }
+        const bool isCrank = channel == kCrankAngle;
+        for (RawColumn *const column : candidates) {
+            if (!isOfUnnamedBody(column) || column->meaning.owner != owner) {
+                continue;
+            }
+            Coordinate &coordinate = column->use.channel.coordinate;
+            if (isAngle(coordinate)) {
+                coordinate = turns ? coordinate : Theta4;
+            } else if (turns) {
+                const Coordinate ofX = isCrank ? R2x : R3x;
+                const Coordinate ofY = isCrank ? R2y : R3y;
+                coordinate = coordinate == R4y ? ofY : ofX;
+            }
+        }
+    }
+}
+
+} // namespace
+
+bool isConstant(const RawColumn &column)
+{
+    const ValueRange range = rangeOf(column.values);
+    return range.count >= kFewestRows && range.width() == 0.0;
+}
+
+bool isTurningAngle(const RawColumn &column)
+{
+    constexpr double kTurn = 360.0;
+    const std::optional<Unit> unit = column.unitAs(ColumnRole::CrankAngle);
+    return unit && !isConstant(column) && !findReversal(unwrapped(column.values, kTurn / unit->factor));
+}
+
+void correctMeanings(RawTable &table)
+{
+    const auto makesHalfTurn = [](const RawColumn &column) { return widthOf(degreesOf(column)) > kHalfTurn; };
+    bool isCrankFirst = false; // whether the crank has the number 1
+    for (RawColumn &column : table.columns) {
+        NameMeaning &meaning = column.meaning;
+        if (meaning.doubt == Doubt::IsAngle && isTurningAngle(column) && makesHalfTurn(column)) {
+            meaning.channel.order = Order::Position;
+        }
+        isCrankFirst = isCrankFirst || (meaning.kind >= Kind::Words && meaning.kind < Kind::Chosen &&
+                                        meaning.channel == Channel{Theta1, Order::Position} && makesHalfTurn(column));
+    }
+    for (RawColumn &column : table.columns) {
+        NameMeaning &meaning = column.meaning;
+        const Coordinate coordinate = meaning.channel.coordinate;
+        const bool isNumbered = meaning.kind >= Kind::Words && meaning.kind < Kind::Chosen &&
+                                (coordinate == Theta1 || coordinate == Theta2 || coordinate == Theta3);
+        if (isCrankFirst && isNumbered) {
+            meaning.channel.coordinate = coordinate == Theta1 ? Theta2 : coordinate == Theta2 ? Theta3 : Theta4;
+            meaning.reason = ColumnReason::WideAngle;
+        } else if (isNumbered && coordinate == Theta1 && rangeOf(column.values).width() > 0.0) {
+            meaning = {.reason = ColumnReason::UnknownBody}; // it is not the frame
+        }
+    }
+}
+
+void assignBodies(RawTable &table, std::vector<RawColumn *> &candidates)
+{
+    removeConstants(candidates);
+    findCrank(table, candidates);
+    findBodyOfPosition(candidates);
+    std::erase_if(candidates, [](RawColumn *column) {
+        const bool isOfNoBody =
+            column->meaning.doubt == Doubt::IsOfCrank && column->use.channel.coordinate != Theta2;
+        column->use.reason = isOfNoBody ? ColumnReason::UnknownBody : column->use.reason;
+        return isOfNoBody;
+    });
+}
+
+} // namespace slidercrank

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/import/vocabulary.h"
+
+#include "core/import/cells.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <unordered_map>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+using Words = std::vector<std::string>;
+
+/// Letters outside ASCII and commands of LaTeX, and their plain spelling.
+constexpr std::string_view kLetterSpellings =
+    "á=a|à=a|â=a|ã=a|ä=a|ą=a|ç=c|ć=c|é=e|è=e|ê=e|ę=e|í=i|ì=i|ó=o|ò=o|ô=o|õ=o|ö=o|ú=u|ù=u|ü=u|ñ=n|ł=l|ś=s|ż=z|"
+    "Á=A|Â=A|Ä=A|É=E|Í=I|Ó=O|Ö=O|Ú=U|Ü=U|Ñ=N|"
+    "\u0300=|\u0301=|\u0303=|a\u0308=a|o\u0308=o|u\u0308=u|A\u0308=A|O\u0308=O|U\u0308=U|" // decomposed accents
+    "\u0307='|\u0308=''|ẋ=x'|ẍ=x''|Ẋ=x'|Ẍ=x''|ẏ=y'|ÿ=y''|ṡ=s'|ḋ=d'|ṙ=r'|v̇=v'|′='|’='|´='|″=''|"
+    "θ=theta|ϑ=theta|Θ=theta|φ=phi|ϕ=phi|Φ=phi|ψ=psi|Ψ=psi|ω=omega|Ω=omega|α=alpha|β=beta|ε=epsilon|ϵ=epsilon|"
+    "²=2|³=3|⁴=4|₁=1|₂=2|₃=3|₄=4|°=|der(=dot |\\mathrm=|\\text=|\\rm=|\\var=|\\left=|\\right=|\\,=";
+
+constexpr std::string_view kTimeWords =
+    "time times t tiempo timestamp stamp zeit zeitpunkt temps tempo instante tijd czas temp_s millis micros";
+constexpr std::string_view kTimeCompanions = "elapsed row sim simulation simulacion transcurrido de la since start "
+                                             "relative run latest data set ch simulationszeit tempo_s";
+constexpr std::string_view kTimesOfDay = "uhrzeit clock hora heure ora godzina";
+constexpr std::string_view kRowNumbers =
+    "n no nr num index row id fila frame paso step sample point node nodo element elemento";
+
+/// Returns the vocabulary in languages from English to Polish. Words with a dot are variables of Modelica.
+std::span<const WordMeaning> vocabulary()
+{
+    using enum WordUse;
+    using enum Dimension;
+    using enum Order;
+    using enum Body;
+    constexpr std::nullopt_t kOpen = std::nullopt;
+    static constexpr std::array kRows{
+        // Quantities.
+        WordMeaning{Word,
+                    "position posicion posizione posicao posicio positie polozenie lage pos displacement disp displ "
+                    "desplazamiento deplacement spostamento deslocamento desplacament verplaatsing przemieszczenie "
+                    "verschiebung weg pose",
+                    kOpen, Position},
+        WordMeaning{Word,
+                    "coordinate coordenada coordonnee distance distancia distanza abstand stroke carrera course corsa "
+                    "curso cursa hub travel recorrido slag skok",
+                    Length, Position},
+        WordMeaning{Word,
+                    "velocity velocidad velocita velocidade velocitat vitesse speed vel geschwindigkeit snelheid "
+                    "predkosc rate twist",
+                    kOpen, Velocity},
+        WordMeaning{Word,
+                    "acceleration aceleracion accelerazione aceleracao acceleracio accelerometer accel acel acc "
+                    "beschleunigung versnelling przyspieszenie",
+                    kOpen, Acceleration},
+        WordMeaning{Word,
+                    "angle angulo angolo rotation rotacion rotazione rotacao giro orientation winkel hoek kat "
+                    "inclination inclinacion neigung encoder",
+                    Angle, Position},
+        WordMeaning{Word, "ang angular angulaire angolare rotational rotary hoeksnelheid revolute rz", Angle},
+        WordMeaning{Word, "linear lineal lineaire lineare translational trans prismatic", Length},
+        WordMeaning{Word, "horizontal horizontale tx", Length, kOpen, kOpen, 'x'},
+        WordMeaning{Word, "vertical verticale ty", Length, kOpen, kOpen, 'y'},
+        WordMeaning{Word, "rpm drehzahl regime giri revoluciones toerental obroty", Angle, Velocity, Crank},
+        // Bodies. A wheel with a pin is a crank.
+        WordMeaning{Word,
+                    "crank input crankshaft wheel flywheel disk disc driver manivela manivelle manovella ciguenal "
+                    "vilebrequin virabrequim volante rueda kurbel kurbelwelle schwungrad kruk krukas korba korby "
+                    "link_2 glied_2 eslabon_2 barra_2 membro_2 body_2",
+                    kOpen, kOpen, Crank},
+        WordMeaning{Word, "ca cad kw kurbelwinkel drehwinkel", Angle, Position, Crank},
+        WordMeaning{Word,
+                    "coupler rod conrod connecting biela bielle biella acoplador pleuel pleuels pleuelstange koppel "
+                    "schubstange drijfstang korbowod korbowodu lacznik link_3 glied_3 eslabon_3 barra_3 body_3",
+                    kOpen, kOpen, Coupler},
+        WordMeaning{Word,
+                    "slider slide piston pistone pistao pisto corredera deslizadera deslizador deslizante embolo carro "
+                    "carrito cursore cursor pattino coulisseau coulissant crosshead block bloque kolben schieber "
+                    "gleitstein schlitten kreuzkopf kolbens schiebers zuiger schuif suwak suwaka tlok tloka link_4 glied_4 eslabon_4",
+                    kOpen, kOpen, Slider},
+        // Symbols of textbooks. The order of x and θ is that of the unit, or that of a position.
+        WordMeaning{Symbol, "x", Length, kOpen, kOpen, 'x'},
+        WordMeaning{Symbol, "y", Length, kOpen, kOpen, 'y'},
+        WordMeaning{Symbol, "s d", Length},
+        WordMeaning{Symbol, "v", kOpen, Velocity},
+        WordMeaning{Symbol, "a", kOpen, Acceleration},
+        WordMeaning{Symbol, "theta th tita phi fi psi beta", Angle},
+        WordMeaning{Symbol, "omega om w", Angle, Velocity},
+        WordMeaning{Symbol, "alpha alfa al epsilon", Angle, Acceleration},
+        WordMeaning{Symbol, ".s", Length, Position},
+        WordMeaning{Symbol, ".v", Length, Velocity},
+        WordMeaning{Symbol, ".a", kOpen, Acceleration},
+        WordMeaning{Symbol, ".phi", Angle, Position},
+        WordMeaning{Symbol, ".w", Angle, Velocity},
+        // Indices: the wrist pin is called B or C, or P, K and S after the piston, Kolben and slider.
+        WordMeaning{Index, "b c k s", kOpen, kOpen, Slider},
+        WordMeaning{Index, "oa", kOpen, kOpen, Crank},
+        WordMeaning{Index, "ab bc t"},
+        // Derivatives.
+        WordMeaning{Derivative,
+                    "' dot diff prime punto punkt ponto punt kropka derivative derivada deriv first_derivative",
+                    kOpen, Velocity},
+        WordMeaning{Derivative,
+                    "ddot dotdot diff_2 ddiff double_dot double_prime dos_puntos 2_puntos dois_pontos 2_punkt "
+                    "zwei_punkt zweipunkt 2_punten second_derivative dd pp",
+                    kOpen, Acceleration},
+        WordMeaning{LetterOfOne, "d p", kOpen, Velocity},
+        WordMeaning{Filler, "de del la el da do du di des della delle dello der die das of the van het en au a_la "
+                            "in con component componente comp latest run set data ch joint gelenk cm com body centre "
+                            "center field instantaneous gemessen measured medido medida piston_pin pin"},
+    };
+    return kRows;
+}
+
+/// Also true for the bytes of other letters outside ASCII, which no known word contains.
+bool isLetter(char c)
+{
+    return (lowerCase(c) >= 'a' && lowerCase(c) <= 'z') || static_cast<unsigned char>(c) >= 0x80;
+}
+
+/// Returns whether one of the words is in the list, and the others are in it, among the companions, or numbers.
+bool areAmong(const Words &words, std::string_view list, std::string_view companions)
+{
+    const auto isListed = [&](const std::string &word) { return isAmong(word, list); };
+    return std::ranges::any_of(words, isListed) && std::ranges::all_of(words, [&](const std::string &word) {
+               return isListed(word) || isAmong(word, companions) || isDigits(word);
+           });
+}
+
+} // namespace
+
+const WordMeaning *findWord(std::string_view word, WordUse use)
+{
+    static const std::unordered_multimap<std::string_view, const WordMeaning *> kEntries = [] {
+        std::unordered_multimap<std::string_view, const WordMeaning *> entries;
+        for (const WordMeaning &entry : vocabulary()) {
+            for (std::string_view rest = entry.words; !rest.empty();) {
+                entries.emplace(takeUntil(' ', rest), &entry);
+            }
+        }
+        return entries;
+    }();
+    const auto [first, last] = kEntries.equal_range(word);
+    const auto found = std::find_if(first, last, [use](const auto &entry) { return entry.second->use == use; });
+    return found == last ? nullptr : found->second;
+}
+
+Words wordsOf(std::string_view name)
+{
+    Words words;
+    char before = ' ';
+    for (const char c : respelled(name, kLetterSpellings)) {
+        const bool startsWithCapital = lowerCase(c) != c && lowerCase(before) == before;
+        const bool continues = isLetter(c) ? isLetter(before) && !startsWithCapital : isDigit(c) && isDigit(before);
+        if (isLetter(c) || isDigit(c) || c == '\'') {
+            words.resize(words.size() + (continues ? 0 : 1));
+            words.back() += lowerCase(c);
+        }
+        before = c;
+    }
+    return words;
+}
+
+bool isDigits(std::string_view word)
+{
+    return !word.empty() && std::ranges::all_of(word, isDigit);
+}
+
+bool isTime(const Words &words)
+{
+    return areAmong(words, kTimeWords, kTimeCompanions) || isTimeOfDay(words);
+}
+
+bool isTimeOfDay(const Words &words)
+{
+    return areAmong(words, kTimesOfDay, "");
+}
+
+bool isRowNumber(const Words &words)
+{
+    const bool isUnnamed = words.size() == 2 && words[0] == "unnamed"; // "Unnamed: 0" of pandas
+    return isUnnamed || (words.size() == 1 && isAmong(words[0], kRowNumbers));
+}
+
+} // namespace slidercrank

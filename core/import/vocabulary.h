@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The words and symbols of headings, and what each of them says about the quantity in a column. A new word is added to
+// a row of the table, a new kind of word as a row.
+
+#include "core/import/unit_text.h"
+#include "core/mechanism/channel.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace slidercrank
+{
+
+enum class Body { Crank, Coupler, Slider };
+
+/// Where an entry of the vocabulary may occur.
+enum class WordUse {
+    Word,        ///< anywhere: "velocity", "slider"
+    Symbol,      ///< once in a name: "v", "theta"
+    Index,       ///< after a symbol: the B of "x_B"
+    Derivative,  ///< anywhere: the dot of "x_dot"; `order` is the number of derivatives
+    LetterOfOne, ///< after a symbol, for a derivative or something else: the p of "x_p"
+    Filler       ///< anywhere, says nothing: "of"
+};
+
+struct WordMeaning {
+    WordUse use = WordUse::Word;
+
+    /// Separated by spaces, without accents and in lower case. Two words of a name are joined: "double_dot".
+    std::string_view words{};
+
+    std::optional<Dimension> dimension{};
+    std::optional<Order> order{};
+    std::optional<Body> body{};
+    char axis = ' ';
+};
+
+/// Returns the entry of that use that contains the word, or null.
+const WordMeaning *findWord(std::string_view word, WordUse use);
+
+/// Splits a name into runs of letters, runs of digits, and primes, in lower case and without accents. A capital letter
+/// after a small one begins a word: "SliderPosition". Dots above a letter become primes: "ẍ" is x, ', '.
+std::vector<std::string> wordsOf(std::string_view name);
+
+bool isDigits(std::string_view word);
+
+/// Returns whether the words name the time, as in "Elapsed time" or "sim_time".
+bool isTime(const std::vector<std::string> &words);
+
+/// Returns whether the words name the time of day, as a clock shows it.
+bool isTimeOfDay(const std::vector<std::string> &words);
+
+/// Returns whether the words name the number of a row.
+bool isRowNumber(const std::vector<std::string> &words);
+
+} // namespace slidercrank
