@@ -4,7 +4,8 @@
 // The precision of time stamps. They are rounded like any other number, and the mechanism moves during the rounding
 // error. Evenly spaced time stamps (0, 0.005, 0.01) are taken as exact: the program that wrote 0, 0.0133, 0.0266 may
 // have meant 0, 0.013303, 0.026606, but nothing shows it. Time stamps that are evenly spaced within their rounding (0,
-// 0.033, 0.067, 0.1) were rounded. Other ones (0, 0.1, 0.25, 1) may have been chosen.
+// 0.033, 0.067, 0.1) were rounded. Missing time stamps of such a grid make no difference. Other ones (0, 0.1, 0.25, 1)
+// may have been chosen.
 
 #include "core/import/rounding.h"
 
@@ -17,8 +18,8 @@ struct Clock {
     /// Largest rounding step of the time stamps, s. If they are evenly spaced, their digits do not show it, and it is
     /// the step of the last printed digit. 0 if it is unknown.
     double printedStep = 0.0;
-    bool even = true;     ///< whether all differences are equal within the precision of a double or 1e-3 of the step
-    bool rounded = false; ///< whether at least ten time stamps are evenly spaced within their rounding, but not `even`
+    bool even = true; ///< evenly spaced, apart from gaps, within the precision of a double or 1e-3 of the step
+    bool rounded = false; ///< at least ten time stamps, evenly spaced within their rounding, but not `even`
 
     /// Returns the rounding step that time stamps have to be expected to have, s: the error is at most half of it.
     double step() const { return even ? 0.0 : printedStep; }

@@ -25,7 +25,8 @@ CellNumber parseCell(const RawColumn &column, std::string_view cell, DecimalSign
     return column.isClock ? parseClock(cell, decimalSign) : parseNumber(cell, decimalSign);
 }
 
-void readRow(RawTable &table, const TableFile &file, std::size_t row)
+/// Reads the cells of a row into its columns. Returns the number of cells.
+std::size_t readRow(RawTable &table, const TableFile &file, std::size_t row)
 {
     const std::span<RawColumn> columns = table.columnsOf(file);
     bool hasTooManyCells = false;
@@ -45,6 +46,22 @@ void readRow(RawTable &table, const TableFile &file, std::size_t row)
     }
     if (hasTooManyCells || cells < std::min(columns.size(), kFewestCells)) {
         std::ranges::for_each(columns, [row](RawColumn &column) { column.values[row] = kUnreadable; });
+    }
+    return cells;
+}
+
+/// Throws if there are more headings than cells in every row, because a heading contains the delimiter. Unknown headings
+/// behind known ones are remarks.
+void requireCells(std::span<const RawColumn> columns, const TableFile &file, std::size_t cells)
+{
+    using Kind = NameMeaning::Kind;
+    const auto isKnown = [](const RawColumn &column) { return column.meaning.kind != Kind::Nothing; };
+    const std::size_t used = std::min(cells, columns.size());
+    const bool areRemarks = std::ranges::all_of(columns.first(used), isKnown) &&
+                            std::ranges::none_of(columns.subspan(used), isKnown);
+    if (used < columns.size() && !file.rows.empty() && !areRemarks) {
+        throw ReadError{.line = file.layout.headerLine,
+                        .fault = {.kind = ReadFault::Kind::MoreHeadings, .headings = columns.size(), .numbers = cells}};
     }
 }
 
@@ -83,14 +100,16 @@ void readTable(const FileBytes &bytes, const std::function<bool(double part)> &p
         column.use.file = table.files.size() - 1;
         column.values.assign(file.rows.size(), kNone);
     }
+    std::size_t cells = 0; // of the longest row
     for (std::size_t row = 0; row < file.rows.size(); ++row) {
-        readRow(table, file, row);
+        cells = std::max(cells, readRow(table, file, row));
         const std::size_t done = row + 1;
         if ((done % kReportEvery == 0 || done == file.rows.size()) &&
             !progress(static_cast<double>(done) / static_cast<double>(file.rows.size()))) {
             throw ReadError{.fault = {ReadFault::Kind::Stopped}};
         }
     }
+    requireCells(table.columnsOf(file), file, cells);
 }
 
 SkippedRow findRowFault(RawTable &table, std::size_t row)

@@ -6,6 +6,7 @@
 
 #include "core/import/file_layout.h"
 
+#include <cstddef>
 #include <string>
 
 namespace slidercrank
@@ -35,6 +36,9 @@ struct ReadFault {
         LineTooLong,
         UnitsContradict, ///< the line of units contradicts `heading`
         NamesMissing,    ///< there are numbers but no headings
+        MoreHeadings,    ///< `headings` are more than `numbers` in every row: a heading contains a delimiter
+        Transposed,      ///< each line is a quantity
+        AnotherTable,    ///< begins with this line of headings
         UnknownUnit,     ///< or a unit of another quantity than `channel`
         UnknownTimeUnit,
         NoSuchColumn,   ///< called `heading`
@@ -48,7 +52,9 @@ struct ReadFault {
         NoRow,            ///< can be read; `row` is the reason for the first one
         NoValues,         ///< besides the time
         TimeNotRising,
-        AngleTurnsBack, ///< the crank angle
+        TimeStartsAgain, ///< another motion begins
+        AngleTurnsBack,  ///< the crank angle
+        AngleStartsAgain,
 
         // About a file that has to be joined with others; `heading` is one of them.
         OtherTimeStamps,
@@ -63,6 +69,8 @@ struct ReadFault {
     std::string heading{};
     ColumnReason column = ColumnReason::UnknownName;
     RowFault row = RowFault::NotANumber;
+    std::size_t headings = 0; ///< number of them
+    std::size_t numbers = 0;  ///< in the longest row
 
     friend bool operator==(const ReadFault &, const ReadFault &) = default;
 };

@@ -25,6 +25,39 @@ ReadError errorAt(const SkippedRow &row, Fault fault)
     return {row.line, row.column, row.text, {.kind = fault, .row = row.fault}};
 }
 
+/// Returns whether a time or angle that turns back starts again, as at the beginning of another motion.
+bool startsAgain(std::span<const double> values, std::size_t row)
+{
+    constexpr std::size_t kFewestRows = 3;
+    constexpr double kNear = 0.1; // of the range so far
+    const double range = rangeOf(values.first(row)).width();
+    return row >= kFewestRows && std::abs(values[row] - values[0]) <= kNear * range;
+}
+
+/// Throws if a row is another line of headings. The same headings again are only a row that is skipped.
+void refuseAnotherTable(const RawTable &table)
+{
+    using Kind = NameMeaning::Kind;
+    for (const TableFile &file : table.files) {
+        const std::span<const RawColumn> columns = std::span(table.columns).subspan(file.firstColumn, file.width);
+        const auto isUnreadable = [&](std::size_t row) {
+            return std::ranges::none_of(columns, [row](const RawColumn &column) { return std::isfinite(column.values[row]); });
+        };
+        for (std::size_t row = 0; row < file.rows.size(); ++row) {
+            if (!isUnreadable(row)) {
+                continue;
+            }
+            const Line &line = file.rows[row];
+            const Cells cells = splitCells(line.text, file.layout.delimiter);
+            const auto isName = [](std::string_view cell) { return parseHeading(cell).meaning.kind != Kind::Nothing; };
+            const bool areSame = std::ranges::equal(cells, columns, {}, {}, [](const RawColumn &column) -> std::string_view { return column.use.heading; });
+            if (cells.size() > 1 && !areSame && std::ranges::count_if(cells, isName) > 1) {
+                throw ReadError{.line = line.number, .text = excerpt(line.text), .fault = {Fault::AnotherTable}};
+            }
+        }
+    }
+}
+
 /// Returns the rows that can be read. Of rows with the same time, the last one is used, as it contains the state after
 /// an event. Throws if the time decreases, or if most rows repeat it.
 std::vector<std::size_t> findUsedRows(RawTable &table)
@@ -40,7 +73,8 @@ std::vector<std::size_t> findUsedRows(RawTable &table)
         if (abscissa.use.role == ColumnRole::CrankAngle || rows.empty() || time[row] > time[rows.back()]) {
             rows.push_back(row);
         } else if (time[row] < time[rows.back()]) {
-            throw errorAt(findRowFault(table, row), Fault::TimeNotRising);
+            throw errorAt(findRowFault(table, row),
+                          startsAgain(time, row) ? Fault::TimeStartsAgain : Fault::TimeNotRising);
         } else {
             rows.back() = row;
             repeated.push_back(row);
@@ -106,12 +140,35 @@ ReferenceData collect(RawTable &table)
     return data;
 }
 
+/// Returns the row where the crank angle starts again while the other columns differ from those at the same angle
+/// before, so that another motion begins; nullopt if there is none.
+std::optional<std::size_t> findAnotherMotion(const ReferenceData &data)
+{
+    constexpr double kSame = 0.02; // mean difference of two turns of one motion, relative to the range of the column
+    const std::vector<double> &angles = data.time;
+    std::size_t row = 1;
+    while (row < angles.size() && angles[row] != angles[0]) {
+        ++row;
+    }
+    const bool differs = std::ranges::any_of(data.series, [&](const ReferenceSeries &series) {
+        double sum = 0.0;
+        for (std::size_t i = row; i < angles.size() && i < 2 * row; ++i) {
+            sum += std::abs(series.values[i] - series.values[i - row]);
+        }
+        return sum > kSame * rangeOf(series.values).width() * static_cast<double>(std::min(row, angles.size() - row));
+    });
+    return row < angles.size() && differs ? std::optional(row) : std::nullopt;
+}
+
 /// Replaces the crank angles in ReferenceData::time by time stamps.
 void countByAngle(ReferenceData &data, RawTable &table)
 {
+    if (const std::optional<std::size_t> row = findAnotherMotion(data)) {
+        throw ReadError{.line = data.lineOfRow(*row), .fault = {Fault::AngleStartsAgain}};
+    }
     data.crank = CrankAngles{unwrapped(data.time), data.timeRounding};
     if (const std::optional<std::size_t> row = findReversal(data.crank->degrees)) {
-        throw ReadError{.line = data.lineOfRow(*row), .fault = {Fault::AngleTurnsBack}};
+        throw ReadError{.line = data.lineOfRow(*row), .fault = {startsAgain(data.time, *row) ? Fault::AngleStartsAgain : Fault::AngleTurnsBack}};
     }
     std::optional<ReferenceData> timed = timedBy(Mechanism(), data);
     if (!timed) {
@@ -120,7 +177,18 @@ void countByAngle(ReferenceData &data, RawTable &table)
     data = *std::move(timed);
 }
 
-/// Finds the step of an encoder or converter, which is not a power of ten, from the first rows.
+/// Returns whether the values are points of a parabola over the rows, apart from a tolerance.
+bool isParabola(std::span<const double> values, double tolerance)
+{
+    constexpr double kErrors = 4.0; // of three values, the second one twice
+    ValueRange seconds;
+    for (std::size_t i = 2; i < values.size(); ++i) {
+        seconds.include(values[i] - 2.0 * values[i - 1] + values[i - 2]);
+    }
+    return seconds.width() <= 2.0 * kErrors * tolerance;
+}
+
+/// Finds the step of an instrument, from the first rows: 5 or 0.5, as of a scale, or that of an encoder or converter.
 void findStep(ReferenceSeries &series, std::span<const double> time)
 {
     constexpr std::size_t kExaminedRows = 4096;
@@ -130,15 +198,20 @@ void findStep(ReferenceSeries &series, std::span<const double> time)
     if (isAngle(series.channel.coordinate)) {
         values = unwrapped(std::move(values));
     }
-    const double step = series.rounding.stepAt(rangeOf(values).size());
-    // With even time stamps, the points of a straight line are also multiples of a step.
+    const double size = rangeOf(values).size();
+    const double step = series.rounding.stepAt(size);
+    // With even time stamps, the points of a straight line or parabola are also multiples of a step.
     const auto quantumBeyond = [&](double uncertainty) {
-        const double tolerance = 2.0 * uncertainty + 1e-9 * rangeOf(values).size();
-        return isStraight(values, time.first(rows), tolerance) ? std::nullopt : findQuantum(values, uncertainty);
+        const double tolerance = 2.0 * uncertainty + 1e-9 * size;
+        const bool isSmooth = isStraight(values, time.first(rows), tolerance) || isParabola(values, tolerance);
+        return isSmooth ? std::nullopt : findQuantum(values, uncertainty);
     };
     // Steps of 0.9 degrees are printed exactly, those of 360/1024 degrees are rounded.
     std::optional<double> quantum = quantumBeyond(0.0);
     quantum = quantum > 1.5 * step ? quantum : quantumBeyond(step);
+    if (!quantum && !isStraight(values, time.first(rows), 1e-9 * size)) {
+        quantum = findStepOfFive(first, series.rounding);
+    }
     if (quantum) {
         series.rounding.rule = Rounding::Rule::Multiples;
         series.rounding.quantum = *quantum / series.rounding.unitFactor;
@@ -205,6 +278,7 @@ try {
             std::ranges::for_each(table.files, [&](TableFile &whole) { whole.rows.resize(shortest); });
             std::ranges::for_each(table.columns, [&](RawColumn &column) { column.values.resize(shortest); });
         }
+        refuseAnotherTable(table);
         assignColumns(table, options.columns);
         ReferenceData data = toData(table);
         data.layout = takeLayout(table);

@@ -234,4 +234,32 @@ std::optional<double> findQuantum(std::span<const double> values, double printed
     return fits && std::abs(power - std::round(power)) > kPowerOfTenTolerance ? std::optional(quantum) : std::nullopt;
 }
 
+std::optional<double> findStepOfFive(std::span<const double> values, const Rounding &rounding)
+{
+    constexpr std::size_t kFewestValues = 6;  // different ones: one in five is a multiple by chance
+    constexpr double kArithmeticError = 1e-9; // relative to the largest value
+    std::vector<double> levels;
+    for (const double value : values) {
+        if (std::isfinite(value)) {
+            levels.push_back(std::abs(value) / rounding.unitFactor);
+        }
+    }
+    std::ranges::sort(levels);
+    levels.erase(std::ranges::unique(levels).begin(), levels.end());
+    if (levels.size() < kFewestValues || rounding.finestPlace == INT_MIN) {
+        return std::nullopt;
+    }
+    const double tolerance = kArithmeticError * levels.back();
+    const auto areMultiplesOf = [&](double step) {
+        return std::ranges::all_of(
+            levels, [&](double level) { return std::abs(level - step * std::round(level / step)) <= tolerance; });
+    };
+    int place = rounding.finestPlace;
+    while (areMultiplesOf(powerOfTen(place + 1)) && powerOfTen(place + 1) < levels.back()) {
+        ++place;
+    }
+    const double step = 5.0 * powerOfTen(place);
+    return step > tolerance && areMultiplesOf(step) ? std::optional(step * rounding.unitFactor) : std::nullopt;
+}
+
 } // namespace slidercrank

@@ -108,4 +108,8 @@ private:
 /// straight line, not multiples of 3.
 std::optional<double> findQuantum(std::span<const double> values, double printedStep);
 
+/// Returns 5, 0.5, 0.05 … if all values are multiples of it, as read from a scale, but not of the next power of ten.
+/// `rounding` is that of their printed digits. Returns nullopt for few different values, which may be so by chance.
+std::optional<double> findStepOfFive(std::span<const double> values, const Rounding &rounding);
+
 } // namespace slidercrank

@@ -174,6 +174,15 @@ std::optional<SplitLine> findHeader(Lines lines, const std::optional<SplitLine> 
     return best;
 }
 
+/// Removes the cells from one that begins with a comment mark, behind the headings.
+void removeRemark(Cells &headings)
+{
+    const auto isRemark = [](std::string_view cell) { return cell.starts_with('%') || cell.starts_with('#'); };
+    if (headings.size() > 1) {
+        headings.erase(std::find_if(headings.begin() + 1, headings.end(), isRemark), headings.end());
+    }
+}
+
 /// Returns the unit in a cell below the headings, which Simulink writes as "Type: double Unit: rad". Empty if there is
 /// none.
 std::string_view unitIn(std::string_view cell)
@@ -210,7 +219,7 @@ std::size_t readAnnotations(Lines lines, const std::optional<SplitLine> &row, st
         const auto &[number, text] = lines[count];
         const Cells cells =
             row && row->delimiter != ' ' ? splitCells(text, row->delimiter) : readNames(text, row).cells;
-        if (std::ranges::any_of(cells, isNumber)) {
+        if (isData(text) || std::ranges::any_of(cells, isNumber)) {
             break;
         }
         for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -220,21 +229,66 @@ std::size_t readAnnotations(Lines lines, const std::optional<SplitLine> &row, st
     return count;
 }
 
-/// Returns the decimal sign with which most numbers in the first lines can be read: 0,005 and 1.234,5 only with a
-/// comma. Between commas, "1,234" could have a thousands separator and does not count.
-DecimalSign findDecimalSign(Lines lines, char delimiter)
+/// Finds the decimal sign with which most numbers in the first lines can be read: 0,005 and 1.234,5 only with a comma.
+/// Between commas, "1,234" could have a thousands separator and does not count. If each decimal sign has three digits
+/// behind it and a number from 1 to 999 before, it could separate thousands everywhere.
+void findDecimalSign(Lines lines, FileLayout &layout)
 {
     int commas = 0; // more than points
+    bool isClear = layout.delimiter == ',';
+    bool hasSign = false;
     for (const Line &line : lines) {
-        for (const std::string_view cell : splitCells(line.text, delimiter)) {
+        for (const std::string_view cell : splitCells(line.text, layout.delimiter)) {
             const std::string text(splitUnit(cell).number);
             const bool isPoint = !parseNumber(text, DecimalSign::Point).fault;
             const bool isComma = !parseNumber(text, DecimalSign::Comma).fault &&
-                                 (delimiter != ',' || parseNumber(text + ".0", DecimalSign::Point).fault);
+                                 (layout.delimiter != ',' || parseNumber(text + ".0", DecimalSign::Point).fault);
             commas += (isComma ? 1 : 0) - (isPoint ? 1 : 0);
+            const std::size_t first = text.find_first_of("0123456789");
+            const std::size_t sign = text.find_first_of(".,");
+            if ((isPoint || isComma) && sign != text.npos) {
+                hasSign = true;
+                isClear = isClear || first >= sign || text[first] == '0' || sign - first > 3 || text.size() != sign + 4;
+            }
         }
     }
-    return commas > 0 ? DecimalSign::Comma : DecimalSign::Point;
+    layout.decimalSign = commas > 0 ? DecimalSign::Comma : DecimalSign::Point;
+    layout.mayBeThousands = hasSign && !isClear;
+}
+
+/// Returns the line without the remark after it, such as "# start" or "// start". "#N/A" is a gap.
+std::string_view withoutRemark(std::string_view line)
+{
+    for (const std::string_view mark : {"#", "//"}) {
+        for (std::size_t at = line.find(mark); at != line.npos; at = line.find(mark, at + 1)) {
+            const char next = at + mark.size() < line.size() ? line[at + mark.size()] : ' ';
+            if (at > 0 && isBlank(line[at - 1]) && (isBlank(next) || (next >= 'a' && next <= 'z'))) {
+                return line.substr(0, at);
+            }
+        }
+    }
+    return line;
+}
+
+/// Returns whether the quantities are the rows of the table: one line begins with the name of the time or the crank
+/// angle, another one with that of another quantity, and numbers follow.
+bool isTransposed(Lines lines)
+{
+    constexpr std::size_t kFewestNumbers = 3;
+    bool hasAbscissa = false;
+    bool hasOther = false;
+    for (const Line &line : lines) {
+        for (const char delimiter : std::string_view("\t;,| ")) {
+            const Cells cells = splitCells(line.text, delimiter);
+            const auto numbers = static_cast<std::size_t>(std::ranges::count_if(cells, isNumber));
+            const bool isQuantity = numbers >= kFewestNumbers && numbers + 2 >= cells.size() && !isNumber(cells[0]);
+            const NameMeaning meaning = isQuantity ? parseHeading(cells[0]).meaning : NameMeaning();
+            const bool isAbscissa = meaning.kind == Kind::Time || meaning.channel.coordinate == Theta2;
+            hasAbscissa = hasAbscissa || (meaning.kind != Kind::Nothing && isAbscissa);
+            hasOther = hasOther || (meaning.kind >= Kind::Quantity && !isAbscissa);
+        }
+    }
+    return hasAbscissa && hasOther;
 }
 
 } // namespace
@@ -252,7 +306,7 @@ std::vector<Line> splitLines(std::string_view text)
                 throw ReadError{.line = number, .fault = {ReadFault::Kind::LineTooLong}};
             }
             if (line.find_first_not_of(" \t;,") != line.npos) {
-                lines.push_back({number, line});
+                lines.push_back({number, isData(line) ? withoutRemark(line) : line});
             }
         } while (!rest.empty());
     }
@@ -266,13 +320,17 @@ std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout)
         throw ReadError{.fault = {ReadFault::Kind::Empty}};
     }
     const std::optional<SplitLine> row = findFirstRow(examined);
-    const std::optional<SplitLine> header = findHeader(examined, row);
+    std::optional<SplitLine> header = findHeader(examined, row);
+    if (!(header && header->isComplete()) && isTransposed(examined)) {
+        throw ReadError{.line = lines.front().number, .fault = {ReadFault::Kind::Transposed}};
+    }
     const std::size_t first = header ? header->line : row->line;
     layout.delimiter = row ? row->delimiter : header->delimiter;
     Lines rows = Lines(lines).subspan(first + (header ? 1 : 0));
     std::vector<Heading> headings(header ? 0 : row->cells.size());
     if (header) {
         layout.headerLine = lines[first].number;
+        removeRemark(header->cells);
         std::ranges::transform(header->cells, std::back_inserter(headings), parseHeading);
         if (row && lines[row->line].text.starts_with('"') && row->cells.size() == headings.size() + 1) {
             headings.insert(headings.begin(), Heading()); // R writes row names without a heading
@@ -296,7 +354,7 @@ std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout)
             heading.meaning = {};
         }
     }
-    layout.decimalSign = findDecimalSign(firstLines(rows), layout.delimiter);
+    findDecimalSign(firstLines(rows), layout);
     lines.erase(lines.begin(), lines.end() - static_cast<std::ptrdiff_t>(rows.size()));
     return headings;
 }

@@ -24,15 +24,15 @@ private slots:
         };
         const auto over = [](const char *heading) { return QByteArray(heading) + ",R4_x\n0,3\n15,4\n30,5\n"; };
         const std::vector<Row> rows{
-            {over("Crank angle (deg)"), "angle? R4_x", " 0 15 30"},
-            {over("θ₂ [°]"), "angle? R4_x", " 0 15 30"},
-            {over("Ángulo de la manivela (grados)"), "angle? R4_x", " 0 15 30"},
-            {over("°CA"), "angle? R4_x", " 0 15 30"},
-            {"R4_x,CAD\n3,0\n4,15\n5,30\n", "R4_x angle?", " 0 15 30"},
-            {"theta2 (rad),R4_x\n0,3\n3.141592653589793,4\n6.283185307179586,5\n", "angle? R4_x", " 0 180 360"},
-            {"theta2,R4_x\n350,3\n359,4\n0,5\n1,5\n", "angle? R4_x", " 350 359 360 361"},
-            {"theta2,R4_x\n170,3\n180,4\n-170,5\n", "angle? R4_x", " 170 180 190"},
-            {"theta2,R4_x\n10,5\n0,4\n350,3\n", "angle? R4_x", " -10 0 10"},
+            {over("Crank angle (deg)"), "angle R4_x", " 0 15 30"},
+            {over("θ₂ [°]"), "angle R4_x", " 0 15 30"},
+            {over("Ángulo de la manivela (grados)"), "angle R4_x", " 0 15 30"},
+            {over("°CA"), "angle R4_x", " 0 15 30"},
+            {"R4_x,CAD\n3,0\n4,15\n5,30\n", "R4_x angle", " 0 15 30"},
+            {"theta2 (rad),R4_x\n0,3\n3.141592653589793,4\n6.283185307179586,5\n", "angle R4_x", " 0 180 360"},
+            {"theta2,R4_x\n350,3\n359,4\n0,5\n1,5\n", "angle R4_x", " 350 359 360 361"},
+            {"theta2,R4_x\n170,3\n180,4\n-170,5\n", "angle R4_x", " 170 180 190"},
+            {"theta2,R4_x\n10,5\n0,4\n350,3\n", "angle R4_x", " -10 0 10"},
             {"theta2,R4_x,t\n0,3,0\n15,4,1\n30,5,2\n", "theta2 R4_x time", ""},
             {"clock,theta2,R4_x\n0,0,3\n1,15,4\n2,30,5\n", "time? theta2 R4_x", ""},
         };
