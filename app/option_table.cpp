@@ -138,7 +138,8 @@ public:
            QT_TR_NOOP("CSV file of a simulation; may be repeated for several files of one motion")},
           {"compare identify render", "column", "HEADING=MEANING",
            QT_TR_NOOP("overrides the meaning of a column, may be repeated: \"slider.s=R4_x [m]\", \"T=time [ms]\", "
-                      "\"id=ignored\"; #3 is the third column")},
+                      "\"#3=ignored\" (the third column). A meaning is time, crank-angle, ignored or a channel; theta2 "
+                      "without a time is the crank angle")},
           {"compare identify render", "abscissa", "time|angle",
            QT_TR_NOOP(
                "whether the first column holds time stamps or crank angles, which --omega2 and --theta20 convert "

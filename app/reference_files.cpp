@@ -95,7 +95,7 @@ std::shared_ptr<const Reference> readTimedReference(const Streams &streams, cons
                                                     const std::vector<ColumnChoice> &columns,
                                                     const Mechanism &mechanism)
 {
-    ReferenceOutcome outcome = readReference(source, {columns, {}});
+    ReferenceOutcome outcome = readReference(source, {columns, {}}, Advice::Option);
     if (const auto *read = std::get_if<std::shared_ptr<const Reference>>(&outcome)) {
         outcome = timedBy(mechanism, *read);
     }
@@ -104,7 +104,7 @@ std::shared_ptr<const Reference> readTimedReference(const Streams &streams, cons
         return nullptr;
     }
     const auto reference = std::get<std::shared_ptr<const Reference>>(outcome);
-    for (const QString &doubt : doubtTexts(reference->data)) {
+    for (const QString &doubt : doubtTexts(reference->data) + optionHints(reference->data)) {
         streams.report(displayName(reference->paths) + ": " + doubt);
     }
     return reference;

@@ -68,6 +68,7 @@ struct NameReading {
     int derivatives = 0;
     bool hasSymbol = false;
     bool isBodyNamed = false;   ///< by a word or number, and not only by an index such as B
+    bool isLabelled = false;    ///< the next letter is that of a joint
     bool isFrame = false;       ///< it has the number 1, as the frame if the links are numbered from there
     bool isUnknownBody = false; ///< it has an index that denotes none of the three bodies
     Doubt doubt = Doubt::None;
@@ -111,6 +112,13 @@ bool includeNumber(NameReading &all, std::string_view digits)
     return isAmong(digits, "1 2 3") && (!isAngle || merge(all.body, link));
 }
 
+/// Returns whether a symbol can stand for a quantity of that order, as in "velocity v" or "crank angle α".
+bool isOfOrder(const WordMeaning &symbol, std::optional<Order> order)
+{
+    const bool isAlpha = symbol.dimension == Dimension::Angle && symbol.order == Order::Acceleration;
+    return !order || !symbol.order || symbol.order == order || (isAlpha && order == Order::Position);
+}
+
 /// Includes an entry of the vocabulary. Returns false if the word is unknown there or contradicts the words before.
 bool includeEntry(NameReading &all, std::string_view word, bool mayBeSymbol)
 {
@@ -132,11 +140,23 @@ bool includeEntry(NameReading &all, std::string_view word, bool mayBeSymbol)
         all.doubt = isOfPiston ? all.doubt : word == "p" ? Doubt::IsPistonsIndex : Doubt::IsDerivative;
         return !isOfPiston || merge(all.body, std::optional(Body::Slider));
     }
+    if (all.isLabelled && word.size() == 1) { // "joint B"
+        const WordMeaning *const index = findWord(word, WordUse::Index);
+        all.isUnknownBody = all.isUnknownBody || !index;
+        all.isLabelled = false;
+        return !index || merge(all, *index);
+    }
+    if (!all.hasSymbol && findWord(word, WordUse::Label)) {
+        all.isLabelled = true;
+        return true;
+    }
     const WordMeaning *const symbol = mayBeSymbol ? findWord(word, WordUse::Symbol) : nullptr;
-    if (symbol && (symbol->axis != ' ' || (!all.order && !all.hasSymbol))) {
+    if (symbol && (symbol->axis != ' ' || (!all.hasSymbol && isOfOrder(*symbol, all.order)))) {
         all.hasSymbol = true;
-        all.symbol = word;
-        return merge(all, *symbol);
+        all.symbol = all.order ? std::string_view() : word;
+        WordMeaning entry = *symbol;
+        entry.order = all.order ? all.order : symbol->order;
+        return merge(all, entry);
     }
     const WordMeaning *const derivative = findWord(word, WordUse::Derivative);
     all.derivatives += derivative ? static_cast<int>(*derivative->order) : 0;
@@ -157,7 +177,17 @@ bool includeWord(NameReading &all, std::string_view word, bool mayBeSymbol)
         const std::string_view rest = word.substr(end);
         const bool isDifferential = first == "d" && !all.hasSymbol && findWord(rest, WordUse::Symbol); // "dx"
         with = all;
-        if ((isDifferential || includeEntry(with, first, mayBeSymbol)) && includeWord(with, rest, mayBeSymbol)) {
+        if (!isDifferential && !includeEntry(with, first, mayBeSymbol)) {
+            continue;
+        }
+        const bool isJoined = findWord(first, WordUse::Word) && (rest[0] == 's' || rest[0] == 'n'); // "Kurbelwellenwinkel"
+        NameReading joined = with;
+        const bool fits = includeWord(with, rest, mayBeSymbol);
+        if (!fits && isJoined && (rest.size() == 1 || includeWord(joined, rest.substr(1), mayBeSymbol))) {
+            all = joined;
+            return true;
+        }
+        if (fits) {
             all = with;
             all.doubt = isDifferential ? Doubt::IsDerivative : all.doubt;
             return true;
@@ -191,7 +221,9 @@ int takeDerivatives(Words &words)
     if (words.size() > 1 || (denominator != words.end() && denominator->size() > 3)) {
         if (denominator != words.end()) { // "dx/dt"
             denominator->resize(denominator->size() - 2);
-            words.erase(denominator + (denominator->empty() ? 0 : 1), words.end());
+            if (const auto power = denominator + 1; power != words.end() && *power == "2") {
+                words.erase(power);
+            }
             count += words[0].starts_with('d') && !isSecond ? 1 : 0;
             words[0].erase(0, isSecond ? 0 : 1);
         }
@@ -336,8 +368,17 @@ NameMeaning meaningOf(std::string_view name, const std::string &unit)
     if (const std::optional<NameMeaning> meaning = meaningInInventor(name, unit)) {
         return *meaning;
     }
-    std::string plain = respelled(name, "/dt=dt|/ dt=dt|/d t=dt"); // not a path
-    const NamePath path = splitPath(plain);
+    int derivatives = 0;
+    for (; lowered(name.substr(0, 4)) == "der(" && name.ends_with(')'); ++derivatives) { // Modelica
+        name = name.substr(4, name.size() - 5);
+    }
+    name = name.substr(0, name.find(", Ch ")); // the sensor of a PASCO interface
+    const std::string plain = respelled(name, "/dt=dt|/ dt=dt|/d t=dt"); // not a path
+    NamePath path = splitPath(plain);
+    const bool isAboutZ = path.parts.size() > 1 && path.parts.back() == "z"; // "twist/angular/z"
+    if (isAboutZ) {
+        path.parts.pop_back();
+    }
     const std::size_t bracket = name.rfind('(');
     if (path.parts.empty() || (bracket != name.npos && bracket > 0 && name.substr(bracket + 1).find_first_not_of("0123456789)") == name.npos)) {
         return {.reason = path.parts.empty() ? ColumnReason::UnknownName : ColumnReason::UnknownBody}; // "x(4)"
@@ -351,12 +392,13 @@ NameMeaning meaningOf(std::string_view name, const std::string &unit)
         return {Kind::Time};
     }
     const Words allWords = wordsOf(name);
-    const int derivatives = takeDerivatives(words);
+    derivatives += takeDerivatives(words);
     if (const std::optional<Channel> channel = channelSpelled(words, derivatives)) {
         return {Kind::ChannelName, *channel, ColumnReason::KnownName};
     }
     const std::optional<NameReading> reading = readPath(path, derivatives, words);
-    NameMeaning meaning = reading ? meaningOfReading(*reading, path, unit) : NameMeaning();
+    const bool isKnown = reading && (!isAboutZ || reading->dimension == Dimension::Angle);
+    NameMeaning meaning = isKnown ? meaningOfReading(*reading, path, unit) : NameMeaning();
     if (meaning.reason == ColumnReason::UnknownName && meaning.kind == Kind::Nothing && endsInQuantity(allWords)) {
         meaning.reason = ColumnReason::UnknownBody;
     }
@@ -416,7 +458,7 @@ void splitAtEnd(std::string_view text, Heading &heading)
         const bool hasIn = unit.starts_with("in ") || unit.starts_with("en ");
         unit = trimmed(unit.substr(hasIn ? 3 : 0));
         const bool isClear = text[at] == '/' || text[at] == ',' || hasIn;
-        if (unit.empty() || (!isClear && isAmong(lowered(unit), kAlsoWords)) || !parseUnit(unit)) {
+        if (unit.empty() || unit[0] == '/' || (!isClear && isAmong(lowered(unit), kAlsoWords)) || !parseUnit(unit)) {
             continue;
         }
         if (const std::string unitText(unit); suits(meaningOf(name, unitText), unitText)) {
@@ -432,11 +474,18 @@ void splitAtEnd(std::string_view text, Heading &heading)
 Heading parseHeading(std::string_view cell)
 {
     Heading heading{.use = {.heading = respelled(cell, "\"\"=\"")}};
-    const std::string &text = heading.use.heading;
+    std::string text = heading.use.heading;
+    if (text.size() > 2 && text.starts_with('\'') && text.ends_with('\'')) {
+        text = text.substr(1, text.size() - 2); // between apostrophes
+    } else if (text.starts_with("('") && text.ends_with("')")) {
+        text = respelled(text.substr(2, text.size() - 4), "', '=."); // "('slider', 'x')" of pandas
+    }
     heading.name = text;
     const std::optional<Unit> alone = text.size() > 1 ? parseUnit(text) : std::nullopt;
     if (text.starts_with("X:")) { // RecurDyn writes pairs "X:Pos_TX-Slider(mm)" of time stamps, "Y:…" of values
         heading.name = "time";
+    } else if (isInTurnsPerMinute(wordsOf(text)) && text.find_first_of("[(/") == text.npos) {
+        heading.use.unit = "rpm";
     } else if (alone && alone->dimension == Dimension::Time && alone->order == 0) { // "millis", "seconds"
         heading.name = "time";
         heading.use.unit = text;

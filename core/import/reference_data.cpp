@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/import/reference_data.h"
 
+#include "core/import/advice.h"
 #include "core/import/column_assignment.h"
 #include "core/import/crank_angles.h"
 #include "core/import/difference.h"
@@ -285,6 +286,7 @@ try {
         return data;
     } catch (ReadError &error) {
         error.file = files.size() == 1 ? std::nullopt : file < files.size() ? std::optional(file) : error.file;
+        error.advice = adviceFor(error, table);
         error.layout = takeLayout(table);
         return std::move(error);
     }

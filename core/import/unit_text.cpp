@@ -27,7 +27,7 @@ constexpr std::string_view kUnitSpellings =
     "1/min=rpm|min^-1=rpm|min-1=rpm|min⁻¹=rpm| per =/|_per_=/|Per=/| pro =/| por =/| par =/| al secondo=/s|"
     " squared=2| al cuadrado=2| al quadrato=2| ao quadrado=2|\\mathrm=|\\text=|\\,= |^\\circ=deg|\\circ=deg|\\=|"
     "°=deg|º=deg|\u00B5=u|\u03BC=u|é=e|è=e|ê=e|í=i|ì=i|²=2|¹=1|⁻=-|\u2212=-|"
-    "\t= |.= |·= |⋅= |**=|*= |×= |_=/|^=|(=|)=|{=|}=|$=";
+    " atdc=| ATDC=|aTDC=|ATDC=|\t= |.= |·= |⋅= |**=|*= |×= |_=/|^=|(=|)=|{=|}=|$=";
 
 std::optional<Unit> unitNamed(std::string_view name)
 {
@@ -41,7 +41,7 @@ std::optional<Unit> unitNamed(std::string_view name)
         {"in inch inches pulgada pulgadas zoll", {Length, 0, 25.4}},
         {"ft foot feet", {Length, 0, 304.8}},
         {"g", {Length, 2, 9806.65}},
-        {"deg degs degree degrees degre degres grado grados gradi grau graus graden grad grd stopnie stopni ca cad "
+        {"deg degs degree degrees degre degres grado grados gradi grau graus graden grad grd stopnie stopni grader derece ca cad "
          "degca cadeg kw degkw",
          {Angle, 0, 1.0}},
         {"dps", {Angle, 1, 1.0}},

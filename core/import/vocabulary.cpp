@@ -18,7 +18,8 @@ using Words = std::vector<std::string>;
 
 /// Letters outside ASCII and commands of LaTeX, and their plain spelling.
 constexpr std::string_view kLetterSpellings =
-    "á=a|à=a|â=a|ã=a|ä=a|ą=a|ç=c|ć=c|é=e|è=e|ê=e|ę=e|í=i|ì=i|ó=o|ò=o|ô=o|õ=o|ö=o|ú=u|ù=u|ü=u|ñ=n|ł=l|ś=s|ż=z|"
+    "á=a|à=a|ă=a|å=a|æ=ae|č=c|ě=e|ë=e|ğ=g|ı=i|î=i|ï=i|ř=r|š=s|ş=s|ș=s|ţ=t|ț=t|ý=y|ů=u|û=u|ž=z|ø=o|ô=o|"
+    "â=a|ã=a|ä=a|ą=a|ç=c|ć=c|é=e|è=e|ê=e|ę=e|í=i|ì=i|ó=o|ò=o|ô=o|õ=o|ö=o|ú=u|ù=u|ü=u|ñ=n|ł=l|ś=s|ż=z|"
     "Á=A|Â=A|Ä=A|É=E|Í=I|Ó=O|Ö=O|Ú=U|Ü=U|Ñ=N|"
     "\u0300=|\u0301=|\u0303=|a\u0308=a|o\u0308=o|u\u0308=u|A\u0308=A|O\u0308=O|U\u0308=U|" // decomposed accents
     "\u0307='|\u0308=''|ẋ=x'|ẍ=x''|Ẋ=x'|Ẍ=x''|ẏ=y'|ÿ=y''|ṡ=s'|ḋ=d'|ṙ=r'|v̇=v'|′='|’='|´='|″=''|"
@@ -26,10 +27,11 @@ constexpr std::string_view kLetterSpellings =
     "²=2|³=3|⁴=4|₁=1|₂=2|₃=3|₄=4|°=|der(=dot |\\mathrm=|\\text=|\\rm=|\\var=|\\left=|\\right=|\\,=";
 
 constexpr std::string_view kTimeWords =
-    "time times t tiempo timestamp stamp zeit zeitpunkt temps tempo instante tijd czas temp_s millis micros";
+    "time times t tiempo timestamp stamp zeit zeitpunkt temps tempo instante tijd czas tid cas timp zaman millis micros";
 constexpr std::string_view kTimeCompanions = "elapsed row sim simulation simulacion transcurrido de la since start "
-                                             "relative run latest data set ch simulationszeit tempo_s";
+                                             "relative run latest data set ch";
 constexpr std::string_view kTimesOfDay = "uhrzeit clock hora heure ora godzina";
+constexpr std::string_view kTurnsPerMinute = "rpm drehzahl regime giri revoluciones toerental obroty";
 constexpr std::string_view kRowNumbers =
     "n no nr num index row id fila frame paso step sample point node nodo element elemento";
 
@@ -46,7 +48,7 @@ std::span<const WordMeaning> vocabulary()
         WordMeaning{Word,
                     "position posicion posizione posicao posicio positie polozenie lage pos displacement disp displ "
                     "desplazamiento deplacement spostamento deslocamento desplacament verplaatsing przemieszczenie "
-                    "verschiebung weg pose",
+                    "verschiebung weg auslenkung abscisse pose konum konumu pozitie poloha draha droga",
                     kOpen, Position},
         WordMeaning{Word,
                     "coordinate coordenada coordonnee distance distancia distanza abstand stroke carrera course corsa "
@@ -54,41 +56,41 @@ std::span<const WordMeaning> vocabulary()
                     Length, Position},
         WordMeaning{Word,
                     "velocity velocidad velocita velocidade velocitat vitesse speed vel geschwindigkeit snelheid "
-                    "predkosc rate twist",
+                    "predkosc rapidez hastighet hastighed rychlost viteza hiz hizi rate twist",
                     kOpen, Velocity},
         WordMeaning{Word,
                     "acceleration aceleracion accelerazione aceleracao acceleracio accelerometer accel acel acc "
-                    "beschleunigung versnelling przyspieszenie",
+                    "beschleunigung versnelling przyspieszenie zrychleni acceleratie ivme ivmesi",
                     kOpen, Acceleration},
         WordMeaning{Word,
-                    "angle angulo angolo rotation rotacion rotazione rotacao giro orientation winkel hoek kat "
+                    "angle angulo angolo rotation rotacion rotazione rotacao giro orientation winkel hoek kat vinkel uhel unghi aci acisi "
                     "inclination inclinacion neigung encoder",
                     Angle, Position},
         WordMeaning{Word, "ang angular angulaire angolare rotational rotary hoeksnelheid revolute rz", Angle},
         WordMeaning{Word, "linear lineal lineaire lineare translational trans prismatic", Length},
         WordMeaning{Word, "horizontal horizontale tx", Length, kOpen, kOpen, 'x'},
         WordMeaning{Word, "vertical verticale ty", Length, kOpen, kOpen, 'y'},
-        WordMeaning{Word, "rpm drehzahl regime giri revoluciones toerental obroty", Angle, Velocity, Crank},
+        WordMeaning{Word, kTurnsPerMinute, Angle, Velocity, Crank},
         // Bodies. A wheel with a pin is a crank.
         WordMeaning{Word,
                     "crank input crankshaft wheel flywheel disk disc driver manivela manivelle manovella ciguenal "
-                    "vilebrequin virabrequim volante rueda kurbel kurbelwelle schwungrad kruk krukas korba korby "
+                    "vilebrequin virabrequim volante rueda kurbel kurbelwelle schwungrad kruk krukas korba korby vev vevaxel klika kliky krank "
                     "link_2 glied_2 eslabon_2 barra_2 membro_2 body_2",
                     kOpen, kOpen, Crank},
-        WordMeaning{Word, "ca cad kw kurbelwinkel drehwinkel", Angle, Position, Crank},
+        WordMeaning{Word, "ca cad kw atdc drehwinkel", Angle, Position, Crank},
         WordMeaning{Word,
-                    "coupler rod conrod connecting biela bielle biella acoplador pleuel pleuels pleuelstange koppel "
-                    "schubstange drijfstang korbowod korbowodu lacznik link_3 glied_3 eslabon_3 barra_3 body_3",
+                    "coupler rod conrod connecting biela bielle biella acoplador pleueltange koppel "
+                    "schubstange drijfstang korbowod korbowodu lacznik vevstake ojnice biyel link_3 glied_3 eslabon_3 barra_3 body_3",
                     kOpen, kOpen, Coupler},
         WordMeaning{Word,
                     "slider slide piston pistone pistao pisto corredera deslizadera deslizador deslizante embolo carro "
                     "carrito cursore cursor pattino coulisseau coulissant crosshead block bloque kolben schieber "
-                    "gleitstein schlitten kreuzkopf kolbens schiebers zuiger schuif suwak suwaka tlok tloka link_4 glied_4 eslabon_4",
+                    "gleitstein schlitten kreuzkopf zuiger schuif suwak suwaka tlok tloka kolv pist pistu wrist gudgeon link_4 glied_4 eslabon_4",
                     kOpen, kOpen, Slider},
         // Symbols of textbooks. The order of x and θ is that of the unit, or that of a position.
         WordMeaning{Symbol, "x", Length, kOpen, kOpen, 'x'},
         WordMeaning{Symbol, "y", Length, kOpen, kOpen, 'y'},
-        WordMeaning{Symbol, "s d", Length},
+        WordMeaning{Symbol, "s d r", Length},
         WordMeaning{Symbol, "v", kOpen, Velocity},
         WordMeaning{Symbol, "a", kOpen, Acceleration},
         WordMeaning{Symbol, "theta th tita phi fi psi beta", Angle},
@@ -105,16 +107,19 @@ std::span<const WordMeaning> vocabulary()
         WordMeaning{Index, "ab bc t"},
         // Derivatives.
         WordMeaning{Derivative,
-                    "' dot diff prime punto punkt ponto punt kropka derivative derivada deriv first_derivative",
+                    "' dot diff prime punto punkt ponto punt kropka derivative derivada deriv ableitung first_derivative "
+                    "st_derivative",
                     kOpen, Velocity},
         WordMeaning{Derivative,
                     "ddot dotdot diff_2 ddiff double_dot double_prime dos_puntos 2_puntos dois_pontos 2_punkt "
-                    "zwei_punkt zweipunkt 2_punten second_derivative dd pp",
+                    "zwei_punkt zweipunkt 2_punten doble_punto point_point deux_points second_derivative nd_derivative "
+                    "segunda_derivada zweite_ableitung dd pp",
                     kOpen, Acceleration},
-        WordMeaning{LetterOfOne, "d p", kOpen, Velocity},
+        WordMeaning{LetterOfOne, "d p point", kOpen, Velocity},
         WordMeaning{Filler, "de del la el da do du di des della delle dello der die das of the van het en au a_la "
-                            "in con component componente comp latest run set data ch joint gelenk cm com body centre "
-                            "center field instantaneous gemessen measured medido medida piston_pin pin"},
+                            "in con component componente comp latest run set data cm com body centre center field instantaneous "
+                            "gemessen measured medido medida"},
+        WordMeaning{Label, "joint gelenk point punkt punto pin node marker"},
     };
     return kRows;
 }
@@ -181,6 +186,11 @@ bool isTime(const Words &words)
 bool isTimeOfDay(const Words &words)
 {
     return areAmong(words, kTimesOfDay, "");
+}
+
+bool isInTurnsPerMinute(const Words &words)
+{
+    return std::ranges::any_of(words, [](const std::string &word) { return isAmong(word, kTurnsPerMinute); });
 }
 
 bool isRowNumber(const Words &words)

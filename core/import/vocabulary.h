@@ -24,7 +24,8 @@ enum class WordUse {
     Index,       ///< after a symbol: the B of "x_B"
     Derivative,  ///< anywhere: the dot of "x_dot"; `order` is the number of derivatives
     LetterOfOne, ///< after a symbol, for a derivative or something else: the p of "x_p"
-    Filler       ///< anywhere, says nothing: "of"
+    Filler,      ///< anywhere, says nothing: "of"
+    Label        ///< before a letter that names a joint: "joint B"
 };
 
 struct WordMeaning {
@@ -53,6 +54,9 @@ bool isTime(const std::vector<std::string> &words);
 
 /// Returns whether the words name the time of day, as a clock shows it.
 bool isTimeOfDay(const std::vector<std::string> &words);
+
+/// Returns whether one of the words names a speed of rotation that is in turns per minute if no unit is stated.
+bool isInTurnsPerMinute(const std::vector<std::string> &words);
 
 /// Returns whether the words name the number of a row.
 bool isRowNumber(const std::vector<std::string> &words);

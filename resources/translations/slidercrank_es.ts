@@ -403,8 +403,8 @@
         <translation>encabezados en la línea %1</translation>
     </message>
     <message>
-        <source>assumed from its values: an angle beyond half a turn, an even one, or a derivative</source>
-        <translation>supuesta por sus valores: un ángulo de más de media vuelta, uno uniforme, o una derivada</translation>
+        <source>assumed from its values: an angle that spans more than half a turn or rises evenly, or its derivative</source>
+        <translation>supuesto por sus valores: un ángulo que abarca más de media vuelta o crece uniformemente, o su derivada</translation>
     </message>
     <message>
         <source>assumed: the first column, whose values only increase</source>
@@ -431,16 +431,24 @@
         <translation>Filas omitidas: %1, la primera en la línea %2, columna %3 («%4»): %5.</translation>
     </message>
     <message>
-        <source>“%1” as %2 (%3)</source>
-        <translation>«%1» como %2 (%3)</translation>
+        <source>“%1” as %2</source>
+        <translation>«%1» como %2</translation>
     </message>
     <message>
         <source>Columns that were not used: %1.</source>
         <translation>Columnas que no se usaron: %1.</translation>
     </message>
     <message>
-        <source>The meaning of these columns was guessed: %1. Check it, and choose another one if it is wrong.</source>
-        <translation>El significado de estas columnas es una suposición: %1. Compruébelo y elija otro si no es correcto.</translation>
+        <source>Check these columns, whose headings leave their meaning open: %1.</source>
+        <translation>Compruebe estas columnas, cuyo encabezado no fija su significado: %1.</translation>
+    </message>
+    <message>
+        <source>Every number with a decimal sign has three digits behind it: read as decimals, not as thousands.</source>
+        <translation>Todos los números con signo decimal tienen tres cifras detrás de él: se leen como decimales, no como miles.</translation>
+    </message>
+    <message>
+        <source>The lengths have no unit and are read as mm. If they are metres, add %1</source>
+        <translation>Las longitudes no tienen unidad y se leen en mm. Si son metros, añada %1</translation>
     </message>
     <message>
         <source>unknown heading</source>
@@ -481,6 +489,10 @@
     <message>
         <source>neither unit nor values tell whether it is an angle or a length</source>
         <translation>ni la unidad ni los valores dicen si es un ángulo o una longitud</translation>
+    </message>
+    <message>
+        <source>its values do not change, as those of a parameter</source>
+        <translation>sus valores no cambian, como los de un parámetro</translation>
     </message>
 </context>
 <context>
@@ -722,8 +734,8 @@
         <translation>absolute: ‖C‖ en mm y rad; relative: longitudes divididas por a + b + |c| (absolute)</translation>
     </message>
     <message>
-        <source>overrides the meaning of a column, may be repeated: &quot;slider.s=R4_x [m]&quot;, &quot;T=time [ms]&quot;, &quot;id=ignored&quot;; #3 is the third column</source>
-        <translation>fija el significado de una columna, se puede repetir: «slider.s=R4_x [m]», «T=time [ms]», «id=ignored»; #3 es la tercera columna</translation>
+        <source>overrides the meaning of a column, may be repeated: &quot;slider.s=R4_x [m]&quot;, &quot;T=time [ms]&quot;, &quot;#3=ignored&quot; (the third column). A meaning is time, crank-angle, ignored or a channel; theta2 without a time is the crank angle</source>
+        <translation>fija el significado de una columna, se puede repetir: «slider.s=R4_x [m]», «T=time [ms]», «#3=ignored» (la tercera columna). Un significado es time, crank-angle, ignored o un canal; theta2 sin un tiempo es el ángulo de la manivela</translation>
     </message>
     <message>
         <source>unit of the angles in the output (deg)</source>
@@ -3297,7 +3309,7 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>la línea de unidades contradice el encabezado, %1: corrija uno de los dos.</translation>
     </message>
     <message>
-        <source>the line has more than a million characters: export the table as CSV, a row a line.</source>
+        <source>the line has more than a million characters: export the table as CSV, with one row per line.</source>
         <translation>la línea tiene más de un millón de caracteres: exporte la tabla como CSV, una fila por línea.</translation>
     </message>
     <message>
@@ -3337,11 +3349,11 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>no hay columna de tiempo: llame «time» a la columna de los instantes, o «theta2» a la del ángulo de la manivela.</translation>
     </message>
     <message>
-        <source>no column beside the time has a known heading: use theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.</source>
+        <source>no column other than the time has a known heading: use theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.</source>
         <translation>ninguna columna, aparte del tiempo, tiene un encabezado conocido: use theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.</translation>
     </message>
     <message>
-        <source>the columns beside the time are unknown (%1: %4): use theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.</source>
+        <source>the columns other than the time are unknown (%1: %4): use theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.</source>
         <translation>las columnas, aparte del tiempo, son desconocidas (%1: %4): use theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.</translation>
     </message>
     <message>
@@ -3353,11 +3365,31 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>no se puede leer ninguna fila, y esta por: %3. Escriba los números como 0.005, o como 0,005 con las columnas separadas por punto y coma o tabuladores.</translation>
     </message>
     <message>
-        <source>no column beside the time contains a number.</source>
+        <source>no column other than the time contains a number.</source>
         <translation>ninguna columna, aparte del tiempo, contiene un número.</translation>
     </message>
     <message>
-        <source>the time does not increase: sort the rows by time, and write it with more decimals if many rows have the same.</source>
+        <source>there are %5 headings, but at most %6 cells in each row: put headings that contain the delimiter in quotation marks.</source>
+        <translation>hay %5 encabezados, pero como máximo %6 celdas en cada fila: ponga entre comillas los encabezados que contengan el separador.</translation>
+    </message>
+    <message>
+        <source>the quantities are rows: transpose the table, so that each quantity is a column.</source>
+        <translation>las magnitudes están en filas: trasponga la tabla, de modo que cada magnitud sea una columna.</translation>
+    </message>
+    <message>
+        <source>another table begins here, with other headings: keep one of the tables.</source>
+        <translation>aquí empieza otra tabla, con otros encabezados: conserve una de las tablas.</translation>
+    </message>
+    <message>
+        <source>the time starts again: this file holds several motions; keep one of them.</source>
+        <translation>el tiempo vuelve a empezar: este archivo contiene varios movimientos; conserve uno de ellos.</translation>
+    </message>
+    <message>
+        <source>the angle starts again: this file holds several motions; keep one of them.</source>
+        <translation>el ángulo vuelve a empezar: este archivo contiene varios movimientos; conserve uno de ellos.</translation>
+    </message>
+    <message>
+        <source>the time does not increase: sort the rows by time, and write it with more decimals if many rows have the same time.</source>
         <translation>el tiempo no crece: ordene las filas por tiempo, y escríbalo con más decimales si muchas filas tienen el mismo.</translation>
     </message>
     <message>
@@ -3415,8 +3447,12 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>%1, línea %2, columna %3 («%4»): %5</translation>
     </message>
     <message>
-        <source>There are: %1.</source>
-        <translation>Están: %1.</translation>
+        <source>The columns are: %1.</source>
+        <translation>Las columnas son: %1.</translation>
+    </message>
+    <message>
+        <source>%1 Or add %2</source>
+        <translation>%1 O añada %2</translation>
     </message>
     <message>
         <source>%1 is a table by crank angle, and with ω₂ = %2 the crank does not pass its angles in that order: choose another ω₂.</source>

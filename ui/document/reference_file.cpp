@@ -86,7 +86,7 @@ QString readErrorText(const ReadError &error, const QStringList &files)
         for (std::size_t i = 0; i < error.layout.columns.size(); ++i) {
             headings += headingText(error.layout, i);
         }
-        reason += u' ' + ReferenceFileText::tr("There are: %1.").arg(headings.join(", "));
+        reason += u' ' + ReferenceFileText::tr("The columns are: %1.").arg(headings.join(", "));
     }
     if (error.line == 0) {
         return QStringLiteral("%1: %2").arg(file, reason);
@@ -130,7 +130,7 @@ std::optional<QString> readWhole(const QString &path, bool isTable, QByteArray &
     return isTooLarge() ? std::optional(wholeFileFault(ReadFault::Kind::TooLarge, name)) : std::nullopt;
 }
 
-ReferenceOutcome readReference(const ReferenceSource &source, ReadOptions options)
+ReferenceOutcome readReference(const ReferenceSource &source, ReadOptions options, Advice advice)
 {
     options.columns.insert(options.columns.begin(), source.columns.begin(), source.columns.end());
     auto reference = std::make_shared<Reference>();
@@ -145,7 +145,10 @@ ReferenceOutcome readReference(const ReferenceSource &source, ReadOptions option
     std::variant<ReferenceData, ReadError> outcome = readFiles(files, options);
     bytes.clear();
     if (const ReadError *error = std::get_if<ReadError>(&outcome)) {
-        return readErrorText(*error, displayNames(source.paths));
+        const QString sentence = readErrorText(*error, displayNames(source.paths));
+        return advice == Advice::None || error->advice.empty()
+                   ? sentence
+                   : ReferenceFileText::tr("%1 Or add %2").arg(sentence, optionText(error->advice));
     }
     reference->paths = source.paths;
     reference->name = shortName(source.paths);

@@ -43,8 +43,11 @@ using ReferenceOutcome = std::variant<std::shared_ptr<const Reference>, QString>
 /// to be a table and has another format; then it may have read a part. May run in any thread.
 std::optional<QString> readWhole(const QString &path, bool isTable, QByteArray &bytes);
 
+/// Whether the sentence about a file that cannot be read ends with the option of the command line that would help.
+enum class Advice { None, Option };
+
 /// Reads files, pipes or standard input. May run in any thread.
-ReferenceOutcome readReference(const ReferenceSource &source, ReadOptions options = {});
+ReferenceOutcome readReference(const ReferenceSource &source, ReadOptions options = {}, Advice advice = Advice::None);
 
 /// Returns a table by crank angle with the time stamps at which the crank of that mechanism reaches its angles, or a
 /// sentence if the crank does not reach them in their order. Returns other data, and null, unchanged.

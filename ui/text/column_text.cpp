@@ -100,6 +100,10 @@ QStringList doubtTexts(const ReferenceData &data)
                      .arg(QString::number(data.skippedCount), lineText(layout, first), QString::number(first.column),
                           QString::fromStdString(first.text), rowFaultText(first));
     }
+    if (layout.mayBeThousands) {
+        texts << ColumnText::tr("Every number with a decimal sign has three digits behind it: read as decimals, not as "
+                                "thousands.");
+    }
     QStringList ignored, guesses;
     for (std::size_t i = 0; i < layout.columns.size(); ++i) {
         const FileColumn &column = layout.columns[i];
@@ -108,18 +112,39 @@ QStringList doubtTexts(const ReferenceData &data)
         } else if (isGuess(column.reason)) {
             const QString meaning =
                 column.role == ColumnRole::Channel ? columnName(column.channel) : meaningText(column);
-            guesses << ColumnText::tr("“%1” as %2 (%3)").arg(headingText(layout, i), meaning, reasonText(layout, i));
+            guesses << ColumnText::tr("“%1” as %2").arg(headingText(layout, i), meaning);
         }
     }
     if (!ignored.isEmpty()) {
         texts << ColumnText::tr("Columns that were not used: %1.").arg(ignored.join(", "));
     }
     if (!guesses.isEmpty()) {
-        texts << ColumnText::tr("The meaning of these columns was guessed: %1. Check it, and choose another one if it "
-                                "is wrong.")
+        texts << ColumnText::tr("Check these columns, whose headings leave their meaning open: %1.")
                      .arg(guesses.join(", "));
     }
     return texts;
+}
+
+QStringList optionHints(const ReferenceData &data)
+{
+    constexpr double kShortestStroke = 1.0; // mm: a smaller one is probably in metres
+    const ReferenceSeries *const x = data.find({R4x, Order::Position});
+    const double stroke = x ? rangeOf(x->values).width() : 0.0;
+    std::vector<ColumnChoice> inMetres;
+    for (const FileColumn &column : data.layout.columns) {
+        const bool isLength = column.role == ColumnRole::Channel && !isAngle(column.channel.coordinate);
+        if (isLength && !column.unit.empty()) {
+            return {}; // then the others are not in metres either
+        }
+        if (isLength && !column.heading.empty()) {
+            const std::string unit = std::string(fileUnit(column.channel)).substr(1); // "mm/s" without "m"
+            inMetres.push_back({.role = column.role, .channel = column.channel, .unit = unit, .heading = column.heading});
+        }
+    }
+    return stroke > 0.0 && stroke < kShortestStroke && !inMetres.empty()
+               ? QStringList(ColumnText::tr("The lengths have no unit and are read as mm. If they are metres, add %1")
+                                 .arg(optionText(inMetres)))
+               : QStringList();
 }
 
 QString meaningText(const FileColumn &column)

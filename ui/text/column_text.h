@@ -29,9 +29,13 @@ QString lineText(const FileLayout &layout, const SkippedRow &row);
 /// Returns the columns that are not used, except those that repeat the time stamps.
 QStringList ignoredHeadings(const FileLayout &layout);
 
-/// Returns a sentence each about the rows that were skipped, the columns that are not used, and those whose meaning was
-/// guessed.
+/// Returns a sentence each about the rows that were skipped, numbers that could be thousands, the columns that are not
+/// used, and those whose meaning was guessed.
 QStringList doubtTexts(const ReferenceData &data);
+
+/// Returns sentences with the options of the command line that would change what is doubtful: lengths without a unit
+/// that could be in metres.
+QStringList optionHints(const ReferenceData &data);
 
 /// Returns the quantity in a column: "time", "θ³", or a dash if the column is ignored.
 QString meaningText(const FileColumn &column);

@@ -2,8 +2,10 @@
 #include "ui/text/read_fault_text.h"
 
 #include "ui/text/column_text.h"
+#include "ui/text/finding_text.h"
 
 #include <QCoreApplication>
+#include <QStringList>
 
 namespace slidercrank
 {
@@ -16,7 +18,7 @@ struct ReadFaultText {
 
 public:
     // In the order of ReadFault::Kind. %1 is the heading or the file, %2 the channel or its unit, %3 the fault of a
-    // row, %4 why a column is ignored.
+    // row, %4 why a column is ignored, %5 and %6 the numbers of headings and cells.
     static constexpr const char *kFaults[] = {
         QT_TR_NOOP("The file is empty: it needs a line of headings, and numbers below it."),     // Empty
         QT_TR_NOOP("The file is a spreadsheet or an archive, not text: save the table as CSV."), // Spreadsheet
@@ -25,10 +27,14 @@ public:
         QT_TR_NOOP("The file is JSON, not a table of text: export the table as CSV."),           // Json
         QT_TR_NOOP("the file holds bytes that are not text: export the table as CSV."),          // NotText
         QT_TR_NOOP(
-            "the line has more than a million characters: export the table as CSV, a row a line."), // LineTooLong
+            "the line has more than a million characters: export the table as CSV, with one row per line."), // LineTooLong
         QT_TR_NOOP("the line of units contradicts the heading, %1: correct one of the two."),       // UnitsContradict
         QT_TR_NOOP(
             "numbers where the headings should be: put a line such as time,theta3,R4_x above them."), // NamesMissing
+        QT_TR_NOOP("there are %5 headings, but at most %6 cells in each row: put headings that contain the delimiter in "
+                   "quotation marks."), // MoreHeadings
+        QT_TR_NOOP("the quantities are rows: transpose the table, so that each quantity is a column."), // Transposed
+        QT_TR_NOOP("another table begins here, with other headings: keep one of the tables."),          // AnotherTable
         QT_TR_NOOP("unknown unit, or one of another quantity: write for example [%2], or none."),     // UnknownUnit
         QT_TR_NOOP("unknown unit of time: write [s] or [ms], or none for seconds."),                  // UnknownTimeUnit
         QT_TR_NOOP("there is no column “%1”."),                                                       // NoSuchColumn
@@ -37,19 +43,21 @@ public:
         QT_TR_NOOP("two columns contain the time, or the crank angle instead of it: keep one of the two."), // TimeTwice
         QT_TR_NOOP("there is no time column: call the column of the time stamps “time”, or that of the crank "
                    "angle “theta2”."), // NoTime
-        QT_TR_NOOP("no column beside the time has a known heading: use theta3, theta3_diff, theta3_diff2, R4_x, "
+        QT_TR_NOOP("no column other than the time has a known heading: use theta3, theta3_diff, theta3_diff2, R4_x, "
                    "R4_x_diff, R4_x_diff2."), // NoChannel
-        QT_TR_NOOP("the columns beside the time are unknown (%1: %4): use theta3, theta3_diff, theta3_diff2, R4_x, "
+        QT_TR_NOOP("the columns other than the time are unknown (%1: %4): use theta3, theta3_diff, theta3_diff2, R4_x, "
                    "R4_x_diff, R4_x_diff2."),                   // NoCertainChannel
         QT_TR_NOOP("there are no numbers below the headings."), // NoNumbers
         QT_TR_NOOP("no row can be read, this one because of: %3. Write numbers as 0.005, or as 0,005 with columns "
                    "separated by semicolons or tabs."),             // NoRow
-        QT_TR_NOOP("no column beside the time contains a number."), // NoValues
+        QT_TR_NOOP("no column other than the time contains a number."), // NoValues
         QT_TR_NOOP(
             "the time does not increase: sort the rows by time, and write it with more decimals if many rows have the "
-            "same."), // TimeNotRising
+            "same time."), // TimeNotRising
+        QT_TR_NOOP("the time starts again: this file holds several motions; keep one of them."), // TimeStartsAgain
         QT_TR_NOOP(
             "the crank angle goes back: sort the rows by it, and keep one row for each angle."), // AngleTurnsBack
+        QT_TR_NOOP("the angle starts again: this file holds several motions; keep one of them."), // AngleStartsAgain
         QT_TR_NOOP("its time stamps are not those of %1: export the plots with the same start, end and step, or "
                    "open one file at a time."), // OtherTimeStamps
         QT_TR_NOOP("both this file and %1 contain %2: leave one of them out, or choose the meaning of their "
@@ -88,10 +96,24 @@ QString faultText(const ReadFault &fault)
 {
     const bool namesUnit = fault.kind == ReadFault::Kind::UnknownUnit;
     return ReadFaultText::tr(ReadFaultText::kFaults[static_cast<int>(fault.kind)])
+        .replace("%6", QString::number(fault.numbers))
+        .replace("%5", QString::number(fault.headings))
         .replace("%4", reasonText(fault.column))
         .replace("%3", ReadFaultText::row(fault.row))
         .replace("%2", QString::fromUtf8(namesUnit ? fileUnit(fault.channel) : nameOf(fault.channel)))
         .replace("%1", QString::fromUtf8(fault.heading));
+}
+
+QString optionText(const std::vector<ColumnChoice> &choices)
+{
+    QStringList options;
+    for (const ColumnChoice &choice : choices) {
+        const QString roles[] = {"ignored", "time", "theta2", columnName(choice.channel)}; // in the order of ColumnRole
+        const QString unit = choice.unit.empty() ? QString() : QStringLiteral(" [%1]").arg(QString::fromUtf8(choice.unit));
+        options += QStringLiteral("--column \"%1=%2%3\"")
+                       .arg(QString::fromUtf8(choice.heading), roles[static_cast<std::size_t>(choice.role)], unit);
+    }
+    return options.join(u' ');
 }
 
 } // namespace slidercrank

@@ -7,11 +7,16 @@
 
 #include <QString>
 
+#include <vector>
+
 namespace slidercrank
 {
 
 /// Returns a sentence that explains the fault and how to correct it.
 QString faultText(const ReadFault &fault);
+
+/// Returns the options of the command line that make these choices: --column "Theta=theta2". Empty without choices.
+QString optionText(const std::vector<ColumnChoice> &choices);
 
 /// Returns the reason for skipping a row, as a clause: "not a number".
 QString rowFaultText(const SkippedRow &row);

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/import/advice.h"
+
+#include "core/import/crank_angles.h"
+#include "core/import/unnamed_bodies.h"
+#include "core/mechanism/find_element.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+using Fault = ReadFault::Kind;
+
+ColumnChoice choiceFor(const RawTable &table, const RawColumn &column, ColumnRole role, Channel channel = {},
+                       std::string unit = {})
+{
+    const std::string &heading = column.use.heading;
+    const auto hasHeading = [&](const RawColumn &other) { return other.use.heading == heading; };
+    const bool isUnique = !heading.empty() && heading.find('"') == heading.npos &&
+                          std::ranges::count_if(table.columns, hasHeading) == 1;
+    return {column.index, role, channel, std::move(unit), isUnique ? heading : '#' + std::to_string(column.index + 1)};
+}
+
+/// Returns whether the values only rise or only fall, so that they may be time stamps or crank angles.
+bool mayBeAbscissa(const RawColumn &column)
+{
+    return !column.isUsed() && rangeOf(column.values).count == column.values.size() && column.values.size() > 1 &&
+           isTurningAngle(column);
+}
+
+/// Returns whether a column that may be the abscissa is probably an angle, by its name or its range.
+bool looksLikeAngle(const RawColumn &column)
+{
+    constexpr double kQuarterTurn = 90.0;
+    const std::optional<Unit> unit = parseUnit(column.use.unit);
+    const bool isNamed = column.meaning.kind >= NameMeaning::Kind::Quantity && isAngle(column.meaning.channel.coordinate);
+    return isNamed || (unit && unit->dimension == Dimension::Angle) ||
+           (!unit && rangeOf(column.values).width() > kQuarterTurn);
+}
+
+/// Returns the quantity that a column would be by its meaning or else its unit: that of the slider for a length, and of
+/// the coupler for an angle.
+Channel likelyChannel(const RawColumn &column)
+{
+    const std::optional<Unit> unit = parseUnit(column.use.unit);
+    if (column.meaning.kind >= NameMeaning::Kind::Quantity) {
+        return column.meaning.channel;
+    }
+    const bool isRate = unit && unit->dimension != Dimension::Time && unit->order <= 2;
+    return {unit && unit->dimension == Dimension::Angle ? Theta3 : R4x,
+            isRate ? static_cast<Order>(unit->order) : Order::Position};
+}
+
+/// Returns the unit to state for a column: that of the file if it suits the quantity, else the default unit.
+std::string likelyUnit(const RawColumn &column, ColumnRole role, Channel channel)
+{
+    if (column.use.unit.empty() || parseColumnUnit(column.use.unit, role, channel)) {
+        return {};
+    }
+    return role == ColumnRole::Time ? "s" : std::string(fileUnit(role == ColumnRole::Channel ? channel : kCrankAngle));
+}
+
+std::vector<ColumnChoice> abscissaChoice(const RawTable &table, std::span<RawColumn> columns)
+{
+    const RawColumn *const rising = findElement(columns, mayBeAbscissa);
+    if (!rising) {
+        return {};
+    }
+    const ColumnRole role = looksLikeAngle(*rising) ? ColumnRole::CrankAngle : ColumnRole::Time;
+    return {choiceFor(table, *rising, role, kCrankAngle, likelyUnit(*rising, role, kCrankAngle))};
+}
+
+/// Returns the choice for the first column that nobody uses and whose values change.
+std::vector<ColumnChoice> channelChoice(const RawTable &table, std::span<RawColumn> columns, std::size_t notColumn)
+{
+    const auto isFree = [&](const RawColumn &column) {
+        return !column.isUsed() && column.index != notColumn && rangeOf(column.values).width() > 0.0 &&
+               column.use.reason != ColumnReason::RowNumber && column.use.reason != ColumnReason::SameTimeStamps;
+    };
+    const RawColumn *column = findElement(
+        columns, [&](const RawColumn &other) { return isFree(other) && leavesOpen(other.use.reason); });
+    column = column ? column : findElement(columns, isFree);
+    if (!column) {
+        return {};
+    }
+    const Channel channel = likelyChannel(*column);
+    return {choiceFor(table, *column, ColumnRole::Channel, channel,
+                      likelyUnit(*column, ColumnRole::Channel, channel))};
+}
+
+} // namespace
+
+std::vector<ColumnChoice> adviceFor(const ReadError &error, RawTable &table)
+{
+    if (table.columns.empty()) {
+        return {};
+    }
+    const TableFile &file = table.files[std::min(error.file.value_or(0), table.files.size() - 1)];
+    const std::span<RawColumn> columns = table.columnsOf(file);
+    RawColumn *const place = error.column > 0 && error.column <= columns.size() ? &columns[error.column - 1] : nullptr;
+    std::vector<ColumnChoice> advice;
+    switch (error.fault.kind) {
+    case Fault::NoTime: return abscissaChoice(table, columns);
+    case Fault::NoChannel:
+    case Fault::NoCertainChannel: return channelChoice(table, columns, table.columns.size());
+    case Fault::NamesMissing:
+        advice = abscissaChoice(table, columns);
+        if (!advice.empty()) {
+            std::ranges::copy(channelChoice(table, columns, advice.front().column), std::back_inserter(advice));
+        }
+        return advice;
+    case Fault::UnknownUnit:
+    case Fault::UnknownTimeUnit: {
+        const bool isTime = error.fault.kind == Fault::UnknownTimeUnit;
+        const ColumnRole role = isTime ? ColumnRole::Time : ColumnRole::Channel;
+        const std::string unit(isTime ? "s" : fileUnit(error.fault.channel));
+        return place ? std::vector{choiceFor(table, *place, role, error.fault.channel, unit)} : advice;
+    }
+    case Fault::ChannelTwice:
+    case Fault::TimeTwice:
+        return place ? std::vector{choiceFor(table, *place, ColumnRole::Ignored)} : advice;
+    case Fault::ChannelInBoth: {
+        RawColumn *const second =
+            findElement(columns, [&](const RawColumn &column) { return column.use.channel == error.fault.channel; });
+        return second ? std::vector{choiceFor(table, *second, ColumnRole::Ignored)} : advice;
+    }
+    default: return {};
+    }
+}
+
+} // namespace slidercrank
