@@ -21,8 +21,8 @@ ColumnChoice choiceFor(const RawTable &table, const RawColumn &column, ColumnRol
 {
     const std::string &heading = column.use.heading;
     const auto hasHeading = [&](const RawColumn &other) { return other.use.heading == heading; };
-    const bool isUnique = !heading.empty() && heading.find('"') == heading.npos &&
-                          std::ranges::count_if(table.columns, hasHeading) == 1;
+    const bool isUnique =
+        !heading.empty() && heading.find('"') == heading.npos && std::ranges::count_if(table.columns, hasHeading) == 1;
     return {column.index, role, channel, std::move(unit), isUnique ? heading : '#' + std::to_string(column.index + 1)};
 }
 
@@ -38,7 +38,8 @@ bool looksLikeAngle(const RawColumn &column)
 {
     constexpr double kQuarterTurn = 90.0;
     const std::optional<Unit> unit = parseUnit(column.use.unit);
-    const bool isNamed = column.meaning.kind >= NameMeaning::Kind::Quantity && isAngle(column.meaning.channel.coordinate);
+    const bool isNamed =
+        column.meaning.kind >= NameMeaning::Kind::Quantity && isAngle(column.meaning.channel.coordinate);
     return isNamed || (unit && unit->dimension == Dimension::Angle) ||
            (!unit && rangeOf(column.values).width() > kQuarterTurn);
 }
@@ -82,15 +83,14 @@ std::vector<ColumnChoice> channelChoice(const RawTable &table, std::span<RawColu
         return !column.isUsed() && column.index != notColumn && rangeOf(column.values).width() > 0.0 &&
                column.use.reason != ColumnReason::RowNumber && column.use.reason != ColumnReason::SameTimeStamps;
     };
-    const RawColumn *column = findElement(
-        columns, [&](const RawColumn &other) { return isFree(other) && leavesOpen(other.use.reason); });
+    const RawColumn *column =
+        findElement(columns, [&](const RawColumn &other) { return isFree(other) && leavesOpen(other.use.reason); });
     column = column ? column : findElement(columns, isFree);
     if (!column) {
         return {};
     }
     const Channel channel = likelyChannel(*column);
-    return {choiceFor(table, *column, ColumnRole::Channel, channel,
-                      likelyUnit(*column, ColumnRole::Channel, channel))};
+    return {choiceFor(table, *column, ColumnRole::Channel, channel, likelyUnit(*column, ColumnRole::Channel, channel))};
 }
 
 } // namespace
@@ -122,8 +122,7 @@ std::vector<ColumnChoice> adviceFor(const ReadError &error, RawTable &table)
         return place ? std::vector{choiceFor(table, *place, role, error.fault.channel, unit)} : advice;
     }
     case Fault::ChannelTwice:
-    case Fault::TimeTwice:
-        return place ? std::vector{choiceFor(table, *place, ColumnRole::Ignored)} : advice;
+    case Fault::TimeTwice: return place ? std::vector{choiceFor(table, *place, ColumnRole::Ignored)} : advice;
     case Fault::ChannelInBoth: {
         RawColumn *const second =
             findElement(columns, [&](const RawColumn &column) { return column.use.channel == error.fault.channel; });

@@ -86,8 +86,8 @@ void setAbscissa(RawTable &table, RawColumn &column, ColumnRole role, ColumnReas
     }
 }
 
-/// Returns whether the values of a column only rise, but are no row numbers, and its name is unknown. Whole numbers that
-/// rise evenly to 180 or more may be degrees.
+/// Returns whether the values of a column only rise, but are no row numbers, and its name is unknown. Whole numbers
+/// that rise evenly to 180 or more may be degrees.
 bool mayBeTime(const RawColumn &column)
 {
     constexpr double kHalfTurn = 180.0;
@@ -264,7 +264,8 @@ std::vector<RawColumn *> findCandidates(RawTable &table)
         convert(column, *unit);
         column.use.channel = meaning.channel;
         if (isFixed(meaning.channel.coordinate)) { // whose values nobody needs
-            std::ranges::replace_if(column.values, [](double value) { return std::isinf(value); }, kNone);
+            std::ranges::replace_if(
+                column.values, [](double value) { return std::isinf(value); }, kNone);
         }
         candidates.push_back(&column);
     }

@@ -86,9 +86,9 @@ struct FileColumn {
 struct FileLayout {
     char delimiter = ',';
     DecimalSign decimalSign = DecimalSign::Point;
-    bool mayBeThousands = false; ///< whether each decimal sign could also separate thousands, as in "80,826"
-    std::size_t headerLine = 0;  ///< 0: none, the file begins with numbers
-    std::vector<FileColumn> columns;            ///< all of them, in the order of the file
+    bool mayBeThousands = false;     ///< whether each decimal sign could also separate thousands, as in "80,826"
+    std::size_t headerLine = 0;      ///< 0: none, the file begins with numbers
+    std::vector<FileColumn> columns; ///< all of them, in the order of the file
     std::vector<std::vector<std::string>> rows; ///< the first few rows of cells as printed, for a preview
     std::vector<std::string> files;             ///< names of the joined files; empty for a single file
 

@@ -1,47 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Interprets the heading of a column: splits it into name and unit, and finds the quantity that the name denotes by
-// the words of vocabulary.h.
+// Interprets the heading of a column: splits it into name and unit, and finds what only the other headings tell.
 
-#include "core/import/file_layout.h"
+#include "core/import/name_meaning.h"
 
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace slidercrank
 {
-
-/// The quantity that a name denotes.
-struct NameMeaning {
-    /// The later kinds are better evidence of a channel.
-    enum class Kind {
-        Nothing,
-        Time,
-        Quantity,    ///< of an unnamed body: `channel` is the one that is usually exported
-        Words,       ///< for a quantity of a body, which is a channel
-        ChannelName, ///< nameOf() a channel
-        Chosen       ///< by a person
-    };
-
-    /// What only the other columns can tell.
-    enum class Doubt {
-        None,
-        IsDerivative,   ///< "x_d", "xp" or "dx" may be a derivative of x
-        IsPistonsIndex, ///< "x_p" may be a derivative, or the x of the piston
-        IsAngle,        ///< "α" is an angle or an angular acceleration
-        IsOfCrank       ///< an angle of an unknown body, which is a channel only if it is that of the crank
-    };
-
-    Kind kind = Kind::Nothing;
-    Channel channel{};
-    ColumnReason reason = ColumnReason::UnknownName; ///< why a column with this name is used, or not
-    std::string owner{};                             ///< "3.1" in "P[3.1]", "slider" in "slider.s"; empty: none
-    Doubt doubt = Doubt::None;
-};
 
 /// The heading of a column: "theta3_diff [rad/s]" has the name "theta3_diff" and the unit "rad/s".
 struct Heading {

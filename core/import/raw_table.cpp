@@ -50,15 +50,15 @@ std::size_t readRow(RawTable &table, const TableFile &file, std::size_t row)
     return cells;
 }
 
-/// Throws if there are more headings than cells in every row, because a heading contains the delimiter. Unknown headings
-/// behind known ones are remarks.
+/// Throws if there are more headings than cells in every row, because a heading contains the delimiter. Unknown
+/// headings behind known ones are remarks.
 void requireCells(std::span<const RawColumn> columns, const TableFile &file, std::size_t cells)
 {
     using Kind = NameMeaning::Kind;
     const auto isKnown = [](const RawColumn &column) { return column.meaning.kind != Kind::Nothing; };
     const std::size_t used = std::min(cells, columns.size());
-    const bool areRemarks = std::ranges::all_of(columns.first(used), isKnown) &&
-                            std::ranges::none_of(columns.subspan(used), isKnown);
+    const bool areRemarks =
+        std::ranges::all_of(columns.first(used), isKnown) && std::ranges::none_of(columns.subspan(used), isKnown);
     if (used < columns.size() && !file.rows.empty() && !areRemarks) {
         throw ReadError{.line = file.layout.headerLine,
                         .fault = {.kind = ReadFault::Kind::MoreHeadings, .headings = columns.size(), .numbers = cells}};

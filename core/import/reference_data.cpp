@@ -42,7 +42,8 @@ void refuseAnotherTable(const RawTable &table)
     for (const TableFile &file : table.files) {
         const std::span<const RawColumn> columns = std::span(table.columns).subspan(file.firstColumn, file.width);
         const auto isUnreadable = [&](std::size_t row) {
-            return std::ranges::none_of(columns, [row](const RawColumn &column) { return std::isfinite(column.values[row]); });
+            return std::ranges::none_of(columns,
+                                        [row](const RawColumn &column) { return std::isfinite(column.values[row]); });
         };
         for (std::size_t row = 0; row < file.rows.size(); ++row) {
             if (!isUnreadable(row)) {
@@ -51,7 +52,8 @@ void refuseAnotherTable(const RawTable &table)
             const Line &line = file.rows[row];
             const Cells cells = splitCells(line.text, file.layout.delimiter);
             const auto isName = [](std::string_view cell) { return parseHeading(cell).meaning.kind != Kind::Nothing; };
-            const bool areSame = std::ranges::equal(cells, columns, {}, {}, [](const RawColumn &column) -> std::string_view { return column.use.heading; });
+            const bool areSame = std::ranges::equal(
+                cells, columns, {}, {}, [](const RawColumn &column) -> std::string_view { return column.use.heading; });
             if (cells.size() > 1 && !areSame && std::ranges::count_if(cells, isName) > 1) {
                 throw ReadError{.line = line.number, .text = excerpt(line.text), .fault = {Fault::AnotherTable}};
             }
@@ -169,7 +171,8 @@ void countByAngle(ReferenceData &data, RawTable &table)
     }
     data.crank = CrankAngles{unwrapped(data.time), data.timeRounding};
     if (const std::optional<std::size_t> row = findReversal(data.crank->degrees)) {
-        throw ReadError{.line = data.lineOfRow(*row), .fault = {startsAgain(data.time, *row) ? Fault::AngleStartsAgain : Fault::AngleTurnsBack}};
+        throw ReadError{.line = data.lineOfRow(*row),
+                        .fault = {startsAgain(data.time, *row) ? Fault::AngleStartsAgain : Fault::AngleTurnsBack}};
     }
     std::optional<ReferenceData> timed = timedBy(Mechanism(), data);
     if (!timed) {

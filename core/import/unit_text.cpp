@@ -41,7 +41,8 @@ std::optional<Unit> unitNamed(std::string_view name)
         {"in inch inches pulgada pulgadas zoll", {Length, 0, 25.4}},
         {"ft foot feet", {Length, 0, 304.8}},
         {"g", {Length, 2, 9806.65}},
-        {"deg degs degree degrees degre degres grado grados gradi grau graus graden grad grd stopnie stopni grader derece ca cad "
+        {"deg degs degree degrees degre degres grado grados gradi grau graus graden grader grade grad grd stopnie "
+         "stopni derece ca cad "
          "degca cadeg kw degkw",
          {Angle, 0, 1.0}},
         {"dps", {Angle, 1, 1.0}},

@@ -54,8 +54,8 @@ void removeConstants(std::vector<RawColumn *> &candidates)
     std::erase_if(candidates, [](RawColumn *column) {
         const Channel channel = column->use.channel;
         const bool mayBeConstant = channel.coordinate == R4y || channel.order != Order::Position;
-        const bool isParameter = isOfUnnamedBody(column) && !mayBeConstant && isConstant(*column) &&
-                                 finiteValues(*column).front() != 0.0;
+        const bool isParameter =
+            isOfUnnamedBody(column) && !mayBeConstant && isConstant(*column) && finiteValues(*column).front() != 0.0;
         column->use.reason = isParameter ? ColumnReason::Constant : column->use.reason;
         return isParameter;
     });
@@ -198,8 +198,7 @@ void assignBodies(RawTable &table, std::vector<RawColumn *> &candidates)
     findCrank(table, candidates);
     findBodyOfPosition(candidates);
     std::erase_if(candidates, [](RawColumn *column) {
-        const bool isOfNoBody =
-            column->meaning.doubt == Doubt::IsOfCrank && column->use.channel.coordinate != Theta2;
+        const bool isOfNoBody = column->meaning.doubt == Doubt::IsOfCrank && column->use.channel.coordinate != Theta2;
         column->use.reason = isOfNoBody ? ColumnReason::UnknownBody : column->use.reason;
         return isOfNoBody;
     });

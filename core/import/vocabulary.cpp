@@ -24,10 +24,10 @@ constexpr std::string_view kLetterSpellings =
     "\u0300=|\u0301=|\u0303=|a\u0308=a|o\u0308=o|u\u0308=u|A\u0308=A|O\u0308=O|U\u0308=U|" // decomposed accents
     "\u0307='|\u0308=''|ẋ=x'|ẍ=x''|Ẋ=x'|Ẍ=x''|ẏ=y'|ÿ=y''|ṡ=s'|ḋ=d'|ṙ=r'|v̇=v'|′='|’='|´='|″=''|"
     "θ=theta|ϑ=theta|Θ=theta|φ=phi|ϕ=phi|Φ=phi|ψ=psi|Ψ=psi|ω=omega|Ω=omega|α=alpha|β=beta|ε=epsilon|ϵ=epsilon|"
-    "²=2|³=3|⁴=4|₁=1|₂=2|₃=3|₄=4|°=|der(=dot |\\mathrm=|\\text=|\\rm=|\\var=|\\left=|\\right=|\\,=";
+    "²=2|³=3|⁴=4|₁=1|₂=2|₃=3|₄=4|°=|aTDC=atdc|der(=dot |\\mathrm=|\\text=|\\rm=|\\var=|\\left=|\\right=|\\,=";
 
-constexpr std::string_view kTimeWords =
-    "time times t tiempo timestamp stamp zeit zeitpunkt temps tempo instante tijd czas tid cas timp zaman millis micros";
+constexpr std::string_view kTimeWords = "time times t tiempo timestamp stamp zeit zeitpunkt temps tempo instante tijd "
+                                        "czas tid cas timp zaman millis micros";
 constexpr std::string_view kTimeCompanions = "elapsed row sim simulation simulacion transcurrido de la since start "
                                              "relative run latest data set ch";
 constexpr std::string_view kTimesOfDay = "uhrzeit clock hora heure ora godzina";
@@ -54,17 +54,19 @@ std::span<const WordMeaning> vocabulary()
                     "coordinate coordenada coordonnee distance distancia distanza abstand stroke carrera course corsa "
                     "curso cursa hub travel recorrido slag skok",
                     Length, Position},
-        WordMeaning{Word,
-                    "velocity velocidad velocita velocidade velocitat vitesse speed vel geschwindigkeit snelheid "
-                    "predkosc rapidez hastighet hastighed rychlost viteza hiz hizi rate twist",
-                    kOpen, Velocity},
+        WordMeaning{
+            Word,
+            "velocity velocidad velocita velocidade velocitat vitesse speed vel geschwindigkeit geschw veloc snelheid "
+            "predkosc rapidez hastighet hastighed rychlost viteza hiz hizi rate twist",
+            kOpen, Velocity},
         WordMeaning{Word,
                     "acceleration aceleracion accelerazione aceleracao acceleracio accelerometer accel acel acc "
-                    "beschleunigung versnelling przyspieszenie zrychleni acceleratie ivme ivmesi",
+                    "beschleunigung beschl versnelling przyspieszenie zrychleni acceleratie ivme ivmesi",
                     kOpen, Acceleration},
         WordMeaning{Word,
-                    "angle angulo angolo rotation rotacion rotazione rotacao giro orientation winkel hoek kat vinkel uhel unghi aci acisi "
-                    "inclination inclinacion neigung encoder",
+                    "angle angulo angolo rotation rotacion rotazione rotacao giro orientation winkel hoek kat vinkel "
+                    "uhel unghi aci acisi "
+                    "inclination inclinacion neigung encoder revolutions revolution",
                     Angle, Position},
         WordMeaning{Word, "ang angular angulaire angolare rotational rotary hoeksnelheid revolute rz", Angle},
         WordMeaning{Word, "linear lineal lineaire lineare translational trans prismatic", Length},
@@ -74,18 +76,22 @@ std::span<const WordMeaning> vocabulary()
         // Bodies. A wheel with a pin is a crank.
         WordMeaning{Word,
                     "crank input crankshaft wheel flywheel disk disc driver manivela manivelle manovella ciguenal "
-                    "vilebrequin virabrequim volante rueda kurbel kurbelwelle schwungrad kruk krukas korba korby vev vevaxel klika kliky krank "
+                    "vilebrequin virabrequim volante rueda kurbel kurbelwelle schwungrad kruk krukas korba korby vev "
+                    "vevaxel klika kliky krank "
                     "link_2 glied_2 eslabon_2 barra_2 membro_2 body_2",
                     kOpen, kOpen, Crank},
         WordMeaning{Word, "ca cad kw atdc drehwinkel", Angle, Position, Crank},
         WordMeaning{Word,
-                    "coupler rod conrod connecting biela bielle biella acoplador pleueltange koppel "
-                    "schubstange drijfstang korbowod korbowodu lacznik vevstake ojnice biyel link_3 glied_3 eslabon_3 barra_3 body_3",
+                    "coupler rod conrod connecting biela bielle biella acoplador pleuel pleuelstange koppel "
+                    "schubstange drijfstang korbowod korbowodu lacznik vevstake ojnice biyel link_3 glied_3 eslabon_3 "
+                    "barra_3 body_3",
                     kOpen, kOpen, Coupler},
         WordMeaning{Word,
-                    "slider slide piston pistone pistao pisto corredera deslizadera deslizador deslizante embolo carro "
+                    "slider slide piston pistone pistao pisto corredera deslizadera deslizador deslizante corredora "
+                    "corredissa embolo carro "
                     "carrito cursore cursor pattino coulisseau coulissant crosshead block bloque kolben schieber "
-                    "gleitstein schlitten kreuzkopf zuiger schuif suwak suwaka tlok tloka kolv pist pistu wrist gudgeon link_4 glied_4 eslabon_4",
+                    "gleitstein schlitten kreuzkopf zuiger schuif suwak suwaka tlok tloka kolv pist pistu wrist "
+                    "gudgeon link_4 glied_4 eslabon_4",
                     kOpen, kOpen, Slider},
         // Symbols of textbooks. The order of x and θ is that of the unit, or that of a position.
         WordMeaning{Symbol, "x", Length, kOpen, kOpen, 'x'},
@@ -106,20 +112,23 @@ std::span<const WordMeaning> vocabulary()
         WordMeaning{Index, "oa", kOpen, kOpen, Crank},
         WordMeaning{Index, "ab bc t"},
         // Derivatives.
-        WordMeaning{Derivative,
-                    "' dot diff prime punto punkt ponto punt kropka derivative derivada deriv ableitung first_derivative "
-                    "st_derivative",
-                    kOpen, Velocity},
+        WordMeaning{
+            Derivative,
+            "' dot diff prime punto punkt ponto punt kropka derivative derivada deriv ableitung first_derivative "
+            "st_derivative",
+            kOpen, Velocity},
         WordMeaning{Derivative,
                     "ddot dotdot diff_2 ddiff double_dot double_prime dos_puntos 2_puntos dois_pontos 2_punkt "
                     "zwei_punkt zweipunkt 2_punten doble_punto point_point deux_points second_derivative nd_derivative "
                     "segunda_derivada zweite_ableitung dd pp",
                     kOpen, Acceleration},
         WordMeaning{LetterOfOne, "d p point", kOpen, Velocity},
-        WordMeaning{Filler, "de del la el da do du di des della delle dello der die das of the van het en au a_la "
-                            "in con component componente comp latest run set data cm com body centre center field instantaneous "
-                            "gemessen measured medido medida"},
-        WordMeaning{Label, "joint gelenk point punkt punto pin node marker"},
+        WordMeaning{
+            Filler,
+            "de del la el da do du di des della delle dello der die das of the van het en au a_la "
+            "in con component componente comp latest run set data cm com body centre center field instantaneous "
+            "gemessen measured medido medida pin obrotu"},
+        WordMeaning{Label, "joint gelenk point punkt punto node marker of de del von du di do"},
     };
     return kRows;
 }

@@ -261,7 +261,7 @@ private slots:
             write("doubtful.csv", "time,P[3.1] (deg),colour\n0,24,red\n0.1,abc,red\n0.2,10,red\n0.3,4,red\n");
         const RunResult outcome = run({"compare", file});
         QVERIFY(outcome.error.contains("line 3, column 2") && outcome.error.contains("colour") &&
-                outcome.error.contains("guessed"));
+                outcome.error.contains("“P[3.1] (deg)” as theta3"));
         const QJsonObject json = run({"compare", file, "--format", "json"}).firstFile();
         QCOMPARE(json["skipped"].toArray().first().toObject()["line"].toInt(), 3);
         QCOMPARE(json["ignoredColumns"].toArray().first().toString(), QStringLiteral("colour"));

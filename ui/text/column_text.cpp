@@ -22,7 +22,8 @@ public:
         QT_TR_NOOP("recognized by its heading"),                                 // KnownName
         QT_TR_NOOP("chosen by hand"),                                            // Chosen
         QT_TR_NOOP("assumed: the heading names the quantity, but not the body"), // QuantityInName
-        QT_TR_NOOP("assumed from its values: an angle that spans more than half a turn or rises evenly, or its derivative"), // WideAngle
+        QT_TR_NOOP("assumed from its values: an angle that spans more than half a turn or rises evenly, or its "
+                   "derivative"),                                                         // WideAngle
         QT_TR_NOOP("assumed: the first column, whose values only increase"),              // RisingValues
         QT_TR_NOOP("assumed from the heading: named as in Modelica, in m, rad and s"),    // ModelicaName
         QT_TR_NOOP("assumed: no column is the time, and this is the angle of the crank"), // AngleForTime
@@ -138,7 +139,8 @@ QStringList optionHints(const ReferenceData &data)
         }
         if (isLength && !column.heading.empty()) {
             const std::string unit = std::string(fileUnit(column.channel)).substr(1); // "mm/s" without "m"
-            inMetres.push_back({.role = column.role, .channel = column.channel, .unit = unit, .heading = column.heading});
+            inMetres.push_back(
+                {.role = column.role, .channel = column.channel, .unit = unit, .heading = column.heading});
         }
     }
     return stroke > 0.0 && stroke < kShortestStroke && !inMetres.empty()

@@ -28,18 +28,19 @@ public:
         QT_TR_NOOP("the file holds bytes that are not text: export the table as CSV."),          // NotText
         QT_TR_NOOP(
             "the line has more than a million characters: export the table as CSV, with one row per line."), // LineTooLong
-        QT_TR_NOOP("the line of units contradicts the heading, %1: correct one of the two."),       // UnitsContradict
+        QT_TR_NOOP("the line of units contradicts the heading, %1: correct one of the two."), // UnitsContradict
         QT_TR_NOOP(
             "numbers where the headings should be: put a line such as time,theta3,R4_x above them."), // NamesMissing
-        QT_TR_NOOP("there are %5 headings, but at most %6 cells in each row: put headings that contain the delimiter in "
-                   "quotation marks."), // MoreHeadings
+        QT_TR_NOOP(
+            "there are %5 headings, but at most %6 cells in each row: put headings that contain the delimiter in "
+            "quotation marks."),                                                                        // MoreHeadings
         QT_TR_NOOP("the quantities are rows: transpose the table, so that each quantity is a column."), // Transposed
         QT_TR_NOOP("another table begins here, with other headings: keep one of the tables."),          // AnotherTable
-        QT_TR_NOOP("unknown unit, or one of another quantity: write for example [%2], or none."),     // UnknownUnit
-        QT_TR_NOOP("unknown unit of time: write [s] or [ms], or none for seconds."),                  // UnknownTimeUnit
-        QT_TR_NOOP("there is no column “%1”."),                                                       // NoSuchColumn
-        QT_TR_NOOP("several columns are called “%1”: give the number of one of them, as in #3."),     // SeveralColumns
-        QT_TR_NOOP("two columns contain %2: keep one of the two."),                                   // ChannelTwice
+        QT_TR_NOOP("unknown unit, or one of another quantity: write for example [%2], or none."),       // UnknownUnit
+        QT_TR_NOOP("unknown unit of time: write [s] or [ms], or none for seconds."),              // UnknownTimeUnit
+        QT_TR_NOOP("there is no column “%1”."),                                                   // NoSuchColumn
+        QT_TR_NOOP("several columns are called “%1”: give the number of one of them, as in #3."), // SeveralColumns
+        QT_TR_NOOP("two columns contain %2: keep one of the two."),                               // ChannelTwice
         QT_TR_NOOP("two columns contain the time, or the crank angle instead of it: keep one of the two."), // TimeTwice
         QT_TR_NOOP("there is no time column: call the column of the time stamps “time”, or that of the crank "
                    "angle “theta2”."), // NoTime
@@ -49,14 +50,14 @@ public:
                    "R4_x_diff, R4_x_diff2."),                   // NoCertainChannel
         QT_TR_NOOP("there are no numbers below the headings."), // NoNumbers
         QT_TR_NOOP("no row can be read, this one because of: %3. Write numbers as 0.005, or as 0,005 with columns "
-                   "separated by semicolons or tabs."),             // NoRow
+                   "separated by semicolons or tabs."),                 // NoRow
         QT_TR_NOOP("no column other than the time contains a number."), // NoValues
         QT_TR_NOOP(
             "the time does not increase: sort the rows by time, and write it with more decimals if many rows have the "
-            "same time."), // TimeNotRising
+            "same time."),                                                                       // TimeNotRising
         QT_TR_NOOP("the time starts again: this file holds several motions; keep one of them."), // TimeStartsAgain
         QT_TR_NOOP(
-            "the crank angle goes back: sort the rows by it, and keep one row for each angle."), // AngleTurnsBack
+            "the crank angle goes back: sort the rows by it, and keep one row for each angle."),  // AngleTurnsBack
         QT_TR_NOOP("the angle starts again: this file holds several motions; keep one of them."), // AngleStartsAgain
         QT_TR_NOOP("its time stamps are not those of %1: export the plots with the same start, end and step, or "
                    "open one file at a time."), // OtherTimeStamps
@@ -109,7 +110,8 @@ QString optionText(const std::vector<ColumnChoice> &choices)
     QStringList options;
     for (const ColumnChoice &choice : choices) {
         const QString roles[] = {"ignored", "time", "theta2", columnName(choice.channel)}; // in the order of ColumnRole
-        const QString unit = choice.unit.empty() ? QString() : QStringLiteral(" [%1]").arg(QString::fromUtf8(choice.unit));
+        const QString unit =
+            choice.unit.empty() ? QString() : QStringLiteral(" [%1]").arg(QString::fromUtf8(choice.unit));
         options += QStringLiteral("--column \"%1=%2%3\"")
                        .arg(QString::fromUtf8(choice.heading), roles[static_cast<std::size_t>(choice.role)], unit);
     }

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Finds the quantity that the name of a column denotes, by the words of vocabulary.h. A name is a path whose last part
+// names the quantity; its words are read one after the other, and what they say is merged.
+
+#include "core/import/file_layout.h"
+
+#include <string>
+#include <string_view>
+
+namespace slidercrank
+{
+
+/// The quantity that a name denotes.
+struct NameMeaning {
+    /// The later kinds are better evidence of a channel.
+    enum class Kind {
+        Nothing,
+        Time,
+        Quantity,    ///< of an unnamed body: `channel` is the one that is usually exported
+        Words,       ///< for a quantity of a body, which is a channel
+        ChannelName, ///< nameOf() a channel
+        Chosen       ///< by a person
+    };
+
+    /// What only the other columns can tell.
+    enum class Doubt {
+        None,
+        IsDerivative,   ///< "x_d", "xp" or "dx" may be a derivative of x
+        IsPistonsIndex, ///< "x_p" may be a derivative, or the x of the piston
+        IsAngle,        ///< "α" is an angle or an angular acceleration
+        IsOfCrank       ///< an angle of an unknown body, which is a channel only if it is that of the crank
+    };
+
+    Kind kind = Kind::Nothing;
+    Channel channel{};
+    ColumnReason reason = ColumnReason::UnknownName; ///< why a column with this name is used, or not
+    std::string owner{};                             ///< "3.1" in "P[3.1]", "slider" in "slider.s"; empty: none
+    Doubt doubt = Doubt::None;
+};
+
+/// Returns what a name with that unit means by itself. The unit decides what the name leaves open: the order, and
+/// whether it is an angle or a length.
+NameMeaning meaningOf(std::string_view name, const std::string &unit);
+
+} // namespace slidercrank
