@@ -138,7 +138,9 @@ bool includeEntry(NameReading &all, std::string_view word, bool mayBeSymbol)
         return true;
     }
     if (const WordMeaning *const index = all.hasSymbol ? findWord(word, WordUse::Index) : nullptr) {
-        return merge(all, *index);
+        const bool isOfSlider = index->body == Body::Slider && all.dimension == Dimension::Angle; // θ_c, θ_b
+        all.isUnknownBody = all.isUnknownBody || isOfSlider;
+        return isOfSlider || merge(all, *index);
     }
     if (all.hasSymbol && findWord(word, WordUse::LetterOfOne)) {
         const bool isOfPiston = word == "p" && all.order; // v_p and a_p, for which a derivative is unusual
