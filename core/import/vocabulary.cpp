@@ -28,7 +28,7 @@ constexpr std::string_view kLetterSpellings =
 
 constexpr std::string_view kTimeWords = "time times t tiempo timestamp stamp zeit zeitpunkt temps tempo instante tijd "
                                         "czas tid cas timp zaman millis micros";
-constexpr std::string_view kTimeCompanions = "elapsed row sim simulation simulacion transcurrido de la since start "
+constexpr std::string_view kTimeCompanions = "elapsed row sim simulation simulacion transcurrido de la since start date "
                                              "relative run latest data set ch";
 constexpr std::string_view kTimesOfDay = "uhrzeit clock hora heure ora godzina";
 constexpr std::string_view kTurnsPerMinute = "rpm drehzahl regime giri revoluciones toerental obroty";
@@ -127,7 +127,7 @@ std::span<const WordMeaning> vocabulary()
             Filler,
             "de del la el da do du di des della delle dello der die das of the van het en au a_la "
             "in con component componente comp latest run set data cm com body centre center field instantaneous "
-            "gemessen measured medido medida pin obrotu"},
+            "gemessen measured medido medida pin obrotu value wert valor"},
         WordMeaning{Label, "joint gelenk point punkt punto node marker of de del von du di do"},
     };
     return kRows;
