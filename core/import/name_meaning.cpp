@@ -33,7 +33,8 @@ NamePath splitPath(std::string_view name)
     const bool isOfRecurDyn = name.starts_with("Y:"); // "Y:Pos_TX-Slider"
     name.remove_prefix(isOfRecurDyn ? 2 : 0);
     if (const std::size_t at = name.find(isOfRecurDyn ? '-' : '@'); at != name.npos) {
-        return {{name.substr(at + 1), name.substr(0, at)}, std::string(name.substr(at + 1))};
+        const std::string_view owner = name.substr(at + 1); // "Slider@Model1"
+        return {{owner.substr(0, owner.find('@')), name.substr(0, at)}, std::string(owner)};
     }
     const bool hasBlank = name.find_first_of(" (") != name.npos; // then a point belongs to an abbreviation
     NamePath path;
@@ -234,11 +235,12 @@ int takeDerivatives(Words &words)
 }
 
 /// Returns what the parts of a path say together, from the last one; nullopt if the last one has unknown words, or
-/// such that contradict each other, as in "linear velocity of the crank". Unknown parts before it are ignored, as
-/// that of "/slider_crank/slider/position" which names two bodies.
+/// such that contradict each other, as in "linear velocity of the crank". Parts before it that are unknown or
+/// name two bodies, as in "/slider_crank/slider/position", are ignored if another part names the body.
 std::optional<NameReading> readPath(const NamePath &path, int derivatives, const Words &lastWords)
 {
     NameReading all{.derivatives = derivatives};
+    bool hasUnknownPart = false;
     for (std::size_t i = path.parts.size(); i-- > 0;) {
         const bool isLast = i + 1 == path.parts.size();
         const Words words = isLast ? lastWords : wordsOf(path.parts[i]);
@@ -254,7 +256,9 @@ std::optional<NameReading> readPath(const NamePath &path, int derivatives, const
             return std::nullopt;
         }
         all = isKnown ? with : all;
+        hasUnknownPart = hasUnknownPart || !isKnown;
     }
+    all.isUnknownBody = all.isUnknownBody || (hasUnknownPart && !all.body && !path.isOfModelica);
     const bool isOfCoupler = !all.body || all.body == Body::Coupler;
     const Dimension ofBody = all.body == Body::Crank ? Dimension::Angle : Dimension::Length;
     return isOfCoupler || merge(all.dimension, std::optional(ofBody)) ? std::optional(all) : std::nullopt;
@@ -372,8 +376,8 @@ NameMeaning meaningOf(std::string_view name, const std::string &unit)
     name = name.substr(0, name.find(", Ch "));                           // the sensor of a PASCO interface
     const std::string plain = respelled(name, "/dt=dt|/ dt=dt|/d t=dt"); // not a path
     NamePath path = splitPath(plain);
-    const bool isAboutZ = path.parts.size() > 1 && path.parts.back() == "z"; // "twist/angular/z"
-    if (isAboutZ) {
+    const bool isAboutZ = path.parts.size() > 1 && path.parts.back() == "z";   // "twist/angular/z"
+    if (isAboutZ || (path.parts.size() > 1 && path.parts.back() == "value")) { // "slider_tx/value" of OpenSim
         path.parts.pop_back();
     }
     const std::size_t bracket = name.rfind('(');

@@ -27,13 +27,14 @@ constexpr std::string_view kLetterSpellings =
     "²=2|³=3|⁴=4|₁=1|₂=2|₃=3|₄=4|°=|aTDC=atdc|der(=dot |\\mathrm=|\\text=|\\rm=|\\var=|\\left=|\\right=|\\,=";
 
 constexpr std::string_view kTimeWords = "time times t tiempo timestamp stamp zeit zeitpunkt temps tempo instante tijd "
-                                        "czas tid cas timp zaman millis micros";
-constexpr std::string_view kTimeCompanions = "elapsed row sim simulation simulacion transcurrido de la since start date "
-                                             "relative run latest data set ch";
+                                        "czas tid cas timp zaman epoch millis micros";
+constexpr std::string_view kTimeCompanions =
+    "elapsed row sim simulation simulacion transcurrido de la since start date "
+    "relative run latest data set ch";
 constexpr std::string_view kTimesOfDay = "uhrzeit clock hora heure ora godzina";
 constexpr std::string_view kTurnsPerMinute = "rpm drehzahl regime giri revoluciones toerental obroty";
 constexpr std::string_view kRowNumbers =
-    "n no nr num index row id fila frame paso step sample point node nodo element elemento";
+    "n no nr num index row id fila frame paso step sample count counter point node nodo element elemento";
 
 /// Returns the vocabulary in languages from English to Polish. Words with a dot are variables of Modelica.
 std::span<const WordMeaning> vocabulary()
@@ -78,13 +79,13 @@ std::span<const WordMeaning> vocabulary()
                     "crank input crankshaft wheel flywheel disk disc driver manivela manivelle manovella ciguenal "
                     "vilebrequin virabrequim volante rueda kurbel kurbelwelle schwungrad kruk krukas korba korby vev "
                     "vevaxel klika kliky krank "
-                    "link_2 glied_2 eslabon_2 barra_2 membro_2 body_2",
+                    "link_2 glied_2 eslabon_2 barra_2 membro_2",
                     kOpen, kOpen, Crank},
         WordMeaning{Word, "ca cad kw atdc drehwinkel", Angle, Position, Crank},
         WordMeaning{Word,
                     "coupler rod conrod connecting biela bielle biella acoplador pleuel pleuelstange koppel "
                     "schubstange drijfstang korbowod korbowodu lacznik vevstake ojnice biyel link_3 glied_3 eslabon_3 "
-                    "barra_3 body_3",
+                    "barra_3",
                     kOpen, kOpen, Coupler},
         WordMeaning{Word,
                     "slider slide piston pistone pistao pisto corredera deslizadera deslizador deslizante corredora "
@@ -127,7 +128,7 @@ std::span<const WordMeaning> vocabulary()
             Filler,
             "de del la el da do du di des della delle dello der die das of the van het en au a_la "
             "in con component componente comp latest run set data cm com body centre center field instantaneous "
-            "gemessen measured medido medida pin obrotu value wert valor"},
+            "gemessen measured medido medida pin obrotu"},
         WordMeaning{Label, "joint gelenk point punkt punto node marker of de del von du di do"},
     };
     return kRows;
