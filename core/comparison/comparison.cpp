@@ -24,7 +24,7 @@ constexpr double kUlpSlack = 4.0 * kEpsilon;
 
 constexpr SolverSettings kExactly{.method = Method::ClosedForm, .newton = {}};
 
-constexpr std::size_t kFewestForThreads = 50000; // time stamps: below, threads cost more than they save
+constexpr std::size_t kMinTimeStampsForThreads = 50000; // time stamps: below, threads cost more than they save
 
 /// The sizes with which the errors of a column are compared, in its unit.
 struct Scale {
@@ -48,7 +48,7 @@ Scale scaleOf(const Mechanism &mechanism, const ReferenceSeries &reference, std:
     scale.peak = rangeOf(reference.values).size();
     scale.size = std::max(scale.peak, inFileUnit(naturalSize(mechanism.parameters(), reference.channel)));
     scale.smallestStep =
-        std::max(kArithmeticStep * scale.size, kSmallestPartOfLargestStep * reference.rounding.stepAt(scale.peak));
+        std::max(kArithmeticStep * scale.size, kSmallestFractionOfLargestStep * reference.rounding.stepAt(scale.peak));
     scale.halfRange = 0.5 * range.width();
     const bool belongsToGround = coordinate == R1x || coordinate == R1y || coordinate == Theta1;
     const bool belongsToLine = coordinate == R4y || coordinate == Theta4;
@@ -107,7 +107,7 @@ void measure(ChannelComparison &result, double time, double error, double magnit
     }
 }
 
-/// Compares the column `series` of the reference. `effect`: null if the time stamps are exact.
+/// Compares the column `series` of the reference data. `effect` is null if the time stamps are exact.
 ChannelComparison compareSeries(const Mechanism &mechanism, const Trajectory &trajectory,
                                 const ReferenceData &reference, const ReferenceSeries &series,
                                 const RoundedTimeEffect *effect)
@@ -200,16 +200,15 @@ std::vector<ChannelComparison> compare(const Mechanism &mechanism, const Traject
     const Clock clock = clockOf(reference.time, reference.timeRounding);
     std::optional<RoundedTimeEffect> effect = effectOfRoundedTime(mechanism, reference, clock, clock.rounded);
     std::vector<ChannelComparison> result(reference.series.size());
-    const bool isLong = reference.time.size() > kFewestForThreads;
+    const bool isLong = reference.time.size() > kMinTimeStampsForThreads;
     const auto comparisonOf = [&](std::size_t i) {
         return compareSeries(mechanism, model, reference, reference.series[i], effect ? &*effect : nullptr);
     };
     inParallel(
         result.size(), [&](std::size_t i) { result[i] = comparisonOf(i); }, isLong);
 
-    // Time stamps that do not show it may nevertheless have been rounded. The effect must be small compared with the
-    // motion, and with evenly spaced time stamps the best verdict is `close`. It lowers no excess by more than
-    // kExcessOfCloseness.
+    // A second attempt assumes that the time stamps were rounded although nothing shows it. It lowers an excess by at
+    // most kExcessOfCloseness, and with evenly spaced time stamps the best verdict is `close`.
     const auto mayRise = [&](const ChannelComparison &channel) {
         return channel.excess <= 2.0 * kExcessOfCloseness &&
                (channel.verdict == Verdict::Differs || (channel.verdict == Verdict::Close && !clock.even));

@@ -80,7 +80,7 @@ inline constexpr double kArithmeticStep = 1e-12;
 
 /// The smallest rounding step, relative to the largest one of the column: the digits of a value of -7.4e-15 next to
 /// values near 100 have no meaning.
-inline constexpr double kSmallestPartOfLargestStep = 0.01;
+inline constexpr double kSmallestFractionOfLargestStep = 0.01;
 
 /// Compares every column of the file with a trajectory sampled at the file's own time stamps, by any method. The effect
 /// of rounded time stamps is computed from the exact motion.

@@ -113,7 +113,7 @@ private:
     Parameters m_parameters;
 };
 
-/// Returns the same mechanism with another crank speed (rad/s) and crank angle at t = 0 (rad).
+/// Returns the same mechanism with a different crank speed (rad/s) and a different crank angle at t = 0 (rad).
 Mechanism withDrive(const Mechanism &mechanism, double omega2, double theta20);
 
 /// Returns the same mechanism with the crank angle theta2 (rad) at t = 0.

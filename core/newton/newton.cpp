@@ -109,11 +109,12 @@ double relativeAcceleration(const Mechanism &mechanism)
 
 /// The residuals at which the iteration may stop, in the measure of the options.
 struct Thresholds {
-    double perLength;      ///< factor from mm to the measure
-    double rounding;       ///< largest residual that can be mere rounding: each length row is a sum of a few lengths
-    double tolerance;      ///< that of the options, or less if it would leave no digit of the motion of a short crank
-    double crank;          ///< kResolvedPart of a
-    double coupler;        ///< kResolvedPart of b
+    double perLength; ///< factor from mm to the measure
+    double rounding;  ///< largest residual that rounding alone can cause: each length row is a sum of a few lengths
+    double tolerance; ///< that of the options, at most kResolvedFraction of a, so that the motion of a short crank
+                      ///< keeps some digits
+    double crank;     ///< kResolvedFraction of a
+    double coupler;   ///< kResolvedFraction of b
     double perCosineCubed; ///< near a toggle the terms of θ̈3 cancel down to a third of cos θ3
 
     Thresholds(const Mechanism &mechanism, const NewtonOptions &options)
@@ -122,8 +123,8 @@ struct Thresholds {
         const double reach = characteristicLength(mechanism.parameters());
         perLength = options.toleranceKind == ToleranceKind::Relative ? 1.0 / reach : 1.0;
         rounding = kRoundings * kEpsilon * perLength * reach;
-        crank = kResolvedPart * perLength * mechanism.a();
-        coupler = kResolvedPart * perLength * mechanism.b();
+        crank = kResolvedFraction * perLength * mechanism.a();
+        coupler = kResolvedFraction * perLength * mechanism.b();
         tolerance = std::min(options.tolerance, std::max(crank, rounding));
         perCosineCubed = coupler * relativeAcceleration(mechanism) / 3.0;
     }
@@ -252,7 +253,7 @@ private:
             }
             const double nextResidual = m_system.residual(limit.perLength);
             if (toTheEnd && !(nextResidual < residual) && residual <= limit.rounding) {
-                m_system.moveTo(m_q); // the previous iterate is at least as good
+                m_system.moveTo(m_q); // the previous iterate is at least as accurate
                 return Ending::Converged;
             }
             m_q = next;
@@ -263,13 +264,13 @@ private:
             }
         }
         // If the iteration limit was reached near a toggle, θ3 is still known to 2 √(r/b).
-        const double located = std::max(4.0 * kResolvedPart * limit.coupler, limit.rounding);
+        const double located = std::max(4.0 * kResolvedFraction * limit.coupler, limit.rounding);
         return residual <= std::min(limit.tolerance, located) ? Ending::Converged : Ending::IterationLimit;
     }
 
     bool isResolved() const { return m_thresholds.isResolved(m_timeStep.residual, m_system.cosTheta3()); }
 
-    // For kResolvedPart, the terms of θ̈3
+    // For kResolvedFraction, the terms of θ̈3
     //     b cos θ3 θ̈3 = a ω² sin θ2 + b sin θ3 θ̇3²
     // are compared with θ̈3 itself (the two terms nearly cancel at an exact toggle), or with its ordinary magnitude.
     // sin θ3 is uncertain by the residual or its rounding.
@@ -289,9 +290,9 @@ private:
         const double ordinary = crankTerm * relativeAcceleration(m_mechanism);
         const double size = std::max(b * std::abs(state.qDDot[Theta3]), ordinary);
         // If the coupler is much shorter than the crank, its accelerations hide those of the crank in rounding.
-        const bool isCrankResolved = kEpsilon * couplerTerm <= kResolvedPart * kResolvedPart * crankTerm;
+        const bool isCrankResolved = kEpsilon * couplerTerm <= kResolvedFraction * kResolvedFraction * crankTerm;
         const bool exists =
-            isFinite && isCrankResolved && uncertain <= kResolvedPart * (cosine * cosine) * cosine * size;
+            isFinite && isCrankResolved && uncertain <= kResolvedFraction * (cosine * cosine) * cosine * size;
         state.setStatus(exists ? Status::Solved : Status::Singular);
     }
 

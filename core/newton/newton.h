@@ -79,6 +79,6 @@ NewtonTimeStep solve(const Mechanism &mechanism, double t, const NewtonOptions &
 /// toggles); the code assumes r/b = 2.2e-16. θ2 is uncertain by the rounding of ω2 t and θ20. The iteration continues
 /// below the tolerance until r satisfies this limit and is at most this fraction of a, or is no larger than its own
 /// rounding.
-inline constexpr double kResolvedPart = 1.0 / 1024.0;
+inline constexpr double kResolvedFraction = 1.0 / 1024.0;
 
 } // namespace slidercrank

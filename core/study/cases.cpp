@@ -128,13 +128,13 @@ std::vector<double> perpendicularTimes(const Case &which)
         }
     }
 
-    constexpr int kMostTurns = 10;
+    constexpr int kMaxRevolutions = 10;
     const double start = which.sampling.start;
     const double turnTime = kTurn / std::abs(mechanism.omega2());
     std::vector<double> result;
     for (const double angle : angles) {
         const std::optional<double> first = timeAtCrankAngle(mechanism, angle, start);
-        for (int k = 0; first && k < kMostTurns && *first + turnTime * k <= start + which.sampling.duration; ++k) {
+        for (int k = 0; first && k < kMaxRevolutions && *first + turnTime * k <= start + which.sampling.duration; ++k) {
             result.push_back(*first + turnTime * k);
         }
     }

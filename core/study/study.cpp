@@ -98,7 +98,7 @@ void compareAnswers(const Contender &contender, const Judgement &judgement, Meth
             const double error = deviation(contender.answers.values[k][i], judged.values[k]) / judgement.sizes[k];
             worst = std::max(worst, error);
             bound = std::max(bound, judged.kappa[k] * kUnitRoundoff / judgement.sizes[k]);
-            isWrong = isWrong || error > kSilentPart;
+            isWrong = isWrong || error > kSilentFraction;
         }
         silent += isWrong ? 1 : 0;
     }

@@ -79,14 +79,15 @@ struct MethodResult {
     Status status = Status::Solved;                 ///< the worst of them
 
     /// The number of time stamps that are wrong although they are reported as solved: a channel deviates by more than
-    /// kSilentPart of its peak, as on the wrong branch or with too coarse an approximation, or the mechanism cannot be
-    /// assembled. nullopt if no time stamp is reported as solved.
+    /// kSilentFraction of its peak, as on the wrong branch or with too coarse an approximation, or the mechanism cannot
+    /// be assembled. nullopt if no time stamp is reported as solved.
     std::optional<std::size_t> silentFailures;
 };
 
-inline constexpr double kSilentPart = 0.01;
+inline constexpr double kSilentFraction = 0.01;
 
-/// The (|h| - b)/b up to which it is a matter of rounding whether a position exists.
+/// Within this relative distance (|h| - b)/b of the limit, rounding decides whether a position exists. A method that
+/// reports a position there is not counted as wrong.
 inline constexpr double kLimitRounding = 1e-14;
 
 /// The number of time steps between the outputs of CaseResult::workPrecision.

@@ -142,11 +142,11 @@ private slots:
     }
 
     /// Within 0.03 rad of a toggle, a limit, an exact toggle and a change point, solutions with status Solved have a
-    /// relative error below 6 kResolvedPart. The error is relative to the value or, if larger, to its size far from the
-    /// toggle.
+    /// relative error below 6 kResolvedFraction. The error is relative to the value or, if larger, to its size far from
+    /// the toggle.
     void solvedDerivativesAreAccurateNearAToggle()
     {
-        constexpr double kPart = 6.0 * kResolvedPart;
+        constexpr double kPart = 6.0 * kResolvedFraction;
         constexpr int kMechanisms = 600;
         RandomMechanisms random(22);
         int solved = 0;

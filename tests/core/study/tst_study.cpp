@@ -100,7 +100,7 @@ private slots:
                 QVERIFY2(error <= before + kNoise, method);
                 before = error;
             }
-            QVERIFY2(before < kSilentPart, method);
+            QVERIFY2(before < kSilentFraction, method);
             QCOMPARE_LE(before, 2.0 * *rowOf(result, method, 0.0)->errorBound + 1e-15);
         }
         QCOMPARE_LT(errorOf(result, "newton-structured-taylor", 1e-12),
@@ -199,7 +199,7 @@ private slots:
                 }
                 const bool mayBeWrong = isDifference || row.method.kind == MethodName::Kind::Harmonics;
                 const bool isWrong = row.silentFailures.value_or(0) > 0;
-                QVERIFY2(isWrong == (mayBeWrong && row.maxError.value_or(0.0) > kSilentPart),
+                QVERIFY2(isWrong == (mayBeWrong && row.maxError.value_or(0.0) > kSilentFraction),
                          qPrintable(QString("%1, %2, tolerance %3: %4 of %5 silently wrong, error %6")
                                         .arg(which.name.c_str(), nameOf(row.method).c_str())
                                         .arg(row.tolerance.value_or(-1.0))
