@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/save_dialog.h"
 
+#include "ui/widgets/question.h"
+
 #include <QCoreApplication>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QMessageBox>
 #include <QSettings>
 #include <QStandardPaths>
 
@@ -50,11 +51,16 @@ void chooseFileToSave(QWidget *parent, const SaveRequest &request)
     QObject::connect(dialog, &QFileDialog::fileSelected, parent, [parent, request, dialog](const QString &path) {
         const QString filter = dialog->selectedNameFilter();
         const QString completed = completedName(path, filter, request.filters);
-        const bool isReplaced = completed != path && QFileInfo::exists(completed); // the dialog has not asked about it
-        const QString question = SaveDialogText::tr("%1 exists. Replace it?").arg(QFileInfo(completed).fileName());
-        if (!isReplaced || QMessageBox::question(parent, request.title, question) == QMessageBox::Yes) {
+        const auto save = [request, completed, filter] {
             QSettings().setValue(kLastFolder, QFileInfo(completed).absolutePath());
             request.save(completed, filter);
+        };
+        const bool isReplaced = completed != path && QFileInfo::exists(completed); // the dialog has not asked about it
+        if (isReplaced) {
+            const QString question = SaveDialogText::tr("%1 exists. Replace it?").arg(QFileInfo(completed).fileName());
+            askBeforeReplacing(parent, request.title, question, save);
+        } else {
+            save();
         }
     });
     dialog->open();

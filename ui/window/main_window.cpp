@@ -326,13 +326,14 @@ void MainWindow::openSample()
 
 void MainWindow::chooseFiles()
 {
-    const QStringList paths = QFileDialog::getOpenFileNames(
+    auto *dialog = new QFileDialog(
         this, tr("Open"), recentFolder(),
         tr("Scenes and simulation results (*.slidercrank *.json *.csv *.txt *.tsv *.tab *.dat *.dta *.mot);;"
            "All files (*)"));
-    if (!paths.isEmpty()) {
-        openFiles(paths);
-    }
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFiles);
+    connect(dialog, &QFileDialog::filesSelected, this, &MainWindow::openFiles);
+    dialog->open();
 }
 
 void MainWindow::chooseColumns(const QStringList &paths)

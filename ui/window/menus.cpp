@@ -200,12 +200,15 @@ void Menus::addHelp()
 
 void Menus::showAbout()
 {
-    QMessageBox::about(
-        &m_window, tr("About"),
+    auto *about = new QMessageBox(
+        QMessageBox::NoIcon, tr("About"),
         tr("<h3>slidercrank %1</h3><p>The motion of an offset slider-crank: computed, shown, and compared "
            "with a simulation.</p><p>Formulation after A. A. Shabana, <i>Computational Dynamics</i>.</p>"
            "<p>Free software under the GNU General Public License, version 3 or later.</p>")
-            .arg(QCoreApplication::applicationVersion()));
+            .arg(QCoreApplication::applicationVersion()),
+        QMessageBox::Ok, &m_window);
+    about->setAttribute(Qt::WA_DeleteOnClose);
+    about->open();
 }
 
 } // namespace slidercrank

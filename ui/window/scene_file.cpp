@@ -5,6 +5,7 @@
 #include "ui/plots/plot_grid.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/number_box.h"
+#include "ui/widgets/question.h"
 #include "ui/widgets/save_dialog.h"
 #include "ui/window/views.h"
 #include "ui/window/window_settings.h"
@@ -135,14 +136,13 @@ void SceneFile::save(const std::function<void()> &proceed)
         saveAs(proceed);
         return;
     }
-    const QString text = tr("%1 has been changed by another program since you opened it. Replace it?");
-    const auto mayReplace = [&] {
-        return QMessageBox::question(m_window, tr("Changed elsewhere"), text.arg(QFileInfo(m_path).fileName()),
-                                     QMessageBox::Yes | QMessageBox::Cancel, QMessageBox::Cancel) == QMessageBox::Yes;
-    };
-    if (!QFileInfo::exists(m_path) || versionOf(m_path) == m_version || mayReplace()) {
+    if (!QFileInfo::exists(m_path) || versionOf(m_path) == m_version) {
         saveTo(m_path, proceed);
+        return;
     }
+    const QString question = tr("%1 has been changed by another program since you opened it. Replace it?");
+    askBeforeReplacing(m_window, tr("Changed elsewhere"), question.arg(QFileInfo(m_path).fileName()),
+                       [this, proceed] { saveTo(m_path, proceed); });
 }
 
 void SceneFile::saveAs(const std::function<void()> &proceed)

@@ -142,12 +142,13 @@ private slots:
         other.parameters.a = 14.5;
         QCOMPARE(writeScene(other, path("rig.json")), std::nullopt);
         session().setParameter(Parameter::A, 15.0);
-        answerWith(QMessageBox::Cancel);
         m_window->scene().save();
+        question("replaceQuestion")->button(QMessageBox::No)->click();
         QCOMPARE(savedIn("rig.json").a, 14.5);
         QVERIFY(m_window->isWindowModified());
-        answerWith(QMessageBox::Yes);
+        settle();
         m_window->scene().save();
+        question("replaceQuestion")->button(QMessageBox::Yes)->click();
         QCOMPARE(savedIn("rig.json").a, 15.0);
     }
 
@@ -313,8 +314,8 @@ private slots:
 
         writeFile(*m_folder, "a.html.pdf", "older");
         action("Report…")->trigger();
-        answerWith(QMessageBox::No);
         choose("a.html"); // the dialog checked this name, not that of the file that exists
+        question("replaceQuestion")->button(QMessageBox::No)->click();
         QCOMPARE(contentOf(path("a.html.pdf")), QByteArray("older"));
     }
 
@@ -367,7 +368,7 @@ private:
         settle();
     }
 
-    /// Answers the modal question that the file dialog will open.
+    /// Answers the question that the file dialog itself will ask in an event loop of its own.
     static void answerWith(QMessageBox::StandardButton button)
     {
         QTimer::singleShot(100, qApp, [button] {
