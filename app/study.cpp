@@ -21,14 +21,10 @@ namespace slidercrank
 namespace
 {
 
-/// The tables of the study's tab in the window, as text.
-QString caseReport(const CaseResult &result)
+/// The tables of the study's tab in the window, as text below a heading.
+QString tablesWithHeading(const QString &heading, const Page &page)
 {
-    QString text = CommandLine::tr("%1: %2; %3 time stamps")
-                       .arg(caseText(result.name), mechanismText(Mechanism(result.parameters), 9),
-                            QString::number(result.timeStamps)) +
-                   u'\n';
-    const Page page = studyPage(result);
+    QString text = heading + u'\n';
     for (const PageTable &table : page.tables) {
         std::vector<QStringList> rows(1);
         for (const TableColumn &column : table.columns) {
@@ -45,9 +41,28 @@ QString caseReport(const CaseResult &result)
     return page.sentence.isEmpty() ? text : text + page.sentence + u'\n';
 }
 
+QString caseReport(const CaseResult &result)
+{
+    const QString heading = CommandLine::tr("%1: %2; %3 time stamps")
+                                .arg(caseText(result.name), mechanismText(Mechanism(result.parameters), 9),
+                                     QString::number(result.timeStamps));
+    return tablesWithHeading(heading, studyPage(result));
+}
+
+/// The methods over all cases: largest error, median time, and what became of all time steps.
+QString summaryReport(const StudyResult &result)
+{
+    const CaseResult allCases{.name = {}, .parameters = {}, .timeStamps = 0, .methods = resultsOverAllCases(result)};
+    return tablesWithHeading(CommandLine::tr("All %1 cases together").arg(QString::number(result.cases.size())),
+                             studyPage(allCases));
+}
+
 QString studyReport(const StudyResult &result)
 {
     QString text;
+    if (result.cases.size() > 1) {
+        text += summaryReport(result) + u'\n';
+    }
     for (const CaseResult &each : result.cases) {
         text += caseReport(each) + u'\n';
     }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <numbers>
@@ -72,6 +73,18 @@ double deviation(double got, TwoPart exact)
     return std::isfinite(got) ? std::abs((got - exact.hi) - exact.lo) : kInfinity;
 }
 
+/// Returns the worst status among those that occur. NotAssemblable is a property of the mechanism, the others are
+/// failures of the method.
+Status worstStatus(const std::array<std::size_t, kStatusCount> &counts)
+{
+    for (const Status status : {Status::NotFinite, Status::IterationLimit, Status::Singular, Status::NotAssemblable}) {
+        if (counts[static_cast<std::size_t>(status)] > 0) {
+            return status;
+        }
+    }
+    return Status::Solved;
+}
+
 /// Sets the errors and statuses of the result from the answers at the times of the judgement.
 void compareAnswers(const Contender &contender, const Judgement &judgement, MethodResult &result)
 {
@@ -102,10 +115,7 @@ void compareAnswers(const Contender &contender, const Judgement &judgement, Meth
         }
         silent += isWrong ? 1 : 0;
     }
-    // The worst last. NotAssemblable is a property of the mechanism, the others are failures of the method.
-    for (const Status status : {Status::NotAssemblable, Status::Singular, Status::IterationLimit, Status::NotFinite}) {
-        result.status = result.counts[static_cast<std::size_t>(status)] > 0 ? status : result.status;
-    }
+    result.status = worstStatus(result.counts);
     if (result.counts[static_cast<std::size_t>(Status::Solved)] > 0) {
         result.maxError = worst;
         result.errorBound = std::isfinite(bound) ? std::optional(bound) : std::nullopt;
@@ -213,7 +223,65 @@ std::vector<MethodResult> measureWorkPrecision(Case which, const StudyRequest &r
     return measure(std::move(contenders), which.parameters, outputs, request, stop, reach);
 }
 
+double medianOf(std::vector<double> values)
+{
+    const auto middle = values.begin() + std::ssize(values) / 2;
+    std::ranges::nth_element(values, middle);
+    return *middle;
+}
+
+/// Combines the rows of one method and tolerance, of which there is at least one.
+MethodResult combined(const std::vector<const MethodResult *> &rows)
+{
+    MethodResult sum;
+    sum.method = rows.front()->method;
+    sum.tolerance = rows.front()->tolerance;
+    sum.channels = rows.front()->channels;
+    std::vector<double> times;
+    std::vector<double> spreads;
+    std::vector<double> iterations;
+    for (const MethodResult *row : rows) {
+        sum.states += row->states;
+        times.push_back(row->nsPerState);
+        spreads.push_back(row->spread);
+        if (row->iterationsPerState) {
+            iterations.push_back(*row->iterationsPerState);
+        }
+        if (row->maxError) {
+            sum.maxError = std::max(sum.maxError.value_or(0.0), *row->maxError);
+            sum.silentFailures = sum.silentFailures.value_or(0) + row->silentFailures.value_or(0);
+        }
+        std::ranges::transform(sum.counts, row->counts, sum.counts.begin(), std::plus());
+    }
+    sum.status = worstStatus(sum.counts);
+    sum.nsPerState = medianOf(std::move(times));
+    sum.spread = medianOf(std::move(spreads));
+    if (!iterations.empty()) {
+        sum.iterationsPerState = medianOf(std::move(iterations));
+    }
+    return sum;
+}
+
 } // namespace
+
+std::vector<MethodResult> resultsOverAllCases(const StudyResult &study)
+{
+    std::vector<MethodResult> results;
+    for (const StudyMethod &method : studyMethods()) {
+        std::vector<const MethodResult *> rows;
+        for (const CaseResult &each : study.cases) {
+            for (const MethodResult &row : each.methods) {
+                if (row.method == method.name && row.tolerance == method.tolerance) {
+                    rows.push_back(&row);
+                }
+            }
+        }
+        if (!rows.empty()) {
+            results.push_back(combined(rows));
+        }
+    }
+    return results;
+}
 
 StudyResult runStudy(const StudyRequest &request, std::stop_token stop, const std::function<void(double)> &progress)
 {

@@ -52,6 +52,8 @@ struct MethodName {
     };
     Kind kind = Kind::NewtonDense;
     int harmonics = 0; ///< their number, for Harmonics
+
+    friend bool operator==(const MethodName &, const MethodName &) = default;
 };
 
 /// Returns the name of a method in files and on the command line: newton-dense, closed-form-batch, harmonic-4, …
@@ -115,6 +117,11 @@ struct StudyResult {
 /// stopped.
 StudyResult runStudy(const StudyRequest &request, std::stop_token stop = {},
                      const std::function<void(double)> &progress = {});
+
+/// Returns a row for each method and tolerance with its results over all cases: the sums of the counts, the largest
+/// error, and the medians of the times, their spreads and the iterations. A method that does not apply to a case has no
+/// row there. There are no error bounds, because those of different mechanisms cannot be compared.
+std::vector<MethodResult> resultsOverAllCases(const StudyResult &study);
 
 /// Returns the case of one revolution of this mechanism in 200 steps, or of one second if the crank does not turn.
 Case studyCase(const Parameters &parameters);

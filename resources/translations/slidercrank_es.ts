@@ -532,6 +532,8 @@
     <message>
         <source>crank acceleration (0)</source>
         <translation>aceleración de la manivela (0)</translation>
+        <source>All %1 cases together</source>
+        <translation>Los %1 casos juntos</translation>
     </message>
     <message>
         <source>--%1 is given more than once: keep one of them.</source>

@@ -107,6 +107,33 @@ private slots:
                     errorOf(result, "newton-structured-taylor", 1e-4));
     }
 
+    void combinesTheResultsOfAllCases()
+    {
+        // A rocker, in which some time stamps are impossible and the Fourier series does not apply, and an ordinary
+        // crank.
+        const StudyResult study =
+            runStudy(quick({coarse(named("rocker, one arc"), 20), coarse(nominalCases()[0], 20)}));
+        const std::vector<MethodResult> combined = resultsOverAllCases(study);
+        QCOMPARE(combined.size(), study.cases.back().methods.size());
+        for (const MethodResult &row : combined) {
+            double largestError = 0.0;
+            std::size_t states = 0;
+            for (const CaseResult &each : study.cases) {
+                if (const MethodResult *single = rowOf(each, nameOf(row.method), row.tolerance)) {
+                    largestError = std::max(largestError, single->maxError.value_or(0.0));
+                    states += single->states;
+                }
+            }
+            QCOMPARE(row.maxError.value_or(0.0), largestError);
+            QCOMPARE(row.states, states);
+            QVERIFY(!row.errorBound);
+        }
+        const auto closedForm = std::ranges::find(combined, MethodName::Kind::ClosedForm,
+                                                  [](const MethodResult &row) { return row.method.kind; });
+        QVERIFY(closedForm->counts[static_cast<std::size_t>(Status::NotAssemblable)] > 0);
+        QCOMPARE(closedForm->status, Status::NotAssemblable);
+    }
+
     void differencesAreSecondOrderInTheStep()
     {
         std::vector<Case> cases(4, nominalCases()[0]);
