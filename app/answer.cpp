@@ -3,6 +3,7 @@
 
 #include "app/output.h"
 #include "ui/text/language.h"
+#include "ui/text/printable_text.h"
 
 #include <QLocale>
 
@@ -26,7 +27,7 @@ ExitStatus Question::write(const Streams &streams, const Answer &answer) const
 {
     const QByteArray bytes = format == u"json"  ? jsonDocument(answer.json)
                              : format == u"csv" ? csvText(answer.rows)
-                                                : answer.text.toUtf8();
+                                                : printableText(answer.text).toUtf8();
     return bytes.isEmpty() ? answer.status : moreSevere(answer.status, writeOutput(streams, output, bytes));
 }
 

@@ -4,6 +4,7 @@
 #include "app/help.h"
 #include "app/option_reader.h"
 #include "app/output.h"
+#include "ui/text/printable_text.h"
 
 #include <algorithm>
 #include <array>
@@ -60,7 +61,8 @@ ExitStatus moreSevere(ExitStatus x, ExitStatus y)
 
 void Streams::report(const QString &message) const
 {
-    error.write(message.toUtf8().replace('\n', ' ') + '\n'); // an argument that it quotes may contain line breaks
+    error.write(printableText(message).toUtf8().replace('\n', ' ') +
+                '\n'); // an argument that it quotes may contain line breaks
 }
 
 Platform platformFor(const QString &firstArgument)

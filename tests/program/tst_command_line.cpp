@@ -265,6 +265,26 @@ private slots:
 #endif
     }
 
+    void writesNoControlCharactersOfNamesAndHeadings()
+    {
+#ifdef Q_OS_UNIX // Windows has no such names
+        QByteArray table = "time,R4_x,\x1b[2Jvalue\n";
+        for (int i = 0; i < 8; ++i) {
+            table += QByteArray::number(i) + ',' + QByteArray::number(70 + i * i) + ",1\n";
+        }
+        const QString file = write("red\x1b[31m.csv", table);
+        for (const QStringList &command : {QStringList{"compare", file}, QStringList {
+                                               "compare",
+                                               path("no\x07.csv")
+                                           }}) {
+            const RunResult outcome = run(command);
+            const QByteArray everything = outcome.output + outcome.error;
+            QVERIFY2(everything.contains("\\x1b[31m.csv") || everything.contains("no\\x07.csv"), everything);
+            QVERIFY(!everything.contains('\x1b') && !everything.contains('\x07'));
+        }
+#endif
+    }
+
     void readsStandardInput()
     {
         const QByteArray sample = contentOf(kSample);

@@ -56,7 +56,7 @@ bool openForReading(QFile &file)
 QString shortName(const QStringList &paths)
 {
     const QString name =
-        isStandardInput(paths.first()) ? displayName(paths.first()) : QFileInfo(paths.first()).fileName();
+        displayName(isStandardInput(paths.first()) ? paths.first() : QFileInfo(paths.first()).fileName());
     return paths.size() == 1 ? name
                              : ReferenceFileText::tr("%1 + %2 more").arg(name, QString::number(paths.size() - 1));
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/whole_file.h"
 
+#include "ui/text/printable_text.h"
+
 #include <QCoreApplication>
 #include <QDir>
 #include <QFile>
@@ -71,8 +73,7 @@ bool WholeFile::commit(const std::stop_token &stop)
 
 QString cannotWrite(const QString &path, const QString &reason)
 {
-    return WholeFileText::tr("%1 cannot be written: %2. Choose another name or folder.")
-        .arg(QDir::toNativeSeparators(path), reason);
+    return WholeFileText::tr("%1 cannot be written: %2. Choose another name or folder.").arg(displayName(path), reason);
 }
 
 std::optional<QString> writeWhole(const QString &path, const QByteArray &bytes)
@@ -102,7 +103,7 @@ bool isPipeOrDevice(const QFileInfo &file)
 
 QString displayName(const QString &path)
 {
-    return isStandardInput(path) ? WholeFileText::tr("Standard input") : QDir::toNativeSeparators(path);
+    return isStandardInput(path) ? WholeFileText::tr("Standard input") : printableText(QDir::toNativeSeparators(path));
 }
 
 } // namespace slidercrank

@@ -51,7 +51,7 @@ bool isStandardInput(const QString &path);
 /// Whether the path exists, and is neither a file nor a folder.
 bool isPipeOrDevice(const QFileInfo &file);
 
-/// The name of a file in messages.
+/// Returns the name of a file in messages, without control characters.
 QString displayName(const QString &path);
 
 } // namespace slidercrank

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+namespace slidercrank
+{
+
+/// Returns the text with control characters written as "\x1b". Names of files and headings may contain any character:
+/// a terminal would obey escape sequences, and an SVG with control characters is not well-formed. Tabs and line feeds
+/// are kept.
+QString printableText(const QString &text);
+
+} // namespace slidercrank
