@@ -3889,6 +3889,10 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
 <context>
     <name>slidercrank::SceneText</name>
     <message>
+        <source>%1 is a pipe or a device: save the scene in a file, and open that.</source>
+        <translation>%1 es una tubería o un dispositivo: guarde la escena en un archivo y ábralo.</translation>
+    </message>
+    <message>
         <source>%1, line %2: this is not JSON (%3). Correct it there, or open another scene.</source>
         <translation>%1, línea %2: esto no es JSON (%3). Corríjalo allí, o abra otra escena.</translation>
     </message>

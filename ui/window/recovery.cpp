@@ -35,47 +35,93 @@ QDir folder()
 #endif
 }
 
+/// Returns the path of the copy with that number, counted from 1.
+QString copyPath(int number)
+{
+    return folder().filePath(number == 1 ? QString("recovery.json") : QString("recovery-%1.json").arg(number));
+}
+
 } // namespace
+
+Recovery::LockedCopy::LockedCopy(const QString &scenePath)
+    : path(scenePath)
+    , lock(scenePath + ".lock")
+{
+    lock.setStaleLockTime(0); // the lock is released only when its process ends
+    lock.tryLock();
+}
 
 Recovery::Recovery(Session *session, SceneFile *scene, MessageBar *messages, QObject *parent)
     : QObject(parent)
     , m_session(session)
     , m_scene(scene)
     , m_messages(messages)
-    , m_path(folder().filePath("recovery.json"))
-    , m_lock(m_path + ".lock")
 {
-    m_lock.setStaleLockTime(0); // the lock is released only when its process ends
     m_rest.setSingleShot(true);
-    connect(&m_rest, &QTimer::timeout, this, [this] {
-        if (lock()) {
-            writeScene(m_scene->scene(), m_path); // a failure is not reported; saving the scene will report it
-        }
-    });
+    connect(&m_rest, &QTimer::timeout, this, &Recovery::writeCopy);
     connect(&session->undoStack(), &QUndoStack::indexChanged, this, &Recovery::followEdits);
     connect(&session->undoStack(), &QUndoStack::cleanChanged, this, &Recovery::followEdits);
-    m_isOffered = std::holds_alternative<Scene>(readScene(m_path)) && lock();
+    findOffer();
     showOffer();
 }
 
 Recovery::~Recovery()
 {
-    if (!m_isOffered) {
-        removeCopy();
+    removeCopy();
+}
+
+/// Looks for a copy that a crash has left. Copies of windows that still run are locked.
+void Recovery::findOffer()
+{
+    m_offer.reset();
+    const QStringList names = folder().entryList({"recovery*.json"}, QDir::Files, QDir::Name);
+    for (const QString &name : names) {
+        auto copy = std::make_unique<LockedCopy>(folder().filePath(name));
+        if (copy->lock.isLocked() && std::holds_alternative<Scene>(readScene(copy->path))) {
+            m_offer = std::move(copy);
+            return;
+        }
     }
 }
 
-/// Locks the copy for this window. Returns false if another window has locked it.
-bool Recovery::lock()
+void Recovery::showOffer()
 {
-    return m_lock.isLocked() || (QDir().mkpath(folder().path()) && m_lock.tryLock());
+    if (!m_offer) {
+        m_messages->removeMessage(kMessage);
+        return;
+    }
+    const QString when = QLocale().toString(QFileInfo(m_offer->path).lastModified(), QLocale::ShortFormat);
+    m_messages->showMessage({kMessage, Message::Kind::Question,
+                             tr("The program ended before your changes were saved. They are kept, as of %1.").arg(when),
+                             tr("Restore"), [this] { restore(); }, tr("Discard"), [this] { discardOffer(); }});
+}
+
+/// Restores the offered copy, which then becomes the copy of this window. The user may cancel; then it is still
+/// offered.
+void Recovery::restore()
+{
+    const std::variant<Scene, QString> outcome = readScene(m_offer->path);
+    if (const Scene *scene = std::get_if<Scene>(&outcome)) {
+        m_scene->restore(*scene, [this] {
+            removeCopy();
+            m_copy = std::move(m_offer);
+            followEdits();
+            showOffer();
+        });
+    }
+    showOffer();
+}
+
+/// Removes the offered copy, and offers the next one if several windows have crashed.
+void Recovery::discardOffer()
+{
+    QFile::remove(m_offer->path);
+    findOffer();
+    showOffer();
 }
 
 void Recovery::followEdits()
 {
-    if (m_isOffered) {
-        return; // the offered copy is not replaced before the answer
-    }
     if (m_session->isModified()) {
         m_rest.start(kRest);
     } else {
@@ -83,45 +129,33 @@ void Recovery::followEdits()
     }
 }
 
+/// A failure is not reported; saving the scene will report it.
+void Recovery::writeCopy()
+{
+    QDir().mkpath(folder().path());
+    constexpr int kMaxCopies = 100; // so that a folder that cannot be written ends the search
+    for (int number = 1; !m_copy && number <= kMaxCopies; ++number) {
+        const QString path = copyPath(number);
+        if (QFile::exists(path)) { // of another window, or left by a crash
+            continue;
+        }
+        auto copy = std::make_unique<LockedCopy>(path);
+        if (copy->lock.isLocked()) {
+            m_copy = std::move(copy);
+        }
+    }
+    if (m_copy) {
+        writeScene(m_scene->scene(), m_copy->path);
+    }
+}
+
 void Recovery::removeCopy()
 {
     m_rest.stop();
-    if (m_lock.isLocked()) {
-        QFile::remove(m_path);
-        m_lock.unlock();
+    if (m_copy) {
+        QFile::remove(m_copy->path);
+        m_copy.reset();
     }
-}
-
-void Recovery::showOffer()
-{
-    if (!m_isOffered) {
-        m_messages->removeMessage(kMessage);
-        return;
-    }
-    const QString when = QLocale().toString(QFileInfo(m_path).lastModified(), QLocale::ShortFormat);
-    const auto discard = [this] {
-        m_isOffered = false;
-        removeCopy();
-        followEdits();
-    };
-    m_messages->showMessage({kMessage, Message::Kind::Question,
-                             tr("The program ended before your changes were saved. They are kept, as of %1.").arg(when),
-                             tr("Restore"), [this] { restore(); }, tr("Discard"), discard});
-}
-
-/// Restores the offered copy, which then becomes the copy of the current scene. The user may cancel; then it is still
-/// offered.
-void Recovery::restore()
-{
-    const std::variant<Scene, QString> outcome = readScene(m_path);
-    if (const Scene *scene = std::get_if<Scene>(&outcome)) {
-        m_scene->restore(*scene, [this] {
-            m_isOffered = false;
-            followEdits();
-            showOffer();
-        });
-    }
-    showOffer();
 }
 
 } // namespace slidercrank

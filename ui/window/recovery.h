@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Session recovery: while there are unsaved changes, keeps a copy of the scene in the folder of the settings. The copy
-// is written two seconds after the last edit, and removed when the scene is saved or the window is closed. After a
-// crash the next start offers to restore it. The copy has a lock file that is released when its process ends, so that
-// only one window at a time keeps or offers a copy.
+// Session recovery: while there are unsaved changes, every window keeps a copy of its scene in the folder of the
+// settings. The copy is written two seconds after the last edit, and removed when the scene is saved or the window is
+// closed. After a crash the next start offers to restore a copy that was left. Each copy has a lock file that is
+// released when its process ends, so that a window never offers or replaces the copy of another one that still runs.
 
 #include <QLockFile>
 #include <QObject>
 #include <QString>
 #include <QTimer>
+
+#include <memory>
 
 namespace slidercrank
 {
@@ -24,22 +26,31 @@ class Recovery : public QObject
 
 public:
     Recovery(Session *session, SceneFile *scene, MessageBar *messages, QObject *parent);
-    ~Recovery() override; ///< removes the copy, unless it is still offered
+    ~Recovery() override; ///< removes the copy of this window; a copy that is still offered remains
 
 private:
-    bool lock();
-    void followEdits();
+    /// A copy of a scene that no other process can use while this object exists.
+    struct LockedCopy {
+        explicit LockedCopy(const QString &scenePath);
+
+        QString path;
+        QLockFile lock; ///< check isLocked(): another process may have the copy
+    };
+
+    void findOffer();
     void showOffer();
     void restore();
+    void discardOffer();
+    void followEdits();
+    void writeCopy();
     void removeCopy();
 
     Session *m_session;
     SceneFile *m_scene;
     MessageBar *m_messages;
-    QString m_path;
-    QLockFile m_lock;
+    std::unique_ptr<LockedCopy> m_copy;  ///< of this window; null as long as nothing has been edited
+    std::unique_ptr<LockedCopy> m_offer; ///< left by a crash, and waits for an answer
     QTimer m_rest{this};
-    bool m_isOffered = false; ///< the copy was left by a crash and waits for an answer
 };
 
 } // namespace slidercrank

@@ -14,6 +14,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#ifdef Q_OS_UNIX
+#include <sys/stat.h>
+#endif
+
 using namespace slidercrank;
 
 namespace
@@ -276,6 +280,11 @@ private slots:
                                            {folder.path(), "is a folder"}}) {
             QVERIFY(std::get<QString>(readScene(path)).contains(reason));
         }
+#ifdef Q_OS_UNIX
+        const QString pipe = folder.filePath("pipe.slidercrank");
+        QCOMPARE(mkfifo(qPrintable(pipe), S_IRUSR | S_IWUSR), 0);
+        QVERIFY(std::get<QString>(readScene(pipe)).contains("is a pipe or a device")); // and does not wait for a writer
+#endif
     }
 };
 

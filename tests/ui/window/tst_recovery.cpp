@@ -147,24 +147,27 @@ private slots:
         QVERIFY(hasCopy());
     }
 
-    void oneWindowAtATimeKeepsOrOffersACopy()
+    void everyWindowKeepsACopyOfItsOwn()
     {
         editElsewhere();
         openWindow();
-        QVERIFY(offer().isEmpty());
+        QVERIFY(offer().isEmpty()); // the other window still runs
         setB(80.0);
         writeCopy();
-        QCOMPARE(keptB(), 70.0); // the copy of the other window
+        QCOMPARE(keptB(), 70.0);
+        QCOMPARE(keptB(kSecondCopy), 80.0);
+        m_window->close();
+        answer(QMessageBox::Discard);
         m_window.reset();
-        QVERIFY(hasCopy());
+        QVERIFY(hasCopy() && !hasCopy(kSecondCopy));
         crash();
         openWindow();
         QVERIFY(!offer().isEmpty());
         const MainWindow second;
-        QVERIFY(!second.findChild<QWidget *>("recovery"));
+        QVERIFY(!second.findChild<QWidget *>("recovery")); // a copy is offered by one window only
     }
 
-    void theOfferedCopyIsNotReplacedBeforeTheAnswer()
+    void aCopyIsKeptWhileAnotherOneIsOffered()
     {
         editElsewhere();
         crash();
@@ -172,10 +175,23 @@ private slots:
         setB(80.0);
         writeCopy();
         QCOMPARE(keptB(), 70.0);
+        QCOMPARE(keptB(kSecondCopy), 80.0);
+        press("messageRemedy");
+        answer(QMessageBox::Discard);
+        QCOMPARE(session().parameters().b, 70.0);
+        QVERIFY(hasCopy() && !hasCopy(kSecondCopy)); // the restored copy is now that of the window
+    }
+
+    void offersTheCopiesOfAllCrashedWindows()
+    {
+        editElsewhere();
+        crash();
+        QVERIFY(QFile::copy(copyPath(), copyPath(kSecondCopy)));
+        openWindow();
         press("messageDismiss");
-        QVERIFY(!hasCopy());
-        writeCopy();
-        QCOMPARE(keptB(), 80.0);
+        QVERIFY(!hasCopy() && hasCopy(kSecondCopy) && !offer().isEmpty());
+        press("messageDismiss");
+        QVERIFY(!hasCopy(kSecondCopy) && offer().isEmpty());
     }
 
 private:
@@ -201,9 +217,18 @@ private:
         settle();
     }
 
-    static QString copyPath() { return QFileInfo(QSettings().fileName()).absolutePath() + "/recovery.json"; }
-    static bool hasCopy() { return QFile::exists(copyPath()); }
-    static double keptB() { return std::get<Scene>(readScene(copyPath())).parameters.b; }
+    static constexpr const char *kFirstCopy = "recovery.json";
+    static constexpr const char *kSecondCopy = "recovery-2.json";
+
+    static QString copyPath(const char *name = kFirstCopy)
+    {
+        return QFileInfo(QSettings().fileName()).absoluteDir().filePath(name);
+    }
+    static bool hasCopy(const char *name = kFirstCopy) { return QFile::exists(copyPath(name)); }
+    static double keptB(const char *name = kFirstCopy)
+    {
+        return std::get<Scene>(readScene(copyPath(name))).parameters.b;
+    }
 
     void editElsewhere(const QString &scene = {})
     {
