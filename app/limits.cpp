@@ -111,7 +111,8 @@ struct LimitList {
     /// Returns the table of the window's tab "Motion limits".
     QString table() const
     {
-        std::vector<QStringList> rows = limitTable(motionFacts(mechanism, motion, oneRevolution(mechanism), units));
+        std::vector<QStringList> rows =
+            limitTable(motionFacts(mechanism, motion, oneRevolution(mechanism), {.units = units}));
         if (ranges) {
             rows[0] += {CommandLine::tr("minus"), CommandLine::tr("plus")};
             for (std::size_t i = 0; i < limits.size(); ++i) {

@@ -22,7 +22,7 @@ constexpr std::array kMessages{
         "slidercrank::CommandLine",
         "Newton-Raphson did not converge at %1: choose a greater --max-iterations (now %3) or --tolerance."),
     QT_TRANSLATE_NOOP("slidercrank::CommandLine",
-                      "The mechanism cannot be assembled at %1: the coupler must be at least %2 mm long for the crank "
+                      "The mechanism cannot be assembled at %1: the coupler must be at least %2 long for the crank "
                       "to make full turns (--b)."),
     QT_TRANSLATE_NOOP(
         "slidercrank::CommandLine",

@@ -104,7 +104,7 @@ struct CaseResult {
     /// Error against cost for each tolerance and step size, of the first case only: the errors of the same
     /// kWorkPrecisionOutputs + 1 states, at equal time steps over the sampled duration, and the cost of all
     /// MethodResult::states that the method computes for them.
-    std::vector<MethodResult> workPrecision;
+    std::vector<MethodResult> workPrecision = {};
 };
 
 struct StudyResult {

@@ -812,10 +812,6 @@
         <translation>%1: %2; %3 instantes</translation>
     </message>
     <message>
-        <source>The mechanism cannot be assembled at %1: the coupler must be at least %2 mm long for the crank to make full turns (--b).</source>
-        <translation>El mecanismo no se puede ensamblar en %1: la biela debe medir al menos %2 mm para que la manivela dé vueltas completas (--b).</translation>
-    </message>
-    <message>
         <source>The motion is too large to be computed at %1: choose a smaller --omega2, or times nearer to 0.</source>
         <translation>El movimiento es demasiado grande para calcularlo en %1: elija un --omega2 menor, o instantes más cercanos a 0.</translation>
     </message>
@@ -1106,8 +1102,6 @@ Equipo: %1. Tiempo: %2 s.
         <translation>all, o nombres separados por comas: theta3,R4_x_diff (all); también transmission_angle, displacement (desde el punto muerto exterior), A_x y A_y, con _diff y _diff2</translation>
     </message>
     <message>
-        <source>unit of the lengths in the output (mm)</source>
-        <translation>unidad de las longitudes en la salida (mm)</translation>
         <source>factor of the number of pixels of a PNG, 0.1 to 10 (1)</source>
         <translation>factor del número de píxeles de un PNG, de 0.1 a 10 (1)</translation>
     </message>
@@ -1162,6 +1156,14 @@ Equipo: %1. Tiempo: %2 s.
     <message>
         <source>pixels of a picture, instead of --width (frames: 1920x1080)</source>
         <translation>píxeles de la imagen, en lugar de --width (fotogramas: 1920x1080)</translation>
+    </message>
+    <message>
+        <source>The mechanism cannot be assembled at %1: the coupler must be at least %2 long for the crank to make full turns (--b).</source>
+        <translation>El mecanismo no se puede ensamblar en %1: la biela debe medir al menos %2 para que la manivela dé vueltas completas (--b).</translation>
+    </message>
+    <message>
+        <source>unit of the lengths in the output (mm)</source>
+        <translation>unidad de las longitudes en la salida (mm)</translation>
     </message>
 </context>
 <context>
@@ -1264,10 +1266,6 @@ Equipo: %1. Tiempo: %2 s.
     <message>
         <source>Mechanism with a given stroke and time ratio</source>
         <translation>Mecanismo con una carrera y una relación de tiempos dadas</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
     </message>
     <message>
         <source>Type a stroke: the mechanism is scaled, so that its time ratio and angles stay</source>
@@ -2046,8 +2044,8 @@ difiere: lo demás</translation>
         <translation>Dónde se invierten la corredera y la manivela, los tiempos de las carreras, y las mayores velocidades y aceleraciones en una vuelta completa de la manivela, sea cual sea la parte simulada</translation>
     </message>
     <message>
-        <source>Positions are those of the slider, Rₓ⁴, measured from O₂; x points to the right, angles are counter-clockwise</source>
-        <translation>Las posiciones son las de la corredera, Rₓ⁴, medidas desde O₂; x hacia la derecha, ángulos en sentido antihorario</translation>
+        <source>Positions are those of the slider, measured from O₂; x points to the right, angles are counter-clockwise</source>
+        <translation>Las posiciones son las de la corredera, medidas desde O₂; x apunta a la derecha, los ángulos son antihorarios</translation>
     </message>
 </context>
 <context>
@@ -2128,13 +2126,17 @@ difiere: lo demás</translation>
         <source>Scenes and simulation results (*.slidercrank *.json *.csv *.txt *.tsv *.tab *.dat *.dta *.mot);;All files (*)</source>
         <translation>Escenas y resultados de simulación (*.slidercrank *.json *.csv *.txt *.tsv *.tab *.dat *.dta *.mot);;Todos los archivos (*)</translation>
     </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabla</translation>
+    </message>
+    <message>
+        <source>Polygons</source>
+        <translation>Polígonos</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::MechanismSketch</name>
-    <message>
-        <source>gap = %1 mm</source>
-        <translation>hueco = %1 mm</translation>
-    </message>
     <message>
         <source>file</source>
         <translation>archivo</translation>
@@ -2146,18 +2148,6 @@ difiere: lo demás</translation>
     <message>
         <source>no velocity: the coupler is perpendicular to the slider&apos;s line</source>
         <translation>sin velocidad: la biela es perpendicular a la línea de la corredera</translation>
-    </message>
-    <message>
-        <source>Instant centre P at infinity:
-the coupler translates at %1 mm/s</source>
-        <translation>Centro instantáneo P en el infinito:
-la biela se traslada a %1 mm/s</translation>
-    </message>
-    <message>
-        <source>Instant centre P: ω³ = %1 rad/s = %2 °/s
-PA = %3 mm, PB = %4 mm</source>
-        <translation>Centro instantáneo P: ω³ = %1 rad/s = %2 °/s
-PA = %3 mm, PB = %4 mm</translation>
     </message>
     <message>
         <source>outer dead centre</source>
@@ -2177,6 +2167,22 @@ PA = %3 mm, PB = %4 mm</translation>
         <translation>exterior</translation>
     </message>
     <message>
+        <source>Instant centre P at infinity:
+the coupler translates at %1</source>
+        <translation>Centro instantáneo P en el infinito:
+la biela se traslada a %1</translation>
+    </message>
+    <message>
+        <source>Instant centre P: %1 = %2 rad/s = %3 °/s
+PA = %4, PB = %5</source>
+        <translation>Centro instantáneo P: %1 = %2 rad/s = %3 °/s
+PA = %4, PB = %5</translation>
+    </message>
+    <message>
+        <source>gap = %1</source>
+        <translation>hueco = %1</translation>
+    </message>
+    <message>
         <source>inner</source>
         <comment>dead centre</comment>
         <translation>interior</translation>
@@ -2185,28 +2191,12 @@ PA = %3 mm, PB = %4 mm</translation>
 <context>
     <name>slidercrank::MechanismText</name>
     <message>
-        <source>position (%1; %2) mm</source>
-        <translation>posición (%1; %2) mm</translation>
-    </message>
-    <message>
         <source>no velocity: the coupler is perpendicular to the slider&apos;s line</source>
         <translation>sin velocidad: la biela es perpendicular a la línea de la corredera</translation>
     </message>
     <message>
-        <source>velocity %1 mm/s (%2; %3)</source>
-        <translation>velocidad %1 mm/s (%2; %3)</translation>
-    </message>
-    <message>
-        <source>acceleration %1 mm/s² (%2; %3)</source>
-        <translation>aceleración %1 mm/s² (%2; %3)</translation>
-    </message>
-    <message>
         <source>%1: the slider reverses. Click to go there.</source>
         <translation>%1: la corredera invierte su movimiento. Haga clic para ir allí.</translation>
-    </message>
-    <message>
-        <source>slider at %1 mm</source>
-        <translation>corredera en %1 mm</translation>
     </message>
     <message>
         <source>O₂, the fixed pivot of the crank</source>
@@ -2249,20 +2239,36 @@ PA = %3 mm, PB = %4 mm</translation>
         <translation>El ángulo de la manivela en este instante no es un número finito.</translation>
     </message>
     <message>
-        <source>The mechanism cannot be assembled at any crank angle: the coupler does not reach the slider&apos;s line. It can be assembled if b ≥ %1 mm; the crank makes full turns if b ≥ %2 mm.</source>
-        <translation>El mecanismo no se puede ensamblar con ningún ángulo de la manivela: la biela no alcanza la línea de la corredera. Se puede ensamblar si b ≥ %1 mm; la manivela da vueltas completas si b ≥ %2 mm.</translation>
-    </message>
-    <message>
-        <source>The mechanism cannot be assembled at θ₂ = %1°: the coupler is too short. The crank makes full turns if b ≥ %2 mm.</source>
-        <translation>El mecanismo no se puede ensamblar con θ₂ = %1°: la biela es demasiado corta. La manivela da vueltas completas si b ≥ %2 mm.</translation>
-    </message>
-    <message>
         <source>at rest</source>
         <translation>en reposo</translation>
     </message>
     <message>
-        <source>Scale: %1 mm = %2 %3</source>
-        <translation>Escala: %1 mm = %2 %3</translation>
+        <source>position (%1; %2) %3</source>
+        <translation>posición (%1; %2) %3</translation>
+    </message>
+    <message>
+        <source>velocity %1 %2 (%3; %4)</source>
+        <translation>velocidad %1 %2 (%3; %4)</translation>
+    </message>
+    <message>
+        <source>acceleration %1 %2 (%3; %4)</source>
+        <translation>aceleración %1 %2 (%3; %4)</translation>
+    </message>
+    <message>
+        <source>slider at %1</source>
+        <translation>corredera en %1</translation>
+    </message>
+    <message>
+        <source>Scale: %1 = %2</source>
+        <translation>Escala: %1 = %2</translation>
+    </message>
+    <message>
+        <source>The mechanism cannot be assembled at any crank angle: the coupler does not reach the slider&apos;s line. It can be assembled if b ≥ %1; the crank makes full turns if b ≥ %2.</source>
+        <translation>El mecanismo no se puede ensamblar en ningún ángulo de la manivela: la biela no alcanza la línea de la corredera. Se puede ensamblar si b ≥ %1; la manivela da vueltas completas si b ≥ %2.</translation>
+    </message>
+    <message>
+        <source>The mechanism cannot be assembled at θ₂ = %1°: the coupler is too short. The crank makes full turns if b ≥ %2.</source>
+        <translation>El mecanismo no se puede ensamblar en θ₂ = %1°: la biela es demasiado corta. La manivela da vueltas completas si b ≥ %2.</translation>
     </message>
 </context>
 <context>
@@ -2523,6 +2529,42 @@ PA = %3 mm, PB = %4 mm</translation>
         <source>&amp;Open…</source>
         <translation>&amp;Abrir…</translation>
     </message>
+    <message>
+        <source>&amp;Notation and units</source>
+        <translation>&amp;Notación y unidades</translation>
+    </message>
+    <message>
+        <source>&amp;Absolute coordinates (θ³ at A, Rₓ⁴)</source>
+        <translation>Coordenadas &amp;absolutas (θ³ en A, Rₓ⁴)</translation>
+    </message>
+    <message>
+        <source>&amp;Textbook (θ₃ at B, x_B)</source>
+        <translation>Libro de &amp;texto (θ₃ en B, x_B)</translation>
+    </message>
+    <message>
+        <source>&amp;Degrees</source>
+        <translation>&amp;Grados</translation>
+    </message>
+    <message>
+        <source>&amp;Radians</source>
+        <translation>&amp;Radianes</translation>
+    </message>
+    <message>
+        <source>&amp;mm</source>
+        <translation>&amp;mm</translation>
+    </message>
+    <message>
+        <source>&amp;cm</source>
+        <translation>&amp;cm</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>&amp;in</source>
+        <translation>p&amp;ulgadas</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::MessageBar</name>
@@ -2740,6 +2782,156 @@ PA = %3 mm, PB = %4 mm</translation>
     <message>
         <source>The largest angle of the coupler minus its smallest</source>
         <translation>El mayor ángulo de la biela menos el menor</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::MotionTable</name>
+    <message>
+        <source>Time; without one, the crank is not there within the time range</source>
+        <translation>Tiempo; si falta, la manivela no pasa por ahí en el intervalo de tiempo</translation>
+    </message>
+    <message>
+        <source>Crank angle, from 0 to 360°</source>
+        <translation>Ángulo de la manivela, de 0 a 360°</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::MotionTablePanel</name>
+    <message>
+        <source>Columns</source>
+        <translation>Columnas</translation>
+    </message>
+    <message>
+        <source>Chooses the columns of the table</source>
+        <translation>Elige las columnas de la tabla</translation>
+    </message>
+    <message>
+        <source>Table of the motion</source>
+        <translation>Tabla del movimiento</translation>
+    </message>
+    <message>
+        <source>Every</source>
+        <translation>Cada</translation>
+    </message>
+    <message>
+        <source>Step of the table</source>
+        <translation>Paso de la tabla</translation>
+    </message>
+    <message>
+        <source>Unit of the step</source>
+        <translation>Unidad del paso</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>α₂</source>
+        <translation>α₂</translation>
+    </message>
+    <message>
+        <source>Acceleration of the crank in each row (α₂)</source>
+        <translation>Aceleración de la manivela en cada fila (α₂)</translation>
+    </message>
+    <message>
+        <source>Acceleration of the crank in each row of the table. The curves are for a constant speed.</source>
+        <translation>Aceleración de la manivela en cada fila de la tabla. Las curvas son para una velocidad constante.</translation>
+    </message>
+    <message>
+        <source> rad/s²</source>
+        <translation> rad/s²</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copiar</translation>
+    </message>
+    <message>
+        <source>Copies the rows as CSV</source>
+        <translation>Copia las filas como CSV</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
+    </message>
+    <message>
+        <source>Writes the rows to a CSV file</source>
+        <translation>Escribe las filas en un archivo CSV</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Buscar</translation>
+    </message>
+    <message>
+        <source>Quantity that has a value</source>
+        <translation>Magnitud que tiene un valor</translation>
+    </message>
+    <message>
+        <source>Value of the quantity</source>
+        <translation>Valor de la magnitud</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Siguiente</translation>
+    </message>
+    <message>
+        <source>Turns the crank to the next position in which the quantity has this value</source>
+        <translation>Gira la manivela hasta la siguiente posición en la que la magnitud tiene este valor</translation>
+    </message>
+    <message>
+        <source>Use as ω₂</source>
+        <translation>Usar como ω₂</translation>
+    </message>
+    <message>
+        <source>Sets the crank speed with which the velocity has this value at the present position</source>
+        <translation>Fija la velocidad de la manivela con la que la velocidad tiene este valor en la posición actual</translation>
+    </message>
+    <message>
+        <source>Write to a file…</source>
+        <translation>Escribir en un archivo…</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tablas (*.csv)</translation>
+    </message>
+    <message>
+        <source>table</source>
+        <translation>tabla</translation>
+    </message>
+    <message>
+        <source>Every digit, not six</source>
+        <translation>Todas las cifras, no seis</translation>
+    </message>
+    <message>
+        <source>Decimal sign and delimiter of the language</source>
+        <translation>Signo decimal y separador del idioma</translation>
+    </message>
+    <message>
+        <source>Present position</source>
+        <translation>Posición actual</translation>
+    </message>
+    <message>
+        <source>The rows are in the clipboard, as CSV with headings.</source>
+        <translation>Las filas están en el portapapeles, como CSV con encabezados.</translation>
+    </message>
+    <message>
+        <source>There is no such position.</source>
+        <translation>No existe tal posición.</translation>
+    </message>
+    <message>
+        <source>The crank does not reach these positions within the time range.</source>
+        <translation>La manivela no alcanza estas posiciones en el intervalo de tiempo.</translation>
+    </message>
+    <message>
+        <source>Positions of a revolution: θ₂ = %1</source>
+        <translation>Posiciones de una revolución: θ₂ = %1</translation>
+    </message>
+    <message>
+        <source>No crank speed gives this velocity here: it is 0 at every speed, as at a dead centre.</source>
+        <translation>Ninguna velocidad de la manivela da aquí esta velocidad: es 0 a cualquier velocidad, como en un punto muerto.</translation>
     </message>
 </context>
 <context>
@@ -2978,6 +3170,45 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     </message>
 </context>
 <context>
+    <name>slidercrank::NotationText</name>
+    <message>
+        <source>transmission angle</source>
+        <translation>ángulo de transmisión</translation>
+    </message>
+    <message>
+        <source>displacement from the outer dead centre</source>
+        <translation>desplazamiento desde el punto muerto exterior</translation>
+    </message>
+    <message>
+        <source>crank pin A, x</source>
+        <translation>pasador A de la manivela, x</translation>
+    </message>
+    <message>
+        <source>crank pin A, y</source>
+        <translation>pasador A de la manivela, y</translation>
+    </message>
+    <message>
+        <source>rad/s</source>
+        <translation>rad/s</translation>
+    </message>
+    <message>
+        <source>°/s</source>
+        <translation>°/s</translation>
+    </message>
+    <message>
+        <source>rpm</source>
+        <translation>rpm</translation>
+    </message>
+    <message>
+        <source>%1, first derivative</source>
+        <translation>%1, primera derivada</translation>
+    </message>
+    <message>
+        <source>%1, second derivative</source>
+        <translation>%1, segunda derivada</translation>
+    </message>
+</context>
+<context>
     <name>slidercrank::NumberBox</name>
     <message>
         <source>This must be a whole number from %1 to %2.</source>
@@ -3061,10 +3292,6 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     <message>
         <source>Back to the initial value</source>
         <translation>Volver al valor inicial</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>mm</translation>
     </message>
     <message>
         <source>Angular velocity of the crank, counter-clockwise positive</source>
@@ -3227,6 +3454,49 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     <message>
         <source>File&apos;s &amp;rounding</source>
         <translation>&amp;Redondeo del archivo</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::PolygonView</name>
+    <message>
+        <source>all vectors are 0</source>
+        <translation>todos los vectores son 0</translation>
+    </message>
+    <message>
+        <source>There are no velocities in this position.</source>
+        <translation>En esta posición no existen las velocidades.</translation>
+    </message>
+    <message>
+        <source>Velocity and acceleration polygons</source>
+        <translation>Polígonos de velocidades y de aceleraciones</translation>
+    </message>
+    <message>
+        <source>Velocity and acceleration polygons at the present position; α₂ is that of the table.</source>
+        <translation>Polígonos de velocidades y de aceleraciones en la posición actual; α₂ es la de la tabla.</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copiar</translation>
+    </message>
+    <message>
+        <source>Copies the polygons as an image</source>
+        <translation>Copia los polígonos como imagen</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportar…</translation>
+    </message>
+    <message>
+        <source>Writes the polygons to an image file</source>
+        <translation>Escribe los polígonos en un archivo de imagen</translation>
+    </message>
+    <message>
+        <source>polygons</source>
+        <translation>polígonos</translation>
+    </message>
+    <message>
+        <source>The polygons are in the clipboard.</source>
+        <translation>Los polígonos están en el portapapeles.</translation>
     </message>
 </context>
 <context>
@@ -3729,16 +3999,16 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>La manivela no da vueltas completas con ningún valor de %1.</translation>
     </message>
     <message>
-        <source>Full turns for %1 ≤ %2 ≤ %3 mm, shaded elsewhere.</source>
-        <translation>Vueltas completas con %1 ≤ %2 ≤ %3 mm; fuera de ahí, sombreado.</translation>
+        <source>Full turns for %1 ≤ %2 ≤ %3, shaded elsewhere.</source>
+        <translation>Vueltas completas para %1 ≤ %2 ≤ %3; fuera de ahí, sombreado.</translation>
     </message>
     <message>
-        <source>Full turns for %1 ≥ %2 mm, shaded elsewhere.</source>
-        <translation>Vueltas completas con %1 ≥ %2 mm; por debajo, sombreado.</translation>
+        <source>Full turns for %1 ≥ %2, shaded elsewhere.</source>
+        <translation>Vueltas completas para %1 ≥ %2; fuera de ahí, sombreado.</translation>
     </message>
     <message>
-        <source>Full turns for %1 ≤ %2 mm, shaded elsewhere.</source>
-        <translation>Vueltas completas con %1 ≤ %2 mm; por encima, sombreado.</translation>
+        <source>Full turns for %1 ≤ %2, shaded elsewhere.</source>
+        <translation>Vueltas completas para %1 ≤ %2; fuera de ahí, sombreado.</translation>
     </message>
 </context>
 <context>
@@ -3774,14 +4044,6 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     <message>
         <source>%1 [%2]</source>
         <translation>%1 [%2]</translation>
-    </message>
-    <message>
-        <source>rad/s</source>
-        <translation>rad/s</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>mm</translation>
     </message>
     <message>
         <source>Drag a dot to change %1.</source>
@@ -4460,10 +4722,6 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>Intervalo de tiempo y velocidad</translation>
     </message>
     <message>
-        <source>Start, duration, steps, one revolution, and the playback speed (Ctrl+R)</source>
-        <translation>Inicio, duración, pasos, una vuelta y la velocidad de reproducción (Ctrl+R)</translation>
-    </message>
-    <message>
         <source>%1 s · %2× ▾</source>
         <comment>duration, playback speed</comment>
         <translation>%1 s · %2× ▾</translation>
@@ -4513,8 +4771,16 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>×</translation>
     </message>
     <message>
-        <source>Crank angle: type one to go to the nearest time at which the crank passes it</source>
-        <translation>Ángulo de la manivela: escriba uno para ir al instante más cercano en que la manivela pasa por él</translation>
+        <source>Crank angle: type one to go to the nearest time at which the crank passes it, or to turn a crank at rest</source>
+        <translation>Ángulo de la manivela: escriba uno para ir al instante más próximo en que la manivela pasa por él, o para girar una manivela en reposo</translation>
+    </message>
+    <message>
+        <source>The crank is fast: shows one revolution, which takes four seconds when it is played</source>
+        <translation>La manivela es rápida: muestra una revolución, que dura cuatro segundos al reproducirla</translation>
+    </message>
+    <message>
+        <source>Start, duration, steps, one revolution, and the playback speed (Ctrl+R). A fast crank is slowed to four seconds a revolution.</source>
+        <translation>Inicio, duración, pasos, una revolución y la velocidad de reproducción (Ctrl+R). Una manivela rápida se ralentiza a cuatro segundos por revolución.</translation>
     </message>
 </context>
 <context>

@@ -33,10 +33,10 @@ private:
     bool begin(QPaintDevice *) override { return true; }
     bool end() override { return true; }
     Type type() const override { return QPaintEngine::User; }
-    void updateState(const QPaintEngineState &state) override
+    void updateState(const QPaintEngineState &newState) override
     {
-        if (state.state().testFlag(DirtyTransform)) {
-            m_transform = state.transform();
+        if (newState.state().testFlag(DirtyTransform)) {
+            m_transform = newState.transform();
         }
     }
     void drawPath(const QPainterPath &) override {}

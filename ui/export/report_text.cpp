@@ -241,7 +241,7 @@ QString reportHtml(const ReportContent &content)
            (hasFoundMechanism(content) ? below : beside).arg(parameterTable(content), kMechanismPlace) + note(caption) +
            heading(Report::tr("Values at %1").arg(crankText(content))) + valueTable(content) +
            heading(Report::tr("Motion limits")) + paragraph(mobilitySentence(result.mechanism, result.limits)) +
-           table(limitTable(motionFacts(result.mechanism, result.limits, result.sampling))) +
+           table(limitTable(motionFacts(result.mechanism, result.limits, result.sampling, notation()))) +
            heading(Report::tr("Motion")) + paragraph(pinnedText(result)) +
            QStringLiteral("<p>%1</p>").arg(kFigurePlace) + heading(Report::tr("Method")) +
            paragraph(methodText(result)) + comparison;

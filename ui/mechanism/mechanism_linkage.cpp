@@ -2,12 +2,15 @@
 #include "ui/mechanism/mechanism_sketch.h"
 
 #include "ui/mechanism/mechanism_text.h"
+#include "ui/text/finding_text.h"
+#include "ui/text/notation.h"
 #include "ui/text/written_number.h"
 
 #include <QFontMetricsF>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace slidercrank
 {
@@ -61,16 +64,30 @@ void MechanismSketch::addLinkage()
         }
         if (settings.angles) {
             addAngle("θ₂", {m_O2, m_A}, m_scene->pose.theta2, 30.0);
-            addAngle("θ³", {m_A, m_B}, m_scene->pose.theta3, 36.0);
+            addCouplerAngle();
         }
     }
     if (settings.names) {
         addNames();
     }
     addGhost();
+    addMarked();
     if (!m_exists) {
         addMissingCoupler();
         addAssemblyProblem();
+    }
+}
+
+/// Adds θ³ at A or, in the textbook's notation, θ₃ at B.
+void MechanismSketch::addCouplerAngle()
+{
+    constexpr double kRadius = 36.0; // px
+    const double theta3 = m_scene->pose.theta3;
+    if (notation().symbols == Symbols::Textbook) {
+        const double halfTurn = mechanism().branch() == Branch::Open ? std::numbers::pi : -std::numbers::pi;
+        addAngle(symbolText(Channel{Theta3, Order::Position}), {m_B, m_A}, theta3 + halfTurn, kRadius);
+    } else {
+        addAngle(symbolText(Channel{Theta3, Order::Position}), {m_A, m_B}, theta3, kRadius);
     }
 }
 
@@ -119,7 +136,7 @@ void MechanismSketch::addMissingCoupler()
     const QLineF gap(toPixels({pin.x(), nearest}), toPixels({pin.x(), mechanism().c()}));
     addDimension(gap.p1(), gap.p2(), m_colours.warning);
     addLabelBeside(gap.center(), {1.0, 0.0}, 8.0,
-                   tr("gap = %1 mm").arg(numberText(std::abs(mechanism().c() - nearest), 4)), m_ink);
+                   tr("gap = %1").arg(lengthText(std::abs(mechanism().c() - nearest), 4)), m_ink);
 }
 
 /// Adds the reason why the mechanism cannot be assembled and what would help.
@@ -138,6 +155,26 @@ void MechanismSketch::addAssemblyProblem()
     m_labels.push_back({text, box.adjusted(0.0, 0.0, 1.0, 1.0), m_ink, Qt::transparent, false, Qt::TextWordWrap});
 }
 
+/// Adds thin lines along crank, coupler and slider. Returns the line of the coupler.
+QLineF MechanismSketch::addOutline(const ReferencePose &pose, const QPen &pen)
+{
+    const QLineF coupler(toPixels({pose.pinX, pose.pinY}), toPixels({pose.sliderX, pose.sliderY}));
+    QPainterPath path = sliderPath(coupler.p2());
+    path.moveTo(m_O2);
+    path.lineTo(coupler.p1());
+    path.lineTo(coupler.p2());
+    add(path, pen);
+    return coupler;
+}
+
+/// Adds the position that a row of a table refers to.
+void MechanismSketch::addMarked()
+{
+    if (m_scene->marked.exists) {
+        addOutline(m_scene->marked, QPen(m_colours.cursor, 1.4, Qt::DashLine));
+    }
+}
+
 void MechanismSketch::addGhost()
 {
     const ReferencePose &ghost = m_scene->ghost;
@@ -148,12 +185,7 @@ void MechanismSketch::addGhost()
     const std::size_t pinned = m_scene->result->pinned.size(); // the last one is drawn
     const QColor &colour =
         isFile ? m_colours.reference : m_colours.*kPinnedColours[std::max<std::size_t>(pinned, 1) - 1];
-    const QLineF coupler(toPixels({ghost.pinX, ghost.pinY}), toPixels({ghost.sliderX, ghost.sliderY}));
-    QPainterPath path = sliderPath(coupler.p2());
-    path.moveTo(m_O2);
-    path.lineTo(coupler.p1());
-    path.lineTo(coupler.p2());
-    add(path, QPen(colour, 1.6));
+    const QLineF coupler = addOutline(ghost, QPen(colour, 1.6));
     avoid(coupler, 2.0);
     addLabelBeside(coupler.p2(), {0.0, coupler.dy() > 0.0 ? 1.0 : -1.0}, 22.0, isFile ? tr("file") : tr("pinned"),
                    colour, true);

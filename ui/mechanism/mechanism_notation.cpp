@@ -2,6 +2,8 @@
 #include "ui/mechanism/mechanism_sketch.h"
 
 #include "core/limits/instant_centre.h"
+#include "ui/text/finding_text.h"
+#include "ui/text/notation.h"
 #include "ui/text/written_number.h"
 
 #include <algorithm>
@@ -14,6 +16,19 @@ namespace
 {
 
 constexpr double kBesideJoint = 9.0;
+
+/// Returns a value (mm, rad, s) with its unit, as it is shown.
+QString shownText(Measure measure, double value)
+{
+    return withUnit(shortNumber(shownValue(measure, value, notation().units)), shownUnit(measure));
+}
+
+/// Returns an angle (rad) with as many decimals as can be read while it changes.
+QString angleText(double angle)
+{
+    const bool isRadian = notation().units.angle == AngleUnit::Radian;
+    return isRadian ? fixedText(angle, 3) + " rad" : fixedText(kDegreesPerRadian * angle, 1) + "°";
+}
 
 /// Returns whether P is too far away to be drawn, so that the coupler practically translates.
 bool isAtInfinity(const InstantCentre &centre, const Mechanism &mechanism)
@@ -28,11 +43,12 @@ QString instantCentreText(const InstantCentre &centre, const Mechanism &mechanis
         return MechanismSketch::tr("no velocity: the coupler is perpendicular to the slider's line");
     }
     return isAtInfinity(centre, mechanism)
-               ? MechanismSketch::tr("Instant centre P at infinity:\nthe coupler translates at %1 mm/s")
-                     .arg(shortNumber(mechanism.a() * std::abs(mechanism.omega2())))
-               : MechanismSketch::tr("Instant centre P: ω³ = %1 rad/s = %2 °/s\nPA = %3 mm, PB = %4 mm")
-                     .arg(shortNumber(centre.omega3), shortNumber(kDegreesPerRadian * centre.omega3),
-                          shortNumber(centre.toA), shortNumber(centre.toB));
+               ? MechanismSketch::tr("Instant centre P at infinity:\nthe coupler translates at %1")
+                     .arg(shownText(Measure::Speed, mechanism.a() * std::abs(mechanism.omega2())))
+               : MechanismSketch::tr("Instant centre P: %1 = %2 rad/s = %3 °/s\nPA = %4, PB = %5")
+                     .arg(symbolText(Channel{Theta3, Order::Velocity}), shortNumber(centre.omega3),
+                          shortNumber(kDegreesPerRadian * centre.omega3), shownText(Measure::Length, centre.toA),
+                          shownText(Measure::Length, centre.toB));
 }
 
 } // namespace
@@ -176,7 +192,7 @@ void MechanismSketch::addAngle(const QString &name, const QLineF &link, double a
     avoid(base, 2.0);
     // The label is on the side of the base line away from the arc, so that it need not move while the angle changes.
     addLabelBeside(link.p1(), {1.0, angle < 0.0 ? -0.5 : 0.5}, 20.0,
-                   QStringLiteral("%1 = %2°").arg(name, fixedText(kDegreesPerRadian * angle, 1)), m_ink);
+                   QStringLiteral("%1 = %2").arg(name, angleText(angle)), m_ink);
 }
 
 } // namespace slidercrank

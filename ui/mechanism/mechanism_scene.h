@@ -30,7 +30,8 @@ struct ArrowScale {
 struct MechanismScene {
     std::shared_ptr<const Result> result; ///< null if nothing is to be drawn
     Pose pose;
-    ReferencePose ghost; ///< the linkage of the reference or of the pinned motion
+    ReferencePose ghost;  ///< the linkage of the reference or of the pinned motion
+    ReferencePose marked; ///< the linkage in a position that a table refers to
     MechanismSettings settings;
 
     const Mechanism &mechanism() const { return result->mechanism; }

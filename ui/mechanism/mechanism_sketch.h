@@ -66,6 +66,9 @@ private:
     void addMissingCoupler();
     void addAssemblyProblem();
     void addGhost();
+    void addCouplerAngle();
+    void addMarked();
+    QLineF addOutline(const ReferencePose &pose, const QPen &pen);
 
     void addArrow(QPointF tail, QPointF tip, const ArrowScale &arrows, bool isCut);
     void addMotionArrows(const ArrowScale &arrows, bool withCentreOfMass);

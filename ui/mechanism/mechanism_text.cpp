@@ -4,6 +4,7 @@
 #include "core/mechanism/turn.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/motion_facts.h"
+#include "ui/text/notation.h"
 #include "ui/text/written_number.h"
 
 #include <QCoreApplication>
@@ -28,9 +29,18 @@ QString valueText(double value, double size)
     return numberText(std::abs(value) < kRounding * size ? 0.0 : value, kReadoutDigits);
 }
 
-QString vectorText(const QString &pattern, const PlaneVector &vector, double size)
+/// Returns a value (mm, rad, s) as it is shown, without its unit. `size`: as in valueText().
+QString shownText(Measure measure, double value, double size)
 {
-    return pattern.arg(valueText(vector.length(), size), valueText(vector.x, size), valueText(vector.y, size));
+    const double factor = shownValue(measure, 1.0, notation().units);
+    return valueText(factor * value, factor * size);
+}
+
+/// `pattern`: %1 is the magnitude, %2 the unit, %3 and %4 are the components.
+QString vectorText(const QString &pattern, const PlaneVector &vector, Measure measure, double size)
+{
+    return pattern.arg(shownText(measure, vector.length(), size), shownUnit(measure),
+                       shownText(measure, vector.x, size), shownText(measure, vector.y, size));
 }
 
 QStringList pointLines(const MechanismScene &scene, LinkagePoint point)
@@ -39,14 +49,16 @@ QStringList pointLines(const MechanismScene &scene, LinkagePoint point)
     const double size = mechanism.a() + mechanism.b() + std::abs(mechanism.c());
     const double omega2 = std::abs(mechanism.omega2());
     const PointMotion motion = scene.motion(point);
-    const QString position = MechanismText::tr("position (%1; %2) mm")
-                                 .arg(valueText(motion.position.x, size), valueText(motion.position.y, size));
+    const QString position = MechanismText::tr("position (%1; %2) %3")
+                                 .arg(shownText(Measure::Length, motion.position.x, size),
+                                      shownText(Measure::Length, motion.position.y, size), shownUnit(Measure::Length));
     if (!std::isfinite(motion.velocity.length())) {
         return {position, MechanismText::tr("no velocity: the coupler is perpendicular to the slider's line")};
     }
-    return {
-        position, vectorText(MechanismText::tr("velocity %1 mm/s (%2; %3)"), motion.velocity, size * omega2),
-        vectorText(MechanismText::tr("acceleration %1 mm/s² (%2; %3)"), motion.acceleration, size * omega2 * omega2)};
+    return {position,
+            vectorText(MechanismText::tr("velocity %1 %2 (%3; %4)"), motion.velocity, Measure::Speed, size * omega2),
+            vectorText(MechanismText::tr("acceleration %1 %2 (%3; %4)"), motion.acceleration, Measure::Acceleration,
+                       size * omega2 * omega2)};
 }
 
 /// Returns the crank angle as the timeline shows it: beyond a whole turn, it counts on.
@@ -58,17 +70,24 @@ QString shownCrankAngle(const MechanismScene &scene)
 QStringList crankLines(const MechanismScene &scene)
 {
     return {QStringLiteral("θ₂ = %1°").arg(shownCrankAngle(scene)),
-            QStringLiteral("ω₂ = %1 rad/s").arg(valueText(scene.mechanism().omega2(), 0.0))};
+            equationText(Parameter::Omega2, scene.mechanism().omega2(), kReadoutDigits)};
 }
 
 QStringList couplerLines(const MechanismScene &scene)
 {
     const Pose &motion = scene.pose;
     const double omega2 = std::abs(scene.mechanism().omega2());
-    QStringList lines{QStringLiteral("θ³ = %1°").arg(valueText(kDegreesPerRadian * motion.theta3, 1.0))};
+    const auto lineOf = [&scene](Order order, double value, double size) {
+        const Channel channel{Theta3, order};
+        const double shown = shownChannel(channel, scene.mechanism().branch(), value);
+        return QStringLiteral("%1 = %2").arg(
+            symbolText(channel),
+            withUnit(valueText(shown, shownValue(measureOf(channel), size, notation().units)), shownUnit(channel)));
+    };
+    QStringList lines{lineOf(Order::Position, motion.theta3, 1.0)};
     if (std::isfinite(motion.theta3Dot)) {
-        lines << QStringLiteral("ω³ = %1 °/s").arg(valueText(kDegreesPerRadian * motion.theta3Dot, omega2))
-              << QStringLiteral("α³ = %1 °/s²").arg(valueText(kDegreesPerRadian * motion.theta3DDot, omega2 * omega2));
+        lines << lineOf(Order::Velocity, motion.theta3Dot, omega2)
+              << lineOf(Order::Acceleration, motion.theta3DDot, omega2 * omega2);
     }
     return lines;
 }
@@ -77,7 +96,7 @@ QStringList deadCentreLines(const QString &name, const std::optional<SliderPosit
 {
     return {MechanismText::tr("%1: the slider reverses. Click to go there.").arg(name),
             QStringLiteral("θ₂ = %1°").arg(crankAngleText(centre->theta2)),
-            MechanismText::tr("slider at %1 mm").arg(valueText(centre->R4x, 0.0))};
+            MechanismText::tr("slider at %1").arg(lengthText(centre->R4x, kReadoutDigits))};
 }
 
 QStringList partLines(const MechanismScene &scene, DrawnPart part)
@@ -129,10 +148,12 @@ QString lengthText(const Mechanism &mechanism, Parameter length)
 
 QString arrowScaleText(const ArrowScale &scale)
 {
-    return scale.amount == 0.0
-               ? MechanismText::tr("at rest")
-               : MechanismText::tr("Scale: %1 mm = %2 %3")
-                     .arg(numberText(scale.length), numberText(scale.amount), scale.isOfVelocity() ? "mm/s" : "mm/s²");
+    const Measure measure = scale.isOfVelocity() ? Measure::Speed : Measure::Acceleration;
+    return scale.amount == 0.0 ? MechanismText::tr("at rest")
+                               : MechanismText::tr("Scale: %1 = %2")
+                                     .arg(lengthText(scale.length),
+                                          withUnit(numberText(shownValue(measure, scale.amount, notation().units)),
+                                                   shownUnit(measure)));
 }
 
 QString assemblyProblem(const MechanismScene &scene)
@@ -147,12 +168,12 @@ QString assemblyProblem(const MechanismScene &scene)
     const QString forFullTurn = atLeastText(shortestCouplerForFullTurn(mechanism));
     if (scene.result->limits.mobility == Mobility::Impossible) {
         return MechanismText::tr("The mechanism cannot be assembled at any crank angle: the coupler does not reach the "
-                                 "slider's line. It can be assembled if b ≥ %1 mm; the crank makes full turns if "
-                                 "b ≥ %2 mm.")
+                                 "slider's line. It can be assembled if b ≥ %1; the crank makes full turns if "
+                                 "b ≥ %2.")
             .arg(atLeastText(shortestCouplerForAnyPose(mechanism)), forFullTurn);
     }
     return MechanismText::tr("The mechanism cannot be assembled at θ₂ = %1°: the coupler is too short. The crank makes "
-                             "full turns if b ≥ %2 mm.")
+                             "full turns if b ≥ %2.")
         .arg(shownCrankAngle(scene), forFullTurn);
 }
 

@@ -218,6 +218,12 @@ void MechanismView::setGhostBounds(const QRectF &ghostBounds)
     }
 }
 
+void MechanismView::setMarked(const ReferencePose &marked)
+{
+    m_scene.marked = marked;
+    update();
+}
+
 void MechanismView::highlight(MechanismPart part)
 {
     static_assert(static_cast<int>(DrawnPart::Drive) == static_cast<int>(MechanismPart::Drive));

@@ -68,6 +68,9 @@ public slots:
     /// Sets the rectangle (mm) in which the ghost moves, so that it stays in view. A null rectangle means no ghost.
     void setGhostBounds(const QRectF &bounds);
 
+    /// Marks a position of the linkage, or none.
+    void setMarked(const slidercrank::ReferencePose &marked);
+
     /// Highlights the part that an equation or a coordinate refers to.
     void highlight(slidercrank::MechanismPart part);
 

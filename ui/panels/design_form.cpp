@@ -5,6 +5,7 @@
 #include "ui/document/session.h"
 #include "ui/document/with.h"
 #include "ui/text/design_text.h"
+#include "ui/text/notation.h"
 #include "ui/text/theme.h"
 #include "ui/text/written_number.h"
 #include "ui/widgets/named.h"
@@ -30,7 +31,8 @@ DesignForm::DesignForm(Session *session, QWidget *parent)
 {
     named("designForm", this, tr("Mechanism with a given stroke and time ratio"));
     createControls();
-    connect(m_stroke, &NumberBox::edited, this, &DesignForm::requestStroke);
+    connect(m_stroke, &NumberBox::edited, this,
+            [this](double stroke) { requestStroke(coreValue(Measure::Length, stroke, notation().units)); });
     connect(m_timeRatio, &NumberBox::edited, this, [this](double timeRatio) {
         // The slower stroke remains the same one, unless the ratio is below 1.
         const double wanted = m_parameters.c < 0.0 ? 1.0 / timeRatio : timeRatio;
@@ -60,8 +62,6 @@ void DesignForm::createControls()
     form->setFieldGrowthPolicy(QFormLayout::FieldsStayAtSizeHint);
     m_stroke = addField(form, "designStroke", tr("Stroke"), new NumberBox,
                         tr("Type a stroke: the mechanism is scaled, so that its time ratio and angles stay"));
-    m_stroke->setSuffix(tr(" mm"));
-    m_stroke->setUnit(kMillimetre);
     m_timeRatio = addField(
         form, "designTimeRatio", tr("Time ratio"), new NumberBox,
         tr("Type a time ratio: the mechanism with the largest minimum transmission angle is chosen, the stroke "
@@ -109,7 +109,10 @@ void DesignForm::showParameters()
     const double ratio = m_parameters.b / m_parameters.a;
     const std::optional<DesignRange> range = findDesignRange(m_wanted.timeRatio);
     const double best = kDegreesPerRadian * (range ? range->bestTransmissionAngle : 0.0);
-    m_stroke->setValue(m_wanted.stroke);
+    const double perMillimetre = shownValue(Measure::Length, 1.0, notation().units);
+    m_stroke->setSuffix(u' ' + shownUnit(Measure::Length));
+    m_stroke->setUnit(Unit{Dimension::Length, 0, 1.0 / perMillimetre});
+    m_stroke->setValue(perMillimetre * m_wanted.stroke);
     m_timeRatio->setValue(std::max(m_wanted.timeRatio, 1.0 / m_wanted.timeRatio));
     m_transmissionAngle->setValue(turns ? kDegreesPerRadian * limits.coupler.minimumTransmissionAngle.angle : best);
     m_ratio->setEnabled(turns && range);

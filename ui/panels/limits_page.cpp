@@ -60,12 +60,12 @@ Page limitsPage(const Result &result)
                "over a whole revolution of the crank, whatever part of it is simulated"),
            "limit", false},
           {LimitsPage::tr("value"),
-           LimitsPage::tr("Positions are those of the slider, Rₓ⁴, measured from O₂; x points to the right, angles are "
+           LimitsPage::tr("Positions are those of the slider, measured from O₂; x points to the right, angles are "
                           "counter-clockwise"),
            "value"},
           {LimitsPage::tr("θ₂ [°]"), LimitsPage::tr("Crank angle, 0 to 360°"), "theta2 [°]"},
           {LimitsPage::tr("t [s]"), LimitsPage::tr("First time at which the crank is there"), "time [s]"}},
-         rowsOf(motionFacts(mechanism, result.limits, result.sampling))}};
+         rowsOf(motionFacts(mechanism, result.limits, result.sampling, notation()))}};
     return page;
 }
 

@@ -69,13 +69,7 @@ QString constraintName(Constraint row)
     return direction.isEmpty() ? joint : QStringLiteral("%1, %2").arg(joint, direction);
 }
 
-/// A number and its shortened text; a dash if it is not finite.
-TableCell numberCell(double value, const QString &text)
-{
-    return std::isfinite(value) ? TableCell{.text = text, .number = value} : TableCell{.text = dash()};
-}
-
-TableCell numberCell(double value)
+TableCell shortNumberCell(double value)
 {
     return numberCell(value, shortNumber(value));
 }
@@ -171,9 +165,9 @@ Page NewtonPages::equations(const Result &result, double time)
         const auto row = static_cast<Constraint>(i);
         table.rows.push_back({{{.text = constraintName(row)},
                                {.text = kEquations[i].text},
-                               numberCell(equations.C[i]),
-                               numberCell(equations.Ct[i]),
-                               numberCell(equations.Qd[i]),
+                               shortNumberCell(equations.C[i]),
+                               shortNumberCell(equations.Ct[i]),
+                               shortNumberCell(equations.Qd[i]),
                                {.text = isAngle(row) ? "rad" : "mm"}},
                               {},
                               partOf(row)});
@@ -206,7 +200,7 @@ Page NewtonPages::jacobian(const Result &result, double time)
         const auto row = static_cast<Constraint>(i);
         TableRow shown{{{.text = constraintName(row)}}, {}, partOf(row), kEquations[i].text};
         for (const double value : equations.Cq.row(i)) {
-            TableCell &cell = shown.cells.emplace_back(numberCell(value));
+            TableCell &cell = shown.cells.emplace_back(shortNumberCell(value));
             cell.tone = value < 0.0 ? Tone::Fair : Tone::Model;
             if (value == 0.0) {
                 cell.text.clear();
@@ -258,7 +252,7 @@ Page NewtonPages::iterations(const Result &result, double time)
             }
             const Iteration &iteration = (*history)[k];
             const double degrees = kDegreesPerRadian * iteration.q[Theta3];
-            row.cells.push_back(numberCell(iteration.residual));
+            row.cells.push_back(shortNumberCell(iteration.residual));
             row.cells.push_back(numberCell(degrees, fixedText(degrees, kDecimals)));
         }
         table.rows.push_back(row);
@@ -291,7 +285,7 @@ Page NewtonPages::coordinates(const Result &result, double time)
         const auto coordinate = static_cast<Coordinate>(i);
         const Channel position{coordinate, Order::Position};
         const auto cell = [&](Order order, const Vector12 &values) {
-            return numberCell(toFileUnit({coordinate, order}, values[i]));
+            return shortNumberCell(toFileUnit({coordinate, order}, values[i]));
         };
         table.rows.push_back({{{.text = symbolText(coordinate), .csv = columnName(position)},
                                {.text = partName(partOf(coordinate))},

@@ -4,6 +4,7 @@
 #include "ui/document/session.h"
 #include "ui/panels/response.h"
 #include "ui/text/finding_text.h"
+#include "ui/text/notation.h"
 #include "ui/text/theme.h"
 #include "ui/text/written_number.h"
 #include "ui/widgets/named.h"
@@ -104,10 +105,9 @@ ParameterPanel::ParameterPanel(Session *session, QWidget *parent)
     m_grid->setHorizontalSpacing(4);
     m_grid->setVerticalSpacing(3);
     m_grid->setColumnStretch(1, 1);
-    const auto length = [](double range) { return std::vector{ShownUnit{tr("mm"), kMillimetre, range}}; };
-    addRow(Parameter::A, tr("Length of the crank, O₂ to A"), length(100.0));
-    addRow(Parameter::B, tr("Length of the coupler, A to B"), length(200.0));
-    addRow(Parameter::C, tr("Height of the slider's line above O₂; may be negative"), length(100.0));
+    addRow(Parameter::A, tr("Length of the crank, O₂ to A"), {lengthUnit(100.0)});
+    addRow(Parameter::B, tr("Length of the coupler, A to B"), {lengthUnit(200.0)});
+    addRow(Parameter::C, tr("Height of the slider's line above O₂; may be negative"), {lengthUnit(100.0)});
     addRow(Parameter::Omega2, tr("Angular velocity of the crank, counter-clockwise positive"),
            {{tr("rad/s"), kRadianPerSecond, 20.0},
             {tr("°/s"), kDegreePerSecond, 1000.0},
@@ -121,13 +121,16 @@ ParameterPanel::ParameterPanel(Session *session, QWidget *parent)
 
 bool ParameterPanel::ShownUnit::isCoreUnit() const
 {
-    return unit.dimension == Dimension::Length || unit.factor == kDegreesPerRadian;
+    return unit.dimension == Dimension::Length ? unit.factor == 1.0 : unit.factor == kDegreesPerRadian;
 }
 
 // Dividing by the half turn first converts 360 °/s, 60 rpm and 90° to the doubles nearest to 2π, 2π and π/2.
 double ParameterPanel::ShownUnit::toCore(double value) const
 {
-    return isCoreUnit() ? value : value / (180.0 / unit.factor) * kPi;
+    if (isCoreUnit()) {
+        return value;
+    }
+    return unit.dimension == Dimension::Length ? value * unit.factor : value / (180.0 / unit.factor) * kPi;
 }
 
 double ParameterPanel::ShownUnit::fromCore(double value) const
@@ -135,7 +138,8 @@ double ParameterPanel::ShownUnit::fromCore(double value) const
     if (isCoreUnit()) {
         return value;
     }
-    const double exact = value / kPi * (180.0 / unit.factor);
+    const double exact =
+        unit.dimension == Dimension::Length ? value / unit.factor : value / kPi * (180.0 / unit.factor);
     const double rounded = QString::number(exact, 'g', 15).toDouble(); // 370, not 370.00000000000006
     return toCore(rounded) == value ? rounded : exact;
 }
@@ -180,7 +184,7 @@ void ParameterPanel::addRow(Parameter parameter, const QString &explanation, con
     connect(row.box, &NumberBox::edited, this, [this, parameter](double value) { edit(parameter, value); });
     if (units.size() == 1) {
         row.box->setSuffix(u' ' + units[0].name);
-    } else {
+    } else { // those of the crank speed are in the order of CrankSpeedUnit
         row.unit = named("unit_" + key, new QComboBox, tr("Unit of %1").arg(symbol));
         row.unit->setToolTip(tr("Unit"));
         for (const ShownUnit &unit : units) {
@@ -190,6 +194,9 @@ void ParameterPanel::addRow(Parameter parameter, const QString &explanation, con
         connect(row.unit, &QComboBox::currentIndexChanged, this, [this, parameter] {
             useUnit(parameter);
             showRow(parameter);
+            if (parameter == Parameter::Omega2) {
+                emit crankSpeedUnitChosen(static_cast<CrankSpeedUnit>(m_rows[indexOf(parameter)].unit->currentIndex()));
+            }
         });
     }
     useUnit(parameter);
@@ -203,6 +210,27 @@ void ParameterPanel::addRow(Parameter parameter, const QString &explanation, con
     m_grid->addWidget(row.reset, line, 4);
     connect(row.reset, &QToolButton::clicked, m_session,
             [this, parameter] { m_session->setParameter(parameter, valueOf(Parameters(), parameter)); });
+}
+
+/// Returns the chosen unit of lengths. `range`: that of the slider, mm.
+ParameterPanel::ShownUnit ParameterPanel::lengthUnit(double range)
+{
+    const double factor = 1.0 / shownValue(Measure::Length, 1.0, notation().units); // mm
+    return {shownUnit(Measure::Length), Unit{Dimension::Length, 0, factor}, nextRoundNumber(0.999 * range / factor)};
+}
+
+void ParameterPanel::refreshNotation()
+{
+    for (const Parameter parameter : {Parameter::A, Parameter::B, Parameter::C}) {
+        Row &row = m_rows[indexOf(parameter)];
+        row.units = {lengthUnit(parameter == Parameter::B ? 200.0 : 100.0)};
+        row.box->setSuffix(u' ' + row.units[0].name);
+        useUnit(parameter);
+    }
+    const int angleUnit = notation().units.angle == AngleUnit::Radian ? 1 : 0; // in the order of AngleUnit
+    m_rows[indexOf(Parameter::Theta20)].unit->setCurrentIndex(angleUnit);
+    m_rows[indexOf(Parameter::Omega2)].unit->setCurrentIndex(static_cast<int>(notation().crankSpeed));
+    showParameters();
 }
 
 bool ParameterPanel::eventFilter(QObject *watched, QEvent *event)
@@ -222,7 +250,7 @@ void ParameterPanel::useUnit(Parameter parameter)
     const double largest = unit.fromCore(kLargestParameter);
     row.slider->setSuffix(u' ' + unit.name);
     row.box->setUnit(unit.unit);
-    row.box->setRange(isPositive(parameter) ? kShortestLink : -largest, largest);
+    row.box->setRange(isPositive(parameter) ? unit.fromCore(kShortestLink) : -largest, largest);
 }
 
 void ParameterPanel::edit(Parameter parameter, double value)
@@ -249,7 +277,7 @@ void ParameterPanel::showRow(Parameter parameter)
 
     // The range of the slider must include the number and must not be much larger than the mechanism.
     constexpr double kMuchTooLong = 50.0;
-    const double size = isLength ? std::max({parameters.a, parameters.b, std::abs(parameters.c)})
+    const double size = isLength ? unit.fromCore(std::max({parameters.a, parameters.b, std::abs(parameters.c)}))
                                  : std::max(std::abs(value), unit.range / kMuchTooLong);
     const auto fits = [&](double range) {
         return range > 0.0 && std::abs(value) <= range && range <= kMuchTooLong * size * (1.0 + 1e-9);
@@ -260,7 +288,7 @@ void ParameterPanel::showRow(Parameter parameter)
     row.slider->setNumber(value);
     if (isLength) { // shade the lengths with which the crank cannot make a full turn
         const ResponseRange range = responseRange(parameters, parameter);
-        row.slider->setFree(range.fullTurn);
+        row.slider->setFree({unit.fromCore(range.fullTurn.lower), unit.fromCore(range.fullTurn.upper)});
         row.slider->setToolTip(row.explanation + u'\n' + fullTurnText(parameter, range));
     }
     row.box->setValue(value);

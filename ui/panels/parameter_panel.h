@@ -6,6 +6,7 @@
 
 #include "core/import/quantity.h"
 #include "core/mechanism/mechanism.h"
+#include "ui/text/notation.h"
 
 #include <QWidget>
 
@@ -31,7 +32,11 @@ class ParameterPanel : public QWidget
 public:
     explicit ParameterPanel(Session *session, QWidget *parent = nullptr);
 
+    /// Shows the lengths and angles in the chosen units.
+    void refreshNotation();
+
 signals:
+    void crankSpeedUnitChosen(slidercrank::CrankSpeedUnit unit);
     /// The user clicked the name of a parameter that affects the limits of the motion.
     void responseRequested(slidercrank::Parameter parameter);
 
@@ -62,6 +67,7 @@ private:
         const ShownUnit &shownUnit() const;
     };
 
+    static ShownUnit lengthUnit(double range);
     void addRow(Parameter parameter, const QString &explanation, const std::vector<ShownUnit> &units);
     void useUnit(Parameter parameter);
     void edit(Parameter parameter, double value); ///< `value` is in the displayed unit

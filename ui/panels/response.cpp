@@ -2,7 +2,7 @@
 #include "ui/panels/response.h"
 
 #include "ui/text/finding_text.h"
-#include "ui/text/units.h"
+#include "ui/text/notation.h"
 #include "ui/text/written_number.h"
 
 #include <QCoreApplication>
@@ -25,8 +25,9 @@ struct ResponseText {
 LimitValues limitValues(const Mechanism &mechanism)
 {
     LimitValues values = responseLimits(mechanism);
-    std::ranges::transform(values, kResponseLimits, values.begin(),
-                           [](double value, LimitKind kind) { return shownValue(describe(kind).measure, value); });
+    std::ranges::transform(values, kResponseLimits, values.begin(), [](double value, LimitKind kind) {
+        return shownValue(describe(kind).measure, value, notation().units);
+    });
     return values;
 }
 
@@ -62,10 +63,10 @@ QString fullTurnText(Parameter parameter, const ResponseRange &range)
     const bool hasUpper = upper < range.assembled.upper;
     const QString symbol = symbolText(parameter);
     return lower > upper          ? ResponseText::tr("The crank makes full turns for no value of %1.").arg(symbol)
-           : hasLower && hasUpper ? ResponseText::tr("Full turns for %1 ≤ %2 ≤ %3 mm, shaded elsewhere.")
-                                        .arg(numberText(lower), symbol, numberText(upper))
-           : hasLower ? ResponseText::tr("Full turns for %1 ≥ %2 mm, shaded elsewhere.").arg(symbol, numberText(lower))
-           : hasUpper ? ResponseText::tr("Full turns for %1 ≤ %2 mm, shaded elsewhere.").arg(symbol, numberText(upper))
+           : hasLower && hasUpper ? ResponseText::tr("Full turns for %1 ≤ %2 ≤ %3, shaded elsewhere.")
+                                        .arg(lengthText(lower), symbol, lengthText(upper))
+           : hasLower ? ResponseText::tr("Full turns for %1 ≥ %2, shaded elsewhere.").arg(symbol, lengthText(lower))
+           : hasUpper ? ResponseText::tr("Full turns for %1 ≤ %2, shaded elsewhere.").arg(symbol, lengthText(upper))
                       : QString();
 }
 

@@ -7,8 +7,8 @@
 #include "ui/text/axis_scale.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/motion_facts.h"
+#include "ui/text/notation.h"
 #include "ui/text/record.h"
-#include "ui/text/units.h"
 #include "ui/text/written_number.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/paragraph.h"
@@ -32,15 +32,26 @@ namespace
 constexpr QSize kFigureSize(1500, 330);  // px, of the exported charts
 constexpr QSize kSmallestChart(100, 90); // px; below this the page scrolls
 
+/// Returns a name with its unit, unless that is the unit of files.
+QString nameWithUnit(const QString &name, const QString &unit, const QString &fileUnit)
+{
+    return unit == fileUnit ? name : QStringLiteral("%1 [%2]").arg(name, unit);
+}
+
+/// Returns the curves in the units that are shown.
 std::vector<Record> recordsOf(const Response &response)
 {
+    const Parameter parameter = response.parameter;
+    const QString name = nameWithUnit(optionName(parameter), unitBehind(parameter).trimmed(),
+                                      parameter == Parameter::Omega2 ? "rad/s" : "mm");
     std::vector<Record> records;
     for (std::size_t i = 0; i < response.values.size(); ++i) {
         Record &record = records.emplace_back();
-        record.emplace_back(QLatin1String(optionName(response.parameter)), response.values[i]);
+        record.emplace_back(name, shownFactor(parameter) * response.values[i]);
         for (std::size_t k = 0; k < kResponseLimits.size(); ++k) {
-            const std::string_view key = describe(kResponseLimits[k]).key;
-            record.emplace_back(QString::fromUtf8(key.data(), static_cast<qsizetype>(key.size())),
+            const auto &[kind, key, measure] = describe(kResponseLimits[k]);
+            record.emplace_back(nameWithUnit(QString::fromUtf8(key.data(), static_cast<qsizetype>(key.size())),
+                                             shownUnit(measure), unitText(measure)),
                                 jsonNumber(response.limits[i][k]));
         }
     }
@@ -50,7 +61,7 @@ std::vector<Record> recordsOf(const Response &response)
 /// Returns the name of a limit, short enough for the title of a small chart, with its unit.
 QString chartName(LimitKind kind)
 {
-    const QString unit = unitText(describe(kind).measure);
+    const QString unit = shownUnit(describe(kind).measure);
     switch (kind) {
     case LimitKind::Stroke: return ResponseView::tr("stroke [%1]").arg(unit);
     case LimitKind::MinimumTransmissionAngle: return ResponseView::tr("min. transmission angle [%1]").arg(unit);
@@ -209,11 +220,20 @@ ChartContent ResponseView::chartOf(std::size_t limit) const
             shown.include(dot.y());
         }
     }
-    const QString unit = parameter == Parameter::Omega2 ? tr("rad/s") : tr("mm");
-    return {.x = {tr("%1 [%2]").arg(symbolText(parameter), unit), range.assembled},
-            .y = {{}, roundedOutwards(shown)},
-            .series = {curve, pinned, present},
-            .clear = range.fullTurn};
+    const double factor = shownFactor(parameter);
+    for (ChartSeries *series : {&curve, &pinned, &present}) {
+        for (QPointF &point : series->points) {
+            point.rx() *= factor;
+        }
+    }
+    const auto shownRange = [factor](const Interval &interval) {
+        return Interval{factor * interval.lower, factor * interval.upper};
+    };
+    return {
+        .x = {tr("%1 [%2]").arg(symbolText(parameter), unitBehind(parameter).trimmed()), shownRange(range.assembled)},
+        .y = {{}, roundedOutwards(shown)},
+        .series = {curve, pinned, present},
+        .clear = shownRange(range.fullTurn)};
 }
 
 /// Changes the parameter to the value at that position of a chart, rounded to a small fraction of the range and limited

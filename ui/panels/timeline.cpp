@@ -132,9 +132,11 @@ QLayout *Timeline::createScrubbing()
     connect(m_timeBox, &NumberBox::edited, m_session, &Session::setTime);
 
     constexpr double kLargestAngle = 1e300; // degrees; larger than any angle that a mechanism reaches
-    m_angleBox =
-        makeBox("angleBox", tr("Crank angle in degrees"),
-                tr("Crank angle: type one to go to the nearest time at which the crank passes it"), tr("°"), kDegree);
+    m_angleBox = makeBox(
+        "angleBox", tr("Crank angle in degrees"),
+        tr("Crank angle: type one to go to the nearest time at which the crank passes it, or to turn a crank at "
+           "rest"),
+        tr("°"), kDegree);
     m_angleBox->setRange(-kLargestAngle, kLargestAngle);
     m_angleBox->setFixedDecimals(2);
     m_angleBox->setStep(1.0);
@@ -180,9 +182,16 @@ QLayout *Timeline::createButtons()
     row->addSpacing(8);
     addButton("loopButton", m_actions[Loop]);
     row->addStretch(1);
+    m_offer = addButton("oneTurnOffer", nullptr);
+    m_offer->setText(tr("One revolution"));
+    m_offer->setToolTip(tr("The crank is fast: shows one revolution, which takes four seconds when it is played"));
+    m_offer->hide();
+    connect(m_offer, &QToolButton::clicked, this, &Timeline::showOneTurn);
     m_run = addButton("runButton", nullptr);
     m_run->setAccessibleName(tr("Time range and speed"));
-    m_run->setToolTip(tr("Start, duration, steps, one revolution, and the playback speed (Ctrl+R)"));
+    m_run->setToolTip(
+        tr("Start, duration, steps, one revolution, and the playback speed (Ctrl+R). A fast crank is slowed "
+           "to four seconds a revolution."));
     connect(m_run, &QToolButton::clicked, this, &Timeline::openRun);
     return row;
 }
@@ -216,10 +225,7 @@ void Timeline::createForm()
     for (const NumberBox *box : {m_start, m_duration, m_steps}) {
         connect(box, &NumberBox::edited, this, &Timeline::editSampling);
     }
-    connect(m_oneTurn, &QToolButton::clicked, this, [this] {
-        m_duration->setValue(revolution());
-        editSampling();
-    });
+    connect(m_oneTurn, &QToolButton::clicked, this, &Timeline::showOneTurn);
     connect(m_speedBox, &NumberBox::edited, this, &Timeline::setSpeed);
 }
 
@@ -263,6 +269,25 @@ double Timeline::revolution() const
     return kTurn / std::abs(m_session->parameters().omega2);
 }
 
+bool Timeline::isFast() const
+{
+    constexpr double kFast = 0.2; // s: five revolutions in the usual time range of a second
+    return revolution() < kFast;
+}
+
+/// At a speed of 1, a revolution of a fast crank takes four seconds.
+double Timeline::playbackSpeed() const
+{
+    constexpr double kSecondsPerTurn = 4.0;
+    return isFast() ? m_speed * revolution() / kSecondsPerTurn : m_speed;
+}
+
+void Timeline::showOneTurn()
+{
+    m_duration->setValue(revolution());
+    editSampling();
+}
+
 void Timeline::showSettings()
 {
     const auto &[start, duration, steps] = m_session->sampling();
@@ -276,9 +301,11 @@ void Timeline::showSettings()
     m_duration->setValue(duration);
     m_steps->setValue(steps);
     m_speedBox->setValue(m_speed);
-    m_angleBox->setEnabled(m_session->parameters().omega2 != 0.0);
     m_oneTurn->setEnabled(revolution() <= kLargestParameter);
-    m_run->setText(tr("%1 s · %2× ▾", "duration, playback speed").arg(numberText(duration, 3), numberText(m_speed, 3)));
+    m_run->setText(
+        tr("%1 s · %2× ▾", "duration, playback speed").arg(numberText(duration, 3), numberText(playbackSpeed(), 3)));
+    constexpr double kManyTurns = 5.0;
+    m_offer->setVisible(isFast() && duration > kManyTurns * revolution());
     showTime();
 }
 
@@ -324,7 +351,7 @@ void Timeline::openRun()
 void Timeline::nextFrame()
 {
     const double now = m_clock();
-    const double time = m_session->time() + m_speed * (now - std::exchange(m_lastFrame, now));
+    const double time = m_session->time() + playbackSpeed() * (now - std::exchange(m_lastFrame, now));
     const bool isOver = time >= last() && !m_actions[Loop]->isChecked();
     m_session->setTime(time < last() || isOver ? time : first() + std::fmod(time - first(), last() - first()));
     if (isOver) {
@@ -352,6 +379,11 @@ void Timeline::goToAngle(double degrees)
 {
     const Parameters &parameters = m_session->parameters();
     const double theta2 = degrees / kDegreesPerRadian;
+    if (parameters.omega2 == 0.0) { // at rest: the box turns the crank
+        m_session->setParameter(Parameter::Theta20, theta2);
+        showTime();
+        return;
+    }
     const double time = (theta2 - parameters.theta20) / parameters.omega2; // of this angle, including whole turns
     m_session->setTime(
         time >= first() && time <= last()

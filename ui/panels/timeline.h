@@ -61,9 +61,12 @@ private:
     QLayout *createButtons();
     void createForm();
     void drawIcons();
-    double first() const;      ///< start of the time range, s
-    double last() const;       ///< end of the time range, s
-    double revolution() const; ///< time of one revolution, s; infinite if the crank is at rest
+    double first() const;         ///< start of the time range, s
+    double last() const;          ///< end of the time range, s
+    double revolution() const;    ///< time of one revolution, s; infinite if the crank is at rest
+    bool isFast() const;          ///< Whether the crank turns so fast that playing is slowed.
+    double playbackSpeed() const; ///< seconds of the motion per second, with the slowing of a fast crank
+    void showOneTurn();
     void nextFrame();
     double currentStep() const; ///< time steps since the start
     void stepTo(double step);
@@ -81,6 +84,7 @@ private:
 
     std::array<QAction *, CommandCount> m_actions{};
     QToolButton *m_playButton;
+    QToolButton *m_offer; ///< of one revolution, if very many are shown
     QToolButton *m_run;
     NumberSlider *m_slider;
     NumberBox *m_timeBox;

@@ -134,6 +134,13 @@ double PlotFigure::zeroTime() const
     return isOverAngle() ? -m_result->mechanism.theta20() / m_result->mechanism.omega2() : 0.0;
 }
 
+/// Returns how the values of a plot are shown; errors are shown in the units of files.
+ShownScale PlotFigure::shownScaleOf(std::size_t plot) const
+{
+    return isErrorPlot(plot) ? ShownScale()
+                             : shownScale(kPlottedChannels[channelOf(plot)], m_result->mechanism.branch());
+}
+
 bool PlotFigure::isLogarithmic(std::size_t plot) const
 {
     return isErrorPlot(plot) && m_settings.logarithmicError;
@@ -348,7 +355,8 @@ std::vector<PlotReading> PlotFigure::readings(std::size_t plot, const ReadTime &
     for (const PlotCurve &curve : m_plots[plot].curves) {
         const double value = curve.read ? curve.read(time) : kNone;
         if (std::isfinite(value)) {
-            readings.push_back({value, isLogarithmic(plot) ? std::pow(10.0, value) : value, curve.ink});
+            const double number = isLogarithmic(plot) ? std::pow(10.0, value) : shownScaleOf(plot).shown(value);
+            readings.push_back({value, number, curve.ink});
         }
     }
     return readings;

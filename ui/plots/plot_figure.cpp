@@ -189,6 +189,9 @@ void PlotFigure::fill()
         const Interval values = plot.values.value_or(Interval());
         plot.valueAxis->setRange(values.lower, values.upper);
         plot.valueAxis->setTickLabels(plot.values.has_value());
+        const ShownScale scale = shownScaleOf(index);
+        plot.ticker->perUnit = 1.0 / scale.factor;
+        plot.ticker->setTickOrigin(-scale.offset / scale.factor);
         plot.ticker->isLogarithmic = isLogarithmic(index);
         plot.ticker->setTickCount(std::max(2, plot.axes->height() / kPixelsPerTick));
         for (PlotCurve &curve : plot.curves) {
@@ -279,7 +282,7 @@ QStringList PlotFigure::titles(std::size_t index) const
 {
     const bool isError = isErrorPlot(index);
     const Channel channel = kPlottedChannels[isError ? index / kPlotColumns * kErrorColumn : channelOf(index)];
-    QString unit = unitText(channel);
+    QString unit = isError ? unitText(channel) : shownUnit(channel);
     QStringList titles;
     if (isError) {
         const std::array units{QString("%"),

@@ -11,6 +11,7 @@
 #include "ui/plots/motion_errors.h"
 #include "ui/plots/plot_cursor.h"
 #include "ui/plots/plot_fonts.h"
+#include "ui/text/notation.h"
 #include "ui/text/theme.h"
 
 #include <QCoreApplication>
@@ -98,6 +99,7 @@ struct PlotStyle {
     QString comparedWith{}; ///< the pinned motion whose differences are shown; empty for those of a file
     bool isOfFile = false;  ///< whether the errors are those of a file
     ErrorMeasure error = ErrorMeasure::OfPeak;
+    Notation notation = slidercrank::notation(); ///< of the titles and axes
 
     friend bool operator==(const PlotStyle &, const PlotStyle &) = default;
 };
@@ -173,6 +175,7 @@ protected:
 private:
     Interval sampledRange() const;
     bool isOverAngle() const;
+    ShownScale shownScaleOf(std::size_t plot) const;
     bool isLogarithmic(std::size_t plot) const;
     double perSecond() const; ///< numbers on the time axis per second: 1, or degrees over the crank angle
     double zeroTime() const;  ///< the time at which the number on the time axis is 0, s

@@ -2,6 +2,7 @@
 #include "ui/text/finding_text.h"
 
 #include "core/import/reference_data.h"
+#include "ui/text/notation.h"
 #include "ui/text/written_number.h"
 
 #include <QCoreApplication>
@@ -85,6 +86,11 @@ QString errorText(std::optional<double> value)
 
 QString symbolText(Channel channel)
 {
+    if (notation().symbols == Symbols::Textbook && (channel.coordinate == Theta3 || channel.coordinate == R4x)) {
+        const QStringList symbols =
+            channel.coordinate == Theta3 ? QStringList{"θ₃", "ω₃", "α₃"} : QStringList{"x_B", "v_B", "a_B"};
+        return symbols[static_cast<qsizetype>(channel.order)];
+    }
     const bool isAngular = isAngle(channel.coordinate);
     const bool isStroke = channel.coordinate == R4x && channel.order != Order::Position;
     const QString body = channel.coordinate == Theta2 ? "₂" : QStringLiteral("¹²³⁴").mid(channel.coordinate / 3, 1);
@@ -136,12 +142,27 @@ QString withNoun(Branch branch)
 
 double shownFactor(Parameter parameter)
 {
-    return parameter == Parameter::Theta20 ? kDegreesPerRadian : 1.0;
+    switch (parameter) {
+    case Parameter::A:
+    case Parameter::B:
+    case Parameter::C: return shownValue(Measure::Length, 1.0, notation().units);
+    case Parameter::Omega2: return crankSpeedFactor(notation().crankSpeed);
+    case Parameter::Theta20: break;
+    }
+    return shownValue(Measure::Angle, 1.0, notation().units);
 }
 
 QString unitBehind(Parameter parameter)
 {
-    return parameter == Parameter::Theta20 ? "°" : parameter == Parameter::Omega2 ? " rad/s" : " mm";
+    switch (parameter) {
+    case Parameter::A:
+    case Parameter::B:
+    case Parameter::C: return u' ' + shownUnit(Measure::Length);
+    case Parameter::Omega2: return u' ' + crankSpeedUnitText(notation().crankSpeed);
+    case Parameter::Theta20: break;
+    }
+    const QString unit = shownUnit(Measure::Angle);
+    return unit == u"°" ? unit : u' ' + unit;
 }
 
 QString parameterText(Parameter parameter, double value, int digits)

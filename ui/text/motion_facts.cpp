@@ -107,6 +107,18 @@ std::optional<double> firstTimeAt(double theta2, const Mechanism &mechanism, con
     return first;
 }
 
+/// Returns the value as it is shown; the textbook measures the angles of the coupler at B.
+double shownLimit(const Limit &limit, Branch branch, const Notation &notation)
+{
+    const bool isCouplerAngle =
+        limit.kind == LimitKind::MinimumCouplerAngle || limit.kind == LimitKind::MaximumCouplerAngle;
+    const ShownScale scale =
+        isCouplerAngle ? shownScale(Channel{Theta3, Order::Position}, branch, notation) : ShownScale();
+    const Measure measure = describe(limit.kind).measure;
+    return isCouplerAngle ? scale.shown(toFileUnit(measure, limit.value))
+                          : shownValue(measure, limit.value, notation.units);
+}
+
 QString limitExplanation(const Limit &limit)
 {
     if (!peakChannel(limit.kind)) {
@@ -131,8 +143,9 @@ QString peakRemark(const Limit &limit)
 QString atLeastText(double limit)
 {
     constexpr double kSlack = 1e-6; // of the last digit: 0.1 + 0.2 equals 0.3 except for rounding
-    const double unit = limit == 0.0 ? 1.0 : std::pow(10.0, 5.0 - std::floor(std::log10(std::abs(limit))));
-    return numberText(std::ceil(limit * unit - kSlack) / unit);
+    const double shown = shownValue(Measure::Length, limit, notation().units);
+    const double unit = shown == 0.0 ? 1.0 : std::pow(10.0, 5.0 - std::floor(std::log10(std::abs(shown))));
+    return withUnit(numberText(std::ceil(shown * unit - kSlack) / unit), shownUnit(Measure::Length));
 }
 
 QString mobilitySentence(const Mechanism &mechanism, const MotionLimits &limits)
@@ -199,14 +212,13 @@ std::optional<double> timeOf(const Limit &limit, const Mechanism &mechanism, con
 }
 
 std::vector<MotionFact> motionFacts(const Mechanism &mechanism, const MotionLimits &motion, const Sampling &sampling,
-                                    const Units &units)
+                                    const Notation &notation)
 {
     std::vector<MotionFact> facts;
     for (const Limit &limit : findLimits(mechanism, motion)) {
-        const Measure measure = describe(limit.kind).measure;
-        facts.push_back({limit.kind, limitName(limit.kind), shownValue(measure, limit.value, units),
-                         unitText(measure, units), limitExplanation(limit), limit.theta2, peakRemark(limit),
-                         timeOf(limit, mechanism, sampling)});
+        facts.push_back({limit.kind, limitName(limit.kind), shownLimit(limit, mechanism.branch(), notation),
+                         unitText(describe(limit.kind).measure, notation.units), limitExplanation(limit), limit.theta2,
+                         peakRemark(limit), timeOf(limit, mechanism, sampling)});
     }
     return facts;
 }

@@ -6,7 +6,7 @@
 
 #include "core/limits/limit.h"
 #include "core/sampling/trajectory.h"
-#include "ui/text/units.h"
+#include "ui/text/notation.h"
 
 #include <QString>
 #include <QStringList>
@@ -32,13 +32,13 @@ struct MotionFact {
 /// States whether the crank can make full turns, with the inequality that decides it.
 QString mobilitySentence(const Mechanism &mechanism, const MotionLimits &limits);
 
-/// Returns a lower limit of a length (mm), rounded up to six digits so that the rounded value satisfies the limit. The
-/// text contains no unit.
+/// Returns a lower limit of a length (mm) with its unit, rounded up to six digits so that the rounded value satisfies
+/// the limit.
 QString atLeastText(double limit);
 
 /// Describes the limits in the order of findLimits().
 std::vector<MotionFact> motionFacts(const Mechanism &mechanism, const MotionLimits &motion, const Sampling &sampling,
-                                    const Units &units = {});
+                                    const Notation &notation = {});
 
 /// Returns the name of a limit in the current language: "stroke", "peak slider velocity".
 QString limitName(LimitKind kind);

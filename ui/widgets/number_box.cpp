@@ -2,6 +2,7 @@
 #include "ui/widgets/number_box.h"
 
 #include "core/mechanism/mechanism.h"
+#include "ui/text/expression.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/written_number.h"
 #include "ui/widgets/named.h"
@@ -176,7 +177,7 @@ double NumberBox::valueFromText(const QString &text) const
         m_refusal = refusalOf(0.5);
         return value();
     }
-    const Quantity typed = readQuantity(number, m_unit);
+    const Quantity typed = readExpression(number, m_unit);
     m_refusal = typed.fault ? quantityFaultText(number, *typed.fault, m_unit) : refusalOf(typed.value);
     return m_refusal.isEmpty() ? typed.value : value();
 }

@@ -2,8 +2,8 @@
 #pragma once
 
 // A box for one number. It shows the number shortened, in the user's locale and with its unit, but stores it exactly. A
-// number may be typed with another unit. If a number is not accepted, the box restores the previous one, and a note
-// says why.
+// number may be typed with a different unit, or as an expression such as "2*pi" or "1/2 in". If a number is not
+// accepted, the box restores the previous one, and a note says why.
 
 #include "core/import/quantity.h"
 

@@ -14,6 +14,7 @@
 #include <QStandardItemModel>
 
 #include <algorithm>
+#include <cmath>
 
 namespace slidercrank
 {
@@ -34,6 +35,11 @@ int alignmentOf(const TableColumn &column)
 }
 
 } // namespace
+
+TableCell numberCell(double value, const QString &text)
+{
+    return std::isfinite(value) ? TableCell{.text = text, .number = value} : TableCell{.text = dash()};
+}
 
 QByteArray csvText(const std::vector<TableColumn> &columns, const std::vector<TableRow> &rows)
 {
@@ -90,8 +96,10 @@ NumberTable::NumberTable(const QString &name, const QString &title, std::vector<
     horizontalHeader()->setMinimumSectionSize(1);
     connect(this, &QTableView::clicked, this, &NumberTable::goToRow);
     connect(this, &QTableView::activated, this, &NumberTable::goToRow); // Enter
-    connect(this, &QTableView::entered, this,
-            [this](const QModelIndex &index) { emit partHovered(m_rows[static_cast<std::size_t>(index.row())].part); });
+    connect(this, &QTableView::entered, this, [this](const QModelIndex &index) {
+        emit partHovered(m_rows[static_cast<std::size_t>(index.row())].part);
+        emit rowHovered(index.row());
+    });
     fitColumns();
 }
 
@@ -186,6 +194,7 @@ bool NumberTable::event(QEvent *event)
         fillCells();
     } else if (event->type() == QEvent::Leave) {
         emit partHovered(MechanismPart::None);
+        emit rowHovered(-1);
     }
     return isHandled;
 }

@@ -35,6 +35,9 @@ struct TableCell {
     Tone tone = Tone::Normal;
 };
 
+/// Returns a cell with a number, written as the text; a dash if the number is not finite.
+TableCell numberCell(double value, const QString &text);
+
 struct TableRow {
     std::vector<TableCell> cells;             ///< one for each column
     std::optional<double> time = {};          ///< s; a click or Enter goes to this time
@@ -65,6 +68,7 @@ public slots:
 signals:
     void copied();
     void partHovered(slidercrank::MechanismPart part); ///< None: no row is under the mouse
+    void rowHovered(int row);                          ///< the row under the mouse; -1: none
     void timeRequested(double seconds);
 
 protected:

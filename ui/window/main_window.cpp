@@ -7,8 +7,10 @@
 #include "ui/panels/design_form.h"
 #include "ui/panels/error_page.h"
 #include "ui/panels/limits_page.h"
+#include "ui/panels/motion_table_panel.h"
 #include "ui/panels/newton_pages.h"
 #include "ui/panels/parameter_panel.h"
+#include "ui/panels/polygon_view.h"
 #include "ui/panels/reference_page.h"
 #include "ui/panels/response_view.h"
 #include "ui/panels/segmented_pages.h"
@@ -123,6 +125,7 @@ MainWindow::MainWindow(QWidget *parent)
     if (chosenTheme() != Theme::System) {
         QApplication::setPalette(paletteFor(chosenTheme()));
     }
+    slidercrank::setNotation(chosenNotation());
     auto *page = new QWidget; // the messages lie over it
     auto *column = new QVBoxLayout(page);
     column->setContentsMargins(0, 0, 0, 0);
@@ -169,6 +172,12 @@ void MainWindow::makeViews()
     m_views.mechanism = new MechanismView;
     m_views.timeline = new Timeline(m_session);
     m_views.parameters = new ParameterPanel(m_session);
+    m_views.parameters->refreshNotation();
+    connect(m_views.parameters, &ParameterPanel::crankSpeedUnitChosen, this, [this](CrankSpeedUnit unit) {
+        if (unit != notation().crankSpeed) {
+            setNotation(with(notation(), &Notation::crankSpeed, unit));
+        }
+    });
     m_views.plots = new PlotGrid;
     m_views.tabs = new FoldingTabs;
     makeTabs();
@@ -182,6 +191,7 @@ void MainWindow::makeTabs()
 {
     m_views.errors = makePanel("errorPanel", tr("Errors against the reference"),
                                [this] { return errorPage(*m_session->result(), m_session->diagnosis().get()); });
+    m_views.tabs->addTab(makeMotionTable(), tr("Table"));
     m_views.tabs->addTab(makeLimitsPanel(), tr("Motion limits"));
     m_views.tabs->addTab(m_views.errors, QString());
     m_views.tabs->addTab(
@@ -235,6 +245,18 @@ TablePanel *MainWindow::makePanel(const QString &name, const QString &title, con
     return panel;
 }
 
+QWidget *MainWindow::makeMotionTable()
+{
+    auto *table = m_views.table = new MotionTablePanel(m_session);
+    connect(table, &MotionTablePanel::timeRequested, m_session, &Session::setTime);
+    connect(table, &MotionTablePanel::timeRequested, m_views.plots, &PlotGrid::showTime);
+    connect(table, &MotionTablePanel::placeHovered, m_views.mechanism, [this](const std::optional<double> &theta2) {
+        const Mechanism mechanism(m_session->parameters());
+        m_views.mechanism->setMarked(theta2 ? referencePoseAt(withCrankAt(mechanism, *theta2), 0.0) : ReferencePose());
+    });
+    return table;
+}
+
 QWidget *MainWindow::makeLimitsPanel()
 {
     auto *panel = named("limits", new SegmentedPages("limitsPages"), tr("Motion limits"));
@@ -242,6 +264,9 @@ QWidget *MainWindow::makeLimitsPanel()
                    makePanel("limitsPanel", tr("Motion limits"), [this] { return limitsPage(*m_session->result()); }));
     auto *response = new ResponseView(m_session);
     panel->addPage(tr("Response"), response);
+    auto *polygons = new PolygonView(m_session);
+    panel->addPage(tr("Polygons"), polygons);
+    connect(m_views.table, &MotionTablePanel::alpha2Changed, polygons, &PolygonView::setCrankAcceleration);
     panel->addPage(tr("Design"), new DesignForm(m_session));
     connect(m_views.parameters, &ParameterPanel::responseRequested, panel,
             [this, panel, response](Parameter parameter) {
@@ -378,6 +403,17 @@ void MainWindow::showResult(const std::shared_ptr<const Result> &result)
         m_views.tabs->setTabText(tab, title);
     }
     m_status->showMessage(samplingText(*result)); // unlike a label, this does not lay out the window
+}
+
+/// Shows everything in the notation, and remembers it.
+void MainWindow::setNotation(const Notation &notation)
+{
+    slidercrank::setNotation(notation);
+    rememberNotation(notation);
+    m_views.parameters->refreshNotation();
+    m_views.table->refreshNotation();
+    emit m_session->resultChanged(m_session->result()); // the views read the notation again
+    emit m_session->timeChanged(m_session->pose());
 }
 
 void MainWindow::setTheme(Theme theme)

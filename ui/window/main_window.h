@@ -5,6 +5,7 @@
 
 #include "ui/document/session.h"
 #include "ui/panels/page.h"
+#include "ui/text/notation.h"
 #include "ui/text/theme.h"
 #include "ui/window/views.h"
 
@@ -46,6 +47,7 @@ public slots:
     void chooseColumns(const QStringList &paths); ///< asks for the meaning of the columns of these files
 
     void setTheme(slidercrank::Theme theme);
+    void setNotation(const slidercrank::Notation &notation);
 
 protected:
     void closeEvent(QCloseEvent *event) override;
@@ -61,6 +63,7 @@ private:
     void connectPlots();
 
     TablePanel *makePanel(const QString &name, const QString &title, const std::function<Page()> &makePage);
+    QWidget *makeMotionTable();
     QWidget *makeLimitsPanel();
     QWidget *makeNewtonPanel();
 

@@ -167,6 +167,7 @@ void Menus::addView()
     menu->addAction(tr("&Reset plot zoom"), Qt::CTRL | Qt::Key_0, m_views.plots, &PlotGrid::showAll);
     menu->addMenu(tr("M&echanism"))->addActions(m_views.mechanism->choices());
     menu->addMenu(tr("Pl&ots"))->addActions(m_views.plots->choices());
+    addNotation(menu->addMenu(tr("&Notation and units")));
     QAction *present = addSwitch(menu, tr("Presentation &mode"), false, Qt::Key_F11);
     connect(present, &QAction::triggered, presentation, &Presentation::setOn);
     connect(presentation, &Presentation::changed, present, &QAction::setChecked);
@@ -185,6 +186,27 @@ void Menus::addView()
     };
     addChoices<Language>(menu->addMenu(tr("Lan&guage")), {tr("&System"), "&English", "Es&pañol"}, chosenLanguage(),
                          setLanguage);
+}
+
+void Menus::addNotation(QMenu *menu)
+{
+    const auto addGroup = [this, menu]<typename Value>(const QStringList &texts, Value chosen,
+                                                       const std::function<void(Notation &, Value)> &assign) {
+        addChoices<Value>(menu, texts, chosen, [this, assign](Value value) {
+            Notation changed = notation();
+            assign(changed, value);
+            m_window.setNotation(changed);
+        });
+    };
+    addGroup.operator()<Symbols>({tr("&Absolute coordinates (θ³ at A, Rₓ⁴)"), tr("&Textbook (θ₃ at B, x_B)")},
+                                 notation().symbols,
+                                 [](Notation &changed, Symbols symbols) { changed.symbols = symbols; });
+    menu->addSeparator();
+    addGroup.operator()<AngleUnit>({tr("&Degrees"), tr("&Radians")}, notation().units.angle,
+                                   [](Notation &changed, AngleUnit unit) { changed.units.angle = unit; });
+    menu->addSeparator();
+    addGroup.operator()<LengthUnit>({tr("&mm"), tr("&cm"), tr("m"), tr("&in")}, notation().units.length,
+                                    [](Notation &changed, LengthUnit unit) { changed.units.length = unit; });
 }
 
 void Menus::addHelp()

@@ -23,6 +23,7 @@ private:
     void addExport(QMenu *menu);
     void addEdit();
     void addView();
+    void addNotation(QMenu *menu);
     void addHelp();
 
     void fillRecent(QMenu *menu);

@@ -11,6 +11,7 @@ namespace slidercrank
 class FoldingTabs;
 class Ghost;
 class MechanismView;
+class MotionTablePanel;
 class ParameterPanel;
 class PlotGrid;
 class TablePanel;
@@ -25,6 +26,7 @@ struct Views {
     PlotGrid *plots = nullptr;
     FoldingTabs *tabs = nullptr;
     TablePanel *errors = nullptr;
+    MotionTablePanel *table = nullptr;
 };
 
 } // namespace slidercrank

@@ -2,6 +2,7 @@
 #include "ui/window/window_settings.h"
 
 #include "ui/mechanism/mechanism_view.h"
+#include "ui/panels/motion_table_panel.h"
 #include "ui/panels/timeline.h"
 #include "ui/widgets/folding_tabs.h"
 
@@ -34,7 +35,47 @@ const QString kSplitterState = "layout/";
 const QString kSpeed = "view/speed";
 const QString kChoice = "view/";
 
-const QStringList kUnitBoxes{"unit_omega2", "unit_theta20"};
+const QString kSymbols = "notation/symbols";
+const QString kLengthUnit = "notation/length";
+const QString kAngleUnit = "notation/angle";
+const QString kCrankSpeedUnit = "notation/crankSpeed";
+const QString kTable = "table/";
+
+const QStringList kUnitBoxes{"unit_theta20"};
+
+/// Whether a part of the drawing is shown at the first start: the names, dimensions and angles are.
+bool isShownAtFirst(const QString &choice)
+{
+    return QStringList{"showNames", "showDimensions", "showAngles"}.contains(choice);
+}
+
+void saveTable(QSettings &settings, const MotionTablePanel &panel)
+{
+    const MotionTableSettings &table = panel.settings();
+    QStringList columns;
+    for (const OutputChannel &channel : table.columns) {
+        columns << columnName(channel);
+    }
+    settings.setValue(kTable + "columns", columns);
+    settings.setValue(kTable + "angleStep", table.angleStep);
+    settings.setValue(kTable + "everyDigit", panel.csvStyle().hasEveryDigit);
+    settings.setValue(kTable + "localSeparators", panel.csvStyle().isLocal);
+}
+
+void restoreTable(const QSettings &settings, MotionTablePanel &panel)
+{
+    MotionTableSettings table = panel.settings();
+    if (const QStringList columns = settings.value(kTable + "columns").toStringList(); !columns.isEmpty()) {
+        table.columns = tableChannels();
+        std::erase_if(table.columns,
+                      [&columns](const OutputChannel &channel) { return !columns.contains(columnName(channel)); });
+    }
+    const double step = settings.value(kTable + "angleStep", table.angleStep).toDouble();
+    table.angleStep = step > 0.0 ? step : table.angleStep;
+    panel.setSettings(table);
+    panel.setCsvStyle({settings.value(kTable + "everyDigit", false).toBool(),
+                       settings.value(kTable + "localSeparators", false).toBool()});
+}
 
 FoldingTabs &tabsIn(const QMainWindow &window)
 {
@@ -68,6 +109,26 @@ QString recentFolder()
     return QDir(folder).exists() ? folder : QDir::homePath();
 }
 
+Notation chosenNotation()
+{
+    const QSettings settings;
+    const auto chosen = [&settings](const QString &key, int last) {
+        return std::clamp(settings.value(key, 0).toInt(), 0, last);
+    };
+    return {static_cast<Symbols>(chosen(kSymbols, 1)),
+            {static_cast<LengthUnit>(chosen(kLengthUnit, 3)), static_cast<AngleUnit>(chosen(kAngleUnit, 1))},
+            static_cast<CrankSpeedUnit>(chosen(kCrankSpeedUnit, 2))};
+}
+
+void rememberNotation(const Notation &notation)
+{
+    QSettings settings;
+    settings.setValue(kSymbols, static_cast<int>(notation.symbols));
+    settings.setValue(kLengthUnit, static_cast<int>(notation.units.length));
+    settings.setValue(kAngleUnit, static_cast<int>(notation.units.angle));
+    settings.setValue(kCrankSpeedUnit, static_cast<int>(notation.crankSpeed));
+}
+
 Theme chosenTheme()
 {
     return static_cast<Theme>(QSettings().value(kTheme, 0).toInt());
@@ -93,6 +154,7 @@ void saveLayout(const QMainWindow &window)
     for (const QAction *choice : window.findChild<MechanismView *>()->choices()) {
         settings.setValue(kChoice + choice->objectName(), choice->isChecked());
     }
+    saveTable(settings, *window.findChild<MotionTablePanel *>());
     for (const QString &name : kUnitBoxes) {
         settings.setValue(kChoice + name, window.findChild<QComboBox *>(name)->currentIndex());
     }
@@ -110,10 +172,12 @@ void restoreLayout(QMainWindow &window)
     constexpr int kLow = 800; // px: on a lower screen the nine plots need all the space
     tabs.setFolded(settings.value(kFolded, window.screen()->availableSize().height() < kLow).toBool());
     for (QAction *choice : window.findChild<MechanismView *>()->choices()) {
-        if (choice->isChecked() != settings.value(kChoice + choice->objectName()).toBool()) {
+        const QString name = choice->objectName();
+        if (choice->isChecked() != settings.value(kChoice + name, isShownAtFirst(name)).toBool()) {
             choice->trigger();
         }
     }
+    restoreTable(settings, *window.findChild<MotionTablePanel *>());
     for (const QString &name : kUnitBoxes) {
         auto *box = window.findChild<QComboBox *>(name);
         box->setCurrentIndex(std::clamp(settings.value(kChoice + name).toInt(), 0, box->count() - 1));

@@ -4,6 +4,7 @@
 // What the program remembers of its window from one session to the next: recent files, the theme, the layout, the
 // units, what the drawing shows, and the playback speed. The scene is not part of it.
 
+#include "ui/text/notation.h"
 #include "ui/text/theme.h"
 
 #include <QString>
@@ -20,6 +21,10 @@ void rememberFiles(const QStringList &paths);
 
 /// Returns the folder of the file opened last, or the user's documents.
 QString recentFolder();
+
+/// The notation and the units that the user chose.
+Notation chosenNotation();
+void rememberNotation(const Notation &notation);
 
 Theme chosenTheme();
 void rememberTheme(Theme theme);

@@ -7,7 +7,6 @@
 #include "tests/support/described_reading.h"
 #include "tests/support/files.h"
 #include "tests/support/printed_motion.h"
-#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -116,5 +115,5 @@ private slots:
     }
 };
 
-const Suite headingsSuite("tst_headings", runWithoutApplication<TestHeadings>);
+QTEST_APPLESS_MAIN(TestHeadings)
 #include "tst_headings.moc"

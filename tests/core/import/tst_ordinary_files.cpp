@@ -6,7 +6,6 @@
 #include "core/import/clock.h"
 #include "tests/support/described_reading.h"
 #include "tests/support/files.h"
-#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -150,5 +149,5 @@ private slots:
     }
 };
 
-const Suite ordinaryFilesSuite("tst_ordinary_files", runWithoutApplication<TestOrdinaryFiles>);
+QTEST_APPLESS_MAIN(TestOrdinaryFiles)
 #include "tst_ordinary_files.moc"

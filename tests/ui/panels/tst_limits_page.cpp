@@ -76,8 +76,8 @@ private slots:
     void roundsTheShortestCouplerUp()
     {
         const Mechanism mechanism({17.1234561, 40.0, -31.9876543});
-        QCOMPARE(atLeastText(shortestCouplerForFullTurn(mechanism)), "49.1112"); // 49.1111104
-        QCOMPARE(atLeastText(0.1 + 0.2), "0.3");
+        QCOMPARE(atLeastText(shortestCouplerForFullTurn(mechanism)), "49.1112 mm"); // 49.1111104
+        QCOMPARE(atLeastText(0.1 + 0.2), "0.3 mm");
     }
 
     void listsLimitsAndPeaksForEveryMobility()

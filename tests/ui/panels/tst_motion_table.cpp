@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/accelerating_motion.h"
+#include "tests/support/waiting.h"
+#include "tests/support/widget_parts.h"
+#include "ui/document/session.h"
+#include "ui/panels/motion_table_panel.h"
+#include "ui/text/notation.h"
+#include "ui/widgets/number_box.h"
+
+#include <QAbstractItemModel>
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QTest>
+#include <QToolButton>
+
+#include <cmath>
+
+using namespace slidercrank;
+
+namespace
+{
+
+struct ShownTable {
+    Session session;
+    MotionTablePanel panel{&session};
+
+    ShownTable()
+    {
+        QObject::connect(&panel, &MotionTablePanel::timeRequested, &session, &Session::setTime);
+        panel.resize(1200, 400);
+        panel.show();
+        settle(panel);
+    }
+
+    void type(const char *box, const QString &text) const { typeNumber(child<NumberBox>(panel, box), text); }
+    void choose(const char *name) const
+    {
+        auto *quantity = child<QComboBox>(panel, "findQuantity");
+        quantity->setCurrentIndex(quantity->findData(name));
+        emit quantity->activated(quantity->currentIndex());
+    }
+    void click(const char *button) const { child<QToolButton>(panel, button)->click(); }
+
+    /// Returns the texts of a row of a table.
+    QStringList rowOf(const char *table, int row) const
+    {
+        const QAbstractItemModel *model = child<NumberTable>(panel, table)->model();
+        QStringList texts;
+        for (int column = 0; column < model->columnCount(); ++column) {
+            texts << model->index(row, column).data().toString();
+        }
+        return texts;
+    }
+};
+
+/// Restores the notation at the end of a test.
+struct NotationForTest {
+    explicit NotationForTest(const Notation &chosen) { setNotation(chosen); }
+    ~NotationForTest() { setNotation({}); }
+};
+
+} // namespace
+
+class TestMotionTable : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+    void cleanup()
+    {
+        QLocale::setDefault(QLocale::c());
+        setNotation({});
+    }
+
+    /// Row g of Norton's tables, in the textbook's notation and in its units, against 115 digits.
+    void showsTheTextbooksValuesInItsNotation()
+    {
+        const NotationForTest chosen({Symbols::Textbook, {LengthUnit::Inch, AngleUnit::Radian}});
+        constexpr double kInch = 25.4;
+        constexpr double kAlpha2 = 18.0;
+        for (const Branch branch : {Branch::Open, Branch::Crossed}) {
+            const Parameters p{7.0 * kInch, 25.0 * kInch, 10.0 * kInch, 100.0, 330.0 / kDegreesPerRadian, branch};
+            MotionTableSettings settings;
+            settings.columns = usualTableChannels();
+            settings.alpha2 = kAlpha2;
+            const TableRow row = motionTableRow(settings, Mechanism(p), {p.theta20, 0.0});
+            const ExactOutputs exact = exactMotion(p, kAlpha2);
+            for (std::size_t i = 0; i < settings.columns.size(); ++i) {
+                const OutputChannel &channel = settings.columns[i];
+                const bool isAngle = isAngular(measureOf(channel));
+                double expected = static_cast<double>(exact.at(nameOf(channel))) / (isAngle ? 1.0 : kInch);
+                if (channel == OutputChannel(Channel{Theta3, Order::Position})) { // measured at B
+                    expected += branch == Branch::Open ? std::numbers::pi : -std::numbers::pi;
+                }
+                const double size = (isAngle ? 1.0 : 42.0) * std::pow(100.0, static_cast<int>(orderOf(channel)));
+                QVERIFY2(std::abs(*row.cells[i + 2].number - expected) <= 1e-12 * size,
+                         std::string(nameOf(channel)).c_str());
+            }
+            const std::vector<TableColumn> columns = motionTableColumns(settings);
+            QCOMPARE(columns[2].title, QStringLiteral("θ₃ [rad]"));
+            QCOMPARE(columns[5].title, QStringLiteral("x_B [in]"));
+            QCOMPARE(columns[7].csvName, QStringLiteral("R4_x_diff2 [in/s^2]"));
+        }
+    }
+
+    void hasARowEvery15DegreesOrForTimeSteps()
+    {
+        MotionTableSettings settings;
+        settings.columns = usualTableChannels();
+        const std::vector<TablePlace> places = tablePlaces(settings, Mechanism(), {});
+        QCOMPARE(places.size(), std::size_t(25));
+        QVERIFY(std::abs(places[4].theta2 - std::numbers::pi / 3.0) < 1e-15);
+        QVERIFY(std::abs(*places[4].time - 1.0 / 6.0) < 1e-15);
+        QVERIFY(!tablePlaces(settings, Mechanism(), {0.0, 0.25, 10}).back().time.has_value() ||
+                *tablePlaces(settings, Mechanism(), {0.0, 0.25, 10}).back().time == 0.0);
+        settings.step = TableStep::Time;
+        settings.timeStep = 0.1;
+        QCOMPARE(tablePlaces(settings, Mechanism(), {}).size(), std::size_t(11));
+        settings.timeStep = 1e-9;
+        QCOMPARE(tablePlaces(settings, Mechanism(), {}).size(), std::size_t(kMaxTableRows));
+    }
+
+    void showsRoundingNoiseAsZero()
+    {
+        MotionTableSettings settings;
+        settings.columns = {Channel{R4x, Order::Velocity}, DerivedChannel{DerivedQuantity::PinY, Order::Position}};
+        const TableRow row = motionTableRow(settings, Mechanism({.c = 0.0}), {std::numbers::pi, {}});
+        QCOMPARE(row.cells[2].text, QStringLiteral("0"));
+        QCOMPARE(row.cells[3].text, QStringLiteral("0"));
+        QVERIFY(row.cells[0].text != u"0"); // the crank is never there
+        const TableRow impossible = motionTableRow(settings, Mechanism({.b = 40.0}), {-1.5, {}});
+        QVERIFY(!impossible.cells[2].number);
+    }
+
+    void writesDigitsAndSeparatorsAsChosen()
+    {
+        const std::vector<TableColumn> columns{{"x", {}, "R4_x [mm]"}, {"v", {}, "R4_x_diff [mm/s]"}};
+        const std::vector<TableRow> rows{{{{.text = "0.3333", .number = 1.0 / 3.0}, {.text = "—"}}}};
+        QCOMPARE(csvText(columns, rows, {}), QByteArray("R4_x [mm],R4_x_diff [mm/s]\n0.333333,\n"));
+        QCOMPARE(csvText(columns, rows, {.hasEveryDigit = true}),
+                 QByteArray("R4_x [mm],R4_x_diff [mm/s]\n0.3333333333333333,\n"));
+        QLocale::setDefault(QLocale(QLocale::Spanish, QLocale::Colombia));
+        QCOMPARE(csvText(columns, rows, {.isLocal = true}), QByteArray("R4_x [mm];R4_x_diff [mm/s]\n0,333333;\n"));
+        QCOMPARE(csvText(columns, rows, {}), QByteArray("R4_x [mm],R4_x_diff [mm/s]\n0.333333,\n"));
+    }
+
+    void showsThePresentPositionAndTheRows()
+    {
+        ShownTable shown;
+        shown.session.setTime(0.25);
+        QCOMPARE(shown.rowOf("presentPosition", 0).mid(0, 2), (QStringList{"0.25000", "90.000"}));
+        QCOMPARE(shown.rowOf("motionTable", 6).mid(0, 2), (QStringList{"0.25000", "90.000"}));
+        QCOMPARE(shown.rowOf("presentPosition", 0), shown.rowOf("motionTable", 6));
+        shown.type("tableAlpha2", "5");
+        const QString acceleration = shown.rowOf("presentPosition", 0)[7];
+        const double exact =
+            static_cast<double>(exactMotion({.theta20 = 0.5 * std::numbers::pi}, 5.0).at("R4_x_diff2"));
+        QVERIFY(std::abs(QString(acceleration).replace(u'−', '-').toDouble() / exact - 1.0) < 1e-4);
+        shown.type("tableStep", "30");
+        QCOMPARE(child<NumberTable>(shown.panel, "motionTable")->model()->rowCount(), 13);
+        child<QToolButton>(shown.panel, "motionTableCopy")->click();
+        QCOMPARE(QApplication::clipboard()->text().count('\n'), qsizetype(14));
+    }
+
+    void findsTheNextPositionAndTheCrankSpeed()
+    {
+        ShownTable shown;
+        shown.choose("R4_x");
+        shown.type("findValue", "60");
+        shown.click("findNext");
+        QVERIFY(std::abs(shown.session.pose().R4x - 60.0) < 1e-9);
+        const double first = shown.session.time();
+        shown.click("findNext");
+        QVERIFY(std::abs(shown.session.pose().R4x - 60.0) < 1e-9 && shown.session.time() != first);
+        shown.click("findNext"); // continues at the start
+        QVERIFY(std::abs(shown.session.time() - first) < 1e-9);
+        shown.type("findValue", "90");
+        shown.click("findNext");
+        QVERIFY(child<QLabel>(shown.panel, "findAnswer")->text().contains("no such position"));
+
+        shown.session.setTime(1.0 / 6.0); // 60°
+        shown.choose("R4_x_diff");
+        shown.type("findValue", "-8m/s");
+        shown.click("findUseAsSpeed");
+        QVERIFY(std::abs(shown.session.pose().R4xDot + 8000.0) < 1e-6);
+        QVERIFY(std::abs(std::remainder(shown.session.pose().theta2 - std::numbers::pi / 3.0, 2.0 * std::numbers::pi)) <
+                1e-9);
+    }
+};
+
+QTEST_MAIN(TestMotionTable)
+#include "tst_motion_table.moc"

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/motion_table.h"
+
+#include "core/mechanism/turn.h"
+#include "core/mechanism/two_part_angle.h"
+#include "core/sampling/crank_time.h"
+#include "ui/text/motion_facts.h"
+#include "ui/text/notation.h"
+#include "ui/text/written_number.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+struct MotionTable {
+    Q_DECLARE_TR_FUNCTIONS(slidercrank::MotionTable)
+};
+
+constexpr int kTableDigits = 5;
+
+std::vector<OutputChannel> coordinateChannels(Coordinate coordinate)
+{
+    return {Channel{coordinate, Order::Position}, Channel{coordinate, Order::Velocity},
+            Channel{coordinate, Order::Acceleration}};
+}
+
+std::vector<OutputChannel> derivedChannels(DerivedQuantity quantity)
+{
+    return {DerivedChannel{quantity, Order::Position}, DerivedChannel{quantity, Order::Velocity},
+            DerivedChannel{quantity, Order::Acceleration}};
+}
+
+/// Returns 0 for a value that is only a rounding error of the channel's natural size.
+double withoutNoise(double value, const OutputChannel &channel, const Mechanism &mechanism, double alpha2)
+{
+    constexpr double kRounding = 1e-12;
+    const double length = isAngular(measureOf(channel)) ? 1.0 : characteristicLength(mechanism.parameters());
+    const double rate = std::hypot(mechanism.omega2(), std::sqrt(std::abs(alpha2)));
+    const double size = length * std::pow(rate, static_cast<int>(orderOf(channel)));
+    return std::abs(value) < kRounding * size ? 0.0 : value;
+}
+
+TableCell tableNumber(double value)
+{
+    return numberCell(value, shortNumber(value, kTableDigits));
+}
+
+/// Returns the crank angle from 0 to 360°, in the chosen unit.
+double shownCrankAngle(double theta2)
+{
+    return shownValue(Measure::Angle, degreesFromZero(theta2) / kDegreesPerRadian, notation().units);
+}
+
+QString numberInFile(double value, const CsvStyle &style)
+{
+    constexpr int kDigits = 6;
+    const QString text = style.hasEveryDigit ? QString::number(value, 'g', QLocale::FloatingPointShortest)
+                                             : QString::number(value, 'g', kDigits);
+    return style.isLocal ? QString(text).replace('.', QLocale().decimalPoint()) : text;
+}
+
+} // namespace
+
+std::vector<OutputChannel> tableChannels()
+{
+    std::vector<OutputChannel> channels;
+    const auto append = [&channels](const std::vector<OutputChannel> &more) {
+        channels.insert(channels.end(), more.begin(), more.end());
+    };
+    append(coordinateChannels(Theta3));
+    append(coordinateChannels(R4x));
+    append({DerivedChannel{DerivedQuantity::TransmissionAngle, Order::Position},
+            DerivedChannel{DerivedQuantity::Displacement, Order::Position}});
+    append(derivedChannels(DerivedQuantity::PinX));
+    append(derivedChannels(DerivedQuantity::PinY));
+    append(coordinateChannels(R3x));
+    append(coordinateChannels(R3y));
+    return channels;
+}
+
+std::vector<OutputChannel> usualTableChannels()
+{
+    constexpr std::ptrdiff_t kUsual = 8; // θ3 and R4x with their derivatives, μ, displacement
+    const std::vector<OutputChannel> all = tableChannels();
+    return {all.begin(), all.begin() + kUsual};
+}
+
+std::vector<TablePlace> tablePlaces(const MotionTableSettings &settings, const Mechanism &mechanism,
+                                    const Sampling &sampling)
+{
+    std::vector<TablePlace> places;
+    if (settings.step == TableStep::Time) {
+        const int steps = static_cast<int>(
+            std::min(sampling.duration / settings.timeStep * (1.0 + 1e-12), static_cast<double>(kMaxTableRows - 1)));
+        for (int i = 0; i <= steps; ++i) {
+            const double t = sampling.start + i * settings.timeStep;
+            places.push_back({crankAngle(mechanism.omega2(), t, mechanism.theta20()).hi, t});
+        }
+        return places;
+    }
+    const int steps =
+        static_cast<int>(std::min(360.0 / settings.angleStep * (1.0 + 1e-12), static_cast<double>(kMaxTableRows - 1)));
+    for (int i = 0; i <= steps; ++i) {
+        const double theta2 = i * settings.angleStep / kDegreesPerRadian;
+        places.push_back({theta2, timeOf({.theta2 = theta2}, mechanism, sampling)});
+    }
+    return places;
+}
+
+std::vector<TableColumn> motionTableColumns(const MotionTableSettings &settings)
+{
+    const auto titled = [](const QString &symbol, const QString &unit) {
+        return QStringLiteral("%1 [%2]").arg(symbol, unit);
+    };
+    const QString angle = shownUnit(Measure::Angle);
+    std::vector<TableColumn> columns{
+        {"t [s]", MotionTable::tr("Time; without one, the crank is not there within the time range"), "time [s]"},
+        {titled("θ₂", angle), MotionTable::tr("Crank angle, from 0 to 360°"),
+         "theta2 [" + QString::fromUtf8(asciiUnit(Measure::Angle, notation().units)) + ']'}};
+    for (const OutputChannel &channel : settings.columns) {
+        const QString unit = QString::fromUtf8(asciiUnit(measureOf(channel), notation().units));
+        columns.push_back(
+            {titled(symbolOf(channel), shownUnit(channel)), nameText(channel), titled(columnName(channel), unit)});
+    }
+    return columns;
+}
+
+TableRow motionTableRow(const MotionTableSettings &settings, const Mechanism &mechanism, const TablePlace &place)
+{
+    const OutputState state = outputStateAt(withCrankAt(mechanism, place.theta2), 0.0, settings.alpha2);
+    TableRow row;
+    row.time = place.time;
+    row.cells.push_back(place.time ? tableNumber(*place.time) : TableCell{.text = dash()});
+    row.cells.back().tone = place.time ? Tone::Link : Tone::Normal;
+    row.cells.push_back(tableNumber(shownCrankAngle(place.theta2)));
+    for (const OutputChannel &channel : settings.columns) {
+        const double value = withoutNoise(state.valueOf(channel), channel, mechanism, settings.alpha2);
+        row.cells.push_back(tableNumber(shownChannel(channel, mechanism.branch(), value)));
+    }
+    return row;
+}
+
+QByteArray csvText(const std::vector<TableColumn> &columns, const std::vector<TableRow> &rows, const CsvStyle &style)
+{
+    const QString separator = style.isLocal && QLocale().decimalPoint() == u"," ? ";" : ",";
+    QStringList line;
+    for (const TableColumn &column : columns) {
+        line << column.csvName;
+    }
+    QString text = line.join(separator) + '\n';
+    for (const TableRow &row : rows) {
+        line.clear();
+        for (const TableCell &cell : row.cells) {
+            line << (cell.number ? numberInFile(*cell.number, style) : QString());
+        }
+        text += line.join(separator) + '\n';
+    }
+    return text.toUtf8();
+}
+
+std::optional<double> nextTime(const std::vector<double> &angles, const Mechanism &mechanism, const Sampling &sampling,
+                               double t)
+{
+    constexpr double kHere = 1e-9; // rad: an angle nearer than this has been reached
+    if (mechanism.omega2() == 0.0) {
+        return std::nullopt;
+    }
+    const double end = sampling.start + sampling.duration;
+    const double slack = 1e-9 * sampling.duration; // includes the end of the time range
+    for (const double from : {t + kHere / std::abs(mechanism.omega2()), sampling.start}) {
+        std::optional<double> first;
+        for (const double theta2 : angles) {
+            const std::optional<double> time = timeAtCrankAngle(mechanism, theta2, from);
+            if (time && *time <= end + slack && (!first || *time < *first)) {
+                first = std::min(*time, end);
+            }
+        }
+        if (first) {
+            return first;
+        }
+    }
+    return std::nullopt;
+}
+
+} // namespace slidercrank

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Makes the table of the motion: a row for each crank angle or time step, with chosen columns, as numbers and as CSV.
+
+#include "core/limits/output_channel.h"
+#include "core/sampling/trajectory.h"
+#include "ui/widgets/number_table.h"
+
+#include <optional>
+#include <vector>
+
+namespace slidercrank
+{
+
+enum class TableStep { CrankAngle, Time };
+
+struct MotionTableSettings {
+    TableStep step = TableStep::CrankAngle;
+    double angleStep = 15.0; ///< °
+    double timeStep = 0.05;  ///< s
+    std::vector<OutputChannel> columns;
+    double alpha2 = 0.0; ///< rad/s²: acceleration of the crank in each row
+
+    friend bool operator==(const MotionTableSettings &, const MotionTableSettings &) = default;
+};
+
+/// The largest number of rows.
+inline constexpr int kMaxTableRows = 5000;
+
+/// The channels that the table can show, and those that it shows at first.
+std::vector<OutputChannel> tableChannels();
+std::vector<OutputChannel> usualTableChannels();
+
+/// A position of the crank at which a row is computed.
+struct TablePlace {
+    double theta2 = 0.0;             ///< rad
+    std::optional<double> time = {}; ///< s; nullopt if the crank is not there within the time range
+};
+
+/// Returns the places of the rows: every so many degrees from 0° to 360°, or the time steps.
+std::vector<TablePlace> tablePlaces(const MotionTableSettings &settings, const Mechanism &mechanism,
+                                    const Sampling &sampling);
+
+/// Returns the columns: t, θ₂, and those of the settings, in the chosen notation and units.
+std::vector<TableColumn> motionTableColumns(const MotionTableSettings &settings);
+
+/// Returns the row of a place. A value that is only a rounding error is 0.
+TableRow motionTableRow(const MotionTableSettings &settings, const Mechanism &mechanism, const TablePlace &place);
+
+/// How numbers are written to a file.
+struct CsvStyle {
+    bool hasEveryDigit = false; ///< otherwise six significant digits
+    bool isLocal = false;       ///< decimal sign of the language, and a semicolon if that is a comma
+
+    friend bool operator==(const CsvStyle &, const CsvStyle &) = default;
+};
+
+QByteArray csvText(const std::vector<TableColumn> &columns, const std::vector<TableRow> &rows, const CsvStyle &style);
+
+/// Returns the time at which the crank, which is at time t, next reaches one of the angles (rad) in its direction of
+/// rotation. After the end of the time range the search continues at its start. Returns nullopt if it reaches none
+/// within the time range.
+std::optional<double> nextTime(const std::vector<double> &angles, const Mechanism &mechanism, const Sampling &sampling,
+                               double t);
+
+} // namespace slidercrank

@@ -1,0 +1,405 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/motion_table_panel.h"
+
+#include "core/limits/crank_search.h"
+#include "core/mechanism/two_part_angle.h"
+#include "core/sampling/crank_time.h"
+#include "ui/document/session.h"
+#include "ui/document/whole_file.h"
+#include "ui/panels/table_panel.h"
+#include "ui/text/motion_facts.h"
+#include "ui/text/notation.h"
+#include "ui/text/written_number.h"
+#include "ui/widgets/named.h"
+#include "ui/widgets/number_box.h"
+#include "ui/widgets/paragraph.h"
+
+#include <QActionGroup>
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QHeaderView>
+#include <QMenu>
+#include <QScrollBar>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+constexpr std::chrono::milliseconds kPause{100}; // numbers that change faster cannot be read
+
+QToolButton *makeMenuButton(const QString &name, const QString &text, const QString &explanation)
+{
+    auto *button = named(name, new QToolButton, text);
+    button->setText(text);
+    button->setToolTip(explanation);
+    button->setFocusPolicy(Qt::TabFocus);
+    button->setPopupMode(QToolButton::InstantPopup);
+    button->setMenu(new QMenu(button));
+    return button;
+}
+
+} // namespace
+
+MotionTablePanel::MotionTablePanel(Session *session, QWidget *parent)
+    : QWidget(parent)
+    , m_session(session)
+    , m_step(new NumberBox)
+    , m_stepKind(new QComboBox)
+    , m_columns(makeMenuButton("tableColumns", tr("Columns"), tr("Chooses the columns of the table")))
+    , m_alpha2(new NumberBox)
+    , m_quantity(new QComboBox)
+    , m_value(new NumberBox)
+    , m_next(new QToolButton)
+    , m_useAsSpeed(new QToolButton)
+    , m_answer(named("findAnswer", plainText()))
+    , m_layout(new QVBoxLayout(this))
+{
+    named("motionTablePanel", this, tr("Table of the motion"));
+    m_settings.columns = usualTableChannels();
+    m_layout->setContentsMargins(6, 4, 6, 2);
+    m_layout->setSpacing(3);
+    m_layout->addLayout(makeControls());
+    m_layout->addLayout(makeFindLine());
+    m_layout->addWidget(m_answer);
+    m_answer->hide();
+    makeTables();
+    m_pause.setSingleShot(true);
+    m_pause.setInterval(kPause);
+    connect(&m_pause, &QTimer::timeout, this, [this] {
+        if (m_isStale) {
+            refresh();
+        }
+    });
+    connect(session, &Session::resultChanged, this, &MotionTablePanel::refresh);
+    connect(session, &Session::timeChanged, this, &MotionTablePanel::showPresent);
+}
+
+QLayout *MotionTablePanel::makeControls()
+{
+    auto *row = new QHBoxLayout;
+    row->addWidget(plainText(tr("Every")));
+    named("tableStep", m_step, tr("Step of the table"));
+    m_step->setRange(1e-3, 1e6);
+    m_step->setValue(m_settings.angleStep);
+    row->addWidget(m_step);
+    named("tableStepKind", m_stepKind, tr("Unit of the step"));
+    m_stepKind->addItem(tr("°"), static_cast<int>(TableStep::CrankAngle));
+    m_stepKind->addItem(tr("s"), static_cast<int>(TableStep::Time));
+    row->addWidget(m_stepKind);
+    row->addWidget(m_columns);
+    auto *label = plainText(tr("α₂"));
+    row->addWidget(label);
+    named("tableAlpha2", m_alpha2, tr("Acceleration of the crank in each row (α₂)"));
+    m_alpha2->setToolTip(
+        tr("Acceleration of the crank in each row of the table. The curves are for a constant speed."));
+    m_alpha2->setSuffix(tr(" rad/s²"));
+    m_alpha2->setUnit(Unit{Dimension::Angle, 2, kDegreesPerRadian});
+    label->setBuddy(m_alpha2);
+    row->addWidget(m_alpha2);
+    row->addStretch(1);
+    connect(addButton(row, "motionTableCopy", tr("Copy"), tr("Copies the rows as CSV")), &QToolButton::clicked, this,
+            &MotionTablePanel::copy);
+    QToolButton *button = makeMenuButton("motionTableExport", tr("Export"), tr("Writes the rows to a CSV file"));
+    fillExportMenu(button);
+    row->addWidget(button);
+    connect(m_step, &NumberBox::edited, this, [this](double step) {
+        MotionTableSettings settings = m_settings;
+        (settings.step == TableStep::Time ? settings.timeStep : settings.angleStep) = step;
+        setSettings(settings);
+    });
+    connect(m_stepKind, &QComboBox::activated, this, [this] {
+        MotionTableSettings settings = m_settings;
+        settings.step = static_cast<TableStep>(m_stepKind->currentData().toInt());
+        setSettings(settings);
+    });
+    connect(m_alpha2, &NumberBox::edited, this, [this](double alpha2) {
+        MotionTableSettings settings = m_settings;
+        settings.alpha2 = alpha2;
+        setSettings(settings);
+    });
+    return row;
+}
+
+QLayout *MotionTablePanel::makeFindLine()
+{
+    auto *row = new QHBoxLayout;
+    row->addWidget(plainText(tr("Find")));
+    named("findQuantity", m_quantity, tr("Quantity that has a value"));
+    row->addWidget(m_quantity);
+    row->addWidget(plainText("="));
+    named("findValue", m_value, tr("Value of the quantity"));
+    row->addWidget(m_value);
+    named("findNext", m_next, tr("Next"));
+    m_next->setText(tr("Next"));
+    m_next->setToolTip(tr("Turns the crank to the next position in which the quantity has this value"));
+    m_next->setFocusPolicy(Qt::TabFocus);
+    row->addWidget(m_next);
+    named("findUseAsSpeed", m_useAsSpeed, tr("Use as ω₂"));
+    m_useAsSpeed->setText(tr("Use as ω₂"));
+    m_useAsSpeed->setToolTip(tr("Sets the crank speed with which the velocity has this value at the present position"));
+    m_useAsSpeed->setFocusPolicy(Qt::TabFocus);
+    row->addWidget(m_useAsSpeed);
+    row->addStretch(1);
+    connect(m_quantity, &QComboBox::activated, this, &MotionTablePanel::showWantedUnit);
+    connect(m_value, &NumberBox::edited, this, [this] { m_answer->hide(); });
+    connect(m_next, &QToolButton::clicked, this, &MotionTablePanel::goToNext);
+    connect(m_useAsSpeed, &QToolButton::clicked, this, &MotionTablePanel::useAsCrankSpeed);
+    return row;
+}
+
+void MotionTablePanel::fillColumnsMenu()
+{
+    QMenu *menu = m_columns->menu();
+    menu->clear();
+    for (const OutputChannel &channel : tableChannels()) {
+        QAction *action = menu->addAction(QStringLiteral("%1  %2").arg(symbolOf(channel), nameText(channel)));
+        action->setObjectName("column_" + columnName(channel));
+        action->setCheckable(true);
+        action->setChecked(std::ranges::count(m_settings.columns, channel) > 0);
+        connect(action, &QAction::triggered, this, [this, channel](bool isWanted) {
+            MotionTableSettings settings = m_settings;
+            settings.columns = tableChannels(); // in their order
+            std::erase_if(settings.columns, [&](const OutputChannel &each) {
+                return each == channel ? !isWanted : !std::ranges::count(m_settings.columns, each);
+            });
+            setSettings(settings);
+        });
+    }
+}
+
+void MotionTablePanel::fillExportMenu(QToolButton *button)
+{
+    QMenu *menu = button->menu();
+    menu->addAction(tr("Write to a file…"), this, [this] {
+        chooseExport(m_session, this, QStringList(tr("Tables (*.csv)")), tr("table"),
+                     [this](const QString &path) { return exportTo(path); });
+    });
+    menu->addSeparator();
+    const auto addSwitch = [this, menu](const char *name, const QString &text, bool CsvStyle::*member) {
+        QAction *action = menu->addAction(text);
+        action->setObjectName(name);
+        action->setCheckable(true);
+        connect(action, &QAction::triggered, this, [this, member](bool isOn) { m_style.*member = isOn; });
+        connect(menu, &QMenu::aboutToShow, action, [this, action, member] { action->setChecked(m_style.*member); });
+    };
+    addSwitch("everyDigit", tr("Every digit, not six"), &CsvStyle::hasEveryDigit);
+    addSwitch("localSeparators", tr("Decimal sign and delimiter of the language"), &CsvStyle::isLocal);
+}
+
+void MotionTablePanel::setSettings(const MotionTableSettings &settings)
+{
+    const bool hasOtherColumns = settings.columns != m_settings.columns;
+    m_settings = settings;
+    emit alpha2Changed(settings.alpha2);
+    const bool isTime = settings.step == TableStep::Time;
+    m_stepKind->setCurrentIndex(m_stepKind->findData(static_cast<int>(settings.step)));
+    m_step->setValue(isTime ? settings.timeStep : settings.angleStep);
+    m_step->setUnit(isTime ? kSecond : kDegree);
+    m_alpha2->setValue(settings.alpha2);
+    if (hasOtherColumns) {
+        makeTables();
+    }
+    showRows();
+}
+
+void MotionTablePanel::setCsvStyle(const CsvStyle &style)
+{
+    m_style = style;
+}
+
+void MotionTablePanel::refreshNotation()
+{
+    makeTables();
+    showRows();
+}
+
+/// Makes the tables with the headings of today; the one of the present position is a table of its own, so that it stays
+/// while the rows scroll.
+void MotionTablePanel::makeTables()
+{
+    delete m_present;
+    delete m_table;
+    const std::vector<TableColumn> columns = motionTableColumns(m_settings);
+    m_present = new NumberTable("presentPosition", tr("Present position"), columns);
+    m_table = new NumberTable("motionTable", tr("Table of the motion"), columns);
+    m_table->horizontalHeader()->hide();
+    m_present->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_present->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // both tables are equally wide
+    m_present->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    m_layout->addWidget(m_present);
+    m_layout->addWidget(m_table, 1);
+    connect(m_table->horizontalScrollBar(), &QScrollBar::valueChanged, m_present->horizontalScrollBar(),
+            &QScrollBar::setValue);
+    connect(m_table, &NumberTable::timeRequested, this, &MotionTablePanel::timeRequested);
+    connect(m_table, &NumberTable::rowHovered, this, [this](int row) {
+        const bool isPlace = row >= 0 && row < static_cast<int>(m_places.size());
+        emit placeHovered(isPlace ? std::optional(m_places[static_cast<std::size_t>(row)].theta2) : std::nullopt);
+    });
+    for (NumberTable *table : {m_present, m_table}) {
+        connect(table, &NumberTable::copied, this,
+                [this] { emit m_session->confirmed(tr("The rows are in the clipboard, as CSV with headings.")); });
+    }
+    fillColumnsMenu();
+    const int chosen = std::max(0, m_quantity->currentIndex());
+    m_quantity->clear();
+    for (const OutputChannel &channel : tableChannels()) {
+        m_quantity->addItem(symbolOf(channel), columnName(channel));
+        m_quantity->setItemData(m_quantity->count() - 1, nameText(channel), Qt::ToolTipRole);
+    }
+    m_quantity->setCurrentIndex(chosen);
+    showWantedUnit();
+}
+
+void MotionTablePanel::refresh()
+{
+    m_isStale = true;
+    if (isVisible() && !m_pause.isActive()) {
+        m_pause.start();
+        showRows();
+    }
+}
+
+void MotionTablePanel::showRows()
+{
+    m_isStale = false;
+    const Mechanism &mechanism = m_session->result()->mechanism;
+    m_places = tablePlaces(m_settings, mechanism, m_session->result()->sampling);
+    m_rows.clear();
+    for (const TablePlace &place : m_places) {
+        m_rows.push_back(motionTableRow(m_settings, mechanism, place));
+    }
+    m_table->setRows(m_rows);
+    showPresent();
+    fitColumns();
+}
+
+void MotionTablePanel::showPresent()
+{
+    if (isVisible()) {
+        TableRow row = motionTableRow(m_settings, Mechanism(m_session->parameters()), presentPlace());
+        row.cells.front().tone = Tone::Normal;
+        row.time.reset();
+        m_present->setRows({row});
+    }
+}
+
+/// Gives the columns of both tables the same widths.
+void MotionTablePanel::fitColumns()
+{
+    for (int column = 0; column < m_table->horizontalHeader()->count(); ++column) {
+        const int width = std::max(m_present->columnWidth(column), m_table->columnWidth(column));
+        m_present->setColumnWidth(column, width);
+        m_table->setColumnWidth(column, width);
+    }
+    m_present->setFixedHeight(m_present->contentSize().height() + 2);
+}
+
+TablePlace MotionTablePanel::presentPlace() const
+{
+    return {m_session->pose().theta2, m_session->time()};
+}
+
+std::optional<OutputChannel> MotionTablePanel::wantedChannel() const
+{
+    return outputChannelNamed(m_quantity->currentData().toString().toStdString());
+}
+
+double MotionTablePanel::wantedValue() const
+{
+    const OutputChannel channel = *wantedChannel();
+    const double inFileUnit = shownScale(channel, m_session->parameters().branch).inFileUnit(m_value->value());
+    return inFileUnit / toFileUnit(measureOf(channel), 1.0);
+}
+
+void MotionTablePanel::showWantedUnit()
+{
+    const OutputChannel channel = *wantedChannel();
+    const Measure measure = measureOf(channel);
+    const QString unit = shownUnit(channel);
+    m_value->setSuffix(unit == u"°" ? unit : u' ' + unit);
+    m_value->setUnit({isAngular(measure) ? Dimension::Angle : Dimension::Length, static_cast<int>(orderOf(channel)),
+                      1.0 / fromFileUnit(measure, 1.0, notation().units)});
+    m_useAsSpeed->setVisible(orderOf(channel) == Order::Velocity);
+    m_answer->hide();
+}
+
+void MotionTablePanel::goToNext()
+{
+    const OutputChannel channel = *wantedChannel();
+    const Mechanism mechanism(m_session->parameters());
+    const std::optional<std::vector<double>> angles = crankAnglesAt(mechanism, channel, wantedValue());
+    QString answer;
+    if (!angles || angles->empty()) {
+        answer = tr("There is no such position.");
+    } else if (mechanism.omega2() == 0.0) {
+        m_session->setParameter(Parameter::Theta20, angles->front());
+    } else if (const auto time = nextTime(*angles, mechanism, m_session->sampling(), m_session->time())) {
+        emit timeRequested(*time);
+    } else {
+        answer = tr("The crank does not reach these positions within the time range.");
+    }
+    if (answer.isEmpty()) {
+        QStringList texts;
+        for (const double theta2 : *angles) {
+            texts << crankAngleText(theta2) + u'°';
+        }
+        answer = tr("Positions of a revolution: θ₂ = %1").arg(texts.join("; "));
+    }
+    m_answer->setText(answer);
+    m_answer->show();
+}
+
+void MotionTablePanel::useAsCrankSpeed()
+{
+    const std::optional<double> speed =
+        crankSpeedFor(Mechanism(m_session->parameters()), m_session->pose().theta2, *wantedChannel(), wantedValue());
+    if (speed && std::abs(*speed) <= kLargestParameter) {
+        m_answer->hide();
+        const double theta2 = m_session->pose().theta2;
+        m_session->setParameter(Parameter::Omega2, *speed);
+        const Mechanism mechanism(m_session->parameters());
+        if (const auto time = timeAtCrankAngle(mechanism, theta2, m_session->sampling().start)) {
+            emit timeRequested(*time); // the same position
+        }
+        return;
+    }
+    m_answer->setText(tr("No crank speed gives this velocity here: it is 0 at every speed, as at a dead centre."));
+    m_answer->show();
+}
+
+std::optional<QString> MotionTablePanel::exportTo(const QString &path) const
+{
+    return writeWhole(path, csvText(motionTableColumns(m_settings), m_rows, m_style));
+}
+
+void MotionTablePanel::copy()
+{
+    QApplication::clipboard()->setText(QString::fromUtf8(csvText(motionTableColumns(m_settings), m_rows, m_style)));
+    emit m_session->confirmed(tr("The rows are in the clipboard, as CSV with headings."));
+}
+
+void MotionTablePanel::showEvent(QShowEvent *event)
+{
+    QWidget::showEvent(event);
+    showRows();
+}
+
+void MotionTablePanel::hideEvent(QHideEvent *event)
+{
+    QWidget::hideEvent(event);
+    emit placeHovered(std::nullopt);
+}
+
+} // namespace slidercrank
+
+#include "moc_motion_table_panel.cpp"

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The tab with the table of the motion. The first row is the present position and stays; below it are rows for every so
+// many degrees of the crank angle, or for time steps. The tab also finds the positions in which a quantity has a value.
+
+#include "ui/panels/motion_table.h"
+
+#include <QTimer>
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QMenu;
+class QToolButton;
+class QVBoxLayout;
+
+namespace slidercrank
+{
+
+class NumberBox;
+class Session;
+
+class MotionTablePanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit MotionTablePanel(Session *session, QWidget *parent = nullptr);
+
+    const MotionTableSettings &settings() const { return m_settings; }
+    void setSettings(const MotionTableSettings &settings);
+
+    const CsvStyle &csvStyle() const { return m_style; }
+    void setCsvStyle(const CsvStyle &style);
+
+    /// Makes the columns again after a change of the notation.
+    void refreshNotation();
+
+    /// Writes the rows to a CSV file. Returns an error message if it cannot be written.
+    std::optional<QString> exportTo(const QString &path) const;
+
+signals:
+    void timeRequested(double seconds);
+    void alpha2Changed(double alpha2);               ///< rad/s²
+    void placeHovered(std::optional<double> theta2); ///< rad, of the row under the pointer
+
+protected:
+    void showEvent(QShowEvent *event) override;
+    void hideEvent(QHideEvent *event) override;
+
+private:
+    QLayout *makeControls();
+    QLayout *makeFindLine();
+    void fillColumnsMenu();
+    void fillExportMenu(QToolButton *button);
+
+    void makeTables();
+    void refresh();
+    void showRows();
+    void showPresent();
+    void fitColumns();
+    TablePlace presentPlace() const;
+
+    std::optional<OutputChannel> wantedChannel() const;
+    double wantedValue() const; ///< mm, rad, s
+    void showWantedUnit();
+    void goToNext();
+    void useAsCrankSpeed();
+    void copy();
+
+    Session *m_session;
+    MotionTableSettings m_settings;
+    CsvStyle m_style;
+    std::vector<TablePlace> m_places;
+    std::vector<TableRow> m_rows;
+    bool m_isStale = true;
+    QTimer m_pause{this}; ///< runs for a short time after each update
+
+    NumberBox *m_step;
+    QComboBox *m_stepKind;
+    QToolButton *m_columns;
+    NumberBox *m_alpha2;
+    QComboBox *m_quantity;
+    NumberBox *m_value;
+    QToolButton *m_next;
+    QToolButton *m_useAsSpeed;
+    QLabel *m_answer;
+    QVBoxLayout *m_layout;
+    NumberTable *m_present = nullptr;
+    NumberTable *m_table = nullptr;
+};
+
+} // namespace slidercrank

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/polygon_view.h"
+
+#include "ui/document/session.h"
+#include "ui/panels/table_panel.h"
+#include "ui/text/notation.h"
+#include "ui/text/theme.h"
+#include "ui/text/written_number.h"
+#include "ui/widgets/named.h"
+#include "ui/widgets/paragraph.h"
+#include "ui/widgets/save_dialog.h"
+
+#include <QLabel>
+#include <QPainter>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+constexpr QSize kPolygonFigure(1000, 500); // px, of the exported picture
+
+/// The symbol of a vector, and whether it is the sum of the others.
+QString vectorText(PolygonVector vector)
+{
+    switch (vector) {
+    case PolygonVector::PinVelocity: return QStringLiteral("v_A");
+    case PolygonVector::CouplerVelocity: return QStringLiteral("v_BA");
+    case PolygonVector::SliderVelocity: return QStringLiteral("v_B");
+    case PolygonVector::PinNormal: return QStringLiteral("a_Aⁿ");
+    case PolygonVector::PinTangential: return QStringLiteral("a_Aᵗ");
+    case PolygonVector::CouplerNormal: return QStringLiteral("a_BAⁿ");
+    case PolygonVector::CouplerTangential: return QStringLiteral("a_BAᵗ");
+    case PolygonVector::SliderAcceleration: break;
+    }
+    return QStringLiteral("a_B");
+}
+
+bool isSum(PolygonVector vector)
+{
+    return vector == PolygonVector::SliderVelocity || vector == PolygonVector::SliderAcceleration;
+}
+
+QRectF boundsOf(const std::vector<PlacedVector> &polygon)
+{
+    double left = 0.0;
+    double right = 0.0;
+    double bottom = 0.0;
+    double top = 0.0;
+    for (const PlacedVector &placed : polygon) {
+        left = std::min(left, placed.to.x);
+        right = std::max(right, placed.to.x);
+        bottom = std::min(bottom, placed.to.y);
+        top = std::max(top, placed.to.y);
+    }
+    return {left, bottom, right - left, top - bottom};
+}
+
+void drawArrow(QPainter &painter, QPointF from, QPointF to)
+{
+    const QLineF line(from, to);
+    painter.drawLine(line);
+    const double head = std::min(9.0, 0.5 * line.length()); // px
+    if (head < 1.0) {
+        return;
+    }
+    QLineF left = QLineF::fromPolar(head, line.angle() + 180.0 - 18.0).translated(to);
+    QLineF right = QLineF::fromPolar(head, line.angle() + 180.0 + 18.0).translated(to);
+    painter.setBrush(painter.pen().color());
+    painter.drawPolygon(QPolygonF{to, left.p2(), right.p2()});
+}
+
+/// Draws one polygon, and its scale below it.
+class PolygonDrawing
+{
+public:
+    PolygonDrawing(QPainter &painter, const QRectF &area, const std::vector<PlacedVector> &polygon, Measure measure,
+                   const QPalette &palette)
+        : m_painter(painter)
+        , m_area(area)
+        , m_polygon(polygon)
+        , m_measure(measure)
+        , m_palette(palette)
+    {
+    }
+
+    void draw()
+    {
+        const QFontMetricsF metrics(m_painter.font());
+        const double margin = 2.5 * metrics.height(); // for the names
+        const QRectF inside = m_area.adjusted(margin, metrics.height(), -margin, -2.5 * metrics.height());
+        const QRectF bounds = boundsOf(m_polygon);
+        m_scale = std::min(inside.width() / std::max(bounds.width(), 1e-300),
+                           inside.height() / std::max(bounds.height(), 1e-300));
+        if (!(std::max(bounds.width(), bounds.height()) > 0.0)) {
+            m_painter.drawText(m_area, Qt::AlignCenter, PolygonView::tr("all vectors are 0"));
+            return;
+        }
+        m_pole = inside.center() - QPointF(m_scale * bounds.center().x(), -m_scale * bounds.center().y());
+        for (const PlacedVector &placed : m_polygon) {
+            drawVector(placed);
+        }
+        drawPole();
+        drawScale();
+    }
+
+private:
+    QPointF toPixels(const PlaneVector &point) const { return m_pole + m_scale * QPointF(point.x, -point.y); }
+
+    void drawVector(const PlacedVector &placed)
+    {
+        const SeriesColours colours = seriesColours(m_palette);
+        const QColor colour = isSum(placed.vector)          ? colours.model
+                              : m_measure == Measure::Speed ? colours.errorOther
+                                                            : colours.error;
+        const QLineF line(toPixels(placed.from), toPixels(placed.to));
+        m_painter.setPen(QPen(colour, isSum(placed.vector) ? 2.5 : 1.6, Qt::SolidLine, Qt::FlatCap));
+        drawArrow(m_painter, line.p1(), line.p2());
+        constexpr double kShortest = 3.0; // px: a shorter vector has no name
+        if (line.length() < kShortest) {
+            return;
+        }
+        const QString text = vectorText(placed.vector);
+        const QFontMetricsF metrics(m_painter.font());
+        QRectF box(0.0, 0.0, metrics.horizontalAdvance(text) + 2.0, metrics.height());
+        const QLineF normal = line.normalVector().unitVector();
+        const double side = isSum(placed.vector) ? -1.0 : 1.0;
+        const double apart = 0.5 * (std::abs(normal.dx()) * box.width() + std::abs(normal.dy()) * box.height()) + 2.0;
+        box.moveCenter(line.center() + side * apart * QPointF(normal.dx(), normal.dy()));
+        m_painter.setPen(m_palette.color(QPalette::Text));
+        m_painter.drawText(box, Qt::AlignCenter, text);
+    }
+
+    void drawPole()
+    {
+        m_painter.setPen(QPen(m_palette.color(QPalette::Text), 1.2));
+        m_painter.setBrush(m_palette.base());
+        m_painter.drawEllipse(m_pole, 3.0, 3.0);
+    }
+
+    void drawScale()
+    {
+        constexpr double kUsualLength = 80.0; // px
+        const double unit = shownValue(m_measure, 1.0, notation().units);
+        double amount = nextRoundNumber(kUsualLength / m_scale * unit); // in the unit that is shown
+        const double length = amount / unit * m_scale;
+        const QFontMetricsF metrics(m_painter.font());
+        const double y = m_area.bottom() - 1.2 * metrics.height();
+        const double left = m_area.center().x() - 0.5 * length;
+        m_painter.setPen(QPen(m_palette.color(QPalette::Text), 1.2));
+        m_painter.drawLine(QPointF(left, y), QPointF(left + length, y));
+        for (const double x : {left, left + length}) {
+            m_painter.drawLine(QPointF(x, y - 3.0), QPointF(x, y + 3.0));
+        }
+        m_painter.drawText(QRectF(m_area.left(), y + 2.0, m_area.width(), metrics.height()), Qt::AlignCenter,
+                           withUnit(numberText(amount), shownUnit(m_measure)));
+    }
+
+    QPainter &m_painter;
+    QRectF m_area;
+    const std::vector<PlacedVector> &m_polygon;
+    Measure m_measure;
+    const QPalette &m_palette;
+    double m_scale = 1.0; ///< px per mm/s or mm/s²
+    QPointF m_pole;
+};
+
+/// The area that shows the polygons.
+class PolygonCanvas : public QWidget
+{
+public:
+    explicit PolygonCanvas(std::function<Polygons()> polygons)
+        : m_polygons(std::move(polygons))
+    {
+    }
+
+protected:
+    void paintEvent(QPaintEvent *) override
+    {
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::Antialiasing);
+        drawPolygons(painter, rect(), m_polygons(), palette());
+    }
+
+private:
+    std::function<Polygons()> m_polygons;
+};
+
+Polygons presentPolygons(const Session &session, double alpha2)
+{
+    return polygonsAt(Mechanism(session.parameters()), session.time(), alpha2);
+}
+
+} // namespace
+
+void drawPolygons(QPainter &painter, const QRectF &area, const Polygons &polygons, const QPalette &palette)
+{
+    if (polygons.velocity.empty()) {
+        painter.setPen(palette.color(QPalette::Text));
+        painter.drawText(area, Qt::AlignCenter | Qt::TextWordWrap,
+                         PolygonView::tr("There are no velocities in this position."));
+        return;
+    }
+    const QRectF left(area.topLeft(), QSizeF(0.5 * area.width(), area.height()));
+    PolygonDrawing(painter, left, polygons.velocity, Measure::Speed, palette).draw();
+    PolygonDrawing(painter, left.translated(left.width(), 0.0), polygons.acceleration, Measure::Acceleration, palette)
+        .draw();
+}
+
+PolygonView::PolygonView(Session *session, QWidget *parent)
+    : QWidget(parent)
+    , m_session(session)
+    , m_canvas(new PolygonCanvas([this] { return presentPolygons(*m_session, m_alpha2); }))
+{
+    named("polygonView", this, tr("Velocity and acceleration polygons"));
+    auto *head = new QHBoxLayout;
+    head->addWidget(
+        plainText(tr("Velocity and acceleration polygons at the present position; α₂ is that of the table.")), 1);
+    connect(addButton(head, "polygonCopy", tr("Copy"), tr("Copies the polygons as an image")), &QToolButton::clicked,
+            this, &PolygonView::copy);
+    connect(addButton(head, "polygonExport", tr("Export…"), tr("Writes the polygons to an image file")),
+            &QToolButton::clicked, this, [this] {
+                chooseExport(m_session, this, figureFilters(), tr("polygons"),
+                             [this](const QString &path) { return exportTo(path); });
+            });
+    auto *rows = new QVBoxLayout(this);
+    rows->setContentsMargins(2, 0, 0, 0);
+    rows->setSpacing(3);
+    rows->addLayout(head);
+    rows->addWidget(m_canvas, 1);
+    connect(session, &Session::resultChanged, this, &PolygonView::refresh);
+    connect(session, &Session::timeChanged, this, &PolygonView::refresh);
+}
+
+void PolygonView::setCrankAcceleration(double alpha2)
+{
+    m_alpha2 = alpha2;
+    refresh();
+}
+
+void PolygonView::refresh()
+{
+    if (isVisible()) {
+        m_canvas->update();
+    }
+}
+
+FigureDrawing PolygonView::drawing() const
+{
+    return [this](QPainter &painter, const QSize &size) {
+        const QPalette light = paletteFor(Theme::Light);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.fillRect(QRect(QPoint(), size), light.base());
+        drawPolygons(painter, QRectF(QPointF(), QSizeF(size)), presentPolygons(*m_session, m_alpha2), light);
+    };
+}
+
+std::optional<QString> PolygonView::exportTo(const QString &path) const
+{
+    return exportFigure(path, {kPolygonFigure, 2.0}, accessibleName(),
+                        withParameters(drawing(), Mechanism(m_session->parameters()), paletteFor(Theme::Light)));
+}
+
+void PolygonView::copy()
+{
+    if (const std::optional<QString> problem = copyFigureToClipboard({kPolygonFigure, 2.0}, drawing())) {
+        emit m_session->failed(*problem);
+    } else {
+        emit m_session->confirmed(tr("The polygons are in the clipboard."));
+    }
+}
+
+void PolygonView::showEvent(QShowEvent *event)
+{
+    QWidget::showEvent(event);
+    refresh();
+}
+
+} // namespace slidercrank
+
+#include "moc_polygon_view.cpp"

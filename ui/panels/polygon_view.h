@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The velocity polygon and the acceleration polygon at the present position, drawn to scale with named vectors. They
+// follow the animation.
+
+#include "core/limits/polygon.h"
+#include "ui/export/figure_export.h"
+
+#include <QWidget>
+
+namespace slidercrank
+{
+
+class Session;
+
+class PolygonView : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit PolygonView(Session *session, QWidget *parent = nullptr);
+
+    /// Sets the crank acceleration (rad/s²).
+    void setCrankAcceleration(double alpha2);
+
+    /// Writes the polygons to an image file. Returns an error message if it cannot be written.
+    std::optional<QString> exportTo(const QString &path) const;
+
+    QSize minimumSizeHint() const override { return {300, 120}; }
+
+protected:
+    void showEvent(QShowEvent *event) override;
+
+private:
+    void refresh();
+    FigureDrawing drawing() const;
+    void copy();
+
+    Session *m_session;
+    double m_alpha2 = 0.0;
+    QWidget *m_canvas;
+};
+
+/// Draws both polygons side by side, each to its own scale, which is shown below it.
+void drawPolygons(QPainter &painter, const QRectF &area, const Polygons &polygons, const QPalette &palette);
+
+} // namespace slidercrank

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/text/expression.h"
+
+#include "ui/text/quantity_text.h"
+
+#include <QRegularExpression>
+
+#include <cmath>
+#include <numbers>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+/// Evaluates a text without spaces by recursive descent: a sum of products of factors.
+class Calculator
+{
+public:
+    explicit Calculator(const QString &text)
+        : m_rest(text)
+    {
+    }
+
+    /// Returns the value, or NaN if the text is not an expression.
+    double value()
+    {
+        const double result = sum();
+        return m_rest.isEmpty() ? result : kNone;
+    }
+
+private:
+    bool takes(QChar sign)
+    {
+        const bool isNext = m_rest.startsWith(sign);
+        m_rest = m_rest.sliced(isNext ? 1 : 0);
+        return isNext;
+    }
+
+    double sum()
+    {
+        double result = product();
+        while (true) {
+            if (takes(u'+')) {
+                result += product();
+            } else if (takes(u'-')) {
+                result -= product();
+            } else {
+                return result;
+            }
+        }
+    }
+
+    double product()
+    {
+        double result = factor();
+        while (true) {
+            if (takes(u'*')) {
+                result *= factor();
+            } else if (takes(u'/')) {
+                result /= factor();
+            } else {
+                return result;
+            }
+        }
+    }
+
+    double factor()
+    {
+        if (m_depth > kMaxDepth) {
+            return kNone;
+        }
+        if (takes(u'-')) {
+            ++m_depth;
+            return -factor();
+        }
+        if (takes(u'(')) {
+            ++m_depth;
+            const double result = sum();
+            return takes(u')') ? result : kNone;
+        }
+        if (takes(u'p')) { // "pi"
+            return takes(u'i') ? std::numbers::pi : kNone;
+        }
+        static const QRegularExpression number(R"(^(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?)");
+        const QRegularExpressionMatch match = number.match(m_rest);
+        m_rest = m_rest.sliced(match.capturedLength());
+        return match.hasMatch() ? match.captured().toDouble() : kNone;
+    }
+
+    static constexpr int kMaxDepth = 50; // signs and parentheses
+    QString m_rest;
+    int m_depth = 0; ///< number of signs and parentheses so far
+};
+
+} // namespace
+
+Quantity readExpression(const QString &text, const std::optional<Unit> &wanted, const QLocale &locale)
+{
+    const Quantity quantity = readQuantity(text, wanted, locale);
+    if (!quantity.fault) {
+        return quantity;
+    }
+    QString spelled = text.trimmed().replace("pi", "pi", Qt::CaseInsensitive);
+    spelled.replace(locale.negativeSign(), "-").replace(locale.decimalPoint(), ".");
+    spelled.replace(QChar(0x2212), "-").replace(u'×', "*").replace(u'·', "*").replace(u'÷', "/").replace(u'π', "pi");
+    static const QRegularExpression expression(R"(^((?:[-+*/().\d\s]|pi|[eE][-+]?\d)*)(.*)$)");
+    const QRegularExpressionMatch match = expression.match(spelled);
+    QString calculation = match.captured(1);
+    if (!calculation.contains(QRegularExpression("[*/+(]|\\d\\s*-|pi"))) { // only a number, which has the fault
+        return quantity;
+    }
+    const double value = Calculator(calculation.remove(QRegularExpression("\\s"))).value();
+    if (!std::isfinite(value)) {
+        return {.fault = QuantityFault::NotANumber};
+    }
+    return readQuantity(QString::number(value, 'g', 17) + u' ' + match.captured(2), wanted, QLocale::c());
+}
+
+} // namespace slidercrank

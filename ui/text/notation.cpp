@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/text/notation.h"
+
+#include "ui/text/finding_text.h"
+#include "ui/text/written_number.h"
+
+#include <QCoreApplication>
+
+#include <array>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+struct NotationText {
+    Q_DECLARE_TR_FUNCTIONS(slidercrank::NotationText)
+};
+
+Notation &chosenNotation()
+{
+    static Notation chosen;
+    return chosen;
+}
+
+QString derivedName(DerivedQuantity quantity)
+{
+    switch (quantity) {
+    case DerivedQuantity::TransmissionAngle: return NotationText::tr("transmission angle");
+    case DerivedQuantity::Displacement: return NotationText::tr("displacement from the outer dead centre");
+    case DerivedQuantity::PinX: return NotationText::tr("crank pin A, x");
+    case DerivedQuantity::PinY: return NotationText::tr("crank pin A, y");
+    }
+    return {};
+}
+
+} // namespace
+
+double crankSpeedFactor(CrankSpeedUnit unit)
+{
+    switch (unit) {
+    case CrankSpeedUnit::RadianPerSecond: return 1.0;
+    case CrankSpeedUnit::DegreePerSecond: return kDegreesPerRadian;
+    case CrankSpeedUnit::TurnPerMinute: break;
+    }
+    return 30.0 / std::numbers::pi;
+}
+
+QString crankSpeedUnitText(CrankSpeedUnit unit)
+{
+    switch (unit) {
+    case CrankSpeedUnit::RadianPerSecond: return NotationText::tr("rad/s");
+    case CrankSpeedUnit::DegreePerSecond: return NotationText::tr("°/s");
+    case CrankSpeedUnit::TurnPerMinute: break;
+    }
+    return NotationText::tr("rpm");
+}
+
+const Notation &notation()
+{
+    return chosenNotation();
+}
+
+void setNotation(const Notation &notation)
+{
+    chosenNotation() = notation;
+}
+
+ShownScale shownScale(const OutputChannel &channel, Branch branch, const Notation &chosen)
+{
+    const Measure measure = measureOf(channel);
+    ShownScale scale{fromFileUnit(measure, 1.0, chosen.units), 0.0};
+    if (chosen.symbols == Symbols::Textbook && channel == OutputChannel(Channel{Theta3, Order::Position})) {
+        scale.offset = scale.factor * (branch == Branch::Open ? 180.0 : -180.0);
+    }
+    return scale;
+}
+
+double shownChannel(const OutputChannel &channel, Branch branch, double value)
+{
+    return shownScale(channel, branch).shown(toFileUnit(measureOf(channel), value));
+}
+
+QString shownUnit(Measure measure)
+{
+    return unitText(measure, notation().units);
+}
+
+QString lengthText(double length, int digits)
+{
+    return withUnit(numberText(shownValue(Measure::Length, length, notation().units), digits),
+                    shownUnit(Measure::Length));
+}
+
+QString symbolOf(const OutputChannel &channel)
+{
+    if (const Channel *coordinate = std::get_if<Channel>(&channel)) {
+        return symbolText(*coordinate);
+    }
+    const auto &[quantity, order] = std::get<DerivedChannel>(channel);
+    const auto index = static_cast<std::size_t>(order);
+    switch (quantity) {
+    case DerivedQuantity::TransmissionAngle: return std::array{"μ", "dμ/dt", "d²μ/dt²"}[index];
+    case DerivedQuantity::Displacement: return std::array{"s", "ds/dt", "d²s/dt²"}[index];
+    case DerivedQuantity::PinX: return std::array{"A_x", "v_Ax", "a_Ax"}[index];
+    case DerivedQuantity::PinY: return std::array{"A_y", "v_Ay", "a_Ay"}[index];
+    }
+    return {};
+}
+
+QString nameText(const OutputChannel &channel)
+{
+    if (const Channel *coordinate = std::get_if<Channel>(&channel)) {
+        return quantityName(*coordinate);
+    }
+    const auto &[quantity, order] = std::get<DerivedChannel>(channel);
+    const QString name = derivedName(quantity);
+    return order == Order::Position   ? name
+           : order == Order::Velocity ? NotationText::tr("%1, first derivative").arg(name)
+                                      : NotationText::tr("%1, second derivative").arg(name);
+}
+
+} // namespace slidercrank

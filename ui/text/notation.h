@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The notation and the units that a person chose for the window, its figures, reports and tables. This is the only
+// place that converts a quantity to what is shown. The commands of the command line keep the defaults, which are those
+// of files.
+
+#include "ui/text/units.h"
+
+#include <QString>
+
+namespace slidercrank
+{
+
+enum class Symbols {
+    AbsoluteCoordinates, ///< Shabana: θ³ from A to B, Rₓ⁴
+    Textbook             ///< Norton: θ₃ measured at B, x_B, v_B, a_B
+};
+
+enum class CrankSpeedUnit { RadianPerSecond, DegreePerSecond, TurnPerMinute };
+
+/// Returns how many of the unit are a rad/s, and its text.
+double crankSpeedFactor(CrankSpeedUnit unit);
+QString crankSpeedUnitText(CrankSpeedUnit unit);
+
+struct Notation {
+    Symbols symbols = Symbols::AbsoluteCoordinates;
+    Units units = {};
+    CrankSpeedUnit crankSpeed = CrankSpeedUnit::RadianPerSecond;
+
+    friend bool operator==(const Notation &, const Notation &) = default;
+};
+
+/// The chosen notation. To be read and changed in the thread of the window only.
+const Notation &notation();
+void setNotation(const Notation &notation);
+
+/// How a channel is shown: shown = factor · value in the unit of files + offset. The offset is that of the textbook's
+/// θ₃, which is measured at B: θ³ + 180° on the open branch and θ³ - 180° on the crossed one.
+struct ShownScale {
+    double factor = 1.0;
+    double offset = 0.0;
+
+    double shown(double inFileUnit) const { return factor * inFileUnit + offset; }
+    double inFileUnit(double shown) const { return (shown - offset) / factor; }
+};
+ShownScale shownScale(const OutputChannel &channel, Branch branch, const Notation &chosen = notation());
+
+/// Returns the value of a channel as it is shown, from the core's unit (mm, rad, s).
+double shownChannel(const OutputChannel &channel, Branch branch, double value);
+
+/// Returns the unit in which quantities of this kind are shown.
+QString shownUnit(Measure measure);
+inline QString shownUnit(const OutputChannel &channel)
+{
+    return shownUnit(measureOf(channel));
+}
+
+/// Returns a length (mm) with its unit as it is shown: "65 mm", "2.5 in".
+QString lengthText(double length, int digits = 6);
+
+/// Returns the symbol of a channel: that of symbolText(Channel), "μ", "A_x".
+QString symbolOf(const OutputChannel &channel);
+
+/// Returns the name of a channel: "slider velocity", "transmission angle".
+QString nameText(const OutputChannel &channel);
+
+} // namespace slidercrank
