@@ -195,9 +195,8 @@ QByteArrayList readBeginnings(const QStringList &paths)
     for (const QString &path : paths) {
         QFile file(path);
         QByteArray lines;
-        const bool isOpen = QFileInfo(path).isFile() && file.open(QIODevice::ReadOnly);
-        while (isOpen && !file.atEnd() && lines.size() < kLimit) {
-            lines += file.readLine(kLimit);
+        if (QFileInfo(path).isFile() && file.open(QIODevice::ReadOnly)) {
+            lines = file.read(kLimit) + file.readLine(kLimit); // the rest of the last line
         }
         beginnings += lines;
     }
