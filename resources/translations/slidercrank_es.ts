@@ -1006,8 +1006,8 @@ Equipo: %1. Tiempo: %2 s.
         <translation>--design time-ratio calcula c: quite %1.</translation>
     </message>
     <message>
-        <source>--design time-ratio needs a stroke, or the lengths --a and --b.</source>
-        <translation>--design time-ratio necesita una carrera (stroke), o las longitudes --a y --b.</translation>
+        <source>--design time-ratio needs a stroke, such as stroke=80, or the lengths --a and --b.</source>
+        <translation>--design time-ratio necesita una carrera, por ejemplo stroke=80, o las longitudes --a y --b.</translation>
     </message>
     <message>
         <source>--vary prints values without their tolerances: remove %1.</source>

@@ -39,6 +39,7 @@ ResponseRange responseRange(const Parameters &parameters, Parameter parameter)
     const double value = valueOf(parameters, parameter);
     const auto &[assembled, fullTurn] = parameterRanges(parameters, parameter);
     Interval shown{assembled.lower, assembled.upper};
+    Interval shownFullTurn{fullTurn.lower, fullTurn.upper};
     const auto cutAbove = [&shown, value](double end) {
         shown.upper = std::min(std::max(end, 1.25 * value), shown.upper);
     };
@@ -50,10 +51,13 @@ ResponseRange responseRange(const Parameters &parameters, Parameter parameter)
     case Parameter::Theta20: {
         const double end = nextRoundNumber(std::max(1.25 * std::abs(value), 1.0));
         shown = {-end, end};
+        if (shownFullTurn.length() >= 0.0) { // then the crank turns fully for every value
+            shownFullTurn = shown;
+        }
         break;
     }
     }
-    return {shown, {fullTurn.lower, fullTurn.upper}};
+    return {shown, shownFullTurn};
 }
 
 QString fullTurnText(Parameter parameter, const ResponseRange &range)

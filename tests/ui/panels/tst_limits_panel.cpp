@@ -36,11 +36,12 @@ namespace
 
 constexpr std::size_t kStroke = 0, kRatio = 1, kTransmissionAngle = 2, kSpeed = 3, kAcceleration = 4;
 
-/// Compares two lists of limits; NaN equals NaN.
+/// Compares two lists of limits, but for the rounding of a conversion of units; NaN equals NaN.
 bool isSame(const LimitValues &first, const LimitValues &second)
 {
-    return std::ranges::equal(first, second,
-                              [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); });
+    return std::ranges::equal(first, second, [](double x, double y) {
+        return std::isnan(x) ? std::isnan(y) : std::abs(x - y) <= 1e-15 * std::abs(y);
+    });
 }
 
 /// Computes the limits directly from the core.
