@@ -164,7 +164,7 @@ ExitStatus checkCommand(const OptionReader &options, const Streams &streams)
     Answer answer{.text = valueTable(values, result) + (conclusion.isEmpty() ? conclusion : conclusion + '\n'),
                   .json = {{"mechanism", toJson(question.mechanism.parameters())},
                            {"values", valuesJson},
-                           {"slip", result.explanation == Explanation::Named ? candidates.first() : QJsonValue()},
+                           {"slip", result.explanation == CheckOutcome::Named ? candidates.first() : QJsonValue()},
                            {"candidates", candidates},
                            {"conclusion", jsonText(conclusion)}}};
     const SamplingSummary summary = sample(position.mechanism, {0.0}, ChannelSet(), {}).summary;

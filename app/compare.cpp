@@ -5,10 +5,10 @@
 #include "app/commands.h"
 #include "app/reference_files.h"
 #include "app/time_step_report.h"
-#include "core/identification/diagnosis.h"
+#include "core/identification/identification.h"
 #include "ui/document/settings_fields.h"
 #include "ui/text/column_text.h"
-#include "ui/text/diagnosis_text.h"
+#include "ui/text/explanation.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/read_fault_text.h"
 
@@ -44,12 +44,11 @@ Answer compareOne(const ReferenceQuestion &question, const SolverSettings &solve
     QStringList explanation;
     QJsonValue jsonExplanation;
     if (verdict == Verdict::Differs) {
-        const Diagnosis diagnosis = diagnose(data, question.mechanism);
-        const Identification &found = diagnosis.identification;
-        explanation = explanationLines(diagnosis, data, question.mechanism);
+        const Identification found = identify(data, question.mechanism);
+        explanation = textsOf(explanationsOf(found, question.mechanism.parameters(), data.layout));
         jsonExplanation = QJsonObject{{"sentence", explanation.join(' ')},
                                       {"mechanism", jsonMechanism(found.hasMechanism(), found.parameters)},
-                                      {"conventions", jsonConventions(diagnosis.conventions)}};
+                                      {"conventions", jsonConventions(found.conventions)}};
     }
     QJsonArray channels;
     for (const ChannelComparison &channel : comparison) {

@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// `slidercrank identify`: finds the mechanism that each reference file belongs to.
+// `slidercrank identify`: identifies the mechanism that produced each reference file.
 
 #include "app/commands.h"
 #include "app/reference_files.h"
-#include "core/identification/diagnosis.h"
+#include "core/identification/identification.h"
 #include "core/import/crank_angles.h"
+#include "ui/document/result.h"
 #include "ui/document/settings_fields.h"
 #include "ui/text/convention_text.h"
-#include "ui/text/diagnosis_text.h"
 #include "ui/text/finding_text.h"
+#include "ui/text/identification_text.h"
 
 #include <QLocale>
 
 #include <array>
+#include <cmath>
 
 namespace slidercrank
 {
@@ -21,50 +23,96 @@ namespace slidercrank
 namespace
 {
 
-using Outcome = Identification::Outcome;
-
-/// Names in JSON, by Identification::Outcome.
-constexpr std::array kOutcomeNames{"identified", "ambiguous", "approximate", "insufficient", "nearest", "none"};
-
-/// Names in JSON, by Identification::Alternative::Why.
-constexpr std::array kAlternativeNames{"mirror-image", "reversed", "other-assembly", "alias", "another-mechanism"};
-
-QJsonObject jsonIdentification(const Diagnosis &diagnosis)
+QJsonValue jsonValue(bool value)
 {
-    const Identification &found = diagnosis.identification;
-    QJsonObject standardErrors, identifiable, noise;
+    return value;
+}
+
+QJsonValue jsonValue(double value)
+{
+    return jsonNumber(value);
+}
+
+/// A value for each parameter, by the names of the options.
+template <typename Value>
+QJsonObject jsonByParameter(const std::array<Value, kParameterCount> &values)
+{
+    QJsonObject object;
     for (const Parameter parameter : kAllParameters) {
-        const std::size_t i = indexOf(parameter);
-        const QLatin1String name(optionName(parameter));
-        standardErrors.insert(name, jsonNumber(found.standardError[i]));
-        identifiable.insert(name, found.identifiable[i]);
+        object.insert(QLatin1String(optionName(parameter)), jsonValue(values[indexOf(parameter)]));
     }
-    for (const Identification::Noise &column : found.noise) {
-        noise.insert(columnName(column.channel), jsonNumber(column.rms));
+    return object;
+}
+
+/// The values that an insufficient file determines; empty for other outcomes.
+QJsonObject jsonDetermined(const Identification &found)
+{
+    QJsonObject values;
+    for (const Parameter parameter : kAllParameters) {
+        if (found.outcome == Identification::Outcome::Insufficient &&
+            std::isfinite(found.standardError[indexOf(parameter)])) {
+            values.insert(QLatin1String(optionName(parameter)), valueOf(found.parameters, parameter));
+        }
     }
-    const auto jsonAlternative = [](const Identification::Alternative &alternative) {
-        return QJsonObject{{"mechanism", toJson(alternative.parameters)},
-                           {"why", kAlternativeNames[static_cast<std::size_t>(alternative.why)]}};
-    };
-    const auto jsonLeftOut = [](const auto &column) {
+    return values;
+}
+
+QJsonValue jsonDrive(const std::optional<UnevenDrive> &drive)
+{
+    return drive ? QJsonObject{{"omega2", jsonNumber(drive->omega2)},
+                               {"standardError", jsonNumber(drive->standardError)},
+                               {"least", jsonNumber(drive->least)},
+                               {"greatest", jsonNumber(drive->greatest)},
+                               {"alpha2", jsonNumber(drive->alpha2)}}
+                 : QJsonValue();
+}
+
+QJsonArray jsonResiduals(const std::vector<ColumnResidual> &residuals)
+{
+    return jsonList(residuals, [](const ColumnResidual &residual) {
+        return QJsonObject{{"channel", columnName(residual.channel)},
+                           {"rms", jsonNumber(residual.rms)},
+                           {"max", jsonNumber(residual.max)},
+                           {"percentOfRange", jsonNumber(residual.percentOfRange)}};
+    });
+}
+
+QJsonArray jsonLeftOut(const std::vector<LeftOutColumn> &columns)
+{
+    return jsonList(columns, [](const LeftOutColumn &column) {
         return QJsonObject{{"channel", columnName(column.channel)},
-                           {"percentOfPeak", jsonNumber(column.percentOfPeak)}};
-    };
+                           {"percentOfPeak", jsonNumber(column.percentOfPeak)},
+                           {"reason", reasonName(column.reason)}};
+    });
+}
+
+QJsonArray jsonAlternatives(const std::vector<AlternativeMechanism> &alternatives)
+{
+    return jsonList(alternatives, [](const AlternativeMechanism &alternative) {
+        return QJsonObject{{"mechanism", toJson(alternative.parameters)}, {"why", symmetryName(alternative.symmetry)}};
+    });
+}
+
+QJsonObject jsonIdentification(const Identification &found)
+{
     const auto jsonComparison = [](const ChannelComparison &channel) { return jsonObject(comparisonRecord(channel)); };
-    return {{"outcome", kOutcomeNames[static_cast<std::size_t>(found.outcome)]},
-            {"mechanism", jsonMechanism(found.hasMechanism() || found.outcome == Outcome::Nearest, found.parameters)},
-            {"standardError", standardErrors},
-            {"identifiable", identifiable},
-            {"alternatives", jsonList(found.alternatives, jsonAlternative)},
-            {"rounded", jsonMechanism(found.outcome == Outcome::Identified, diagnosis.rounded)},
-            {"noise", noise},
+    return {{"outcome", outcomeName(found.outcome)},
+            {"mechanism", jsonMechanism(found.hasMechanism(), found.parameters)},
+            {"standardError", jsonByParameter(found.standardError)},
+            {"identifiable", jsonByParameter(found.identifiable)},
+            {"determined", jsonDetermined(found)},
+            {"alternatives", jsonAlternatives(found.alternatives)},
+            {"rounded", jsonMechanism(found.hasMechanism(), found.rounded)},
+            {"drive", jsonDrive(found.drive)},
+            {"possibleSpeeds", jsonList(found.possibleSpeeds, jsonNumber)},
+            {"residuals", jsonResiduals(found.residuals)},
             {"iterations", found.iterations},
             {"conditionNumber", found.hasMechanism() ? jsonNumber(found.conditionNumber) : QJsonValue()},
-            {"channels", jsonList(diagnosis.identified, jsonComparison)},
-            {"conventions", jsonConventions(diagnosis.conventions)},
-            {"leftOut", jsonList(found.leftOut, jsonLeftOut)},
+            {"channels", jsonList(found.channels, jsonComparison)},
+            {"conventions", jsonConventions(found.conventions)},
+            {"leftOut", jsonLeftOut(found.leftOut)},
             {"excludedRows", jsonList(found.excludedRows, jsonNumber)},
-            {"summary", summaryText(diagnosis)}};
+            {"summary", summaryText(found)}};
 }
 
 /// The options of the mechanism for another command: "--a 20 --b …".
@@ -81,36 +129,37 @@ QString optionsFor(const Parameters &parameters)
 }
 
 /// Describes an identification that found a mechanism.
-QString identificationText(const Reference &reference, const Diagnosis &diagnosis)
+QString identificationText(const Reference &reference, const Identification &found)
 {
-    const Identification &found = diagnosis.identification;
     const ReferenceData &data = reference.data;
     QStringList lines{headline(reference).trimmed()};
-    for (const ConventionFinding &finding : diagnosis.conventions) {
+    for (const ConventionFinding &finding : found.conventions) {
         lines += findingText(finding);
     }
-    lines += summaryText(diagnosis);
-    const std::optional<ReferenceData> timed = data.crank ? timedBy(Mechanism(found.parameters), data) : std::nullopt;
-    lines += '\n' + alignedTable(comparisonTable(diagnosis.identified, timed ? *timed : data));
-    if (found.noise.empty()) { // otherwise the summary reports the noise
-        lines += summaryText(diagnosis.identified);
+    lines += summaryText(found);
+    lines += roundNumbersText(found);
+    if (found.outcome == Identification::Outcome::Identified && !found.drive) {
+        const auto timed = data.crank ? timedBy(Mechanism(found.parameters), data) : std::nullopt;
+        lines += '\n' + alignedTable(comparisonTable(found.channels, timed ? *timed : data));
+        lines += summaryText(found.channels);
+    } else { // these differ by more than rounding, or are compared over the crank angle
+        lines += '\n' + alignedTable(residualTable(found.residuals));
     }
-    lines += CommandLine::tr("As options: %1").arg(optionsFor(diagnosis.rounded));
+    lines += CommandLine::tr("As options: %1").arg(optionsFor(mechanismToUse(found)));
     lines.removeAll(QString());
     return lines.join('\n') + '\n';
 }
 
 Answer identifyOne(const ReferenceQuestion &question, const Reference &reference, const Streams &streams)
 {
-    const Diagnosis diagnosis = diagnose(reference.data, question.mechanism);
-    const bool isFound = diagnosis.identification.hasMechanism();
+    const Identification found = identify(reference.data, question.mechanism);
     Answer answer;
-    answer.json = jsonIdentification(diagnosis);
-    if (isFound) {
-        answer.text = identificationText(reference, diagnosis);
+    answer.json = jsonIdentification(found);
+    if (found.hasMechanism()) {
+        answer.text = identificationText(reference, found);
     } else {
         answer.status = ExitStatus::NotSolved;
-        streams.report(displayName(reference.paths) + ": " + summaryText(diagnosis));
+        streams.report(displayName(reference.paths) + ": " + summaryText(found));
     }
     return answer;
 }

@@ -61,17 +61,15 @@ public:
              "motion. For a file that differs, the program says what would explain the difference. A file that cannot "
              "be read is reported, and the others are still compared. FILE may be - for standard input."),
          compareCommand},
-        {"identify", "FILE… [options]", QT_TR_NOOP("the mechanism that each file belongs to"),
-         QT_TR_NOOP("Finds the mechanism that a simulation's file belongs to, from all of its columns, and how certain "
-                    "each parameter is (± one standard error). If the meaning of a column differs from its heading "
-                    "(radians, another origin, "
-                    "another sign …), the program reports that and reads the file accordingly. The options of the "
-                    "mechanism supply what the file does not determine. R4_x and R4_y are measured from the crank "
-                    "pivot O₂, angles counter-clockwise from x. FILE may be - for standard input. Outcomes: "
-                    "identified, the residuals are rounding or white noise; approximate, a mechanism explains the file "
-                    "up to a systematic deviation of at most 1 %; ambiguous, several mechanisms explain the file "
-                    "equally well; insufficient, the file holds too little to decide; nearest, no mechanism explains "
-                    "the file and the nearest one is printed; none, no mechanism was found."),
+        {"identify", "FILE… [options]", QT_TR_NOOP("the mechanism that produced each file"),
+         QT_TR_NOOP("Identifies the mechanism that produced a file, from all of its columns, and how certain each "
+                    "parameter is (± one standard error). If the meaning of a column differs from its heading "
+                    "(radians, a different origin or sign …), the program reports that and reads the file accordingly. "
+                    "The options of the mechanism supply what the file does not determine. R4_x and R4_y are measured "
+                    "from the crank pivot O₂, angles counter-clockwise from x. FILE may be - for standard input. "
+                    "Outcomes: identified, rounding explains every column that is used; approximate, a mechanism "
+                    "explains the file with residuals below 2 % of the range; insufficient, the file does not "
+                    "determine the mechanism; none, no mechanism explains the file."),
          identifyCommand},
         {"study", "[options]", QT_TR_NOOP("speed and error of every method"),
          QT_TR_NOOP(

@@ -16,11 +16,6 @@ namespace slidercrank
 namespace
 {
 
-/// The unit of a convention's amount, by Convention::Kind; null if there is no amount. That of a ZeroPoint is the unit
-/// of its channel.
-constexpr std::array<const char *, 12> kAmountUnits{"", "",      "",      "",  "°",     "°",
-                                                    "", nullptr, nullptr, "s", nullptr, nullptr};
-
 QJsonArray jsonColumns(const FileLayout &layout)
 {
     QJsonArray columns;
@@ -132,16 +127,15 @@ QJsonValue jsonMechanism(bool exists, const Parameters &parameters)
 QJsonArray jsonConventions(const std::vector<ConventionFinding> &findings)
 {
     return jsonList(findings, [](const ConventionFinding &finding) {
-        const char *unit = kAmountUnits[static_cast<std::size_t>(finding.kind)];
-        const bool isZeroPoint = finding.kind == Convention::Kind::ZeroPoint;
+        const std::optional<QString> unit = amountUnit(finding);
         QStringList channels;
         for (const Channel channel : finding.channels) {
             channels += columnName(channel);
         }
-        return QJsonObject{{"name", toJson(finding)["kind"]},
+        return QJsonObject{{"name", conventionName(finding.kind)},
                            {"channel", jsonText(channels.join(','))},
                            {"amount", unit ? QJsonValue(finding.amount) : QJsonValue()},
-                           {"unit", jsonText(isZeroPoint ? unitText(finding.channels.front()) : QString(unit))},
+                           {"unit", jsonText(unit.value_or(QString()))},
                            {"explanation", explanationText(finding)},
                            {"standardError", jsonNumber(finding.standardError)},
                            {"before", jsonNumber(finding.before)},

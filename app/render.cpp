@@ -5,7 +5,7 @@
 #include "app/commands.h"
 #include "app/reference_files.h"
 #include "app/time_step_report.h"
-#include "core/identification/diagnosis.h"
+#include "core/identification/identification.h"
 #include "ui/document/result.h"
 #include "ui/export/animation_export.h"
 #include "ui/export/figure_export.h"
@@ -255,9 +255,9 @@ std::optional<QString> draw(const RenderRequest &request, const std::shared_ptr<
     const Scene &scene = request.scene;
     const QPalette palette = paletteFor(request.theme);
     const bool showsMechanism = request.subject != Subject::Figure && request.subject != Subject::Plot;
-    ReportContent content{.result = result, .diagnosis = {}, .time = scene.time, .paper = request.paper};
+    ReportContent content{.result = result, .found = {}, .time = scene.time, .paper = request.paper};
     if (result->reference && showsMechanism) {
-        content.diagnosis = diagnose(result->reference->data, result->mechanism);
+        content.found = identify(result->reference->data, result->mechanism);
     }
     PlotGrid plots;
     plots.setSettings(scene.plots);
@@ -267,7 +267,7 @@ std::optional<QString> draw(const RenderRequest &request, const std::shared_ptr<
     mechanism.setResult(result);
     mechanism.setSettings(scene.mechanism);
     mechanism.setZoom(scene.mechanismFrame);
-    const GhostMotion ghost = findGhost(*result, &content.diagnosis);
+    const GhostMotion ghost = findGhost(*result, &content.found);
     mechanism.setGhostBounds(ghost.bounds);
     const FrameDrawing drawFrame = [&](QPainter &painter, const QSize &size, double time) {
         mechanism.setPose(poseAt(scene.parameters, time));

@@ -126,10 +126,10 @@ void explainBySlips(CheckResult &result, std::vector<Comparison> comparisons, do
         return;
     }
     if (static_cast<double>(countTried(comparisons)) * coincidence >= kLargestChance) {
-        result.explanation = Explanation::TooFewDigits;
+        result.explanation = CheckOutcome::TooFewDigits;
     } else {
         result.slips = slips;
-        result.explanation = slips.size() == 1 ? Explanation::Named : Explanation::Ambiguous;
+        result.explanation = slips.size() == 1 ? CheckOutcome::Named : CheckOutcome::Ambiguous;
     }
 }
 
@@ -179,13 +179,13 @@ CheckResult check(const CrankPosition &position, std::span<const GivenValue> giv
     if (std::ranges::all_of(result.values, &CheckedValue::isRight)) {
         return result;
     }
-    result.explanation = Explanation::None;
+    result.explanation = CheckOutcome::None;
     if (exact.state.status != Status::Solved) {
         return result;
     }
     explainBySlips(result, compareSlips(position, exact, given, result.values), coincidence);
     if (result.slips.empty() && areRoundedEarlier(position, exact, given, result.values)) {
-        result.explanation = Explanation::RoundedEarlier;
+        result.explanation = CheckOutcome::RoundedEarlier;
     }
     return result;
 }

@@ -51,7 +51,7 @@ struct CheckedValue {
 };
 
 /// What is known about the wrong values.
-enum class Explanation {
+enum class CheckOutcome {
     NotNeeded,      ///< all values are right
     Named,          ///< exactly one slip gives the wrong values
     Ambiguous,      ///< several slips give them
@@ -64,7 +64,7 @@ enum class Explanation {
 struct CheckResult {
     Status status = Status::Solved;        ///< if it is not Solved, values may not exist
     std::vector<CheckedValue> values = {}; ///< of every given value
-    Explanation explanation = Explanation::NotNeeded;
+    CheckOutcome explanation = CheckOutcome::NotNeeded;
     std::vector<Slip> slips = {}; ///< one if Named, several if Ambiguous, otherwise none
 };
 

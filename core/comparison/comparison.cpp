@@ -107,10 +107,31 @@ void measure(ChannelComparison &result, double time, double error, double magnit
     }
 }
 
-/// Compares the column `series` of the reference data. `effect` is null if the time stamps are exact.
+/// The magnitude of an error. Files may count crank angles from zero again after each turn.
+double errorOf(Channel channel, double model, double value)
+{
+    constexpr double kDegreesPerTurn = 360.0;
+    const bool isCrankAngle = channel == Channel{Theta2, Order::Position};
+    return std::abs(isCrankAngle ? std::remainder(model - value, kDegreesPerTurn) : model - value);
+}
+
+/// The rms error of a column, where both values exist.
+double rmsError(const ReferenceSeries &series, std::span<const double> models)
+{
+    double squares = 0.0;
+    double count = 0.0;
+    for (std::size_t i = 0; i < models.size(); ++i) {
+        const double error = errorOf(series.channel, models[i], series.values[i]);
+        squares += std::isfinite(error) ? error * error : 0.0;
+        count += std::isfinite(error) ? 1.0 : 0.0;
+    }
+    return count > 0.0 ? std::sqrt(squares / count) : 0.0;
+}
+
+/// Compares the column `series` of the reference. `effect`: null if the time stamps are exact.
 ChannelComparison compareSeries(const Mechanism &mechanism, const Trajectory &trajectory,
                                 const ReferenceData &reference, const ReferenceSeries &series,
-                                const RoundedTimeEffect *effect)
+                                const RoundedTimeEffect *effect, const FittedMechanism &fitted)
 {
     const Channel channel = series.channel;
     const std::vector<double> &models = trajectory[channel];
@@ -120,8 +141,8 @@ ChannelComparison compareSeries(const Mechanism &mechanism, const Trajectory &tr
     result.channel = channel;
     result.peak = scale.peak;
     const double unit = scale.size > 0.0 ? scale.size : 1.0; // in this unit no square overflows or underflows
-    constexpr double kDegreesPerTurn = 360.0;                // after which files may count from zero
-    const bool isCrankAngle = channel == Channel{Theta2, Order::Position};
+    const double largestHalfStep = 0.5 * std::max(series.rounding.stepAt(scale.peak), scale.smallestStep);
+    const double errorOfFit = fitted.unknowns > 0 ? fitted.errorOf(rmsError(series, models)) : 0.0;
     double squares = 0.0;
     double largestStep = 0.0;
     for (std::size_t i = 0; i < models.size(); ++i) {
@@ -138,8 +159,7 @@ ChannelComparison compareSeries(const Mechanism &mechanism, const Trajectory &tr
         }
         ++result.count;
         const double magnitude = std::abs(value);
-        const double difference = model - value;
-        const double error = std::abs(isCrankAngle ? std::remainder(difference, kDegreesPerTurn) : difference);
+        const double error = errorOf(channel, model, value);
         const double halfStep = 0.5 * std::max(step, scale.smallestStep);
         squares += (error / unit) * (error / unit);
         measure(result, reference.time[i], error, magnitude, magnitude <= halfStep);
@@ -147,6 +167,7 @@ ChannelComparison compareSeries(const Mechanism &mechanism, const Trajectory &tr
         if (effect != nullptr && error > bound) {
             bound += effect->drift(channel, i, model, scale.halfRange);
         }
+        bound += std::min(bound + largestHalfStep - halfStep, errorOfFit);
         result.withinBound += error <= bound ? 1 : 0;
         if (error > bound) {
             result.excess = std::max(result.excess, (error - bound) / scale.halfRange);
@@ -195,14 +216,14 @@ std::optional<RoundedTimeEffect> effectOfRoundedTime(const Mechanism &mechanism,
 } // namespace
 
 std::vector<ChannelComparison> compare(const Mechanism &mechanism, const Trajectory &model,
-                                       const ReferenceData &reference)
+                                       const ReferenceData &reference, const FittedMechanism &fitted)
 {
     const Clock clock = clockOf(reference.time, reference.timeRounding);
     std::optional<RoundedTimeEffect> effect = effectOfRoundedTime(mechanism, reference, clock, clock.rounded);
     std::vector<ChannelComparison> result(reference.series.size());
     const bool isLong = reference.time.size() > kMinTimeStampsForThreads;
     const auto comparisonOf = [&](std::size_t i) {
-        return compareSeries(mechanism, model, reference, reference.series[i], effect ? &*effect : nullptr);
+        return compareSeries(mechanism, model, reference, reference.series[i], effect ? &*effect : nullptr, fitted);
     };
     inParallel(
         result.size(), [&](std::size_t i) { result[i] = comparisonOf(i); }, isLong);
@@ -236,10 +257,11 @@ std::vector<ChannelComparison> compare(const Mechanism &mechanism, const Traject
     return result;
 }
 
-ExactComparison compareExactly(const Mechanism &mechanism, const ReferenceData &reference, std::stop_token stop)
+ExactComparison compareExactly(const Mechanism &mechanism, const ReferenceData &reference, std::stop_token stop,
+                               const FittedMechanism &fitted)
 {
     Trajectory model = sample(mechanism, reference.time, channelsOf(reference), kExactly, std::move(stop));
-    return {compare(mechanism, model, reference), std::move(model.status)};
+    return {compare(mechanism, model, reference, fitted), std::move(model.status)};
 }
 
 MotionDifference differenceOf(const Mechanism &mechanism, const Mechanism &other, double from, double to)

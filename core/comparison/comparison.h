@@ -14,12 +14,15 @@
 // be small compared with the motion, because a step may have been inferred too large, and a motion may be small
 // compared with its step. Evenly spaced time stamps are taken as exact (τ = 0). If the file then differs, they may
 // nevertheless have been rounded (0.0133 for 0.013303), and the file may still be close. If time stamps do not show
-// that they were rounded, the contribution of τ must also be small compared with the motion.
+// that they were rounded, the contribution of τ must also be small compared with the motion. If the mechanism was
+// fitted to the same file, the bound contains the error of the fit, too (FittedMechanism).
 
 #include "core/import/reference_data.h"
 #include "core/mechanism/channel.h"
 #include "core/sampling/trajectory.h"
 
+#include <cmath>
+#include <cstddef>
 #include <optional>
 #include <stop_token>
 #include <vector>
@@ -82,17 +85,30 @@ inline constexpr double kArithmeticStep = 1e-12;
 /// values near 100 have no meaning.
 inline constexpr double kSmallestFractionOfLargestStep = 0.01;
 
+/// How a mechanism was fitted to the file with which it is compared. Its parameters contain a part of the errors of the
+/// values, so that its motion is off, too: by the rms of the errors times √(unknowns/values), one standard error.
+struct FittedMechanism {
+    std::size_t unknowns = 0; ///< 0: the mechanism was not fitted
+    double values = 1.0;      ///< number of values that were fitted
+
+    /// Three standard errors of the motion in a column, from the rms of its errors. It enlarges a bound at most to
+    /// twice its size, because the fit of rounded values is no worse than the values.
+    double errorOf(double rms) const { return 3.0 * rms * std::sqrt(static_cast<double>(unknowns) / values); }
+};
+
 /// Compares every column of the file with a trajectory sampled at the file's own time stamps, by any method. The effect
-/// of rounded time stamps is computed from the exact motion.
+/// of rounded time stamps is computed from the exact motion. `fitted`: increases the bounds of a fitted mechanism.
 std::vector<ChannelComparison> compare(const Mechanism &mechanism, const Trajectory &model,
-                                       const ReferenceData &reference);
+                                       const ReferenceData &reference, const FittedMechanism &fitted = {});
 
 /// The comparison of every column of the file with the exact motion; incomplete if stopped.
 struct ExactComparison {
     std::vector<ChannelComparison> channels;
     std::vector<Status> status; ///< of the motion, one per time stamp
 };
-ExactComparison compareExactly(const Mechanism &mechanism, const ReferenceData &reference, std::stop_token stop = {});
+
+ExactComparison compareExactly(const Mechanism &mechanism, const ReferenceData &reference, std::stop_token stop = {},
+                               const FittedMechanism &fitted = {});
 
 /// The comparison of a mechanism's exact motion with that of another one as the reference, in the order of
 /// kPlottedChannels.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/convention.h"
 
-#include "core/identification/observations.h"
 #include "core/import/crank_angles.h"
 
 #include <algorithm>

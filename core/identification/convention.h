@@ -19,22 +19,19 @@
 //
 //     the crank is reversed     θ → θ            ω2 → -ω2, θ20 → 180° - θ20
 //
-// Therefore the sense of rotation, the length unit of the whole file, times and derivatives per millisecond, a late
-// start and the other assembly are reported only if the file then agrees with the given mechanism. Otherwise the result
-// is another mechanism without a convention. Some files can be described by either of two conventions:
+// Therefore the length unit of the whole file, times and derivatives per millisecond, a late start and the other
+// assembly are reported only if the file then agrees with the given mechanism. Otherwise the result is another
+// mechanism without a convention. Some files can be described by either of two conventions:
 //
 //     θ turned by 180°, or x negated
 //     one of two columns negated, or the other one
 //     R4x measured from another origin in the opposite direction (a depth), or θ turned by 180°
-//     the angles of a crossed mechanism negated, or those of its mirror image shifted by a whole turn: reports the
-//     shift
 //
-// The description whose mechanism is near the given one is preferred, then the one with the lower price
-// (interpretation.cpp). If the prices are nearly equal, the outcome is `ambiguous`, and the mechanisms of all
-// descriptions are listed.
+// The description with the fewest readings is chosen, then the one whose mechanism is near the given one
+// (mirror_images.h).
 //
 // If the slider moves along y and not along x, the axes are exchanged first. Angles are not rotated with them, unless
-// that leaves fewer conventions.
+// that leads to a better outcome or to fewer conventions.
 
 #include "core/import/reference_data.h"
 #include "core/mechanism/channel.h"

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/fit.h"
 
-#include "core/identification/least_squares.h"
+#include "core/identification/minimizer.h"
+
+#include <Eigen/Dense>
+#include <unsupported/Eigen/AutoDiff>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numbers>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace slidercrank
@@ -16,230 +18,203 @@ namespace slidercrank
 namespace
 {
 
-/// The variance that must be added to the variances of a column so that the mean of r²/V is 1; 0 if rounding explains
-/// the residuals.
-double noiseVarianceOf(const std::vector<double> &residuals, const std::vector<double> &variances, double count)
+/// A number with its partial derivatives by a, b, c and the angle of the crank.
+using Dual = Eigen::AutoDiffScalar<Eigen::Vector4d>;
+
+Dual independent(double value, int position)
 {
-    const auto meanRatio = [&](double noise) {
-        double sum = 0.0;
-        for (std::size_t i = 0; i < residuals.size(); ++i) {
-            sum += std::isnan(residuals[i]) ? 0.0 : residuals[i] * residuals[i] / (variances[i] + noise);
-        }
-        return sum / count;
-    };
-    // The square of a uniformly distributed value has a variance of 0.8 times its squared mean: allow five standard
-    // deviations.
-    const double largestOfRounding = 1.0 + 5.0 * std::sqrt(0.8 / count) + 5.0 / count;
-    if (!(meanRatio(0.0) > largestOfRounding)) {
-        return 0.0;
-    }
-    double low = 0.0;
-    double high = 0.0;
-    for (const double residual : residuals) {
-        high += std::isnan(residual) ? 0.0 : residual * residual / count;
-    }
-    constexpr int kBisections = 20;
-    for (int k = 0; k < kBisections; ++k) {
-        const double middle = 0.5 * (low + high);
-        (meanRatio(middle) > 1.0 ? low : high) = middle;
-    }
-    return high;
+    return {value, 4, position};
 }
 
-/// Computes residuals, variances, noise and their sums at the unknowns of the hypothesis. Returns false if the
-/// mechanism cannot be assembled in some row.
-bool weigh(const Observations &data, Fit &fit)
+/// The partial derivatives of a prediction by each kind of unknown, and the residual behind them.
+constexpr int kKinds = 6;
+constexpr int kResidual = kKinds;
+using Row = Eigen::Matrix<double, kKinds + 1, 1>;
+
+/// Sums over the rows of a column.
+struct ColumnSums {
+    Eigen::Matrix<double, kKinds + 1, kKinds + 1> products = decltype(products)::Zero(); ///< of all pairs in a Row
+    double count = 0.0;
+
+    double meanSquare() const { return count > 0.0 ? products(kResidual, kResidual) / count : 0.0; }
+};
+
+/// Adds one row of the file to the sums. Returns false if the row has a value but the mechanism cannot be assembled.
+bool addRow(std::vector<ColumnSums> &sums, const Model &model, const Observations &observations, const Indices &columns,
+            Index row)
 {
-    constexpr double kDoublePrecision = 1e-15; // relative to the largest angle, with some margin
-    const std::size_t columnCount = data.columns.size();
-    const Hypothesis &hypothesis = fit.hypothesis;
-    fit.residuals.assign(columnCount, std::vector<double>(data.abscissa.size(), kNone));
-    fit.variances = fit.residuals;
-    fit.noiseVariances.assign(columnCount, 0.0);
-    fit.noiseParts = fit.noiseVariances;
-    fit.chiSquare = fit.logVariance = fit.valueCount = 0.0;
-    const double rate = hypothesis.phaseRate(data);
-    const double angleError = rate * (0.5 * data.span() + std::abs(data.origin)) * kDoublePrecision;
-    const double roundingOfAngle = rate * hypothesis.abscissaStep;
-    // All columns of a row share the rounding of its abscissa, which is one error, not one for each column.
-    const auto columnsOfRow = static_cast<double>(std::ranges::count(hypothesis.columns, true, &ColumnUse::isUsed));
-    const double angleVariance = columnsOfRow * (roundingOfAngle * roundingOfAngle / 12.0 + angleError * angleError);
-    const auto record = [&](std::size_t row, std::size_t j, const Dual &model, double residual) {
-        const double factor = hypothesis.columns[j].factor();
-        const double slope = hypothesis.scale(j) * model.derivatives()[4];
-        fit.residuals[j][row] = residual;
-        fit.variances[j][row] = factor * factor * data.columns[j].variances[row] + slope * slope * angleVariance;
-    };
-    if (!forEachResidual<Dual>(data, hypothesis, record)) {
-        return false;
-    }
-    for (std::size_t j = 0; j < columnCount; ++j) {
-        if (hypothesis.columns[j].isUsed && data.columns[j].count > 0.0) {
-            fit.noiseVariances[j] = noiseVarianceOf(fit.residuals[j], fit.variances[j], data.columns[j].count);
-            const double spread = interpretedSpread(data, hypothesis, j);
-            fit.noiseParts[j] = data.columns[j].varies ? fit.noiseVariances[j] / (spread * spread) : 0.0;
+    const Parameters &m = model.mechanism;
+    const double speed = model.crankSpeed(observations, row);
+    const double angleBySpeed = model.followsAngle ? 0.0 : observations.time[row];
+    TextbookMotion<Dual> motion;
+    const bool isAssembled = moveTo<Dual>(motion, m, {independent(m.a, 0), independent(m.b, 1), independent(m.c, 2)},
+                                          independent(model.crankAngle(observations, row), 3));
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+        const ObservedColumn &column = observations.columns[columns[k]];
+        const ColumnReading &reading = model.readings[columns[k]];
+        const double value = column.values[row];
+        if (!std::isfinite(value)) {
+            continue;
         }
-    }
-    for (std::size_t j = 0; j < columnCount; ++j) {
-        const double spread = interpretedSpread(data, hypothesis, j);
-        for (std::size_t i = 0; i < data.abscissa.size(); ++i) {
-            double &variance = fit.variances[j][i];
-            variance += fit.noiseVariances[j];
-            if (const double residual = fit.residuals[j][i]; !std::isnan(residual)) {
-                fit.chiSquare += residual * residual / variance;
-                fit.logVariance += std::log(variance / (spread * spread));
-                fit.valueCount += 1.0;
-            }
+        if (!isAssembled) {
+            return false;
         }
+        const Dual prediction = atSpeed(motion, column.channel, speed, model.alpha2);
+        const auto [byA, byB, byC, byAngle] = std::array{prediction.derivatives()[0], prediction.derivatives()[1],
+                                                         prediction.derivatives()[2], prediction.derivatives()[3]};
+        double bySpeed = byAngle * angleBySpeed;
+        if (column.channel.order != Order::Position) { // it has the power of the speed as a factor
+            const double order = static_cast<double>(column.channel.order);
+            bySpeed += order * std::pow(speed, order - 1.0) * motion.valueAt(column.channel).value();
+        }
+        const double f = reading.factor;
+        Row entries;
+        entries << f * byA, f * byB, f * byC, f * bySpeed, f * byAngle, 1.0,
+            value - f * prediction.value() - reading.origin;
+        sums[k].products.noalias() += entries * entries.transpose();
+        sums[k].count += 1.0;
     }
     return true;
 }
 
-/// One round of Levenberg-Marquardt with fixed variances; returns chi-square before and after.
-std::pair<double, double> minimize(const Observations &data, Fit &fit)
+/// The misfit of a model with its derivatives by the unknowns. nullopt if the mechanism cannot be assembled, or if the
+/// computation was stopped.
+std::optional<LocalShape> shapeOfMisfit(const Observations &observations, const Model &model, const Indices &columns,
+                                        const Unknowns &unknowns)
 {
-    constexpr int kMostSteps = 8;
-    constexpr int kMostTrials = 4;
-    constexpr double kSmallGain = 1e-5; // of chi-square
-    constexpr double kNoGain = 1e-4;
-    constexpr double kUndamped = 1e-12;
-    const bool hasScales = std::ranges::any_of(fit.hypothesis.columns, &ColumnUse::hasScale);
-    const double first = chiSquareOf(data, fit, fit.hypothesis);
-    double chiSquare = first;
-    double lambda = 1e-3;
-    for (int step = 0; step < kMostSteps; ++step) {
-        ++fit.iterations;
-        const NormalEquations equations = normalEquations<0>(data, fit, Eigen::MatrixXd(0, std::ssize(data.abscissa)));
-        double gain = 0.0;
-        for (int trial = 0; trial < kMostTrials; ++trial, lambda *= 10.0) {
-            Hypothesis tried = fit.hypothesis;
-            tried.unknowns -= solveSymmetric(equations.matrix, equations.gradient, lambda).col(0);
-            if (hasScales) {
-                regressScales(data, tried);
-            }
-            const double triedSquare = chiSquareOf(data, fit, tried);
-            if (triedSquare < chiSquare) {
-                gain = chiSquare - triedSquare;
-                chiSquare = triedSquare;
-                fit.hypothesis = std::move(tried);
-                lambda = std::max(lambda * 0.05, kUndamped);
-                break;
-            }
-            if (triedSquare <=
-                chiSquare * (1.0 + kSmallGain) + kNoGain) { // only rounding errors of the computation remain
-                break;
-            }
-        }
-        if (gain <= kSmallGain * chiSquare + kNoGain) {
-            if (lambda <= kUndamped) {
-                break;
-            }
-            lambda = kUndamped; // the damping may have stopped it in a narrow valley
+    std::vector<ColumnSums> sums(columns.size());
+    for (Index row = 0; row < observations.size(); ++row) {
+        if (observations.stop.stop_requested() || !addRow(sums, model, observations, columns, row)) {
+            return std::nullopt;
         }
     }
-    return {first, chiSquare};
+    const Index size = std::ssize(unknowns);
+    LocalShape shape{0.0, Eigen::VectorXd::Zero(size), Eigen::MatrixXd::Zero(size, size)};
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+        const auto &products = sums[k].products;
+        const double variance = sums[k].meanSquare() + observations.columns[columns[k]].variance;
+        const auto concerns = [&](Unknown unknown) { return unknown.isParameter() || unknown.column == columns[k]; };
+        shape.value += sums[k].count * std::log(variance);
+        for (Index i = 0; i < size; ++i) {
+            const auto rowOfUnknown = static_cast<Index>(unknowns[i].kind);
+            if (!concerns(unknowns[i])) {
+                continue;
+            }
+            shape.gradient[i] -= 2.0 / variance * products(rowOfUnknown, kResidual);
+            for (Index j = 0; j < size; ++j) {
+                if (concerns(unknowns[j])) {
+                    shape.curvature(i, j) +=
+                        2.0 / variance * products(rowOfUnknown, static_cast<Index>(unknowns[j].kind));
+                }
+            }
+        }
+    }
+    return std::isfinite(shape.value) ? std::optional(std::move(shape)) : std::nullopt;
+}
+
+Model withValues(Model model, const Unknowns &unknowns, const Eigen::VectorXd &values)
+{
+    for (Index i = 0; i < values.size(); ++i) {
+        valueOf(model, unknowns[i]) = values[i];
+    }
+    return model;
 }
 
 } // namespace
 
-void regressScales(const Observations &data, Hypothesis &hypothesis)
+double &valueOf(Model &model, Unknown unknown)
 {
-    const std::vector<ColumnRegression> regressions = columnRegressions(data, hypothesis);
-    for (std::size_t j = 0; j < regressions.size(); ++j) {
-        if (hypothesis.columns[j].isUsed && hypothesis.columns[j].hasScale) {
-            const double scale = regressions[j].slope();
-            const Eigen::Index k = Hypothesis::offsetIndex(j);
-            hypothesis.unknowns[k] = regressions[j].offset(1.0, scale);
-            hypothesis.unknowns[k + 1] = scale;
-        }
+    switch (unknown.kind) {
+    case Unknown::Kind::A: return model.mechanism.a;
+    case Unknown::Kind::B: return model.mechanism.b;
+    case Unknown::Kind::C: return model.mechanism.c;
+    case Unknown::Kind::Omega2: return model.mechanism.omega2;
+    case Unknown::Kind::CrankAngle: return model.mechanism.theta20;
+    case Unknown::Kind::Origin: break;
     }
+    return model.readings[unknown.column].origin;
 }
 
-double chiSquareOf(const Observations &data, const Fit &fit, const Hypothesis &hypothesis)
+bool Fit::uses(Index column) const
 {
-    double sum = 0.0;
-    const bool moves =
-        forEachResidual<double>(data, hypothesis, [&](std::size_t row, std::size_t j, double, double residual) {
-            sum += residual * residual / fit.variances[j][row];
-        });
-    return moves && std::isfinite(sum) ? sum : kInfinity;
+    return std::ranges::find(columns, column) != columns.end();
 }
 
-template <int kErrors>
-NormalEquations normalEquations(const Observations &data, const Fit &fit, const Eigen::MatrixXd &errors)
+bool Fit::changes(Unknown unknown) const
 {
-    constexpr int kCount = kParameterCount + 2 + kErrors;
-    using Block = Eigen::Matrix<double, kCount + 1, kCount + 1>; // of a column; the last column is its gradient
-    const Hypothesis &hypothesis = fit.hypothesis;
-    const Eigen::Index unknowns = hypothesis.unknowns.size();
-    const Eigen::Index size = unknowns + kErrors * std::ssize(data.columns);
-    NormalEquations equations{Eigen::MatrixXd::Zero(size, size), Eigen::VectorXd::Zero(size)};
-    Eigen::MatrixXd &matrix = equations.matrix;
-    std::vector<Block> blocks(data.columns.size(), Block::Zero());
-    Eigen::Matrix<double, kCount + 1, 1> slope;
-    forEachResidual<Dual>(data, hypothesis, [&](std::size_t row, std::size_t j, const Dual &model, double residual) {
-        slope << hypothesis.scale(j) * model.derivatives().head<kParameterCount>(), 1.0, model.value(),
-            errors.col(static_cast<Eigen::Index>(row)), residual;
-        blocks[j].noalias() += slope * (slope / fit.variances[j][row]).transpose();
-    });
-    for (std::size_t j = 0; j < blocks.size(); ++j) {
-        const Eigen::Index offset = Hypothesis::offsetIndex(j);
-        std::array<Eigen::Index, kCount> index{0, 1, 2, 3, 4, offset, offset + 1};
-        std::iota(index.end() - kErrors, index.end(), unknowns + kErrors * static_cast<Eigen::Index>(j));
-        equations.gradient(index) += blocks[j].template topRightCorner<kCount, 1>();
-        matrix(index, index) += blocks[j].template topLeftCorner<kCount, kCount>();
-    }
-    for (Eigen::Index k = 0; k < unknowns; ++k) {
-        if (!hypothesis.isFreeUnknown(k) || !(matrix(k, k) > 0.0)) {
-            matrix.row(k).setZero();
-            matrix.col(k).setZero();
-            matrix(k, k) = 1.0;
-            equations.gradient[k] = 0.0;
-        }
-    }
-    return equations;
+    return std::ranges::find(unknowns, unknown) != unknowns.end();
 }
 
-template NormalEquations normalEquations<kErrorsOfColumn>(const Observations &, const Fit &, const Eigen::MatrixXd &);
-
-Fit evaluateHypothesis(const Observations &data, Hypothesis hypothesis)
+double Fit::valueCount() const
 {
-    Fit fit{std::move(hypothesis)};
-    if (!fit.hypothesis.unknowns.allFinite() || !weigh(data, fit)) {
-        return {};
+    return std::accumulate(counts.begin(), counts.end(), 0.0);
+}
+
+Fit evaluated(const Observations &observations, Model model, Indices columns)
+{
+    Fit fit{.model = std::move(model), .columns = std::move(columns)};
+    const bool isMechanism = fit.model.mechanism.a > 0.0 && fit.model.mechanism.b > 0.0;
+    fit.residuals = -predictedIn(fit.model, observations, fit.columns);
+    fit.misfit = isMechanism ? 0.0 : kInfinity;
+    for (Index k = 0; k < fit.residuals.cols(); ++k) {
+        const ObservedColumn &column = observations.columns[fit.columns[k]];
+        fit.residuals.col(k) += column.values;
+        const double count = static_cast<double>(column.values.isFinite().count());
+        const bool isAssembled = static_cast<double>(fit.residuals.col(k).isFinite().count()) == count;
+        const double meanSquare = finite(fit.residuals.col(k)).square().sum() / std::max(count, 1.0);
+        fit.counts.push_back(count);
+        fit.rms.push_back(std::sqrt(meanSquare));
+        fit.misfit += isAssembled ? count * std::log(meanSquare + column.variance) : kInfinity;
     }
-    // S = Σ [r²/V + ln(V/z²)] + k ln N. A column that is not used counts as a column whose noise is its spread.
-    fit.score = 0.0;
-    for (std::size_t j = 0; j < data.columns.size(); ++j) {
-        fit.score += fit.hypothesis.columns[j].isUsed ? 0.0 : data.columns[j].count;
-    }
-    for (Eigen::Index k = 0; k < fit.hypothesis.unknowns.size(); ++k) {
-        fit.freeCount += fit.hypothesis.isFreeUnknown(k) ? 1.0 : 0.0;
-    }
-    fit.score += fit.chiSquare + fit.logVariance + fit.freeCount * std::log(fit.valueCount);
     return fit;
 }
 
-Fit fitHypothesis(const Observations &data, Hypothesis hypothesis, int rounds)
+Fit refined(const Observations &observations, Model start, Indices columns, Unknowns unknowns, int iterationLimit)
 {
-    constexpr double kSettled = 1e-3; // relative change of chi-square in a round
-    Fit fit{std::move(hypothesis)};
-    for (int round = 0; round < rounds; ++round) {
-        if (!weigh(data, fit)) {
-            return {};
-        }
-        const auto [first, last] = minimize(data, fit);
-        if (round > 0 && first - last <= kSettled * (last + 1.0)) {
-            break;
-        }
+    Eigen::VectorXd values(std::ssize(unknowns));
+    std::ranges::transform(unknowns, values.begin(), [&](Unknown unknown) { return valueOf(start, unknown); });
+    const auto misfit = [&](const Eigen::VectorXd &point) -> std::optional<LocalShape> {
+        const Model model = withValues(start, unknowns, point);
+        const bool isMechanism = model.mechanism.a > 0.0 && model.mechanism.b > 0.0;
+        return isMechanism ? shapeOfMisfit(observations, model, columns, unknowns) : std::nullopt;
+    };
+    std::optional<Minimum> minimum = minimize(misfit, std::move(values), {.iterationLimit = iterationLimit});
+    if (!minimum) {
+        return {.model = std::move(start), .columns = std::move(columns), .unknowns = std::move(unknowns)};
     }
-    if (fit.hypothesis.unknowns[0] < 0.0) { // a positive crank half a turn on, which a column of θ2 contradicts
-        fit.hypothesis.unknowns[0] *= -1.0;
-        fit.hypothesis.unknowns[4] += std::numbers::pi;
+    Fit fit = evaluated(observations, withValues(std::move(start), unknowns, minimum->point), std::move(columns));
+    fit.unknowns = std::move(unknowns);
+    fit.curvature = std::move(minimum->shape.curvature);
+    fit.iterations = minimum->iterations;
+    return fit;
+}
+
+double dependence(const Fit &fit)
+{
+    double largest = 1.0;
+    for (Index k = 0; k < fit.residuals.cols(); ++k) {
+        double runs = 1.0; // of residuals with the same sign
+        double last = 0.0;
+        for (const double residual : fit.residuals.col(k)) {
+            if (std::isfinite(residual)) {
+                runs += residual * last < 0.0 ? 1.0 : 0.0;
+                last = residual;
+            }
+        }
+        largest = std::max(largest, 0.5 * fit.counts[k] / runs);
     }
-    Fit settled = evaluateHypothesis(data, std::move(fit.hypothesis));
-    settled.iterations = fit.iterations;
-    return settled;
+    return largest;
+}
+
+Eigen::MatrixXd covarianceOf(const Fit &fit)
+{
+    constexpr double kSmallestEigenvalue = 1e-19; // of the scaled matrix: below, there are only rounding errors
+    const Eigen::VectorXd scale = diagonalScale(fit.curvature);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scale.asDiagonal() * fit.curvature *
+                                                                scale.asDiagonal());
+    const Eigen::VectorXd inverse = solver.eigenvalues().array().max(kSmallestEigenvalue).inverse();
+    const Eigen::MatrixXd vectors = scale.asDiagonal() * solver.eigenvectors();
+    return 2.0 * (vectors * inverse.asDiagonal() * vectors.transpose());
 }
 
 } // namespace slidercrank

@@ -1,75 +1,78 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Weighted least-squares fit of one hypothesis by the method of Levenberg and Marquardt (J. Nocedal, S. Wright,
-// "Numerical Optimization", 2nd ed., ch. 10.3). The variance of a value is the sum of three: of its own rounding, of
-// the abscissa's rounding, and of the noise of its column, which is estimated from the residuals. Free scales and their
-// offsets are computed by linear regression in every trial (variable projection), because as ordinary unknowns they
-// make a narrow curved valley.
+// Fits a model to columns of a file. Every step of the identification uses this one fit, with other unknowns and other
+// columns. It minimizes the misfit
+//
+//     S = Σ over the columns: n ln( RSS/n + mean of step²/12 )
+//
+// where n is the number of values and RSS the sum of their squared residuals (value - prediction). S is minus twice the
+// logarithm of the likelihood of independent errors, whose size is unknown in each column but not below the rounding.
+// Its gradient is that of a weighted sum of squares with the weights 1 / (RSS/n + mean of step²/12), and so are its
+// second derivatives, nearly.
 
-#include "core/identification/hypothesis.h"
+#include "core/identification/model.h"
 
-#include <Eigen/Core>
-
-#include <algorithm>
+#include <array>
 #include <vector>
 
 namespace slidercrank
 {
 
-/// A hypothesis that was fitted to the data, or only rated by its score.
-struct Fit {
-    Hypothesis hypothesis{};                      ///< with the fitted unknowns
-    std::vector<double> noiseVariances{};         ///< by column
-    std::vector<double> noiseParts{};             ///< by column, relative to its variance; 0 if it does not vary
-    std::vector<std::vector<double>> residuals{}; ///< by column and row; NaN where there is no value
-    std::vector<std::vector<double>> variances{}; ///< of the residuals
-    double valueCount = 0.0;                      ///< number of residuals
-    double freeCount = 0.0;                       ///< number of free unknowns
-    double chiSquare = 0.0;
-    double logVariance = 0.0; ///< Σ ln(V/z²) with the spread z of the column
-    double score = kInfinity; ///< lower is better; infinite if there is no fit
-    int iterations = 0;
+/// A number of the model that a fit may change.
+struct Unknown {
+    enum class Kind { A, B, C, Omega2, CrankAngle, Origin };
+    Kind kind = Kind::A;
+    Index column = 0; ///< of an Origin
 
-    bool exists() const { return score < kInfinity; }
+    /// A, B, C, ω2 or θ20.
+    bool isParameter() const { return kind != Kind::Origin; }
+    friend bool operator==(const Unknown &, const Unknown &) = default;
 };
+using Unknowns = std::vector<Unknown>;
 
-/// Whether a list of fits contains a hypothesis, apart from small differences of its parameters.
-bool isKnown(const Hypothesis &hypothesis, const auto &fits)
+double &valueOf(Model &model, Unknown unknown);
+
+/// Numbers by indexOf(Parameter), in mm, rad and s.
+using ParameterErrors = std::array<double, kParameterCount>;
+
+/// The parameter that is an unknown. Requires unknown.isParameter().
+inline std::size_t parameterIndex(Unknown unknown)
 {
-    const auto isSame = [&](const Fit &fit) {
-        const Hypothesis &other = fit.hypothesis;
-        return other.timeUnit == hypothesis.timeUnit && other.columns == hypothesis.columns &&
-               other.abscissaFactor == hypothesis.abscissaFactor && other.isFree == hypothesis.isFree &&
-               areNear(middleParameters(other), middleParameters(hypothesis));
-    };
-    return std::ranges::any_of(fits, isSame);
+    return static_cast<std::size_t>(unknown.kind);
 }
 
-/// Fits the hypothesis in at most `rounds` rounds, each of which estimates the noise anew. The fitted a is positive.
-/// The offsets need no start.
-Fit fitHypothesis(const Observations &data, Hypothesis hypothesis, int rounds);
+/// The difference of two misfits that is no evidence: a ratio of likelihoods of exp(10).
+inline constexpr double kSameMisfit = 20.0;
 
-/// Computes residuals, variances and noise of a hypothesis without changing its parameters. Returns no fit if the
-/// mechanism cannot be assembled in some row.
-Fit evaluateHypothesis(const Observations &data, Hypothesis hypothesis);
+struct Fit {
+    Model model;
+    Indices columns;
+    Unknowns unknowns{};
+    Eigen::ArrayXXd residuals{};  ///< value - prediction, one column each; NaN in gaps
+    std::vector<double> rms{};    ///< of the residuals of each column
+    std::vector<double> counts{}; ///< number of values of each column
+    double misfit = kInfinity;    ///< S; infinite if the mechanism cannot be assembled in a row that has values
+    Eigen::MatrixXd curvature{};  ///< second derivatives of S by the unknowns
+    int iterations = 0;
 
-/// Sets the free scales, and the offsets of the same columns, by linear regression.
-void regressScales(const Observations &data, Hypothesis &hypothesis);
-
-inline constexpr int kErrorsOfColumn = 9; ///< the harmonics of the crank angle up to the fourth
-
-/// Jᵀ V⁻¹ J and Jᵀ V⁻¹ r with respect to the unknowns, and then to the errors of each column, which are `kErrors`
-/// functions of the row; held unknowns have 1 on the diagonal.
-struct NormalEquations {
-    Eigen::MatrixXd matrix;
-    Eigen::VectorXd gradient;
+    bool isFinite() const { return std::isfinite(misfit); }
+    bool uses(Index column) const;
+    bool changes(Unknown unknown) const;
+    double valueCount() const; ///< of all columns
 };
-template <int kErrors>
-NormalEquations normalEquations(const Observations &data, const Fit &fit, const Eigen::MatrixXd &errors);
 
-/// The weighted sum of squares of a hypothesis, with the variances of the fit; infinite if the mechanism cannot be
-/// assembled in some row.
-double chiSquareOf(const Observations &data, const Fit &fit, const Hypothesis &hypothesis);
+/// Computes residuals and misfit of a model without changing it.
+Fit evaluated(const Observations &observations, Model model, Indices columns);
+
+/// Minimizes the misfit from a start.
+Fit refined(const Observations &observations, Model start, Indices columns, Unknowns unknowns, int iterationLimit = 50);
+
+/// How many times fewer independent residuals there are than residuals: 1 for noise, whose sign changes in every second
+/// row; more for systematic residuals, which keep their sign for some rows. The largest of all columns counts.
+double dependence(const Fit &fit);
+
+/// The covariance matrix of the unknowns; very large variances for unknowns that the columns do not determine.
+Eigen::MatrixXd covarianceOf(const Fit &fit);
 
 } // namespace slidercrank

@@ -1,98 +1,155 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The result of an identification: the parameters of the mechanism that made the data, their standard errors, and the
-// columns and rows that were not used. Lengths in mm, angles in rad, time in s; data in the units of files (mm, °, s).
+// Identifies the mechanism that produced the data of a file: its lengths, its drive, its assembly, and how the columns
+// of the file have to be read. README.md in this folder explains the steps. Lengths in mm, angles in rad, time in s;
+// what concerns a column is in the units of files (mm, °, s).
 
+#include "core/comparison/comparison.h"
+#include "core/identification/convention.h"
+#include "core/import/reference_data.h"
 #include "core/mechanism/channel.h"
 #include "core/mechanism/mechanism.h"
 
 #include <array>
 #include <cstddef>
+#include <optional>
+#include <stop_token>
 #include <vector>
 
 namespace slidercrank
 {
 
+/// Another mechanism whose motion is the same in all columns of the file, read in the same way.
+struct AlternativeMechanism {
+    enum class Symmetry {
+        MirrorImage,   ///< R4_x alone: c, ω2 and θ20 negated
+        ReversedCrank, ///< θ3 alone: the crank rotates in the opposite direction, from π - θ20
+        OtherAssembly  ///< derivatives of θ3 alone: c negated, θ20 increased by π
+    };
+    Symmetry symmetry = Symmetry::MirrorImage;
+    Parameters parameters;
+};
+
+/// A column that the fit does not use.
+struct LeftOutColumn {
+    enum class Reason {
+        FiniteDifferences, ///< it contains difference quotients of another column
+        UnevenSpeed,       ///< the speed of the crank changes, so that nothing predicts this derivative
+        OpenSpeed,         ///< ω2, or the unit in which it is counted, is not known
+        OtherMotion,       ///< it is the motion of a slider-crank of other dimensions
+        Unknown
+    };
+    Channel channel;
+    Reason reason = Reason::Unknown;
+    double percentOfPeak = kNone; ///< its largest deviation from the mechanism found; NaN if nothing predicts it
+};
+
+/// How far a column and the mechanism found are apart, after the conventions are applied, without excluded rows.
+struct ColumnResidual {
+    Channel channel;
+    double rms = 0.0;
+    double max = 0.0;
+    double percentOfRange = 0.0; ///< max, in percent of the range of the column (largest minus smallest value)
+    bool isWithinRounding = false;
+};
+
+/// The speed of the crank in a file that contains both θ2 and the time, if it is not constant.
+struct UnevenDrive {
+    double omega2 = 0.0;            ///< rad/s: at t = 0 of a run-up, otherwise the mean speed
+    double standardError = kNone;   ///< of omega2
+    double least = 0.0;             ///< the smallest speed in the file, rad/s
+    double greatest = 0.0;          ///< the largest speed
+    std::optional<double> alpha2{}; ///< angular acceleration, rad/s², if the speed changes evenly (run-up, run-down)
+};
+
+/// The only length of the given mechanism that has to be changed so that it explains the file, read with the
+/// conventions found. A typing error is a typical cause.
+struct LengthChange {
+    Parameter parameter = Parameter::A;
+    double value = 0.0; ///< mm
+};
+
 struct Identification {
     enum class Outcome {
-        Identified,   ///< the residuals are rounding errors or white noise
-        Ambiguous,    ///< several mechanisms or interpretations explain the file equally well
-        Approximate,  ///< the residuals are systematic, at most 1 % of the range: no standard errors
-        Insufficient, ///< the file does not determine the mechanism
-        Nearest,      ///< no mechanism explains the file; this is the nearest one
-        None          ///< no mechanism is near
+        Identified,   ///< every used column is within its rounding
+        Approximate,  ///< a mechanism explains every used column with residuals (rms) below 2 % of its range
+        Insufficient, ///< the file does not determine the mechanism: see `lack`
+        None          ///< no mechanism explains the file: see `misfit`
     };
     Outcome outcome = Outcome::None;
-    bool stopped = false; ///< the search was stopped, and the rest is incomplete
+    bool stopped = false; ///< the search was stopped, and nothing else is known
 
-    /// Whether there is a mechanism that explains the file, at least approximately.
-    bool hasMechanism() const { return hasOneMechanism() || (!stopped && outcome == Outcome::Ambiguous); }
-
-    /// Whether there is exactly one such mechanism.
-    bool hasOneMechanism() const
+    /// Whether there is a mechanism that explains the file.
+    bool hasMechanism() const
     {
         return !stopped && (outcome == Outcome::Identified || outcome == Outcome::Approximate);
     }
 
-    /// The mechanism found (Ambiguous: the first one), or the nearest one; otherwise the given mechanism. θ20 is in
-    /// (-π, π]. Parameters that are not identifiable are those of the given mechanism.
+    /// The mechanism found; otherwise the given mechanism. θ20 is in (-π, π]. Parameters that are not identifiable are
+    /// those of the given mechanism. With an uneven drive, ω2 is UnevenDrive::omega2.
     Parameters parameters;
 
-    /// Standard errors by indexOf(Parameter). NaN for parameters that are not identifiable (but see onlyRatios), and
-    /// unless the outcome is Identified or Ambiguous.
+    /// The parameters in as few decimals as explain the file equally well; otherwise equal to `parameters`.
+    Parameters rounded;
+
+    /// Standard errors by indexOf(Parameter), if the residuals are independent errors. NaN for parameters that the file
+    /// does not determine, and for all if the residuals are systematic. Insufficient: those of what is determined.
     std::array<double, kParameterCount> standardError{kNone, kNone, kNone, kNone, kNone};
 
-    /// Whether the file determines the parameter. All false unless hasMechanism().
+    /// Whether the file can contain the parameter and determines it. All false unless hasMechanism().
     std::array<bool, kParameterCount> identifiable{};
 
     /// The file contains no length but θ3, which determines only b/a and c/a. a is that of the given mechanism, and b
     /// and c and their standard errors are for this a. None of the three is identifiable.
     bool onlyRatios = false;
 
-    /// Another mechanism that explains the file equally well.
-    struct Alternative {
-        enum class Why {
-            // Images that no column excludes, however exact. Listed for Identified, too.
-            MirrorImage,     ///< R4x alone: c, ω2 and θ20 negated
-            Reversed,        ///< θ3 alone: the crank rotates in the opposite direction, from π - θ20
-            OtherAssembly,   ///< derivatives of θ3 alone: c negated, θ20 increased by π
-            Alias,           ///< another speed gives the same values at the same times
-            AnotherMechanism ///< another mechanism, or another interpretation of the file
-        };
-        Why why = Why::AnotherMechanism;
-        Parameters parameters;
-    };
-    std::vector<Alternative> alternatives;
+    /// Approximate: neighbouring residuals have the same sign (filtered, interpolated or integrated values), so that
+    /// nothing bounds the errors of the parameters.
+    bool hasSystematicResiduals = false;
+
+    /// In a table over the crank angle, the speeds (rad/s, magnitudes) that its derivatives allow if their units leave
+    /// it open, such as 2π and 360 for "1/s". Empty if ω2 is determined or the table has no derivatives.
+    std::vector<double> possibleSpeeds{};
+
+    // These belong to Identified and Approximate only.
+    std::vector<ConventionFinding> conventions{}; ///< how the file has to be read, in the order of application
+    std::vector<AlternativeMechanism> alternatives{};
+    std::vector<ChannelComparison>
+        channels{}; ///< of the used columns, read with the conventions, without excluded rows
+    std::optional<UnevenDrive> drive{};
+    std::optional<LengthChange> change{}; ///< set only if the given mechanism does not explain the file
+    bool agreesWithGiven = false; ///< read with the conventions, no used column differs from the given mechanism
+
+    std::vector<ColumnResidual> residuals{}; ///< of the used columns; None: of the best attempt
+    std::vector<LeftOutColumn> leftOut{};
+    std::vector<std::size_t> excludedRows{}; ///< outliers: their lines in the file, counted from 1
 
     /// The reason for Insufficient; the first that applies.
     enum class Lack {
-        FewValues,      ///< too few values or time stamps for the number of parameters: the fit could be chance
+        FewValues,      ///< too few values or rows for the number of unknowns
         NothingMoves,   ///< all values of each column are equal
+        FewRowsPerTurn, ///< by time, positions only: other speeds give the same values at the same times
         OpenParameters, ///< the file does not determine openParameters
-        NotParabolic,   ///< a family of other mechanisms fits nearly as well
         Nothing         ///< the outcome is not Insufficient
     };
     Lack lack = Lack::Nothing;
     std::array<bool, kParameterCount> openParameters{};
 
-    struct Noise {
-        Channel channel;
-        double rms = 0.0; ///< in the unit of files
+    /// The reason for None.
+    enum class Misfit {
+        LargeResiduals,   ///< the best attempt leaves `residuals`
+        SliderLine,       ///< R4_y is not constant: the slider does not move along x
+        CannotBeAssembled ///< no mechanism can be assembled in all rows
     };
-    std::vector<Noise> noise; ///< the columns with noise in addition to rounding
+    Misfit misfit = Misfit::LargeResiduals;
 
-    /// A column that the fit does not use.
-    struct LeftOut {
-        Channel channel;
-        double percentOfPeak = 0.0; ///< its largest deviation from the mechanism found
-    };
-    std::vector<LeftOut> leftOut;
-
-    std::vector<std::size_t> excludedRows; ///< outliers: their lines in the file, counted from 1
-
-    int iterations = 0;           ///< of Levenberg-Marquardt, from the start that led here
-    double conditionNumber = 0.0; ///< of the weighted Jacobian, columns scaled to length 1, identifiable parameters
+    int iterations = 0;           ///< of the last fit
+    double conditionNumber = 0.0; ///< of its normal matrix's square root, scaled to a unit diagonal; 0 without a fit
 };
+
+/// Identifies the mechanism of a file. `given` supplies what the file does not determine, and is preferred among equal
+/// answers. If stopped, only Identification::stopped is set.
+Identification identify(const ReferenceData &data, const Mechanism &given, std::stop_token stop = {});
 
 } // namespace slidercrank

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/observations.h"
 
+#include "core/comparison/comparison.h"
 #include "core/import/clock.h"
 #include "core/import/crank_angles.h"
 #include "core/mechanism/turn.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numbers>
-#include <optional>
 
 namespace slidercrank
 {
@@ -16,245 +16,185 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kArithmeticPart = 1e-12; // relative to a column's peak: double precision guarantees no more digits
-
-/// Channels that are zero in every mechanism.
 bool isAlwaysZero(Channel channel)
 {
-    return channel.coordinate == R1x || channel.coordinate == R1y || channel.coordinate == Theta1 ||
-           channel.coordinate == Theta4;
+    const Coordinate coordinate = channel.coordinate;
+    const bool belongsToGround = coordinate == R1x || coordinate == R1y || coordinate == Theta1;
+    return belongsToGround || coordinate == Theta4 || (coordinate == R4y && channel.order != Order::Position) ||
+           channel == Channel{Theta2, Order::Acceleration};
 }
 
-/// The number of rows for each independent observation. Rounding errors of equal values, or of values with equal
-/// differences, are not independent.
-double repetitionOf(const ObservedColumn &column)
+bool statesUnit(const FileLayout &layout, Channel channel)
 {
-    constexpr double kSamePart = 1e-3; // of a step: closer differences are equal
-    double runs = 1.0;                 // groups of consecutive equal values
-    double stretches = 0.0;            // groups of consecutive equal differences
-    double last = kNone;
-    double difference = kNone;
-    for (const double value : column.values) {
-        if (std::isnan(value)) {
-            continue;
-        }
-        if (!std::isnan(last)) {
-            runs += value != last ? 1.0 : 0.0;
-            stretches += std::abs(value - last - difference) <= kSamePart * column.step ? 0.0 : 1.0;
-            difference = value - last;
-        }
-        last = value;
+    return std::ranges::any_of(layout.columns, [&](const FileColumn &column) {
+        return column.role == ColumnRole::Channel && column.channel == channel && !column.unit.empty();
+    });
+}
+
+ObservedColumn observedColumn(const ReferenceData &data, const ReferenceSeries &series, const Indices &rows)
+{
+    constexpr double kStepOfZeros = 1e-3; // mm or rad: zeros do not show their rounding
+    const bool isAnAngle = isAngle(series.channel.coordinate);
+    const double unit = isAnAngle ? 1.0 / kDegreesPerRadian : 1.0;
+    std::vector<double> values(rows.size());
+    std::ranges::transform(rows, values.begin(), [&](Index row) { return series.values[row] * unit; });
+    Rounding rounding = series.rounding;
+    const bool hadJumps = isAnAngle && series.channel.order == Order::Position && removeJumps(values, kTurn);
+    if (hadJumps) {
+        rounding = rounding.withDecimalsAt(kTurn * kDegreesPerRadian); // its size when it was rounded
     }
-    return column.count / (runs > 1.0 ? std::min(runs, 2.0 * stretches) : 1.0);
-}
-
-/// Replaces the values of a saturated sensor by gaps. Such a value is an extreme that several consecutive rows repeat,
-/// much more often than rounding explains at a turning point, and that neighbouring rows approach gradually.
-void removeSaturation(std::vector<double> &values, double step)
-{
-    constexpr std::ptrdiff_t kFewestRepeats = 5;
-    constexpr std::ptrdiff_t kShortestRun = 3;
-    constexpr double kMostPart = 0.35; // of the rows; with more it stands still
-    constexpr double kFewSteps =
-        8.0; // steps below the peak within which a parabola has twice as many values as at the peak
-    constexpr double kSudden = 2.0;    // times the next change
-    constexpr double kMostJumps = 0.2; // of all changes between saturated and other values
     const ValueRange range = rangeOf(values);
-    for (const double limit : {range.low, range.high}) {
-        double nearest = kInfinity; // distance of another value; the rounding step may be larger than the digits show
-        for (const double value : values) {
-            nearest = value == limit ? nearest : std::min(nearest, std::abs(value - limit));
-        }
-        const double tolerance = std::max({step, 0.5 * nearest, kArithmeticPart * range.size()});
-        const auto repeats = std::ranges::count(values, limit);
-        const auto besideLimit = std::ranges::count_if(values, [&](double value) {
-            return value != limit && std::abs(value - limit) < (kFewSteps + 0.5) * tolerance;
-        });
-        double neighbours = 0.0;
-        double jumps = 0.0;
-        const bool hasRun = std::search_n(values.begin(), values.end(), kShortestRun, limit) != values.end();
-        for (std::size_t i = 2; i + 1 < values.size(); ++i) {
-            if ((values[i] == limit) != (values[i - 1] == limit)) {
-                neighbours += 1.0;
-                const double jump = std::abs(values[i] - values[i - 1]);
-                const double next =
-                    std::abs(values[i] == limit ? values[i - 1] - values[i - 2] : values[i + 1] - values[i]);
-                jumps += jump > kSudden * next + tolerance ? 1.0 : 0.0;
-            }
-        }
-        if (repeats >= kFewestRepeats && hasRun && 2 * besideLimit < repeats && jumps <= kMostJumps * neighbours &&
-            static_cast<double>(repeats) <= kMostPart * static_cast<double>(values.size())) {
-            std::ranges::replace(values, limit, kNone);
-        }
+    ObservedColumn column{
+        .channel = series.channel, .statesUnit = statesUnit(data.layout, series.channel), .hadJumps = hadJumps};
+    column.range = range.count > 0 ? range.width() : 0.0;
+    column.values = Eigen::Map<const Values>(values.data(), std::ssize(values));
+    column.halfSteps = Values::Constant(column.values.size(), 0.5 * kStepOfZeros);
+    for (Index i = 0; range.size() > 0.0 && i < column.values.size(); ++i) {
+        const double step = rounding.stepAt(series.values[rows[i]]) * unit;
+        column.halfSteps[i] = std::isfinite(step) ? 0.5 * step : 0.0;
+    }
+    column.halfSteps = column.halfSteps.max(
+        std::max(kSmallestFractionOfLargestStep * column.halfSteps.maxCoeff(), 0.5 * kArithmeticStep * range.size()));
+    column.variance = column.halfSteps.square().mean() / 3.0;
+    return column;
+}
+
+/// Sets the range of a column to 0 unless it changes by more than its rounding, and by more than the rounding errors of
+/// the program that computed it. `span`: of the abscissa.
+void judgeRange(ObservedColumn &column, double span)
+{
+    constexpr double kZero = 1e-8; // mm or rad, change of the position in the whole file
+    const double zero = kZero / std::pow(span, static_cast<double>(column.channel.order));
+    if (column.range * column.range <= 12.0 * column.variance || column.range <= zero) {
+        column.range = 0.0;
+        column.halfSteps = column.halfSteps.max(zero);
+        column.variance = column.halfSteps.square().mean() / 3.0;
     }
 }
 
-/// Computes spread, steps and variances of a column from its values. `unit`: mm or rad per unit of `rounding`.
-void learnStatistics(ObservedColumn &column, const Rounding &rounding, double unit)
+Indices rowsWithValues(const ReferenceData &data)
 {
-    constexpr double kUsualStep = 1e-6;   // of the peak, for values whose digits reveal no step
-    constexpr double kStepOfZeros = 1e-3; // mm or rad
-    constexpr double kFinestPart = 0.01;  // of the column's largest step
-    const double peak = rangeOf(column.values).size();
-    std::vector<double> stepAt(column.values.size(), 0.0);
-    for (std::size_t i = 0; i < stepAt.size(); ++i) {
-        if (const double value = column.values[i]; !std::isnan(value)) {
-            stepAt[i] = rounding.stepAt(value / unit) * unit;
-            column.step = std::max(column.step, stepAt[i]);
+    Indices rows;
+    rows.reserve(data.time.size());
+    for (Index row = 0; row < std::ssize(data.time); ++row) {
+        if (std::ranges::any_of(data.series, [&](const ReferenceSeries &series) {
+                return std::isfinite(series.values[row]) && !isAlwaysZero(series.channel);
+            })) {
+            rows.push_back(row);
         }
     }
-    const double finest = kArithmeticPart * peak;
-    const double usual = peak > 0.0 ? kUsualStep * peak : kStepOfZeros;
-    column.step = std::max(column.step > 0.0 ? column.step : usual, finest);
-    learnSpread(column);
-    const double repetition = repetitionOf(column);
-    column.variances.reserve(stepAt.size());
-    for (const double step : stepAt) {
-        const double counted = std::max({step, kFinestPart * column.step, finest});
-        column.variances.push_back(counted * counted / 12.0 * repetition);
-        column.meanVariance += column.variances.back() / static_cast<double>(stepAt.size());
-    }
+    return rows;
 }
 
-/// Returns nullopt if the column contains no information. `span`: of the abscissa.
-std::optional<ObservedColumn> observedColumn(const ReferenceSeries &series, std::span<const std::size_t> rows,
-                                             double span)
+void observeTime(Observations &observations, const ReferenceData &data)
 {
-    constexpr double kZero = 1e-8; // mm or rad, change in the time of the file: rounding errors
-    ObservedColumn column;
-    column.channel = series.channel;
-    column.unitOfHeading = series.rounding.unitFactor;
-    const double unit = isAngle(series.channel.coordinate) ? 1.0 / kDegreesPerRadian : 1.0;
-    column.values.reserve(rows.size());
-    for (const std::size_t row : rows) {
-        const double value = series.values[row];
-        column.values.push_back(std::isfinite(value) ? value * unit : kNone);
+    const Clock clock = clockOf(data.time, data.timeRounding);
+    const Indices &rows = observations.rows;
+    Values time = Eigen::Map<const Values>(data.time.data(), std::ssize(data.time));
+    if (clock.rounded) { // the time stamps were evenly spaced before they were rounded
+        time = Values::LinSpaced(time.size(), data.time.front(), data.time.back());
     }
-    removeSaturation(column.values, series.rounding.stepAt(rangeOf(series.values).size()) * unit);
-    if (isAngle(column.channel.coordinate) && column.channel.order == Order::Position) {
-        column.hadJumps = removeJumps(column.values, kTurn);
+    observations.timeOrigin = 0.5 * (time[rows.front()] + time[rows.back()]);
+    observations.time = time(rows) - observations.timeOrigin;
+    observations.timeHalfStep = 0.5 * clock.step();
+}
+
+Observations selection(const Observations &all, const Indices &rows)
+{
+    Observations some = all;
+    some.rows.resize(rows.size());
+    std::ranges::transform(rows, some.rows.begin(), [&](Index row) { return all.rows[row]; });
+    some.time = all.time.size() > 0 ? Values(all.time(rows)) : Values();
+    some.angle = all.angle.size() > 0 ? Values(all.angle(rows)) : Values();
+    for (std::size_t k = 0; k < all.columns.size(); ++k) {
+        some.columns[k].values = all.columns[k].values(rows);
+        some.columns[k].halfSteps = all.columns[k].halfSteps(rows);
     }
-    // A wrapped angle was as large as 360° when it was rounded.
-    learnStatistics(column, column.hadJumps ? series.rounding.withDecimalsAt(360.0) : series.rounding, unit);
-    const bool counts = column.varies || isPlotted(column.channel) || isConstantByNature(column.channel) ||
-                        column.channel.coordinate == Theta2;
-    const int order = static_cast<int>(column.channel.order);
-    const bool isRoundingOfZero = column.varies && order > 0 && column.range * std::pow(span, order) < kZero;
-    return counts && !isRoundingOfZero && column.count >= 2.0 ? std::optional(std::move(column)) : std::nullopt;
+    return some;
 }
 
 } // namespace
 
-void learnSpread(ObservedColumn &column)
-{
-    const ValueRange range = rangeOf(column.values);
-    column.count = static_cast<double>(range.count);
-    column.range = range.width();
-    column.varies = column.range > 0.0;
-    double sum = 0.0;
-    double squares = 0.0;
-    for (const double value : column.values) {
-        sum += std::isnan(value) ? 0.0 : value;
-    }
-    column.mean = sum / column.count;
-    for (const double value : column.values) {
-        squares += std::isnan(value) ? 0.0 : (value - column.mean) * (value - column.mean);
-    }
-    column.spread = std::max(std::sqrt(squares / column.count), column.varies ? 0.0 : column.step);
-}
-
-bool tellsShape(const ObservedColumn &column)
-{
-    return column.varies && column.channel.coordinate != Theta2 && column.channel.coordinate != R4y;
-}
-
-bool isShapeDerivative(const ObservedColumn &column)
-{
-    return tellsShape(column) && column.channel.order != Order::Position;
-}
-
-bool isConstantByNature(Channel channel)
-{
-    return channel == Channel{R4y, Order::Position} || channel == Channel{Theta2, Order::Velocity};
-}
-
-double Observations::interval() const
-{
-    double shortest = kInfinity;
-    for (std::size_t i = 1; i < abscissa.size(); ++i) {
-        shortest = std::min(shortest, abscissa[i] - abscissa[i - 1]);
-    }
-    return span() / std::round(span() / shortest);
-}
-
-Observations observe(const ReferenceData &data)
+Observations observe(const ReferenceData &data, std::stop_token stop)
 {
     Observations all;
-    all.rows.reserve(data.time.size());
-    for (std::size_t row = 0; row < data.time.size(); ++row) {
-        if (std::ranges::any_of(data.series, [&](const ReferenceSeries &series) {
-                return std::isfinite(series.values[row]) && !isAlwaysZero(series.channel);
-            })) {
-            all.rows.push_back(row);
-        }
-    }
-    if (all.rows.size() < 2) {
+    all.stop = std::move(stop);
+    all.rows = rowsWithValues(data);
+    if (all.rows.empty()) {
         return all;
     }
-    all.isByCrankAngle = data.crank.has_value();
-    const std::vector<double> &abscissa = data.crank ? data.crank->degrees : data.time;
-    const double unit = data.crank ? 1.0 / kDegreesPerRadian : 1.0;
-    if (abscissa[all.rows.front()] > abscissa[all.rows.back()]) { // a decreasing crank angle
-        std::ranges::reverse(all.rows);
-    }
-    all.abscissa.reserve(all.rows.size());
-    all.origin = 0.5 * unit * (abscissa[all.rows.front()] + abscissa[all.rows.back()]);
-    for (const std::size_t row : all.rows) {
-        all.abscissa.push_back(abscissa[row] * unit - all.origin);
-    }
-    const Clock clock =
-        data.crank ? clockOf(data.crank->degrees, data.crank->rounding) : clockOf(data.time, data.timeRounding);
-    all.step = clock.step() * unit;
-    all.printedStep = clock.printedStep * unit;
-    all.unitOfHeading = (data.crank ? data.crank->rounding : data.timeRounding).unitFactor;
-    for (const ReferenceSeries &series : data.series) {
-        if (!isAlwaysZero(series.channel) && !(data.crank && series.channel == Channel{Theta2, Order::Position})) {
-            if (std::optional<ObservedColumn> column = observedColumn(series, all.rows, all.span())) {
-                all.columns.push_back(*std::move(column));
+    if (data.crank) {
+        const std::vector<double> &degrees = data.crank->degrees;
+        all.angle = Eigen::Map<const Values>(degrees.data(), std::ssize(degrees))(all.rows) / kDegreesPerRadian;
+        all.angleHalfStep = 0.5 * clockOf(degrees, data.crank->rounding).step() / kDegreesPerRadian;
+    } else {
+        observeTime(all, data);
+        if (const ReferenceSeries *const crank = data.find(kCrankAngle)) {
+            const ObservedColumn column = observedColumn(data, *crank, all.rows);
+            if (column.values.isFinite().all()) {
+                all.angleHalfStep = column.halfSteps.maxCoeff();
+                all.angle = column.values;
             }
+        }
+    }
+    for (const ReferenceSeries &series : data.series) {
+        if (isAlwaysZero(series.channel) || series.channel == kCrankAngle) {
+            continue;
+        }
+        ObservedColumn column = observedColumn(data, series, all.rows);
+        judgeRange(column, all.span());
+        if (column.values.isFinite().any()) {
+            all.columns.push_back(std::move(column));
         }
     }
     return all;
 }
 
-Observations selection(const Observations &all, std::span<const std::size_t> rows)
+Observations thinned(const Observations &all, Index count)
 {
-    Observations some{
-        valuesAt(all.abscissa, rows), all.origin, all.isByCrankAngle, all.step, all.printedStep, all.unitOfHeading,
-        valuesAt(all.rows, rows),     {}};
-    for (const ObservedColumn &whole : all.columns) {
-        ObservedColumn &column = some.columns.emplace_back();
-        static_cast<ColumnStatistics &>(column) = whole;
-        column.values = valuesAt(whole.values, rows);
-        column.variances = valuesAt(whole.variances, rows);
-        column.count = static_cast<double>(rangeOf(column.values).count);
+    constexpr double kGoldenSection = 0.6180339887498949; // its multiples are spread evenly and irregularly
+    if (all.size() <= count) {
+        return all;
     }
-    return some;
+    const double stride = static_cast<double>(all.size()) / static_cast<double>(count);
+    Indices rows;
+    for (double k = 0.0; k < static_cast<double>(count); k += 1.0) {
+        rows.push_back(static_cast<Index>((k + std::fmod(kGoldenSection * k, 1.0)) * stride));
+    }
+    return selection(all, rows);
 }
 
-std::vector<std::size_t> spreadRows(std::size_t end, std::size_t count)
+double median(const Values &values)
 {
-    const std::size_t used = std::min(count, end);
-    std::vector<std::size_t> rows;
-    for (std::size_t k = 0; k < used; ++k) {
-        rows.push_back(k * (end - 1) / (used - 1));
-    }
-    return rows;
+    std::vector<double> sorted;
+    sorted.reserve(static_cast<std::size_t>(values.size()));
+    std::ranges::copy_if(values, std::back_inserter(sorted), [](double value) { return std::isfinite(value); });
+    const auto middle = sorted.begin() + std::ssize(sorted) / 2;
+    std::ranges::nth_element(sorted, middle);
+    return sorted.empty() ? 0.0 : *middle;
 }
 
-Observations thinned(const Observations &all, std::size_t count)
+Observations withoutSpikes(Observations observations)
 {
-    return selection(all, spreadRows(all.abscissa.size(), count));
+    constexpr Index kWindow = 7;          // rows
+    constexpr double kDeviations = 12.0;  // typical distances from the median of the window
+    constexpr double kPartOfSpread = 0.3; // of the column: a smaller deviation does not mislead the search
+    for (ObservedColumn &column : observations.columns) {
+        Values distances = Values::Zero(column.values.size());
+        for (Index i = 0; distances.size() >= kWindow && i < distances.size(); ++i) {
+            std::array<double, kWindow> window;
+            const Index first = std::clamp<Index>(i - kWindow / 2, 0, distances.size() - kWindow);
+            const auto end = std::copy_if(column.values.data() + first, column.values.data() + first + kWindow,
+                                          window.begin(), [](double value) { return std::isfinite(value); });
+            const auto middle = window.begin() + (end - window.begin()) / 2;
+            std::nth_element(window.begin(), middle, end);
+            distances[i] = end == window.begin() ? kNone : std::abs(column.values[i] - *middle);
+        }
+        const double spread = median((column.values - median(column.values)).abs());
+        const double limit = std::max(kDeviations * median(distances), kPartOfSpread * spread);
+        column.values = (distances > limit).select(kNone, column.values);
+    }
+    return observations;
 }
 
 } // namespace slidercrank

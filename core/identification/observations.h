@@ -1,108 +1,76 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The data of a reference file as the fits need them: columns in mm, rad and s, each value with the variance of its
-// rounding, and an abscissa that is zero in the middle of the file.
+// Step 1: the columns of a file in mm, rad and s, with the rounding of each value, over the time and, if the file has
+// it, over the angle of the crank.
 
 #include "core/import/reference_data.h"
 #include "core/mechanism/channel.h"
 
-#include <algorithm>
-#include <cstddef>
-#include <span>
+#include <Eigen/Core>
+
+#include <stop_token>
 #include <vector>
 
 namespace slidercrank
 {
 
-/// Properties of a column, computed from all rows. A selection of rows keeps them.
-struct ColumnStatistics {
-    Channel channel; ///< by its heading
-    double mean = 0.0;
-    double spread = 0.0; ///< standard deviation
-    double range = 0.0;  ///< largest minus smallest value
-    double step = 0.0;   ///< largest rounding step
-    double meanVariance = 0.0;
-    double unitOfHeading = 1.0; ///< in the default unit
-    bool varies = false;
-    bool hadJumps = false; ///< jumps by whole turns were removed from an angle
+using Eigen::Index;
+using Values = Eigen::ArrayXd;
+using Indices = std::vector<Index>; ///< of rows or columns of the observations
+
+inline constexpr Channel kSliderLine{R4y, Order::Position};
+
+struct ObservedColumn {
+    Channel channel{};
+    Values values{};         ///< NaN in a gap
+    Values halfSteps{};      ///< half of the rounding step of each value
+    double variance = 0.0;   ///< of the rounding errors: the mean of step²/12
+    double range = 0.0;      ///< largest minus smallest value; 0 if they differ by no more than rounding
+    bool statesUnit = false; ///< the file states the unit
+    bool hadJumps = false;   ///< by whole turns, which are removed
+
+    // Set by withComputedColumnsMarked().
+    bool isDifference = false;   ///< it contains difference quotients of a lower column
+    bool isInterpolated = false; ///< it was interpolated linearly
 };
-
-struct ObservedColumn : ColumnStatistics {
-    std::vector<double> values;    ///< NaN where there is a gap
-    std::vector<double> variances; ///< of the rounding, times the number of rows that are one independent observation
-    double count = 0.0;            ///< number of values
-};
-
-/// Computes count, mean, range and spread of a column from its values. If it has none, only the count has a meaning.
-void learnSpread(ObservedColumn &column);
-
-/// Whether a column contains information on the shape of the motion: it varies, and its channel depends on more than
-/// the crank angle or the offset.
-bool tellsShape(const ObservedColumn &column);
-
-/// Whether the column is a derivative that tells the shape.
-bool isShapeDerivative(const ObservedColumn &column);
-
-inline bool isLength(Channel channel)
-{
-    return !isAngle(channel.coordinate);
-}
-
-inline bool isPlotted(Channel channel)
-{
-    return channel.coordinate == R4x || channel.coordinate == Theta3;
-}
-
-/// Whether a channel is constant in every mechanism but depends on it: R4y and the crank speed.
-bool isConstantByNature(Channel channel);
 
 struct Observations {
-    std::vector<double> abscissa; ///< time in s, or the crank angle in rad, minus `origin`
-    double origin = 0.0;
-    bool isByCrankAngle = false;
-    double step = 0.0;             ///< rounding step of the abscissa; 0 if the abscissa is even
-    double printedStep = 0.0;      ///< rounding step of the abscissa as printed
-    double unitOfHeading = 1.0;    ///< of the abscissa, in the default unit
-    std::vector<std::size_t> rows; ///< indices in the file
-    std::vector<ObservedColumn> columns;
+    Values time;                ///< s, zero in the middle of the file; empty in a table over the crank angle
+    Values angle;               ///< θ2 as in the file, rad, without jumps; empty if the file does not contain it
+    double timeOrigin = 0.0;    ///< time of the file at which `time` is zero, s
+    double timeHalfStep = 0.0;  ///< half of the rounding step of the time stamps, s; 0 if they are evenly spaced
+    double angleHalfStep = 0.0; ///< the same of `angle`, rad
+    Indices rows;               ///< index in the file of each row
+    std::vector<ObservedColumn> columns; ///< without θ2 and without those that tell nothing
+    std::stop_token stop;                ///< requests the end of every computation with these observations
 
-    double span() const { return abscissa.back() - abscissa.front(); }
+    Index size() const { return std::ssize(rows); }
+    const Values &abscissa() const { return time.size() > 0 ? time : angle; }
 
-    /// The shortest distance of two rows, adjusted so that the span is a whole multiple of it.
-    double interval() const;
+    /// The distance of the first and the last row: s, or rad in a table over the crank angle.
+    double span() const { return std::abs(abscissa()[size() - 1] - abscissa()[0]); }
 };
 
-/// Takes all rows that contain a value and all columns that depend on the mechanism. Values of a saturated sensor (many
-/// equal extreme values with a sudden edge) become gaps.
-Observations observe(const ReferenceData &data);
+/// Reads the observations from a file. Rows without any value, and columns that tell nothing about the mechanism, are
+/// left out: those that are zero in every mechanism, and those that change by no more than rounding errors.
+Observations observe(const ReferenceData &data, std::stop_token stop);
 
-/// The values at some indices.
-template <class T>
-std::vector<T> valuesAt(const std::vector<T> &values, std::span<const std::size_t> indices)
+/// Selects at most `count` rows, evenly spread. If some are left out, the distances of the others vary, so that a
+/// motion which is too fast for them does not look like a slow one.
+Observations thinned(const Observations &all, Index count);
+
+/// Replaces values that are far from their neighbours by gaps (Hampel's filter: R. Pearson, "Outliers in process
+/// modeling and identification", IEEE Trans. Control Syst. Technol. 10, 2002).
+Observations withoutSpikes(Observations observations);
+
+/// The median of the finite values; 0 if there are none.
+double median(const Values &values);
+
+/// The values, with 0 in place of those that are not finite.
+inline Values finite(const Values &values)
 {
-    std::vector<T> chosen;
-    chosen.reserve(indices.size());
-    for (const std::size_t index : indices) {
-        chosen.push_back(values[index]);
-    }
-    return chosen;
+    return values.isFinite().select(values, 0.0);
 }
-
-/// The index of the column of a channel; the number of columns if there is none.
-template <class Column>
-std::size_t columnIndex(const std::vector<Column> &columns, Channel channel)
-{
-    return static_cast<std::size_t>(std::ranges::find(columns, channel, &Column::channel) - columns.begin());
-}
-
-/// Takes some rows only. `rows` must be increasing.
-Observations selection(const Observations &all, std::span<const std::size_t> rows);
-
-/// At most `count` evenly spread rows of the first `end` rows.
-std::vector<std::size_t> spreadRows(std::size_t end, std::size_t count);
-
-/// Takes at most `count` evenly spread rows.
-Observations thinned(const Observations &all, std::size_t count);
 
 } // namespace slidercrank

@@ -54,8 +54,7 @@ std::size_t readRow(RawTable &table, const TableFile &file, std::size_t row)
 /// headings behind known ones are remarks.
 void requireCells(std::span<const RawColumn> columns, const TableFile &file, std::size_t cells)
 {
-    using Kind = NameMeaning::Kind;
-    const auto isKnown = [](const RawColumn &column) { return column.meaning.kind != Kind::Nothing; };
+    const auto isKnown = [](const RawColumn &column) { return column.meaning.kind != NameMeaning::Kind::Nothing; };
     const std::size_t used = std::min(cells, columns.size());
     const bool areRemarks =
         std::ranges::all_of(columns.first(used), isKnown) && std::ranges::none_of(columns.subspan(used), isKnown);

@@ -38,7 +38,6 @@ bool startsAgain(std::span<const double> values, std::size_t row)
 /// Throws if a row is another line of headings. The same headings again are only a row that is skipped.
 void refuseAnotherTable(const RawTable &table)
 {
-    using Kind = NameMeaning::Kind;
     for (const TableFile &file : table.files) {
         const std::span<const RawColumn> columns = std::span(table.columns).subspan(file.firstColumn, file.width);
         const auto isUnreadable = [&](std::size_t row) {
@@ -51,7 +50,9 @@ void refuseAnotherTable(const RawTable &table)
             }
             const Line &line = file.rows[row];
             const Cells cells = splitCells(line.text, file.layout.delimiter);
-            const auto isName = [](std::string_view cell) { return parseHeading(cell).meaning.kind != Kind::Nothing; };
+            const auto isName = [](std::string_view cell) {
+                return parseHeading(cell).meaning.kind != NameMeaning::Kind::Nothing;
+            };
             const bool areSame = std::ranges::equal(
                 cells, columns, {}, {}, [](const RawColumn &column) -> std::string_view { return column.use.heading; });
             if (cells.size() > 1 && !areSame && std::ranges::count_if(cells, isName) > 1) {

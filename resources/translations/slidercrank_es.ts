@@ -632,10 +632,6 @@
         <translation>puntos muertos, carrera, ángulo de transmisión, máximos</translation>
     </message>
     <message>
-        <source>the mechanism that each file belongs to</source>
-        <translation>el mecanismo al que pertenece cada archivo</translation>
-    </message>
-    <message>
         <source>a picture, an animation or a report</source>
         <translation>una imagen, una animación o un informe</translation>
     </message>
@@ -922,10 +918,6 @@ Equipo: %1. Tiempo: %2 s.
         <translation>La ventana no lee la entrada estándar: guárdela en un archivo, o use una orden que la lea, como compare.</translation>
     </message>
     <message>
-        <source>Finds the mechanism that a simulation&apos;s file belongs to, from all of its columns, and how certain each parameter is (± one standard error). If the meaning of a column differs from its heading (radians, another origin, another sign …), the program reports that and reads the file accordingly. The options of the mechanism supply what the file does not determine. R4_x and R4_y are measured from the crank pivot O₂, angles counter-clockwise from x. FILE may be - for standard input. Outcomes: identified, the residuals are rounding or white noise; approximate, a mechanism explains the file up to a systematic deviation of at most 1 %; ambiguous, several mechanisms explain the file equally well; insufficient, the file holds too little to decide; nearest, no mechanism explains the file and the nearest one is printed; none, no mechanism was found.</source>
-        <translation>Halla el mecanismo al que pertenece el archivo de una simulación, a partir de todas sus columnas, y la certeza de cada parámetro (± un error estándar). Si el significado de una columna difiere de su encabezado (radianes, otro origen, otro signo …), el programa lo indica y lee así el archivo. Las opciones del mecanismo aportan lo que el archivo no determina. R4_x y R4_y se miden desde el eje O₂ de la manivela; los ángulos, en sentido antihorario desde x. FILE puede ser - para la entrada estándar. Resultados: identified, los residuos son redondeo o ruido blanco; approximate, un mecanismo explica el archivo salvo una desviación sistemática de un 1 % como máximo; ambiguous, varios mecanismos explican el archivo igual de bien; insufficient, el archivo contiene demasiado poco para decidir; nearest, ningún mecanismo explica el archivo y se muestra el más próximo; none, no se encontró ningún mecanismo.</translation>
-    </message>
-    <message>
         <source>As options: %1</source>
         <translation>Como opciones: %1</translation>
     </message>
@@ -1156,6 +1148,12 @@ Equipo: %1. Tiempo: %2 s.
     <message>
         <source>pixels of a picture, instead of --width (frames: 1920x1080)</source>
         <translation>píxeles de la imagen, en lugar de --width (fotogramas: 1920x1080)</translation>
+        <source>the mechanism that produced each file</source>
+        <translation>el mecanismo que produjo los datos de cada archivo</translation>
+    </message>
+    <message>
+        <source>Identifies the mechanism that produced a file, from all of its columns, and how certain each parameter is (± one standard error). If the meaning of a column differs from its heading (radians, a different origin or sign …), the program reports that and reads the file accordingly. The options of the mechanism supply what the file does not determine. R4_x and R4_y are measured from the crank pivot O₂, angles counter-clockwise from x. FILE may be - for standard input. Outcomes: identified, rounding explains every column that is used; approximate, a mechanism explains the file with residuals below 2 % of the range; insufficient, the file does not determine the mechanism; none, no mechanism explains the file.</source>
+        <translation>Identifica el mecanismo que produjo los datos de un archivo, a partir de todas sus columnas, y la certeza de cada parámetro (± un error estándar). Si el significado de una columna difiere de su encabezado (radianes, un origen o un signo distintos …), el programa lo indica y lee así el archivo. Las opciones del mecanismo aportan lo que el archivo no determina. R4_x y R4_y se miden desde el eje O₂ de la manivela; los ángulos, en sentido antihorario desde x. FILE puede ser - para la entrada estándar. Resultados: identified, el redondeo explica todas las columnas que se usan; approximate, un mecanismo explica el archivo con residuos menores que el 2 % del intervalo de valores; insufficient, el archivo no determina el mecanismo; none, ningún mecanismo explica el archivo.</translation>
     </message>
     <message>
         <source>The mechanism cannot be assembled at %1: the coupler must be at least %2 long for the crank to make full turns (--b).</source>
@@ -1201,14 +1199,6 @@ Equipo: %1. Tiempo: %2 s.
         <translation>%1: con el signo contrario.</translation>
     </message>
     <message>
-        <source>%1: each has the heading of the other.</source>
-        <translation>%1: cada una lleva el encabezado de la otra.</translation>
-    </message>
-    <message>
-        <source>The file belongs to the other assembly: its slider is on the other side of A.</source>
-        <translation>El archivo corresponde a la otra configuración: su corredera está al otro lado de A.</translation>
-    </message>
-    <message>
         <source>%1: not the time derivative of the position column.</source>
         <translation>%1: no es la derivada temporal de la columna de posición.</translation>
     </message>
@@ -1233,32 +1223,40 @@ Equipo: %1. Tiempo: %2 s.
         <translation>El tiempo está %4.</translation>
     </message>
     <message>
-        <source>%1: measured from the opposite direction; %3 is %1 %2.</source>
-        <translation>%1: medido desde la dirección opuesta; %3 es %1 %2.</translation>
-    </message>
-    <message>
-        <source>%1: off by whole turns; %3 is %1 %2.</source>
-        <translation>%1: difiere en vueltas enteras; %3 es %1 %2.</translation>
-    </message>
-    <message>
-        <source>%1: measured from another origin; %3 is %1 %2.</source>
-        <translation>%1: medido desde otro origen; %3 es %1 %2.</translation>
-    </message>
-    <message>
-        <source>The time stamps are shifted: t is the time in the file %2.</source>
-        <translation>Los instantes están desplazados: t es el tiempo del archivo %2.</translation>
-    </message>
-    <message>
-        <source>%1: the angle of the coupler seen from B, as textbooks draw θ₃; %3 is %1 %2.</source>
-        <translation>%1: el ángulo de la biela visto desde B, como dibujan θ₃ los libros de texto; %3 es %1 %2.</translation>
-    </message>
-    <message>
         <source>%1 Largest error: %2 → %3 % of peak.</source>
         <translation>%1 Error máximo: %2 → %3 % del máximo.</translation>
     </message>
     <message>
         <source>%1: finite differences, not the time derivative.</source>
         <translation>%1: diferencias finitas, no la derivada temporal.</translation>
+    </message>
+    <message>
+        <source>%1: the headings are swapped.</source>
+        <translation>%1: los encabezados están intercambiados.</translation>
+    </message>
+    <message>
+        <source>The mechanism that produced the file has the other assembly: its slider is on the other side of A.</source>
+        <translation>El mecanismo que produjo los datos tiene la otra configuración: su corredera está al otro lado de A.</translation>
+    </message>
+    <message>
+        <source>%1: measured from the opposite direction; %3 is the value in the file %2.</source>
+        <translation>%1: medido desde la dirección opuesta; %3 es el valor del archivo %2.</translation>
+    </message>
+    <message>
+        <source>%1: off by whole turns; %3 is the value in the file %2.</source>
+        <translation>%1: difiere en vueltas enteras; %3 es el valor del archivo %2.</translation>
+    </message>
+    <message>
+        <source>%1: measured from a different origin; %3 is the value in the file %2.</source>
+        <translation>%1: medido desde un origen distinto; %3 es el valor del archivo %2.</translation>
+    </message>
+    <message>
+        <source>%1: the angle of the coupler seen from B, as textbooks draw θ₃; %3 is the value in the file %2.</source>
+        <translation>%1: el ángulo de la biela visto desde B, como dibujan θ₃ los libros de texto; %3 es el valor del archivo %2.</translation>
+    </message>
+    <message>
+        <source>The time stamps are shifted: t is the time in the file %2.</source>
+        <translation>Los instantes están desplazados: t es el tiempo del archivo %2.</translation>
     </message>
 </context>
 <context>
@@ -1344,117 +1342,6 @@ Equipo: %1. Tiempo: %2 s.
     </message>
 </context>
 <context>
-    <name>slidercrank::DiagnosisText</name>
-    <message>
-        <source>These columns cannot tell it from %1.</source>
-        <translation>Estas columnas no lo distinguen de %1.</translation>
-    </message>
-    <message>
-        <source>Nothing moves in these data: export the motion of a turning crank.</source>
-        <translation>En estos datos no se mueve nada: exporte el movimiento de una manivela que gira.</translation>
-    </message>
-    <message>
-        <source>Many mechanisms move nearly as these data do: export a longer motion, more digits, or more columns.</source>
-        <translation>Muchos mecanismos se mueven casi como estos datos: exporte un movimiento más largo, más cifras, o más columnas.</translation>
-    </message>
-    <message>
-        <source>The search was stopped.</source>
-        <translation>La búsqueda se detuvo.</translation>
-    </message>
-    <message>
-        <source>These data do not determine %1: export a longer motion, more digits, or more columns.</source>
-        <translation>Estos datos no determinan %1: exporte un movimiento más largo, más cifras, o más columnas.</translation>
-    </message>
-    <message>
-        <source>The data do not determine %1: kept as given.</source>
-        <translation>Los datos no determinan %1: se conserva lo dado.</translation>
-    </message>
-    <message>
-        <source>What remains looks like noise: %1 (rms).</source>
-        <translation>Lo que queda parece ruido: %1 (rms).</translation>
-    </message>
-    <message>
-        <source>Read this way, it does not differ from this mechanism.</source>
-        <translation>Leído así, no difiere de este mecanismo.</translation>
-    </message>
-    <message>
-        <source>%1 (%2 % of its peak)</source>
-        <translation>%1 (%2 % de su máximo)</translation>
-    </message>
-    <message>
-        <source>It fits the other columns, but these disagree with them: %1.</source>
-        <translation>Se ajusta a las demás columnas, pero estas no concuerdan con ellas: %1.</translation>
-    </message>
-    <message>
-        <source>Too few values of the coupler angle θ³, the slider position Rₓ⁴, the coupler&apos;s centre R³ and their derivatives to find the mechanism: export more time steps, or more columns.</source>
-        <translation>Hay muy pocos valores del ángulo de la biela θ³, de la posición de la corredera Rₓ⁴, del centro de la biela R³ y de sus derivadas para hallar el mecanismo: exporte más instantes o más columnas.</translation>
-    </message>
-    <message>
-        <source>its mirror image, with c, ω₂ and θ₂₀ negated</source>
-        <translation>su imagen especular, con c, ω₂ y θ₂₀ de signo contrario</translation>
-    </message>
-    <message>
-        <source>one that rotates in the opposite direction, from 180° − θ₂₀</source>
-        <translation>el que gira en sentido contrario, desde 180° − θ₂₀</translation>
-    </message>
-    <message>
-        <source>the other assembly, with c negated and θ₂₀ increased by 180°</source>
-        <translation>la otra configuración, con c de signo contrario y θ₂₀ aumentado en 180°</translation>
-    </message>
-    <message>
-        <source>%1 mechanisms fit this file equally well: %2.</source>
-        <translation>%1 mecanismos se ajustan igual de bien a este archivo: %2.</translation>
-    </message>
-    <message>
-        <source>More time steps per revolution, derivatives or θ₂ would tell them apart.</source>
-        <translation>Con más instantes por vuelta, derivadas o θ₂ se podrían distinguir.</translation>
-    </message>
-    <message>
-        <source>%1 fit the file up to %2 % of peak; the rest is systematic (filtered, interpolated or integrated data?), so no standard errors can be given.</source>
-        <translation>%1 se ajustan al archivo salvo un %2 % del máximo; el resto es sistemático (¿datos filtrados, interpolados o integrados?), por lo que no se pueden dar errores estándar.</translation>
-    </message>
-    <message>
-        <source>No mechanism fits this file.</source>
-        <translation>Ningún mecanismo se ajusta a este archivo.</translation>
-    </message>
-    <message>
-        <source>No mechanism fits this file: check the meaning and the units of its columns.</source>
-        <translation>Ningún mecanismo se ajusta a este archivo: compruebe el significado y las unidades de sus columnas.</translation>
-    </message>
-    <message>
-        <source>No mechanism fits this file. The nearest: %1, off by up to %2 % of peak, in %3.</source>
-        <translation>Ningún mecanismo se ajusta a este archivo. El más próximo: %1, con una desviación de hasta el %2 % del máximo, en %3.</translation>
-    </message>
-    <message>
-        <source>The crank speed is not constant: %1 rad/s at the start and %2 rad/s at the end.</source>
-        <translation>La velocidad de la manivela no es constante: %1 rad/s al principio y %2 rad/s al final.</translation>
-    </message>
-    <message>
-        <source>Columns left out, because they deviate from the motion of the others: %1.</source>
-        <translation>Columnas excluidas porque se desvían del movimiento de las demás: %1.</translation>
-    </message>
-    <message>
-        <source>Mechanism found in this file: %1</source>
-        <translation>Mecanismo hallado en este archivo: %1</translation>
-    </message>
-    <message>
-        <source>Nominal values fit equally well: %1.</source>
-        <translation>Los valores nominales se ajustan igual de bien: %1.</translation>
-    </message>
-    <message>
-        <source>With %1 instead of %2, %3 % of the difference disappears.</source>
-        <translation>Con %1 en lugar de %2, desaparece el %3 % de la diferencia.</translation>
-    </message>
-    <message>
-        <source>The coupler angle θ³ alone determines only b/a and c/a.</source>
-        <translation>El ángulo de la biela θ³ por sí solo determina únicamente b/a y c/a.</translation>
-    </message>
-    <message>
-        <source>Rows left out, because they are far off the motion: %1. Lines of the file: %2.</source>
-        <translation>Filas descartadas, por estar muy lejos del movimiento: %1. Líneas del archivo: %2.</translation>
-    </message>
-</context>
-<context>
     <name>slidercrank::EditStack</name>
     <message>
         <source>change of the mechanism</source>
@@ -1516,10 +1403,6 @@ Equipo: %1. Tiempo: %2 s.
         <translation>difiere</translation>
     </message>
     <message>
-        <source>Unbounded: one of the two reaches a limit position</source>
-        <translation>Sin límite: uno de los dos alcanza una posición límite</translation>
-    </message>
-    <message>
         <source>quantity</source>
         <translation>magnitud</translation>
     </message>
@@ -1564,10 +1447,6 @@ Equipo: %1. Tiempo: %2 s.
         <translation>Este mecanismo es el fijado: cámbielo para ver la diferencia.</translation>
     </message>
     <message>
-        <source>This mechanism − pinned (%1).</source>
-        <translation>Este mecanismo − fijado (%1).</translation>
-    </message>
-    <message>
         <source>Where one of the two cannot be assembled there is nothing to compare.</source>
         <translation>Donde uno de los dos no se puede ensamblar no hay nada que comparar.</translation>
     </message>
@@ -1588,16 +1467,8 @@ Equipo: %1. Tiempo: %2 s.
         <translation>Usar este mecanismo</translation>
     </message>
     <message>
-        <source>Use the first of them</source>
-        <translation>Usar el primero de ellos</translation>
-    </message>
-    <message>
         <source>Apply</source>
         <translation>Aplicar</translation>
-    </message>
-    <message>
-        <source>Read as written</source>
-        <translation>Leer como está escrito</translation>
     </message>
     <message>
         <source>There is nothing to compare with: no file is open and no motion is pinned.</source>
@@ -1618,24 +1489,51 @@ próximo: ninguno más allá de cien veces, ni en un 1 %
 difiere: lo demás</translation>
     </message>
     <message>
-        <source>Sets %1</source>
-        <translation>Establece %1</translation>
-    </message>
-    <message>
-        <source>The file is read differently from how it is written. %1</source>
-        <translation>El archivo se lee de forma distinta a como está escrito. %1</translation>
-    </message>
-    <message>
         <source>The mechanism cannot be assembled at %1 time steps of the file.</source>
         <translation>El mecanismo no se puede ensamblar en %1 instantes del archivo.</translation>
     </message>
     <message>
         <source>Root mean square: %1 %2</source>
-        <translation>Valor eficaz: %1 %2</translation>
+        <translation>Valor medio cuadrático (RMS): %1 %2</translation>
     </message>
     <message>
         <source>Rows that were skipped: %1. Columns that were not used: %2. See the tab Reference.</source>
         <translation>Filas omitidas: %1. Columnas no usadas: %2. Véase la pestaña Referencia.</translation>
+    </message>
+    <message>
+        <source>Sets %1.</source>
+        <translation>Establece %1.</translation>
+    </message>
+    <message>
+        <source>These corrections are applied to the file: %1</source>
+        <translation>Estas correcciones se aplican al archivo: %1</translation>
+    </message>
+    <message>
+        <source>Remove corrections</source>
+        <translation>Quitar correcciones</translation>
+    </message>
+    <message>
+        <source>Infinite: one of the two mechanisms reaches a limit position</source>
+        <translation>Infinita: uno de los dos mecanismos alcanza una posición límite</translation>
+    </message>
+    <message>
+        <source>Difference: this mechanism minus the pinned one (%1).</source>
+        <translation>Diferencia: este mecanismo menos el fijado (%1).</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::ExplanationText</name>
+    <message>
+        <source>Over the crank angle, the file agrees with this mechanism.</source>
+        <translation>Según el ángulo de la manivela, el archivo coincide con este mecanismo.</translation>
+    </message>
+    <message>
+        <source>The other columns agree with this mechanism.</source>
+        <translation>Las demás columnas coinciden con este mecanismo.</translation>
+    </message>
+    <message>
+        <source>With these corrections, the file agrees with this mechanism.</source>
+        <translation>Con estas correcciones, el archivo coincide con este mecanismo.</translation>
     </message>
 </context>
 <context>
@@ -1959,11 +1857,7 @@ difiere: lo demás</translation>
     </message>
     <message>
         <source>% of peak</source>
-        <translation>% del máximo</translation>
-    </message>
-    <message>
-        <source>largest %</source>
-        <translation>% máximo</translation>
+        <translation>% del valor máx.</translation>
     </message>
     <message>
         <source>rounding step</source>
@@ -1989,6 +1883,10 @@ difiere: lo demás</translation>
         <source>initial angle</source>
         <translation>ángulo inicial</translation>
     </message>
+    <message>
+        <source>max. relative error [%]</source>
+        <translation>error relativo máx. [%]</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::FoldingTabs</name>
@@ -1999,6 +1897,181 @@ difiere: lo demás</translation>
     <message>
         <source>F9 hides and shows the panels</source>
         <translation>F9 oculta y muestra los paneles</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::IdentificationText</name>
+    <message>
+        <source>Mechanism identified in this file: %1.</source>
+        <translation>Mecanismo identificado en este archivo: %1.</translation>
+    </message>
+    <message>
+        <source>Mechanism that approximately explains this file: %1.</source>
+        <translation>Mecanismo que explica este archivo de forma aproximada: %1.</translation>
+    </message>
+    <message>
+        <source>This file does not determine the mechanism. %1</source>
+        <translation>Este archivo no determina el mecanismo. %1</translation>
+    </message>
+    <message>
+        <source>No mechanism explains this file. %1</source>
+        <translation>Ningún mecanismo explica este archivo. %1</translation>
+    </message>
+    <message>
+        <source>It contains too few values: export more time steps or more columns.</source>
+        <translation>Contiene muy pocos valores: exporte más instantes o más columnas.</translation>
+    </message>
+    <message>
+        <source>Nothing moves in it: export the motion of a turning crank.</source>
+        <translation>En él no se mueve nada: exporte el movimiento de una manivela que gira.</translation>
+    </message>
+    <message>
+        <source>It has fewer than four rows per revolution, so that several crank speeds give the same values: more rows per revolution, derivatives or θ₂ would help.</source>
+        <translation>Tiene menos de cuatro filas por revolución, de modo que varias velocidades de la manivela dan los mismos valores: ayudarían más filas por revolución, las derivadas o θ₂.</translation>
+    </message>
+    <message>
+        <source>Open: %1. A longer part of a revolution, derivatives, θ₂ or more digits would help.</source>
+        <translation>Sin determinar: %1. Ayudarían una parte mayor de la revolución, las derivadas, θ₂ o más cifras.</translation>
+    </message>
+    <message>
+        <source>The best attempt deviates by up to %1 % of the range of %2: check the meaning and the units of the columns.</source>
+        <translation>El mejor intento se desvía hasta un %1 % del intervalo de valores de %2: compruebe el significado y las unidades de las columnas.</translation>
+    </message>
+    <message>
+        <source>R4_y is not constant: the slider does not move parallel to the x axis.</source>
+        <translation>R4_y no es constante: la corredera no se mueve en paralelo al eje x.</translation>
+    </message>
+    <message>
+        <source>The mechanisms that come near cannot be assembled in all of its rows: check the meaning and the units of the columns.</source>
+        <translation>Los mecanismos que se aproximan no se pueden ensamblar en todas sus filas: compruebe el significado y las unidades de las columnas.</translation>
+    </message>
+    <message>
+        <source>Check the meaning and the units of the columns.</source>
+        <translation>Compruebe el significado y las unidades de las columnas.</translation>
+    </message>
+    <message>
+        <source>Its mirror image, with c, ω₂ and θ₂₀ negated, gives the same values.</source>
+        <translation>Su imagen especular, con c, ω₂ y θ₂₀ de signo contrario, da los mismos valores.</translation>
+    </message>
+    <message>
+        <source>A crank that rotates in the opposite direction, from 180° − θ₂₀, gives the same values.</source>
+        <translation>Una manivela que gira en sentido contrario, desde 180° − θ₂₀, da los mismos valores.</translation>
+    </message>
+    <message>
+        <source>The other assembly, with c negated and θ₂₀ increased by 180°, gives the same values.</source>
+        <translation>La otra configuración, con c de signo contrario y θ₂₀ aumentado en 180°, da los mismos valores.</translation>
+    </message>
+    <message>
+        <source>finite differences, not the derivative</source>
+        <translation>diferencias finitas, no la derivada</translation>
+    </message>
+    <message>
+        <source>the crank speed is not constant</source>
+        <translation>la velocidad de la manivela no es constante</translation>
+    </message>
+    <message>
+        <source>the crank speed is unknown</source>
+        <translation>no se conoce la velocidad de la manivela</translation>
+    </message>
+    <message>
+        <source>the motion of a different mechanism</source>
+        <translation>el movimiento de un mecanismo distinto</translation>
+    </message>
+    <message>
+        <source>does not fit the other columns</source>
+        <translation>no concuerda con las demás columnas</translation>
+    </message>
+    <message>
+        <source>%1 at t = 0</source>
+        <translation>%1 en t = 0</translation>
+    </message>
+    <message>
+        <source>%1 on average</source>
+        <translation>%1 en promedio</translation>
+    </message>
+    <message>
+        <source>The columns deviate from its motion by up to %1 % of the range of %2. What remains is systematic (filtered, interpolated or integrated data?), so that no standard errors can be given.</source>
+        <translation>Las columnas se desvían de su movimiento hasta un %1 % del intervalo de valores de %2. Lo que queda es sistemático (¿datos filtrados, interpolados o integrados?), por lo que no se pueden dar errores estándar.</translation>
+    </message>
+    <message>
+        <source>The columns deviate from its motion by up to %1 % of the range of %2, more than by rounding; ± holds if these errors are independent.</source>
+        <translation>Las columnas se desvían de su movimiento hasta un %1 % del intervalo de valores de %2, más que por redondeo; ± es válido si estos errores son independientes.</translation>
+    </message>
+    <message>
+        <source>The data do not determine %1. Kept as given: %2.</source>
+        <translation>Los datos no determinan %1. Se conserva lo dado: %2.</translation>
+    </message>
+    <message>
+        <source>The derivatives allow ω₂ = %1 rad/s, because their unit is unknown (radians or degrees?): state it in the headings.</source>
+        <translation>Las derivadas admiten ω₂ = %1 rad/s, porque no se conoce su unidad (¿radianes o grados?): indíquela en los encabezados.</translation>
+    </message>
+    <message>
+        <source>Outliers that were excluded: %1 (lines %2).</source>
+        <translation>Valores atípicos excluidos: %1 (líneas %2).</translation>
+    </message>
+    <message>
+        <source>The coupler angle θ³ alone determines only b/a and c/a.</source>
+        <translation>El ángulo de la biela θ³ por sí solo determina únicamente b/a y c/a.</translation>
+    </message>
+    <message>
+        <source>It determines %1.</source>
+        <translation>Determina %1.</translation>
+    </message>
+    <message>
+        <source>The search was stopped.</source>
+        <translation>La búsqueda se detuvo.</translation>
+    </message>
+    <message>
+        <source>Rounded values that fit equally well: %1.</source>
+        <translation>Valores redondeados que se ajustan igual de bien: %1.</translation>
+    </message>
+    <message>
+        <source>The crank speed of the file is not constant.</source>
+        <translation>La velocidad de la manivela del archivo no es constante.</translation>
+    </message>
+    <message>
+        <source>With %1 instead of %2, this mechanism agrees with the file.</source>
+        <translation>Con %1 en lugar de %2, este mecanismo coincide con el archivo.</translation>
+    </message>
+    <message>
+        <source>With %1 instead of %2, this mechanism fits the file as well as any other.</source>
+        <translation>Con %1 en lugar de %2, este mecanismo se ajusta al archivo tan bien como cualquier otro.</translation>
+    </message>
+    <message>
+        <source>%1 (%2; off by up to %3 % of its peak)</source>
+        <translation>%1 (%2; se desvía hasta un %3 % de su máximo)</translation>
+    </message>
+    <message>
+        <source>Columns left out of the fit: %1.</source>
+        <translation>Columnas excluidas del ajuste: %1.</translation>
+    </message>
+    <message>
+        <source>channel</source>
+        <translation>canal</translation>
+    </message>
+    <message>
+        <source>rms residual</source>
+        <translation>residuo RMS</translation>
+    </message>
+    <message>
+        <source>largest residual</source>
+        <translation>residuo máximo</translation>
+    </message>
+    <message>
+        <source>% of range</source>
+        <translation>% del intervalo</translation>
+    </message>
+    <message>
+        <source>The crank speed varies from %1 to %2 rad/s</source>
+        <translation>La velocidad de la manivela varía de %1 a %2 rad/s</translation>
+    </message>
+    <message>
+        <source>%1; it changes evenly, α₂ = %2 rad/s².</source>
+        <translation>%1; cambia uniformemente, α₂ = %2 rad/s².</translation>
+    </message>
+    <message>
+        <source>%1 The window shows the motion at the mean speed, %2 rad/s, because a changing speed is not modelled: compare the positions over the crank angle.</source>
+        <translation>%1 La ventana muestra el movimiento a la velocidad media, %2 rad/s, porque no se modela una velocidad variable: compare las posiciones según el ángulo de la manivela.</translation>
     </message>
 </context>
 <context>
@@ -3727,10 +3800,6 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>%1 O añada %2</translation>
     </message>
     <message>
-        <source>%1 is a table by crank angle, and with ω₂ = %2 the crank does not pass its angles in that order: choose another ω₂.</source>
-        <translation>%1 es una tabla por ángulo de la manivela, y con ω₂ = %2 la manivela no pasa por sus ángulos en ese orden: elija otra ω₂.</translation>
-    </message>
-    <message>
         <source>%1 + %2 more</source>
         <translation>%1 + %2 más</translation>
     </message>
@@ -3745,6 +3814,10 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     <message>
         <source>%1 cannot be read: %2.</source>
         <translation>No se puede leer %1: %2.</translation>
+    </message>
+    <message>
+        <source>%1 lists crank angles in an order that a crank with ω₂ = %2 cannot reach: choose a different ω₂.</source>
+        <translation>%1 enumera ángulos de la manivela en un orden que una manivela con ω₂ = %2 no puede recorrer: elija otra ω₂.</translation>
     </message>
 </context>
 <context>
@@ -3798,10 +3871,6 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>texto</translation>
     </message>
     <message>
-        <source>The rows are by crank angle; ω₂ and θ₂₀ give the time.</source>
-        <translation>Las filas van por ángulo de la manivela; ω₂ y θ₂₀ dan el tiempo.</translation>
-    </message>
-    <message>
         <source>Searching for the mechanism of this file…</source>
         <translation>Buscando el mecanismo de este archivo…</translation>
     </message>
@@ -3820,6 +3889,10 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     <message>
         <source>%1. Rows: %2.</source>
         <translation>%1. Filas: %2.</translation>
+    </message>
+    <message>
+        <source>The rows are indexed by the crank angle; ω₂ and θ₂₀ give the time.</source>
+        <translation>Las filas están dadas según el ángulo de la manivela; ω₂ y θ₂₀ dan el tiempo.</translation>
     </message>
 </context>
 <context>
@@ -3851,14 +3924,6 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     <message>
         <source>%1, by %2 %3</source>
         <translation>%1, por %2 %3</translation>
-    </message>
-    <message>
-        <source>found in the file</source>
-        <translation>hallado en el archivo</translation>
-    </message>
-    <message>
-        <source>one of those found</source>
-        <translation>uno de los hallados</translation>
     </message>
     <message>
         <source>Thin curves: pinned motions, %1.</source>
@@ -3990,6 +4055,12 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     <message>
         <source>Motion of an offset slider-crank</source>
         <translation>Movimiento de un mecanismo biela-manivela descentrado</translation>
+        <source>identified in the file</source>
+        <translation>identificado en el archivo</translation>
+    </message>
+    <message>
+        <source>Max. relative error: max |model − reference| / |reference| · 100 where the reference is not zero. Rounding step: the largest spacing of neighbouring numbers in the file.</source>
+        <translation>Error relativo máx.: máx |modelo − referencia| / |referencia| · 100 donde la referencia no es cero. Paso de redondeo: la mayor separación entre números contiguos en el archivo.</translation>
     </message>
 </context>
 <context>

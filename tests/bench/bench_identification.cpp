@@ -3,7 +3,7 @@
 // Measures how long it takes to identify the mechanism of a file and how the file has to be interpreted. The search
 // starts at Table 1 of the reference report, which is far from the mechanism of most files.
 
-#include "core/identification/diagnosis.h"
+#include "core/identification/identification.h"
 #include "tests/support/printed_motion.h"
 
 #include <benchmark/benchmark.h>
@@ -35,26 +35,26 @@ void measure(benchmark::State &state, const ReferenceData &data)
 {
     int iterations = 0;
     for (auto _ : state) {
-        const Identification result = diagnose(data, Mechanism()).identification;
+        const Identification result = identify(data, Mechanism());
         iterations = result.iterations;
         benchmark::DoNotOptimize(&result);
     }
     state.counters["iterations"] = iterations;
 }
 
-void identify(benchmark::State &state, const Parameters &truth, const std::string &channels, int rows, double duration)
+void identifyMotion(benchmark::State &state, const Parameters &truth, const std::string &channels, int rows, double duration)
 {
     measure(state, printedData(truth, printingOf(rows, duration, channels)));
 }
-BENCHMARK_CAPTURE(identify, report, kReport, "111111", 201, 1.0)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(identify, all_six, kFarOff, "111111", 201, 1.0)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(identify, theta3_and_R4x, kFarOff, "110000", 201, 1.0)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(identify, R4x, kFarOff, "010000", 201, 1.0)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(identify, theta3, kFarOff, "100000", 201, 1.0)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(identify, velocities, kFarOff, "001100", 201, 1.0)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(identify, accelerations, kFarOff, "000011", 201, 1.0)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(identify, half_a_turn, kFarOff, "111111", 201, 0.3)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(identify, many_rows, kFarOff, "111111", 100'000, 100.0)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(identifyMotion, report, kReport, "111111", 201, 1.0)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(identifyMotion, all_six, kFarOff, "111111", 201, 1.0)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(identifyMotion, theta3_and_R4x, kFarOff, "110000", 201, 1.0)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(identifyMotion, R4x, kFarOff, "010000", 201, 1.0)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(identifyMotion, theta3, kFarOff, "100000", 201, 1.0)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(identifyMotion, velocities, kFarOff, "001100", 201, 1.0)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(identifyMotion, accelerations, kFarOff, "000011", 201, 1.0)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(identifyMotion, half_a_turn, kFarOff, "111111", 201, 0.3)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(identifyMotion, many_rows, kFarOff, "111111", 100'000, 100.0)->Unit(benchmark::kMillisecond);
 
 /// Measures with angles in radians.
 void identifyRadians(benchmark::State &state, const Parameters &truth, int rows, double duration)

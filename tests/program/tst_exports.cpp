@@ -187,30 +187,30 @@ private slots:
     void theReportShowsTheCurrentState_data()
     {
         QTest::addColumn<bool>("hasReference");
-        QTest::addColumn<bool>("isDiagnosed");
+        QTest::addColumn<bool>("isIdentified");
         QTest::newRow("no reference") << false << false;
-        QTest::newRow("the reference is diagnosed") << true << true;
+        QTest::newRow("the reference is identified") << true << true;
         QTest::newRow("a parameter has just changed") << true << false;
     }
 
     void theReportShowsTheCurrentState()
     {
         QFETCH(const bool, hasReference);
-        QFETCH(const bool, isDiagnosed);
+        QFETCH(const bool, isIdentified);
         Session &session = m_window->session();
         if (hasReference) {
-            QSignalSpy diagnosed(&session, &Session::diagnosisChanged);
+            QSignalSpy identified(&session, &Session::identificationChanged);
             m_window->openReference(kSample);
-            AWAIT(session.diagnosis());
+            AWAIT(session.identification());
         }
-        if (!isDiagnosed) {
+        if (!isIdentified) {
             session.setParameters(withCoupler(64.0));
         }
         const QString path = m_folder->filePath(QStringLiteral("report.pdf"));
         m_window->exports().writeReport(path);
-        if (hasReference && !isDiagnosed) {
+        if (hasReference && !isIdentified) {
             QVERIFY(messageText(*m_messages).contains(QStringLiteral("Export it again")));
-            AWAIT(session.diagnosis()->parameters.b == 64.0);
+            AWAIT(session.identification()->parameters.b == 64.0);
             m_window->exports().writeReport(path);
         }
         QVERIFY(contentOf(path).startsWith("%PDF"));
@@ -220,7 +220,7 @@ private slots:
         const QString text =
             QString::fromUtf8(outputOf(QStringLiteral("pdftotext"), {"-layout", path, "-"})).replace(QChar::Nbsp, u' ');
         QCOMPARE(text.contains(QStringLiteral("inventor_sample.csv")), hasReference);
-        const QString explanation = QStringLiteral("b = 60 mm instead of %1 mm").arg(isDiagnosed ? 65 : 64);
+        const QString explanation = QStringLiteral("b = 60 mm instead of %1 mm").arg(isIdentified ? 65 : 64);
         QVERIFY2(text.contains(explanation) == hasReference, qPrintable(text));
     }
 
@@ -233,7 +233,9 @@ private slots:
         }
         auto *plots = m_window->findChild<PlotGrid *>();
         m_window->openReference(kSample);
-        AWAIT(m_window->session().diagnosis());
+        AWAIT(m_window->session().identification());
+        m_window->resize(1800, 1000); // wide enough for the explanations in the titles
+        settle(*m_window);
         plots->setZoom(closeZoom());
         const QString scene = m_folder->filePath(QStringLiteral("scene.json"));
         QVERIFY(m_window->scene().saveTo(scene));
@@ -309,7 +311,7 @@ private slots:
             QSKIP(qPrintable(QStringLiteral("%1 is missing: tests/run installs it.").arg(missing)));
         }
         m_window->openReference(kSample);
-        AWAIT(m_window->session().diagnosis());
+        AWAIT(m_window->session().identification());
         const QString path = m_folder->filePath(QStringLiteral("report.pdf"));
         m_window->exports().writeReport(path);
         AWAIT2(messageText(*m_messages).startsWith(QStringLiteral("Exported to ")),

@@ -226,9 +226,9 @@ private:
         for (int i = 0; i < pinned; ++i) {
             choices.pinned.push_back({.a = 15.0 + i, .b = 70.0 + 10.0 * i, .c = -12.5, .omega2 = 3.0 + i});
         }
-        ReportContent content{.result = compute(choices, {}), .diagnosis = {}, .time = 0.2, .paper = paper};
+        ReportContent content{.result = compute(choices, {}), .found = {}, .time = 0.2, .paper = paper};
         if (hasFile) {
-            content.diagnosis = diagnose(content.result->reference->data, content.result->mechanism);
+            content.found = identify(content.result->reference->data, content.result->mechanism);
         }
         PlotGrid plots;
         plots.setResult(content.result);

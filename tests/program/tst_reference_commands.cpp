@@ -170,9 +170,13 @@ private slots:
         }
         const QJsonObject found = run({"identify", write("smooth.csv", text.toUtf8()), "--format", "json"}).firstFile();
         QCOMPARE(found["outcome"].toString(), QStringLiteral("approximate"));
-        const QRegularExpression percent("up to ([0-9.]+) % of peak");
+        const QRegularExpression percent("up to ([0-9.]+) % of the range");
         const double stated = percent.match(found["summary"].toString()).captured(1).toDouble();
-        QVERIFY(stated > 0.0 && stated < 0.1);
+        const QJsonArray residuals = found["residuals"].toArray();
+        QCOMPARE(residuals.at(0)["channel"].toString(), QStringLiteral("R4_x"));
+        QVERIFY(std::abs(residuals.at(0)["percentOfRange"].toDouble() - stated) < 0.01 * stated);
+        QVERIFY(stated > 0.0 && stated < 0.1);         // at most 0.02 mm of 40 mm
+        QVERIFY(found["standardError"]["b"].isNull()); // the errors are smooth
     }
 
     void identifiesTheReferenceReportsFile()

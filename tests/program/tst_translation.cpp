@@ -175,7 +175,7 @@ void openTabs(MainWindow &window)
 void fillTabs(MainWindow &window)
 {
     window.openSample();
-    AWAIT(window.session().diagnosis());
+    AWAIT(window.session().identification());
     openTabs(window);
     static const std::shared_ptr<const StudyResult> study = studyOfATurn();
     window.findChild<StudyPanel *>()->setResult(study);

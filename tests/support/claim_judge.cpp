@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/claim_judge.h"
 
-#include "core/identification/hypothesis.h"
 #include "core/mechanism/turn.h"
 
 #include <algorithm>
@@ -16,6 +15,7 @@ namespace
 
 using enum Convention::Kind;
 using Outcome = Identification::Outcome;
+using Reason = LeftOutColumn::Reason;
 
 std::string describe(const Parameters &p)
 {
@@ -25,138 +25,147 @@ std::string describe(const Parameters &p)
     return text.data();
 }
 
-/// Returns whether a mechanism is one that makes the file, or an image of it, within 5 standard errors or a relative
-/// tolerance.
-bool isTrue(const Claim &claim, const Parameters &parameters, double tolerance)
+/// How far a true claim may be off.
+struct Tolerance {
+    double standardErrors;
+    double part; ///< of the size of the parameter
+};
+
+/// An exact fit has no systematic error, an approximate one may have some. Without standard errors, it warns that the
+/// values may have been filtered, which changes a mechanism by some percent.
+Tolerance toleranceOf(const Claim &claim)
 {
-    constexpr double kStandardErrors = 5.0;
-    std::vector<Parameters> truths = claim.file.others;
-    if (claim.file.truth) {
-        truths.push_back(*claim.file.truth);
+    if (claim.found.outcome == Outcome::Identified) {
+        return {5.0, claim.table.tolerance};
+    }
+    return {10.0, claim.table.isSystematic && claim.found.hasSystematicResiduals ? 0.1 : 0.05};
+}
+
+/// The same mechanism with the crank angle as a filter with a delay shows it.
+Parameters delayed(Parameters p, double delay)
+{
+    p.theta20 -= p.omega2 * delay;
+    return p;
+}
+
+/// Returns whether a mechanism is one that makes the table, or an image of it.
+bool isTrue(const Claim &claim, const Parameters &parameters)
+{
+    const Tolerance tolerance = toleranceOf(claim);
+    std::vector<Parameters> truths = claim.table.others;
+    if (claim.table.truth) {
+        truths.push_back(*claim.table.truth);
+        truths.push_back(delayed(*claim.table.truth, claim.table.delay));
     }
     return std::ranges::any_of(truths, [&](const Parameters &truth) {
         return std::ranges::any_of(mirrorImages(truth), [&](const Parameters &image) {
-            return image.branch == parameters.branch &&
-                   std::ranges::all_of(parameterErrors(claim, parameters, image), [=](const ParameterError &error) {
-                       return std::abs(error.difference) <=
-                              std::max(kStandardErrors * error.standardError, tolerance * error.size);
-                   });
+            return std::ranges::all_of(parameterErrors(claim, parameters, image), [=](const ParameterError &error) {
+                return std::abs(error.difference) <=
+                       std::max(tolerance.standardErrors * error.standardError, tolerance.part * error.size);
+            });
         });
     });
 }
 
-/// Explains which claimed mechanism is false. Sets `isRight` if the claim contains the truth as its mechanism or in its
-/// list. Where systematic deviations are not visible, the file cannot show that the mechanism is another one.
-std::string falseMechanism(const Claim &claim, bool &isRight)
+/// A table whose deviations do not show in the fit cannot tell that its mechanism is another one. A motion that no
+/// slider-crank makes may be approximated, without standard errors.
+std::string falseMechanism(const Claim &claim)
 {
-    using Why = Identification::Alternative::Why;
-    constexpr double kRoughly = 0.05;
-    const ClaimFile &file = claim.file;
-    if (file.hasTooFewValues) {
-        return "identified from next to nothing";
+    const ClaimTable &table = claim.table;
+    const Identification &found = claim.found;
+    const auto isFinite = [](double error) { return std::isfinite(error); };
+    if (table.hasTooFewValues) {
+        return "found in next to nothing";
     }
-    const auto isAccurate = [&](const Parameters &parameters) {
-        return isTrue(claim, parameters, file.tolerance) ||
-               (file.mayBeApproximate && explains(claim, parameters, true));
-    };
-    isRight = isAccurate(claim.found.parameters);
-    const bool isFirstRight = isRight;
-    const bool hasOrigin = std::ranges::any_of(
-        claim.diagnosis.conventions, [](const ConventionFinding &finding) { return finding.kind == ZeroPoint; });
-    for (const auto &[reason, parameters] : claim.found.alternatives) {
-        const bool isAnother = reason == Why::Alias || reason == Why::AnotherMechanism;
-        const bool isListed = claim.found.outcome == Outcome::Ambiguous && isTrue(claim, parameters, kRoughly);
-        if (!isAnother && !hasOrigin && isFirstRight && !isAccurate(parameters) &&
-            !(isTrue(claim, parameters, kRoughly) && explains(claim, parameters, false))) {
-            return "a false image, " + describe(parameters);
+    if (!table.truth) {
+        return found.outcome == Outcome::Identified || std::ranges::any_of(found.standardError, isFinite)
+                   ? "is " + describe(found.parameters) + ", not a slider-crank"
+                   : "";
+    }
+    for (const Parameters &parameters : {found.parameters, found.rounded}) {
+        if (!isTrue(claim, parameters) && !(table.isSystematic && explainsExactly(claim, parameters))) {
+            return "is " + describe(parameters) + ", not " + describe(*table.truth);
         }
-        isRight = isRight || isListed;
     }
-    if (!isRight) {
-        return "is " + describe(claim.found.parameters) + ", not " +
-               (file.truth ? describe(*file.truth) : "a slider-crank");
-    }
-    const auto isTruth = [&](const Parameters &parameters) { return areNear(*file.truth, parameters, kRoughly); };
-    const bool hasOnlyOrigin = hasOrigin && claim.diagnosis.conventions.size() == 1 && !file.isByAngle;
-    if (file.truth && !file.mayBeApproximate && hasOnlyOrigin && !claim.found.onlyRatios &&
-        !isTruth(claim.found.parameters) &&
-        std::ranges::none_of(claim.found.alternatives, isTruth, &Identification::Alternative::parameters)) {
-        return "names only an image, " + describe(claim.found.parameters) + ", of " + describe(*file.truth);
-    }
-    return claim.found.outcome == Outcome::Identified && !isAccurate(claim.diagnosis.rounded) ? "false round numbers"
-                                                                                              : "";
+    return "";
 }
 
-/// Checks the number of conventions, that omitted derivatives do not belong to the motion, and that approximate
-/// mechanisms have no origins. `nearest` may have fitted origins, and so may a mechanism that explains a file whose
-/// systematic deviations are not visible.
+/// Checks the number of conventions, and that only columns with another origin are said to have one.
 std::string falseConvention(const Claim &claim)
 {
+    const ClaimTable &table = claim.table;
+    const bool hidesDeviations = table.isSystematic && explainsExactly(claim, claim.found.parameters);
     std::size_t count = 0;
-    for (const ConventionFinding &finding : claim.diagnosis.conventions) {
-        const auto &[kind, channels, amount] = static_cast<const Convention &>(finding);
-        const bool isOrigin = kind == ZeroPoint;
-        if (isOrigin && claim.found.outcome == Outcome::Approximate) {
-            return "an origin of an approximate mechanism";
-        }
-        if (isOrigin && isAngle(channels.front().coordinate) && std::abs(std::remainder(amount, 360.0)) > 179.995) {
-            return "an origin that is a half turn";
-        }
-        const bool mayBeFitted = claim.found.outcome == Outcome::Nearest || claim.file.mayBeApproximate;
-        count += kind != WholeTurns && kind != NotDerivative && !(isOrigin && mayBeFitted);
-        for (const ClaimColumn &column : claim.file.columns) {
-            if (kind == NotDerivative && column.heading == nameOf(channels.front()) && claim.file.truth &&
-                column.content != ClaimColumn::Content::Foreign) {
-                return column.heading + " is a derivative";
+    for (const ConventionFinding &finding : claim.found.conventions) {
+        const bool isOrigin = finding.kind == ZeroPoint;
+        const ClaimColumn *column =
+            finding.channels.empty() ? nullptr : table.find(std::string(nameOf(finding.channels.front())));
+        if (isOrigin && column && column->content == ClaimColumn::Content::Systematic && !column->hasOrigin) {
+            if (!hidesDeviations) {
+                return "an invented origin of " + column->heading;
             }
+            continue;
         }
+        count += finding.kind != WholeTurns ? 1U : 0U;
     }
-    const bool areTooFew = claim.isIdentified() && count < claim.file.fewestConventions;
-    return areTooFew || count > claim.file.mostConventions ? std::to_string(count) + " conventions" : "";
+    return count < table.fewestConventions || count > table.mostConventions ? std::to_string(count) + " conventions"
+                                                                            : "";
 }
 
-/// Checks the crank speeds with a tolerance of 5 %, and the parameter that is said to explain the difference to the
-/// given mechanism.
-std::string falseChange(const Claim &claim)
+/// Checks that a column with another motion, or differences, is not said to be left out although it is the motion.
+std::string falseLeftOut(const Claim &claim)
 {
-    const ClaimFile &file = claim.file;
-    if (const auto &speeds = claim.diagnosis.unevenCrank) {
-        const Values actual = file.exact({Theta2, Order::Velocity}, file.times) / kDegreesPerRadian;
-        const auto isNear = [](double speed, double truth) {
-            return std::abs(speed - truth) <= 0.05 * std::abs(truth);
-        };
-        if (!isNear(speeds->atStart, actual[0]) || !isNear(speeds->atEnd, actual.tail(1)[0])) {
+    for (const LeftOutColumn &leftOut : claim.found.leftOut) {
+        const ClaimColumn *column = claim.table.find(std::string(nameOf(leftOut.channel)));
+        const bool isMotion = column && claim.table.truth && column->content == ClaimColumn::Content::Motion;
+        const bool isRefuted = leftOut.reason == Reason::FiniteDifferences || leftOut.reason == Reason::OtherMotion ||
+                               (leftOut.reason == Reason::UnevenSpeed && !claim.table.isCrankUneven);
+        if (isMotion && isRefuted) {
+            return column->heading + " is the motion";
+        }
+    }
+    return "";
+}
+
+/// Checks the crank speeds with a tolerance of 5 %, and the length that is said to explain the difference to the given
+/// mechanism.
+std::string falseDriveOrChange(const Claim &claim)
+{
+    constexpr double kSpeedTolerance = 0.05;
+    constexpr double kChangeTolerance = 0.01;
+    const ClaimTable &table = claim.table;
+    if (const auto &drive = claim.found.drive) {
+        const Values speeds = (table.exact(kTheta2Diff, table.times) / kDegreesPerRadian).abs();
+        const double least = std::min(std::abs(drive->least), std::abs(drive->greatest));
+        const double greatest = std::max(std::abs(drive->least), std::abs(drive->greatest));
+        if (!(std::abs(least - speeds.minCoeff()) <= kSpeedTolerance * speeds.maxCoeff()) ||
+            !(std::abs(greatest - speeds.maxCoeff()) <= kSpeedTolerance * speeds.maxCoeff())) {
             return "the crank does not turn like that";
         }
     }
-    const auto &change = claim.diagnosis.change;
-    return change && file.wrongGiven &&
-                   (change->parameter != *file.wrongGiven ||
-                    std::abs(change->value / valueOf(*file.truth, *file.wrongGiven) - 1.0) > 0.01)
-               ? "another parameter has changed"
+    const auto &change = claim.found.change;
+    return change && table.wrongGiven &&
+                   (change->parameter != *table.wrongGiven ||
+                    std::abs(change->value / valueOf(*table.truth, *table.wrongGiven) - 1.0) > kChangeTolerance)
+               ? "another length has changed"
                : "";
 }
 
 } // namespace
 
-Claim::Claim(const ClaimFile &claimFile, const ReferenceData &data)
-    : file(claimFile)
-    , diagnosis(diagnose(data, Mechanism(file.given)))
+Claim::Claim(const ClaimTable &claimTable, const ReferenceData &data)
+    : table(claimTable)
+    , found(identify(data, Mechanism(table.givenMechanism)))
     , read(data)
 {
-    for (const ConventionFinding &finding : diagnosis.conventions) {
+    for (const ConventionFinding &finding : found.conventions) {
         read = applied(finding, std::move(read));
     }
 }
 
-bool Claim::isIdentified() const
-{
-    return found.outcome == Outcome::Identified || found.outcome == Outcome::Ambiguous;
-}
-
 bool Claim::isUsed(Channel channel) const
 {
-    return canBeFitted(channel) && std::ranges::count(found.leftOut, channel, &Identification::LeftOut::channel) == 0;
+    return canBeFitted(channel) && std::ranges::count(found.leftOut, channel, &LeftOutColumn::channel) == 0;
 }
 
 std::vector<ParameterError> parameterErrors(const Claim &claim, const Parameters &parameters, const Parameters &truth)
@@ -166,8 +175,9 @@ std::vector<ParameterError> parameterErrors(const Claim &claim, const Parameters
     for (const Parameter parameter : kAllParameters) {
         const std::size_t i = indexOf(parameter);
         const bool isLength = parameter <= Parameter::C;
-        const bool isRatio = claim.found.onlyRatios && isLength; // b and c scale with the given a
-        if (isRatio ? parameter != Parameter::A : claim.found.identifiable[i]) {
+        const bool isRatio = claim.found.onlyRatios && isLength; // b and c are for the given a
+        const bool isOfUnevenDrive = claim.table.isCrankUneven && !isLength;
+        if (isRatio ? parameter != Parameter::A : claim.found.identifiable[i] && !isOfUnevenDrive) {
             const double scale = isRatio ? parameters.a / truth.a : 1.0;
             const double difference = valueOf(parameters, parameter) - scale * valueOf(truth, parameter);
             const double error = claim.found.standardError[i];
@@ -180,16 +190,18 @@ std::vector<ParameterError> parameterErrors(const Claim &claim, const Parameters
 
 Judgement judge(const Claim &claim)
 {
-    const bool isUneven = claim.file.isCrankUneven;
-    bool isRight = claim.found.outcome == Outcome::Approximate && claim.file.mayBeApproximate;
+    const bool isUneven = claim.table.isCrankUneven && claim.table.truth;
+    const bool hasMechanism = claim.found.hasMechanism();
     Judgement judgement{claim.found.outcome};
     std::string &why = judgement.falseClaim;
-    why = claim.isIdentified() ? falseMechanism(claim, isRight) : "";
-    why = why.empty() ? falseConvention(claim) : why;
-    why = why.empty() ? falseChange(claim) : why;
-    why = why.empty() ? falseDeviation(claim) : why;
-    judgement.isDetermined = isUneven || determinesItsMechanism(claim.file);
-    judgement.isMissed = judgement.isDetermined && why.empty() && (isUneven ? !claim.diagnosis.unevenCrank : !isRight);
+    if (hasMechanism) {
+        for (const auto &check : {falseMechanism, falseConvention, falseLeftOut, falseDriveOrChange}) {
+            why = why.empty() ? check(claim) : why;
+        }
+    }
+    why = why.empty() ? falseResidual(claim) : why;
+    judgement.isDetermined = isUneven || determinesItsMechanism(claim.table);
+    judgement.isMissed = judgement.isDetermined && why.empty() && (!hasMechanism || (isUneven && !claim.found.drive));
     return judgement;
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Judges whether the program's claims about a file of known origin are true.
+// Judges whether the program's claims about a table of known origin are true.
 
-#include "core/identification/diagnosis.h"
+#include "core/identification/identification.h"
 #include "core/import/reference_data.h"
-#include "tests/support/claim_file.h"
+#include "tests/support/claim_table.h"
 
 #include <array>
 #include <string>
@@ -14,16 +14,14 @@
 namespace slidercrank
 {
 
-/// What the program claims about a file.
+/// What the program claims about a table.
 struct Claim {
-    Claim(const ClaimFile &claimFile, const ReferenceData &data);
+    Claim(const ClaimTable &claimTable, const ReferenceData &data);
 
-    const ClaimFile &file;
-    Diagnosis diagnosis;
-    const Identification &found = diagnosis.identification;
+    const ClaimTable &table;
+    Identification found;
     ReferenceData read; ///< the data with the conventions that the program found
 
-    bool isIdentified() const; ///< as one mechanism or one of several
     bool isUsed(Channel channel) const;
 };
 
@@ -46,20 +44,21 @@ bool canBeFitted(Channel channel);
 /// Returns whether every standard error of a least-squares fit, linearized at the truth, is below 1 %, the
 /// linearization is valid, evidence and rows per turn are sufficient, and systematic deviations are below half a
 /// percent of the range.
-bool determinesItsMechanism(const ClaimFile &file);
+bool determinesItsMechanism(const ClaimTable &table);
 
-/// Describes a false statement about deviations, noise, omitted columns or excluded rows. Empty if all are true.
-std::string falseDeviation(const Claim &claim);
+/// Describes a false statement about residuals, or mechanisms that do not explain the table, or excluded rows that are
+/// right. Empty if all are true.
+std::string falseResidual(const Claim &claim);
 
-/// Returns whether the columns, as the claim interprets them, show no deviation from a mechanism. `isStrict`: none
-/// beyond their true noise and rounding; otherwise, none that is large and not explained by the noise that is claimed.
-bool explains(const Claim &claim, const Parameters &parameters, bool isStrict);
+/// Returns whether the used columns, as the claim reads them, deviate from the mechanism by no more than rounding and
+/// their true noise.
+bool explainsExactly(const Claim &claim, const Parameters &parameters);
 
 struct Judgement {
     Identification::Outcome outcome = Identification::Outcome::None;
     std::string falseClaim{}; ///< why a claim is false; empty if none is
     bool isDetermined = false;
-    bool isMissed = false; ///< the file determines its mechanism, which the program did not find
+    bool isMissed = false; ///< the table determines its mechanism, which the program did not find
 };
 
 Judgement judge(const Claim &claim);

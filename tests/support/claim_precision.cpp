@@ -38,7 +38,7 @@ struct LinearizedFit {
     double information = 0.0;  ///< sum of the logarithms of spread / error
     bool isClose = true;       ///< systematic deviations are below half a percent of the range
 
-    explicit LinearizedFit(const ClaimFile &file)
+    explicit LinearizedFit(const ClaimTable &file)
         : truth(*file.truth)
         , middle(0.5 * (file.times[0] + file.times.tail(1)[0]))
         , stride(std::max<Index>(file.times.size() / 80, 1))
@@ -58,7 +58,7 @@ struct LinearizedFit {
         }
     }
 
-    void add(const ClaimFile &file, const ClaimColumn &column)
+    void add(const ClaimTable &file, const ClaimColumn &column)
     {
         constexpr double kSmall = 0.005;
         const auto represented = static_cast<double>(stride);
@@ -151,7 +151,7 @@ bool isAccurate(const LinearizedFit &fit)
 
 /// Returns whether the speed is unambiguous. Equally spaced positions alone fit several speeds; four rows a turn are
 /// enough.
-bool hasEnoughRowsPerTurn(const ClaimFile &file)
+bool hasEnoughRowsPerTurn(const ClaimTable &file)
 {
     const double turns = std::abs(file.truth->omega2) * (file.times.tail(1)[0] - file.times[0]) / kTurn;
     return static_cast<double>(file.times.size()) > 4.0 * turns ||
@@ -173,13 +173,13 @@ bool canBeFitted(Channel channel)
            (channel.coordinate == Theta2 && channel.order != Order::Acceleration);
 }
 
-bool determinesItsMechanism(const ClaimFile &file)
+bool determinesItsMechanism(const ClaimTable &file)
 {
     constexpr double kLeastEvidence = 40.0; // nats; more than the program requires
     const bool isNoisy = std::ranges::any_of(
         file.columns, [](double rms) { return rms > 0.0; }, &ClaimColumn::noise);
     const Index fewestRows = isNoisy ? 20 : 4; // noise has to be distinguished from misfit
-    if (!file.truth || file.hasTooFewValues || file.mayBeMissed || file.times.size() < fewestRows ||
+    if (!file.truth || file.hasTooFewValues || file.isMissable || file.times.size() < fewestRows ||
         !hasEnoughRowsPerTurn(file)) {
         return false;
     }

@@ -168,8 +168,8 @@ ReferenceOutcome timedBy(const Mechanism &mechanism, const std::shared_ptr<const
     }
     std::optional<ReferenceData> data = timedBy(mechanism, reference->data);
     if (!data) {
-        return ReferenceFileText::tr("%1 is a table by crank angle, and with ω₂ = %2 the crank does not pass its "
-                                     "angles in that order: choose another ω₂.")
+        return ReferenceFileText::tr("%1 lists crank angles in an order that a crank with ω₂ = %2 cannot reach: "
+                                     "choose a different ω₂.")
             .arg(displayName(reference->paths), parameterText(Parameter::Omega2, mechanism.omega2()));
     }
     auto timed = std::make_shared<Reference>(*reference);
@@ -186,6 +186,31 @@ std::shared_ptr<const Reference> applied(const Convention &convention, const std
         reference->asPrinted = to;
     }
     return reference;
+}
+
+std::optional<ReferenceSource> overCrankAngle(const Reference &reference)
+{
+    const FileLayout &layout = reference.data.layout;
+    ReferenceSource source = reference;
+    bool hasTime = false;
+    bool hasCrankAngle = false;
+    const auto choose = [&source](std::size_t column, ColumnRole role) {
+        const auto chosen = std::ranges::find(source.columns, column, &ColumnChoice::column);
+        ColumnChoice choice = chosen == source.columns.end() ? ColumnChoice{column} : *chosen; // keeps its unit
+        choice.role = role;
+        choice.channel = kCrankAngle;
+        source.columns.push_back(choice); // the last choice for a column applies
+        return true;
+    };
+    for (std::size_t i = 0; i < layout.columns.size(); ++i) {
+        const FileColumn &column = layout.columns[i];
+        if (column.role == ColumnRole::Time) {
+            hasTime = choose(i, ColumnRole::Ignored);
+        } else if (column.role == ColumnRole::Channel && column.channel == kCrankAngle) {
+            hasCrankAngle = choose(i, ColumnRole::CrankAngle);
+        }
+    }
+    return layout.files.empty() && hasTime && hasCrankAngle ? std::optional(std::move(source)) : std::nullopt;
 }
 
 QByteArrayList readBeginnings(const QStringList &paths)

@@ -56,6 +56,10 @@ ReferenceOutcome timedBy(const Mechanism &mechanism, const std::shared_ptr<const
 /// Returns the reference with one more convention applied. Convention::Kind::Branch does not change the data.
 std::shared_ptr<const Reference> applied(const Convention &convention, const std::shared_ptr<const Reference> &to);
 
+/// Returns how to read a file that contains both the time and θ2 as a table over the crank angle, as needed for a crank
+/// whose speed is not constant. Returns nullopt if it does not contain both, or if several files are joined.
+std::optional<ReferenceSource> overCrankAngle(const Reference &reference);
+
 /// The names of joined files in messages.
 QString displayName(const QStringList &paths);
 

@@ -4,6 +4,7 @@
 #include <QElapsedTimer>
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace slidercrank
@@ -40,6 +41,15 @@ SamplingSummary summarize(const Choices &choices, std::stop_token stop)
 Pose poseAt(const Parameters &parameters, double seconds)
 {
     return {ClosedForm(Mechanism(parameters)).motionAt(seconds), seconds};
+}
+
+Parameters mechanismToUse(const Identification &found)
+{
+    Parameters parameters = found.rounded;
+    if (found.drive && found.drive->alpha2) { // ω2 is the speed at t = 0
+        parameters.omega2 = std::midpoint(found.drive->least, found.drive->greatest);
+    }
+    return parameters;
 }
 
 std::shared_ptr<const Result> compute(const Choices &choices, std::stop_token stop)

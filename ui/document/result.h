@@ -5,7 +5,7 @@
 
 #include "core/closed_form/closed_form.h"
 #include "core/comparison/comparison.h"
-#include "core/identification/diagnosis.h"
+#include "core/identification/identification.h"
 #include "core/limits/mobility.h"
 #include "core/sampling/trajectory.h"
 #include "ui/document/reference_file.h"
@@ -69,13 +69,17 @@ struct Result {
     std::optional<double> sampleSeconds;
 };
 
-/// The diagnosis of a reference file: the mechanism that it belongs to, and what explains its difference from the
-/// model. Immutable once published.
-struct ReferenceDiagnosis {
+/// The mechanism that produced a reference file, and what explains the difference from the model. Immutable once
+/// published.
+struct ReferenceIdentification {
     std::shared_ptr<const Reference> reference;
     Parameters parameters; ///< the model that the file was compared with
-    Diagnosis found;
+    Identification found;
 };
+
+/// Returns the mechanism that a person gets who uses the one found: in round numbers and, if the crank speed is not
+/// constant, with its mean.
+Parameters mechanismToUse(const Identification &found);
 
 /// Computes the result. Returns null if stopped. May run in any thread.
 std::shared_ptr<const Result> compute(const Choices &choices, std::stop_token stop);

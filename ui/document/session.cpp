@@ -5,6 +5,7 @@
 #include "ui/document/whole_file.h"
 #include "ui/document/with.h"
 #include "ui/text/finding_text.h"
+#include "ui/text/identification_text.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -56,8 +57,8 @@ Session::Session(QObject *parent)
     m_choices.solver.newton.elimination = Elimination::Structured; // the same iterates as Dense, ten times faster
     m_result = compute(m_choices, {});
     m_settling.setSingleShot(true);
-    connect(&m_settling, &QTimer::timeout, this, &Session::startDiagnosis);
-    for (BackgroundTask *task : {&m_computation, &m_reading, &m_diagnosing}) {
+    connect(&m_settling, &QTimer::timeout, this, &Session::startIdentification);
+    for (BackgroundTask *task : {&m_computation, &m_reading, &m_identifying}) {
         track(task);
     }
 }
@@ -139,11 +140,11 @@ void Session::applyChoices(const Choices &choices)
 {
     const Choices before = std::exchange(m_choices, choices);
     if (m_choices.reference != before.reference) {
-        publishDiagnosis(nullptr);
+        publishIdentification(nullptr);
         emit referenceLoaded(m_choices.reference);
     }
     if (m_choices.reference != before.reference || m_choices.parameters != before.parameters) {
-        m_diagnosing.discard();
+        m_identifying.discard();
         m_settling.stop();
     }
     if (m_choices.parameters != before.parameters) {
@@ -190,44 +191,46 @@ void Session::publish(std::shared_ptr<const Result> result)
     }
 }
 
-bool Session::isDiagnosisCurrent() const
+bool Session::isIdentificationCurrent() const
 {
-    return m_diagnosis && m_diagnosis->parameters == m_choices.parameters;
+    return m_identification && m_identification->parameters == m_choices.parameters;
 }
 
-void Session::startDiagnosis()
+void Session::startIdentification()
 {
-    if (isDiagnosisCurrent()) {
+    if (isIdentificationCurrent()) {
         return;
     }
-    m_diagnosing.start(
+    m_identifying.start(
         [reference = m_choices.reference, parameters = m_choices.parameters](const std::stop_token &stop,
                                                                              const auto &) {
-            return std::make_shared<const ReferenceDiagnosis>(
-                ReferenceDiagnosis{reference, parameters, diagnose(reference->data, Mechanism(parameters), stop)});
+            return std::make_shared<const ReferenceIdentification>(
+                ReferenceIdentification{reference, parameters, identify(reference->data, Mechanism(parameters), stop)});
         },
-        [this](const std::shared_ptr<const ReferenceDiagnosis> &diagnosis) { publishDiagnosis(diagnosis); },
+        [this](const std::shared_ptr<const ReferenceIdentification> &identification) {
+            publishIdentification(identification);
+        },
         [this](const QString &sentence) {
-            stopDiagnosis();
+            stopIdentification();
             emit problemFound(sentence);
         });
 }
 
-void Session::stopDiagnosis()
+void Session::stopIdentification()
 {
     m_settling.stop();
-    if (m_choices.reference && !isDiagnosisCurrent()) {
-        ReferenceDiagnosis stopped{m_choices.reference, m_choices.parameters, {}};
-        stopped.found.identification.stopped = true;
-        publishDiagnosis(std::make_shared<ReferenceDiagnosis>(std::move(stopped)));
+    if (m_choices.reference && !isIdentificationCurrent()) {
+        ReferenceIdentification stopped{m_choices.reference, m_choices.parameters, {}};
+        stopped.found.stopped = true;
+        publishIdentification(std::make_shared<ReferenceIdentification>(std::move(stopped)));
     }
 }
 
-void Session::publishDiagnosis(std::shared_ptr<const ReferenceDiagnosis> diagnosis)
+void Session::publishIdentification(std::shared_ptr<const ReferenceIdentification> identification)
 {
-    if (m_diagnosis != diagnosis) {
-        m_diagnosis = std::move(diagnosis);
-        emit diagnosisChanged(m_diagnosis);
+    if (m_identification != identification) {
+        m_identification = std::move(identification);
+        emit identificationChanged(m_identification);
     }
 }
 
@@ -296,10 +299,36 @@ void Session::editReference(const std::shared_ptr<const Reference> &reference, b
 
 void Session::useFoundMechanism()
 {
-    if (m_diagnosis && m_diagnosis->found.identification.hasMechanism()) {
-        edit(with(m_choices, &Choices::parameters, m_diagnosis->found.rounded),
-             EditStack::tr("use of the file's mechanism"));
+    if (!m_identification || !m_identification->found.hasMechanism() || !m_choices.reference) {
+        return;
     }
+    const Identification &found = m_identification->found;
+    const Parameters parameters = mechanismToUse(found);
+    std::shared_ptr<const Reference> reference = m_choices.reference;
+    for (const ConventionFinding &convention : found.conventions) {
+        if (convention.kind != Convention::Kind::Branch) { // the assembly is one of the parameters
+            reference = applied(convention, reference);
+        }
+    }
+    const auto use = [this, parameters](const std::shared_ptr<const Reference> &with) {
+        Choices choices = m_choices;
+        choices.parameters = parameters;
+        choices.reference = with;
+        edit(choices, EditStack::tr("use of the file's mechanism"), true);
+    };
+    const std::optional<ReferenceSource> angleIndexed = found.drive ? overCrankAngle(*reference) : std::nullopt;
+    if (!angleIndexed) {
+        use(reference);
+        return;
+    }
+    const auto finish = [this, use, reference,
+                         text = shownDriveText(found, parameters.omega2)](const ReferenceOutcome &outcome) {
+        const auto *read = std::get_if<std::shared_ptr<const Reference>>(&outcome);
+        use(read ? *read : reference); // a crank that reverses its direction cannot be read over its angle
+        emit confirmed(text);
+    };
+    const auto work = [source = *angleIndexed](const auto &, const auto &) { return readReference(source); };
+    m_reading.start(work, finish, finish);
 }
 
 void Session::apply(const Convention &convention)
@@ -322,7 +351,7 @@ void Session::cancel()
 {
     emit cancelled();
     if (m_choices == m_result->choices) {
-        stopDiagnosis();
+        stopIdentification();
     } else {
         edit(m_result->choices, EditStack::tr("cancelling"));
     }

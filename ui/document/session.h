@@ -40,9 +40,9 @@ public:
     const std::shared_ptr<const Reference> &reference() const { return m_choices.reference; }
     const std::vector<Parameters> &pinned() const { return m_choices.pinned; }
 
-    /// Null until a reference file has been diagnosed. While the parameters change, this is the diagnosis for earlier
-    /// parameters (ReferenceDiagnosis::parameters).
-    const std::shared_ptr<const ReferenceDiagnosis> &diagnosis() const { return m_diagnosis; }
+    /// Null until a reference file has been identified. While the parameters change, this is the identification for
+    /// earlier parameters (ReferenceIdentification::parameters).
+    const std::shared_ptr<const ReferenceIdentification> &identification() const { return m_identification; }
 
     QUndoStack &undoStack() { return m_edits; }
 
@@ -74,7 +74,9 @@ public slots:
     /// Uses data that have been read, or no data if null. Does not change the time range.
     void setReference(const std::shared_ptr<const slidercrank::Reference> &reference);
 
-    /// Makes the mechanism that was found in the file the model, with nominal values. Does nothing if none was found.
+    /// Makes the mechanism that was found in the file the model, with nominal values, and reads the file with the
+    /// conventions that were found. If the crank speed is not constant, reads it over the crank angle, in the
+    /// background, and says what the window then shows. Does nothing if no mechanism was found.
     void useFoundMechanism();
 
     /// Applies a convention to the reference data. Convention::Kind::Branch changes the assembly of the model instead.
@@ -101,8 +103,9 @@ signals:
     void settingsChanged(const slidercrank::Sampling &sampling, const slidercrank::SolverSettings &solver);
     void resultChanged(const std::shared_ptr<const slidercrank::Result> &result);
     void timeChanged(const slidercrank::Pose &pose);
-    void diagnosisChanged(const std::shared_ptr<const slidercrank::ReferenceDiagnosis> &diagnosis); ///< may be null
-    void referenceLoaded(const std::shared_ptr<const slidercrank::Reference> &reference);           ///< may be null
+    void identificationChanged(
+        const std::shared_ptr<const slidercrank::ReferenceIdentification> &identification); ///< may be null
+    void referenceLoaded(const std::shared_ptr<const slidercrank::Reference> &reference);   ///< may be null
 
     void referenceRefused(const QStringList &paths, const QString &sentence); ///< nothing has changed
     void problemFound(const QString &sentence);                               ///< nothing has changed
@@ -125,18 +128,18 @@ private:
 
     void recompute();
     void publish(std::shared_ptr<const Result> result);
-    void startDiagnosis();
-    bool isDiagnosisCurrent() const;
-    void stopDiagnosis(); ///< publishes a diagnosis without a result
-    void publishDiagnosis(std::shared_ptr<const ReferenceDiagnosis> diagnosis);
+    void startIdentification();
+    bool isIdentificationCurrent() const;
+    void stopIdentification(); ///< publishes an identification without a result
+    void publishIdentification(std::shared_ptr<const ReferenceIdentification> identification);
 
     Choices m_choices;
     double m_time = 0.0;
     std::shared_ptr<const Result> m_result;
-    std::shared_ptr<const ReferenceDiagnosis> m_diagnosis;
+    std::shared_ptr<const ReferenceIdentification> m_identification;
     BackgroundTask m_computation;
     BackgroundTask m_reading;
-    BackgroundTask m_diagnosing;
+    BackgroundTask m_identifying;
     QTimer m_settling{this}; ///< runs while the parameters may still be changing
 
     EditStack m_edits{[this](const Choices &choices) { applyChoices(choices); }, this};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/settings_fields.h"
 
+#include "ui/text/convention_text.h"
+
 #include <cfloat>
 #include <limits>
 
@@ -82,9 +84,9 @@ void describe(ColumnChoice &choice, JsonNode &node)
 void describe(Convention &convention, JsonNode &node)
 {
     using Kind = Convention::Kind;
-    node("kind", convention.kind,
-         {"angle-unit", "length-unit", "time-unit", "sign", "half-turn", "whole-turns", "zero-point", "swapped-columns",
-          "branch", "time-shift", "not-derivative", "axis"});
+    QString kind = conventionName(convention.kind);
+    node("kind", kind);
+    convention.kind = conventionNamed(kind).value_or(convention.kind);
     node("channels", convention.channels);
     convention.channels.resize(convention.kind == Kind::SwappedColumns ? 2 : convention.channels.size());
     node("amount", convention.amount, convention.kind <= Kind::TimeUnit ? kLeastPositive : -kLargestParameter);

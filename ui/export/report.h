@@ -4,7 +4,7 @@
 // Writes a report as PDF on A4 or Letter: the mechanism with its drawing, the values at one crank angle, the motion
 // limits, the plots with the method of computation, and the comparison with a reference file or a pinned motion.
 
-#include "core/identification/diagnosis.h"
+#include "core/identification/identification.h"
 #include "ui/document/result.h"
 #include "ui/export/figure_export.h"
 
@@ -24,7 +24,7 @@ PaperSize usualPaper();
 
 struct ReportContent {
     std::shared_ptr<const Result> result; ///< not null
-    Diagnosis diagnosis;                  ///< of the reference; unused without one
+    Identification found;                 ///< of the reference; unused without one
     double time = 0.0;                    ///< s, at which the values are stated and the mechanism is drawn
     PaperSize paper = PaperSize::A4;
     QDateTime written = QDateTime::currentDateTime();

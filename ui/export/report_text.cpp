@@ -2,8 +2,9 @@
 #include "ui/export/report.h"
 
 #include "ui/text/column_text.h"
-#include "ui/text/diagnosis_text.h"
+#include "ui/text/explanation.h"
 #include "ui/text/finding_text.h"
+#include "ui/text/identification_text.h"
 #include "ui/text/motion_facts.h"
 #include "ui/text/written_number.h"
 
@@ -146,14 +147,15 @@ QString fileText(const Reference &reference)
 QString comparisonText(const ReportContent &content)
 {
     const Result &result = *content.result;
-    const Diagnosis &diagnosis = content.diagnosis;
+    const Identification &found = content.found;
     QString html = heading(Report::tr("Errors: model against reference")) + fileText(*result.reference) +
                    QStringLiteral("<b>%1</b>").arg(paragraph(summaryText(result.comparison)));
-    for (const QString &line : explanationLines(diagnosis, result.reference->data, result.mechanism)) {
-        html += paragraph(line);
+    for (const Explanation &explanation :
+         explanationsOf(found, result.mechanism.parameters(), result.reference->data.layout)) {
+        html += paragraph(explanation.text);
     }
     if (hasFoundMechanism(content)) {
-        html += paragraph(roundNumbersText(diagnosis)) +
+        html += paragraph(roundNumbersText(found)) +
                 note(Report::tr("Found by weighted least squares; ± is one standard error."));
     }
     return html + errorTable(result.comparison, &result.reference->data) +
@@ -197,13 +199,13 @@ QString methodText(const Result &result)
 
 bool hasFoundMechanism(const ReportContent &content)
 {
-    return content.result->reference && content.diagnosis.identification.hasMechanism();
+    return content.result->reference && content.found.hasMechanism();
 }
 
 QString parameterTable(const ReportContent &content)
 {
     const Parameters &model = content.result->mechanism.parameters();
-    const Identification &found = content.diagnosis.identification;
+    const Identification &found = content.found;
     std::vector<QStringList> rows{{QString(), Report::tr("model")}};
     for (const Parameter parameter : kAllParameters) {
         rows.push_back({QStringLiteral("%1, %2").arg(symbolText(parameter), parameterName(parameter)),
@@ -211,8 +213,7 @@ QString parameterTable(const ReportContent &content)
     }
     rows.push_back({Report::tr("assembly"), assemblyText(model.branch)});
     if (hasFoundMechanism(content)) {
-        rows.front() << (found.outcome == Identification::Outcome::Identified ? Report::tr("found in the file")
-                                                                              : Report::tr("one of those found"));
+        rows.front() << Report::tr("identified in the file");
         for (std::size_t i = 0; i < kAllParameters.size(); ++i) {
             rows[i + 1] << measuredText(kAllParameters[i], found);
         }

@@ -4,8 +4,9 @@
 #include "ui/text/axis_scale.h"
 #include "ui/text/column_text.h"
 #include "ui/text/convention_text.h"
-#include "ui/text/diagnosis_text.h"
+#include "ui/text/explanation.h"
 #include "ui/text/finding_text.h"
+#include "ui/text/identification_text.h"
 #include "ui/text/read_fault_text.h"
 #include "ui/text/written_number.h"
 
@@ -92,7 +93,7 @@ public:
         const bool isUnbounded = channel.maxAbs && std::isinf(*channel.maxAbs);
         return rowOf(channel,
                      isUnbounded
-                         ? tr("Unbounded: one of the two reaches a limit position")
+                         ? tr("Infinite: one of the two mechanisms reaches a limit position")
                          : tr("Root mean square: %1 %2").arg(shortNumber(channel.rms), unitText(channel.channel)));
     }
 
@@ -120,7 +121,7 @@ public:
                          .arg(columns);
     }
 
-    static Page filePage(const Result &result, const ReferenceDiagnosis *diagnosis)
+    static Page filePage(const Result &result, const ReferenceIdentification *identification)
     {
         const Verdict verdict = worstVerdict(result.comparison);
         const VerdictLook look = lookOf(verdict);
@@ -128,8 +129,9 @@ public:
         page.sentence =
             QStringLiteral("%1 %2: %3").arg(look.mark, result.reference->name, summaryText(result.comparison));
         page.tone = look.tone;
-        page.findings = findingsOf(result, diagnosis);
-        page.isSearching = isOfFile(diagnosis, result) && diagnosis->parameters != result.mechanism.parameters();
+        page.findings = findingsOf(result, identification);
+        page.isSearching =
+            isOfFile(identification, result) && identification->parameters != result.mechanism.parameters();
         bool isOffered = false; // one remedy at a time
         for (Finding &finding : page.findings) {
             if (finding.remedy != Remedy::None && std::exchange(isOffered, true)) {
@@ -161,8 +163,10 @@ public:
         const Parameters &present = result.mechanism.parameters();
         const Parameters &pinned = result.pinned.back();
         Page page;
-        page.sentence = present == pinned ? tr("This mechanism is the pinned one: change it to see the difference.")
-                                          : tr("This mechanism − pinned (%1).").arg(pinnedText(pinned, present));
+        page.sentence =
+            present == pinned
+                ? tr("This mechanism is the pinned one: change it to see the difference.")
+                : tr("Difference: this mechanism minus the pinned one (%1).").arg(pinnedText(pinned, present));
         if (result.difference->hasGaps) {
             page.sentence += u' ' + tr("Where one of the two cannot be assembled there is nothing to compare.");
         }
@@ -176,40 +180,47 @@ public:
 
 } // namespace
 
-void offerMechanism(Finding &finding, const Diagnosis &found, const Parameters &given)
+void offerMechanism(Finding &finding, const Identification &found, const Parameters &given)
 {
     constexpr int kDigits = 9;
-    if (found.identification.hasMechanism() && found.rounded != given) {
-        finding.remedy = Remedy::UseFoundMechanism;
-        finding.remedyText = found.identification.hasOneMechanism() ? ErrorPage::tr("Use this mechanism")
-                                                                    : ErrorPage::tr("Use the first of them");
-        finding.details = ErrorPage::tr("Sets %1").arg(mechanismText(Mechanism(found.rounded), kDigits));
+    const Parameters parameters = mechanismToUse(found);
+    if (!found.hasMechanism() || parameters == given) {
+        return;
     }
+    finding.remedy = Remedy::UseFoundMechanism;
+    finding.remedyText = ErrorPage::tr("Use this mechanism");
+    QStringList details{ErrorPage::tr("Sets %1.").arg(mechanismText(Mechanism(parameters), kDigits))};
+    for (const Convention &convention : found.conventions) {
+        details << explanationText(convention);
+    }
+    details << shownDriveText(found, parameters.omega2);
+    details.removeAll(QString());
+    finding.details = details.join("<br>");
 }
 
-bool isOfFile(const ReferenceDiagnosis *diagnosis, const Result &result)
+bool isOfFile(const ReferenceIdentification *identification, const Result &result)
 {
-    return diagnosis && result.reference && diagnosis->reference == result.choices.reference;
+    return identification && result.reference && identification->reference == result.choices.reference;
 }
 
-std::vector<Finding> findingsOf(const Result &result, const ReferenceDiagnosis *diagnosis)
+std::vector<Finding> findingsOf(const Result &result, const ReferenceIdentification *identification)
 {
     std::vector<Finding> findings;
-    if (isOfFile(diagnosis, result) && ErrorPage::worstVerdict(result.comparison) != Verdict::Agrees) {
-        const Diagnosis &found = diagnosis->found;
-        for (const QString &line : explanationLines(found, result.reference->data, Mechanism(diagnosis->parameters))) {
-            findings.push_back({line});
-        }
-        for (std::size_t i = 0; i < found.conventions.size(); ++i) { // the first lines describe the conventions
-            findings[i].remedy = Remedy::Apply;
-            findings[i].remedyText = ErrorPage::tr("Apply");
-            findings[i].convention = found.conventions[i];
-        }
-        if (!found.agreesWithGiven) { // the last line describes the mechanism, the one before it the changed parameter
-            if (found.change) {
-                findings.pop_back(); // the tab Reference shows the mechanism
+    if (isOfFile(identification, result) && ErrorPage::worstVerdict(result.comparison) != Verdict::Agrees) {
+        const auto &[reference, given, found] = *identification;
+        for (const Explanation &explanation : explanationsOf(found, given, reference->data.layout)) {
+            if (explanation.cause == Explanation::Cause::Mechanism && found.change) {
+                continue; // the page of the reference shows it
             }
-            offerMechanism(findings.back(), found, diagnosis->parameters);
+            Finding finding{explanation.text};
+            if (explanation.action == Explanation::Action::Apply) {
+                finding.remedy = Remedy::Apply;
+                finding.remedyText = ErrorPage::tr("Apply");
+                finding.convention = explanation.convention;
+            } else if (explanation.action == Explanation::Action::UseMechanism) {
+                offerMechanism(finding, found, given);
+            }
+            findings.push_back(std::move(finding));
         }
     }
     if (!result.reference->conventions.empty()) {
@@ -217,17 +228,16 @@ std::vector<Finding> findingsOf(const Result &result, const ReferenceDiagnosis *
         for (const Convention &convention : result.reference->conventions) {
             sentences << explanationText(convention);
         }
-        findings.push_back(
-            {ErrorPage::tr("The file is read differently from how it is written. %1").arg(sentences.join(u' ')),
-             Remedy::ReadAsPrinted, ErrorPage::tr("Read as written")});
+        findings.push_back({ErrorPage::tr("These corrections are applied to the file: %1").arg(sentences.join(u' ')),
+                            Remedy::ReadAsPrinted, ErrorPage::tr("Remove corrections")});
     }
     return findings;
 }
 
-Page errorPage(const Result &result, const ReferenceDiagnosis *diagnosis)
+Page errorPage(const Result &result, const ReferenceIdentification *identification)
 {
     if (result.reference) {
-        return ErrorPage::filePage(result, diagnosis);
+        return ErrorPage::filePage(result, identification);
     }
     if (result.difference) {
         return ErrorPage::pinnedPage(result);

@@ -10,20 +10,20 @@
 namespace slidercrank
 {
 
-/// `diagnosis` is used only if it belongs to the current file; it may be null.
-Page errorPage(const Result &result, const ReferenceDiagnosis *diagnosis);
+/// `identification` is used only if it belongs to the current file; it may be null.
+Page errorPage(const Result &result, const ReferenceIdentification *identification);
 
 /// Returns the explanations of the difference with their remedies, unless every channel agrees, and the conventions
 /// that were applied.
-std::vector<Finding> findingsOf(const Result &result, const ReferenceDiagnosis *diagnosis);
+std::vector<Finding> findingsOf(const Result &result, const ReferenceIdentification *identification);
 
 /// Returns the title of the tab with the mark of the verdict on the file: "Errors ✗".
 QString errorTitle(const Result &result);
 
-/// Whether the diagnosis belongs to the current file. It may belong to earlier parameters.
-bool isOfFile(const ReferenceDiagnosis *diagnosis, const Result &result);
+/// Whether the identification belongs to the current file. It may belong to earlier parameters.
+bool isOfFile(const ReferenceIdentification *identification, const Result &result);
 
-/// Adds the remedy to use the mechanism that was found, unless it is the given one.
-void offerMechanism(Finding &finding, const Diagnosis &found, const Parameters &given);
+/// Adds the remedy to use the mechanism that was found, with the conventions of the file, unless it is the given one.
+void offerMechanism(Finding &finding, const Identification &found, const Parameters &given);
 
 } // namespace slidercrank

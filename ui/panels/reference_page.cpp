@@ -3,8 +3,8 @@
 
 #include "ui/panels/error_page.h"
 #include "ui/text/column_text.h"
-#include "ui/text/diagnosis_text.h"
 #include "ui/text/finding_text.h"
+#include "ui/text/identification_text.h"
 #include "ui/text/read_fault_text.h"
 #include "ui/text/written_number.h"
 
@@ -105,13 +105,13 @@ public:
         return table;
     }
 
-    static Finding mechanismFound(const Result &result, const ReferenceDiagnosis *diagnosis)
+    static Finding mechanismFound(const Result &result, const ReferenceIdentification *identification)
     {
-        if (!isOfFile(diagnosis, result)) {
+        if (!isOfFile(identification, result)) {
             return {tr("Searching for the mechanism of this file…")};
         }
-        const Diagnosis &found = diagnosis->found;
-        Finding finding{foundText(found)};
+        const Identification &found = identification->found;
+        Finding finding{summaryText(found)};
         if (const QString rounded = roundNumbersText(found); !rounded.isEmpty()) {
             finding.sentence += u'\n' + rounded;
         }
@@ -122,7 +122,7 @@ public:
 
 } // namespace
 
-Page referencePage(const Result &result, const ReferenceDiagnosis *diagnosis)
+Page referencePage(const Result &result, const ReferenceIdentification *identification)
 {
     if (!result.reference) {
         return {ReferencePage::tr("No file is open."), Tone::Muted};
@@ -137,10 +137,11 @@ Page referencePage(const Result &result, const ReferenceDiagnosis *diagnosis)
     page.findings = {{ReferencePage::tr("%1. Rows: %2.").arg(formText(data.layout), rows), Remedy::ChooseColumns,
                       ReferencePage::tr("Choose columns…")}};
     if (data.crank) {
-        page.findings.push_back({ReferencePage::tr("The rows are by crank angle; ω₂ and θ₂₀ give the time.")});
+        page.findings.push_back(
+            {ReferencePage::tr("The rows are indexed by the crank angle; ω₂ and θ₂₀ give the time.")});
     }
-    page.findings.push_back(ReferencePage::mechanismFound(result, diagnosis));
-    for (const Finding &finding : findingsOf(result, diagnosis)) {
+    page.findings.push_back(ReferencePage::mechanismFound(result, identification));
+    for (const Finding &finding : findingsOf(result, identification)) {
         if (finding.remedy == Remedy::Apply || finding.remedy == Remedy::ReadAsPrinted) {
             page.findings.push_back(finding);
         }

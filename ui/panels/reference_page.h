@@ -8,7 +8,7 @@ namespace slidercrank
 {
 
 /// A page about the reference file: the meaning of each column, the skipped rows, and the mechanism found in the file.
-/// `diagnosis` is used only if it belongs to this file; it may be null.
-Page referencePage(const Result &result, const ReferenceDiagnosis *diagnosis);
+/// `identification` is used only if it belongs to this file; it may be null.
+Page referencePage(const Result &result, const ReferenceIdentification *identification);
 
 } // namespace slidercrank

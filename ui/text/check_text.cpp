@@ -79,21 +79,21 @@ QString explanationText(const CheckResult &result, const QStringList &wrongNames
         return {}; // a value may not exist: that is said elsewhere
     }
     switch (result.explanation) {
-    case Explanation::NotNeeded: return CheckText::tr("All values are right to their digits.");
-    case Explanation::Named: return slipText(result.slips.front(), wrongNames);
-    case Explanation::Ambiguous: {
+    case CheckOutcome::NotNeeded: return CheckText::tr("All values are right to their digits.");
+    case CheckOutcome::Named: return slipText(result.slips.front(), wrongNames);
+    case CheckOutcome::Ambiguous: {
         QStringList sentences(CheckText::tr("More than one slip is possible; more quantities or digits may decide:"));
         for (const Slip slip : result.slips) {
             sentences += slipText(slip, wrongNames);
         }
         return sentences.join(' ');
     }
-    case Explanation::TooFewDigits:
+    case CheckOutcome::TooFewDigits:
         return CheckText::tr("The values have too few digits to name a slip: add digits or other quantities.");
-    case Explanation::RoundedEarlier:
+    case CheckOutcome::RoundedEarlier:
         return CheckText::tr("The deviation is within the error of an intermediate result (θ₃, ω₃, α₃) that was "
                              "rounded to three digits.");
-    case Explanation::None: return CheckText::tr("No known slip gives exactly these values.");
+    case CheckOutcome::None: return CheckText::tr("No known slip gives exactly these values.");
     }
     return {};
 }

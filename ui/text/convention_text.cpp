@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/convention_text.h"
 
+#include "ui/text/enum_table.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/written_number.h"
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace slidercrank
 {
@@ -20,21 +23,43 @@ struct ConventionText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::ConventionText)
 
 public:
-    // In the order of Convention::Kind. %1 are the columns, %2 "+ 5 mm" or "− 5 mm", %3 the symbol of the first column,
-    // %4 "in radians, but read as degrees".
-    static constexpr const char *kExplanations[] = {
-        "%1: %4.", // AngleUnit
-        "%1: %4.", // LengthUnit
-        QT_TR_NOOP("The time is %4."),
-        QT_TR_NOOP("%1: with the opposite sign."),
-        QT_TR_NOOP("%1: measured from the opposite direction; %3 is %1 %2."),
-        QT_TR_NOOP("%1: off by whole turns; %3 is %1 %2."),
-        QT_TR_NOOP("%1: measured from another origin; %3 is %1 %2."),
-        QT_TR_NOOP("%1: each has the heading of the other."),
-        QT_TR_NOOP("The file belongs to the other assembly: its slider is on the other side of A."),
-        QT_TR_NOOP("The time stamps are shifted: t is the time in the file %2."),
-        QT_TR_NOOP("%1: not the time derivative of the position column."),
-        QT_TR_NOOP("The slider moves along y instead of x, as in an upright engine.")};
+    enum class Amount {
+        None,
+        Factor,
+        Degrees,
+        Seconds,
+        OfChannel ///< in the unit of the first column
+    };
+
+    /// %1 are the columns, %2 "+ 5 mm" or "− 5 mm", %3 the symbol of the first column, %4 "in radians, but read as
+    /// degrees".
+    struct Row {
+        Kind key;
+        const char *name; ///< in files and JSON
+        Amount amount;
+        const char *text;
+    };
+    static constexpr Row kRows[] = {
+        {Kind::AngleUnit, "angle-unit", Amount::Factor, "%1: %4."},
+        {Kind::LengthUnit, "length-unit", Amount::Factor, "%1: %4."},
+        {Kind::TimeUnit, "time-unit", Amount::Factor, QT_TR_NOOP("The time is %4.")},
+        {Kind::Sign, "sign", Amount::Factor, QT_TR_NOOP("%1: with the opposite sign.")},
+        {Kind::HalfTurn, "half-turn", Amount::Degrees,
+         QT_TR_NOOP("%1: measured from the opposite direction; %3 is the value in the file %2.")},
+        {Kind::WholeTurns, "whole-turns", Amount::Degrees,
+         QT_TR_NOOP("%1: off by whole turns; %3 is the value in the file %2.")},
+        {Kind::ZeroPoint, "zero-point", Amount::OfChannel,
+         QT_TR_NOOP("%1: measured from a different origin; %3 is the value in the file %2.")},
+        {Kind::SwappedColumns, "swapped-columns", Amount::None, QT_TR_NOOP("%1: the headings are swapped.")},
+        {Kind::Branch, "branch", Amount::None,
+         QT_TR_NOOP("The mechanism that produced the file has the other assembly: its slider is on the other side "
+                    "of A.")},
+        {Kind::TimeShift, "time-shift", Amount::Seconds,
+         QT_TR_NOOP("The time stamps are shifted: t is the time in the file %2.")},
+        {Kind::NotDerivative, "not-derivative", Amount::None,
+         QT_TR_NOOP("%1: not the time derivative of the position column.")},
+        {Kind::Axis, "axis", Amount::None,
+         QT_TR_NOOP("The slider moves along y instead of x, as in an upright engine.")}};
 
     /// Two units, one of which is `factor` times as large as the other.
     struct UnitPair {
@@ -51,7 +76,7 @@ public:
         {Kind::TimeUnit, 1000.0, QT_TR_NOOP("seconds"), QT_TR_NOOP("milliseconds")}};
 };
 
-static_assert(std::size(ConventionText::kExplanations) == static_cast<std::size_t>(Kind::Axis) + 1);
+static_assert(isCompleteTable(ConventionText::kRows, Kind::Axis));
 
 /// Returns "in radians, but read as degrees". The amount is one of the factors between units (convention.h).
 QString misreadUnitText(const Convention &convention)
@@ -67,6 +92,25 @@ QString misreadUnitText(const Convention &convention)
     return {};
 }
 
+/// Returns the sentence of a convention, with %1 to %4.
+QString sentenceOf(const Convention &convention)
+{
+    if (convention.kind == Kind::HalfTurn && concerns(convention, {Theta3, Order::Position})) {
+        return ConventionText::tr("%1: the angle of the coupler seen from B, as textbooks draw θ₃; %3 is the value in "
+                                  "the file %2.");
+    }
+    if (convention.kind == Kind::WholeTurns && convention.amount == 0.0) {
+        return ConventionText::tr("%1: jumps by whole turns.");
+    }
+    return ConventionText::tr(rowOf(ConventionText::kRows, convention.kind).text);
+}
+
+QString unitBehind(Channel channel)
+{
+    const QString unit = unitText(channel);
+    return unit == u"°" ? unit : u' ' + unit;
+}
+
 QString columnNames(const std::vector<Channel> &channels)
 {
     QStringList names;
@@ -78,19 +122,41 @@ QString columnNames(const std::vector<Channel> &channels)
 
 } // namespace
 
+const char *conventionName(Kind kind)
+{
+    return rowOf(ConventionText::kRows, kind).name;
+}
+
+std::optional<Kind> conventionNamed(const QString &name)
+{
+    const auto hasName = [&name](const ConventionText::Row &row) { return name == QLatin1String(row.name); };
+    const auto row = std::ranges::find_if(ConventionText::kRows, hasName);
+    return row == std::end(ConventionText::kRows) ? std::nullopt : std::optional(row->key);
+}
+
+std::optional<QString> amountUnit(const Convention &convention)
+{
+    using Amount = ConventionText::Amount;
+    switch (rowOf(ConventionText::kRows, convention.kind).amount) {
+    case Amount::None: return std::nullopt;
+    case Amount::Factor: return QString();
+    case Amount::Degrees: return "°";
+    case Amount::Seconds: return "s";
+    case Amount::OfChannel: return unitText(convention.channels.front());
+    }
+    return std::nullopt;
+}
+
 QString explanationText(const Convention &convention)
 {
     const Channel channel = convention.channels.empty() ? Channel() : convention.channels.front();
-    const QString unit = convention.kind == Kind::TimeShift ? " s" : isAngle(channel.coordinate) ? "°" : " mm";
-    const bool isOfCoupler = convention.kind == Kind::HalfTurn && channel.coordinate == Theta3;
-    const bool onlyJumps = convention.kind == Kind::WholeTurns && convention.amount == 0.0;
-    QString text = isOfCoupler ? ConventionText::tr("%1: the angle of the coupler seen from B, as textbooks draw θ₃; "
-                                                    "%3 is %1 %2.")
-                   : onlyJumps ? ConventionText::tr("%1: jumps by whole turns.")
-                               : ConventionText::tr(ConventionText::kExplanations[static_cast<int>(convention.kind)]);
-    return text.replace("%4", misreadUnitText(convention))
+    const double amount = convention.amount;
+    const QString number = numberText(std::abs(amount));
+    const QString unit = convention.kind == Kind::TimeShift ? " s" : unitBehind(channel);
+    return sentenceOf(convention)
+        .replace("%4", misreadUnitText(convention))
         .replace("%3", symbolText(channel))
-        .replace("%2", (convention.amount < 0.0 ? "− " : "+ ") + numberText(std::abs(convention.amount)) + unit)
+        .replace("%2", (amount < 0.0 ? "− " : "+ ") + number + unit)
         .replace("%1", columnNames(convention.channels));
 }
 

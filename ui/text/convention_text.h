@@ -9,8 +9,19 @@
 #include <QString>
 #include <QStringList>
 
+#include <optional>
+
 namespace slidercrank
 {
+
+/// The name of a kind of convention in files and JSON: "angle-unit".
+const char *conventionName(Convention::Kind kind);
+
+/// The kind with that name, or nullopt.
+std::optional<Convention::Kind> conventionNamed(const QString &name);
+
+/// The unit of the amount of a convention in JSON: "°"; empty for a factor, nullopt if the convention has no amount.
+std::optional<QString> amountUnit(const Convention &convention);
 
 /// Explains a convention: "theta3: in radians, but read as degrees."
 QString explanationText(const Convention &convention);

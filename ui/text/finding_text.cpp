@@ -222,8 +222,9 @@ std::vector<QStringList> comparisonTable(std::span<const ChannelComparison> chan
 {
     std::vector<QStringList> rows{{FindingText::tr("channel"), FindingText::tr("largest error"),
                                    file.crank ? FindingText::tr("at θ₂ [°]") : FindingText::tr("at t [s]"),
-                                   FindingText::tr("rms"), FindingText::tr("% of peak"), FindingText::tr("largest %"),
-                                   FindingText::tr("rounding step"), FindingText::tr("verdict")}};
+                                   FindingText::tr("rms"), FindingText::tr("% of peak"),
+                                   FindingText::tr("max. relative error [%]"), FindingText::tr("rounding step"),
+                                   FindingText::tr("verdict")}};
     for (const ChannelComparison &channel : channels) {
         const double time = channel.timeOfMaxAbs;
         const double place = file.crank ? (file.crank->omega2 * time + file.crank->theta20) * kDegreesPerRadian : time;

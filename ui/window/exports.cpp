@@ -172,14 +172,14 @@ void Exports::writeReport(const QString &path, PaperSize paper)
 {
     ReportContent content{m_session->result(), {}, m_session->time(), paper};
     if (const auto &reference = content.result->choices.reference) {
-        const auto &diagnosis = m_session->diagnosis();
-        if (!diagnosis || diagnosis->reference != reference ||
-            diagnosis->parameters != content.result->mechanism.parameters()) {
+        const auto &identification = m_session->identification();
+        if (!identification || identification->reference != reference ||
+            identification->parameters != content.result->mechanism.parameters()) {
             emit m_session->failed(tr("No report was written: the mechanism of the file is still being identified. "
                                       "Export it again in a moment."));
             return;
         }
-        content.diagnosis = diagnosis->found;
+        content.found = identification->found;
     }
     m_session->reportWritten(path, exportReport(path, content, drawMechanism(), drawPlots({})));
 }

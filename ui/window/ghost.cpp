@@ -9,12 +9,12 @@
 namespace slidercrank
 {
 
-GhostMotion findGhost(const Result &result, const Diagnosis *diagnosis)
+GhostMotion findGhost(const Result &result, const Identification *found)
 {
     const auto boundsOf = [](const Mechanism &mechanism) { return motionBounds(mechanism, motionLimits(mechanism)); };
     if (std::ranges::count(result.comparison, Verdict::Differs, &ChannelComparison::verdict) > 0) {
-        const bool isFound = diagnosis && diagnosis->identification.hasMechanism();
-        const Mechanism lengths = isFound ? Mechanism(diagnosis->identification.parameters) : result.mechanism;
+        const bool isFound = found && found->hasMechanism();
+        const Mechanism lengths = isFound ? Mechanism(found->parameters) : result.mechanism;
         return {boundsOf(lengths), [lengths, reference = result.reference](double time) {
                     return referencePoseAt(reference->data, lengths, time);
                 }};
@@ -32,7 +32,7 @@ Ghost::Ghost(Session *session, MechanismView *view)
     , m_view(view)
 {
     connect(session, &Session::resultChanged, this, &Ghost::update);
-    connect(session, &Session::diagnosisChanged, this, &Ghost::update);
+    connect(session, &Session::identificationChanged, this, &Ghost::update);
     connect(session, &Session::timeChanged, this, &Ghost::showPose);
     update();
 }
@@ -45,9 +45,9 @@ void Ghost::setWanted(bool wanted)
 
 void Ghost::update()
 {
-    const auto &diagnosis = m_session->diagnosis();
+    const auto &identification = m_session->identification();
     const GhostMotion ghost =
-        m_isWanted ? findGhost(*m_session->result(), diagnosis ? &diagnosis->found : nullptr) : GhostMotion();
+        m_isWanted ? findGhost(*m_session->result(), identification ? &identification->found : nullptr) : GhostMotion();
     m_motion = ghost.pose;
     m_view->setGhostBounds(ghost.bounds);
     showPose();

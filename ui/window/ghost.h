@@ -16,7 +16,7 @@ namespace slidercrank
 
 class MechanismView;
 class Session;
-struct Diagnosis;
+struct Identification;
 struct Result;
 
 /// The linkage that is drawn behind the mechanism.
@@ -26,9 +26,9 @@ struct GhostMotion {
 };
 
 /// Returns the linkage of the reference file if the file differs from the model. Without a file, returns the motion
-/// that was pinned last. The lengths are those of the diagnosis, or of the model if there is no diagnosis (null) or if
-/// it found no mechanism. The window and the command line draw the same.
-GhostMotion findGhost(const Result &result, const Diagnosis *diagnosis);
+/// that was pinned last. The lengths are those of the mechanism found, or of the model if `found` is null or has no
+/// mechanism. The window and the command line draw the same.
+GhostMotion findGhost(const Result &result, const Identification *found);
 
 class Ghost : public QObject
 {

@@ -190,13 +190,13 @@ void MainWindow::makeViews()
 void MainWindow::makeTabs()
 {
     m_views.errors = makePanel("errorPanel", tr("Errors against the reference"),
-                               [this] { return errorPage(*m_session->result(), m_session->diagnosis().get()); });
+                               [this] { return errorPage(*m_session->result(), m_session->identification().get()); });
     m_views.tabs->addTab(makeMotionTable(), tr("Table"));
     m_views.tabs->addTab(makeLimitsPanel(), tr("Motion limits"));
     m_views.tabs->addTab(m_views.errors, QString());
     m_views.tabs->addTab(
         makePanel("referencePanel", tr("Reference"),
-                  [this] { return referencePage(*m_session->result(), m_session->diagnosis().get()); }),
+                  [this] { return referencePage(*m_session->result(), m_session->identification().get()); }),
         tr("Reference"));
     m_views.tabs->addPage(tr("Newton-Raphson"), [this] { return makeNewtonPanel(); });
     m_views.tabs->addPage(tr("Speed and accuracy"), [this] { return new StudyPanel(m_session); });
@@ -238,7 +238,7 @@ TablePanel *MainWindow::makePanel(const QString &name, const QString &title, con
 {
     auto *panel = new TablePanel(m_session, name, title, makePage);
     connect(m_session, &Session::resultChanged, panel, &TablePanel::refresh);
-    connect(m_session, &Session::diagnosisChanged, panel, &TablePanel::refresh);
+    connect(m_session, &Session::identificationChanged, panel, &TablePanel::refresh);
     connect(panel, &TablePanel::timeRequested, m_session, &Session::setTime);
     connect(panel, &TablePanel::timeRequested, m_views.plots, &PlotGrid::showTime);
     connect(panel, &TablePanel::remedyRequested, this, &MainWindow::applyRemedy);

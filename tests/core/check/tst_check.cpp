@@ -69,9 +69,9 @@ Tally tally(const SlipCase &slipCase, int digits)
         }
         const CheckResult checked = check(problem.position(), given);
         const bool isAmong = std::ranges::count(checked.slips, slipCase.slip) == 1;
-        result.wrong += checked.explanation != Explanation::NotNeeded && given.size() == kQuantities.size();
-        result.named += checked.explanation == Explanation::Named && isAmong;
-        result.ambiguous += checked.explanation == Explanation::Ambiguous && isAmong;
+        result.wrong += checked.explanation != CheckOutcome::NotNeeded && given.size() == kQuantities.size();
+        result.named += checked.explanation == CheckOutcome::Named && isAmong;
+        result.ambiguous += checked.explanation == CheckOutcome::Ambiguous && isAmong;
         result.misnamed += !checked.slips.empty() && !isAmong;
     }
     return result;
@@ -96,7 +96,7 @@ private slots:
             for (const char *name : kQuantities) {
                 given.push_back(written(name, problem.calculation().solve().valueOf(name), 10));
             }
-            QVERIFY(check(problem.position(), given).explanation == Explanation::NotNeeded);
+            QVERIFY(check(problem.position(), given).explanation == CheckOutcome::NotNeeded);
         }
     }
 
@@ -239,7 +239,7 @@ private slots:
         const HandCalculation hand = kExample.calculation().solve();
         const GivenValue v = written("v", -hand.v, 5);
         const CheckResult alone = check(kExample.position(), std::vector{v});
-        QVERIFY(alone.explanation == Explanation::Ambiguous);
+        QVERIFY(alone.explanation == CheckOutcome::Ambiguous);
         QVERIFY(alone.slips == (std::vector{Slip::CrankSpeedSign, Slip::FromOuterDeadCentre}));
         const CheckResult beside = check(kExample.position(), std::vector{v, written("x", hand.x, 5)});
         QVERIFY(beside.slips == std::vector{Slip::CrankSpeedSign});
@@ -257,9 +257,9 @@ private slots:
             return check(kExample.position(), given).explanation;
         };
         const GivenValue alpha3 = written("alpha3", hand.alpha3, 2);
-        QVERIFY(explanation({written("a", wrong, 2)}) == Explanation::TooFewDigits);
-        QVERIFY(explanation({written("a", wrong, 5)}) == Explanation::Named);
-        QVERIFY(explanation({written("a", wrong, 2), alpha3}) == Explanation::Named);
+        QVERIFY(explanation({written("a", wrong, 2)}) == CheckOutcome::TooFewDigits);
+        QVERIFY(explanation({written("a", wrong, 5)}) == CheckOutcome::Named);
+        QVERIFY(explanation({written("a", wrong, 2), alpha3}) == CheckOutcome::Named);
     }
 
     void forgivesRoundedIntermediateResults()
@@ -272,8 +272,8 @@ private slots:
         const auto explanation = [](double value) {
             return check(kExample.position(), std::vector{written("v", value, 5)}).explanation;
         };
-        QVERIFY(explanation(hand.v) == Explanation::RoundedEarlier);
-        QVERIFY(explanation(v + 10.0 * (hand.v - v)) == Explanation::None);
+        QVERIFY(explanation(hand.v) == CheckOutcome::RoundedEarlier);
+        QVERIFY(explanation(v + 10.0 * (hand.v - v)) == CheckOutcome::None);
     }
 
     void saysNothingWhereTheMechanismIsImpossible()

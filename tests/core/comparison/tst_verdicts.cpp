@@ -6,7 +6,7 @@
 #include "core/comparison/comparison.h"
 #include "core/import/reference_data.h"
 #include "tests/support/channels.h"
-#include "tests/support/claim_file.h"
+#include "tests/support/claim_table.h"
 #include "tests/support/long_tests.h"
 #include "tests/support/random_mechanisms.h"
 #include "tests/support/reading.h"
@@ -82,14 +82,12 @@ Parameters slow(Parameters p, RandomMechanisms &random)
 }
 
 /// Prints the file of the mechanism `of`.
-ClaimFile printed(const Kind &kind, const Parameters &of)
+ClaimTable printed(const Kind &kind, const Parameters &of)
 {
-    ClaimFile file("verdicts");
-    file.truth = of;
+    ClaimRandom random("verdicts");
+    ClaimTable file(random, of);
     const double spacing = 1.0 / kind.rate + kind.clockError * 0.5e-4 / kind.rows;
-    file.times = spacing * Values::LinSpaced(kind.rows, 0.0, kind.rows - 1);
-    file.time.format = kind.timeFormat;
-    file.keepsEmptyRows = true;
+    file.atTimes(spacing * Values::LinSpaced(kind.rows, 0.0, kind.rows - 1), kind.timeFormat).withEmptyRows();
     for (const Channel channel : kind.channels) {
         file.columns.push_back({std::string(nameOf(channel)), channel, kind.format, kind.reprint});
     }
@@ -148,7 +146,7 @@ private slots:
                 } else if (origin == File::ShortCrank) {
                     of.a *= 0.97;
                 }
-                const ClaimFile file = printed(kind, of);
+                const ClaimTable file = printed(kind, of);
                 const QByteArray title = QByteArray(kind.name) + ' ' + QByteArray::number(i) + '\n' + file.text.c_str();
                 const auto outcome = readReferenceData(file.text);
                 QVERIFY2(std::holds_alternative<ReferenceData>(outcome), title);

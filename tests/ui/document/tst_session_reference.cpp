@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The reference file of a session: reading, time range, diagnosis and conventions.
+// The reference file of a session: reading, time range, identification and conventions.
 
 #include "tests/support/files.h"
 #include "tests/support/initial_mechanism.h"
@@ -12,6 +12,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <initializer_list>
 
 #ifdef Q_OS_UNIX
 #include <sys/stat.h>
@@ -33,6 +34,28 @@ QByteArray angleTable(int zero)
                  QByteArray::number(20.0 * std::cos(theta2) + 65.0 * std::cos(theta3), 'f', 6) + '\n';
     }
     return table;
+}
+
+struct Positions {
+    double theta3 = 0.0; ///< degrees
+    double slider = 0.0; ///< mm
+};
+
+/// The positions of the initial mechanism with b = 60 mm at a crank angle (rad).
+Positions positionsAt(double theta2)
+{
+    const double theta3 = std::asin((25.0 - 20.0 * std::sin(theta2)) / 60.0);
+    return {theta3 * kDegreesPerRadian, 20.0 * std::cos(theta2) + 60.0 * std::cos(theta3)};
+}
+
+/// Returns a row of a table, with six decimals.
+QByteArray printed(std::initializer_list<double> values)
+{
+    QByteArrayList cells;
+    for (const double value : values) {
+        cells += QByteArray::number(value, 'f', 6);
+    }
+    return cells.join(',') + '\n';
 }
 
 bool allAgree(const std::vector<ChannelComparison> &comparison)
@@ -110,7 +133,7 @@ private slots:
         Session session;
         QSignalSpy problems(&session, &Session::problemFound);
         session.loadReference(writeFile(folder, "x.csv", angleTable(0)));
-        AWAIT(session.reference() && session.diagnosis());
+        AWAIT(session.reference() && session.identification());
         const auto chosen = session.reference();
         const auto lastTime = [&session] { return session.result()->reference->data.time.back(); };
         QVERIFY(allAgree(session.result()->comparison));
@@ -126,8 +149,8 @@ private slots:
         QVERIFY(std::abs(session.sampling().start - (2.0 * std::numbers::pi - 0.5) / -4.0) < 1e-12);
         QVERIFY(std::abs(session.sampling().duration - 2.0 * std::numbers::pi / 4.0) < 1e-12);
         QCOMPARE(session.reference(), chosen);
-        AWAIT(session.diagnosis() && session.diagnosis()->parameters == parameters);
-        QVERIFY(!session.diagnosis()->found.identification.identifiable[indexOf(Parameter::Omega2)]);
+        AWAIT(session.identification() && session.identification()->parameters == parameters);
+        QVERIFY(!session.identification()->found.identifiable[indexOf(Parameter::Omega2)]);
         session.undoStack().undo();
         QCOMPARE(lastTime(), 1.0);
         QCOMPARE(session.sampling(), Sampling());
@@ -138,7 +161,7 @@ private slots:
         parameters.omega2 = 0.0; // a crank at rest does not reach those angles
         session.setParameters(parameters);
         QCOMPARE(problems.count(), 1);
-        QVERIFY(problems[0][0].toString().contains("choose another ω₂"));
+        QVERIFY(problems[0][0].toString().contains("choose a different ω₂"));
         QCOMPARE(session.parameters().omega2, -4.0);
         session.setReference(nullptr);
         session.setParameters(parameters);
@@ -154,9 +177,9 @@ private slots:
         const QTemporaryDir folder;
         Session session;
         session.loadReference(writeFile(folder, "x.csv", angleTable(30)));
-        AWAIT(session.reference() && session.diagnosis());
+        AWAIT(session.reference() && session.identification());
         QVERIFY(!allAgree(session.result()->comparison));
-        const std::vector<ConventionFinding> findings = session.diagnosis()->found.conventions;
+        const std::vector<ConventionFinding> findings = session.identification()->found.conventions;
         QCOMPARE(findings.size(), std::size_t(1));
         QCOMPARE(findings.front().amount, 30.0);
         session.apply(findings.front());
@@ -211,7 +234,7 @@ private slots:
         }
     }
 
-    void aCancelledDiagnosisIsNotPublished()
+    void aCancelledIdentificationIsNotPublished()
     {
         Session session;
         QSignalSpy busy(&session, &Session::busyChanged);
@@ -219,21 +242,21 @@ private slots:
         letTimePass(session);
         QCOMPARE(busy.count(), 1);
         session.cancel();
-        QVERIFY(session.diagnosis() && session.diagnosis()->found.identification.stopped);
+        QVERIFY(session.identification() && session.identification()->found.stopped);
         finishAside();
         letTimePass(session);
         QCOMPARE(busy.count(), 2);
-        QVERIFY(session.diagnosis()->found.identification.stopped);
+        QVERIFY(session.identification()->found.stopped);
         session.setParameter(Parameter::B, 64.0);
-        AWAIT_COMPARE(session.diagnosis()->found.identification.outcome, Identification::Outcome::Identified);
+        AWAIT_COMPARE(session.identification()->found.outcome, Identification::Outcome::Identified);
 
-        // A diagnosis is not published after its file was closed.
+        // An identification is not published after its file was closed.
         session.setParameter(Parameter::B, 70.0);
         letTimePass(session);
         session.setReference(nullptr);
         finishAside();
         letTimePass(session);
-        QVERIFY(!session.diagnosis());
+        QVERIFY(!session.identification());
         session.useFoundMechanism();
         QCOMPARE(session.parameters().b, 70.0);
     }
@@ -241,33 +264,77 @@ private slots:
     void usesTheMechanismFoundInTheFile()
     {
         Session session; // Table 1: b = 65 mm
-        QSignalSpy diagnoses(&session, &Session::diagnosisChanged);
+        QSignalSpy identifications(&session, &Session::identificationChanged);
         session.loadReference(kSample);
-        AWAIT_COMPARE(diagnoses.count(), 1);
-        const ReferenceDiagnosis &diagnosis = *session.diagnosis();
-        QCOMPARE(diagnosis.reference, session.reference());
-        QCOMPARE(diagnosis.found.identification.outcome, Identification::Outcome::Identified);
-        QVERIFY(diagnosis.found.change);
-        QCOMPARE(diagnosis.found.change->parameter, Parameter::B);
-        QVERIFY(std::abs(diagnosis.found.change->value - 60.0) < 1e-4);
-        QVERIFY(diagnosis.found.change->explained > 0.999999);
+        AWAIT_COMPARE(identifications.count(), 1);
+        const ReferenceIdentification &identification = *session.identification();
+        QCOMPARE(identification.reference, session.reference());
+        QCOMPARE(identification.found.outcome, Identification::Outcome::Identified);
+        QVERIFY(identification.found.change);
+        QCOMPARE(identification.found.change->parameter, Parameter::B);
+        QVERIFY(std::abs(identification.found.change->value - 60.0) < 1e-4);
 
         session.useFoundMechanism();
         QCOMPARE(session.parameters(), withCoupler(60.0)); // nominal values, not 60.0000003
         QCOMPARE(session.undoStack().undoText(), "use of the file's mechanism");
         QCOMPARE(session.result()->comparison.size(), std::size_t(6));
         QVERIFY(allAgree(session.result()->comparison));
-        AWAIT(session.diagnosis()->parameters == session.parameters());
-        QVERIFY(!session.diagnosis()->found.change && session.diagnosis()->found.conventions.empty());
+        AWAIT(session.identification()->parameters == session.parameters());
+        QVERIFY(!session.identification()->found.change && session.identification()->found.conventions.empty());
     }
 
-    void diagnosesAgainWhenTheParametersAreUnchanged()
+    void readsTheFileAsTheMechanismFoundInItRequires()
+    {
+        const QTemporaryDir folder;
+        QByteArray bytes = "time,theta3,R4_x\n"; // theta3 in radians
+        for (int row = 0; row <= 100; ++row) {
+            const double angle = row / 100.0 * 2.0 * std::numbers::pi;
+            const auto [theta3, slider] = positionsAt(angle);
+            bytes += printed({row / 100.0, theta3 / kDegreesPerRadian, slider});
+        }
+        Session session;
+        session.loadReference(writeFile(folder, "x.csv", bytes));
+        AWAIT(session.reference() && session.identification());
+        const auto printed = session.reference();
+        session.useFoundMechanism();
+        QCOMPARE(session.parameters(), withCoupler(60.0));
+        QCOMPARE(session.reference()->conventions.size(), std::size_t(1));
+        QVERIFY(allAgree(session.result()->comparison));
+        session.undoStack().undo(); // in one step
+        QCOMPARE(session.reference(), printed);
+        QCOMPARE(session.parameters(), Parameters());
+    }
+
+    void showsAChangingSpeedByItsMeanOverTheCrankAngle()
+    {
+        const QTemporaryDir folder;
+        QByteArray bytes = "time,theta2,R4_x\n"; // from rest with 10 rad/s²
+        for (int row = 0; row <= 150; ++row) {
+            const double time = row / 100.0;
+            const double angle = 0.5 * 10.0 * time * time;
+            bytes += printed({time, angle * kDegreesPerRadian, positionsAt(angle).slider});
+        }
+        Session session;
+        QSignalSpy confirmed(&session, &Session::confirmed);
+        session.loadReference(writeFile(folder, "x.csv", bytes));
+        AWAIT(session.reference() && session.identification());
+        QVERIFY(session.identification()->found.drive);
+        session.useFoundMechanism();
+        AWAIT_COMPARE(confirmed.count(), 1);
+        QVERIFY2(confirmed[0][0].toString().contains("mean speed, 7.5 rad/s"), qPrintable(confirmed[0][0].toString()));
+        QVERIFY(session.reference()->data.crank);
+        QCOMPARE(session.parameters().b, 60.0);
+        QVERIFY(std::abs(session.parameters().omega2 - 7.5) < 0.01);
+        QVERIFY(allAgree(session.result()->comparison));
+    }
+
+    void identifiesAgainWhenTheParametersAreUnchanged()
     {
         Session session;
         session.loadReference(kSample);
-        AWAIT(session.diagnosis());
-        const auto first = session.diagnosis();
-        QSignalSpy diagnoses(&session, &Session::diagnosisChanged);
+        AWAIT(session.identification());
+        const auto first = session.identification();
+        QSignalSpy identifications(&session, &Session::identificationChanged);
         const auto timers = session.findChildren<QTimer *>();
         for (int i = 1; i <= 5; ++i) {
             for (QTimer *timer : timers) {
@@ -278,11 +345,11 @@ private slots:
                 QVERIFY(timer->isActive() && timer->interval() < kPatience); // each edit restarts the timer
             }
         }
-        QCOMPARE(diagnoses.count(), 0);
-        QCOMPARE(session.diagnosis(), first);
-        AWAIT_COMPARE(diagnoses.count(), 1);
-        QCOMPARE(session.diagnosis()->parameters.b, 70.0);
-        QCOMPARE(session.diagnosis()->found.identification.parameters, first->found.identification.parameters);
+        QCOMPARE(identifications.count(), 0);
+        QCOMPARE(session.identification(), first);
+        AWAIT_COMPARE(identifications.count(), 1);
+        QCOMPARE(session.identification()->parameters.b, 70.0);
+        QCOMPARE(session.identification()->found.parameters, first->found.parameters);
     }
 
     void appliesAndRemovesConventions()

@@ -71,7 +71,7 @@ ReportContent contentWith(double b, const std::shared_ptr<const Reference> &refe
     session.setReference(reference);
     ReportContent content{session.result(), {}};
     if (reference) {
-        content.diagnosis = diagnose(reference->data, session.result()->mechanism);
+        content.found = identify(reference->data, session.result()->mechanism);
     }
     return content;
 }
@@ -265,7 +265,7 @@ private slots:
             at = report.text.indexOf(words, at);
             QVERIFY2(at >= 0, words);
         }
-        QVERIFY2(report.has({"65 mm", "60.0", " ± ", "found in the file", "coupler angle θ³", "stroke",
+        QVERIFY2(report.has({"65 mm", "60.0", " ± ", "identified in the file", "coupler angle θ³", "stroke",
                              "inventor_sample.csv, t = 0 … 1 s, 201 rows", "± is one standard error"}),
                  qPrintable(report.text));
         const ReportText alone(contentWith(65.0, nullptr));

@@ -45,22 +45,22 @@ Result resultWith(const std::vector<ChannelComparison> &comparison, const Refere
     return result;
 }
 
-/// A diagnosis that found b = 60 mm, with which every channel agrees.
-ReferenceDiagnosis diagnosisOf(const Result &result)
+/// An identification that found b = 60 mm, with which every channel agrees.
+ReferenceIdentification identificationOf(const Result &result)
 {
-    ReferenceDiagnosis diagnosis{result.reference, result.mechanism.parameters(), {}};
-    Identification &found = diagnosis.found.identification;
+    ReferenceIdentification identification{result.reference, result.mechanism.parameters(), {}};
+    Identification &found = identification.found;
     found.outcome = Identification::Outcome::Identified;
     found.parameters.b = 60.00001;
     found.standardError.fill(3e-5);
     found.identifiable.fill(true);
-    diagnosis.found.rounded.b = 60.0;
-    diagnosis.found.identified = result.comparison;
-    for (ChannelComparison &channel : diagnosis.found.identified) {
+    found.rounded.b = 60.0;
+    found.channels = result.comparison;
+    for (ChannelComparison &channel : found.channels) {
         channel.verdict = Verdict::Agrees;
     }
-    diagnosis.found.change = {Parameter::B, 60.00001, 0.9999999};
-    return diagnosis;
+    found.change = {Parameter::B, 60.00001};
+    return identification;
 }
 
 Page readPage(const QByteArray &bytes)
@@ -106,7 +106,7 @@ private slots:
         QCOMPARE(rows[1].time, std::optional(0.5));
         QCOMPARE(rows[2].time, std::nullopt);
         QCOMPARE(rows[2].cells[2].number, std::nullopt);
-        for (const QString number : {"rms: 0.000617", "largest %: 0.0123", "rounding step: 0.001"}) {
+        for (const QString number : {"rms: 0.000617", "max. relative error [%]: 0.0123", "rounding step: 0.001"}) {
             QVERIFY2(rows[0].explanation.contains(number), qPrintable(rows[0].explanation));
         }
         QVERIFY(rows[1].explanation.contains("times the rounding"));
@@ -137,21 +137,22 @@ private slots:
     void explainsTheDifferenceAndOffersOneRemedy()
     {
         const Result result = resultWith({compared(Verdict::Differs)});
-        QVERIFY(errorPage(result, nullptr).findings.empty()); // there is no diagnosis yet
-        ReferenceDiagnosis diagnosis = diagnosisOf(result);
-        const auto findings = [&] { return errorPage(result, &diagnosis).findings; };
-        QCOMPARE(remediesOf(errorPage(result, &diagnosis)), (std::vector{Remedy::UseFoundMechanism}));
+        QVERIFY(errorPage(result, nullptr).findings.empty()); // there is no identification yet
+        ReferenceIdentification identification = identificationOf(result);
+        const auto findings = [&] { return errorPage(result, &identification).findings; };
+        QCOMPARE(remediesOf(errorPage(result, &identification)), (std::vector{Remedy::UseFoundMechanism}));
         QVERIFY(findings()[0].sentence.contains("60") && findings()[0].sentence.contains("65 mm"));
         QVERIFY(findings()[0].details.contains("b = 60 mm"));
 
-        diagnosis.found.conventions = kConventions;
+        identification.found.conventions = kConventions;
         QVERIFY(findings()[0].convention == kDegrees && findings()[0].sentence.contains("98.0 → 0.00100 %"));
-        diagnosis.found.change.reset();
-        QCOMPARE(remediesOf(errorPage(result, &diagnosis)), (std::vector{Remedy::Apply, Remedy::None, Remedy::None}));
-        QVERIFY(findings()[2].sentence.contains("60.00001"));              // the mechanism
-        QCOMPARE(findingsOf(result, &diagnosis)[1].remedy, Remedy::Apply); // offered on the reference page
-        diagnosis.found.agreesWithGiven = true;
-        QCOMPARE(findingsOf(result, &diagnosis).back().remedy, Remedy::None);
+        identification.found.change.reset();
+        QCOMPARE(remediesOf(errorPage(result, &identification)),
+                 (std::vector{Remedy::Apply, Remedy::None, Remedy::None}));
+        QVERIFY(findings()[2].sentence.contains("60.00001"));                   // the mechanism
+        QCOMPARE(findingsOf(result, &identification)[1].remedy, Remedy::Apply); // offered on the reference page
+        identification.found.agreesWithGiven = true;
+        QCOMPARE(findingsOf(result, &identification).back().remedy, Remedy::None);
     }
 
     void offersOnlyAnIdentifiedMechanismThatIsAnotherOne()
@@ -163,30 +164,44 @@ private slots:
             bool offered;
         };
         const Result result = resultWith({compared(Verdict::Differs)});
-        for (const Row &row : {Row{Outcome::Identified, 60.0, true}, Row{Outcome::Ambiguous, 60.0, true},
-                               Row{Outcome::Nearest, 60.0, false}, Row{Outcome::Identified, 65.0, false}}) {
-            ReferenceDiagnosis diagnosis = diagnosisOf(result);
-            diagnosis.found.identification.outcome = row.outcome;
-            diagnosis.found.rounded.b = row.b;
-            QCOMPARE(std::ranges::count(remediesOf(errorPage(result, &diagnosis)), Remedy::UseFoundMechanism),
+        for (const Row &row : {Row{Outcome::Identified, 60.0, true}, Row{Outcome::Approximate, 60.0, true},
+                               Row{Outcome::Insufficient, 60.0, false}, Row{Outcome::None, 60.0, false},
+                               Row{Outcome::Identified, 65.0, false}}) {
+            ReferenceIdentification identification = identificationOf(result);
+            identification.found.outcome = row.outcome;
+            identification.found.rounded.b = row.b;
+            QCOMPARE(std::ranges::count(remediesOf(errorPage(result, &identification)), Remedy::UseFoundMechanism),
                      row.offered);
         }
+    }
+
+    void saysWhatUsingTheMechanismChanges()
+    {
+        const Result result = resultWith({compared(Verdict::Differs)});
+        ReferenceIdentification identification = identificationOf(result);
+        Identification &found = identification.found;
+        found.conventions = kConventions;
+        found.drive = {5.0, 1e-3, 5.0, 15.0, 10.0};
+        const QString details = referencePage(result, &identification).findings[1].details;
+        QVERIFY2(details.contains("b = 60 mm") && details.contains("ω₂ = 10 rad/s"), qPrintable(details));
+        QVERIFY2(details.contains("theta3: in radians") && details.contains("are shifted"), qPrintable(details));
+        QVERIFY2(details.contains("at the mean speed, 10 rad/s"), qPrintable(details));
     }
 
     void disablesTheRemediesUntilNewFindingsAreComputed()
     {
         Result result = resultWith({compared(Verdict::Differs)});
-        const ReferenceDiagnosis diagnosis = diagnosisOf(result);
-        const Page page = errorPage(result, &diagnosis);
+        const ReferenceIdentification identification = identificationOf(result);
+        const Page page = errorPage(result, &identification);
         QVERIFY(!page.isSearching);
         result.mechanism = Mechanism({.b = 66.0});
-        QVERIFY(errorPage(result, &diagnosis).isSearching);
-        QCOMPARE(errorPage(result, &diagnosis).findings, page.findings);
+        QVERIFY(errorPage(result, &identification).isSearching);
+        QCOMPARE(errorPage(result, &identification).findings, page.findings);
         result.comparison[0].verdict = Verdict::Agrees; // nothing to explain
-        QVERIFY(errorPage(result, &diagnosis).findings.empty());
+        QVERIFY(errorPage(result, &identification).findings.empty());
         result.comparison[0].verdict = Verdict::Differs;
         result.choices.reference = std::make_shared<Reference>(); // another file
-        QVERIFY(errorPage(result, &diagnosis).findings.empty());
+        QVERIFY(errorPage(result, &identification).findings.empty());
     }
 
     void offersToUndoAnAppliedConvention()
@@ -269,21 +284,21 @@ private slots:
     void saysWhichMechanismWasFoundInTheFile()
     {
         const Result result = resultWith({compared(Verdict::Differs)});
-        const auto isSearching = [&result](const ReferenceDiagnosis *diagnosis) {
-            return referencePage(result, diagnosis).findings[1].sentence.startsWith("Searching");
+        const auto isSearching = [&result](const ReferenceIdentification *identification) {
+            return referencePage(result, identification).findings[1].sentence.startsWith("Searching");
         };
         QVERIFY(isSearching(nullptr));
-        ReferenceDiagnosis diagnosis = diagnosisOf(result);
-        diagnosis.found.conventions = kConventions;
-        const Page page = referencePage(result, &diagnosis);
+        ReferenceIdentification identification = identificationOf(result);
+        identification.found.conventions = kConventions;
+        const Page page = referencePage(result, &identification);
         QCOMPARE(remediesOf(page),
                  (std::vector{Remedy::ChooseColumns, Remedy::UseFoundMechanism, Remedy::Apply, Remedy::Apply}));
         QVERIFY(page.findings[1].sentence.contains("60.00001"));
 
-        diagnosis.found.rounded = result.mechanism.parameters(); // the model is this mechanism
-        QCOMPARE(referencePage(result, &diagnosis).findings[1].remedy, Remedy::None);
-        diagnosis.reference = std::make_shared<Reference>(); // the diagnosis of another file
-        QVERIFY(isSearching(&diagnosis));
+        identification.found.rounded = result.mechanism.parameters(); // the model is this mechanism
+        QCOMPARE(referencePage(result, &identification).findings[1].remedy, Remedy::None);
+        identification.reference = std::make_shared<Reference>(); // the identification of another file
+        QVERIFY(isSearching(&identification));
     }
 };
 

@@ -35,15 +35,19 @@ private slots:
             {{TimeUnit, {kSliderSpeed}, 0.001}, "The time is in milliseconds, but read as seconds."},
             {{Sign, {kTheta3}, -1.0}, "theta3: with the opposite sign."},
             {{HalfTurn, {kTheta3}, -180.0},
-             "theta3: the angle of the coupler seen from B, as textbooks draw θ₃; θ³ is theta3 − 180°."},
-            {{HalfTurn, {kTheta2}, -180.0}, "theta2: measured from the opposite direction; θ₂ is theta2 − 180°."},
-            {{WholeTurns, {kTheta2}, 360.0}, "theta2: off by whole turns; θ₂ is theta2 + 360°."},
+             "theta3: the angle of the coupler seen from B, as textbooks draw θ₃; θ³ is the value in the file − 180°."},
+            {{HalfTurn, {kTheta2}, -180.0},
+             "theta2: measured from the opposite direction; θ₂ is the value in the file − 180°."},
+            {{WholeTurns, {kTheta2}, 360.0}, "theta2: off by whole turns; θ₂ is the value in the file + 360°."},
             {{WholeTurns, {kTheta3}, 0.0}, "theta3: jumps by whole turns."},
-            {{ZeroPoint, {kSlider}, -5.0}, "R4_x: measured from another origin; Rₓ⁴ is R4_x − 5 mm."},
-            {{ZeroPoint, {kTheta3}, 22.5}, "theta3: measured from another origin; θ³ is theta3 + 22.5°."},
-            {{SwappedColumns, {kTheta3, kSlider}, 1.0}, "theta3 and R4_x: each has the heading of the other."},
+            {{ZeroPoint, {kSlider}, -5.0},
+             "R4_x: measured from a different origin; Rₓ⁴ is the value in the file − 5 mm."},
+            {{ZeroPoint, {kTheta3}, 22.5},
+             "theta3: measured from a different origin; θ³ is the value in the file + 22.5°."},
+            {{SwappedColumns, {kTheta3, kSlider}, 1.0}, "theta3 and R4_x: the headings are swapped."},
             {{Axis, {{R4y, Order::Position}}, 1.0}, "The slider moves along y instead of x, as in an upright engine."},
-            {{Branch, {}, 1.0}, "The file belongs to the other assembly: its slider is on the other side of A."},
+            {{Branch, {}, 1.0},
+             "The mechanism that produced the file has the other assembly: its slider is on the other side of A."},
             {{TimeShift, {}, -0.25}, "The time stamps are shifted: t is the time in the file − 0.25 s."},
         };
         for (const auto &[convention, explanation] : rows) {
@@ -51,6 +55,38 @@ private slots:
             QCOMPARE(findingText({convention, 98.25, 0.00076543}),
                      QString::fromUtf8(explanation) + " Largest error: 98.3 → 0.000765 % of peak.");
         }
+    }
+
+    void eachKindHasANameInFiles()
+    {
+        using Kind = Convention::Kind;
+        const std::pair<Kind, const char *> names[] = {{Kind::AngleUnit, "angle-unit"},
+                                                       {Kind::LengthUnit, "length-unit"},
+                                                       {Kind::TimeUnit, "time-unit"},
+                                                       {Kind::Sign, "sign"},
+                                                       {Kind::HalfTurn, "half-turn"},
+                                                       {Kind::WholeTurns, "whole-turns"},
+                                                       {Kind::ZeroPoint, "zero-point"},
+                                                       {Kind::SwappedColumns, "swapped-columns"},
+                                                       {Kind::Branch, "branch"},
+                                                       {Kind::TimeShift, "time-shift"},
+                                                       {Kind::NotDerivative, "not-derivative"},
+                                                       {Kind::Axis, "axis"}};
+        for (const auto &[kind, name] : names) {
+            QCOMPARE(conventionName(kind), name);
+            QCOMPARE(conventionNamed(name), std::optional(kind));
+        }
+        QCOMPARE(conventionNamed("another"), std::nullopt);
+    }
+
+    void statesTheUnitOfTheAmount()
+    {
+        using enum Convention::Kind;
+        QCOMPARE(amountUnit({Sign, {kTheta3}, -1.0}), std::optional(QString()));
+        QCOMPARE(amountUnit({HalfTurn, {kTheta3}, 180.0}), std::optional(QString("°")));
+        QCOMPARE(amountUnit({TimeShift, {}, 0.1}), std::optional(QString("s")));
+        QCOMPARE(amountUnit({ZeroPoint, {kSlider}, 5.0}), std::optional(QString("mm")));
+        QCOMPARE(amountUnit({Branch, {}, 1.0}), std::nullopt);
     }
 
     /// The factors between units that the identification uses.

@@ -96,7 +96,7 @@ private slots:
     {
         const QImage curve = picture("plot_theta3");
         drop({kSample});
-        AWAIT(session().diagnosis());
+        AWAIT(session().identification());
         settle(*m_window);
         QVERIFY(picture("plot_theta3") != curve && !isBlank(picture("plot_error_position")));
         QVERIFY(part("errorPanel")->isVisible() && !messages()->isVisible());
@@ -107,7 +107,7 @@ private slots:
         click("remedyButton");
         QVERIFY(std::abs(session().parameters().b - 60.0) < 1e-5);
         QVERIFY(std::ranges::count(session().result()->comparison, Verdict::Agrees, &ChannelComparison::verdict) == 6);
-        AWAIT(session().diagnosis()->parameters == session().parameters());
+        AWAIT(session().identification()->parameters == session().parameters());
         settle(*m_window);
         QVERIFY(!part("errorPanel")->findChild<QLabel *>("findingLabel")); // there is no error to explain
         action("Close reference")->trigger();

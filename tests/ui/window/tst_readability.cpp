@@ -202,7 +202,7 @@ private slots:
             const QString file =
                 writeFile(m_settings, QString(240, u'x') + ".csv", contentOf(kSample)); // a name without spaces
             m_window->openReference(file);
-            AWAIT(session().diagnosis());
+            AWAIT(session().identification());
             onEveryPage(*m_window, fits);
             m_window.reset();
         }

@@ -60,7 +60,7 @@ protected:
     void openSample()
     {
         m_window->openReference(kSample);
-        AWAIT(m_window->session().diagnosis());
+        AWAIT(m_window->session().identification());
         settle(*m_window);
     }
 

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// By which factor a column that a fit does not use differs from the prediction of its model.
+
+#include "core/identification/fit.h"
+
+#include <span>
+
+namespace slidercrank
+{
+
+/// The largest residual (rms, of its range) with which a mechanism explains a further column: next to nothing beside
+/// columns whose residuals are rounding.
+double largestFurtherResidual(bool othersAreExact);
+
+/// The factors by which a column may be in a different unit than its heading says; the first is 1.
+std::span<const double> unitFactors(Channel channel);
+
+/// The sign with which a coordinate is counted: that of the first of its columns in the fit.
+double signOfCoordinate(const Observations &observations, const Fit &fit, Coordinate coordinate);
+
+struct ColumnScale {
+    double factor = kNone;    ///< by which the prediction has to be multiplied, in the sign of the coordinate
+    bool isExact = false;     ///< whether rounding explains the residuals then
+    bool isExplained = false; ///< whether the residuals then are rounding or small
+};
+
+/// Compares a column with the prediction of `model`, whose readings of the other columns are those of `fit`.
+ColumnScale scaleOf(const Observations &observations, const Fit &fit, const Model &model, Index column,
+                    bool othersAreExact);
+
+} // namespace slidercrank

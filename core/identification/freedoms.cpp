@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/freedoms.h"
+
+#include "core/identification/noise.h"
+#include "core/identification/rounding_test.h"
+
+#include "core/mechanism/turn.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+/// The usual value that is nearest to the value of an unknown.
+double usualValue(const Observations &observations, Model model, Unknown unknown)
+{
+    double halfTurn = std::numbers::pi;
+    if (unknown.kind == Unknown::Kind::Origin) {
+        if (!isAngle(observations.columns[unknown.column].channel.coordinate)) {
+            return 0.0;
+        }
+        halfTurn *= model.readings[unknown.column].factor;
+    }
+    return halfTurn * std::rint(valueOf(model, unknown) / halfTurn);
+}
+
+/// Fits with `unknown` fixed at a value. The others start where the curvature of the misfit lets them move to, or where
+/// they are.
+Fit withFixed(const Observations &observations, const Fit &fit, Unknown unknown, double value)
+{
+    const Eigen::MatrixXd covariance = covarianceOf(fit);
+    const Index position = std::ranges::find(fit.unknowns, unknown) - fit.unknowns.begin();
+    Unknowns others = fit.unknowns;
+    others.erase(others.begin() + position);
+    Fit best;
+    for (const double part : {1.0, 0.0}) {
+        Model start = fit.model;
+        const double change = part * (value - valueOf(start, unknown)) / covariance(position, position);
+        for (Index k = 0; k < std::ssize(fit.unknowns); ++k) {
+            valueOf(start, fit.unknowns[k]) += change * covariance(k, position);
+        }
+        valueOf(start, unknown) = value;
+        Fit next = refined(observations, std::move(start), fit.columns, others);
+        if (next.misfit < best.misfit) {
+            best = std::move(next);
+        }
+    }
+    return best;
+}
+
+/// Whether a change of one unknown changes each column by less than its rounding step (rms).
+bool isBelowRounding(const Observations &observations, const Fit &fit, Unknown unknown, double value)
+{
+    Model moved = fit.model;
+    valueOf(moved, unknown) = value;
+    const Eigen::ArrayXXd change = evaluated(observations, moved, fit.columns).residuals - fit.residuals;
+    bool isSmall = true;
+    for (Index k = 0; isSmall && k < change.cols(); ++k) {
+        const double squaredStep = 12.0 * observations.columns[fit.columns[k]].variance;
+        isSmall = finite(change.col(k)).square().sum() <= squaredStep * fit.counts[k];
+    }
+    return isSmall;
+}
+
+/// Whether the residuals without a freedom are small compared with the ranges of the columns.
+bool hasSmallResiduals(const Observations &observations, const Fit &fit)
+{
+    constexpr double kSmall = 0.5 * kLargestResidual;
+    bool isSmall = fit.isFinite();
+    for (Index k = 0; isSmall && k < fit.residuals.cols(); ++k) {
+        isSmall = fit.rms[k] < kSmall * observations.columns[fit.columns[k]].range;
+    }
+    return isSmall;
+}
+
+/// Whether an origin is so near to its usual value that a filter may have shifted the curve that much.
+bool isSmallOrigin(const Observations &observations, Model model, Unknown unknown, double usual)
+{
+    constexpr double kSmallPart = 0.02; // of the range of the column
+    constexpr double kSmallAngle = std::numbers::pi / 180.0;
+    const double change = std::abs(valueOf(model, unknown) - usual);
+    return change < (unknown.kind == Unknown::Kind::Origin ? kSmallPart * observations.columns[unknown.column].range
+                                                           : kSmallAngle);
+}
+
+bool isNoise(const Fit &fit)
+{
+    bool isNoise = true;
+    for (Index k = 0; k < fit.residuals.cols(); ++k) {
+        isNoise = isNoise && changeSignLikeNoise(fit.residuals.col(k));
+    }
+    return isNoise;
+}
+
+/// Whether the file does not prove that a freedom exists, of which `value` is the usual value.
+bool isUnproven(const Observations &observations, const Fit &with, const Fit &without, Unknown unknown, double value,
+                bool isInterpolated)
+{
+    if (!without.isFinite()) {
+        return false;
+    }
+    const bool isSystematic = isInterpolated || (!isNoise(with) && !isExact(observations, with));
+    const bool isSmall = isSystematic || isSmallOrigin(observations, with.model, unknown, value);
+    return without.misfit - with.misfit < kSameMisfit * dependence(with) ||
+           isBelowRounding(observations, with, unknown, value) || (isSmall && hasSmallResiduals(observations, without));
+}
+
+} // namespace
+
+ConstrainedFit withoutFreedoms(const Observations &observations, Fit fit, bool isInterpolated,
+                               const ParameterErrors &shifts)
+{
+    ConstrainedFit result{.fit = std::move(fit), .shifts = shifts};
+    Unknowns freedoms;
+    if (result.fit.model.followsAngle) {
+        result.fit.model.mechanism.theta20 = wrapToPi(result.fit.model.mechanism.theta20);
+        freedoms.push_back({Unknown::Kind::CrankAngle});
+    }
+    std::ranges::copy_if(result.fit.unknowns, std::back_inserter(freedoms),
+                         [](Unknown unknown) { return !unknown.isParameter(); });
+    for (const Unknown freedom : freedoms) {
+        const double value = usualValue(observations, result.fit.model, freedom);
+        Fit next = withFixed(observations, result.fit, freedom, value);
+        const bool isExplained = isExact(observations, next);
+        if (!isExplained && !isUnproven(observations, result.fit, next, freedom, value, isInterpolated)) {
+            continue;
+        }
+        for (const Unknown unknown : next.unknowns) {
+            if (unknown.isParameter() && !isExplained) {
+                double &shift = result.shifts[parameterIndex(unknown)];
+                shift = std::hypot(shift, valueOf(next.model, unknown) - valueOf(result.fit.model, unknown));
+            }
+        }
+        result.fit = std::move(next);
+    }
+    return result;
+}
+
+} // namespace slidercrank

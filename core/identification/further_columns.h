@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Step 6: the columns that the geometry does not use, most of them derivatives. Each is used, or left out with a
+// reason.
+
+#include "core/identification/drive.h"
+#include "core/identification/fit.h"
+#include "core/identification/identification.h"
+
+#include <vector>
+
+namespace slidercrank
+{
+
+struct FurtherColumns {
+    Fit fit; ///< with all columns that the mechanism explains
+    std::vector<LeftOutColumn> leftOut{};
+    std::vector<double>
+        speeds{}; ///< in a table over the crank angle: the values of ω2 that the derivatives allow, rad/s
+};
+
+/// Adds columns to a fit, positions first. A column is added in its usual reading, or in another unit or with another
+/// sign, if it is explained together with the columns of the fit: its residuals are rounding or small, and the misfit
+/// of the others does not grow. `given`: chooses among speeds that the units of a table leave open.
+FurtherColumns withFurtherColumns(const Observations &observations, const Fit &fit, const Drive &drive,
+                                  const Parameters &given);
+
+} // namespace slidercrank

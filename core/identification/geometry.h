@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Step 3: the mechanism, with everything free that a file may do to a column.
+
+#include "core/identification/fit.h"
+
+#include <vector>
+
+namespace slidercrank
+{
+
+/// Columns that show the shape of the mechanism: for each of R4_x and θ3 the lowest derivative in the file, after
+/// `skipped` lower ones. If the file has none of them, the same for the centres of the links. If the file contains the
+/// angle of the crank, positions need no speed, and derivatives are not used beside them.
+Indices shapeColumns(const Observations &observations, int skipped = 0);
+
+/// Whether the columns determine lengths, and not only ratios of lengths.
+bool determineLengths(const Observations &observations, const Indices &columns);
+
+/// Fits a mechanism of the open assembly to `columns` of at most some hundred rows. The crank turns counter-clockwise
+/// with the time, or with the angle in the file. Lengths may have any scale and either sign; θ3 may be counted in
+/// either sense, in degrees or radians; the angle in the file may be in degrees or radians and have any origin. First,
+/// R4_x has its usual origin, and that of θ3 is a multiple of half a turn. Only if rounding does not explain the
+/// residuals then, both may have any origin, and the fit with the lower misfit is returned. What the columns do not
+/// determine is that of `given`. `speeds`: candidates of ω2, for a file without the angle of the crank. The fit is not
+/// finite if no mechanism can be assembled.
+Fit findGeometry(const Observations &observations, const Indices &columns, const std::vector<double> &speeds,
+                 const Parameters &given);
+
+/// The misfit of a geometry in `columns`, if only the origins of positions may be changed.
+double misfitOf(const Observations &observations, const Fit &geometry, const Indices &columns);
+
+} // namespace slidercrank

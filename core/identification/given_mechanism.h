@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Relates the mechanism found to the given one: which single change explains the difference.
+
+#include "core/identification/identification.h"
+#include "core/identification/last_fit.h"
+
+#include <optional>
+#include <vector>
+
+namespace slidercrank
+{
+
+/// The fit with the lengths of the given mechanism, in the reading of `best`; its drive and the origins are fitted
+/// again.
+Fit withGivenLengths(const Observations &observations, const Fit &best, const Parameters &given);
+
+/// Whether a fit with fewer unknowns explains the file as well as `best`: its residuals are rounding, or its misfit is
+/// not higher by more than its residuals prove.
+bool explainsAsWell(const Observations &observations, const Fit &fit, const Fit &best);
+
+/// Returns the only length that has to be changed so that the given mechanism explains the file, in the reading of
+/// `best` and with its drive, as well as `best` does. nullopt if nothing has to be changed, or if no length or several
+/// could be the wrong one.
+std::optional<LengthChange> findLengthChange(const Observations &observations, const Fit &best,
+                                             const Parameters &given);
+
+/// The mechanism found, changed by conventions of the whole file.
+struct WholeFileReading {
+    std::vector<ConventionFinding> conventions{};
+    Parameters parameters;
+    ParameterErrors standardError{};
+};
+
+/// A different length unit, times per millisecond, the other sense of rotation, a late start and the other assembly
+/// cannot be distinguished from another mechanism. They are reported only if the mechanism found then is the given one.
+/// `data` has been read with the other conventions. Returns no conventions if nothing or more than two changes are
+/// necessary.
+WholeFileReading readLikeGiven(const ReferenceData &data, const Parameters &found, const ParameterErrors &standardError,
+                               const Parameters &given);
+
+} // namespace slidercrank

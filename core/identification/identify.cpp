@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/identification.h"
+
+#include "core/identification/difference_quotients.h"
+#include "core/identification/drive.h"
+#include "core/identification/findings.h"
+#include "core/identification/freedoms.h"
+#include "core/identification/further_columns.h"
+#include "core/identification/geometry.h"
+#include "core/identification/given_mechanism.h"
+#include "core/identification/last_fit.h"
+#include "core/identification/mirror_images.h"
+#include "core/identification/outcome.h"
+#include "core/identification/rounding_test.h"
+#include "core/identification/speed_candidates.h"
+
+#include "core/import/crank_angles.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+constexpr Index kSearchedRows = 400; // in all steps but the last fit
+
+std::vector<double> speedsOf(const Observations &observations, const Indices &columns)
+{
+    return observations.angle.size() > 0 ? std::vector<double>() : findSpeedCandidates(observations, columns);
+}
+
+/// If the columns of a fit belong to two mechanisms, each of which explains one column exactly, returns the fit of R4_x
+/// alone; otherwise the same fit.
+Fit ofOneMechanism(const Observations &searched, const Fit &fit)
+{
+    if (fit.columns.size() != 2 || isExact(searched, fit)) {
+        return fit;
+    }
+    Fit alone;
+    for (const Index column : fit.columns) {
+        Unknowns unknowns = fit.unknowns;
+        std::erase_if(unknowns, [&](Unknown unknown) { return !unknown.isParameter() && unknown.column != column; });
+        alone = refined(searched, fit.model, {column}, unknowns);
+        if (!isExact(searched, alone)) {
+            return fit;
+        }
+    }
+    return alone; // of the last column: shapeColumns() lists R4_x after θ3
+}
+
+/// The geometry of the lowest derivatives, or that of the next ones if it explains all of these columns better: a
+/// filter or a sensor may have changed the positions.
+Fit bestGeometry(const Observations &all, const Observations &searched, const Parameters &given)
+{
+    Indices columns = shapeColumns(searched);
+    Fit fit = ofOneMechanism(searched, findGeometry(searched, columns, speedsOf(all, columns), given));
+    const Indices next = shapeColumns(searched, 1);
+    if (next.empty() || isExact(searched, fit)) {
+        return fit;
+    }
+    Fit other = findGeometry(searched, next, speedsOf(all, next), given);
+    columns.insert(columns.end(), next.begin(), next.end());
+    return misfitOf(searched, other, columns) < misfitOf(searched, fit, columns) ? other : fit;
+}
+
+/// The same fit for the mirror image with the simplest reading.
+Fit simplestImage(const Observations &observations, Fit fit, const Parameters &given)
+{
+    fit.model = mirrorImagesOf(observations, fit, given).front();
+    return refined(observations, fit.model, fit.columns, fit.unknowns);
+}
+
+/// Makes the angle of the crank a column like the others, because a constant speed predicts it.
+void useAngleAsColumn(Observations &observations, Fit &fit, const Drive &drive)
+{
+    const Values halfSteps = Values::Constant(observations.size(), observations.angleHalfStep);
+    observations.columns.push_back({.channel = kCrankAngle,
+                                    .values = observations.angle,
+                                    .halfSteps = halfSteps,
+                                    .variance = halfSteps.square().mean() / 3.0,
+                                    .range = observations.angle.maxCoeff() - observations.angle.minCoeff()});
+    const Index column = std::ssize(observations.columns) - 1;
+    Model &model = fit.model;
+    model.readings.push_back({1.0 / model.angleFactor, -model.mechanism.theta20 / model.angleFactor});
+    model.followsAngle = false;
+    model.mechanism.omega2 = drive.omega2;
+    model.mechanism.theta20 = drive.theta20;
+    fit.columns.push_back(column);
+    const auto angle = std::ranges::find(fit.unknowns, Unknown{Unknown::Kind::CrankAngle});
+    if (angle == fit.unknowns.end()) {
+        fit.unknowns.push_back({Unknown::Kind::CrankAngle});
+    } else { // it was the origin of the angles in the file
+        fit.unknowns.push_back({Unknown::Kind::Origin, column});
+    }
+    if (!fit.changes({Unknown::Kind::Omega2})) {
+        fit.unknowns.push_back({Unknown::Kind::Omega2});
+    }
+}
+
+/// Reads the lengths in the unit of most columns. (Until here, it is that of the column that the geometry used.)
+void chooseLengthUnit(Findings &findings)
+{
+    LastFit &last = findings.lastFit;
+    Indices lengths;
+    std::ranges::copy_if(last.fit.columns, std::back_inserter(lengths), [&](Index k) {
+        const ObservedColumn &column = last.observations.columns[k];
+        return !isAngle(column.channel.coordinate) && column.range > 0.0;
+    });
+    const auto columnsWith = [&](double unit) {
+        return std::ranges::count_if(lengths,
+                                     [&](Index k) { return std::abs(last.fit.model.readings[k].factor) == unit; });
+    };
+    double best = 1.0;
+    for (const Index k : lengths) {
+        const double unit = std::abs(last.fit.model.readings[k].factor);
+        best = columnsWith(unit) > columnsWith(best) ? unit : best;
+    }
+    for (const Index k : lengths) {
+        last.fit.model.readings[k].factor /= best;
+    }
+    Parameters &mechanism = last.fit.model.mechanism;
+    for (const Parameter length : {Parameter::A, Parameter::B, Parameter::C}) {
+        valueOf(mechanism, length) *= best;
+        last.standardError[indexOf(length)] *= best;
+    }
+}
+
+/// Reads the last fit as its simplest mirror image.
+void chooseImage(Findings &findings, const Parameters &given)
+{
+    Fit &last = findings.lastFit.fit;
+    const Observations &observations = findings.lastFit.observations;
+    const std::vector<Model> images = mirrorImagesOf(observations, last, given);
+    last.model = images.front();
+    findings.otherImages.assign(images.begin() + 1, images.end());
+    if (findings.drive.kind == Drive::Kind::RunUp) {
+        findings.drive = findDrive(observations, last.model);
+    }
+}
+
+/// If the lengths of the given mechanism explain the file as well, with other origins of its columns, they are the
+/// answer. If not, looks for a single wrong one.
+void relateLengths(Findings &findings, const Observations &searched, const Parameters &given)
+{
+    Fit &last = findings.lastFit.fit;
+    const Fit best = refined(searched, last.model, last.columns, last.unknowns);
+    if (!best.isFinite() || !determineLengths(searched, best.columns)) {
+        return;
+    }
+    const auto isOrigin = [](Unknown unknown) { return !unknown.isParameter(); };
+    if (!explainsAsWell(searched, withGivenLengths(searched, best, given), best)) {
+        findings.change = findLengthChange(searched, best, given);
+    } else if (std::ranges::any_of(last.unknowns, isOrigin)) {
+        const Fit like = withGivenLengths(findings.lastFit.observations, last, given);
+        last.model = like.model;
+        last.residuals = like.residuals;
+        last.rms = like.rms;
+        last.misfit = like.misfit;
+    }
+}
+
+/// Runs all steps for a table, after a change of its axes, headings or clock if there is one.
+Identification identifyTable(const ReferenceData &original, const std::optional<Convention> &change,
+                             const Parameters &given, const std::stop_token &stop)
+{
+    const ReferenceData data = change ? applied(*change, original) : original;
+    Observations all = withComputedColumnsMarked(observe(data, stop));
+    if (const Identification::Lack lack = findLack(data, all); lack != Identification::Lack::Nothing) {
+        return {.outcome = Identification::Outcome::Insufficient, .parameters = given, .rounded = given, .lack = lack};
+    }
+    const Observations clean = withoutSpikes(all);
+    Observations searched = thinned(clean, kSearchedRows);
+    Fit fit = bestGeometry(clean, searched, given);
+    Findings findings;
+    if (!fit.isFinite()) {
+        return judge(data, findings, given);
+    }
+    findings.isInterpolated = std::ranges::any_of(fit.columns, [&](Index k) { return all.columns[k].isInterpolated; });
+    ConstrainedFit constrained = withoutFreedoms(searched, std::move(fit), findings.isInterpolated);
+    fit = simplestImage(searched, std::move(constrained.fit), given);
+
+    findings.drive = findDrive(all, fit.model);
+    if (findings.drive.kind == Drive::Kind::Constant) {
+        useAngleAsColumn(all, fit, findings.drive);
+        searched = thinned(withoutSpikes(all), kSearchedRows);
+        fit = refined(searched, fit.model, fit.columns, fit.unknowns);
+        constrained = withoutFreedoms(searched, std::move(fit), findings.isInterpolated, constrained.shifts);
+        fit = std::move(constrained.fit);
+    } else if (findings.drive.kind == Drive::Kind::RunUp) {
+        fit.model.mechanism.omega2 = findings.drive.omega2;
+        fit.model.alpha2 = findings.drive.alpha2;
+    }
+    FurtherColumns further = withFurtherColumns(searched, fit, findings.drive, given);
+    findings.leftOut = std::move(further.leftOut);
+    findings.speeds = std::move(further.speeds);
+    findings.lastFit = fitAllRows(std::move(all), further.fit, constrained.shifts, findings.drive);
+    chooseLengthUnit(findings);
+    chooseImage(findings, given);
+    relateLengths(findings, searched, given);
+    Identification result = judge(data, findings, given);
+    if (result.hasMechanism()) {
+        addConventions(result, original, change, findings, given);
+    }
+    return result;
+}
+
+/// Changes of the table, one of which may explain what a result does not: two headings exchanged, or a clock in a
+/// different unit.
+std::vector<Convention> possibleChanges(const ReferenceData &data, const Identification &result)
+{
+    std::vector<Convention> changes;
+    std::vector<Channel> unexplained;
+    for (const LeftOutColumn &column : result.leftOut) {
+        if (column.reason == LeftOutColumn::Reason::Unknown || column.reason == LeftOutColumn::Reason::OtherMotion) {
+            unexplained.push_back(column.channel);
+        }
+    }
+    if (result.outcome == Identification::Outcome::None) {
+        unexplained = {{Theta3, Order::Position}, {R4x, Order::Position}};
+    }
+    const auto isOtherDerivative = [](const LeftOutColumn &column) { return column.channel.order != Order::Position; };
+    if (!data.crank && std::ranges::any_of(result.leftOut, isOtherDerivative)) {
+        const double unit = data.timeRounding.unitFactor; // of the heading
+        changes.push_back({Convention::Kind::TimeUnit, {}, unit == 1.0 ? kTimeFactors.back() : 1.0 / unit});
+    }
+    for (std::size_t i = 0; i < unexplained.size(); ++i) {
+        for (std::size_t j = i + 1; j < unexplained.size(); ++j) {
+            if (data.find(unexplained[i]) && data.find(unexplained[j])) {
+                changes.push_back({Convention::Kind::SwappedColumns, {unexplained[i], unexplained[j]}, 1.0});
+            }
+        }
+    }
+    return changes;
+}
+
+/// Orders results: the better outcome, then fewer columns left out, then fewer conventions come first.
+bool isBetter(const Identification &result, const Identification &other)
+{
+    const auto rank = [](const Identification &found) {
+        return std::tuple(found.outcome, found.leftOut.size(), found.conventions.size());
+    };
+    return rank(result) < rank(other);
+}
+
+} // namespace
+
+Identification identify(const ReferenceData &data, const Mechanism &given, std::stop_token stop)
+{
+    using Outcome = Identification::Outcome;
+    std::optional<Identification> best;
+    for (const bool withAngles : {false, true}) {
+        if (const std::optional<Convention> axis = axisAlongY(data, withAngles)) {
+            Identification result = identifyTable(data, axis, given.parameters(), stop);
+            if (!best || isBetter(result, *best)) {
+                best = std::move(result);
+            }
+        }
+    }
+    if (!best) {
+        best = identifyTable(data, std::nullopt, given.parameters(), stop);
+        for (const Convention &change : possibleChanges(data, *best)) {
+            Identification result = identifyTable(data, change, given.parameters(), stop);
+            if (result.outcome == Outcome::Identified && result.leftOut.empty() && isBetter(result, *best)) {
+                best = std::move(result);
+            }
+        }
+    }
+    if (stop.stop_requested()) {
+        Identification stopped{.parameters = given.parameters(), .rounded = given.parameters()};
+        stopped.stopped = true;
+        return stopped;
+    }
+    return *std::move(best);
+}
+
+} // namespace slidercrank

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/last_fit.h"
+
+#include "core/identification/rounding_test.h"
+
+#include "core/mechanism/turn.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+/// Replaces the rows with a value that is far off by gaps, and returns them; no rows if they are too many.
+Indices excludeOutliers(Observations &observations, const Fit &fit)
+{
+    constexpr double kDeviations = 8.0;
+    constexpr double kNormal = 1.4826; // standard deviation of a normal distribution, in median absolute deviations
+    constexpr double kLargestPart = 0.05;
+    Eigen::ArrayX<bool> isFarOff = Eigen::ArrayX<bool>::Constant(observations.size(), false);
+    for (Index k = 0; k < fit.residuals.cols(); ++k) {
+        const ObservedColumn &column = observations.columns[fit.columns[k]];
+        const Values errors = fit.residuals.col(k).abs();
+        const double deviation = std::max(kNormal * median(errors), std::sqrt(column.variance));
+        isFarOff = isFarOff || (errors > kDeviations * deviation && errors > column.halfSteps);
+    }
+    Indices rows;
+    for (Index row = 0; row < isFarOff.size(); ++row) {
+        if (isFarOff[row]) {
+            rows.push_back(row);
+        }
+    }
+    if (static_cast<double>(rows.size()) > kLargestPart * static_cast<double>(isFarOff.size())) {
+        return {};
+    }
+    for (ObservedColumn &column : observations.columns) {
+        column.values(rows) = kNone;
+    }
+    return rows;
+}
+
+/// Computes the standard errors of the unknowns and of the parameters at t = 0 of the file.
+void computeErrors(LastFit &result, const ParameterErrors &shifts)
+{
+    const Fit &fit = result.fit;
+    Eigen::MatrixXd covariance = result.dependence * covarianceOf(fit);
+    const auto position = [&](Unknown unknown) {
+        return std::ranges::find(fit.unknowns, unknown) - fit.unknowns.begin();
+    };
+    if (!fit.model.followsAngle && fit.changes({Unknown::Kind::Omega2}) && fit.changes({Unknown::Kind::CrankAngle})) {
+        // The unknown is the angle in the middle of the file: θ20 at its t = 0 is CrankAngle - ω2 timeOrigin.
+        const Index angle = position({Unknown::Kind::CrankAngle});
+        const Index speed = position({Unknown::Kind::Omega2});
+        covariance.row(angle) -= result.observations.timeOrigin * covariance.row(speed);
+        covariance.col(angle) -= result.observations.timeOrigin * covariance.col(speed);
+    }
+    for (Index k = 0; k < std::ssize(fit.unknowns); ++k) {
+        const Unknown unknown = fit.unknowns[k];
+        result.unknownErrors.push_back(std::sqrt(covariance(k, k)));
+        if (unknown.isParameter()) {
+            const std::size_t i = parameterIndex(unknown);
+            result.standardError[i] = result.unknownErrors.back() = std::hypot(result.unknownErrors.back(), shifts[i]);
+        }
+    }
+}
+
+} // namespace
+
+Parameters parametersOf(const Model &model, const Observations &observations, const Drive &drive)
+{
+    Parameters parameters = model.mechanism;
+    if (drive.kind == Drive::Kind::RunUp) {
+        parameters.theta20 = drive.theta20;
+        parameters.omega2 = drive.omega2;
+    } else if (drive.kind == Drive::Kind::Uneven) {
+        parameters.omega2 = drive.omega2;
+    }
+    const double t = -observations.timeOrigin;
+    if (!model.followsAngle || drive.kind == Drive::Kind::RunUp) {
+        parameters.theta20 += parameters.omega2 * t + 0.5 * model.alpha2 * t * t;
+        parameters.omega2 += model.alpha2 * t;
+    }
+    parameters.theta20 = -wrapToPi(-parameters.theta20); // -π becomes π
+    return parameters;
+}
+
+LastFit fitAllRows(Observations observations, const Fit &start, const ParameterErrors &shifts, const Drive &drive)
+{
+    constexpr int kRounds = 2; // what is far off hides what is less far off
+    LastFit result{.observations = std::move(observations)};
+    Observations &rows = result.observations;
+    Fit &fit = result.fit;
+    fit = evaluated(rows, start.model, start.columns);
+    for (int round = 0; round < kRounds && fit.isFinite(); ++round) {
+        const Indices excluded = excludeOutliers(rows, fit);
+        if (round == 0 || !excluded.empty()) {
+            fit = refined(rows, fit.model, start.columns, start.unknowns);
+        }
+        result.excludedRows.insert(result.excludedRows.end(), excluded.begin(), excluded.end());
+    }
+    if (fit.isFinite()) {
+        std::ranges::sort(result.excludedRows);
+        result.isExact = isExact(rows, fit);
+        result.dependence = result.isExact ? 1.0 : dependence(fit);
+        computeErrors(result, shifts);
+        if (fit.model.followsAngle) { // the unknown angle is the origin of the angles in the file
+            result.standardError[indexOf(Parameter::Theta20)] = drive.angleError;
+        }
+        if (drive.kind == Drive::Kind::RunUp) {
+            result.standardError[indexOf(Parameter::Omega2)] = drive.speedError;
+        }
+    }
+    return result;
+}
+
+} // namespace slidercrank

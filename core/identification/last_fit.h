@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Step 7: one fit of all used columns and all rows, with standard errors.
+
+#include "core/identification/drive.h"
+#include "core/identification/fit.h"
+
+namespace slidercrank
+{
+
+/// How many standard errors a value may differ from the true one: it is farther away in one of 400 cases.
+inline constexpr double kStandardErrors = 3.0;
+
+struct LastFit {
+    Observations observations; ///< all rows; those that are excluded are gaps
+    Fit fit{};
+    Indices excludedRows{};  ///< rows of the observations with a value that is far off
+    bool isExact = false;    ///< rounding explains the residuals of every column
+    double dependence = 1.0; ///< of the residuals; 1 if they are rounding
+
+    /// Of the parameters at t = 0 of the file, NaN or infinite
+    /// if the fit does not determine them.
+    ParameterErrors standardError{kNone, kNone, kNone, kNone, kNone};
+    std::vector<double> unknownErrors{}; ///< of fit.unknowns
+};
+
+/// Fits all rows, starting from a fit of some rows. Rows with a value that is more than eight robust standard
+/// deviations and more than its rounding off are excluded if they are at most 5 %. `shifts`: further errors of the
+/// parameters.
+LastFit fitAllRows(Observations observations, const Fit &start, const ParameterErrors &shifts, const Drive &drive);
+
+/// The parameters at t = 0 of the file, with θ20 in (-π, π]. In a file over the angle of the crank, the speed and the
+/// angle at t = 0 are those of `drive`.
+Parameters parametersOf(const Model &model, const Observations &observations, const Drive &drive);
+
+} // namespace slidercrank

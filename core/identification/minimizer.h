@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Minimizes a function of several unknowns by the method of Levenberg and Marquardt (D. Marquardt, J. SIAM 11, 1963).
+// The function tells its gradient and an approximation of its second derivatives, such as 2 JᵀJ for a sum of squared
+// residuals with the Jacobian J.
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <optional>
+
+namespace slidercrank
+{
+
+/// A function near a point: its value, gradient and (approximate, positive semidefinite) second derivatives there.
+struct LocalShape {
+    double value = 0.0;
+    Eigen::VectorXd gradient;
+    Eigen::MatrixXd curvature;
+};
+
+/// Returns nullopt where the function does not exist.
+using Objective = std::function<std::optional<LocalShape>(const Eigen::VectorXd &)>;
+
+struct MinimizerOptions {
+    int iterationLimit = 50;
+    double smallestGain = 1e-4; ///< a step that lowers the value by less ends the search
+};
+
+struct Minimum {
+    enum class Status {
+        Converged,     ///< the last step lowered the value by less than the smallest gain
+        NoProgress,    ///< no step lowers the value, however short
+        IterationLimit ///< the value may be lower elsewhere
+    };
+    Status status = Status::IterationLimit;
+    Eigen::VectorXd point;
+    LocalShape shape; ///< of the function at the point
+    int iterations = 0;
+};
+
+/// Searches a minimum from `start`. Returns nullopt if the function does not exist there.
+std::optional<Minimum> minimize(const Objective &function, Eigen::VectorXd start, const MinimizerOptions &options);
+
+/// The factors that scale a positive semidefinite matrix to a unit diagonal.
+Eigen::VectorXd diagonalScale(const Eigen::MatrixXd &matrix);
+
+} // namespace slidercrank

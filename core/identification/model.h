@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What the columns of a file should contain: a mechanism, the motion of its crank, and the reading of each column,
+//
+//     value in the file = factor · motion + origin.
+//
+// The angle of the crank follows from the time, θ2 = ω2 t + θ20, or from the angle in the file, θ2 = factor · angle +
+// θ20. The speed of the crank is ω2 + α2 t. Lengths are in mm, angles in rad, time in s; t is zero in the middle of the
+// file.
+
+#include "core/identification/observations.h"
+
+#include "core/closed_form/textbook_motion.h"
+#include "core/mechanism/mechanism.h"
+
+#include <vector>
+
+namespace slidercrank
+{
+
+/// How a column has to be read. The factor is ±1 times a unit conversion.
+struct ColumnReading {
+    double factor = 1.0;
+    double origin = 0.0; ///< the value in the file where the motion is zero
+
+    friend bool operator==(const ColumnReading &, const ColumnReading &) = default;
+};
+
+struct Model {
+    Parameters mechanism{};                ///< θ20: in the middle of the file, or where the angle in the file is zero
+    bool followsAngle = false;             ///< θ2 follows from the angle in the file
+    double angleFactor = 1.0;              ///< ±1 times a unit conversion
+    double alpha2 = 0.0;                   ///< angular acceleration of the crank, rad/s²
+    std::vector<ColumnReading> readings{}; ///< of each column of the observations
+
+    /// The angle (rad) and the speed (rad/s) of the crank in a row.
+    double crankAngle(const Observations &observations, Index row) const
+    {
+        return mechanism.theta20 +
+               (followsAngle ? angleFactor * observations.angle[row] : mechanism.omega2 * observations.time[row]);
+    }
+    double crankSpeed(const Observations &observations, Index row) const
+    {
+        return mechanism.omega2 + (alpha2 == 0.0 ? 0.0 : alpha2 * observations.time[row]);
+    }
+};
+
+/// The positions, and the derivatives by the angle of the crank, of a mechanism at one angle. `Number`: double or a
+/// type with partial derivatives. Returns false if the mechanism cannot be assembled there or is singular.
+template <class Number>
+bool moveTo(TextbookMotion<Number> &motion, const Parameters &mechanism, const std::array<Number, 3> &lengths,
+            const Number &crankAngle)
+{
+    // At a speed of one radian per second, the derivatives by the time are those by the angle.
+    return motion.compute({lengths[0], lengths[1], lengths[2], Number(1.0), Number(0.0)}, crankAngle,
+                          mechanism.branch == Branch::Open ? 1.0 : -1.0);
+}
+
+/// The motion of a channel at a speed and acceleration of the crank, f, f'ω or f''ω² + f'α.
+template <class Number>
+Number atSpeed(const TextbookMotion<Number> &motion, Channel channel, double speed, double acceleration)
+{
+    switch (channel.order) {
+    case Order::Position: break;
+    case Order::Velocity: return Number(motion.valueAt(channel) * speed);
+    case Order::Acceleration:
+        const Number byAcceleration = motion.valueAt({channel.coordinate, Order::Velocity});
+        return Number(motion.valueAt(channel) * (speed * speed) + byAcceleration * acceleration);
+    }
+    return motion.valueAt(channel);
+}
+
+/// The motion in some columns, one in each column of the result, without their readings. NaN where the mechanism cannot
+/// be assembled.
+Eigen::ArrayXXd motionIn(const Model &model, const Observations &observations, const Indices &columns);
+
+/// The values that some columns should contain.
+Eigen::ArrayXXd predictedIn(const Model &model, const Observations &observations, const Indices &columns);
+
+} // namespace slidercrank

@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/outcome.h"
+
+#include "core/identification/findings.h"
+#include "core/identification/geometry.h"
+#include "core/identification/given_mechanism.h"
+#include "core/identification/minimizer.h"
+#include "core/identification/noise.h"
+#include "core/identification/round_values.h"
+#include "core/identification/rounding_test.h"
+
+#include "core/import/crank_angles.h"
+#include "core/mechanism/turn.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+using Outcome = Identification::Outcome;
+using Lack = Identification::Lack;
+using UnknownKind = Unknown::Kind;
+
+/// Standard errors above this part leave a parameter open: c compared with the larger of a and |c|, θ20 with a radian.
+constexpr double kLargestError = 0.2;
+
+/// Even half of it leaves a open, with which all lengths are uncertain: the shape of the curve is hardly visible.
+constexpr double kLargestErrorOfCrank = 0.1;
+
+ColumnResidual residualOf(const Observations &observations, const Fit &fit, Index k)
+{
+    const ObservedColumn &column = observations.columns[fit.columns[k]];
+    const double largest = finite(fit.residuals.col(k)).abs().maxCoeff();
+    return {.channel = column.channel,
+            .rms = toFileUnit(column.channel, fit.rms[k]),
+            .max = toFileUnit(column.channel, largest),
+            .percentOfRange = column.range > 0.0 ? 100.0 * largest / column.range : 0.0,
+            .isWithinRounding = isWithinRounding(observations, fit, k)};
+}
+
+/// Which unknown parameters the file leaves open.
+std::array<bool, kParameterCount> openParameters(const LastFit &lastFit)
+{
+    const Parameters &m = lastFit.fit.model.mechanism;
+    const std::array<double, kParameterCount> sizes{m.a, m.b, std::max(m.a, std::abs(m.c)), std::abs(m.omega2), 1.0};
+    std::array<bool, kParameterCount> open{};
+    for (const Unknown unknown : lastFit.fit.unknowns) {
+        if (unknown.isParameter()) {
+            const std::size_t i = parameterIndex(unknown);
+            const double largest = unknown.kind == UnknownKind::A ? kLargestErrorOfCrank : kLargestError;
+            open[i] = lastFit.standardError[i] > largest * sizes[i];
+        }
+    }
+    return open;
+}
+
+/// Whether the file has too few values for the fit.
+Lack lackOfValues(const LastFit &lastFit)
+{
+    constexpr double kSpareValues = 3.0;
+    constexpr double kFewestRowsPerTurn = 4.0;
+    const Fit &fit = lastFit.fit;
+    const Observations &observations = lastFit.observations;
+    if (fit.valueCount() < static_cast<double>(fit.unknowns.size()) + kSpareValues) {
+        return Lack::FewValues;
+    }
+    const bool hasDerivative = std::ranges::any_of(
+        fit.columns, [&](Index k) { return observations.columns[k].channel.order != Order::Position; });
+    const double turns = std::abs(fit.model.mechanism.omega2) * observations.span() / kTurn;
+    const bool isSparse = static_cast<double>(observations.size()) < kFewestRowsPerTurn * turns;
+    return !fit.model.followsAngle && !hasDerivative && isSparse ? Lack::FewRowsPerTurn : Lack::Nothing;
+}
+
+/// Residuals that are not noise count twice: a curve of another kind, such as that of a four-bar linkage, comes near,
+/// too.
+bool hasLargeResiduals(const Observations &observations, const Fit &fit)
+{
+    for (Index k = 0; k < fit.residuals.cols(); ++k) {
+        const bool isNoise = changeSignLikeNoise(fit.residuals.col(k));
+        const double largest = isNoise ? kLargestResidual : 0.5 * kLargestResidual;
+        if (fit.rms[k] > largest * observations.columns[fit.columns[k]].range &&
+            !isWithinRounding(observations, fit, k)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// The ratio of the best and the worst determined combination of the unknowns.
+double conditionNumber(const Fit &fit)
+{
+    const Eigen::VectorXd scale = diagonalScale(fit.curvature);
+    const Eigen::VectorXd squares =
+        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scale.asDiagonal() * fit.curvature * scale.asDiagonal())
+            .eigenvalues();
+    return std::sqrt(squares.maxCoeff() / std::max(squares.minCoeff(), kEpsilon * kEpsilon));
+}
+
+/// `found`, with the parameters of `given` that are not `known`.
+Parameters withGiven(Parameters found, const std::array<bool, kParameterCount> &known, const Parameters &given)
+{
+    for (const Parameter parameter : kAllParameters) {
+        if (!known[indexOf(parameter)]) {
+            valueOf(found, parameter) = valueOf(given, parameter);
+        }
+    }
+    return found;
+}
+
+AlternativeMechanism alternativeOf(const Parameters &image, const Parameters &found)
+{
+    using Symmetry = AlternativeMechanism::Symmetry;
+    if (image.branch != found.branch) {
+        return {Symmetry::OtherAssembly, image};
+    }
+    return {image.c == found.c ? Symmetry::ReversedCrank : Symmetry::MirrorImage, image};
+}
+
+std::optional<UnevenDrive> unevenDrive(const Drive &drive, const Parameters &found)
+{
+    if (drive.kind != Drive::Kind::RunUp && drive.kind != Drive::Kind::Uneven) {
+        return std::nullopt;
+    }
+    UnevenDrive result{
+        .omega2 = found.omega2, .standardError = drive.speedError, .least = drive.least, .greatest = drive.greatest};
+    if (drive.kind == Drive::Kind::RunUp) {
+        result.alpha2 = drive.alpha2;
+    }
+    return result;
+}
+
+/// Sets what an insufficient file determines: the other parameters are those of the given mechanism.
+void setDetermined(Identification &result, const Findings &findings, const Parameters &given)
+{
+    const LastFit &lastFit = findings.lastFit;
+    std::array<bool, kParameterCount> determined{};
+    for (const Unknown unknown : lastFit.fit.unknowns) {
+        if (unknown.isParameter()) {
+            const std::size_t i = parameterIndex(unknown);
+            determined[i] = !result.openParameters[i] && std::isfinite(lastFit.standardError[i]);
+            result.standardError[i] = determined[i] ? lastFit.standardError[i] : kNone;
+        }
+    }
+    result.parameters =
+        withGiven(parametersOf(lastFit.fit.model, lastFit.observations, findings.drive), determined, given);
+    result.rounded = result.parameters;
+}
+
+/// Sets the mechanism of an identified or approximate file.
+void setMechanism(Identification &result, const Findings &findings, const Parameters &given)
+{
+    const LastFit &lastFit = findings.lastFit;
+    const Observations &observations = lastFit.observations;
+    const Fit &fit = lastFit.fit;
+    const Drive::Kind drive = findings.drive.kind;
+    const bool isUneven = drive == Drive::Kind::RunUp || drive == Drive::Kind::Uneven;
+    const bool hasLengths = determineLengths(observations, fit.columns);
+    const auto isOfAngle = [&](Index k) { return isAngle(observations.columns[k].channel.coordinate); };
+    result.onlyRatios = !hasLengths && std::ranges::all_of(fit.columns, isOfAngle);
+    result.identifiable = {hasLengths, hasLengths, hasLengths, fit.changes({UnknownKind::Omega2}) || isUneven,
+                           !fit.model.followsAngle || drive == Drive::Kind::RunUp};
+    if (!result.hasSystematicResiduals) {
+        result.standardError = lastFit.standardError;
+    }
+    std::array<bool, kParameterCount> found = result.identifiable;
+    found[indexOf(Parameter::A)] = found[indexOf(Parameter::B)] = found[indexOf(Parameter::C)] = true;
+    const Parameters exact = parametersOf(fit.model, observations, findings.drive);
+    result.parameters = withGiven(exact, found, given);
+    result.rounded = withGiven(roundedParameters(lastFit, exact), found, given);
+    result.drive = unevenDrive(findings.drive, exact);
+    result.change = findings.change;
+    for (const Model &image : findings.otherImages) {
+        const Parameters parameters = parametersOf(image, observations, findings.drive);
+        result.alternatives.push_back(alternativeOf(withGiven(parameters, found, given), result.parameters));
+    }
+    if (findings.speeds.size() > 1) {
+        for (const double speed : findings.speeds) {
+            result.possibleSpeeds.push_back(std::abs(speed));
+        }
+    }
+}
+
+/// The file without excluded rows and without the columns that the fit does not use. `change`: of the headings or axes,
+/// after which the columns have the names that the fit knows.
+ReferenceData usedData(ReferenceData data, const std::optional<Convention> &change, const LastFit &lastFit)
+{
+    const Observations &observations = lastFit.observations;
+    const ReferenceData changed = change ? applied(*change, data) : data;
+    std::vector<ReferenceSeries> used;
+    for (std::size_t i = 0; i < data.series.size(); ++i) {
+        const Channel channel = changed.series[i].channel;
+        const auto isChannel = [&](Index k) { return observations.columns[k].channel == channel; };
+        if (std::ranges::any_of(lastFit.fit.columns, isChannel)) {
+            used.push_back(std::move(data.series[i]));
+            for (const Index row : lastFit.excludedRows) {
+                used.back().values[observations.rows[row]] = kNone;
+            }
+        } else if (lastFit.fit.model.followsAngle && channel == kCrankAngle) {
+            used.push_back(std::move(data.series[i]));
+        }
+    }
+    data.series = std::move(used);
+    return data;
+}
+
+/// A whole turn that is added to θ3 before and again after a change of its sign is none.
+void removeCancellingTurns(std::vector<ConventionFinding> &conventions)
+{
+    const auto isTurn = [&](const ConventionFinding &convention) {
+        return convention.kind == Convention::Kind::WholeTurns && convention.amount == kTurn * kDegreesPerRadian;
+    };
+    if (std::ranges::count_if(conventions, isTurn) == 2) {
+        std::erase_if(conventions, isTurn);
+    }
+}
+
+} // namespace
+
+Identification::Lack findLack(const ReferenceData &data, const Observations &observations)
+{
+    constexpr Index kFewestRows = 4;
+    if (observations.size() >= kFewestRows && !shapeColumns(observations).empty()) {
+        return Lack::Nothing;
+    }
+    const bool hasRows = std::ssize(data.time) >= kFewestRows && observations.size() >= kFewestRows;
+    return hasRows ? Lack::NothingMoves : Lack::FewValues;
+}
+
+Identification judge(const ReferenceData &data, const Findings &findings, const Parameters &given)
+{
+    constexpr double kSmooth = 3.0; // dependence of residuals that bound no error
+    const LastFit &lastFit = findings.lastFit;
+    const Observations &observations = lastFit.observations;
+    const Fit &fit = lastFit.fit;
+    Identification result{.parameters = given, .rounded = given};
+    if (!fit.isFinite()) {
+        result.misfit = Identification::Misfit::CannotBeAssembled;
+        return result;
+    }
+    for (Index k = 0; k < fit.residuals.cols(); ++k) {
+        result.residuals.push_back(residualOf(observations, fit, k));
+    }
+    result.iterations = fit.iterations;
+    result.conditionNumber = conditionNumber(fit);
+    const bool hasSlantedLine =
+        std::ranges::find(findings.leftOut, kSliderLine, &LeftOutColumn::channel) != findings.leftOut.end();
+    const bool isSystematic = !lastFit.isExact && (lastFit.dependence > kSmooth || findings.isInterpolated);
+    const auto open = openParameters(lastFit);
+    result.lack = lackOfValues(lastFit);
+    if (result.lack == Lack::Nothing && (hasSlantedLine || hasLargeResiduals(observations, fit))) {
+        result.misfit = hasSlantedLine ? Identification::Misfit::SliderLine : Identification::Misfit::LargeResiduals;
+        return result;
+    }
+    if (result.lack == Lack::Nothing && std::ranges::find(open, true) != open.end()) {
+        result.lack = Lack::OpenParameters;
+        result.openParameters = open;
+    }
+    if (result.lack != Lack::Nothing) {
+        result.outcome = Outcome::Insufficient;
+        if (result.lack == Lack::OpenParameters) {
+            setDetermined(result, findings, given);
+        }
+        return result;
+    }
+    result.outcome = lastFit.isExact ? Outcome::Identified : Outcome::Approximate;
+    result.hasSystematicResiduals = isSystematic;
+    result.leftOut = findings.leftOut;
+    for (const Index row : lastFit.excludedRows) {
+        result.excludedRows.push_back(data.lineOfRow(static_cast<std::size_t>(observations.rows[row])));
+    }
+    setMechanism(result, findings, given);
+    return result;
+}
+
+void addConventions(Identification &result, const ReferenceData &data, const std::optional<Convention> &change,
+                    const Findings &findings, const Parameters &given)
+{
+    const Drive::Kind drive = findings.drive.kind;
+    const Fit &fit = findings.lastFit.fit;
+    const std::stop_token &stop = findings.lastFit.observations.stop;
+    const ReferenceData used = usedData(data, change, findings.lastFit);
+    result.conventions = conventionsOf(findings.lastFit);
+    if (change) {
+        result.conventions.insert(result.conventions.begin(), {*change});
+    }
+    if (!result.onlyRatios && !result.drive) {
+        const WholeFileReading reading =
+            readLikeGiven(allApplied(result.conventions, used), result.rounded, result.standardError, given);
+        if (!reading.conventions.empty()) {
+            std::ranges::copy(reading.conventions, std::back_inserter(result.conventions));
+            removeCancellingTurns(result.conventions);
+            result.parameters = reading.parameters;
+            result.rounded = reading.parameters;
+            result.standardError = reading.standardError;
+            result.alternatives.clear();
+        }
+    }
+    measureConventions(result.conventions, result.parameters, used, drive);
+    const ReferenceData read = allApplied(result.conventions, used);
+    const FittedMechanism fitted{.unknowns = fit.unknowns.size(), .values = fit.valueCount()};
+    const auto agrees = [](const ChannelComparison &channel) { return channel.verdict == Verdict::Agrees; };
+    result.channels = compareRead(result.parameters, read, drive, fitted, stop);
+    if (!std::ranges::all_of(result.channels, agrees)) { // a constant column agrees only with the exact c
+        std::vector<ChannelComparison> rounded = compareRead(result.rounded, read, drive, fitted, stop);
+        if (std::ranges::all_of(rounded, agrees)) {
+            result.channels = std::move(rounded);
+        } else {
+            result.outcome = Outcome::Approximate;
+        }
+    }
+    for (const ChannelComparison &channel : result.channels) { // in the units of files, after the conventions
+        const auto residual = std::ranges::find(result.residuals, channel.channel, &ColumnResidual::channel);
+        residual->rms = channel.rms.value_or(0.0);
+        residual->max = channel.maxAbs.value_or(0.0);
+    }
+    const auto differs = [](const ChannelComparison &channel) { return channel.verdict == Verdict::Differs; };
+    result.agreesWithGiven = std::ranges::none_of(compareRead(given, read, drive, {}, stop), differs);
+}
+
+} // namespace slidercrank

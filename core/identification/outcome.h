@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Step 10: what can be said about the file.
+
+#include "core/identification/further_columns.h"
+#include "core/identification/identification.h"
+#include "core/identification/last_fit.h"
+
+#include <optional>
+#include <vector>
+
+namespace slidercrank
+{
+
+/// What the other steps found out.
+struct Findings {
+    Drive drive;
+    LastFit lastFit;
+    std::vector<LeftOutColumn> leftOut;
+    std::vector<double> speeds;         ///< that a table over the crank angle allows
+    std::vector<Model> otherImages;     ///< other mechanisms that need the same reading of the file
+    std::optional<LengthChange> change; ///< of the given mechanism
+    bool isInterpolated = false;        ///< the file proves that its columns were interpolated
+};
+
+/// The outcome without conventions and comparisons: first whether the file determines the mechanism, then whether the
+/// mechanism explains the file.
+Identification judge(const ReferenceData &data, const Findings &findings, const Parameters &given);
+
+/// Adds the conventions of an identified or approximate mechanism, and the comparisons of the used columns with it and
+/// with the given mechanism. An identified mechanism becomes approximate if a used column does not agree with it.
+/// `change`: of the whole table `data` before the observations were read from it; it becomes the first convention.
+void addConventions(Identification &result, const ReferenceData &data, const std::optional<Convention> &change,
+                    const Findings &findings, const Parameters &given);
+
+/// Whether a file has too few rows or columns for any fit; Nothing if it has enough.
+Identification::Lack findLack(const ReferenceData &data, const Observations &observations);
+
+} // namespace slidercrank

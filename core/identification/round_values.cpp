@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/round_values.h"
+
+#include <algorithm>
+#include <array>
+#include <climits>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+int placeOfFirstDigit(double magnitude)
+{
+    return static_cast<int>(std::floor(std::log10(magnitude)));
+}
+
+/// The nearest multiple of 10^place. Divides if the place is negative, so that the result is the double nearest to the
+/// decimal number.
+double roundedTo(int place, double value)
+{
+    const double power = std::pow(10.0, std::abs(place));
+    return (place < 0 ? std::round(value * power) / power : std::round(value / power) * power) + 0.0; // never -0
+}
+
+std::span<const double> unitsOf(Parameter parameter)
+{
+    static constexpr double kDegree = std::numbers::pi / 180.0;
+    static constexpr double kTurnPerMinute = std::numbers::pi / 30.0;
+    static constexpr std::array kSpeeds{1.0, kDegree, kTurnPerMinute};
+    static constexpr std::array kAngles{kDegree, 1.0};
+    if (parameter == Parameter::Theta20) {
+        return kAngles;
+    }
+    return std::span(kSpeeds).first(parameter == Parameter::Omega2 ? kSpeeds.size() : 1);
+}
+
+/// The model with other parameters at t = 0 of the file.
+Model withParameters(Model model, const Parameters &parameters, const Observations &observations)
+{
+    const double angleInFile = model.mechanism.theta20;
+    const double speed = model.mechanism.omega2;
+    model.mechanism = parameters;
+    model.mechanism.theta20 =
+        model.followsAngle ? angleInFile : parameters.theta20 + parameters.omega2 * observations.timeOrigin;
+    model.mechanism.omega2 = model.alpha2 == 0.0 ? parameters.omega2 : speed;
+    return model;
+}
+
+} // namespace
+
+double roundest(double value, double standardError, std::span<const double> units)
+{
+    constexpr double kSpacing = 60.0; // standard errors between equally round numbers: 2 · 3 of 60 are 10 %
+    const double tolerance = kStandardErrors * standardError;
+    if (!(standardError > 0.0) || std::isinf(standardError)) {
+        return value;
+    }
+    if (std::abs(value) <= tolerance) {
+        return 0.0;
+    }
+    std::optional<double> best;
+    int fewestDigits = INT_MAX;
+    for (const double unit : units) {
+        const int highest = placeOfFirstDigit((std::abs(value) + tolerance) / unit) + 1;
+        for (int place = highest; std::pow(10.0, place) * unit >= kSpacing * standardError; --place) {
+            const double rounded = roundedTo(place, value / unit);
+            if (std::abs(rounded * unit - value) <= tolerance) {
+                const int digits = placeOfFirstDigit(std::abs(rounded)) - place + 1;
+                best = digits < fewestDigits ? rounded * unit : best;
+                fewestDigits = std::min(digits, fewestDigits);
+                break;
+            }
+        }
+    }
+    return best.value_or(roundedTo(placeOfFirstDigit(standardError) - 1, value));
+}
+
+Parameters roundedParameters(const LastFit &lastFit, const Parameters &exact)
+{
+    const Observations &observations = lastFit.observations;
+    constexpr double kArithmetic = 1e-13; // relative accuracy of the computation
+    const Fit &fit = lastFit.fit;
+    Parameters rounded = exact;
+    for (const Parameter parameter : kAllParameters) {
+        const double size = parameter == Parameter::Theta20  ? 1.0
+                            : parameter == Parameter::Omega2 ? std::abs(exact.omega2)
+                                                             : characteristicLength(exact);
+        const double error = std::max(lastFit.standardError[indexOf(parameter)], kArithmetic * size);
+        if (std::isfinite(lastFit.standardError[indexOf(parameter)])) {
+            valueOf(rounded, parameter) = roundest(valueOf(exact, parameter), error, unitsOf(parameter));
+        }
+    }
+    if (findFault(rounded)) {
+        return exact;
+    }
+    constexpr double kEquallyGood = 0.5 * kSameMisfit; // about what the errors of five parameters explain
+    const Fit changed = evaluated(observations, withParameters(fit.model, rounded, observations), fit.columns);
+    return changed.misfit - fit.misfit < kEquallyGood ? rounded : exact;
+}
+
+} // namespace slidercrank

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/rounding_test.h"
+
+#include "core/comparison/comparison.h"
+
+#include <cmath>
+
+namespace slidercrank
+{
+
+bool isWithinRounding(const Observations &observations, const Fit &fit, Index k)
+{
+    constexpr double kTies = 1.0 + 1e-6; // a value in the middle of two printable ones is not exact in binary
+    const ObservedColumn &column = observations.columns[fit.columns[k]];
+    const double shift = fit.model.followsAngle ? std::abs(fit.model.angleFactor) * observations.angleHalfStep
+                                                : std::abs(fit.model.mechanism.omega2) * observations.timeHalfStep;
+    const FittedMechanism fitted{.unknowns = fit.unknowns.size(), .values = fit.valueCount()};
+    Values bound = kTies * column.halfSteps;
+    if (shift > 0.0) {
+        Values motion = Values::Zero(bound.size()); // during half a step of the abscissa
+        for (const double side : {-shift, shift}) {
+            Model shifted = fit.model;
+            shifted.mechanism.theta20 += side;
+            const Values residuals = column.values - predictedIn(shifted, observations, {fit.columns[k]}).col(0);
+            motion = motion.max(finite((residuals - fit.residuals.col(k)).abs()));
+        }
+        bound += motion;
+    }
+    // The fit of rounded values is no worse than the values with the largest step.
+    bound += (bound + (column.halfSteps.maxCoeff() - column.halfSteps)).min(fitted.errorOf(fit.rms[k]));
+    const Values errors = finite(fit.residuals.col(k)).abs();
+    const double within = fit.counts[k] - static_cast<double>((errors > bound).count());
+    return 100.0 * within >= static_cast<double>(kPercentWithinBound) * fit.counts[k] &&
+           (errors <= kBoundsOfAgreement * bound).all() &&
+           (errors - bound).maxCoeff() <= kExcessOfAgreement * 0.5 * column.range;
+}
+
+bool isExact(const Observations &observations, const Fit &fit)
+{
+    bool isExact = fit.isFinite();
+    for (Index k = 0; isExact && k < fit.residuals.cols(); ++k) {
+        isExact = isWithinRounding(observations, fit, k);
+    }
+    return isExact;
+}
+
+} // namespace slidercrank

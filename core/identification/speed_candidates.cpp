@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/speed_candidates.h"
+
+#include "core/mechanism/turn.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+/// How often the column goes from below the middle of its range to above it, or back.
+int crossings(const ObservedColumn &column)
+{
+    constexpr double kHysteresis = 0.15;     // of the range: noise crosses nothing
+    constexpr std::size_t kOutlierPart = 50; // one value in 50, at either end
+    std::vector<double> sorted;
+    sorted.reserve(static_cast<std::size_t>(column.values.size()));
+    std::ranges::copy_if(column.values, std::back_inserter(sorted), [](double value) { return std::isfinite(value); });
+    if (sorted.empty()) {
+        return 0;
+    }
+    std::ranges::sort(sorted);
+    const std::size_t tail = sorted.size() / kOutlierPart;
+    const double low = sorted[tail];
+    const double high = sorted[sorted.size() - 1 - tail];
+    const double middle = 0.5 * (low + high);
+    int side = 0; // of the last value that was clearly on one side: -1 below, 1 above
+    int count = 0;
+    for (const double value : column.values) {
+        if (std::abs(value - middle) > kHysteresis * (high - low)) {
+            const int sideNow = value > middle ? 1 : -1;
+            count += side == -sideNow ? 1 : 0;
+            side = sideNow;
+        }
+    }
+    return count;
+}
+
+/// The misfit of a constant and two harmonics of one speed.
+double periodogram(const Observations &observations, const Indices &columns, double speed)
+{
+    constexpr double kFloor = 1e-9; // of the squared range: rounding errors of the equations
+    const Values cosine = (speed * observations.time).cos();
+    const Values sine = (speed * observations.time).sin();
+    Eigen::MatrixXd harmonics(cosine.size(), 5);
+    harmonics << Values::Ones(cosine.size()), cosine, sine, 2.0 * cosine.square() - 1.0, 2.0 * sine * cosine;
+    double misfit = 0.0;
+    for (const Index k : columns) {
+        const ObservedColumn &column = observations.columns[k];
+        const Eigen::MatrixXd basis = column.values.isFinite().cast<double>().matrix().asDiagonal() * harmonics;
+        const Eigen::VectorXd values = finite(column.values);
+        const Eigen::VectorXd right = basis.transpose() * values;
+        const double rest = values.squaredNorm() - right.dot((basis.transpose() * basis).ldlt().solve(right));
+        const double count = static_cast<double>(column.values.isFinite().count());
+        misfit +=
+            count * std::log(std::max(rest, 0.0) / count + column.variance + kFloor * column.range * column.range);
+    }
+    return misfit;
+}
+
+/// The part of the time of the file in which there are rows, at their usual distance. Gaps hide crossings.
+double coverage(const Observations &observations)
+{
+    const Index pairs = observations.size() - 1;
+    const Values distances = observations.time.tail(pairs) - observations.time.head(pairs);
+    return std::min(1.0, static_cast<double>(pairs) * median(distances) / observations.span());
+}
+
+/// The numbers of turns in the file that are worth a trial.
+std::vector<double> possibleTurns(int crossings, double coverage)
+{
+    constexpr double kSpacing = 0.1; // a tenth of the width of a minimum of the periodogram
+    constexpr double kFewest = 0.7;
+    constexpr double kCutOff = 1.0;       // turns at the ends of the file that have no crossing
+    constexpr double kMiscounted = 0.005; // of the crossings
+    constexpr int kMostPairsPerTurn = 5;  // of crossings; accelerations have several
+    constexpr double kManyPairs = 25.0;   // of crossings: so many are counted well enough to exclude other speeds
+    constexpr double kFullCoverage = 0.95;
+    const double pairs = 0.5 * crossings;
+    const bool isCounted = pairs >= kManyPairs && coverage >= kFullCoverage;
+    std::vector<double> all;
+    for (double turns = std::max(pairs / kMostPairsPerTurn - kCutOff, kFewest); turns <= pairs / coverage + kCutOff;
+         turns += kSpacing) {
+        const double pairsPerTurn = std::max(1.0, std::rint(pairs / turns));
+        if (!isCounted || std::abs(pairs / pairsPerTurn - turns) <= kCutOff + kMiscounted * pairs) {
+            all.push_back(turns);
+        }
+    }
+    return all;
+}
+
+} // namespace
+
+std::vector<double> findSpeedCandidates(const Observations &observations, const Indices &columns)
+{
+    constexpr Index kRows = 400;
+    constexpr std::size_t kCandidates = 4;
+    constexpr int kCrossingsOfOneTurn = 2;
+    constexpr double kLongestPart = 1.5;   // turns in the file, if there may be less than one
+    constexpr double kShortestPart = 0.05; // a shorter arc has no recognizable shape
+    constexpr double kRatio = 1.3;         // of two speeds; a fit bridges half of it
+    const double speedOfOneTurn = kTurn / observations.span();
+    int most = 0;
+    for (const Index column : columns) {
+        most = std::max(most, crossings(observations.columns[column]));
+    }
+    const Observations few = thinned(observations, kRows);
+    std::vector<std::pair<double, double>> trials; // misfit and speed
+    for (const double turns : possibleTurns(most, coverage(observations))) {
+        if (!few.stop.stop_requested()) {
+            trials.emplace_back(periodogram(few, columns, turns * speedOfOneTurn), turns * speedOfOneTurn);
+        }
+    }
+    std::vector<std::pair<double, double>> minima;
+    for (std::size_t i = 1; i + 1 < trials.size(); ++i) {
+        if (trials[i].first <= std::min(trials[i - 1].first, trials[i + 1].first)) {
+            minima.push_back(trials[i]);
+        }
+    }
+    std::ranges::sort(minima);
+    std::vector<double> speeds;
+    for (std::size_t i = 0; i < std::min(kCandidates, minima.size()); ++i) {
+        speeds.push_back(minima[i].second);
+    }
+    for (double turns = kLongestPart; most <= kCrossingsOfOneTurn && turns > kShortestPart; turns /= kRatio) {
+        speeds.push_back(turns * speedOfOneTurn);
+    }
+    return speeds;
+}
+
+} // namespace slidercrank

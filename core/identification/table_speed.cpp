@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/table_speed.h"
+
+#include "core/identification/column_scale.h"
+#include "core/identification/rounding_test.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+/// The speed that a column shows if it is in some unit.
+struct Vote {
+    Index column = 0;
+    double speed = 0.0; ///< rad/s; with a sign only if isVelocity
+    bool isVelocity = false;
+    bool contradictsUnit = false; ///< the file states a different unit
+};
+
+bool haveSameSize(double speed, double other)
+{
+    constexpr double kTolerance = 2e-3;
+    return std::abs(std::abs(speed / other) - 1.0) < kTolerance;
+}
+
+std::vector<Vote> votesOf(const Observations &observations, const Fit &fit)
+{
+    Model model = fit.model;
+    model.mechanism.omega2 = 1.0;
+    const bool areExact = isExact(observations, fit);
+    std::vector<Vote> votes;
+    for (Index k = 0; k < std::ssize(observations.columns); ++k) {
+        const ObservedColumn &column = observations.columns[k];
+        if (fit.uses(k) || column.channel.order == Order::Position) {
+            continue;
+        }
+        const ColumnScale scale = scaleOf(observations, fit, model, k, areExact);
+        if (!scale.isExplained) {
+            continue;
+        }
+        const bool isVelocity = column.channel.order == Order::Velocity;
+        for (const double unit : unitFactors(column.channel)) {
+            if (unit == 1.0 || isAngle(column.channel.coordinate)) {
+                const double speed = isVelocity ? scale.factor / unit : std::sqrt(std::abs(scale.factor) / unit);
+                votes.push_back({k, speed, isVelocity, unit != 1.0 && column.statesUnit});
+            }
+        }
+    }
+    return votes;
+}
+
+/// The columns that vote for a speed.
+struct Support {
+    int columns = 0;
+    int agreeingUnits = 0; ///< minus the number of these columns that contradict their units
+    double speed = 0.0;    ///< of a velocity, if there is one
+
+    auto rank() const { return std::pair(columns, agreeingUnits); }
+};
+
+Support supportOf(const Vote &candidate, const std::vector<Vote> &votes)
+{
+    Support support{.speed = candidate.speed};
+    Indices columns;
+    for (const bool contradicts : {false, true}) { // a column that agrees in two units counts for the stated one
+        for (const Vote &vote : votes) {
+            const bool isCounted = std::ranges::find(columns, vote.column) != columns.end();
+            if (vote.contradictsUnit != contradicts || isCounted || !haveSameSize(vote.speed, candidate.speed)) {
+                continue;
+            }
+            columns.push_back(vote.column);
+            support.columns += 1;
+            support.agreeingUnits -= contradicts ? 1 : 0;
+            support.speed = vote.isVelocity ? vote.speed : support.speed;
+        }
+    }
+    return support;
+}
+
+} // namespace
+
+std::vector<double> speedsOfTable(const Observations &observations, const Fit &fit, double givenSpeed)
+{
+    const std::vector<Vote> votes = votesOf(observations, fit);
+    std::vector<double> best;
+    std::pair<int, int> bestRank;
+    for (const Vote &vote : votes) {
+        const Support support = supportOf(vote, votes);
+        if (best.empty() || support.rank() > bestRank) {
+            bestRank = support.rank();
+            best.clear();
+        }
+        const auto isSame = [&](double speed) { return haveSameSize(speed, support.speed); };
+        if (support.rank() == bestRank && std::ranges::none_of(best, isSame)) {
+            best.push_back(support.speed);
+        }
+    }
+    for (const double speed : best) {
+        if (haveSameSize(speed, givenSpeed)) {
+            return {std::copysign(speed, givenSpeed)};
+        }
+    }
+    return best;
+}
+
+Fit withSpeedOfVelocities(const Observations &observations, const Fit &fit)
+{
+    const bool areExact = isExact(observations, fit);
+    for (Index k = 0; k < std::ssize(observations.columns); ++k) {
+        const Channel channel = observations.columns[k].channel;
+        const bool isPlotted = channel.coordinate == R4x || channel.coordinate == Theta3;
+        if (fit.uses(k) || channel.order != Order::Velocity || !isPlotted) {
+            continue;
+        }
+        const ColumnScale scale = scaleOf(observations, fit, fit.model, k, areExact);
+        Parameters changed = fit.model.mechanism;
+        changed.omega2 *= scale.factor;
+        // The angle of the crank in the first row remains.
+        changed.theta20 += (fit.model.mechanism.omega2 - changed.omega2) * observations.time[0];
+        Model model = fit.model;
+        model.mechanism = changed;
+        Fit other = refined(observations, model, fit.columns, fit.unknowns);
+        if (scale.isExplained && other.misfit < fit.misfit + kSameMisfit) {
+            return other;
+        }
+    }
+    return fit;
+}
+
+} // namespace slidercrank

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tests what is said about files as students and engineers make them (tests/support/ordinary_files): tables over the
+// crank angle, symbols of a textbook, finite differences, a crank whose speed varies, a scale read from a dead centre.
+// Their mechanisms are known.
+
+#include "core/identification/identification.h"
+#include "tests/support/files.h"
+#include "tests/support/reading.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <variant>
+
+using namespace slidercrank;
+
+namespace
+{
+
+using enum Convention::Kind;
+using Outcome = Identification::Outcome;
+using Reason = LeftOutColumn::Reason;
+
+constexpr Channel kSlider{R4x, Order::Position};
+constexpr Channel kSliderVelocity{R4x, Order::Velocity};
+constexpr Channel kSliderAcceleration{R4x, Order::Acceleration};
+constexpr Channel kCoupler{Theta3, Order::Position};
+constexpr double kTurnPerSecond = 2.0 * std::numbers::pi;
+
+Identification identifyFile(const QString &name, const Parameters &given = {})
+{
+    const QByteArray bytes = contentOf(SLIDERCRANK_SOURCE_DIR "/tests/support/ordinary_files/" + name + ".csv");
+    const auto outcome = readReferenceData({bytes.data(), static_cast<std::size_t>(bytes.size())});
+    return identify(std::get<ReferenceData>(outcome), Mechanism(given));
+}
+
+/// Returns whether the lengths are right within a part of the crank's length.
+bool hasLengths(const Identification &found, double a, double b, double c, double tolerance = 1e-3)
+{
+    const Parameters &p = found.parameters;
+    const auto isNear = [=](double value, double truth) { return std::abs(value - truth) <= tolerance * a; };
+    return found.hasMechanism() && isNear(p.a, a) && isNear(p.b, b) && isNear(p.c, c);
+}
+
+bool hasFinding(const Identification &found, Convention::Kind kind, Channel channel)
+{
+    return std::ranges::any_of(found.conventions, [=](const ConventionFinding &finding) {
+        return finding.kind == kind && concerns(finding, channel);
+    });
+}
+
+bool leavesOut(const Identification &found, Channel channel, Reason reason)
+{
+    return std::ranges::any_of(found.leftOut, [=](const LeftOutColumn &column) {
+        return column.channel == channel && column.reason == reason;
+    });
+}
+
+bool determines(const Identification &found, Parameter parameter)
+{
+    return found.identifiable[indexOf(parameter)];
+}
+
+} // namespace
+
+class TestOrdinaryFiles : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    /// θ3 is measured at B, and the angular rates are in rad/s without saying so.
+    void findsTheSpeedFromTheRatesOfATextbook()
+    {
+        const Identification found = identifyFile("norton");
+        QVERIFY(hasLengths(found, 20.0, 60.0, 25.0));
+        QVERIFY(determines(found, Parameter::Omega2));
+        QVERIFY(std::abs(found.parameters.omega2 / kTurnPerSecond - 1.0) < 1e-4);
+        QVERIFY(hasFinding(found, HalfTurn, kCoupler));
+        QVERIFY(hasFinding(found, AngleUnit, {Theta3, Order::Velocity}));
+        QVERIFY(hasFinding(found, AngleUnit, {Theta3, Order::Acceleration}));
+        QVERIFY(found.leftOut.empty());
+    }
+
+    void leavesOutFiniteDifferences()
+    {
+        const Identification velocity = identifyFile("difference_velocity");
+        QVERIFY(hasLengths(velocity, 37.5, 150.0, 0.0));
+        QVERIFY(leavesOut(velocity, kSliderVelocity, Reason::FiniteDifferences));
+        QVERIFY(!determines(velocity, Parameter::Omega2));
+        QCOMPARE(velocity.parameters.omega2, Parameters().omega2);
+
+        const Identification both = identifyFile("central_differences");
+        QVERIFY(hasLengths(both, 20.0, 60.0, -5.0));
+        QVERIFY(leavesOut(both, kSliderVelocity, Reason::FiniteDifferences));
+        QVERIFY(leavesOut(both, kSliderAcceleration, Reason::FiniteDifferences));
+    }
+
+    void findsAVelocityThatIsCountedTheOtherWay()
+    {
+        for (const Parameters &given : {Parameters(), Parameters{.b = 60.0, .c = 0.0, .omega2 = 10.0}}) {
+            const Identification found = identifyFile("reversed_velocity", given);
+            QCOMPARE(found.outcome, Outcome::Identified);
+            QVERIFY(hasLengths(found, 20.0, 60.0, 0.0));
+            QVERIFY(std::abs(std::abs(found.parameters.omega2) - 10.0) < 0.01);
+            QVERIFY(found.parameters.omega2 < 0.0 || hasFinding(found, Sign, kSliderVelocity));
+        }
+    }
+
+    /// The file agrees with the given mechanism, so that no length is to blame.
+    void readsAScaleFromTheDeadCentre()
+    {
+        const Identification found = identifyFile("lab", {.a = 37.5, .b = 150.0, .c = 0.0});
+        QVERIFY(found.hasMechanism());
+        QVERIFY(hasFinding(found, Sign, kSlider));
+        QVERIFY(hasFinding(found, ZeroPoint, kSlider));
+        QVERIFY(found.agreesWithGiven);
+        QVERIFY(!found.change);
+    }
+
+    void findsTheLengthsInSpiteOfARunUp()
+    {
+        const Identification found = identifyFile("run_up");
+        QVERIFY(hasLengths(found, 20.0, 60.0, 25.0));
+        QVERIFY(found.drive && found.drive->alpha2);
+        QVERIFY(std::abs(*found.drive->alpha2 - 10.0) < 0.05);
+        QVERIFY(std::abs(found.drive->omega2) < 0.05);
+    }
+
+    void findsTheLengthsInSpiteOfAnUnevenSpeed()
+    {
+        const Identification found = identifyFile("uneven_speed_with_theta2");
+        QVERIFY(hasLengths(found, 20.0, 60.0, -5.0));
+        QVERIFY(found.drive && !found.drive->alpha2);
+        QVERIFY(found.drive->least < found.drive->greatest);
+    }
+
+    /// c = -5 with θ3 counted clockwise, or the mirror image with θ2 counted clockwise; each alone is right.
+    void namesNoMirrorImageThatNeedsAnotherReading()
+    {
+        const Identification found = identifyFile("mirror_alternative");
+        const bool isMirrored = found.parameters.c > 0.0;
+        QVERIFY(hasLengths(found, 20.0, 60.0, isMirrored ? 5.0 : -5.0));
+        QCOMPARE(found.conventions.size(), 1U);
+        QVERIFY(hasFinding(found, Sign, isMirrored ? Channel{Theta2, Order::Position} : kCoupler));
+        QVERIFY(found.alternatives.empty());
+    }
+
+    void findsAnOriginBesideASmoothError()
+    {
+        const Identification found = identifyFile("nearest_without_origin");
+        QCOMPARE(found.outcome, Outcome::Approximate);
+        QVERIFY(hasFinding(found, ZeroPoint, kSlider));
+        QCOMPARE(found.residuals.size(), 1U);
+        QVERIFY(found.residuals[0].percentOfRange < 0.6);
+    }
+
+    void ignoresTheRotationOfTheSlider()
+    {
+        const Identification found = identifyFile("slider_rotation");
+        QCOMPARE(found.outcome, Outcome::Identified);
+        QVERIFY(hasLengths(found, 20.0, 60.0, 25.0));
+    }
+
+    void takesTimeStampsWithGapsAsExact()
+    {
+        const Identification found = identifyFile("gaps_lower_precision");
+        QCOMPARE(found.outcome, Outcome::Identified);
+        QVERIFY(found.standardError[indexOf(Parameter::B)] < 1e-3);
+    }
+
+    void findsThatTheOffsetIsZero()
+    {
+        const Identification found = identifyFile("c_of_1e-12");
+        QCOMPARE(found.outcome, Outcome::Identified);
+        QCOMPARE(found.rounded.c, 0.0);
+    }
+
+    void findsTheCrossedAssemblyOrSaysWhatIsOpen()
+    {
+        const Identification found = identifyFile("crossed_part_of_a_turn");
+        const bool isOpen = found.outcome == Outcome::Insufficient && found.lack != Identification::Lack::Nothing;
+        QVERIFY(isOpen || hasLengths(found, 20.0, 65.0, found.parameters.c > 0.0 ? 25.0 : -25.0, 0.05));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestOrdinaryFiles)
+#include "tst_ordinary_files.moc"

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The reader understands files of laboratories, notebooks and spreadsheets as a colleague would, or says where they are
+// wrong. The files of tests/support/ordinary_files have the forms of real ones and invented numbers.
+
+#include "core/import/clock.h"
+#include "tests/support/described_reading.h"
+#include "tests/support/files.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace slidercrank;
+
+namespace
+{
+
+using Kind = ReadFault::Kind;
+
+Outcome readOrdinary(const QString &name, const std::vector<ColumnChoice> &choices = {})
+{
+    return read(contentOf(SLIDERCRANK_SOURCE_DIR "/tests/support/ordinary_files/" + name), choices);
+}
+
+struct ReadFile {
+    const char *name;
+    const char *roles; ///< without the marks of guesses
+    std::size_t rows;
+    double last; ///< time stamp or crank angle of the last row, s or °
+};
+
+const std::vector<ReadFile> kOrdinary{
+    {"capstone.csv", "time R4_x R4_x_diff", 101, 1.0},
+    {"datum_uhrzeit.csv", "- time R4_x", 61, 1.2},
+    {"norton.csv", "angle theta3 R4_x theta3_diff R4_x_diff theta3_diff2 R4_x_diff2", 37, 360.0},
+    {"pandas_index.csv", "time R4_x", 101, 1.0},
+    {"parameters_before_angle.csv", "- - angle R4_x", 24, 360.0},
+    {"percent_heading_with_date.txt", "time - theta2 R4_x", 4, 0.03},
+    {"pmks_xy_velocity.csv", "time - R4_x_diff R4_y_diff", 101, 1.0},
+    {"portuguese.csv", "time theta2 R4_x", 101, 1.0},
+    {"prime.csv", "time R4_x_diff", 101, 1.0},
+    {"slider_rotation.csv", "time R4_x R4_y theta4", 101, 1.0},
+    {"zeit_per_ms_heading.csv", "time R4_x", 61, 1.2},
+};
+
+struct RefusedFile {
+    const char *name;
+    Kind kind;
+    std::size_t line;
+};
+
+const std::vector<RefusedFile> kRefusedFiles{
+    {"row_with_remark_as_heading.txt", Kind::NamesMissing, 1},
+    {"second_heading_other_unit.csv", Kind::AnotherTable, 4},
+    {"unquoted_comma_in_heading.csv", Kind::MoreHeadings, 1},
+};
+
+double stepOf(const QString &name, Channel channel, double value)
+{
+    const Outcome outcome = readOrdinary(name);
+    return std::get<ReferenceData>(outcome).find(channel)->rounding.stepAt(value);
+}
+
+} // namespace
+
+class TestOrdinaryTables : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void readsThem()
+    {
+        for (const ReadFile &file : kOrdinary) {
+            const Outcome outcome = readOrdinary(file.name);
+            const ReferenceData *const data = std::get_if<ReferenceData>(&outcome);
+            QVERIFY2(data, (file.name + (": " + described(outcome))).c_str());
+            QString roles = QString::fromStdString(rolesOf(data->layout));
+            QVERIFY2(roles.remove('?') == file.roles, (file.name + (": " + roles.toStdString())).c_str());
+            const std::vector<double> &abscissa = data->crank ? data->crank->degrees : data->time;
+            QVERIFY2(abscissa.size() == file.rows && data->skippedCount == 0, file.name);
+            QVERIFY2(std::abs(abscissa.back() - file.last) < 1e-9, file.name);
+        }
+    }
+
+    void refusesThoseThatAreWrong()
+    {
+        for (const RefusedFile &file : kRefusedFiles) {
+            const Outcome outcome = readOrdinary(file.name);
+            const ReadError *const error = std::get_if<ReadError>(&outcome);
+            QVERIFY2(error && error->fault.kind == file.kind && error->line == file.line, file.name);
+        }
+    }
+
+    void advisesTheChoiceThatHelps()
+    {
+        const auto adviceIn = [](const QByteArray &bytes) {
+            const Outcome outcome = read(bytes);
+            std::string text;
+            for (const ColumnChoice &choice : std::get<ReadError>(outcome).advice) {
+                const std::string name = choice.role == ColumnRole::Channel   ? std::string(nameOf(choice.channel))
+                                         : choice.role == ColumnRole::Time    ? "time"
+                                         : choice.role == ColumnRole::Ignored ? "ignored"
+                                                                              : "angle";
+                text += choice.heading + '=' + name + ' ' + choice.unit + ';';
+            }
+            return text;
+        };
+        QCOMPARE(adviceIn("0,80\n0.1,70\n0.2,60\n"), std::string("#1=time ;#2=R4_x ;"));
+        QCOMPARE(adviceIn("time,foo [mm]\n0,80\n0.1,70\n0.2,60\n"), std::string("foo [mm]=R4_x ;"));
+        QCOMPARE(adviceIn("time,theta3 [ell]\n0,80\n1,70\n"), std::string("theta3 [ell]=theta3 °;"));
+        QCOMPARE(adviceIn("time [days],R4_x\n0,80\n1,70\n"), std::string("time [days]=time s;"));
+        QCOMPARE(adviceIn("time,R4_x,r4x [mm]\n0,80,1\n1,70,1\n"), std::string("r4x [mm]=ignored ;"));
+        QCOMPARE(adviceIn("stage,R4_x\n0,80\n90,70\n180,60\n270,50\n"), std::string("stage=angle ;"));
+    }
+
+    /// A column that is chosen as θ2 replaces the time.
+    void takesAChosenAngleForTheTime()
+    {
+        const Outcome outcome = read("stage,R4_x\n0,80\n90,70\n180,60\n270,50\n",
+                                     {{0, ColumnRole::Channel, {Theta2, Order::Position}, {}}});
+        QCOMPARE(rolesOf(std::get<ReferenceData>(outcome).layout), std::string("angle R4_x"));
+    }
+
+    void findsTheStepsOfScales()
+    {
+        QCOMPARE(stepOf("steps_of_5.csv", kX, 70.0), 5.0);
+        QCOMPARE(stepOf("lab.csv", kX, 70.0), 0.5);
+        QVERIFY(stepOf("run_up.csv", {Theta2, Order::Position}, 100.0) < 2e-5); // a parabola has no steps
+    }
+
+    void takesTimeStampsWithGapsAsExact()
+    {
+        const Outcome outcome = readOrdinary("gaps_lower_precision.csv");
+        const ReferenceData &data = std::get<ReferenceData>(outcome);
+        QVERIFY(data.skippedCount > 0);
+        QVERIFY(clockOf(data.time, data.timeRounding).even);
+    }
+
+    void saysThatDecimalsCouldBeThousands()
+    {
+        const auto isDoubtful = [](const Outcome &outcome) {
+            return std::get<ReferenceData>(outcome).layout.mayBeThousands;
+        };
+        QVERIFY(isDoubtful(readOrdinary("thousands_or_decimals.csv")));
+        QVERIFY(!isDoubtful(read("time;R4_x\n0;80,826\n1;0,826\n")));
+        QVERIFY(!isDoubtful(read("time,R4_x\n0,80.826\n1,70.826\n")));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestOrdinaryTables)
+#include "tst_ordinary_tables.moc"

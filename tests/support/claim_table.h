@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Tables of known origin, which test what the program claims about a file. A table is described in plain words:
+//
+//     ClaimTable(random, mechanism).overCrankAngle(10.0).with({kSlider, kSliderSpeed}).decimals(2).shifted({kSlider}, 40.0)
+//         .conventions(1)
+//
+// Its columns contain the motion of the mechanism until a function changes them; each function changes the columns that
+// exist when it is called. The last functions state what may be claimed. Lengths are in mm, angles in rad and times
+// in s. Columns are in the units of files (mm, °, s).
+
+#include "core/mechanism/channel.h"
+#include "core/mechanism/mechanism.h"
+#include "tests/support/channels.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <functional>
+#include <initializer_list>
+#include <optional>
+#include <random>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace slidercrank
+{
+
+using Eigen::Index;
+using Values = Eigen::ArrayXd;
+using Channels = std::vector<Channel>;
+
+inline constexpr Channel kR4y{R4y, Order::Position};
+inline constexpr Channel kTheta2Diff{Theta2, Order::Velocity};
+inline const Channels kSliderColumns{kSlider, kSliderSpeed, kSliderAcceleration};
+inline const Channels kCouplerColumns{kTheta3, kTheta3Speed, kTheta3Acceleration};
+inline const Channels kSixColumns{kPlottedChannels.begin(), kPlottedChannels.end()};
+inline const Channels kDerivatives{kTheta3Speed, kSliderSpeed, kTheta3Acceleration, kSliderAcceleration};
+inline const Channels kAll{}; ///< all columns of the table
+
+/// Computes a channel by the textbook's formulas. Returns NaN where the mechanism cannot be assembled.
+double valueAt(const Parameters &p, Channel channel, long double crankAngle);
+Values valuesOf(const Parameters &p, Channel channel, const Values &times);
+
+/// The random numbers of a table, which depend on its seed only.
+class ClaimRandom
+{
+public:
+    explicit ClaimRandom(const std::string &seed);
+
+    double between(double low, double high);
+    double onLogScale(double low, double high); ///< between two positive numbers
+    double eitherSign(double low, double high) { return oneOf({-1.0, 1.0}) * between(low, high); }
+    bool isTrue(double probability) { return between(0.0, 1.0) < probability; }
+    Index index(Index count) { return static_cast<Index>(between(0.0, static_cast<double>(count))); }
+    Values normal(Index count);
+    std::uint64_t next() { return m_engine(); }
+
+    template <class T>
+    T oneOf(std::initializer_list<T> values)
+    {
+        return *(values.begin() + index(static_cast<Index>(values.size())));
+    }
+
+    /// Returns a mechanism that makes full turns: a is 5 … 100 mm, b is 1.05 … 6 times a + |c|, |c| is at most 1.2 a,
+    /// and |ω2| is 0.5 … 100 rad/s. A quarter of the mechanisms are crossed; half of them have round lengths.
+    Parameters mechanism();
+
+private:
+    std::mt19937_64 m_engine;
+};
+
+// A mechanism with one change.
+Parameters withOffset(Parameters p, double ratio);  ///< c / a
+Parameters withCoupler(Parameters p, double ratio); ///< b / a
+Parameters withMargin(Parameters p, double margin); ///< b / (a + |c|) - 1; negative for a rocker
+Parameters withSpeed(Parameters p, double omega2);
+Parameters withStart(Parameters p, double theta20);
+Parameters enlarged(Parameters p, double factor);
+Parameters crossed(Parameters p);
+
+struct ClaimColumn {
+    enum class Content {
+        Motion,     ///< the motion, perhaps in another unit, from another origin, or with white noise
+        Systematic, ///< with a small deviation that is not white: filtered, interpolated, integrated
+        Foreign     ///< another motion, or errors that hide the motion
+    };
+    std::string heading;
+    Channel shown{}; ///< the channel whose values the column contains; not used for the time
+    std::string format = "%.6g";
+    std::string reprint{}; ///< format in which another program printed the rounded numbers again; empty: none did
+    double quantum = 0.0;  ///< distance between neighbouring values; 0: that of the format
+    double factor = 1.0;   ///< of the values, in addition to the unit of the heading
+    double noise = 0.0;    ///< rms of white noise
+    bool hasOrigin = false;
+    Content content = Content::Motion;
+    Values values{}; ///< before they are printed; NaN for an empty cell
+
+    double stepAt(double value) const; ///< distance between neighbouring printable values
+    Values stepsAt(const Values &numbers) const;
+    std::string print(double value) const;
+};
+
+class ClaimTable
+{
+public:
+    ClaimTable(ClaimRandom &random, const Parameters &mechanism);
+    explicit ClaimTable(ClaimRandom &random)
+        : ClaimTable(random, random.mechanism())
+    {
+    }
+
+    // The rows. Without one of these functions, 60 … 300 rows in 0.6 … 3 turns.
+    /// The time step either has three digits and is printed exactly, or is arbitrary and its time stamps are printed
+    /// with nine digits.
+    ClaimTable &overTime(double turns, double rows, double start = 0.0);
+    ClaimTable &atTimes(const Values &stamps, const std::string &format);
+    /// The first column is θ2 in steps of so many degrees, and there is no time. The crank turns once a second.
+    ClaimTable &overCrankAngle(double step, double turns = 1.0);
+    ClaimTable &timeDecimals(int count);
+    ClaimTable &slowedDown(double factor);   ///< larger time steps in the second half
+    ClaimTable &withRepeatedRows(int count); ///< so many rows are printed twice
+    ClaimTable &withEmptyRows();             ///< prints rows without any value
+
+    // The motion, before the first column is changed.
+    /// The crank turns by law(angle) where a crank with constant speed turns by `angle`, both without their signs.
+    ClaimTable &turnedBy(const std::function<double(double angle)> &law);
+    ClaimTable &speedingUp(double part);               ///< the speed grows by so much per turn
+    ClaimTable &rippling(double part, double perTurn); ///< the speed swings by so much, so many times per turn
+    ClaimTable &ofYoke(double damping, double third);  ///< a Scotch yoke with a third harmonic: no slider-crank
+
+    // The columns. The format is that of the columns that the last with() has added.
+    ClaimTable &with(const Channels &channels);
+    ClaimTable &with(Channel heading, Channel shown); ///< with the heading of another channel
+    ClaimTable &digits(int count);                    ///< significant ones; the default is 6
+    ClaimTable &decimals(int count);
+    ClaimTable &reprinted(); ///< by a program that prints 19 digits
+
+    // Conventions.
+    ClaimTable &multiplied(const Channels &channels, double factor);
+    ClaimTable &shifted(const Channels &channels, double amount); ///< measured from another origin
+    ClaimTable &withinATurn(Channel channel);                     ///< 0 … 360°
+    ClaimTable &timeMultiplied(double factor);
+
+    // Errors of sensors. Parts are relative to half the range of the motion.
+    ClaimTable &withNoise(const Channels &channels, double part);
+    /// Neighbouring values are correlated, and the noise grows with the reading.
+    ClaimTable &withUnevenNoise(const Channels &channels, double part, double correlation, double growth);
+    ClaimTable &inSteps(const Channels &channels, double step);
+    ClaimTable &truncated(const Channels &channels, double step);
+    ClaimTable &withTone(const Channels &channels, double part, double perTurn);
+    ClaimTable &withBacklash(Channel channel, double part);
+    ClaimTable &misread(Channel channel, double factor, double offset); ///< at most 3 % of the rows
+    ClaimTable &failing(Channel channel, double rows, double part);     ///< in a part of the rows, values too small
+    ClaimTable &frozen(Channel channel);                                ///< one reading repeated in 2.5 % of the rows
+    ClaimTable &saturated(Channel channel, double part);
+    ClaimTable &withGaps(const Channels &channels, double part);
+    ClaimTable &withoutABlock(const Channels &channels); ///< a fifth of the rows
+
+    // Filters and clocks.
+    /// A weighted mean over rows before and after, whose weights decrease by exp(-decay) from row to row.
+    ClaimTable &smoothed(const Channels &channels, int before, int after, double decay = 0.0);
+    ClaimTable &interpolated(const Channels &channels, double rows); ///< between samples so many rows apart
+    ClaimTable &held(const Channels &channels, double rows);         ///< repeats the last of such samples
+    ClaimTable &jittered(const Channels &channels, double part);     ///< of the time step
+
+    // Values that do not belong to the motion.
+    ClaimTable &delayed(const Channels &channels, double rows);
+    ClaimTable &amplified(const Channels &channels, double factor);
+    ClaimTable &ofLongerCoupler(const Channels &channels, double factor);
+    /// The slope or curvature of a parabola through positions on either side, as they are printed (1: central
+    /// differences). The ends are empty.
+    ClaimTable &differentiated(const Channels &channels, int rows);
+    ClaimTable &replacedByRandom(const Channels &channels);
+
+    // What the program is given, and what it may claim.
+    ClaimTable &given(const Parameters &parameters);
+    ClaimTable &orMechanism(const Parameters &parameters); ///< another mechanism that explains the file equally well
+    ClaimTable &conventions(std::size_t count) { return conventions(count, count); }
+    ClaimTable &conventions(std::size_t fewest, std::size_t most);
+    ClaimTable &accurateTo(double relativeTolerance);
+    ClaimTable &tooFewValues();   ///< to identify a mechanism reliably
+    ClaimTable &mayBeMissed();    ///< although the linearized fit determines the mechanism
+    ClaimTable &approximate();    ///< its systematic deviations may look like another mechanism
+    ClaimTable &contradictory();  ///< its columns belong to several mechanisms, of which any may be found
+    ClaimTable &mayExcludeRows(); ///< in which the last digit of a length changes the motion
+    ClaimTable &noMechanism();    ///< no slider-crank makes this motion
+
+    /// Computes the values and prints the table.
+    void print();
+
+    ClaimColumn *find(const std::string &heading);
+    const ClaimColumn *find(const std::string &heading) const { return const_cast<ClaimTable *>(this)->find(heading); }
+    Values exact(Channel channel, const Values &at) const;
+    double swing(Channel channel) const; ///< half the difference between the largest and the smallest value
+    double timeBetweenRows() const { return times[1] - times[0]; }
+    double timeStep() const; ///< rounding step of the time stamps, s
+
+    std::optional<Parameters> truth;
+    Parameters givenMechanism{};           ///< Table 1 of the reference report unless stated
+    std::vector<Parameters> others{};      ///< other mechanisms that explain the file equally well
+    std::optional<Parameter> wrongGiven{}; ///< the only parameter in which the given mechanism differs from the truth
+    std::size_t fewestConventions = 0;
+    std::size_t mostConventions = 0;
+    double tolerance = 2e-3; ///< relative tolerance of the parameters of an exact fit, or 5 standard errors if larger
+    bool hasTooFewValues = false;
+    bool isMissable = false;
+    bool isSystematic = false;
+    bool hasSaturation = false; ///< the program need not name the bad rows
+    bool hasSteepRows = false;  ///< rows that are right may be excluded
+    bool isCrankUneven = false; ///< θ2 shows that the speed is not constant
+    bool isByAngle = false;
+
+    Values times{};
+    double delay = 0.0; ///< s, of all values, by a filter
+    ClaimColumn time{"time"};
+    std::vector<ClaimColumn> columns{};
+    std::set<Index> badRows{};           ///< rows with wrong readings; no other row may be excluded
+    std::multiset<Index> repeatedRows{}; ///< rows that are printed again
+
+    // Filled in by print().
+    std::string text;
+    std::set<std::size_t> badLines{};
+    std::size_t lineCount = 1;
+
+private:
+    using Change = std::function<void(ClaimColumn &)>;
+    ClaimTable &change(const Channels &channels, ClaimColumn::Content content, const Change &change);
+    ClaimTable &setFormat(const std::string &format);
+    ClaimTable &setPositions(const std::function<double(Channel, double)> &positions);
+    void compute();
+
+    ClaimRandom m_random;
+    std::size_t m_firstOfLast = 0; ///< index of the first column that the last with() has added
+    bool m_keepsEmptyRows = false;
+    std::function<double(Channel, double)> m_motion{}; ///< as a function of time; if empty, that of the truth
+};
+
+/// A kind of tables.
+struct ClaimKind {
+    std::string name;
+    std::function<ClaimTable(ClaimRandom &random)> make;
+    bool isFault = false; ///< with the faults of a sensor, filter, logger or spreadsheet
+};
+
+/// All kinds; claim_kinds_*.cpp.
+std::vector<ClaimKind> claimKinds();
+
+/// Makes and prints a table, which depends on the kind, the seed and the number.
+ClaimTable claimTable(const ClaimKind &kind, std::uint64_t seed, int number);
+
+} // namespace slidercrank

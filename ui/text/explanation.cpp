@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/text/explanation.h"
+
+#include "ui/text/convention_text.h"
+#include "ui/text/identification_text.h"
+
+#include <QCoreApplication>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+using Cause = Explanation::Cause;
+using Action = Explanation::Action;
+
+struct ExplanationText {
+    Q_DECLARE_TR_FUNCTIONS(slidercrank::ExplanationText)
+};
+
+/// Says that the file agrees with the model, apart from the other explanations.
+QString agreementText(const Identification &found)
+{
+    if (found.drive) {
+        return ExplanationText::tr("Over the crank angle, the file agrees with this mechanism.");
+    }
+    return found.conventions.empty() ? ExplanationText::tr("The other columns agree with this mechanism.")
+                                     : ExplanationText::tr("With these corrections, the file agrees with this "
+                                                           "mechanism.");
+}
+
+} // namespace
+
+std::vector<Explanation> explanationsOf(const Identification &found, const Parameters &given, const FileLayout &layout)
+{
+    std::vector<Explanation> explanations;
+    const auto add = [&explanations](const QString &text, Cause cause, Action action = Action::None) {
+        if (!text.isEmpty()) {
+            explanations.push_back({text, cause, action});
+        }
+    };
+    for (const ConventionFinding &finding : found.conventions) {
+        explanations.push_back({findingText(finding), Cause::Convention, Action::Apply, finding});
+    }
+    if (!found.hasMechanism() || found.leftOut.empty()) { // otherwise the result names these columns, too
+        add(differenceSentence(layout), Cause::LeftOut);
+    }
+    if (!found.agreesWithGiven) {
+        add(changeText(found, given), Cause::Length, Action::UseMechanism);
+        add(summaryText(found), Cause::Mechanism, found.hasMechanism() ? Action::UseMechanism : Action::None);
+        return explanations;
+    }
+    add(driveText(found), Cause::Drive, Action::UseMechanism);
+    add(leftOutText(found), Cause::LeftOut);
+    if (!explanations.empty()) {
+        add(agreementText(found), Cause::Agreement);
+    }
+    return explanations;
+}
+
+QStringList textsOf(const std::vector<Explanation> &explanations)
+{
+    QStringList texts;
+    for (const Explanation &explanation : explanations) {
+        texts << explanation.text;
+    }
+    return texts;
+}
+
+} // namespace slidercrank

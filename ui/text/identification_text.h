@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Describes the result of identifying a mechanism from a reference file. The window, the command line and the report
+// use the same sentences. ui/text/explanation.h explains the difference between the file and the model.
+
+#include "core/identification/identification.h"
+
+#include <QString>
+#include <QStringList>
+
+#include <vector>
+
+namespace slidercrank
+{
+
+/// The name of an outcome in JSON: "identified".
+const char *outcomeName(Identification::Outcome outcome);
+
+/// The name of a symmetry in JSON: "mirror-image".
+const char *symmetryName(AlternativeMechanism::Symmetry symmetry);
+
+/// The name of the reason why a column was left out, in JSON: "finite-differences".
+const char *reasonName(LeftOutColumn::Reason reason);
+
+/// Returns the identified value of a parameter with its standard error and unit: "60.000000 ± 0.000001 mm". Returns a
+/// dash if the data do not determine the parameter. If they determine only ratios of lengths, b and c are for the given
+/// a.
+QString measuredText(Parameter parameter, const Identification &found);
+
+/// Summarizes an identification. "Mechanism identified in this file: a = 20.000001 ± 0.000003 mm, …, open assembly.",
+/// followed by reservations; or the reason why none was identified, and what would help.
+QString summaryText(const Identification &found);
+
+/// Returns "Rounded values that fit equally well: a = 20 mm, …", or an empty string if they do not.
+QString roundNumbersText(const Identification &found);
+
+/// Returns "With b = 60 mm instead of 65 mm, this mechanism agrees with the file.", or an empty string if the change of
+/// a single length of the given mechanism does not explain the file.
+QString changeText(const Identification &found, const Parameters &given);
+
+/// Lists the columns that were not used, with their reasons and deviations, or returns an empty string.
+QString leftOutText(const Identification &found);
+
+/// Returns a table of the residuals of each column. The first row contains the headings.
+std::vector<QStringList> residualTable(const std::vector<ColumnResidual> &residuals);
+
+/// Returns "The crank speed varies from 5 to 15 rad/s.", or an empty string if it is constant or unknown.
+QString driveText(const Identification &found);
+
+/// Returns what the window shows of a drive that is not constant, which is not modelled, or an empty string if it is
+/// constant or unknown. `omega2` is the constant speed of the model, rad/s.
+QString shownDriveText(const Identification &found, double omega2);
+
+} // namespace slidercrank
