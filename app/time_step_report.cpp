@@ -11,6 +11,9 @@ namespace slidercrank
 namespace
 {
 
+/// The number of correct digits doubles in each iteration, so that more iterations than these reach no smaller residual.
+constexpr int kSufficientIterations = 100;
+
 /// By Status. %1 says which time steps, %2 is the shortest coupler with which the crank makes full turns, %3 the
 /// iteration limit.
 constexpr std::array kMessages{
@@ -48,7 +51,13 @@ ExitStatus reportTimeSteps(const Streams &streams, const SamplingSummary &summar
                        .arg(QString::number(summary.count(status)), QString::number(summary.timeSteps))) +
             QString("t = %1 s (θ₂ = %2°)")
                 .arg(numberText(first), crankAngleText(mechanism.omega2() * first + mechanism.theta20()));
-        messages += CommandLine::tr(kMessages[static_cast<std::size_t>(status)])
+        const bool isOutOfReach = status == Status::IterationLimit && newton.maxIterations >= kSufficientIterations;
+        const QString message =
+            isOutOfReach ? CommandLine::tr("Newton-Raphson did not converge at %1: rounding errors are larger than the "
+                                           "--tolerance (now %4); choose a greater one.")
+                         : CommandLine::tr(kMessages[static_cast<std::size_t>(status)]);
+        messages += QString(message)
+                        .replace("%4", numberText(newton.tolerance))
                         .replace("%3", QString::number(newton.maxIterations))
                         .replace("%2", atLeastText(shortestCouplerForFullTurn(mechanism)))
                         .replace("%1", where);

@@ -8,6 +8,10 @@
         <translation>ffmpeg no pudo hacer el vídeo: %1</translation>
     </message>
     <message>
+        <source>it ended without a reason.</source>
+        <translation>terminó sin indicar el motivo.</translation>
+    </message>
+    <message>
         <source>%1: a video needs the program ffmpeg, which is not installed. Install it (Debian, Ubuntu: sudo apt install ffmpeg; Windows: winget install ffmpeg; macOS: brew install ffmpeg), or export the frames to a folder.</source>
         <translation>%1: un vídeo necesita el programa ffmpeg, que no está instalado. Instálelo (Debian, Ubuntu: sudo apt install ffmpeg; Windows: winget install ffmpeg; macOS: brew install ffmpeg) o exporte los fotogramas a una carpeta.</translation>
     </message>
@@ -970,6 +974,10 @@ Equipo: %1. Tiempo: %2 s.
         <translation>Newton-Raphson no convergió en %1: elija un valor mayor de --max-iterations (ahora %3) o de --tolerance.</translation>
     </message>
     <message>
+        <source>Newton-Raphson did not converge at %1: rounding errors are larger than the --tolerance (now %4); choose a greater one.</source>
+        <translation>Newton-Raphson no convergió en %1: los errores de redondeo superan la tolerancia --tolerance (ahora %4); elija una mayor.</translation>
+    </message>
+    <message>
         <source>Very long links need --tolerance-kind relative.</source>
         <translation>Los eslabones muy largos necesitan --tolerance-kind relative.</translation>
     </message>
@@ -1331,6 +1339,10 @@ Equipo: %1. Tiempo: %2 s.
     <message>
         <source>There is no such mechanism: with a time ratio of %1 the minimum transmission angle is at most %2°; an angle of %3° needs a time ratio below %4.</source>
         <translation>No existe tal mecanismo: con una relación de tiempos de %1, el ángulo de transmisión mínimo es como máximo %2°; un ángulo de %3° exige una relación de tiempos menor que %4.</translation>
+    </message>
+    <message>
+        <source>There is no such mechanism: every minimum transmission angle is below 90°.</source>
+        <translation>No existe tal mecanismo: todo ángulo de transmisión mínimo es menor que 90°.</translation>
     </message>
     <message>
         <source>There is no such mechanism: the coupler b must be longer than the crank a.</source>
@@ -2710,6 +2722,10 @@ PA = %4, PB = %5</translation>
     <message>
         <source>The crank oscillates and cannot make a full turn: b = %1 &lt; a + |c| = %2.</source>
         <translation>La manivela oscila y no puede dar una vuelta completa: b = %1 &lt; a + |c| = %2.</translation>
+    </message>
+    <message>
+        <source>The crank oscillates and cannot make a full turn: b is less than a + |c| = %1, by less than the last digit.</source>
+        <translation>La manivela oscila y no puede dar una vuelta completa: b es menor que a + |c| = %1, por menos de la última cifra.</translation>
     </message>
     <message>
         <source>The crank is locked in a single position: b = |c| − a = %1. It makes full turns if b ≥ a + |c| = %2.</source>

@@ -68,9 +68,9 @@ Problem makeVideo(const QTemporaryDir &folder, const QString &path, const Animat
                   const AnimationProgress &progress)
 {
     constexpr int kLookEvery = 50; // ms
-    const QString video = folder.filePath("video." + QFileInfo(path).suffix().toLower());
+    const QString video = "video." + QFileInfo(path).suffix().toLower();
     QStringList arguments{"-loglevel", "error", "-framerate", QString::number(animation.framesPerSecond), "-i",
-                          folder.filePath("frame_%04d.png"),
+                          "frame_%04d.png",
                           // Most players support only colours at half the resolution, which requires even sides.
                           "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white"};
     if (!video.endsWith(QLatin1String("gif"))) {
@@ -81,6 +81,7 @@ Problem makeVideo(const QTemporaryDir &folder, const QString &path, const Animat
     }
     QProcess ffmpeg;
     ffmpeg.setProcessChannelMode(QProcess::MergedChannels);
+    ffmpeg.setWorkingDirectory(folder.path()); // in a path, ffmpeg would take "%" for a number of a frame
     ffmpeg.start("ffmpeg", arguments << video);
     while (!ffmpeg.waitForFinished(kLookEvery) && ffmpeg.state() != QProcess::NotRunning) {
         if (!progress(animation.frameCount())) {
@@ -89,11 +90,12 @@ Problem makeVideo(const QTemporaryDir &folder, const QString &path, const Animat
             return QString();
         }
     }
-    QFile file(video);
+    QFile file(folder.filePath(video));
     if (ffmpeg.exitStatus() != QProcess::NormalExit || ffmpeg.exitCode() != 0 || !file.open(QIODevice::ReadOnly) ||
         file.size() == 0) {
+        const QString reason = QString::fromLocal8Bit(ffmpeg.readAll()).simplified();
         return AnimationExport::tr("ffmpeg could not make the video: %1")
-            .arg(QString::fromLocal8Bit(ffmpeg.readAll()).simplified());
+            .arg(reason.isEmpty() ? AnimationExport::tr("it ended without a reason.") : reason);
     }
     return writeWhole(path, file.readAll());
 }

@@ -162,6 +162,11 @@ QString mobilitySentence(const Mechanism &mechanism, const MotionLimits &limits)
                              "Where the coupler is perpendicular to the slider's line, the velocities jump.");
     }
     case Mobility::Rocker:
+        if (turning[0] == turning[1]) {
+            return MotionFacts::tr("The crank oscillates and cannot make a full turn: b is less than a + |c| = %1, by "
+                                   "less than the last digit.")
+                .arg(turning[1]);
+        }
         return limits.ranges.size() > 1
                    ? MotionFacts::tr(
                          "The crank oscillates within one of two arcs and cannot make a full turn: b = %1 < "

@@ -165,6 +165,7 @@ void restoreLayout(QMainWindow &window)
     const QSettings settings;
     FoldingTabs &tabs = tabsIn(window);
     window.restoreGeometry(settings.value(kWindow).toByteArray());
+    window.resize(window.size().boundedTo(window.screen()->availableSize())); // the settings may be damaged
     window.findChild<Timeline *>()->setSpeed(settings.value(kSpeed, 1.0).toDouble());
     for (auto *splitter : window.findChildren<QSplitter *>()) {
         splitter->restoreState(settings.value(kSplitterState + splitter->objectName()).toByteArray());
