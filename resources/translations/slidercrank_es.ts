@@ -536,6 +536,8 @@
     <message>
         <source>crank acceleration (0)</source>
         <translation>aceleración de la manivela (0)</translation>
+    </message>
+    <message>
         <source>All %1 cases together</source>
         <translation>Los %1 casos juntos</translation>
     </message>
