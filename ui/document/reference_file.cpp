@@ -28,6 +28,14 @@ struct ReferenceFileText {
 constexpr auto kLargest = static_cast<qint64>(kLargestReferenceFile);
 const QString kNameSeparator = " + "; // between the names of joined files
 
+/// Whether the file is so long that its beginning is read first, which shows at once if it is no table.
+bool isLong(const QString &path)
+{
+    constexpr qint64 kLong = 1 << 24; // bytes
+    const QFileInfo file(path);
+    return file.isFile() && file.size() > kLong;
+}
+
 std::string_view toView(const QByteArray &bytes)
 {
     return {bytes.constData(), static_cast<std::size_t>(bytes.size())};
@@ -133,6 +141,20 @@ std::optional<QString> readWhole(const QString &path, bool isTable, QByteArray &
 ReferenceOutcome readReference(const ReferenceSource &source, ReadOptions options, Advice advice)
 {
     options.columns.insert(options.columns.begin(), source.columns.begin(), source.columns.end());
+    const auto refusal = [&](const ReadError &error) {
+        const QString sentence = readErrorText(error, displayNames(source.paths));
+        return advice == Advice::None || error.advice.empty()
+                   ? sentence
+                   : ReferenceFileText::tr("%1 Or add %2").arg(sentence, optionText(error.advice));
+    };
+    if (source.paths.size() == 1 && isLong(source.paths.first())) {
+        ReadOptions ofBeginning = options;
+        ofBeginning.progress = {};
+        const auto beginning = readBytes(source.paths, readBeginnings(source.paths), ofBeginning);
+        if (const ReadError *error = std::get_if<ReadError>(&beginning)) {
+            return refusal(*error);
+        }
+    }
     auto reference = std::make_shared<Reference>();
     QByteArrayList bytes;
     std::vector<FileBytes> files;
@@ -145,10 +167,7 @@ ReferenceOutcome readReference(const ReferenceSource &source, ReadOptions option
     std::variant<ReferenceData, ReadError> outcome = readFiles(files, options);
     bytes.clear();
     if (const ReadError *error = std::get_if<ReadError>(&outcome)) {
-        const QString sentence = readErrorText(*error, displayNames(source.paths));
-        return advice == Advice::None || error->advice.empty()
-                   ? sentence
-                   : ReferenceFileText::tr("%1 Or add %2").arg(sentence, optionText(error->advice));
+        return refusal(*error);
     }
     reference->paths = source.paths;
     reference->name = shortName(source.paths);
@@ -221,7 +240,8 @@ QByteArrayList readBeginnings(const QStringList &paths)
         QFile file(path);
         QByteArray lines;
         if (QFileInfo(path).isFile() && file.open(QIODevice::ReadOnly)) {
-            lines = file.read(kLimit) + file.readLine(kLimit); // the rest of the last line
+            lines = file.read(kLimit);
+            lines += file.readLine(kLimit); // the rest of the last line
         }
         beginnings += lines;
     }
