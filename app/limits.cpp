@@ -177,7 +177,7 @@ std::vector<Record> varyLimits(const OptionReader &options, Parameters parameter
     }
     const double first = parseParameter("vary", match.captured(2), *parameter);
     const double last = parseParameter("vary", match.captured(3), *parameter);
-    const int count = options.integer("count", 100, 1, 1'000'000);
+    const int count = options.integer("count", 100, 1, 100'000);
     std::vector<Record> rows;
     for (int i = 0; i < count; ++i) {
         const double value = first + (count > 1 ? static_cast<double>(i) / (count - 1) : 0.0) * (last - first);

@@ -97,6 +97,18 @@ QByteArray motionJson(const Mechanism &mechanism, Method method, const Table &ta
                          {"channels", values}});
 }
 
+/// JSON holds all values of a channel together, so they are all in memory: about 50 bytes each, and their text.
+void refuseLargeJson(const Table &table, std::size_t timeStamps)
+{
+    constexpr std::size_t kMostValues = 10'000'000;
+    const std::size_t most = kMostValues / (table.channels.size() + 1);
+    if (timeStamps > most) {
+        throw UsageError{CommandLine::tr("--format json writes at most %1 time stamps of these channels: choose fewer "
+                                         "--channels, or --format csv.")
+                             .arg(QString::number(most))};
+    }
+}
+
 } // namespace
 
 ExitStatus solveCommand(const OptionReader &options, const Streams &streams)
@@ -109,6 +121,9 @@ ExitStatus solveCommand(const OptionReader &options, const Streams &streams)
     const std::optional<Positions> positions = readPositions(options, undriven, table.units, streams);
     const Mechanism &mechanism = positions ? positions->mechanism : undriven;
     const Sampling sampling = positions ? Sampling() : readSampling(options);
+    if (isJson) {
+        refuseLargeJson(table, positions ? positions->times.size() : static_cast<std::size_t>(sampling.steps) + 1);
+    }
     Output output(streams, readOutput(options));
     options.refuseFiles();
     if (!output.open()) {

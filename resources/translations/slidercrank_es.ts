@@ -538,6 +538,10 @@
         <translation>aceleración de la manivela (0)</translation>
     </message>
     <message>
+        <source>--format json writes at most %1 time stamps of these channels: choose fewer --channels, or --format csv.</source>
+        <translation>--format json escribe como máximo %1 instantes de estos canales: elija menos --channels, o --format csv.</translation>
+    </message>
+    <message>
         <source>All %1 cases together</source>
         <translation>Los %1 casos juntos</translation>
     </message>

@@ -95,6 +95,8 @@ private slots:
             {"limits --design time-ratio=2", "stroke=80"},
             {"limits --design stroke=80 --b 3", "remove --b"},
             {"limits --count 3", "applies to --vary only"},
+            {"limits --vary b=70..90 --count 100001", "--count must be from 1 to"},
+            {"solve --steps 1000000 --format json", "at most 270270 time stamps"},
             {"compare", "needs a file"},
             {"compare - -", "only once"},
             {"solve --b 60 --b 61", "more than once"},
