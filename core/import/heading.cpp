@@ -3,9 +3,11 @@
 
 #include "core/import/cells.h"
 #include "core/import/vocabulary.h"
+#include "core/mechanism/find_element.h"
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <utility>
 
 namespace slidercrank
@@ -116,6 +118,26 @@ void resolveDoubts(std::vector<Heading> &row)
     }
 }
 
+/// Returns the unit of a quantity without a stated unit; empty if it is the default unit. Modelica implies m, rad and s,
+/// and a derivative is in the unit of its position: beside θ3 [rad], ω3 is in rad/s.
+std::string impliedUnit(const Heading &heading, std::span<const Heading> row)
+{
+    constexpr std::array kPerTime{"", "/s", "/s2"};
+    const NameMeaning &meaning = heading.meaning;
+    const std::string perTime = kPerTime[static_cast<std::size_t>(meaning.channel.order)];
+    if (meaning.reason == ColumnReason::ModelicaName) {
+        return (isAngle(meaning.channel.coordinate) ? "rad" : "m") + perTime;
+    }
+    const auto isPosition = [&](const Heading &other) {
+        return other.meaning.kind >= Kind::Quantity &&
+               other.meaning.channel == Channel{meaning.channel.coordinate, Order::Position};
+    };
+    const Heading *const position = findElement(row, isPosition);
+    const std::optional<Unit> unit = position ? parseUnit(position->use.unit) : std::nullopt;
+    const bool differs = unit && unit->order == 0 && unit->factor != 1.0;
+    return differs && meaning.channel.order != Order::Position ? position->use.unit + perTime : std::string();
+}
+
 } // namespace
 
 Heading parseHeading(std::string_view cell)
@@ -167,11 +189,8 @@ void interpretHeadings(std::vector<Heading> &row)
         if (meaning.kind == Kind::Nothing) {
             heading.use.reason = heading.use.heading.empty() ? ColumnReason::NoName : meaning.reason;
         }
-        if (meaning.reason == ColumnReason::ModelicaName && meaning.kind >= Kind::Quantity &&
-            heading.use.unit.empty()) {
-            constexpr std::array kPerTime{"", "/s", "/s2"};
-            const std::string base = isAngle(meaning.channel.coordinate) ? "rad" : "m";
-            heading.use.unit = base + kPerTime[static_cast<std::size_t>(meaning.channel.order)];
+        if (meaning.kind >= Kind::Quantity && heading.use.unit.empty()) {
+            heading.use.unit = impliedUnit(heading, row);
         }
     }
 }

@@ -387,7 +387,7 @@ NameMeaning meaningOf(std::string_view name, const std::string &unit)
     }
     Words words = path.isOfModelica ? Words{'.' + std::string(path.parts.back())} : wordsOf(path.parts.back());
     const bool isNamedTime = isTime(words);
-    if (isNamedTime ? isAmong(unit, kCountedUnits) : isRowNumber(words)) {
+    if (isNamedTime ? isAmong(unit, kCountedUnits) : isRowNumber(words) && !parseUnit(unit)) {
         return {.reason = ColumnReason::RowNumber};
     }
     if (isNamedTime) {

@@ -237,7 +237,9 @@ std::optional<double> findQuantum(std::span<const double> values, double printed
 std::optional<double> findStepOfFive(std::span<const double> values, const Rounding &rounding)
 {
     constexpr std::size_t kFewestValues = 6;  // different ones: one in five is a multiple by chance
-    constexpr double kArithmeticError = 1e-9; // relative to the largest value
+    constexpr double kArithmeticError = 1e-13; // of a unit conversion, relative to the largest value
+    constexpr double kMaxEvenFraction = 0.7;  // even multiples; of six significant digits, most are, and the others by chance
+    constexpr double kMaxErrorOfStep = 0.1;    // relative to a step: with more, every value is a multiple of it
     std::vector<double> levels;
     for (const double value : values) {
         if (std::isfinite(value)) {
@@ -250,16 +252,22 @@ std::optional<double> findStepOfFive(std::span<const double> values, const Round
         return std::nullopt;
     }
     const double tolerance = kArithmeticError * levels.back();
-    const auto areMultiplesOf = [&](double step) {
-        return std::ranges::all_of(
-            levels, [&](double level) { return std::abs(level - step * std::round(level / step)) <= tolerance; });
+    const auto isMultipleOf = [tolerance](double level, double step) {
+        return std::abs(level - step * std::round(level / step)) <= tolerance;
     };
-    int place = rounding.finestPlace;
+    const auto areMultiplesOf = [&](double step) {
+        return std::ranges::all_of(levels, [&](double level) { return isMultipleOf(level, step); });
+    };
+    const int coarserThanErrors = static_cast<int>(std::ceil(std::log10(tolerance / kMaxErrorOfStep)));
+    int place = std::max(rounding.finestPlace, coarserThanErrors);
     while (areMultiplesOf(powerOfTen(place + 1)) && powerOfTen(place + 1) < levels.back()) {
         ++place;
     }
     const double step = 5.0 * powerOfTen(place);
-    return step > tolerance && areMultiplesOf(step) ? std::optional(step * rounding.unitFactor) : std::nullopt;
+    const auto even =
+        std::ranges::count_if(levels, [&](double level) { return isMultipleOf(level, powerOfTen(place + 1)); });
+    const bool areSteps = static_cast<double>(even) <= kMaxEvenFraction * static_cast<double>(levels.size());
+    return areSteps && areMultiplesOf(step) ? std::optional(step * rounding.unitFactor) : std::nullopt;
 }
 
 } // namespace slidercrank

@@ -24,7 +24,7 @@ struct NamedUnit {
 /// Other spellings of units. On Spanish keyboards, the ordinal sign º stands for degrees. Micro has two code points,
 /// one is the Greek letter.
 constexpr std::string_view kUnitSpellings =
-    "1/min=rpm|min^-1=rpm|min-1=rpm|min⁻¹=rpm| per =/|_per_=/|Per=/| pro =/| por =/| par =/| al secondo=/s|"
+    "1/min=rpm|min^-1=rpm|min-1=rpm|min⁻¹=rpm| per =/|_per_=/|_s_2=/s2|Per=/| pro =/| por =/| par =/| al secondo=/s|"
     " squared=2| al cuadrado=2| al quadrato=2| ao quadrado=2|\\mathrm=|\\text=|\\,= |^\\circ=deg|\\circ=deg|\\=|"
     "°=deg|º=deg|\u00B5=u|\u03BC=u|é=e|è=e|ê=e|í=i|ì=i|²=2|¹=1|⁻=-|\u2212=-|"
     " atdc=| ATDC=|aTDC=|ATDC=|\t= |.= |·= |⋅= |**=|*= |×= |_=/|^=|(=|)=|{=|}=|$=";
@@ -33,25 +33,25 @@ std::optional<Unit> unitNamed(std::string_view name)
 {
     using enum Dimension;
     static constexpr std::array<NamedUnit, 20> kUnits{{
-        {"mm millimeter millimetre millimeters millimetres millimetern milimetro milimetros millimetro millimetri",
+        {"mm мм millimeter millimetre millimeters millimetres millimetern milimetro milimetros millimetro millimetri",
          {Length, 0, 1.0}},
-        {"cm centimeter centimetre centimeters centimetres centimetro centimetros centimetri", {Length, 0, 10.0}},
-        {"m meter metre meters metres metern metro metros metri", {Length, 0, 1e3}},
+        {"cm см centimeter centimetre centimeters centimetres centimetro centimetros centimetri", {Length, 0, 10.0}},
+        {"m м meter metre meters metres metern metro metros metri", {Length, 0, 1e3}},
         {"um micron microns", {Length, 0, 1e-3}},
         {"in inch inches pulgada pulgadas zoll", {Length, 0, 25.4}},
         {"ft foot feet", {Length, 0, 304.8}},
         {"g", {Length, 2, 9806.65}},
-        {"deg degs degree degrees degre degres grado grados gradi grau graus graden grader grade grad grd stopnie "
+        {"deg град degs degree degrees degre degres grado grados gradi grau graus graden grader grade grad grd stopnie "
          "stopni derece ca cad "
          "degca cadeg kw degkw",
          {Angle, 0, 1.0}},
         {"dps", {Angle, 1, 1.0}},
-        {"rad radian radians radianes radianos radianti radianen", {Angle, 0, kDegreesPerRadian}},
+        {"rad рад radian radians radianes radianos radianti radianen", {Angle, 0, kDegreesPerRadian}},
         {"mrad", {Angle, 0, 1e-3 * kDegreesPerRadian}},
         {"gon gons gradian gradians grads", {Angle, 0, 0.9}},
         {"rev revs revolution revolutions turn turns r u tr giri obr omw", {Angle, 0, 360.0}},
         {"rpm", {Angle, 1, 6.0}},
-        {"s sec secs second seconds sek sekunde sekunden seconde secondes secondi secondo seconden seg segundo "
+        {"s с сек sec secs second seconds sek sekunde sekunden seconde secondes secondi secondo seconden seg segundo "
          "segundos segon segons sekundy sekund",
          {Time, 0, 1.0}},
         {"ms msec msecs millis millisecond milliseconds milisegundo milisegundos millisekunden millisecondi "

@@ -20,14 +20,15 @@ using Words = std::vector<std::string>;
 constexpr std::string_view kLetterSpellings =
     "á=a|à=a|ă=a|å=a|æ=ae|č=c|ě=e|ë=e|ğ=g|ı=i|î=i|ï=i|ř=r|š=s|ş=s|ș=s|ţ=t|ț=t|ý=y|ů=u|û=u|ž=z|ø=o|ô=o|"
     "â=a|ã=a|ä=a|ą=a|ç=c|ć=c|é=e|è=e|ê=e|ę=e|í=i|ì=i|ó=o|ò=o|ô=o|õ=o|ö=o|ú=u|ù=u|ü=u|ñ=n|ł=l|ś=s|ż=z|"
+    "В=в|К=к|О=о|П=п|С=с|У=у|Х=х|Ш=ш|Ё=е|ё=е|" // first letters of Russian headings
     "Á=A|Â=A|Ä=A|É=E|Í=I|Ó=O|Ö=O|Ú=U|Ü=U|Ñ=N|"
     "\u0300=|\u0301=|\u0303=|a\u0308=a|o\u0308=o|u\u0308=u|A\u0308=A|O\u0308=O|U\u0308=U|" // decomposed accents
     "\u0307='|\u0308=''|ẋ=x'|ẍ=x''|Ẋ=x'|Ẍ=x''|ẏ=y'|ÿ=y''|ṡ=s'|ḋ=d'|ṙ=r'|v̇=v'|′='|’='|´='|″=''|"
     "θ=theta|ϑ=theta|Θ=theta|φ=phi|ϕ=phi|Φ=phi|ψ=psi|Ψ=psi|ω=omega|Ω=omega|α=alpha|β=beta|ε=epsilon|ϵ=epsilon|"
-    "²=2|³=3|⁴=4|₁=1|₂=2|₃=3|₄=4|°=|aTDC=atdc|der(=dot |\\mathrm=|\\text=|\\rm=|\\var=|\\left=|\\right=|\\,=";
+    "ß=ss|²=2|³=3|⁴=4|₁=1|₂=2|₃=3|₄=4|°=|aTDC=atdc|der(=dot |\\mathrm=|\\text=|\\rm=|\\var=|\\left=|\\right=|\\,=";
 
 constexpr std::string_view kTimeWords = "time times t tiempo timestamp stamp zeit zeitpunkt temps tempo instante tijd "
-                                        "czas tid cas timp zaman epoch millis micros";
+                                        "czas tid cas timp zaman epoch millis micros время 时间 時間";
 constexpr std::string_view kTimeCompanions =
     "elapsed row sim simulation simulacion transcurrido de la since start date "
     "relative run latest data set ch";
@@ -36,7 +37,7 @@ constexpr std::string_view kTurnsPerMinute = "rpm drehzahl regime giri revolucio
 constexpr std::string_view kRowNumbers =
     "n no nr num index row id fila frame paso step sample count counter point node nodo element elemento";
 
-/// Returns the vocabulary in languages from English to Polish. Words with a dot are variables of Modelica.
+/// Returns the vocabulary in languages from English to Polish. Words with a dot are variables of Modelica and Simscape.
 std::span<const WordMeaning> vocabulary()
 {
     using enum WordUse;
@@ -49,27 +50,30 @@ std::span<const WordMeaning> vocabulary()
         WordMeaning{Word,
                     "position posicion posizione posicao posicio positie polozenie lage pos displacement disp displ "
                     "desplazamiento deplacement spostamento deslocamento desplacament verplaatsing przemieszczenie "
-                    "verschiebung weg auslenkung abscisse pose konum konumu pozitie poloha draha droga",
+                    "verschiebung weg auslenkung abscisse pose konum konumu pozitie poloha draha droga positionen posiciones "
+                    "положение перемещение 位置 位移 変位",
                     kOpen, Position},
         WordMeaning{Word,
                     "coordinate coordenada coordonnee distance distancia distanza abstand stroke carrera course corsa "
-                    "curso cursa hub travel recorrido slag skok",
+                    "curso cursa hub travel recorrido slag skok координата ход",
                     Length, Position},
         WordMeaning{
             Word,
             "velocity velocidad velocita velocidade velocitat vitesse speed vel geschwindigkeit geschw veloc snelheid "
-            "predkosc rapidez hastighet hastighed rychlost viteza hiz hizi rate twist",
+            "predkosc rapidez hastighet hastighed rychlost viteza hiz hizi rate twist "
+            "velocities velocidades geschwindigkeiten скорость 速度",
             kOpen, Velocity},
         WordMeaning{Word,
                     "acceleration aceleracion accelerazione aceleracao acceleracio accelerometer accel acel acc "
-                    "beschleunigung beschl versnelling przyspieszenie zrychleni acceleratie ivme ivmesi",
+                    "beschleunigung beschl versnelling przyspieszenie zrychleni acceleratie ivme ivmesi "
+                    "aceleraciones beschleunigungen ускорение 加速度",
                     kOpen, Acceleration},
         WordMeaning{Word,
                     "angle angulo angolo rotation rotacion rotazione rotacao giro orientation winkel hoek kat vinkel "
                     "uhel unghi aci acisi "
-                    "inclination inclinacion neigung encoder revolutions revolution",
+                    "inclination inclinacion neigung encoder revolutions revolution угол 角度 转角",
                     Angle, Position},
-        WordMeaning{Word, "ang angular angulaire angolare rotational rotary hoeksnelheid revolute rz", Angle},
+        WordMeaning{Word, "ang angular angulaire angolare rotational rotary hoeksnelheid revolute rz угловая угловое 角", Angle},
         WordMeaning{Word, "linear lineal lineaire lineare translational trans prismatic", Length},
         WordMeaning{Word, "horizontal horizontale tx", Length, kOpen, kOpen, 'x'},
         WordMeaning{Word, "vertical verticale ty", Length, kOpen, kOpen, 'y'},
@@ -79,12 +83,13 @@ std::span<const WordMeaning> vocabulary()
                     "crank input crankshaft wheel flywheel disk disc driver manivela manivelle manovella ciguenal "
                     "vilebrequin virabrequim volante rueda kurbel kurbelwelle schwungrad kruk krukas korba korby vev "
                     "vevaxel klika kliky krank "
+                    "кривошип кривошипа 曲柄 クランク "
                     "link_2 glied_2 eslabon_2 barra_2 membro_2",
                     kOpen, kOpen, Crank},
         WordMeaning{Word, "ca cad kw atdc drehwinkel", Angle, Position, Crank},
         WordMeaning{Word,
                     "coupler rod conrod connecting biela bielle biella acoplador pleuel pleuelstange koppel "
-                    "schubstange drijfstang korbowod korbowodu lacznik vevstake ojnice biyel link_3 glied_3 eslabon_3 "
+                    "schubstange drijfstang korbowod korbowodu lacznik vevstake ojnice biyel шатун шатуна 连杆 コンロッド link_3 glied_3 eslabon_3 "
                     "barra_3",
                     kOpen, kOpen, Coupler},
         WordMeaning{Word,
@@ -92,8 +97,9 @@ std::span<const WordMeaning> vocabulary()
                     "corredissa embolo carro "
                     "carrito cursore cursor pattino coulisseau coulissant crosshead block bloque kolben schieber "
                     "gleitstein schlitten kreuzkopf zuiger schuif suwak suwaka tlok tloka kolv pist pistu wrist "
-                    "gudgeon link_4 glied_4 eslabon_4",
+                    "gudgeon ram plunger ariete stossel ползун ползуна поршень поршня 滑块 活塞 スライダ スライダー ピストン link_4 glied_4 eslabon_4",
                     kOpen, kOpen, Slider},
+        WordMeaning{Word, "schwenkwinkel", Angle, Position, Coupler},
         // Symbols of textbooks. The order of x and θ is that of the unit, or that of a position.
         WordMeaning{Symbol, "x", Length, kOpen, kOpen, 'x'},
         WordMeaning{Symbol, "y", Length, kOpen, kOpen, 'y'},
@@ -103,11 +109,19 @@ std::span<const WordMeaning> vocabulary()
         WordMeaning{Symbol, "theta th tita phi fi psi beta", Angle},
         WordMeaning{Symbol, "omega om w", Angle, Velocity},
         WordMeaning{Symbol, "alpha alfa al epsilon", Angle, Acceleration},
-        WordMeaning{Symbol, ".s", Length, Position},
+        WordMeaning{Symbol, "px", Length, Position, kOpen, 'x'},
+        WordMeaning{Symbol, "py", Length, Position, kOpen, 'y'},
+        WordMeaning{Symbol, "n", Angle, Velocity, Crank}, // with a unit: alone it numbers the rows
+        // Variables of Modelica and Simscape.
+        WordMeaning{Symbol, ".s .p", Length, Position},
         WordMeaning{Symbol, ".v", Length, Velocity},
         WordMeaning{Symbol, ".a", kOpen, Acceleration},
-        WordMeaning{Symbol, ".phi", Angle, Position},
+        WordMeaning{Symbol, ".phi .q", Angle, Position},
         WordMeaning{Symbol, ".w", Angle, Velocity},
+        WordMeaning{Symbol, ".r_0[1]", Length, Position, kOpen, 'x'},
+        WordMeaning{Symbol, ".r_0[2]", Length, Position, kOpen, 'y'},
+        WordMeaning{Symbol, ".v_0[1]", Length, Velocity, kOpen, 'x'},
+        WordMeaning{Symbol, ".a_0[1]", Length, Acceleration, kOpen, 'x'},
         // Indices: the wrist pin is called B or C, or P, K and S after the piston, Kolben and slider.
         WordMeaning{Index, "b c k s", kOpen, kOpen, Slider},
         WordMeaning{Index, "oa", kOpen, kOpen, Crank},
@@ -128,7 +142,7 @@ std::span<const WordMeaning> vocabulary()
             Filler,
             "de del la el da do du di des della delle dello der die das of the van het en au a_la "
             "in con component componente comp latest run set data cm com body centre center field instantaneous "
-            "gemessen measured medido medida pin obrotu"},
+            "gemessen measured medido medida measure mea meas pin obrotu поворота"},
         WordMeaning{Label, "joint gelenk point punkt punto node marker of de del von du di do"},
     };
     return kRows;
