@@ -149,6 +149,8 @@ public:
                "(from the outer dead centre), A_x and A_y, with _diff and _diff2")},
           {"solve limits", "angle-unit", "deg|rad", QT_TR_NOOP("unit of the angles in the output (deg)")},
           {"solve limits", "length-unit", "mm|cm|m|in", QT_TR_NOOP("unit of the lengths in the output (mm)")},
+          {"check", "angle-unit", "deg|rad", QT_TR_NOOP("unit of angles that are written without one (deg)")},
+          {"check", "length-unit", "mm|cm|m|in", QT_TR_NOOP("unit of lengths that are written without one (mm)")},
           {"solve", "format", "csv|json", QT_TR_NOOP("output format (csv)")},
           {"check identify", "format", "text|json", QT_TR_NOOP("output format (text)")},
           {"limits compare study", "format", "text|csv|json", QT_TR_NOOP("output format (text)")},

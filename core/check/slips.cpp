@@ -120,6 +120,18 @@ void approximateByTwoHarmonics(Calculation &hand)
     hand.values.state.qDDot[Theta3] = a * (omega2 * omega2 * sin - hand.alpha2 * cos) / b;
 }
 
+/// Forgets the factor 1/2 that the derivative of sin² θ2 leaves before sin 2θ2.
+void doubleSecondHarmonicOfVelocity(Calculation &hand)
+{
+    const double a = hand.parameters.a;
+    approximateByTwoHarmonics(hand);
+    const double change = -a * a / (2.0 * hand.directedCoupler()) * sinCos({2.0 * hand.parameters.theta20}).sin *
+                          hand.parameters.omega2;
+    const double side = hand.directedCoupler() / hand.parameters.b;
+    hand.values.state.qDot[R4x] += change;
+    hand.values.derived.displacement.velocity -= side * change;
+}
+
 void measureFromInnerDeadCentre(Calculation &hand)
 {
     const auto &[a, b, c, omega2, theta2, branch] = hand.parameters;
@@ -270,6 +282,12 @@ std::span<const SlipRow> allSlips()
              approximateByTwoHarmonics(hand);
              measureTowardsCrank(hand);
          }},
+        {SecondHarmonicDouble, Result, doubleSecondHarmonicOfVelocity},
+        {SecondHarmonicDouble, Result,
+         [](Hand &hand) {
+             doubleSecondHarmonicOfVelocity(hand);
+             measureTowardsCrank(hand);
+         }},
         {CouplerCentre, Result,
          [](Hand &hand) {
              const State &state = hand.values.state;
@@ -325,6 +343,7 @@ constexpr std::array<std::string_view, kSlipCount> kNames{"other-assembly",
                                                           "normals-omitted",
                                                           "harmonic-motion",
                                                           "two-harmonics",
+                                                          "second-harmonic-double",
                                                           "coupler-centre",
                                                           "from-outer-dead-centre",
                                                           "from-inner-dead-centre",

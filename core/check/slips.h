@@ -45,6 +45,7 @@ enum class Slip {
     NormalsOmitted,       ///< both of them
     HarmonicMotion,       ///< of the crank pin A, which is simple harmonic motion, instead of the wrist pin B
     TwoHarmonics,         ///< the approximation x ≈ a cos θ2 + b - a²/4b (1 - cos 2θ2)
+    SecondHarmonicDouble, ///< sin 2θ2 / n for sin 2θ2 / 2n in the velocity of that approximation, n = b/a
     CouplerCentre,        ///< the midpoint of A-B instead of the wrist pin B
     FromOuterDeadCentre,  ///< x counted from the outer dead centre towards the crank
     FromInnerDeadCentre,  ///< x, or the displacement, counted from the inner dead centre outwards
@@ -56,7 +57,7 @@ enum class Slip {
     CouplerAngleRounded   ///< θ3 rounded to three digits before it was used
 };
 
-inline constexpr std::size_t kSlipCount = 30;
+inline constexpr std::size_t kSlipCount = 31;
 
 /// Returns the name of a slip in JSON: "crank-speed-sign".
 std::string_view nameOf(Slip slip);

@@ -169,6 +169,10 @@
         <translation>La aproximación x ≈ a cos θ₂ + b − a²/4b (1 − cos 2θ₂), con sus derivadas,</translation>
     </message>
     <message>
+        <source>sin 2θ₂/n instead of sin 2θ₂/2n in the velocity (n = b/a)</source>
+        <translation>sen 2θ₂/n en lugar de sen 2θ₂/2n en la velocidad (n = b/a)</translation>
+    </message>
+    <message>
         <source>The centre of the coupler instead of the wrist pin B</source>
         <translation>El centro de la biela en lugar del pasador B</translation>
     </message>
@@ -516,10 +520,6 @@
     <message>
         <source>Give the values to be checked, such as x=9.74 v=45.1.</source>
         <translation>Indique los valores que se deben revisar, como x=9.74 v=45.1.</translation>
-    </message>
-    <message>
-        <source>exact: %1</source>
-        <translation>exacto: %1</translation>
     </message>
     <message>
         <source>which slip gives the numbers of a calculation by hand</source>
@@ -1162,6 +1162,8 @@ Equipo: %1. Tiempo: %2 s.
     <message>
         <source>pixels of a picture, instead of --width (frames: 1920x1080)</source>
         <translation>píxeles de la imagen, en lugar de --width (fotogramas: 1920x1080)</translation>
+    </message>
+    <message>
         <source>the mechanism that produced each file</source>
         <translation>el mecanismo que produjo los datos de cada archivo</translation>
     </message>
@@ -1176,6 +1178,14 @@ Equipo: %1. Tiempo: %2 s.
     <message>
         <source>unit of the lengths in the output (mm)</source>
         <translation>unidad de las longitudes en la salida (mm)</translation>
+    </message>
+    <message>
+        <source>unit of angles that are written without one (deg)</source>
+        <translation>unidad de los ángulos que se escriben sin ella (deg)</translation>
+    </message>
+    <message>
+        <source>unit of lengths that are written without one (mm)</source>
+        <translation>unidad de las longitudes que se escriben sin ella (mm)</translation>
     </message>
 </context>
 <context>
@@ -1330,6 +1340,14 @@ Equipo: %1. Tiempo: %2 s.
     <message>
         <source>b/a = %1.</source>
         <translation>b/a = %1.</translation>
+    </message>
+    <message>
+        <source>keep a and b</source>
+        <translation>conservar a y b</translation>
+    </message>
+    <message>
+        <source>A time ratio changes the offset c alone; the stroke follows</source>
+        <translation>La relación de tiempos cambia solo la excentricidad c; la carrera resulta de ella</translation>
     </message>
 </context>
 <context>
@@ -2425,8 +2443,8 @@ PA = %4, PB = %5</translation>
         <translation>Pasar a la configuración abierta: los mismos eslabones, con B a la derecha de A</translation>
     </message>
     <message>
-        <source>Slider-crank drawn to scale: crank %1 mm, coupler %2 mm, offset %3 mm. The keys of the Playback menu move it, the sliders and boxes below change its lengths. Plus, minus and 0 zoom, Control with the arrows moves the drawing, Page Down and Page Up describe its parts one after the other.</source>
-        <translation>Mecanismo biela-manivela dibujado a escala: manivela %1 mm, biela %2 mm, excentricidad %3 mm. Las teclas del menú Reproducción lo mueven; los deslizadores y casillas de abajo cambian sus longitudes. Más, menos y 0 cambian el zoom, Control con las flechas mueve el dibujo, y Av Pág y Re Pág describen sus partes una tras otra.</translation>
+        <source>Slider-crank drawn to scale: crank %1, coupler %2, offset %3. The keys of the Playback menu move it, the sliders and boxes below change its lengths. Plus, minus and 0 zoom, Control with the arrows moves the drawing, Page Down and Page Up describe its parts one after the other.</source>
+        <translation>Mecanismo biela-manivela dibujado a escala: manivela %1, biela %2, excentricidad %3. Las teclas del menú Reproducción lo mueven; los deslizadores y casillas de abajo cambian sus longitudes. Más, menos y 0 cambian el zoom, Control con las flechas mueve el dibujo, y Av Pág y Re Pág describen sus partes una tras otra.</translation>
     </message>
 </context>
 <context>
@@ -3028,6 +3046,26 @@ PA = %4, PB = %5</translation>
         <source>No crank speed gives this velocity here: it is 0 at every speed, as at a dead centre.</source>
         <translation>Ninguna velocidad de la manivela da aquí esta velocidad: es 0 a cualquier velocidad, como en un punto muerto.</translation>
     </message>
+    <message>
+        <source>θ₃ measured at B, and x&lt;sub&gt;B&lt;/sub&gt;, v&lt;sub&gt;B&lt;/sub&gt;, a&lt;sub&gt;B&lt;/sub&gt;, as in textbooks?</source>
+        <translation>¿θ₃ medido en B, y x&lt;sub&gt;B&lt;/sub&gt;, v&lt;sub&gt;B&lt;/sub&gt;, a&lt;sub&gt;B&lt;/sub&gt;, como en los libros de texto?</translation>
+    </message>
+    <message>
+        <source>Use this notation</source>
+        <translation>Usar esta notación</translation>
+    </message>
+    <message>
+        <source>Keep the absolute coordinates</source>
+        <translation>Conservar las coordenadas absolutas</translation>
+    </message>
+    <message>
+        <source>my values</source>
+        <translation>mis valores</translation>
+    </message>
+    <message>
+        <source>Type values of your calculation: they are compared with the exact ones, each to its last digit</source>
+        <translation>Escriba valores de su cálculo: se comparan con los exactos, cada uno hasta su última cifra</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::NewtonPages</name>
@@ -3112,24 +3150,24 @@ PA = %4, PB = %5</translation>
         <translation>Cₜ, por s</translation>
     </message>
     <message>
-        <source>∂C/∂t, in mm/s or rad/s: the velocities follow from C_q dq/dt = −Cₜ</source>
-        <translation>∂C/∂t, en mm/s o rad/s: las velocidades se obtienen de C_q dq/dt = −Cₜ</translation>
+        <source>∂C/∂t, in mm/s or rad/s: the velocities follow from C&lt;sub&gt;q&lt;/sub&gt; dq/dt = −Cₜ</source>
+        <translation>∂C/∂t, en mm/s o rad/s: las velocidades se obtienen de C&lt;sub&gt;q&lt;/sub&gt; dq/dt = −Cₜ</translation>
     </message>
     <message>
         <source>Q_d, per s²</source>
         <translation>Q_d, por s²</translation>
     </message>
     <message>
-        <source>In mm/s² or rad/s²: the accelerations follow from C_q d²q/dt² = Q_d</source>
-        <translation>En mm/s² o rad/s²: las aceleraciones se obtienen de C_q d²q/dt² = Q_d</translation>
+        <source>In mm/s² or rad/s²: the accelerations follow from C&lt;sub&gt;q&lt;/sub&gt; d²q/dt² = Q&lt;sub&gt;d&lt;/sub&gt;</source>
+        <translation>En mm/s² o rad/s²: las aceleraciones se obtienen de C&lt;sub&gt;q&lt;/sub&gt; d²q/dt² = Q&lt;sub&gt;d&lt;/sub&gt;</translation>
     </message>
     <message>
         <source>unit</source>
         <translation>unidad</translation>
     </message>
     <message>
-        <source>Of C; of Cₜ per s, of Q_d per s²</source>
-        <translation>De C; la de Cₜ por s, la de Q_d por s²</translation>
+        <source>Of C; of Cₜ per s, of Q&lt;sub&gt;d&lt;/sub&gt; per s²</source>
+        <translation>De C; la de Cₜ por s, la de Q&lt;sub&gt;d&lt;/sub&gt; por s²</translation>
     </message>
     <message>
         <source>Jacobian C_q, a row for each constraint, a column for each coordinate</source>
@@ -3148,8 +3186,8 @@ PA = %4, PB = %5</translation>
         <translation>Centro de masa: %1</translation>
     </message>
     <message>
-        <source>Condition number κ(C_q) = %1; det C_q = −b cos θ³ = %2 mm</source>
-        <translation>Número de condición κ(C_q) = %1; det C_q = −b cos θ³ = %2 mm</translation>
+        <source>Condition number of the Jacobian κ = %1; its determinant −b cos θ³ = %2 mm</source>
+        <translation>Número de condición del jacobiano κ = %1; su determinante −b cos θ³ = %2 mm</translation>
     </message>
     <message>
         <source>From a rough start: θ₂ exact, θ³ = 0 (crossed: 180°)</source>
@@ -3240,8 +3278,8 @@ digits are lost; it is infinite where the coupler is perpendicular to the slider
 se pierden; es infinito donde la biela es perpendicular a la línea de la corredera.</translation>
     </message>
     <message>
-        <source>The coupler is perpendicular to the slider&apos;s line: the position exists, velocity and acceleration do not, because C_q is singular.</source>
-        <translation>La biela es perpendicular a la línea de la corredera: la posición existe; la velocidad y la aceleración, no, porque C_q es singular.</translation>
+        <source>The coupler is perpendicular to the slider&apos;s line: the position exists, velocity and acceleration do not, because the Jacobian is singular.</source>
+        <translation>La biela es perpendicular a la línea de la corredera: la posición existe; la velocidad y la aceleración, no, porque el jacobiano es singular.</translation>
     </message>
     <message>
         <source>Newton-Raphson did not converge within %1 iterations: allow more iterations or a larger tolerance.</source>
@@ -4064,8 +4102,12 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>d &apos;de&apos; MMMM &apos;de&apos; yyyy, HH:mm</translation>
     </message>
     <message>
-        <source>Values at %1</source>
-        <translation>Valores en %1</translation>
+        <source>At %1</source>
+        <translation>En %1</translation>
+    </message>
+    <message>
+        <source>identified in the file</source>
+        <translation>identificado en el archivo</translation>
     </message>
 </context>
 <context>
@@ -4077,12 +4119,6 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     <message>
         <source>Motion of an offset slider-crank</source>
         <translation>Movimiento de un mecanismo biela-manivela descentrado</translation>
-        <source>identified in the file</source>
-        <translation>identificado en el archivo</translation>
-    </message>
-    <message>
-        <source>Max. relative error: max |model − reference| / |reference| · 100 where the reference is not zero. Rounding step: the largest spacing of neighbouring numbers in the file.</source>
-        <translation>Error relativo máx.: máx |modelo − referencia| / |referencia| · 100 donde la referencia no es cero. Paso de redondeo: la mayor separación entre números contiguos en el archivo.</translation>
     </message>
 </context>
 <context>
@@ -4760,7 +4796,7 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     </message>
     <message>
         <source>Start again at the end (Ctrl+L)</source>
-        <translation>Volver a empezar al llegar al final (Ctrl+L)</translation>
+        <translation>Volver a empezar al llegar al final (Control+L)</translation>
     </message>
     <message>
         <source>&amp;Play or pause</source>
@@ -4873,7 +4909,7 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     </message>
     <message>
         <source>Start, duration, steps, one revolution, and the playback speed (Ctrl+R). A fast crank is slowed to four seconds a revolution.</source>
-        <translation>Inicio, duración, pasos, una revolución y la velocidad de reproducción (Ctrl+R). Una manivela rápida se ralentiza a cuatro segundos por revolución.</translation>
+        <translation>Inicio, duración, pasos, una revolución y la velocidad de reproducción (Control+R). Una manivela rápida se ralentiza a cuatro segundos por revolución.</translation>
     </message>
 </context>
 <context>
@@ -4889,6 +4925,13 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     <message>
         <source>%1 cannot be written: %2. Choose another name or folder.</source>
         <translation>No se puede escribir %1: %2. Elija otro nombre u otra carpeta.</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::TypedValueText</name>
+    <message>
+        <source>exact: %1</source>
+        <translation>exacto: %1</translation>
     </message>
 </context>
 </TS>

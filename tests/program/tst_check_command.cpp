@@ -57,6 +57,12 @@ private slots:
     {
         QCOMPARE(run(QString(kExample) + "x=0.979cm v=-4.146cm/s omega3=5.42rad/s theta3=0.453rad").status, 0);
         QCOMPARE(run("check --a 3in --b 8in --c 2in --at-angle -30deg x=9.79in").status, 0);
+        QCOMPARE(run("check --a 3in --b 8in --c 2in --at-angle -30deg --omega2 -15 --alpha2 -10 --length-unit in "
+                     "--angle-unit rad x=9.79 v=-41.46 a=-709 theta3=0.453 omega3=5.42 mu=64.1deg")
+                     .status,
+                 0);
+        const RunResult inches = run("check --a 3in --b 8in --c 2in --at-angle -30 --length-unit in x=9.80");
+        QVERIFY2(inches.output.contains("exact: 9.792 in  off by 0.00818 in"), inches.output.constData());
         const QJsonObject atB = checkJson("theta3=-154deg")["values"].toArray().first().toObject();
         QCOMPARE(atB["verdict"].toString(), QString("right"));
         QCOMPARE(atB["convention"].toString(), QString("measured-at-B"));

@@ -42,6 +42,7 @@ public:
         QT_TR_NOOP("Omitting both centripetal terms (a ω₂² and b ω₃²)"),
         QT_TR_NOOP("Simple harmonic motion (that of the crank pin A instead of the wrist pin B)"),
         QT_TR_NOOP("The approximation x ≈ a cos θ₂ + b − a²/4b (1 − cos 2θ₂) with its derivatives"),
+        QT_TR_NOOP("sin 2θ₂/n instead of sin 2θ₂/2n in the velocity (n = b/a)"),
         QT_TR_NOOP("The centre of the coupler instead of the wrist pin B"),
         QT_TR_NOOP("Measuring from the outer dead centre towards the crank"),
         QT_TR_NOOP("Measuring from the inner dead centre outwards"),

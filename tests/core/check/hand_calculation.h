@@ -237,6 +237,12 @@ inline const std::vector<SlipCase> kSlipCases{
          hand.alpha3 = (hand.alpha2 * std::cos(hand.theta2) - hand.omega2 * hand.omega2 * std::sin(hand.theta2)) /
                        (hand.side * n);
      }},
+    {"sin 2θ/n", Slip::SecondHarmonicDouble,
+     [](auto &hand) {
+         hand.solve();
+         const double n = hand.side * hand.b / hand.a;
+         hand.v = -hand.a * hand.omega2 * (std::sin(hand.theta2) + std::sin(2.0 * hand.theta2) / n);
+     }},
     {"G3 for B", Slip::CouplerCentre,
      [](auto &hand) {
          hand.solve();

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/text/subscripts.h"
+
+#include <QRegularExpression>
+#include <QTransform>
+
+namespace slidercrank
+{
+
+QString subscriptHtml(const QString &text)
+{
+    static const QRegularExpression kSubscript("_([A-Za-z]+)");
+    return text.toHtmlEscaped().replace(kSubscript, "<sub>\\1</sub>");
+}
+
+QStaticText withSubscripts(const QString &line, const QFont &font)
+{
+    QStaticText text;
+    text.setTextFormat(Qt::PlainText);
+    text.setText(line);
+    if (line.contains(u'_')) {
+        text.setTextFormat(Qt::RichText);
+        text.setText(subscriptHtml(line));
+    }
+    text.prepare(QTransform(), font);
+    return text;
+}
+
+} // namespace slidercrank

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/text/typed_value.h"
+
+#include "core/import/cells.h"
+#include "ui/text/check_text.h"
+#include "ui/text/written_number.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+struct TypedValueText {
+    Q_DECLARE_TR_FUNCTIONS(slidercrank::TypedValueText)
+};
+
+} // namespace
+
+GivenValue TypedValue::given() const
+{
+    return {channel, toCore(written.value), toCore(written.halfStep)};
+}
+
+double TypedValue::toCore(double value) const
+{
+    return unit.toDefault(value) / toFileUnit(measureOf(channel), 1.0);
+}
+
+double TypedValue::fromCore(double value) const
+{
+    return toFileUnit(measureOf(channel), value) / unit.toDefault(1.0);
+}
+
+QString TypedValue::unitBehind() const
+{
+    return unitName == u"°" ? unitName : u' ' + unitName;
+}
+
+TypedValue readTypedValue(const QString &text, const OutputChannel &channel, const Units &units)
+{
+    const Measure measure = measureOf(channel);
+    TypedValue typed;
+    typed.channel = channel;
+    typed.text = text.simplified();
+    typed.unit = {isAngular(measure) ? Dimension::Angle : Dimension::Length, static_cast<int>(orderOf(channel)),
+                  1.0 / fromFileUnit(measure, 1.0, units)};
+    typed.unitName = unitText(measure, units);
+    const std::string number = typed.text.toStdString();
+    typed.written = readWrittenValue(number, typed.unit);
+    const std::string_view unit = splitUnit(number).unit;
+    if (!typed.written.fault && !unit.empty()) {
+        typed.unit = parseUnit(unit).value_or(typed.unit);
+        typed.unitName = QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size()));
+        typed.written = readWrittenValue(number, typed.unit);
+    }
+    return typed;
+}
+
+QString exactText(const TypedValue &typed, const CheckedValue &checked)
+{
+    const double exact = typed.written.value - typed.fromCore(checked.deviation);
+    return TypedValueText::tr("exact: %1")
+        .arg(shortNumber(exact, std::clamp(typed.written.digits + 1, 4, 17)) + typed.unitBehind());
+}
+
+QString verdictText(const TypedValue &typed, const CheckedValue &checked)
+{
+    return checkedValueText(checked, typed.written.digits, typed.fromCore(checked.deviation), typed.unitBehind());
+}
+
+} // namespace slidercrank
