@@ -110,9 +110,8 @@ Positions readAngle(const OptionReader &options, const Mechanism &mechanism, con
 {
     const double theta2 = options.number("at-angle", 0.0, kDegree) / kDegreesPerRadian;
     if (!options.has("omega2-for")) {
-        const bool startsFromRest = mechanism.omega2() == 0.0 && options.has("alpha2");
-        return startsFromRest ? atRest(options, mechanism, theta2)
-                              : Positions{mechanism, {firstTimeAtAngle(options, mechanism, theta2)}};
+        return mechanism.omega2() == 0.0 ? atRest(options, mechanism, theta2)
+                                         : Positions{mechanism, {firstTimeAtAngle(options, mechanism, theta2)}};
     }
     options.refuse({"omega2"}, CommandLine::tr("--omega2-for computes the crank speed: remove %1."));
     const ChannelValue wanted = readChannelValue("omega2-for", options.text("omega2-for"), units);

@@ -80,7 +80,7 @@ private slots:
             {"solve --at 0 --at-angle 30", "remove --at-angle"},
             {"solve --at-angle 30 --steps 5", "remove one"},
             {"solve --at 1 --start 0.5", "remove --start"},
-            {"solve --at-angle 30 --omega2 0", "does not reach 30°"},
+            {"render --output x.png --at-angle 30 --omega2 0", "does not reach 30°"},
             {"solve --at-angle 30 --omega2 1e-300", "different --omega2"},
             {"solve --step-angle 7", "must divide 360"},
             {"solve --step-angle 10 --omega2 0", "stands still"},

@@ -127,7 +127,11 @@ private slots:
             }
         }
         QVERIFY(std::abs(closedForm.at(0, "theta2_diff2") - 25.0 * kDegreesPerRadian) < 1e-9);
-        // From rest, the acceleration alone moves the links.
+        // A crank at rest has the angle, and from rest the acceleration alone moves the links.
+        const CsvTable still(run("solve --omega2 0 --at-angle 60").output);
+        QCOMPARE(still.at(0, "theta2"), 60.0);
+        QCOMPARE(still.at(0, "R4_x"), CsvTable(run("solve --at-angle 60").output).at(0, "R4_x"));
+        QCOMPARE(still.at(0, "R4_x_diff2"), 0.0);
         const CsvTable rest(run("solve --omega2 0 --at-angle 60 --alpha2 5").output);
         QCOMPARE(rest.at(0, "theta2"), 60.0);
         QCOMPARE(rest.at(0, "R4_x_diff"), 0.0);
