@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/mechanism/mechanism_drawing.h"
 
+#include "ui/text/subscripts.h"
+
 #include <QFontInfo>
 #include <QFontMetricsF>
 #include <QPainter>
@@ -40,8 +42,13 @@ void MechanismDrawing::paint(QPainter &painter) const
     for (const Label &label : m_labels) {
         painter.fillRect(label.box, label.paper);
         painter.setPen(label.ink);
-        painter.setFont(label.isSmall ? m_smallFont : m_font);
-        painter.drawText(label.box, label.alignment, label.text);
+        const QFont &font = label.isSmall ? m_smallFont : m_font;
+        painter.setFont(font);
+        if (label.text.contains(u'_')) {
+            painter.drawStaticText(label.box.topLeft(), withSubscripts(label.text, font));
+        } else {
+            painter.drawText(label.box, label.alignment, label.text);
+        }
     }
 }
 

@@ -82,10 +82,24 @@ void MechanismSketch::addMotionArrows(const ArrowScale &arrows, bool withCentreO
             const double shortened = std::min(1.0, arrows.largest / amount);
             const double mmPerUnit = shortened * arrows.length / arrows.amount;
             const QPointF tail(motion.position.x, motion.position.y);
-            addArrow(toPixels(tail), toPixels(tail + mmPerUnit * QPointF(vector.x, vector.y)), arrows,
-                     shortened < 1.0 - 1e-9);
+            const QPointF tip = toPixels(tail + mmPerUnit * QPointF(vector.x, vector.y));
+            addArrow(toPixels(tail), tip, arrows, shortened < 1.0 - 1e-9);
+            addArrowName({toPixels(tail), tip}, point, arrows);
         }
     }
+}
+
+/// Adds the name of an arrow at its tip, unless the arrow is too short to be distinguished.
+void MechanismSketch::addArrowName(const QLineF &arrow, LinkagePoint point, const ArrowScale &arrows)
+{
+    constexpr double kShortest = 12.0; // px
+    constexpr double kGap = 3.0;
+    if (arrow.length() < kShortest || !QRectF(QPointF(), size).contains(arrow.p2())) {
+        return;
+    }
+    const QStringList points{"A", "B", "G₃"}; // in the order of LinkagePoint
+    const QString name = QLatin1String(arrows.isOfVelocity() ? "v_" : "a_") + points[static_cast<int>(point)];
+    addLabelBeside(arrow.p2(), unitVector(arrow.p2() - arrow.p1()), kGap, name, m_ink, true);
 }
 
 /// Adds the coupler's instant centre P with rays to A and B.

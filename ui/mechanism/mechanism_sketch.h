@@ -71,6 +71,7 @@ private:
     QLineF addOutline(const ReferencePose &pose, const QPen &pen);
 
     void addArrow(QPointF tail, QPointF tip, const ArrowScale &arrows, bool isCut);
+    void addArrowName(const QLineF &arrow, LinkagePoint point, const ArrowScale &arrows);
     void addMotionArrows(const ArrowScale &arrows, bool withCentreOfMass);
     void addInstantCentre();
     void addInstantCentreText(const InstantCentre &centre, int line);

@@ -6,7 +6,7 @@
 
 #include "ui/document/setting_action.h"
 #include "ui/mechanism/mechanism_text.h"
-#include "ui/text/written_number.h"
+#include "ui/text/notation.h"
 
 #include <QApplication>
 #include <QFontInfo>
@@ -183,10 +183,10 @@ void MechanismView::describe()
                               : tr("Flip to the open assembly: the same links, with B to the right of A"));
     m_flip->show();
     setAccessibleDescription(
-        tr("Slider-crank drawn to scale: crank %1 mm, coupler %2 mm, offset %3 mm. The keys of the Playback menu move "
+        tr("Slider-crank drawn to scale: crank %1, coupler %2, offset %3. The keys of the Playback menu move "
            "it, the sliders and boxes below change its lengths. Plus, minus and 0 zoom, Control with the arrows moves "
            "the drawing, Page Down and Page Up describe its parts one after the other.")
-            .arg(numberText(mechanism.a()), numberText(mechanism.b()), numberText(mechanism.c())));
+            .arg(lengthText(mechanism.a()), lengthText(mechanism.b()), lengthText(mechanism.c())));
 }
 
 void MechanismView::setPose(const Pose &pose)

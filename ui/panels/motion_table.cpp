@@ -38,16 +38,6 @@ std::vector<OutputChannel> derivedChannels(DerivedQuantity quantity)
             DerivedChannel{quantity, Order::Acceleration}};
 }
 
-/// Returns 0 for a value that is only a rounding error of the channel's natural size.
-double withoutNoise(double value, const OutputChannel &channel, const Mechanism &mechanism, double alpha2)
-{
-    constexpr double kRounding = 1e-12;
-    const double length = isAngular(measureOf(channel)) ? 1.0 : characteristicLength(mechanism.parameters());
-    const double rate = std::hypot(mechanism.omega2(), std::sqrt(std::abs(alpha2)));
-    const double size = length * std::pow(rate, static_cast<int>(orderOf(channel)));
-    return std::abs(value) < kRounding * size ? 0.0 : value;
-}
-
 TableCell tableNumber(double value)
 {
     return numberCell(value, shortNumber(value, kTableDigits));

@@ -39,7 +39,7 @@ constexpr Equation kEquations[kCoordinateCount] = {{"x", "Rₓ¹ = 0"},
 
 QString symbolText(Coordinate coordinate)
 {
-    return symbolText(Channel{coordinate, Order::Position});
+    return absoluteSymbolText({coordinate, Order::Position});
 }
 
 bool isAngle(Constraint row)
@@ -138,7 +138,7 @@ QString statusSentence(Status status, const NewtonOptions &options)
         // in the order of Status
         {},
         NewtonPages::tr("The coupler is perpendicular to the slider's line: the position exists, velocity and "
-                        "acceleration do not, because C_q is singular."),
+                        "acceleration do not, because the Jacobian is singular."),
         NewtonPages::tr("Newton-Raphson did not converge within %1 iterations: allow more iterations or a larger "
                         "tolerance.")
             .arg(QString::number(options.maxIterations)),
@@ -156,11 +156,11 @@ Page NewtonPages::equations(const Result &result, double time)
         tr("Equations, a row for each constraint"),
         {{tr("joint"), tr("Joint that the equation describes"), "joint", false},
          {tr("equation"), tr("C(q, t) = 0; bodies as superscripts: 1 ground, 2 crank, 3 coupler, 4 slider"), "equation",
-          false},
+          false, true},
          {tr("C"), tr("Residual of the equation, in mm or rad"), "C"},
-         {tr("Cₜ, per s"), tr("∂C/∂t, in mm/s or rad/s: the velocities follow from C_q dq/dt = −Cₜ"), "C_t"},
-         {tr("Q_d, per s²"), tr("In mm/s² or rad/s²: the accelerations follow from C_q d²q/dt² = Q_d"), "Q_d"},
-         {tr("unit"), tr("Of C; of Cₜ per s, of Q_d per s²"), "unit", false}}};
+         {tr("Cₜ, per s"), tr("∂C/∂t, in mm/s or rad/s: the velocities follow from C<sub>q</sub> dq/dt = −Cₜ"), "C_t"},
+         {tr("Q_d, per s²"), tr("In mm/s² or rad/s²: the accelerations follow from C<sub>q</sub> d²q/dt² = Q<sub>d</sub>"), "Q_d"},
+         {tr("unit"), tr("Of C; of Cₜ per s, of Q<sub>d</sub> per s²"), "unit", false}}};
     for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
         const auto row = static_cast<Constraint>(i);
         table.rows.push_back({{{.text = constraintName(row)},
@@ -210,7 +210,7 @@ Page NewtonPages::jacobian(const Result &result, double time)
     }
     page.tables = {table};
     if (equations.hasPosition()) {
-        page.note = tr("Condition number κ(C_q) = %1; det C_q = −b cos θ³ = %2 mm")
+        page.note = tr("Condition number of the Jacobian κ = %1; its determinant −b cos θ³ = %2 mm")
                         .arg(shortNumber(conditionNumber(equations.Cq)), shortNumber(equations.determinant));
     }
     return page;
@@ -275,7 +275,7 @@ Page NewtonPages::coordinates(const Result &result, double time)
     PageTable table{
         "coordinateTable",
         tr("Coordinates, a row for each"),
-        {{tr("coordinate"), tr("Centre of mass and angle of each body"), "coordinate", false},
+        {{tr("coordinate"), tr("Centre of mass and angle of each body"), "coordinate", false, true},
          {tr("body"), {}, "body", false},
          {tr("position"), tr("q, in mm or °"), "position"},
          {tr("velocity, per s"), tr("dq/dt, in mm/s or °/s"), "velocity"},

@@ -4,6 +4,7 @@
 #include "ui/document/session.h"
 #include "ui/panels/table_panel.h"
 #include "ui/text/notation.h"
+#include "ui/text/subscripts.h"
 #include "ui/text/theme.h"
 #include "ui/text/written_number.h"
 #include "ui/widgets/named.h"
@@ -126,15 +127,14 @@ private:
         if (line.length() < kShortest) {
             return;
         }
-        const QString text = vectorText(placed.vector);
-        const QFontMetricsF metrics(m_painter.font());
-        QRectF box(0.0, 0.0, metrics.horizontalAdvance(text) + 2.0, metrics.height());
+        const QStaticText text = withSubscripts(vectorText(placed.vector), m_painter.font());
+        QRectF box(QPointF(), text.size());
         const QLineF normal = line.normalVector().unitVector();
         const double side = isSum(placed.vector) ? -1.0 : 1.0;
         const double apart = 0.5 * (std::abs(normal.dx()) * box.width() + std::abs(normal.dy()) * box.height()) + 2.0;
         box.moveCenter(line.center() + side * apart * QPointF(normal.dx(), normal.dy()));
         m_painter.setPen(m_palette.color(QPalette::Text));
-        m_painter.drawText(box, Qt::AlignCenter, text);
+        m_painter.drawStaticText(box.topLeft(), text);
     }
 
     void drawPole()

@@ -115,6 +115,7 @@ ResponseView::ResponseView(Session *session, QWidget *parent)
     , m_sentence(named("responseSentence", plainText()))
 {
     named("responseView", this, tr("How the limits depend on a parameter"));
+    m_sentence->setTextInteractionFlags(Qt::TextSelectableByMouse); // without a caret
     for (const Parameter parameter : kVariedParameters) {
         m_parameter->addItem(tr("Response to %1").arg(symbolText(parameter)));
     }
@@ -140,6 +141,7 @@ ResponseView::ResponseView(Session *session, QWidget *parent)
         chart->setCursor(Qt::SizeHorCursor);
         chart->installEventFilter(this);
         m_titles[i] = plainText();
+        m_titles[i]->setTextInteractionFlags(Qt::NoTextInteraction); // a click would leave a caret
         grid->setColumnStretch(static_cast<int>(i), 1);
         grid->addWidget(m_titles[i], 0, static_cast<int>(i));
         grid->addWidget(chart, 1, static_cast<int>(i));

@@ -340,8 +340,8 @@ std::optional<PlotCursor> PlotFigure::cursorAt(std::size_t index, double time, c
         const QPointF place(plot.timeAxis->coordToPixel(read.t), plot.valueAxis->coordToPixel(reading.value));
         if (QRectF(plot.axes->rect()).adjusted(-1.0, -1.0, 1.0, 1.0).contains(place)) {
             // On a linear axis, a value that is far below a pixel is the rounding error of zero.
-            const bool isZero = reading.value == reading.number &&
-                                std::abs(reading.number) < kRoundingError * plot.valueAxis->range().size();
+            const double range = shownScaleOf(index).factor * plot.valueAxis->range().size();
+            const bool isZero = !isLogarithmic(index) && std::abs(reading.number) < kRoundingError * range;
             cursor.labels.push_back(
                 {QStaticText(shortNumber(isZero ? 0.0 : reading.number)), m_colours.*reading.ink, place});
         }

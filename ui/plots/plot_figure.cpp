@@ -6,6 +6,7 @@
 
 #include "ui/plots/plot_drawing.h"
 #include "ui/text/finding_text.h"
+#include "ui/text/subscripts.h"
 
 #include <QFontMetricsF>
 
@@ -99,7 +100,7 @@ void PlotFigure::applyStyle(const PlotStyle &style)
         m_drawing->plotLayout()->addElement(static_cast<int>(plot.row), static_cast<int>(place % columns), plot.axes);
         plot.ticker.reset(new NumberTicker);
         for (const QString &title : titles(index)) {
-            plot.titles.emplace_back(title).prepare({}, m_fonts.title);
+            plot.titles.push_back(withSubscripts(title, m_fonts.title));
         }
         plot.timeAxis->setTicker(m_timeTicker);
         plot.valueAxis->setTicker(plot.ticker);

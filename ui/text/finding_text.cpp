@@ -91,6 +91,11 @@ QString symbolText(Channel channel)
             channel.coordinate == Theta3 ? QStringList{"θ₃", "ω₃", "α₃"} : QStringList{"x_B", "v_B", "a_B"};
         return symbols[static_cast<qsizetype>(channel.order)];
     }
+    return absoluteSymbolText(channel);
+}
+
+QString absoluteSymbolText(Channel channel)
+{
     const bool isAngular = isAngle(channel.coordinate);
     const bool isStroke = channel.coordinate == R4x && channel.order != Order::Position;
     const QString body = channel.coordinate == Theta2 ? "₂" : QStringLiteral("¹²³⁴").mid(channel.coordinate / 3, 1);

@@ -29,6 +29,9 @@ QString errorText(std::optional<double> value);
 /// have their own letters because fonts misplace the dot of θ̇, and the superscript of d²θ³/dt² looks like a cube.
 QString symbolText(Channel channel);
 
+/// Returns the symbol of a channel in absolute coordinates, which the equations are written in: "θ³", "Rₓ⁴".
+QString absoluteSymbolText(Channel channel);
+
 /// Returns the name of a channel: "coupler angle", "slider velocity".
 QString quantityName(Channel channel);
 

@@ -2,6 +2,7 @@
 #include "ui/widgets/number_table.h"
 
 #include "ui/text/record.h"
+#include "ui/text/subscripts.h"
 #include "ui/text/theme.h"
 #include "ui/text/written_number.h"
 #include "ui/widgets/named.h"
@@ -11,10 +12,14 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QPainter>
+#include <QScopedValueRollback>
 #include <QStandardItemModel>
+#include <QStyledItemDelegate>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace slidercrank
 {
@@ -33,6 +38,69 @@ int alignmentOf(const TableColumn &column)
 {
     return static_cast<int>((column.isNumber ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
 }
+
+void drawFormula(QPainter &painter, const QRect &box, Qt::Alignment alignment, const QString &formula)
+{
+    const QStaticText text = withSubscripts(formula, painter.font());
+    const QSize size = text.size().toSize();
+    painter.setClipRect(box);
+    painter.drawStaticText(QStyle::alignedRect(Qt::LeftToRight, alignment, size, box).topLeft(), text);
+}
+
+/// Headings with subscripts.
+class FormulaHeader : public QHeaderView
+{
+public:
+    explicit FormulaHeader(QWidget *parent)
+        : QHeaderView(Qt::Horizontal, parent)
+    {
+        setSectionsClickable(true);
+    }
+
+protected:
+    void paintSection(QPainter *painter, const QRect &box, int section) const override
+    {
+        const QString title = model()->headerData(section, Qt::Horizontal).toString();
+        if (!title.contains(u'_')) {
+            QHeaderView::paintSection(painter, box, section);
+            return;
+        }
+        QStyleOptionHeaderV2 option;
+        initStyleOption(&option);
+        initStyleOptionForIndex(&option, section);
+        option.rect = box;
+        option.text.clear();
+        style()->drawControl(QStyle::CE_Header, &option, painter, this);
+        painter->save();
+        painter->setPen(option.palette.color(QPalette::ButtonText));
+        const int margin = style()->pixelMetric(QStyle::PM_HeaderMargin, &option, this);
+        drawFormula(*painter, box.adjusted(margin, 0, -margin, 0), option.textAlignment, title);
+        painter->restore();
+    }
+};
+
+/// Cells with subscripts.
+class FormulaDelegate : public QStyledItemDelegate
+{
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    void paint(QPainter *painter, const QStyleOptionViewItem &given, const QModelIndex &index) const override
+    {
+        QStyleOptionViewItem option = given;
+        initStyleOption(&option, index);
+        const QString formula = std::exchange(option.text, {});
+        const QStyle *style = option.widget->style();
+        style->drawControl(QStyle::CE_ItemViewItem, &option, painter, option.widget);
+        const int margin = style->pixelMetric(QStyle::PM_FocusFrameHMargin, &option, option.widget) + 1;
+        const bool isSelected = option.state.testFlag(QStyle::State_Selected);
+        painter->save();
+        painter->setFont(option.font);
+        painter->setPen(option.palette.color(isSelected ? QPalette::HighlightedText : QPalette::Text));
+        drawFormula(*painter, option.rect.adjusted(margin, 0, -margin, 0), option.displayAlignment, formula);
+        painter->restore();
+    }
+};
 
 } // namespace
 
@@ -71,12 +139,16 @@ NumberTable::NumberTable(const QString &name, const QString &title, std::vector<
     , m_model(new QStandardItemModel(0, static_cast<int>(m_columns.size()), this))
 {
     named(name, this, title);
+    setHorizontalHeader(new FormulaHeader(this));
     for (int column = 0; column < m_model->columnCount(); ++column) {
         const TableColumn &described = m_columns[static_cast<std::size_t>(column)];
         auto *heading = new QStandardItem(described.title);
         heading->setToolTip(described.explanation);
         heading->setData(alignmentOf(described), Qt::TextAlignmentRole);
         m_model->setHorizontalHeaderItem(column, heading);
+        if (described.isFormula) {
+            setItemDelegateForColumn(column, new FormulaDelegate(this));
+        }
     }
     setModel(m_model);
     setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -100,7 +172,19 @@ NumberTable::NumberTable(const QString &name, const QString &title, std::vector<
         emit partHovered(m_rows[static_cast<std::size_t>(index.row())].part);
         emit rowHovered(index.row());
     });
+    connect(m_model, &QStandardItemModel::itemChanged, this, [this](const QStandardItem *item) {
+        if (!m_isFilling && item->row() == m_editableRow) {
+            emit typed(item->column(), item->text());
+        }
+    });
     fitColumns();
+}
+
+void NumberTable::setEditable(int row, int firstColumn)
+{
+    m_editableRow = row;
+    m_firstEditableColumn = firstColumn;
+    setEditTriggers(QAbstractItemView::AllEditTriggers);
 }
 
 void NumberTable::setRows(std::vector<TableRow> rows)
@@ -117,6 +201,7 @@ void NumberTable::setRows(std::vector<TableRow> rows)
 /// Writes the rows into the model, which reports only the cells that change.
 void NumberTable::fillCells()
 {
+    const QScopedValueRollback filling(m_isFilling, true);
     for (int row = 0; row < m_model->rowCount(); ++row) {
         const TableRow &content = m_rows[static_cast<std::size_t>(row)];
         for (int column = 0; column < m_model->columnCount(); ++column) {
@@ -129,6 +214,9 @@ void NumberTable::fillCells()
             m_model->setData(index, cell.text, Qt::DisplayRole);
             m_model->setData(index, alignmentOf(m_columns[static_cast<std::size_t>(column)]), Qt::TextAlignmentRole);
             m_model->setData(index, toneColour(cell.tone, palette()), Qt::ForegroundRole);
+            if (m_editableRow >= 0) {
+                m_model->itemFromIndex(index)->setEditable(row == m_editableRow && column >= m_firstEditableColumn);
+            }
             const QSignalBlocker quiet(m_model); // a new tool tip needs no repaint
             m_model->setData(index,
                              content.explanation.isEmpty() && cell.number ? typedNumberText(*cell.number)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A read-only table of names and numbers. It shows four significant digits and copies every digit, as CSV with a
+// A table of names and numbers, which can be typed into at most one row. It shows four significant digits and copies every digit, as CSV with a
 // decimal point. It reports the part of the mechanism that the row under the mouse describes, and the time that a row
 // leads to.
 
@@ -25,7 +25,8 @@ struct TableColumn {
     QString title;
     QString explanation = {}; ///< tool tip of the title
     QString csvName = {};
-    bool isNumber = true; ///< aligned to the right
+    bool isNumber = true;   ///< aligned to the right
+    bool isFormula = false; ///< the letters behind an underscore are subscripts
 };
 
 struct TableCell {
@@ -60,6 +61,9 @@ public:
     /// Replaces the rows. Only the cells that change are painted again.
     void setRows(std::vector<TableRow> rows);
 
+    /// Lets a person type into that row, from that column on; typed() reports the text, and setRows() has to show it.
+    void setEditable(int row, int firstColumn);
+
     QSize contentSize() const; ///< size of the headings and all rows, px
 
 public slots:
@@ -70,6 +74,7 @@ signals:
     void partHovered(slidercrank::MechanismPart part); ///< None: no row is under the mouse
     void rowHovered(int row);                          ///< the row under the mouse; -1: none
     void timeRequested(double seconds);
+    void typed(int column, const QString &text); ///< into the row that can be edited
 
 protected:
     bool event(QEvent *event) override;
@@ -83,6 +88,9 @@ private:
 
     std::vector<TableColumn> m_columns;
     std::vector<TableRow> m_rows{};
+    int m_editableRow = -1; ///< -1: none
+    int m_firstEditableColumn = 0;
+    bool m_isFilling = false;
     QStandardItemModel *m_model;
 };
 
