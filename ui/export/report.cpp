@@ -20,6 +20,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 namespace slidercrank
 {
@@ -231,6 +233,15 @@ public:
     /// Whether no line is wider than the page.
     bool fits() const { return m_document.size().width() <= m_document.pageSize().width() + 0.5; }
 
+    /// Whether the last page has only a few lines.
+    bool endsWithFewLines() const
+    {
+        constexpr double kFew = 0.1; // of the page
+        const double page = m_document.pageSize().height();
+        const double end = m_document.documentLayout()->blockBoundingRect(m_document.lastBlock()).bottom();
+        return m_document.pageCount() > 1 && end - (m_document.pageCount() - 1) * page < kFew * page;
+    }
+
     /// Prints the pages with their numbers.
     void print(QPdfWriter &writer, const QMarginsF &margins)
     {
@@ -286,13 +297,19 @@ std::optional<QString> exportReport(const QString &path, const ReportContent &co
     const QSizeF text(page.width() - 2.0 * kMargin, page.height() - 2.0 * kMargin - kFooter);
     const auto fill = [&](QPdfWriter &writer) {
         writer.setPageMargins(QMarginsF());
-        for (int letters = kLargestLetters; letters >= kSmallestLetters; --letters) {
-            LaidOutReport report(content, letterFont(letters), text, mechanism, figure);
-            if (report.fits() || letters == kSmallestLetters) {
-                report.print(writer, margins);
-                return;
-            }
+        int letters = kLargestLetters;
+        const auto layOut = [&](int size) {
+            return std::make_unique<LaidOutReport>(content, letterFont(size), text, mechanism, figure);
+        };
+        std::unique_ptr<LaidOutReport> report = layOut(letters);
+        while (letters > kSmallestLetters && !report->fits()) {
+            report = layOut(--letters);
         }
+        if (report->endsWithFewLines() && letters > kSmallestLetters) { // slightly smaller letters need a page less
+            std::unique_ptr<LaidOutReport> smaller = layOut(letters - 1);
+            report = smaller->endsWithFewLines() ? std::move(report) : std::move(smaller);
+        }
+        report->print(writer, margins);
     };
     return writeWhole(path, makePdf(paper, ReportLayout::tr("Motion of an offset slider-crank"), fill));
 }

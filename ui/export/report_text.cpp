@@ -6,12 +6,15 @@
 #include "ui/text/finding_text.h"
 #include "ui/text/identification_text.h"
 #include "ui/text/motion_facts.h"
+#include "ui/text/notation.h"
+#include "ui/text/subscripts.h"
 #include "ui/text/written_number.h"
 
 #include <QCoreApplication>
 #include <QLocale>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace slidercrank
@@ -62,37 +65,50 @@ QString table(const std::vector<QStringList> &rows, LastColumn last = LastColumn
             html += QStringLiteral("<%1 class=%2 align=%3>%4</%1>")
                         .arg(QLatin1String(&row == &rows.front() ? "th" : "td"),
                              QLatin1String(isText ? "text" : "unbroken"),
-                             QLatin1String(isText || i == 0 ? "left" : "right"), row[i].toHtmlEscaped());
+                             QLatin1String(isText || i == 0 ? "left" : "right"), subscriptHtml(row[i]));
         }
         html += "</tr>";
     }
     return html + "</table>";
 }
 
-/// Returns the values of the plotted channels at the chosen time.
+/// Returns the values of coupler and slider at the chosen position.
 QString valueTable(const ReportContent &content)
 {
-    const Result &result = *content.result;
-    const Trajectory values = sample(result.mechanism, std::vector{content.time}, plottedChannels(), result.solver);
-    std::vector<QStringList> rows{{QString(), Report::tr("coupler"), Report::tr("slider")},
+    const Mechanism &mechanism = content.result->mechanism;
+    const OutputState state = outputStateAt(mechanism, content.time, content.alpha2);
+    const auto equation = [&](const OutputChannel &channel) {
+        const double exact = withoutNoise(state.valueOf(channel), channel, mechanism, content.alpha2);
+        const double value = shownChannel(channel, mechanism.branch(), exact);
+        return QStringLiteral("%1 = %2").arg(symbolOf(channel),
+                                             withUnit(shortNumber(value, kDigits), shownUnit(channel)));
+    };
+    std::vector<QStringList> rows{{QString(), Report::tr("coupler"), Report::tr("slider"), QString()},
                                   {Report::tr("position")},
                                   {Report::tr("velocity")},
                                   {Report::tr("acceleration")}};
     for (const Channel channel : kPlottedChannels) {
-        const double value = values[channel].front();
-        const QString unit = unitText(channel);
-        const QString space = unit.startsWith(u'°') ? QString() : QString(QChar::Nbsp);
-        rows[static_cast<std::size_t>(channel.order) + 1]
-            << QStringLiteral("%1 = %2%3%4").arg(symbolText(channel), shortNumber(value, kDigits), space, unit);
+        rows[static_cast<std::size_t>(channel.order) + 1] << equation(channel);
     }
-    return table(rows);
+    const DerivedChannel mu{DerivedQuantity::TransmissionAngle, Order::Position};
+    const DerivedChannel displacement{DerivedQuantity::Displacement, Order::Position};
+    return table(rows) + paragraph(QStringLiteral("%1: %2; %3: %4.")
+                                       .arg(nameText(mu), equation(mu), nameText(displacement), equation(displacement)));
 }
 
 QString crankText(const ReportContent &content)
 {
     const Mechanism &mechanism = content.result->mechanism;
     const double theta2 = mechanism.theta20() + mechanism.omega2() * content.time;
-    return QStringLiteral("θ₂ = %1°, t = %2 s").arg(fixedText(kDegreesPerRadian * theta2, 2), numberText(content.time));
+    const Units &units = notation().units;
+    const double step = units.angle == AngleUnit::Radian ? 1e-4 : 1e-2;
+    const double shown = std::round(shownValue(Measure::Angle, theta2, units) / step) * step;
+    QString text = QStringLiteral("θ₂ = %1, t = %2 s")
+                       .arg(withUnit(numberText(shown), shownUnit(Measure::Angle)), numberText(content.time));
+    if (content.alpha2 != 0.0) {
+        text += QStringLiteral(", α₂ = %1 rad/s²").arg(numberText(content.alpha2));
+    }
+    return text;
 }
 
 QString pinnedText(const Result &result)
@@ -240,7 +256,7 @@ QString reportHtml(const ReportContent &content)
                     .arg(QLocale().toString(content.written.toLocalTime(), Report::tr("d MMMM yyyy, HH:mm")),
                          QCoreApplication::applicationName(), QCoreApplication::applicationVersion())) +
            (hasFoundMechanism(content) ? below : beside).arg(parameterTable(content), kMechanismPlace) + note(caption) +
-           heading(Report::tr("Values at %1").arg(crankText(content))) + valueTable(content) +
+           heading(Report::tr("At %1").arg(crankText(content))) + valueTable(content) +
            heading(Report::tr("Motion limits")) + paragraph(mobilitySentence(result.mechanism, result.limits)) +
            table(limitTable(motionFacts(result.mechanism, result.limits, result.sampling, notation()))) +
            heading(Report::tr("Motion")) + paragraph(pinnedText(result)) +

@@ -8,6 +8,7 @@
 #include "ui/export/motion_csv.h"
 #include "ui/export/report.h"
 #include "ui/mechanism/mechanism_view.h"
+#include "ui/panels/motion_table_panel.h"
 #include "ui/panels/timeline.h"
 #include "ui/plots/plot_grid.h"
 #include "ui/text/theme.h"
@@ -170,7 +171,7 @@ void Exports::chooseReport()
 
 void Exports::writeReport(const QString &path, PaperSize paper)
 {
-    ReportContent content{m_session->result(), {}, m_session->time(), paper};
+    ReportContent content{m_session->result(), {}, m_session->time(), m_views.table->settings().alpha2, paper};
     if (const auto &reference = content.result->choices.reference) {
         const auto &identification = m_session->identification();
         if (!identification || identification->reference != reference ||

@@ -261,7 +261,7 @@ private slots:
         const ReportText report(contentWith(65.0, referenceIn({kSample})));
         qsizetype at = 0;
         for (const char *words :
-             {"b, coupler", "[mechanism]", "Values at θ₂ = 0", "Motion limits", "[figure]", "Method", "Errors"}) {
+             {"b, coupler", "[mechanism]", "At θ₂ = 0°", "Motion limits", "[figure]", "Method", "Errors"}) {
             at = report.text.indexOf(words, at);
             QVERIFY2(at >= 0, words);
         }
