@@ -13,6 +13,7 @@
 #include "ui/widgets/number_slider.h"
 #include "ui/widgets/paragraph.h"
 
+#include <QCheckBox>
 #include <QFormLayout>
 #include <QToolButton>
 
@@ -25,6 +26,7 @@ namespace slidercrank
 DesignForm::DesignForm(Session *session, QWidget *parent)
     : QWidget(parent)
     , m_session(session)
+    , m_keepsLinks(named("designKeepsLinks", new QCheckBox))
     , m_best(named("designBest", new QToolButton))
     , m_lengths(named("designLengths", plainText()))
     , m_refusal(named("designRefusal", plainText()))
@@ -36,7 +38,11 @@ DesignForm::DesignForm(Session *session, QWidget *parent)
     connect(m_timeRatio, &NumberBox::edited, this, [this](double timeRatio) {
         // The slower stroke remains the same one, unless the ratio is below 1.
         const double wanted = m_parameters.c < 0.0 ? 1.0 / timeRatio : timeRatio;
-        requestDesign(with(m_wanted, &DesignRequest::timeRatio, wanted));
+        if (m_keepsLinks->isChecked()) {
+            requestOffset(wanted);
+        } else {
+            requestDesign(with(m_wanted, &DesignRequest::timeRatio, wanted));
+        }
     });
     connect(m_transmissionAngle, &NumberBox::edited, this, [this](double degrees) {
         requestDesign(with(m_wanted, &DesignRequest::transmissionAngle, degrees / kDegreesPerRadian));
@@ -66,6 +72,9 @@ void DesignForm::createControls()
         form, "designTimeRatio", tr("Time ratio"), new NumberBox,
         tr("Type a time ratio: the mechanism with the largest minimum transmission angle is chosen, the stroke "
            "stays. A ratio below 1 exchanges the forward and the return stroke."));
+    m_keepsLinks->setText(tr("keep a and b"));
+    m_keepsLinks->setToolTip(tr("A time ratio changes the offset c alone; the stroke follows"));
+    form->addRow(QString(), m_keepsLinks);
     m_transmissionAngle = addField(form, "designTransmissionAngle", tr("Minimum transmission angle"), new NumberBox,
                                    tr("Type the smallest transmission angle that you accept: the mechanism with the "
                                       "largest minimum transmission angle is chosen, stroke and time ratio stay"));
@@ -146,7 +155,23 @@ void DesignForm::requestStroke(double stroke)
 
 void DesignForm::requestDesign(const DesignRequest &request)
 {
-    const std::variant<Lengths, DesignFault> designed = design(request);
+    accept(design(request), request);
+}
+
+/// Changes the offset alone; the stroke follows from it.
+void DesignForm::requestOffset(double timeRatio)
+{
+    DesignRequest request = with(m_wanted, &DesignRequest::timeRatio, timeRatio);
+    const std::variant<Lengths, DesignFault> designed = designOffset(m_parameters.a, m_parameters.b, timeRatio);
+    if (const Lengths *lengths = std::get_if<Lengths>(&designed)) {
+        const Mechanism mechanism(with(m_parameters, &Parameters::c, lengths->c));
+        request.stroke = motionLimits(mechanism).stroke.value_or(m_wanted.stroke);
+    }
+    accept(designed, request);
+}
+
+void DesignForm::accept(const std::variant<Lengths, DesignFault> &designed, const DesignRequest &request)
+{
     if (const DesignFault *fault = std::get_if<DesignFault>(&designed)) {
         refuse(designFaultText(*fault, request));
         return;

@@ -2,13 +2,14 @@
 #pragma once
 
 // A form that designs a mechanism for a given stroke and time ratio. The slider changes the ratio b/a, with the stroke
-// and the time ratio fixed. Every change sets a, b and c in one edit.
+// and the time ratio fixed. On demand, a time ratio changes the offset c alone. Every change sets a, b and c in one edit.
 
 #include "core/limits/design.h"
 #include "core/mechanism/mechanism.h"
 
 #include <QWidget>
 
+class QCheckBox;
 class QLabel;
 class QToolButton;
 
@@ -33,6 +34,8 @@ private:
     void createControls();
     void requestStroke(double stroke);
     void requestDesign(const DesignRequest &request);
+    void requestOffset(double timeRatio);
+    void accept(const std::variant<Lengths, DesignFault> &designed, const DesignRequest &request);
     void apply(const Lengths &lengths);
     void refuse(const QString &sentence);
     void showParameters();
@@ -44,6 +47,7 @@ private:
     NumberBox *m_timeRatio;
     NumberBox *m_transmissionAngle;
     NumberSlider *m_ratio;
+    QCheckBox *m_keepsLinks;
     QToolButton *m_best;
     QLabel *m_lengths;
     QLabel *m_refusal;

@@ -15,6 +15,7 @@
 #include "tests/support/widget_parts.h"
 
 #include <QApplication>
+#include <QCheckBox>
 #include <QClipboard>
 #include <QFile>
 #include <QLabel>
@@ -335,6 +336,23 @@ private slots:
         }
         shown.session.setParameter(Parameter::B, 60.0); // another edit removes the message
         QVERIFY(shown.refusal().isEmpty());
+    }
+
+    /// Against the inverse: the time ratio of the mechanism that is found.
+    void designsTheOffsetAlone()
+    {
+        ShownDesign shown;
+        shown.session.setParameters({.a = 40.0, .b = 120.0});
+        child<QCheckBox>(shown.form, "designKeepsLinks")->setChecked(true);
+        shown.type("designTimeRatio", "1.2");
+        const Parameters &found = shown.session.parameters();
+        QCOMPARE(found.a, 40.0);
+        QCOMPARE(found.b, 120.0);
+        QVERIFY(std::abs(*shown.limits().timeRatio - 1.2) < 1e-12);
+        QVERIFY(std::abs(child<NumberBox>(shown.form, "designStroke")->value() - *shown.limits().stroke) < 1e-9);
+        shown.type("designTimeRatio", "2.9");
+        QVERIFY2(shown.refusal().contains("with these lengths a and b"), qPrintable(shown.refusal()));
+        QCOMPARE(shown.session.parameters().b, 120.0);
     }
 
     void designsFromAMechanismThatCannotBeAssembled()
