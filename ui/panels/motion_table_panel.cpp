@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/motion_table_panel.h"
 
+#include "core/check/check.h"
 #include "core/limits/crank_search.h"
 #include "core/mechanism/two_part_angle.h"
 #include "core/sampling/crank_time.h"
 #include "ui/document/session.h"
 #include "ui/document/whole_file.h"
 #include "ui/panels/table_panel.h"
+#include "ui/text/check_text.h"
 #include "ui/text/motion_facts.h"
 #include "ui/text/notation.h"
+#include "ui/text/quantity_text.h"
+#include "ui/text/typed_value.h"
 #include "ui/text/written_number.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/number_box.h"
@@ -19,6 +23,7 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QHeaderView>
+#include <QLabel>
 #include <QMenu>
 #include <QScrollBar>
 #include <QToolButton>
@@ -61,6 +66,7 @@ MotionTablePanel::MotionTablePanel(Session *session, QWidget *parent)
     , m_next(new QToolButton)
     , m_useAsSpeed(new QToolButton)
     , m_answer(named("findAnswer", plainText()))
+    , m_judgement(named("judgement", plainText()))
     , m_layout(new QVBoxLayout(this))
 {
     named("motionTablePanel", this, tr("Table of the motion"));
@@ -86,7 +92,7 @@ MotionTablePanel::MotionTablePanel(Session *session, QWidget *parent)
 QLayout *MotionTablePanel::makeControls()
 {
     auto *row = new QHBoxLayout;
-    row->addWidget(plainText(tr("Every")));
+    row->addWidget(new QLabel(tr("Every")));
     named("tableStep", m_step, tr("Step of the table"));
     m_step->setRange(1e-3, 1e6);
     m_step->setValue(m_settings.angleStep);
@@ -96,7 +102,7 @@ QLayout *MotionTablePanel::makeControls()
     m_stepKind->addItem(tr("s"), static_cast<int>(TableStep::Time));
     row->addWidget(m_stepKind);
     row->addWidget(m_columns);
-    auto *label = plainText(tr("α₂"));
+    auto *label = new QLabel(tr("α₂"));
     row->addWidget(label);
     named("tableAlpha2", m_alpha2, tr("Acceleration of the crank in each row (α₂)"));
     m_alpha2->setToolTip(
@@ -132,10 +138,10 @@ QLayout *MotionTablePanel::makeControls()
 QLayout *MotionTablePanel::makeFindLine()
 {
     auto *row = new QHBoxLayout;
-    row->addWidget(plainText(tr("Find")));
+    row->addWidget(new QLabel(tr("Find")));
     named("findQuantity", m_quantity, tr("Quantity that has a value"));
     row->addWidget(m_quantity);
-    row->addWidget(plainText("="));
+    row->addWidget(new QLabel("="));
     named("findValue", m_value, tr("Value of the quantity"));
     row->addWidget(m_value);
     named("findNext", m_next, tr("Next"));
@@ -216,8 +222,27 @@ void MotionTablePanel::setCsvStyle(const CsvStyle &style)
     m_style = style;
 }
 
+void MotionTablePanel::offerTextbookNotation()
+{
+    auto *offer = named("notationOffer", new QLabel);
+    const QString link = "<a href='%1'>%2</a>";
+    offer->setText(tr("θ₃ measured at B, and x<sub>B</sub>, v<sub>B</sub>, a<sub>B</sub>, as in textbooks?") + u' ' +
+                   link.arg("textbook", tr("Use this notation")) + " · " +
+                   link.arg("absolute", tr("Keep the absolute coordinates")));
+    offer->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
+    offer->setWordWrap(true);
+    m_layout->insertWidget(0, offer);
+    connect(offer, &QLabel::linkActivated, this, [this, offer](const QString &answer) {
+        offer->deleteLater();
+        emit symbolsChosen(answer == u"textbook" ? Symbols::Textbook : Symbols::AbsoluteCoordinates);
+    });
+}
+
 void MotionTablePanel::refreshNotation()
 {
+    if (auto *offer = findChild<QLabel *>("notationOffer"); offer && notation().symbols == Symbols::Textbook) {
+        offer->deleteLater(); // it was chosen elsewhere
+    }
     makeTables();
     showRows();
 }
@@ -236,8 +261,15 @@ void MotionTablePanel::makeTables()
     m_present->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // both tables are equally wide
     m_present->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    m_present->setEditable(1, 2); // without t and θ₂
     m_layout->addWidget(m_present);
+    m_layout->removeWidget(m_judgement);
+    m_layout->addWidget(m_judgement);
     m_layout->addWidget(m_table, 1);
+    connect(m_present, &NumberTable::typed, this, [this](int column, const QString &text) {
+        m_myValues[columnName(m_settings.columns[static_cast<std::size_t>(column) - 2])] = text;
+        QMetaObject::invokeMethod(this, &MotionTablePanel::showPresent, Qt::QueuedConnection); // after the cell is closed
+    });
     connect(m_table->horizontalScrollBar(), &QScrollBar::valueChanged, m_present->horizontalScrollBar(),
             &QScrollBar::setValue);
     connect(m_table, &NumberTable::timeRequested, this, &MotionTablePanel::timeRequested);
@@ -289,8 +321,50 @@ void MotionTablePanel::showPresent()
         TableRow row = motionTableRow(m_settings, Mechanism(m_session->parameters()), presentPlace());
         row.cells.front().tone = Tone::Normal;
         row.time.reset();
-        m_present->setRows({row});
+        m_present->setRows({row, myValues()});
     }
+}
+
+/// Returns the values that were typed, with their verdicts as colours, and shows what is said about them.
+TableRow MotionTablePanel::myValues()
+{
+    TableRow row{.cells = {{.text = tr("my values"), .tone = Tone::Muted}, {}}, .explanation = tr(
+        "Type values of your calculation: they are compared with the exact ones, each to its last digit")};
+    std::vector<TypedValue> values;
+    std::vector<GivenValue> given;
+    QStringList sentences;
+    for (const OutputChannel &channel : m_settings.columns) {
+        TableCell &cell = row.cells.emplace_back(TableCell{.text = m_myValues[columnName(channel)].trimmed()});
+        if (cell.text.isEmpty()) {
+            continue;
+        }
+        const QString number = QString(cell.text).replace(QLocale().decimalPoint(), ".");
+        const TypedValue typed = readTypedValue(number, channel, notation().units);
+        if (typed.written.fault) {
+            cell.tone = Tone::Bad;
+            sentences << quantityFaultText(cell.text, *typed.written.fault, typed.unit);
+            continue;
+        }
+        values.push_back(typed);
+        given.push_back(typed.given());
+    }
+    const CheckResult result = check({withCrankAt(Mechanism(m_session->parameters()), presentPlace().theta2),
+                                      m_settings.alpha2},
+                                     given);
+    QStringList wrong;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const bool isRight = result.values[i].isRight;
+        const auto column = std::ranges::find(m_settings.columns, values[i].channel) - m_settings.columns.begin();
+        row.cells[static_cast<std::size_t>(column) + 2].tone = isRight ? Tone::Good : Tone::Bad;
+        sentences << QStringLiteral("%1: %2.").arg(symbolOf(values[i].channel),
+                                                   verdictText(values[i], result.values[i]));
+        if (!isRight) {
+            wrong << symbolOf(values[i].channel);
+        }
+    }
+    m_judgement->setVisible(!sentences.isEmpty());
+    m_judgement->setText(sentences.join(u' ') + u' ' + (values.empty() ? QString() : explanationText(result, wrong)));
+    return row;
 }
 
 /// Gives the columns of both tables the same widths.

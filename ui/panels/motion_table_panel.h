@@ -2,12 +2,16 @@
 #pragma once
 
 // The tab with the table of the motion. The first row is the present position and stays; below it are rows for every so
-// many degrees of the crank angle, or for time steps. The tab also finds the positions in which a quantity has a value.
+// many degrees of the crank angle, or for time steps. A person can type values of a calculation by hand below the present
+// position, which are checked at once. The tab also finds the positions in which a quantity has a value.
 
 #include "ui/panels/motion_table.h"
+#include "ui/text/notation.h"
 
 #include <QTimer>
 #include <QWidget>
+
+#include <map>
 
 class QComboBox;
 class QLabel;
@@ -34,6 +38,9 @@ public:
     const CsvStyle &csvStyle() const { return m_style; }
     void setCsvStyle(const CsvStyle &style);
 
+    /// Asks in one line whether the notation of textbooks is wanted.
+    void offerTextbookNotation();
+
     /// Makes the columns again after a change of the notation.
     void refreshNotation();
 
@@ -43,6 +50,7 @@ public:
 signals:
     void timeRequested(double seconds);
     void alpha2Changed(double alpha2);               ///< rad/s²
+    void symbolsChosen(slidercrank::Symbols symbols); ///< the answer to the offer
     void placeHovered(std::optional<double> theta2); ///< rad, of the row under the pointer
 
 protected:
@@ -59,6 +67,7 @@ private:
     void refresh();
     void showRows();
     void showPresent();
+    TableRow myValues();
     void fitColumns();
     TablePlace presentPlace() const;
 
@@ -86,6 +95,8 @@ private:
     QToolButton *m_next;
     QToolButton *m_useAsSpeed;
     QLabel *m_answer;
+    std::map<QString, QString> m_myValues{}; ///< by the name of the column; as they were typed
+    QLabel *m_judgement;
     QVBoxLayout *m_layout;
     NumberTable *m_present = nullptr;
     NumberTable *m_table = nullptr;

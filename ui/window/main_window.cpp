@@ -250,6 +250,11 @@ QWidget *MainWindow::makeMotionTable()
     auto *table = m_views.table = new MotionTablePanel(m_session);
     connect(table, &MotionTablePanel::timeRequested, m_session, &Session::setTime);
     connect(table, &MotionTablePanel::timeRequested, m_views.plots, &PlotGrid::showTime);
+    connect(table, &MotionTablePanel::symbolsChosen, this,
+            [this](Symbols symbols) { setNotation(with(notation(), &Notation::symbols, symbols)); });
+    if (!isNotationChosen()) {
+        table->offerTextbookNotation();
+    }
     connect(table, &MotionTablePanel::placeHovered, m_views.mechanism, [this](const std::optional<double> &theta2) {
         const Mechanism mechanism(m_session->parameters());
         m_views.mechanism->setMarked(theta2 ? referencePoseAt(withCrankAt(mechanism, *theta2), 0.0) : ReferencePose());

@@ -41,7 +41,7 @@ QAction *addSwitch(QMenu *menu, const QString &text, bool on, const QKeySequence
 
 /// Adds an action for each value of an enumeration, in its order; exactly one of them is checked.
 template <typename Value>
-void addChoices(QMenu *menu, const QStringList &texts, Value chosen, const std::function<void(Value)> &choose)
+QActionGroup *addChoices(QMenu *menu, const QStringList &texts, Value chosen, const std::function<void(Value)> &choose)
 {
     auto *group = new QActionGroup(menu);
     for (int i = 0; i < texts.size(); ++i) {
@@ -49,6 +49,7 @@ void addChoices(QMenu *menu, const QStringList &texts, Value chosen, const std::
         QAction *action = group->addAction(addSwitch(menu, texts[i], value == chosen));
         QObject::connect(action, &QAction::triggered, menu, [choose, value] { choose(value); });
     }
+    return group;
 }
 
 /// Enables the action while the current result satisfies the condition.
@@ -190,23 +191,27 @@ void Menus::addView()
 
 void Menus::addNotation(QMenu *menu)
 {
-    const auto addGroup = [this, menu]<typename Value>(const QStringList &texts, Value chosen,
-                                                       const std::function<void(Notation &, Value)> &assign) {
-        addChoices<Value>(menu, texts, chosen, [this, assign](Value value) {
+    const auto addGroup = [this, menu]<typename Value>(const QStringList &texts,
+                                                       const std::function<Value &(Notation &)> &member) {
+        Notation shown = notation();
+        const QActionGroup *group = addChoices<Value>(menu, texts, member(shown), [this, member](Value value) {
             Notation changed = notation();
-            assign(changed, value);
+            member(changed) = value;
             m_window.setNotation(changed);
+        });
+        connect(menu, &QMenu::aboutToShow, group, [group, member] { // may have been chosen elsewhere
+            Notation chosen = notation();
+            group->actions()[static_cast<qsizetype>(member(chosen))]->setChecked(true);
         });
     };
     addGroup.operator()<Symbols>({tr("&Absolute coordinates (θ³ at A, Rₓ⁴)"), tr("&Textbook (θ₃ at B, x_B)")},
-                                 notation().symbols,
-                                 [](Notation &changed, Symbols symbols) { changed.symbols = symbols; });
+                                 [](Notation &shown) -> Symbols & { return shown.symbols; });
     menu->addSeparator();
-    addGroup.operator()<AngleUnit>({tr("&Degrees"), tr("&Radians")}, notation().units.angle,
-                                   [](Notation &changed, AngleUnit unit) { changed.units.angle = unit; });
+    addGroup.operator()<AngleUnit>({tr("&Degrees"), tr("&Radians")},
+                                   [](Notation &shown) -> AngleUnit & { return shown.units.angle; });
     menu->addSeparator();
-    addGroup.operator()<LengthUnit>({tr("&mm"), tr("&cm"), tr("m"), tr("&in")}, notation().units.length,
-                                    [](Notation &changed, LengthUnit unit) { changed.units.length = unit; });
+    addGroup.operator()<LengthUnit>({tr("&mm"), tr("&cm"), tr("m"), tr("&in")},
+                                    [](Notation &shown) -> LengthUnit & { return shown.units.length; });
 }
 
 void Menus::addHelp()

@@ -120,6 +120,11 @@ Notation chosenNotation()
             static_cast<CrankSpeedUnit>(chosen(kCrankSpeedUnit, 2))};
 }
 
+bool isNotationChosen()
+{
+    return QSettings().contains(kSymbols);
+}
+
 void rememberNotation(const Notation &notation)
 {
     QSettings settings;

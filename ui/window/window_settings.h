@@ -25,6 +25,7 @@ QString recentFolder();
 /// The notation and the units that the user chose.
 Notation chosenNotation();
 void rememberNotation(const Notation &notation);
+bool isNotationChosen(); ///< whether one is remembered
 
 Theme chosenTheme();
 void rememberTheme(Theme theme);

@@ -13,6 +13,7 @@
 #include <QComboBox>
 #include <QHeaderView>
 #include <QLabel>
+#include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
 
@@ -164,6 +165,46 @@ private slots:
         QCOMPARE(child<NumberTable>(shown.panel, "motionTable")->model()->rowCount(), 13);
         child<QToolButton>(shown.panel, "motionTableCopy")->click();
         QCOMPARE(QApplication::clipboard()->text().count('\n'), qsizetype(14));
+    }
+
+    /// By a pocket calculator: x = 139.1 mm, v = -233.1 mm/s and ω3 = -60.45 °/s at 60°.
+    void judgesTypedValuesByTheirDigits()
+    {
+        ShownTable shown;
+        shown.session.setParameters({.a = 40.0, .b = 120.0, .c = 20.0});
+        shown.session.setTime(1.0 / 6.0);
+        const auto *judgement = child<QLabel>(shown.panel, "judgement");
+        QVERIFY(judgement->isHidden());
+        const auto type = [&shown](int column, const char *text) {
+            auto *table = child<NumberTable>(shown.panel, "presentPosition");
+            table->model()->setData(table->model()->index(1, column), QString::fromUtf8(text));
+            settle(shown.panel);
+        };
+        type(5, "139.1");
+        QVERIFY2(judgement->isVisible() && judgement->text().contains("All values are right"),
+                 qPrintable(judgement->text()));
+        type(6, "233.1");
+        QVERIFY2(judgement->text().contains("off by 466 mm/s"), qPrintable(judgement->text()));
+        type(3, "60.45"); // the coupler turns the other way, too
+        QVERIFY2(judgement->text().contains("ω₂ with the opposite sign"), qPrintable(judgement->text()));
+        type(6, "nine");
+        QVERIFY2(judgement->text().contains("is not a number"), qPrintable(judgement->text()));
+        for (const int column : {3, 5, 6}) {
+            type(column, "");
+        }
+        QVERIFY(judgement->isHidden());
+        QCOMPARE(shown.rowOf("presentPosition", 1).mid(1), QStringList(9, QString()));
+    }
+
+    void offersTheTextbooksNotation()
+    {
+        ShownTable shown;
+        shown.panel.offerTextbookNotation();
+        QSignalSpy chosen(&shown.panel, &MotionTablePanel::symbolsChosen);
+        emit child<QLabel>(shown.panel, "notationOffer")->linkActivated("textbook");
+        QCOMPARE(chosen.size(), qsizetype(1));
+        QCOMPARE(chosen.first().first().value<Symbols>(), Symbols::Textbook);
+        AWAIT(!shown.panel.findChild<QLabel *>("notationOffer"));
     }
 
     void findsTheNextPositionAndTheCrankSpeed()
