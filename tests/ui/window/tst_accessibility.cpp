@@ -225,7 +225,7 @@ private slots:
         openWindow();
         openSample();
         session().setParameter(Parameter::B, 70.0);
-        showTab(2);
+        showTab(ReferenceTab);
         child<QAbstractButton>(*part("referencePanel"), "remedyButton")
             ->click(); // opens the dialog for choosing columns
         for (const char *name : {"Theory and help", "Keyboard and mouse", "Animation…"}) {

@@ -6,6 +6,7 @@
 
 #include "ui/export/animation_export.h"
 #include "ui/export/animation_form.h"
+#include "ui/export/figure_form.h"
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/plots/plot_grid.h"
 #include "ui/widgets/save_dialog.h"
@@ -25,6 +26,8 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QSpinBox>
+
+#include <utility>
 
 using namespace slidercrank;
 
@@ -69,7 +72,7 @@ private slots:
         openWindow();
         drop({rig});
         AWAIT(session().reference());
-        QCOMPARE(part<QTabBar>("tabBar")->currentIndex(), 1); // the errors against its reference
+        QCOMPARE(shownTab(), ErrorsTab); // the errors against its reference
         QCOMPARE(sceneToJson(m_window->scene().scene(), rig), contentOf(rig));
         for (const Channel channel : kPlottedChannels) {
             QVERIFY(session().result()->trajectory[channel] == before[channel]);
@@ -255,15 +258,20 @@ private slots:
              {Row{"Figure…", 0, "new.png", "\x89PNG\r"}, Row{"Figure…", 1, "new.svg", "<?xml"},
               Row{"Figure…", 2, "new.pdf", "%PDF-"}, Row{"Mechanism…", 1, "mechanism.svg", "<?xml"},
               Row{"Data…", 1, "new.csv", "time,"}, Row{"Report…", 0, "report.pdf", "%PDF-"},
-              Row{"Animation…", 0, "motion/frame_0001.png", "\x89PNG\r"},
+              Row{"Animation…", hasVideoEncoder() ? 3 : 0, "motion/frame_0001.png", "\x89PNG\r"},
               Row{"Save scene as…", 0, "new.slidercrank", "{\n   "}, Row{"Save scene as…", 1, "new.json", "{\n   "}}) {
             action(QString::fromUtf8(row.action))->trigger();
-            if (auto *form = view<AnimationForm>()) {
+            int filter = row.filter;
+            if (auto *form = view<FigureForm>()) { // the format that is chosen there comes first
+                child<QComboBox>(*form, "formatBox")->setCurrentIndex(std::exchange(filter, 0));
                 form->accept();
+                settle();
+            } else if (auto *animation = view<AnimationForm>()) {
+                animation->accept();
                 settle();
             }
             const QString written = path(row.written);
-            choose(QString(row.written).section(u'/', 0, 0).section(u'.', 0, 0), row.filter);
+            choose(QString(row.written).section(u'/', 0, 0).section(u'.', 0, 0), filter);
             AWAIT2(QFile::exists(written), row.written);
             AWAIT(!m_window->exports().isWriting());
             QVERIFY2(contentOf(written).startsWith(row.beginning), row.written);
@@ -273,6 +281,8 @@ private slots:
             QVERIFY(contentOf(path(figure)).contains("a = 20 mm"));
         }
         action("Figure…")->trigger();
+        view<FigureForm>()->accept();
+        settle();
         QCOMPARE(dialog()->directory().path(), m_folder->path()); // the folder of the last saved file
     }
 

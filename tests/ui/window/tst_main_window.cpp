@@ -45,7 +45,7 @@ private slots:
     {
         QCOMPARE(session().time(), 0.0);
         QVERIFY(!view<Timeline>()->isPlaying() && !messages()->isVisible());
-        QCOMPARE(part<QTabBar>("tabBar")->currentIndex(), 0);
+        QCOMPARE(shownTab(), TableTab);
         for (const QString &name : PlotGrid::plotNames() + QStringList("mechanismView")) {
             QVERIFY2(name.contains("error") || !isBlank(picture(name)), qPrintable(name));
         }
@@ -100,7 +100,7 @@ private slots:
         settle(*m_window);
         QVERIFY(picture("plot_theta3") != curve && !isBlank(picture("plot_error_position")));
         QVERIFY(part("errorPanel")->isVisible() && !messages()->isVisible());
-        QVERIFY(part<QTabBar>("tabBar")->tabText(1).contains("✗"));
+        QVERIFY(part<QTabBar>("tabBar")->tabText(ErrorsTab).contains("✗"));
         QCOMPARE(part<QTableView>("errorTable")->model()->rowCount(), 6);
         const QString sentence = child<QLabel>(*part("errorPanel"), "findingLabel")->text();
         QVERIFY2(sentence.contains("60") && sentence.contains("65\u00a0mm"), qPrintable(sentence));
@@ -137,7 +137,7 @@ private slots:
         drop({writeFile(folder, "table.csv", "stage,R4_x\n0,80\n90,65\n180,40\n270,47\n360,80\n")});
         AWAIT(session().reference());
         session().setSampling({0.0, 3.0, 200});
-        showTab(2);
+        showTab(ReferenceTab);
         const auto remedies = part("referencePanel")->findChildren<QPushButton *>();
         const auto choose = std::ranges::find(remedies, QString("Choose columns…"), &QPushButton::text);
         QVERIFY(choose != remedies.end());
@@ -155,11 +155,11 @@ private slots:
         const QTemporaryDir folder;
         m_window->openReference(writeFile(folder, "empty.csv", ""));
         AWAIT(said().contains("empty.csv"));
-        QCOMPARE(part<QTabBar>("tabBar")->currentIndex(), 0); // the errors would be empty
+        QCOMPARE(shownTab(), TableTab); // the errors would be empty
         // A former defect: the text was squeezed into many short lines beside two buttons.
         QVERIFY(part("messageText")->height() < 5 * m_window->fontMetrics().lineSpacing());
         openSample();
-        QCOMPARE(part<QTabBar>("tabBar")->currentIndex(), 1);
+        QCOMPARE(shownTab(), ErrorsTab);
         drop({writeFile(folder, "bad.csv", "hello\n")});
         AWAIT(said().contains("bad.csv"));
         QCOMPARE(session().result()->comparison.size(), std::size_t(6));
@@ -220,7 +220,7 @@ private slots:
             action("Show the motion of the file or the pinned one")->trigger();
             QCOMPARE(picture("mechanismView") == ghost, isShown);
         }
-        showTab(1);
+        showTab(ErrorsTab);
         QVERIFY(part<QLabel>("errorPanelSentence")->text().contains("b = 65\u00a0mm"));
         QVERIFY(!isBlank(picture("plot_error_velocity")));
         press(Qt::Key_K, Qt::ControlModifier | Qt::ShiftModifier);
@@ -258,7 +258,7 @@ private slots:
         emit method->activated(method->currentIndex());
         QCOMPARE(session().solver().method, Method::Newton);
 
-        showTab(3);
+        showTab(NewtonTab);
         part<QListWidget>("newtonPages")->setCurrentRow(1); // the page of the equations
         settle(*m_window);
         const QImage before = picture("mechanismView");
@@ -267,14 +267,14 @@ private slots:
         const QImage crankPin = picture("mechanismView");
         emit table->entered(table->model()->index(SliderPinX, 0));
         QVERIFY(crankPin != before && picture("mechanismView") != crankPin);
-        showTab(0);
+        showTab(LimitsTab);
         QCOMPARE(picture("mechanismView"), before);
     }
 
     void runningTheStudyKeepsTheFocus()
     {
         setB(6.0); // the study is short, because the mechanism can hardly be assembled
-        showTab(4);
+        showTab(StudyTab);
         child<QPushButton>(*part("studyPanel"), "remedyButton")->setFocus(Qt::TabFocusReason);
         const auto hasFocus = [this] { return part("studyPanel")->isAncestorOf(m_window->focusWidget()); };
         press(Qt::Key_Return);
@@ -307,7 +307,7 @@ private slots:
             setB(64.0);
             openSample();
             onEveryPage(*m_window, [](const QString &) {});
-            showTab(1);
+            showTab(ErrorsTab);
             m_window->setTheme(then);
             settle(*m_window);
             QList<QImage> pictures{picture("errorTable")}; // a former defect: the text kept its colours
@@ -434,11 +434,11 @@ private slots:
         };
         const QVariantList before = state();
         QCOMPARE(before.mid(2), QVariantList({1, 2, true, 0.005}));
-        showTab(1);
+        showTab(ErrorsTab);
         m_window->close();
         openWindow();
         QCOMPARE(state(), before);
-        QCOMPARE(part<QTabBar>("tabBar")->currentIndex(), 0); // every start begins with the limits of the motion
+        QCOMPARE(shownTab(), TableTab); // every start begins with it
         QVERIFY(view<MechanismView>()->settings() == drawing && !m_window->isWindowModified());
         m_window->close();
         QSettings().setValue("view/speed", "fast"); // invalid values, as if edited by hand

@@ -92,7 +92,7 @@ private slots:
         m_window->resize(1900, 1100); // large enough for many numbers on each edge
         openSample();
         m_window->findChild<FoldingTabs *>()->setFolded(false);
-        showTab(3);
+        showTab(NewtonTab);
         part<QListWidget>("newtonPages")->setCurrentRow(3);
         settle(*m_window);
     }

@@ -35,6 +35,8 @@ namespace slidercrank
 class WindowFixture : public QObject
 {
 protected:
+    enum Tab { TableTab, LimitsTab, ErrorsTab, ReferenceTab, NewtonTab, StudyTab };
+
     WindowFixture()
     {
         QStandardPaths::setTestModeEnabled(true);
@@ -106,11 +108,13 @@ protected:
         QTest::keyClick(popup ? popup->windowHandle() : m_window->windowHandle(), key, modifiers);
     }
 
-    void showTab(int index) const
+    void showTab(Tab tab) const
     {
-        part<QTabBar>("tabBar")->setCurrentIndex(index);
+        part<QTabBar>("tabBar")->setCurrentIndex(tab);
         settle(*m_window);
     }
+
+    int shownTab() const { return part<QTabBar>("tabBar")->currentIndex(); }
 
     QImage picture(const QString &name) const
     {
