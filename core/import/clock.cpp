@@ -18,13 +18,16 @@ std::vector<double> gridNumbers(std::span<const double> time)
 {
     constexpr double kMaxGapFraction = 0.5; // of all differences: chosen time stamps also have a common divisor
     std::vector<double> differences;
+    differences.reserve(time.size());
     for (std::size_t i = 1; i < time.size(); ++i) {
         differences.push_back(time[i] - time[i - 1]);
     }
     std::vector<double> sorted = differences;
     std::ranges::sort(sorted);
     const double step = sorted.empty() ? 0.0 : sorted[sorted.size() / 4]; // not the smallest one, for rounded ones
-    std::vector<double> numbers{0.0};
+    std::vector<double> numbers;
+    numbers.reserve(time.size());
+    numbers.push_back(0.0);
     std::size_t gaps = 0;
     for (const double difference : differences) {
         const double steps = std::round(difference / step);
