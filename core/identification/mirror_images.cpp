@@ -59,10 +59,10 @@ Model mirroredInY(const Model &model, const Observations &observations)
     return image;
 }
 
-/// Whether an origin that is a multiple of half a turn is not zero.
+/// Whether an origin that is a multiple of half a turn is half a turn. Whole turns change nothing.
 bool isTurned(double angle)
 {
-    return std::abs(angle) > 0.5 * kHalfTurn;
+    return std::abs(wrapToPi(angle)) > 0.5 * kHalfTurn;
 }
 
 /// The price of an image: its readings and another assembly, then its readings, then its distance from the given
@@ -117,7 +117,7 @@ int readingCount(const Observations &observations, const Fit &fit, const Model &
     if (model.followsAngle) {
         const bool hasOrigin = fit.changes({Unknown::Kind::CrankAngle});
         count += model.angleFactor < 0.0 ? 1 : 0;
-        count += !hasOrigin && isTurned(wrapToPi(model.mechanism.theta20)) ? 1 : 0;
+        count += !hasOrigin && isTurned(model.mechanism.theta20) ? 1 : 0;
     }
     for (Index k = 0; k < std::ssize(observations.columns); ++k) {
         const ObservedColumn &column = observations.columns[k];
