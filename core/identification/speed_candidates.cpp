@@ -73,8 +73,9 @@ double coverage(const Observations &observations)
     return std::min(1.0, static_cast<double>(pairs) * median(distances) / observations.span());
 }
 
-/// The numbers of turns in the file that are worth a trial.
-std::vector<double> possibleTurns(int crossings, double coverage)
+/// The numbers of turns in the file that are worth a trial. With few rows per crossing, some crossings are missing, and
+/// speeds up to half a turn per row are tried: a higher one gives the same positions as one of these.
+std::vector<double> possibleTurns(int crossings, double coverage, Index rows)
 {
     constexpr double kSpacing = 0.1; // a tenth of the width of a minimum of the periodogram
     constexpr double kFewest = 0.7;
@@ -83,11 +84,13 @@ std::vector<double> possibleTurns(int crossings, double coverage)
     constexpr int kMostPairsPerTurn = 5;  // of crossings; accelerations have several
     constexpr double kManyPairs = 25.0;   // of crossings: so many are counted well enough to exclude other speeds
     constexpr double kFullCoverage = 0.95;
+    constexpr double kRowsPerPair = 8.0;
     const double pairs = 0.5 * crossings;
-    const bool isCounted = pairs >= kManyPairs && coverage >= kFullCoverage;
+    const bool isSparse = static_cast<double>(rows) < kRowsPerPair * pairs;
+    const bool isCounted = pairs >= kManyPairs && coverage >= kFullCoverage && !isSparse;
+    const double most = isSparse ? 0.5 * static_cast<double>(rows) : pairs / coverage + kCutOff;
     std::vector<double> all;
-    for (double turns = std::max(pairs / kMostPairsPerTurn - kCutOff, kFewest); turns <= pairs / coverage + kCutOff;
-         turns += kSpacing) {
+    for (double turns = std::max(pairs / kMostPairsPerTurn - kCutOff, kFewest); turns <= most; turns += kSpacing) {
         const double pairsPerTurn = std::max(1.0, std::rint(pairs / turns));
         if (!isCounted || std::abs(pairs / pairsPerTurn - turns) <= kCutOff + kMiscounted * pairs) {
             all.push_back(turns);
@@ -113,7 +116,7 @@ std::vector<double> findSpeedCandidates(const Observations &observations, const 
     }
     const Observations few = thinned(observations, kRows);
     std::vector<std::pair<double, double>> trials; // misfit and speed
-    for (const double turns : possibleTurns(most, coverage(observations))) {
+    for (const double turns : possibleTurns(most, coverage(observations), observations.size())) {
         if (!few.stop.stop_requested()) {
             trials.emplace_back(periodogram(few, columns, turns * speedOfOneTurn), turns * speedOfOneTurn);
         }
