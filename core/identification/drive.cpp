@@ -64,12 +64,7 @@ Drive findDrive(const Observations &observations, const Model &model)
     if (observations.time.size() == 0 || slopes < 2) {
         return {.kind = Drive::Kind::OverAngle};
     }
-    constexpr double kQuarter = 0.25 * kTurn; // between two rows: with more, the number of turns is unknown
     const Values angles = model.angleFactor * observations.angle + model.mechanism.theta20;
-    const Index pairs = angles.size() - 1;
-    if ((angles.tail(pairs) - angles.head(pairs)).abs().maxCoeff() > kQuarter) {
-        return {.kind = Drive::Kind::OverAngle};
-    }
     const double halfStep = std::abs(model.angleFactor) * observations.angleHalfStep;
     if (const Polynomial line = fitPolynomial(observations, angles, halfStep, 2);
         line.isWithinRounding || line.isWithinNoise) {

@@ -196,6 +196,9 @@ Identification identifyTable(const ReferenceData &original, const std::optional<
     }
     FurtherColumns further = withFurtherColumns(searched, fit, findings.drive, given);
     findings.leftOut = std::move(further.leftOut);
+    if (data.find(kCrankAngle) && all.angle.size() == 0) { // how many turns there are between two rows is unknown
+        findings.leftOut.push_back({kCrankAngle, LeftOutColumn::Reason::OpenSpeed});
+    }
     findings.speeds = std::move(further.speeds);
     findings.lastFit = fitAllRows(std::move(all), further.fit, constrained.shifts, findings.drive);
     chooseLengthUnit(findings);

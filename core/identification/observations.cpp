@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <ranges>
 
 namespace slidercrank
 {
@@ -72,12 +73,17 @@ void judgeRange(ObservedColumn &column, double span)
     }
 }
 
+/// The rows with any value, and with the angle of the crank unless most rows lack it.
 Indices rowsWithValues(const ReferenceData &data)
 {
+    const ReferenceSeries *const crank = data.find(kCrankAngle);
+    const auto isKnown = [&](Index row) { return std::isfinite(crank->values[row]); };
+    const auto all = std::views::iota(Index{0}, static_cast<Index>(std::ssize(data.time)));
+    const bool needsAngle = crank && 2 * std::ranges::count_if(all, isKnown) > std::ssize(data.time);
     Indices rows;
     rows.reserve(data.time.size());
     for (Index row = 0; row < std::ssize(data.time); ++row) {
-        if (std::ranges::any_of(data.series, [&](const ReferenceSeries &series) {
+        if ((!needsAngle || isKnown(row)) && std::ranges::any_of(data.series, [&](const ReferenceSeries &series) {
                 return std::isfinite(series.values[row]) && !isAlwaysZero(series.channel);
             })) {
             rows.push_back(row);
@@ -97,6 +103,34 @@ void observeTime(Observations &observations, const ReferenceData &data)
     observations.timeOrigin = 0.5 * (time[rows.front()] + time[rows.back()]);
     observations.time = time(rows) - observations.timeOrigin;
     observations.timeHalfStep = 0.5 * clock.step();
+}
+
+/// Whether the crank makes so much of a turn between two rows that it might as well make some turns more.
+bool isSparse(const Values &angle)
+{
+    constexpr double kQuarter = 0.25 * kTurn;
+    constexpr double kPart = 0.05; // of the rows: more than some outliers and gaps
+    const Index pairs = angle.size() - 1;
+    return ((angle.tail(pairs) - angle.head(pairs)).abs() > kQuarter).cast<double>().mean() > kPart;
+}
+
+/// Continues the angle of the crank at its usual speed across gaps in time, in which the crank may have made turns that
+/// no row shows.
+void countTurnsInGaps(Values &angle, const Values &time)
+{
+    constexpr double kGap = 1.5; // usual times between two rows
+    const Index pairs = angle.size() - 1;
+    const Values durations = time.tail(pairs) - time.head(pairs);
+    const Values advances = angle.tail(pairs) - angle.head(pairs);
+    const double usualDuration = median(durations);
+    const double usualSpeed = median(advances / durations);
+    double turns = 0.0;
+    for (Index i = 0; i < pairs; ++i) {
+        if (durations[i] > kGap * usualDuration) {
+            turns += std::rint((usualSpeed * durations[i] - advances[i]) / kTurn);
+        }
+        angle[i + 1] += kTurn * turns;
+    }
 }
 
 Observations selection(const Observations &all, const Indices &rows)
@@ -131,9 +165,10 @@ Observations observe(const ReferenceData &data, std::stop_token stop)
         observeTime(all, data);
         if (const ReferenceSeries *const crank = data.find(kCrankAngle)) {
             const ObservedColumn column = observedColumn(data, *crank, all.rows);
-            if (column.values.isFinite().all()) {
+            if (column.values.isFinite().all() && !isSparse(column.values)) {
                 all.angleHalfStep = column.halfSteps.maxCoeff();
                 all.angle = column.values;
+                countTurnsInGaps(all.angle, all.time);
             }
         }
     }
