@@ -69,12 +69,14 @@ bool containsDifferences(const Observations &observations, const ObservedColumn 
     return false;
 }
 
-bool isInterpolatedLinearly(const Observations &observations, const ObservedColumn &column)
+bool isInterpolatedOrHeld(const Observations &observations, const ObservedColumn &column)
 {
     constexpr double kPart = 0.45;  // of the rows: nearly one of two
     constexpr double kCurved = 3.0; // bounds of rounding, median of the curvature of the other rows
     const Quotients curvature = quotientsOf(kSecondDifference, observations.abscissa(), column);
-    const auto isStraight = curvature.values.abs() <= curvature.bounds;
+    const Index rows = curvature.values.size();
+    const auto isRepeated = column.values.segment(1, rows) == column.values.head(rows);
+    const Eigen::ArrayX<bool> isStraight = curvature.values.abs() <= curvature.bounds || isRepeated;
     const Values others = isStraight.select(kNone, curvature.values.abs() / curvature.bounds);
     return isStraight.cast<double>().mean() > kPart && median(others) > kCurved;
 }
@@ -85,9 +87,9 @@ Observations withComputedColumnsMarked(Observations observations)
 {
     constexpr Index kFewestRows = 3;
     for (ObservedColumn &column : observations.columns) {
-        if (observations.size() >= kFewestRows) {
+        if (observations.size() >= kFewestRows && column.range > 0.0) {
             column.isDifference = containsDifferences(observations, column);
-            column.isInterpolated = isInterpolatedLinearly(observations, column);
+            column.isInterpolated = isInterpolatedOrHeld(observations, column);
         }
     }
     return observations;

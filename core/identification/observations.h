@@ -32,7 +32,7 @@ struct ObservedColumn {
 
     // Set by withComputedColumnsMarked().
     bool isDifference = false;   ///< it contains difference quotients of a lower column
-    bool isInterpolated = false; ///< it was interpolated linearly
+    bool isInterpolated = false; ///< it was interpolated linearly, or holds the last of fewer values
 };
 
 struct Observations {

@@ -21,7 +21,7 @@ struct Findings {
     std::vector<double> speeds;         ///< that a table over the crank angle allows
     std::vector<Model> otherImages;     ///< other mechanisms that need the same reading of the file
     std::optional<LengthChange> change; ///< of the given mechanism
-    bool isInterpolated = false;        ///< the file proves that its columns were interpolated
+    bool isInterpolated = false;        ///< the file proves that its columns were interpolated or held
 };
 
 /// The outcome without conventions and comparisons: first whether the file determines the mechanism, then whether the
