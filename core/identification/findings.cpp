@@ -119,7 +119,9 @@ std::vector<ConventionFinding> conventionsOf(const LastFit &lastFit)
         const double error = errorOf(lastFit, {Unknown::Kind::CrankAngle}) * kDegreesPerRadian;
         appendReading(conventions, kCrankAngle, reading, false, error);
     }
-    for (const Index k : fit.columns) {
+    Indices columns = fit.columns; // in the order of the file
+    std::ranges::sort(columns);
+    for (const Index k : columns) {
         const ObservedColumn &column = observations.columns[k];
         const double error = toFileUnit(column.channel, errorOf(lastFit, {Unknown::Kind::Origin, k}));
         appendReading(conventions, column.channel, model.readings[k], column.hadJumps, error);

@@ -26,7 +26,7 @@ Indices excludeOutliers(Observations &observations, const Fit &fit)
         const ObservedColumn &column = observations.columns[fit.columns[k]];
         const Values errors = fit.residuals.col(k).abs();
         const double deviation = std::max(kNormal * median(errors), std::sqrt(column.variance));
-        isFarOff = isFarOff || (errors > kDeviations * deviation && errors > column.halfSteps);
+        isFarOff = isFarOff || (errors > kDeviations * deviation && errors > roundingBounds(observations, fit, k));
     }
     Indices rows;
     for (Index row = 0; row < isFarOff.size(); ++row) {

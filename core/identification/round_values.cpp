@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/round_values.h"
 
+#include "core/comparison/comparison.h"
+#include "core/identification/rounding_test.h"
+
 #include <algorithm>
 #include <array>
 #include <climits>
@@ -51,6 +54,23 @@ Model withParameters(Model model, const Parameters &parameters, const Observatio
     return model;
 }
 
+/// Whether a model explains the file as well as the fit from which it was rounded: its misfit is hardly higher, and it
+/// agrees with the same columns.
+bool isAsGood(const Observations &observations, const Fit &rounded, const Fit &fit)
+{
+    constexpr double kEquallyGood = 0.5 * kSameMisfit; // about what the errors of five parameters explain
+    const auto agrees = [&](const Fit &some, Index k) {
+        const Values errors = finite(some.residuals.col(k)).abs();
+        const auto beyond = static_cast<double>((errors > roundingBounds(observations, some, k)).count());
+        return 100.0 * (some.counts[k] - beyond) >= static_cast<double>(kPercentWithinBound) * some.counts[k];
+    };
+    bool isGood = rounded.misfit - fit.misfit < kEquallyGood;
+    for (Index k = 0; isGood && k < fit.residuals.cols(); ++k) {
+        isGood = agrees(rounded, k) || !agrees(fit, k);
+    }
+    return isGood;
+}
+
 } // namespace
 
 double roundest(double value, double standardError, std::span<const double> units)
@@ -82,25 +102,28 @@ double roundest(double value, double standardError, std::span<const double> unit
 
 Parameters roundedParameters(const LastFit &lastFit, const Parameters &exact)
 {
+    constexpr double kArithmetic = 1e-13;         // relative accuracy of the computation
+    constexpr std::array kParts{1.0, 0.1, 0.01}; // of the standard errors: where they depend on each other, more digits count
     const Observations &observations = lastFit.observations;
-    constexpr double kArithmetic = 1e-13; // relative accuracy of the computation
     const Fit &fit = lastFit.fit;
-    Parameters rounded = exact;
-    for (const Parameter parameter : kAllParameters) {
-        const double size = parameter == Parameter::Theta20  ? 1.0
-                            : parameter == Parameter::Omega2 ? std::abs(exact.omega2)
-                                                             : characteristicLength(exact);
-        const double error = std::max(lastFit.standardError[indexOf(parameter)], kArithmetic * size);
-        if (std::isfinite(lastFit.standardError[indexOf(parameter)])) {
-            valueOf(rounded, parameter) = roundest(valueOf(exact, parameter), error, unitsOf(parameter));
+    for (const double part : kParts) {
+        Parameters rounded = exact;
+        for (const Parameter parameter : kAllParameters) {
+            const double size = parameter == Parameter::Theta20  ? 1.0
+                                : parameter == Parameter::Omega2 ? std::abs(exact.omega2)
+                                                                 : characteristicLength(exact);
+            const double standardError = lastFit.standardError[indexOf(parameter)];
+            const double error = std::max(part * standardError, kArithmetic * size);
+            if (std::isfinite(standardError)) {
+                valueOf(rounded, parameter) = roundest(valueOf(exact, parameter), error, unitsOf(parameter));
+            }
+        }
+        const Model model = withParameters(fit.model, rounded, observations);
+        if (!findFault(rounded) && isAsGood(observations, evaluated(observations, model, fit.columns), fit)) {
+            return rounded;
         }
     }
-    if (findFault(rounded)) {
-        return exact;
-    }
-    constexpr double kEquallyGood = 0.5 * kSameMisfit; // about what the errors of five parameters explain
-    const Fit changed = evaluated(observations, withParameters(fit.model, rounded, observations), fit.columns);
-    return changed.misfit - fit.misfit < kEquallyGood ? rounded : exact;
+    return exact;
 }
 
 } // namespace slidercrank

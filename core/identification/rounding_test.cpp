@@ -8,24 +8,30 @@
 namespace slidercrank
 {
 
-bool isWithinRounding(const Observations &observations, const Fit &fit, Index k)
+Values roundingBounds(const Observations &observations, const Fit &fit, Index k)
 {
     constexpr double kTies = 1.0 + 1e-6; // a value in the middle of two printable ones is not exact in binary
     const ObservedColumn &column = observations.columns[fit.columns[k]];
     const double shift = fit.model.followsAngle ? std::abs(fit.model.angleFactor) * observations.angleHalfStep
                                                 : std::abs(fit.model.mechanism.omega2) * observations.timeHalfStep;
-    const FittedMechanism fitted{.unknowns = fit.unknowns.size(), .values = fit.valueCount()};
-    Values bound = kTies * column.halfSteps;
-    if (shift > 0.0) {
-        Values motion = Values::Zero(bound.size()); // during half a step of the abscissa
-        for (const double side : {-shift, shift}) {
-            Model shifted = fit.model;
-            shifted.mechanism.theta20 += side;
-            const Values residuals = column.values - predictedIn(shifted, observations, {fit.columns[k]}).col(0);
-            motion = motion.max(finite((residuals - fit.residuals.col(k)).abs()));
+    Values motion = Values::Zero(column.values.size()); // during half a step of the abscissa
+    for (const double side : {-shift, shift}) {
+        if (side == 0.0) {
+            continue;
         }
-        bound += motion;
+        Model shifted = fit.model;
+        shifted.mechanism.theta20 += side;
+        const Values residuals = column.values - predictedIn(shifted, observations, {fit.columns[k]}).col(0);
+        motion = motion.max(finite((residuals - fit.residuals.col(k)).abs()));
     }
+    return kTies * column.halfSteps + motion;
+}
+
+bool isWithinRounding(const Observations &observations, const Fit &fit, Index k)
+{
+    const ObservedColumn &column = observations.columns[fit.columns[k]];
+    const FittedMechanism fitted{.unknowns = fit.unknowns.size(), .values = fit.valueCount()};
+    Values bound = roundingBounds(observations, fit, k);
     // The fit of rounded values is no worse than the values with the largest step.
     bound += (bound + (column.halfSteps.maxCoeff() - column.halfSteps)).min(fitted.errorOf(fit.rms[k]));
     const Values errors = finite(fit.residuals.col(k)).abs();
