@@ -68,6 +68,9 @@ std::string likelyUnit(const RawColumn &column, ColumnRole role, Channel channel
 
 std::vector<ColumnChoice> abscissaChoice(const RawTable &table, std::span<RawColumn> columns)
 {
+    if (const RawColumn *const guessed = findElement(columns, &RawColumn::isAbscissa)) {
+        return {choiceFor(table, *guessed, guessed->use.role, kCrankAngle)};
+    }
     const RawColumn *const rising = findElement(columns, mayBeAbscissa);
     if (!rising) {
         return {};

@@ -257,7 +257,7 @@ std::vector<RawColumn *> findCandidates(RawTable &table)
             continue;
         }
         const auto unreadable = std::ranges::count_if(column.values, [](double value) { return std::isinf(value); });
-        if (2 * unreadable > std::ssize(column.values) && meaning.kind < Kind::Chosen) {
+        if (2 * unreadable > std::ssize(column.values) && meaning.kind < Kind::ChannelName) {
             column.use.reason = ColumnReason::NoNumber; // it consists of words
             continue;
         }
