@@ -42,7 +42,9 @@ bool splitAtBrackets(std::string_view text, Heading &heading)
         const std::string_view unit = trimmed(text.substr(begin + 1, end - begin - 1));
         const bool isLast = end + 1 == text.size();
         const bool isUnit = parseUnit(unit) || unit.empty();
-        const bool isPart = kind > 1 || (kind == 0 && looksNumeric(unit)) || meaningOf(text, {}).kind != Kind::Nothing;
+        const NameMeaning whole = meaningOf(text, {});
+        const bool isKnown = whole.kind != Kind::Nothing && whole.doubt != Doubt::IsOfCrank;
+        const bool isPart = kind > 1 || (kind == 0 && looksNumeric(unit)) || isKnown;
         if (isUnit || (isLast && !isPart)) {
             heading.name = trimmed(text.substr(0, begin));
             heading.name += isLast ? "" : text.substr(end + 1);

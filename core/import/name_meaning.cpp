@@ -72,6 +72,7 @@ struct NameReading {
     bool isUnknownBody = false; ///< it has an index that denotes none of the three bodies
     Doubt doubt = Doubt::None;
     std::string_view symbol{};
+    std::string joints{}; ///< the ends of a link: "bc" in "ω_BC"
 };
 
 /// Sets `all` to a value that is known. Returns false if it is another one than before.
@@ -141,6 +142,7 @@ bool includeEntry(NameReading &all, std::string_view word, bool mayBeSymbol)
     if (const WordMeaning *const index = all.hasSymbol ? findWord(word, WordUse::Index) : nullptr) {
         const bool isOfSlider = index->body == Body::Slider && all.dimension == Dimension::Angle; // θ_c, θ_b
         all.isUnknownBody = all.isUnknownBody || isOfSlider;
+        all.joints = !index->body && word.size() > 1 ? word : "";
         return isOfSlider || merge(all, *index);
     }
     if (all.hasSymbol && findWord(word, WordUse::LetterOfOne)) {
@@ -202,6 +204,9 @@ bool includeWord(NameReading &all, std::string_view word, bool mayBeSymbol)
 int takeDerivatives(Words &words)
 {
     int count = 0;
+    if (words == Words{"ddot"} || words == Words{"dddot"}) { // of the distance d
+        words = {"d", words[0].substr(1)};
+    }
     for (std::size_t i = 0; i < words.size();) {
         const bool hasNext = i + 1 < words.size();
         const WordMeaning *const two = hasNext ? findWord(words[i] + '_' + words[i + 1], WordUse::Derivative) : nullptr;
@@ -313,7 +318,7 @@ NameMeaning meaningOfReading(const NameReading &name, const NamePath &path, cons
     if (!order || (name.body == Body::Coupler && !isAngle) || isUnknownBody) {
         return {.reason = isUnknownBody ? ColumnReason::UnknownBody : ColumnReason::UnknownName};
     }
-    NameMeaning meaning{.owner = path.owner};
+    NameMeaning meaning{.owner = path.owner + name.joints};
     const Coordinate ofAngle = name.isFrame ? Theta1 : name.body == Body::Crank ? Theta2 : Theta3;
     const Coordinate coordinate = isAngle ? ofAngle : name.axis == 'y' ? R4y : R4x;
     const bool isCertain = (name.body || name.isFrame) && name.isBodyNamed &&
@@ -349,6 +354,24 @@ std::optional<NameMeaning> meaningInInventor(std::string_view name, const std::s
                        std::string(name.substr(2, name.size() - 3))};
 }
 
+/// Removes the calls of functions that differentiate, and returns the number of derivatives: "der(x)" of Modelica,
+/// "diff(x(t), t, t)" and "Derivative(x(t), (t, 2))" of computer algebra.
+int takeCalls(std::string_view &name)
+{
+    int count = 0;
+    for (const std::string_view function : {"der(", "diff(", "derivative("}) {
+        while (lowered(name.substr(0, function.size())) == function && name.ends_with(')')) {
+            name = name.substr(function.size(), name.size() - function.size() - 1);
+            const std::size_t comma = name.find(',');
+            const std::string_view variables = name.substr(std::min(comma, name.size()));
+            const auto times = static_cast<int>(std::ranges::count(variables, 't'));
+            count += variables.find('2') != variables.npos ? 2 : std::max(times, 1);
+            name = name.substr(0, comma);
+        }
+    }
+    return count;
+}
+
 /// Returns whether an unknown name ends in a quantity: "J1_x", "part 7 velocity".
 bool endsInQuantity(Words words)
 {
@@ -369,11 +392,10 @@ NameMeaning meaningOf(std::string_view name, const std::string &unit)
     if (const std::optional<NameMeaning> meaning = meaningInInventor(name, unit)) {
         return *meaning;
     }
-    int derivatives = 0;
-    for (; lowered(name.substr(0, 4)) == "der(" && name.ends_with(')'); ++derivatives) { // Modelica
-        name = name.substr(4, name.size() - 5);
+    int derivatives = takeCalls(name);
+    for (const std::string_view remark : {", Ch ", " from ", " relative to "}) { // ", Ch P1": sensors of PASCO
+        name = name.substr(0, name.find(remark));
     }
-    name = name.substr(0, name.find(", Ch "));                           // the sensor of a PASCO interface
     const std::string plain = respelled(name, "/dt=dt|/ dt=dt|/d t=dt"); // not a path
     NamePath path = splitPath(plain);
     const bool isAboutZ = path.parts.size() > 1 && path.parts.back() == "z";   // "twist/angular/z"

@@ -31,7 +31,7 @@ constexpr std::string_view kTimeWords = "time times t tiempo timestamp stamp zei
                                         "czas tid cas timp zaman epoch millis micros время 时间 時間";
 constexpr std::string_view kTimeCompanions =
     "elapsed row sim simulation simulacion transcurrido de la since start date "
-    "relative run latest data set ch";
+    "relative run latest data set ch mechanism kin";
 constexpr std::string_view kTimesOfDay = "uhrzeit clock hora heure ora godzina";
 constexpr std::string_view kTurnsPerMinute = "rpm drehzahl regime giri revoluciones toerental obroty";
 constexpr std::string_view kRowNumbers =
@@ -51,22 +51,22 @@ std::span<const WordMeaning> vocabulary()
                     "position posicion posizione posicao posicio positie polozenie lage pos displacement disp displ "
                     "desplazamiento deplacement spostamento deslocamento desplacament verplaatsing przemieszczenie "
                     "verschiebung weg auslenkung abscisse pose konum konumu pozitie poloha draha droga positionen posiciones "
-                    "положение перемещение 位置 位移 変位",
+                    "qpos положение перемещение 位置 位移 変位",
                     kOpen, Position},
         WordMeaning{Word,
                     "coordinate coordenada coordonnee distance distancia distanza abstand stroke carrera course corsa "
-                    "curso cursa hub travel recorrido slag skok координата ход",
+                    "curso cursa hub travel recorrido slag skok length координата ход",
                     Length, Position},
         WordMeaning{
             Word,
             "velocity velocidad velocita velocidade velocitat vitesse speed vel geschwindigkeit geschw veloc snelheid "
             "predkosc rapidez hastighet hastighed rychlost viteza hiz hizi rate twist "
-            "velocities velocidades geschwindigkeiten скорость 速度",
+            "velocities velocidades qvel geschwindigkeiten скорость 速度",
             kOpen, Velocity},
         WordMeaning{Word,
                     "acceleration aceleracion accelerazione aceleracao acceleracio accelerometer accel acel acc "
                     "beschleunigung beschl versnelling przyspieszenie zrychleni acceleratie ivme ivmesi "
-                    "aceleraciones beschleunigungen ускорение 加速度",
+                    "qacc aceleraciones beschleunigungen ускорение 加速度",
                     kOpen, Acceleration},
         WordMeaning{Word,
                     "angle angulo angolo rotation rotacion rotazione rotacao giro orientation winkel hoek kat vinkel "
@@ -111,7 +111,6 @@ std::span<const WordMeaning> vocabulary()
         WordMeaning{Symbol, "alpha alfa al epsilon", Angle, Acceleration},
         WordMeaning{Symbol, "px", Length, Position, kOpen, 'x'},
         WordMeaning{Symbol, "py", Length, Position, kOpen, 'y'},
-        WordMeaning{Symbol, "n", Angle, Velocity, Crank}, // with a unit: alone it numbers the rows
         // Variables of Modelica and Simscape.
         WordMeaning{Symbol, ".s .p", Length, Position},
         WordMeaning{Symbol, ".v", Length, Velocity},
@@ -141,7 +140,7 @@ std::span<const WordMeaning> vocabulary()
         WordMeaning{
             Filler,
             "de del la el da do du di des della delle dello der die das of the van het en au a_la "
-            "in con component componente comp latest run set data cm com body centre center field instantaneous "
+            "in con component componente comp latest run set data cm com body centre center field plot channel instantaneous "
             "gemessen measured medido medida measure mea meas pin obrotu поворота"},
         WordMeaning{Label, "joint gelenk point punkt punto node marker of de del von du di do"},
     };
