@@ -193,8 +193,13 @@ void setText(QTextDocument &document, const QFont &font, const QString &html)
     document.setHtml(html);
 }
 
-/// Returns the size of the drawing, which is below the table of parameters or beside it.
-QSize mechanismSize(const ReportContent &content, const QFont &font, double textWidth)
+/// Where the mechanism is drawn, and how large.
+struct DrawingLayout {
+    DrawingPlace place = DrawingPlace::Beside;
+    QSize size; ///< px
+};
+
+DrawingLayout layOutDrawing(const ReportContent &content, const QFont &font, double textWidth)
 {
     constexpr double kApart = 48.0; // px
     constexpr double kSmallest = 240.0;
@@ -204,8 +209,10 @@ QSize mechanismSize(const ReportContent &content, const QFont &font, double text
     QTextDocument table;
     setText(table, font, parameterTable(content));
     const double beside = textWidth - table.idealWidth() - kApart;
-    const double width = hasFoundMechanism(content) ? kBelow : std::clamp(beside, kSmallest, kLargest);
-    return {static_cast<int>(width), static_cast<int>(kHeight * width)};
+    const bool hasSpace = beside >= kSmallest;
+    const double width = hasSpace ? std::min(beside, kLargest) : kBelow;
+    return {hasSpace ? DrawingPlace::Beside : DrawingPlace::Below,
+            {static_cast<int>(width), static_cast<int>(kHeight * width)}};
 }
 
 /// A report laid out on pages of a size (px).
@@ -215,13 +222,14 @@ public:
     LaidOutReport(const ReportContent &content, const QFont &font, const QSizeF &page, const FigureDrawing &mechanism,
                   const FigureDrawing &figure)
         : m_font(font)
-        , m_mechanism(mechanism, font, mechanismSize(content, font, page.width()))
+        , m_drawing(layOutDrawing(content, font, page.width()))
+        , m_mechanism(mechanism, font, m_drawing.size)
         , m_figure(figure, font, {static_cast<int>(page.width()), 1})
     {
         constexpr double kTallestFigure = 1.4; // widths
         constexpr int kMechanismType = QTextFormat::UserObject;
         constexpr int kFigureType = QTextFormat::UserObject + 1;
-        setText(m_document, font, reportHtml(content));
+        setText(m_document, font, reportHtml(content, m_drawing.place));
         insertDrawing(m_document, kMechanismPlace, kMechanismType, m_mechanism);
         insertDrawing(m_document, kFigurePlace, kFigureType, m_figure);
         m_document.setPageSize(page);
@@ -272,6 +280,7 @@ public:
 
 private:
     QFont m_font;
+    DrawingLayout m_drawing;
     DrawingObject m_mechanism; ///< these outlive the document, which draws them
     DrawingObject m_figure;
     QTextDocument m_document;

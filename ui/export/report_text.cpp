@@ -54,7 +54,7 @@ QString note(const QString &text)
 enum class LastColumn { Number, Text };
 
 /// Returns an HTML table. The first row is the header. The first column is aligned to the left, numbers to the right.
-/// Only headings and a last column of text are broken into lines.
+/// Headings and a last column of text are broken into lines, and beside such a column also the first one.
 QString table(const std::vector<QStringList> &rows, LastColumn last = LastColumn::Number)
 {
     QString html = "<table cellspacing=0 cellpadding=2>";
@@ -62,10 +62,12 @@ QString table(const std::vector<QStringList> &rows, LastColumn last = LastColumn
         html += "<tr>";
         for (qsizetype i = 0; i < row.size(); ++i) {
             const bool isText = last == LastColumn::Text && i + 1 == row.size();
-            html += QStringLiteral("<%1 class=%2 align=%3>%4</%1>")
+            const bool isBroken = isText || (last == LastColumn::Text && i == 0);
+            html += QStringLiteral("<%1 class=%2 align=%3%4>%5</%1>")
                         .arg(QLatin1String(&row == &rows.front() ? "th" : "td"),
-                             QLatin1String(isText ? "text" : "unbroken"),
-                             QLatin1String(isText || i == 0 ? "left" : "right"), subscriptHtml(row[i]));
+                             QLatin1String(isBroken ? "text" : "unbroken"),
+                             QLatin1String(isText || i == 0 ? "left" : "right"),
+                             QLatin1String(isBroken ? " width=24%" : ""), subscriptHtml(row[i]));
         }
         html += "</tr>";
     }
@@ -131,12 +133,12 @@ QString errorTable(const std::vector<ChannelComparison> &comparison, const Refer
         rows.front() << Report::tr("rounding step") << Report::tr("verdict");
     }
     for (const ChannelComparison &channel : comparison) {
-        const QString unit = QChar::Nbsp + unitText(channel.channel);
+        const QString unit = unitText(channel.channel);
         const double time = channel.timeOfMaxAbs;
         const double place =
             isOverAngle ? (file->crank->omega2 * time + file->crank->theta20) * kDegreesPerRadian : time;
         rows.push_back({QStringLiteral("%1 %2").arg(quantityName(channel.channel), symbolText(channel.channel)),
-                        errorText(channel.maxAbs) + (channel.maxAbs ? unit : QString()),
+                        channel.maxAbs ? withUnit(errorText(channel.maxAbs), unit) : errorText(channel.maxAbs),
                         channel.maxAbs ? numberText(place) : dash(), errorText(channel.rms),
                         errorText(channel.percentOfPeak)});
         if (file) {
@@ -238,11 +240,11 @@ QString parameterTable(const ReportContent &content)
     return table(rows);
 }
 
-QString reportHtml(const ReportContent &content)
+QString reportHtml(const ReportContent &content, DrawingPlace place)
 {
     const Result &result = *content.result;
     const QString beside = "<table width=100%><tr><td>%1</td><td align=right>%2</td></tr></table>";
-    const QString below = "%1<p>%2</p>"; // the table is wide
+    const QString below = "%1<p>%2</p>";
     QString caption = Report::tr("The mechanism at %1.").arg(crankText(content));
     if (result.isCompared()) {
         caption += u' ' + (result.reference ? Report::tr("Thin lines: the motion in the file.")
@@ -255,7 +257,7 @@ QString reportHtml(const ReportContent &content)
            note(Report::tr("%1, by %2 %3")
                     .arg(QLocale().toString(content.written.toLocalTime(), Report::tr("d MMMM yyyy, HH:mm")),
                          QCoreApplication::applicationName(), QCoreApplication::applicationVersion())) +
-           (hasFoundMechanism(content) ? below : beside).arg(parameterTable(content), kMechanismPlace) + note(caption) +
+           (place == DrawingPlace::Beside ? beside : below).arg(parameterTable(content), kMechanismPlace) + note(caption) +
            heading(Report::tr("At %1").arg(crankText(content))) + valueTable(content) +
            heading(Report::tr("Motion limits")) + paragraph(mobilitySentence(result.mechanism, result.limits)) +
            table(limitTable(motionFacts(result.mechanism, result.limits, result.sampling, notation()))) +
