@@ -160,7 +160,8 @@ FigureForm::FigureForm(const FigureSubject &subject, const FigureOptions &option
 
 void FigureForm::addPlots(const FigureOptions &options, QFormLayout &form)
 {
-    constexpr int kColumns = 3; // as in the window
+    constexpr int kWithErrors = 9;
+    const int columns = m_subject.plots.size() < kWithErrors ? 2 : 3; // as in the window
     auto *grid = new QGridLayout;
     const auto isChosen = [&](const std::pair<QString, QString> &plot) {
         return options.plots.isEmpty() || options.plots.contains(plot.first);
@@ -171,7 +172,7 @@ void FigureForm::addPlots(const FigureOptions &options, QFormLayout &form)
         box->setChecked(!isAnyChosen || isChosen({name, text}));
         connect(box, &QCheckBox::toggled, this, &FigureForm::showPreview);
         const int place = static_cast<int>(m_plots.size());
-        grid->addWidget(box, place / kColumns, place % kColumns);
+        grid->addWidget(box, place / columns, place % columns);
         m_plots.push_back(box);
     }
     form.addRow(grid);
