@@ -2117,10 +2117,6 @@ difiere: lo demás</translation>
         <translation>valor</translation>
     </message>
     <message>
-        <source>θ₂ [°]</source>
-        <translation>θ₂ [°]</translation>
-    </message>
-    <message>
         <source>Crank angle, 0 to 360°</source>
         <translation>Ángulo de la manivela, de 0 a 360°</translation>
     </message>
@@ -2267,10 +2263,6 @@ difiere: lo demás</translation>
         <translation>punto muerto interior</translation>
     </message>
     <message>
-        <source>mm</source>
-        <translation>mm</translation>
-    </message>
-    <message>
         <source>outer</source>
         <comment>dead centre</comment>
         <translation>exterior</translation>
@@ -2376,8 +2368,8 @@ PA = %4, PB = %5</translation>
         <translation>El mecanismo no se puede ensamblar en ningún ángulo de la manivela: la biela no alcanza la línea de la corredera. Se puede ensamblar si b ≥ %1; la manivela da vueltas completas si b ≥ %2.</translation>
     </message>
     <message>
-        <source>The mechanism cannot be assembled at θ₂ = %1°: the coupler is too short. The crank makes full turns if b ≥ %2.</source>
-        <translation>El mecanismo no se puede ensamblar en θ₂ = %1°: la biela es demasiado corta. La manivela da vueltas completas si b ≥ %2.</translation>
+        <source>The mechanism cannot be assembled at θ₂ = %1: the coupler is too short. The crank makes full turns if b ≥ %2.</source>
+        <translation>El mecanismo no se puede ensamblar en θ₂ = %1: la biela es demasiado corta. La manivela da vueltas completas si b ≥ %2.</translation>
     </message>
 </context>
 <context>
@@ -4771,10 +4763,6 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation> s</translation>
     </message>
     <message>
-        <source>Crank angle in degrees</source>
-        <translation>Ángulo de la manivela en grados</translation>
-    </message>
-    <message>
         <source>°</source>
         <translation>°</translation>
     </message>
@@ -4910,6 +4898,14 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     <message>
         <source>Start, duration, steps, one revolution, and the playback speed (Ctrl+R). A fast crank is slowed to four seconds a revolution.</source>
         <translation>Inicio, duración, pasos, una revolución y la velocidad de reproducción (Control+R). Una manivela rápida se ralentiza a cuatro segundos por revolución.</translation>
+    </message>
+    <message>
+        <source>Crank angle</source>
+        <translation>Ángulo de la manivela</translation>
+    </message>
+    <message>
+        <source> rad</source>
+        <translation> rad</translation>
     </message>
 </context>
 <context>

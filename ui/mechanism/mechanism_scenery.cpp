@@ -2,6 +2,7 @@
 #include "ui/mechanism/mechanism_sketch.h"
 
 #include "ui/mechanism/mechanism_text.h"
+#include "ui/text/notation.h"
 #include "ui/text/written_number.h"
 
 #include <algorithm>
@@ -52,7 +53,9 @@ void MechanismSketch::addScenery()
 void MechanismSketch::addGrid()
 {
     constexpr double kLeastSpacing = 50.0; // px
-    const double step = nextRoundNumber(kLeastSpacing / scale);
+    const double perMm = shownValue(Measure::Length, 1.0, notation().units);
+    const double shownStep = nextRoundNumber(kLeastSpacing / scale * perMm); // in the chosen unit
+    const double step = shownStep / perMm;
     const QRectF shown = visible();
     const auto addNumber = [this](QPointF lowerLeft, const QString &text) {
         const QSizeF extent = textSize(text, true);
@@ -60,11 +63,11 @@ void MechanismSketch::addGrid()
         m_labels.push_back({text, box, m_muted, Qt::transparent, true});
         return box;
     };
-    const QRectF corner = addNumber({1.0, size.height()}, tr("mm"));
+    const QRectF corner = addNumber({1.0, size.height()}, shownUnit(Measure::Length));
     for (double i = std::ceil(shown.left() / step); i <= std::floor(shown.right() / step); i += 1.0) {
         const double x = std::floor(toPixels({i * step, 0.0}).x());
         m_grid << QRectF(x, 0.0, 1.0, size.height());
-        const QString text = numberText(i * step);
+        const QString text = numberText(i * shownStep);
         if (x > corner.right() && x + textSize(text, true).width() < size.width()) {
             addNumber({x, size.height()}, text);
         }
@@ -78,7 +81,7 @@ void MechanismSketch::addGrid()
         const double y = std::floor(toPixels({0.0, i * step}).y());
         m_grid << QRectF(0.0, y, size.width(), 1.0);
         if (y - corner.height() > top && y < corner.top()) {
-            addNumber({1.0, y}, numberText(i * step));
+            addNumber({1.0, y}, numberText(i * shownStep));
         }
     }
 }

@@ -62,14 +62,17 @@ QStringList pointLines(const MechanismScene &scene, LinkagePoint point)
 }
 
 /// Returns the crank angle as the timeline shows it: beyond a whole turn, it counts on.
-QString shownCrankAngle(const MechanismScene &scene)
+QString timelineAngle(const MechanismScene &scene)
 {
-    return fixedText(kDegreesPerRadian * scene.pose.theta2, 2);
+    const Units &units = notation().units;
+    const int decimals = units.angle == AngleUnit::Radian ? 4 : 2;
+    return withUnit(fixedText(shownValue(Measure::Angle, scene.pose.theta2, units), decimals),
+                    shownUnit(Measure::Angle));
 }
 
 QStringList crankLines(const MechanismScene &scene)
 {
-    return {QStringLiteral("θ₂ = %1°").arg(shownCrankAngle(scene)),
+    return {QStringLiteral("θ₂ = %1").arg(timelineAngle(scene)),
             equationText(Parameter::Omega2, scene.mechanism().omega2(), kReadoutDigits)};
 }
 
@@ -95,7 +98,7 @@ QStringList couplerLines(const MechanismScene &scene)
 QStringList deadCentreLines(const QString &name, const std::optional<SliderPosition> &centre)
 {
     return {MechanismText::tr("%1: the slider reverses. Click to go there.").arg(name),
-            QStringLiteral("θ₂ = %1°").arg(crankAngleText(centre->theta2)),
+            QStringLiteral("θ₂ = %1").arg(crankAngleWithUnit(centre->theta2)),
             MechanismText::tr("slider at %1").arg(lengthText(centre->R4x, kReadoutDigits))};
 }
 
@@ -172,9 +175,9 @@ QString assemblyProblem(const MechanismScene &scene)
                                  "b ≥ %2.")
             .arg(atLeastText(shortestCouplerForAnyPose(mechanism)), forFullTurn);
     }
-    return MechanismText::tr("The mechanism cannot be assembled at θ₂ = %1°: the coupler is too short. The crank makes "
+    return MechanismText::tr("The mechanism cannot be assembled at θ₂ = %1: the coupler is too short. The crank makes "
                              "full turns if b ≥ %2.")
-        .arg(shownCrankAngle(scene), forFullTurn);
+        .arg(timelineAngle(scene), forFullTurn);
 }
 
 } // namespace slidercrank

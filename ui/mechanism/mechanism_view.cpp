@@ -174,6 +174,12 @@ void MechanismView::setResult(const std::shared_ptr<const Result> &result)
     refresh();
 }
 
+void MechanismView::refreshNotation()
+{
+    describe();
+    refresh();
+}
+
 void MechanismView::describe()
 {
     const Mechanism &mechanism = m_scene.mechanism();

@@ -74,6 +74,9 @@ public slots:
     /// Highlights the part that an equation or a coordinate refers to.
     void highlight(slidercrank::MechanismPart part);
 
+    /// Shows everything in the chosen notation and units.
+    void refreshNotation();
+
     /// Shows the whole mechanism.
     void fit();
 

@@ -28,7 +28,7 @@ std::vector<TableRow> rowsOf(const std::vector<MotionFact> &facts)
         if (fact.theta2) {
             explanation += u'\n' + (fact.time ? LimitsPage::tr("Click or press Enter to go there")
                                               : LimitsPage::tr("Outside the simulated time range"));
-            angle = {.text = crankAngleText(*fact.theta2), .number = degreesFromZero(*fact.theta2)};
+            angle = {.text = crankAngleText(*fact.theta2), .number = shownCrankAngle(*fact.theta2)};
         }
         rows.push_back({{{.text = fact.name,
                           .csv = fact.unit.isEmpty() ? fact.name : QStringLiteral("%1 [%2]").arg(fact.name, fact.unit)},
@@ -49,6 +49,7 @@ std::vector<TableRow> rowsOf(const std::vector<MotionFact> &facts)
 Page limitsPage(const Result &result)
 {
     const Mechanism &mechanism = result.mechanism;
+    const QString angle = shownUnit(Measure::Angle);
     Page page;
     page.sentence = mobilitySentence(mechanism, result.limits);
     page.tables = {
@@ -63,7 +64,8 @@ Page limitsPage(const Result &result)
            LimitsPage::tr("Positions are those of the slider, measured from O₂; x points to the right, angles are "
                           "counter-clockwise"),
            "value"},
-          {LimitsPage::tr("θ₂ [°]"), LimitsPage::tr("Crank angle, 0 to 360°"), "theta2 [°]"},
+          {QStringLiteral("θ₂ [%1]").arg(angle), LimitsPage::tr("Crank angle, 0 to 360°"),
+           QStringLiteral("theta2 [%1]").arg(angle)},
           {LimitsPage::tr("t [s]"), LimitsPage::tr("First time at which the crank is there"), "time [s]"}},
          rowsOf(motionFacts(mechanism, result.limits, result.sampling, notation()))}};
     return page;

@@ -43,12 +43,6 @@ TableCell tableNumber(double value)
     return numberCell(value, shortNumber(value, kTableDigits));
 }
 
-/// Returns the crank angle from 0 to 360°, in the chosen unit.
-double shownCrankAngle(double theta2)
-{
-    return shownValue(Measure::Angle, degreesFromZero(theta2) / kDegreesPerRadian, notation().units);
-}
-
 QString numberInFile(double value, const CsvStyle &style)
 {
     constexpr int kDigits = 6;

@@ -12,6 +12,7 @@
 #include "ui/text/motion_facts.h"
 #include "ui/text/notation.h"
 #include "ui/text/quantity_text.h"
+#include "ui/text/subscripts.h"
 #include "ui/text/typed_value.h"
 #include "ui/text/written_number.h"
 #include "ui/widgets/named.h"
@@ -77,6 +78,7 @@ MotionTablePanel::MotionTablePanel(Session *session, QWidget *parent)
     m_layout->addLayout(makeFindLine());
     m_layout->addWidget(m_answer);
     m_answer->hide();
+    m_judgement->setTextFormat(Qt::RichText);
     makeTables();
     m_pause.setSingleShot(true);
     m_pause.setInterval(kPause);
@@ -262,6 +264,7 @@ void MotionTablePanel::makeTables()
     m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // both tables are equally wide
     m_present->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     m_present->setEditable(1, 2); // without t and θ₂
+    m_present->setSelectionMode(QAbstractItemView::NoSelection); // it would hide the colours of the verdicts
     m_layout->addWidget(m_present);
     m_layout->removeWidget(m_judgement);
     m_layout->addWidget(m_judgement);
@@ -363,7 +366,10 @@ TableRow MotionTablePanel::myValues()
         }
     }
     m_judgement->setVisible(!sentences.isEmpty());
-    m_judgement->setText(sentences.join(u' ') + u' ' + (values.empty() ? QString() : explanationText(result, wrong)));
+    if (!values.empty()) {
+        sentences << explanationText(result, wrong);
+    }
+    m_judgement->setText(subscriptHtml(sentences.join(u' ')));
     return row;
 }
 
@@ -425,7 +431,7 @@ void MotionTablePanel::goToNext()
     if (answer.isEmpty()) {
         QStringList texts;
         for (const double theta2 : *angles) {
-            texts << crankAngleText(theta2) + u'°';
+            texts << crankAngleWithUnit(theta2);
         }
         answer = tr("Positions of a revolution: θ₂ = %1").arg(texts.join("; "));
     }

@@ -249,6 +249,7 @@ void ParameterPanel::useUnit(Parameter parameter)
     const ShownUnit &unit = row.shownUnit();
     const double largest = unit.fromCore(kLargestParameter);
     row.slider->setSuffix(u' ' + unit.name);
+    row.slider->setRange(unit.range, isPositive(parameter)); // showRow() extends it if it is too small
     row.box->setUnit(unit.unit);
     row.box->setRange(isPositive(parameter) ? unit.fromCore(kShortestLink) : -largest, largest);
 }

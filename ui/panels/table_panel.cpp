@@ -178,6 +178,7 @@ void TablePanel::fillTables(const Page &page)
     m_shownTables.clear();
     for (const PageTable &content : page.tables) {
         NumberTable *table = tableFor(content);
+        table->setColumns(content.columns);
         table->setRows(content.rows);
         if (!content.rows.empty()) {
             m_shownTables.push_back(table);

@@ -4,6 +4,7 @@
 #include "core/mechanism/turn.h"
 #include "core/sampling/crank_time.h"
 #include "ui/document/session.h"
+#include "ui/text/notation.h"
 #include "ui/text/written_number.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/number_box.h"
@@ -131,15 +132,14 @@ QLayout *Timeline::createScrubbing()
     m_timeBox = makeBox("timeBox", tr("Time in seconds"), tr("Time"), tr(" s"), kSecond);
     connect(m_timeBox, &NumberBox::edited, m_session, &Session::setTime);
 
-    constexpr double kLargestAngle = 1e300; // degrees; larger than any angle that a mechanism reaches
+    constexpr double kLargestAngle = 1e300; // larger than any angle that a mechanism reaches
     m_angleBox = makeBox(
-        "angleBox", tr("Crank angle in degrees"),
+        "angleBox", tr("Crank angle"),
         tr("Crank angle: type one to go to the nearest time at which the crank passes it, or to turn a crank at "
            "rest"),
-        tr("°"), kDegree);
+        {}, kDegree);
     m_angleBox->setRange(-kLargestAngle, kLargestAngle);
-    m_angleBox->setFixedDecimals(2);
-    m_angleBox->setStep(1.0);
+    refreshNotation();
     connect(m_angleBox, &NumberBox::edited, this, &Timeline::goToAngle);
 
     m_slider = named("timeSlider", new NumberSlider, tr("Time, slider"));
@@ -375,10 +375,19 @@ void Timeline::stepTo(double step)
     m_session->setTime(m_session->sampling().timeStamp(static_cast<int>(step)));
 }
 
-void Timeline::goToAngle(double degrees)
+void Timeline::refreshNotation()
+{
+    const bool isRadian = notation().units.angle == AngleUnit::Radian;
+    m_angleBox->setSuffix(isRadian ? tr(" rad") : tr("°"));
+    m_angleBox->setUnit(isRadian ? kRadian : kDegree);
+    m_angleBox->setFixedDecimals(isRadian ? 4 : 2);
+    m_angleBox->setStep(isRadian ? 0.02 : 1.0);
+}
+
+void Timeline::goToAngle(double angle)
 {
     const Parameters &parameters = m_session->parameters();
-    const double theta2 = degrees / kDegreesPerRadian;
+    const double theta2 = coreValue(Measure::Angle, angle, notation().units);
     if (parameters.omega2 == 0.0) { // at rest: the box turns the crank
         m_session->setParameter(Parameter::Theta20, theta2);
         showTime();
@@ -395,7 +404,7 @@ void Timeline::showTime()
 {
     const Pose pose = m_session->pose();
     m_timeBox->setValue(pose.time);
-    m_angleBox->setValue(pose.theta2 * kDegreesPerRadian);
+    m_angleBox->setValue(shownValue(Measure::Angle, pose.theta2, notation().units));
     m_slider->setNumber(pose.time);
 }
 

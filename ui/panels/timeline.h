@@ -46,6 +46,7 @@ public slots:
     void play();
     void pause();
     void setSpeed(double speed);
+    void refreshNotation(); ///< shows the crank angle in the chosen unit
     void openRun(); ///< opens the form for the time range and the speed
 
 protected:
@@ -70,7 +71,7 @@ private:
     void nextFrame();
     double currentStep() const; ///< time steps since the start
     void stepTo(double step);
-    void goToAngle(double degrees);
+    void goToAngle(double angle);
     void editSampling();
     void showSettings();
     void showTime();

@@ -230,7 +230,8 @@ std::vector<MotionFact> motionFacts(const Mechanism &mechanism, const MotionLimi
 
 std::vector<QStringList> limitTable(const std::vector<MotionFact> &facts)
 {
-    std::vector<QStringList> rows{{MotionFacts::tr("limit"), MotionFacts::tr("value"), "θ₂ [°]", "t [s]"}};
+    std::vector<QStringList> rows{{MotionFacts::tr("limit"), MotionFacts::tr("value"),
+                                   QStringLiteral("θ₂ [%1]").arg(shownUnit(Measure::Angle)), "t [s]"}};
     for (const MotionFact &fact : facts) {
         rows.push_back({fact.name, valueText(fact), fact.theta2 ? crankAngleText(*fact.theta2) : fact.remark,
                         fact.time ? numberText(fact.time) : QString()});
@@ -255,9 +256,20 @@ QString iterationsText(const SamplingSummary &run)
                : MotionFacts::tr("%1 in total, at most %2 at a time step").arg(run.iterations).arg(run.mostIterations);
 }
 
+double shownCrankAngle(double theta2)
+{
+    return shownValue(Measure::Angle, degreesFromZero(theta2) / kDegreesPerRadian, notation().units);
+}
+
 QString crankAngleText(double theta2)
 {
-    return fixedText(degreesFromZero(theta2), 2);
+    const bool isRadian = notation().units.angle == AngleUnit::Radian;
+    return isRadian ? fixedText(shownCrankAngle(theta2), 4) : fixedText(degreesFromZero(theta2), 2);
+}
+
+QString crankAngleWithUnit(double theta2)
+{
+    return withUnit(crankAngleText(theta2), shownUnit(Measure::Angle));
 }
 
 } // namespace slidercrank

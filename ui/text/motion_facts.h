@@ -52,9 +52,13 @@ std::vector<QStringList> limitTable(const std::vector<MotionFact> &facts);
 /// Formats the value with its unit.
 QString valueText(const MotionFact &fact, int digits = 6);
 
-/// Return the crank angle in degrees, from 0 to 360, and its text without the unit.
+/// Returns the crank angle in degrees, from 0 to 360.
 double degreesFromZero(double theta2);
+
+/// Return the crank angle, from 0 to a whole turn, in the chosen unit; its text without the unit, and with it.
+double shownCrankAngle(double theta2);
 QString crankAngleText(double theta2);
+QString crankAngleWithUnit(double theta2);
 
 /// Returns a warning if the samples are too few to draw the motion; otherwise an empty string.
 QString fewSamplesSentence(const Mechanism &mechanism, const Sampling &sampling);

@@ -2,6 +2,7 @@
 #include "ui/text/subscripts.h"
 
 #include <QRegularExpression>
+#include <QTextOption>
 #include <QTransform>
 
 namespace slidercrank
@@ -21,6 +22,9 @@ QStaticText withSubscripts(const QString &line, const QFont &font)
     if (line.contains(u'_')) {
         text.setTextFormat(Qt::RichText);
         text.setText(subscriptHtml(line));
+        QTextOption oneLine;
+        oneLine.setWrapMode(QTextOption::NoWrap);
+        text.setTextOption(oneLine);
     }
     text.prepare(QTransform(), font);
     return text;

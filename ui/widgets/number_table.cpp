@@ -180,6 +180,14 @@ NumberTable::NumberTable(const QString &name, const QString &title, std::vector<
     fitColumns();
 }
 
+void NumberTable::setColumns(const std::vector<TableColumn> &columns)
+{
+    m_columns = columns;
+    for (int column = 0; column < m_model->columnCount(); ++column) {
+        m_model->horizontalHeaderItem(column)->setText(m_columns[static_cast<std::size_t>(column)].title);
+    }
+}
+
 void NumberTable::setEditable(int row, int firstColumn)
 {
     m_editableRow = row;

@@ -58,6 +58,9 @@ public:
     /// `name`: the object name; `title`: what a screen reader announces.
     NumberTable(const QString &name, const QString &title, std::vector<TableColumn> columns);
 
+    /// Replaces the titles of the columns, whose number stays.
+    void setColumns(const std::vector<TableColumn> &columns);
+
     /// Replaces the rows. Only the cells that change are painted again.
     void setRows(std::vector<TableRow> rows);
 

@@ -139,6 +139,7 @@ MainWindow::MainWindow(QWidget *parent)
     setMenuBar(new Menus(*this, m_views));
     // The shortcuts of the window also work in the form of the time range.
     m_views.timeline->form()->addActions(menuBar()->findChildren<QAction *>());
+    m_views.timeline->refreshNotation();
     connectDocument();
     showTitle();
     showResult(m_session->result());
@@ -417,6 +418,8 @@ void MainWindow::setNotation(const Notation &notation)
     rememberNotation(notation);
     m_views.parameters->refreshNotation();
     m_views.table->refreshNotation();
+    m_views.timeline->refreshNotation();
+    m_views.mechanism->refreshNotation();
     emit m_session->resultChanged(m_session->result()); // the views read the notation again
     emit m_session->timeChanged(m_session->pose());
 }

@@ -186,6 +186,9 @@ void restoreLayout(QMainWindow &window)
     restoreTable(settings, *window.findChild<MotionTablePanel *>());
     for (const QString &name : kUnitBoxes) {
         auto *box = window.findChild<QComboBox *>(name);
+        if (!settings.contains(kChoice + name)) {
+            continue; // the unit of the chosen notation
+        }
         box->setCurrentIndex(std::clamp(settings.value(kChoice + name).toInt(), 0, box->count() - 1));
         emit box->activated(box->currentIndex());
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/channels.h"
 #include "ui/text/finding_text.h"
+#include "ui/text/subscripts.h"
 
 #include <QLocale>
 #include <QSet>
@@ -33,6 +34,13 @@ class TestFindingText : public QObject
 
 private slots:
     void initTestCase() { QLocale::setDefault(QLocale::c()); }
+
+    void writesSubscriptsAndNoOtherTags()
+    {
+        QCOMPARE(subscriptHtml("v_BA [mm/s]"), QString("v<sub>BA</sub> [mm/s]"));
+        QCOMPARE(subscriptHtml("−R_y³ + a_Aⁿ"), QString("−R<sub>y</sub>³ + a<sub>A</sub>ⁿ"));
+        QCOMPARE(subscriptHtml("a < b & c"), QString("a &lt; b &amp; c"));
+    }
 
     void namesEachChannelInWordsAndBySymbol()
     {

@@ -11,6 +11,7 @@
 #include "ui/plots/plot_grid.h"
 #include "ui/text/language.h"
 #include "ui/widgets/folding_tabs.h"
+#include "ui/widgets/number_box.h"
 #include "ui/window/exports.h"
 #include "ui/window/window_settings.h"
 
@@ -25,6 +26,9 @@
 #include <QSplitter>
 #include <QStatusBar>
 #include <QTableView>
+
+#include <cmath>
+#include <numbers>
 
 using namespace slidercrank;
 
@@ -269,6 +273,40 @@ private slots:
         QVERIFY(crankPin != before && picture("mechanismView") != crankPin);
         showTab(LimitsTab);
         QCOMPARE(picture("mechanismView"), before);
+    }
+
+    void showsEverythingInTheChosenNotationAndUnits()
+    {
+        const QImage before = picture("mechanismView");
+        for (const char *choice : {"Textbook (θ₃ at B, x_B)", "Radians", "in"}) {
+            action(QString::fromUtf8(choice))->trigger();
+        }
+        const auto check = [this] {
+            QCOMPARE(part<NumberBox>("box_a")->suffix(), QString(" in"));
+            QVERIFY(std::abs(part<NumberBox>("box_a")->value() - 20.0 / 25.4) < 1e-12);
+            QCOMPARE(part<QComboBox>("unit_theta20")->currentText(), QString("rad"));
+            QCOMPARE(part<NumberBox>("angleBox")->suffix(), QString(" rad"));
+            const auto headings = [this](const char *table) {
+                const QAbstractItemModel *model = part<QTableView>(table)->model();
+                QStringList texts;
+                for (int column = 0; column < model->columnCount(); ++column) {
+                    texts << model->headerData(column, Qt::Horizontal).toString();
+                }
+                return texts;
+            };
+            showTab(LimitsTab);
+            QVERIFY(headings("limitTable").contains("θ₂ [rad]"));
+            showTab(TableTab);
+            QVERIFY(headings("motionTable").contains("x_B [in]") && headings("presentPosition").contains("θ₃ [rad]"));
+        };
+        showTab(LimitsTab); // its table exists before the change
+        check();
+        QVERIFY(picture("mechanismView") != before);
+        openWindow(); // remembered
+        check();
+        QVERIFY(!m_window->findChild<QLabel *>("notationOffer"));
+        typeNumber(part<NumberBox>("angleBox"), "pi/2");
+        QVERIFY(std::abs(session().pose().theta2 - std::numbers::pi / 2.0) < 1e-9);
     }
 
     void runningTheStudyKeepsTheFocus()
