@@ -151,12 +151,15 @@ QString lengthText(const Mechanism &mechanism, Parameter length)
 
 QString arrowScaleText(const ArrowScale &scale)
 {
+    if (scale.amount == 0.0) {
+        return MechanismText::tr("at rest");
+    }
     const Measure measure = scale.isOfVelocity() ? Measure::Speed : Measure::Acceleration;
-    return scale.amount == 0.0 ? MechanismText::tr("at rest")
-                               : MechanismText::tr("Scale: %1 = %2")
-                                     .arg(lengthText(scale.length),
-                                          withUnit(numberText(shownValue(measure, scale.amount, notation().units)),
-                                                   shownUnit(measure)));
+    const double length = shownValue(Measure::Length, scale.length, notation().units);
+    const double rounded = nextRoundNumber(0.999 * length); // the scale is a round number of mm
+    const double amount = shownValue(measure, scale.amount, notation().units) * (rounded / length);
+    return MechanismText::tr("Scale: %1 = %2")
+        .arg(withUnit(numberText(rounded), shownUnit(Measure::Length)), withUnit(numberText(amount), shownUnit(measure)));
 }
 
 QString assemblyProblem(const MechanismScene &scene)

@@ -58,7 +58,7 @@ void fillMeanings(QComboBox &combo)
             for (const Order order : {Order::Position, Order::Velocity, Order::Acceleration}) {
                 const Channel channel{coordinate, order};
                 combo.addItem(
-                    QStringLiteral("%1  %2  (%3)").arg(quantityName(channel), symbolText(channel), columnName(channel)),
+                    QStringLiteral("%1  %2  (%3)").arg(quantityName(channel), absoluteSymbolText(channel), columnName(channel)),
                     meaningOf(ColumnRole::Channel, channel));
             }
         }

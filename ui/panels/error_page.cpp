@@ -103,7 +103,7 @@ public:
         return {
             name,
             title,
-            {{tr("quantity"), tr("What is compared"), "channel", false},
+            {{tr("quantity"), tr("What is compared"), "channel", false, true},
              largest,
              {tr("% of peak"), tr("Largest error relative to the largest value of the reference"), "percent_of_peak"},
              {tr("t [s]"), tr("Time of the largest error"), "max_error_at [s]"}}};

@@ -155,7 +155,7 @@ QString meaningText(const FileColumn &column)
     case ColumnRole::Ignored: return dash();
     case ColumnRole::Time: return ColumnText::tr("time");
     case ColumnRole::CrankAngle: return ColumnText::tr("crank angle");
-    case ColumnRole::Channel: return symbolText(column.channel);
+    case ColumnRole::Channel: return absoluteSymbolText(column.channel);
     }
     return {};
 }
