@@ -68,27 +68,7 @@ void computeErrors(LastFit &result, const ParameterErrors &shifts)
     }
 }
 
-} // namespace
-
-Parameters parametersOf(const Model &model, const Observations &observations, const Drive &drive)
-{
-    Parameters parameters = model.mechanism;
-    if (drive.kind == Drive::Kind::RunUp) {
-        parameters.theta20 = drive.theta20;
-        parameters.omega2 = drive.omega2;
-    } else if (drive.kind == Drive::Kind::Uneven) {
-        parameters.omega2 = drive.omega2;
-    }
-    const double t = -observations.timeOrigin;
-    if (!model.followsAngle || drive.kind == Drive::Kind::RunUp) {
-        parameters.theta20 += parameters.omega2 * t + 0.5 * model.alpha2 * t * t;
-        parameters.omega2 += model.alpha2 * t;
-    }
-    parameters.theta20 = -wrapToPi(-parameters.theta20); // -π becomes π
-    return parameters;
-}
-
-LastFit fitAllRows(Observations observations, const Fit &start, const ParameterErrors &shifts, const Drive &drive)
+LastFit fitRows(Observations observations, const Fit &start, const ParameterErrors &shifts, const Drive &drive)
 {
     constexpr int kRounds = 2; // what is far off hides what is less far off
     LastFit result{.observations = std::move(observations)};
@@ -115,6 +95,37 @@ LastFit fitAllRows(Observations observations, const Fit &start, const ParameterE
         }
     }
     return result;
+}
+
+} // namespace
+
+Parameters parametersOf(const Model &model, const Observations &observations, const Drive &drive)
+{
+    Parameters parameters = model.mechanism;
+    if (drive.kind == Drive::Kind::RunUp) {
+        parameters.theta20 = drive.theta20;
+        parameters.omega2 = drive.omega2;
+    } else if (drive.kind == Drive::Kind::Uneven) {
+        parameters.omega2 = drive.omega2;
+    }
+    const double t = -observations.timeOrigin;
+    if (!model.followsAngle || drive.kind == Drive::Kind::RunUp) {
+        parameters.theta20 += parameters.omega2 * t + 0.5 * model.alpha2 * t * t;
+        parameters.omega2 += model.alpha2 * t;
+    }
+    parameters.theta20 = -wrapToPi(-parameters.theta20); // -π becomes π
+    return parameters;
+}
+
+LastFit fitAllRows(Observations observations, const Fit &start, const ParameterErrors &shifts, const Drive &drive)
+{
+    LastFit evenlySpaced = fitRows(observations, start, shifts, drive);
+    if (observations.printedTime.size() == 0) {
+        return evenlySpaced;
+    }
+    observations.time = observations.printedTime;
+    LastFit printed = fitRows(std::move(observations), start, shifts, drive);
+    return printed.fit.misfit < evenlySpaced.fit.misfit ? printed : evenlySpaced;
 }
 
 } // namespace slidercrank

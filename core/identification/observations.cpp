@@ -92,16 +92,30 @@ Indices rowsWithValues(const ReferenceData &data)
     return rows;
 }
 
+/// The time stamps before they were rounded: multiples of one step, some of which may be missing.
+Values evenlySpaced(const Values &time)
+{
+    const Index pairs = time.size() - 1;
+    const Values differences = time.tail(pairs) - time.head(pairs);
+    const double step = median(differences);
+    Values numbers = Values::Zero(time.size());
+    for (Index i = 0; i < pairs; ++i) {
+        numbers[i + 1] = numbers[i] + std::rint(differences[i] / step);
+    }
+    return time[0] + (time[pairs] - time[0]) / numbers[pairs] * numbers;
+}
+
 void observeTime(Observations &observations, const ReferenceData &data)
 {
     const Clock clock = clockOf(data.time, data.timeRounding);
     const Indices &rows = observations.rows;
-    Values time = Eigen::Map<const Values>(data.time.data(), std::ssize(data.time));
-    if (clock.rounded) { // the time stamps were evenly spaced before they were rounded
-        time = Values::LinSpaced(time.size(), data.time.front(), data.time.back());
-    }
+    const Values printed = Eigen::Map<const Values>(data.time.data(), std::ssize(data.time));
+    const Values time = clock.rounded ? evenlySpaced(printed) : printed;
     observations.timeOrigin = 0.5 * (time[rows.front()] + time[rows.back()]);
     observations.time = time(rows) - observations.timeOrigin;
+    if (clock.rounded) {
+        observations.printedTime = printed(rows) - observations.timeOrigin;
+    }
     observations.timeHalfStep = 0.5 * clock.step();
 }
 
@@ -139,6 +153,7 @@ Observations selection(const Observations &all, const Indices &rows)
     some.rows.resize(rows.size());
     std::ranges::transform(rows, some.rows.begin(), [&](Index row) { return all.rows[row]; });
     some.time = all.time.size() > 0 ? Values(all.time(rows)) : Values();
+    some.printedTime = all.printedTime.size() > 0 ? Values(all.printedTime(rows)) : Values();
     some.angle = all.angle.size() > 0 ? Values(all.angle(rows)) : Values();
     for (std::size_t k = 0; k < all.columns.size(); ++k) {
         some.columns[k].values = all.columns[k].values(rows);
