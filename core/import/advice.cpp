@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/import/advice.h"
 
+#include "core/import/cells.h"
 #include "core/import/crank_angles.h"
 #include "core/import/unnamed_bodies.h"
 #include "core/mechanism/find_element.h"
@@ -66,6 +67,11 @@ std::string likelyUnit(const RawColumn &column, ColumnRole role, Channel channel
     return role == ColumnRole::Time ? "s" : std::string(fileUnit(role == ColumnRole::Channel ? channel : kCrankAngle));
 }
 
+bool isChannel(const RawColumn &column)
+{
+    return column.use.role == ColumnRole::Channel;
+}
+
 std::vector<ColumnChoice> abscissaChoice(const RawTable &table, std::span<RawColumn> columns)
 {
     if (const RawColumn *const guessed = findElement(columns, &RawColumn::isAbscissa)) {
@@ -79,18 +85,34 @@ std::vector<ColumnChoice> abscissaChoice(const RawTable &table, std::span<RawCol
     return {choiceFor(table, *rising, role, kCrankAngle, likelyUnit(*rising, role, kCrankAngle))};
 }
 
-/// Returns the choice for the first column that nobody uses and whose values change.
+std::string withoutDigits(std::string heading)
+{
+    std::erase_if(heading, isDigit);
+    return heading;
+}
+
+/// Returns the choice for a column that nobody uses and whose values change: the first one whose heading leaves its
+/// meaning open, else the first one with a suitable unit or none. Of several points, it is the last one, as programs
+/// number them from the crank to the slider.
 std::vector<ColumnChoice> channelChoice(const RawTable &table, std::span<RawColumn> columns, std::size_t notColumn)
 {
     const auto isFree = [&](const RawColumn &column) {
         return !column.isUsed() && column.index != notColumn && rangeOf(column.values).width() > 0.0 &&
                column.use.reason != ColumnReason::RowNumber && column.use.reason != ColumnReason::SameTimeStamps;
     };
-    const RawColumn *column =
-        findElement(columns, [&](const RawColumn &other) { return isFree(other) && leavesOpen(other.use.reason); });
-    column = column ? column : findElement(columns, isFree);
+    const auto isOpen = [&](const RawColumn &other) { return isFree(other) && leavesOpen(other.use.reason); };
+    const auto hasUnit = [&](const RawColumn &other) {
+        return isFree(other) && (other.use.unit.empty() || parseUnit(other.use.unit) ||
+                                 other.meaning.kind >= NameMeaning::Kind::Quantity);
+    };
+    const RawColumn *column = findElement(columns, isOpen);
+    column = column ? column : findElement(columns, hasUnit);
     if (!column) {
         return {};
+    }
+    for (const RawColumn &other : columns) {
+        const bool isPoint = isOpen(other) && withoutDigits(other.use.heading) == withoutDigits(column->use.heading);
+        column = isPoint ? &other : column;
     }
     const Channel channel = likelyChannel(*column);
     return {choiceFor(table, *column, ColumnRole::Channel, channel, likelyUnit(*column, ColumnRole::Channel, channel))};
@@ -108,12 +130,12 @@ std::vector<ColumnChoice> adviceFor(const ReadError &error, RawTable &table)
     RawColumn *const place = error.column > 0 && error.column <= columns.size() ? &columns[error.column - 1] : nullptr;
     std::vector<ColumnChoice> advice;
     switch (error.fault.kind) {
-    case Fault::NoTime: return abscissaChoice(table, columns);
     case Fault::NoChannel:
     case Fault::NoCertainChannel: return channelChoice(table, columns, table.columns.size());
+    case Fault::NoTime:
     case Fault::NamesMissing:
         advice = abscissaChoice(table, columns);
-        if (!advice.empty()) {
+        if (!advice.empty() && std::ranges::none_of(columns, isChannel)) {
             std::ranges::copy(channelChoice(table, columns, advice.front().column), std::back_inserter(advice));
         }
         return advice;

@@ -238,6 +238,22 @@ bool isFixed(Coordinate coordinate)
     return coordinate == R1x || coordinate == R1y || coordinate == Theta1 || coordinate == Theta4 || coordinate == R4y;
 }
 
+/// Removes columns that consist of words, if others contain numbers. Channels that are called by their names stay.
+void removeWords(std::vector<RawColumn *> &candidates)
+{
+    const auto areNumbers = [](const RawColumn *column) {
+        const auto unreadable = std::ranges::count_if(column->values, [](double value) { return std::isinf(value); });
+        return 2 * unreadable <= std::ssize(column->values);
+    };
+    if (std::ranges::any_of(candidates, areNumbers)) {
+        std::erase_if(candidates, [&](RawColumn *column) {
+            const bool isRemoved = column->meaning.kind < Kind::ChannelName && !areNumbers(column);
+            column->use.reason = isRemoved ? ColumnReason::NoNumber : column->use.reason;
+            return isRemoved;
+        });
+    }
+}
+
 /// Returns the columns that could be channels according to their names and units, in the default unit and with
 /// the channel that they would be. Sets the reason of columns with unsuitable units.
 std::vector<RawColumn *> findCandidates(RawTable &table)
@@ -256,11 +272,6 @@ std::vector<RawColumn *> findCandidates(RawTable &table)
             column.use.reason = ColumnReason::UnknownUnit;
             continue;
         }
-        const auto unreadable = std::ranges::count_if(column.values, [](double value) { return std::isinf(value); });
-        if (2 * unreadable > std::ssize(column.values) && meaning.kind < Kind::ChannelName) {
-            column.use.reason = ColumnReason::NoNumber; // it consists of words
-            continue;
-        }
         convert(column, *unit);
         column.use.channel = meaning.channel;
         if (isFixed(meaning.channel.coordinate)) { // whose values nobody needs
@@ -269,6 +280,7 @@ std::vector<RawColumn *> findCandidates(RawTable &table)
         }
         candidates.push_back(&column);
     }
+    removeWords(candidates);
     return candidates;
 }
 

@@ -60,7 +60,7 @@ bool splitAtBrackets(std::string_view text, Heading &heading)
 /// longest one that does is the unit.
 void splitAtEnd(std::string_view text, Heading &heading)
 {
-    constexpr std::string_view kAlsoWords = "in min h r u g"; // units only where nothing else is possible
+    constexpr std::string_view kAlsoWords = "min h r u g"; // units only where nothing else is possible
     for (std::size_t at = 1; at < text.size(); ++at) {
         const bool isCapital = lowerCase(text[at]) != text[at] && lowerCase(text[at - 1]) == text[at - 1];
         const bool isSeparator = std::string_view("/, _-.:").find(text[at]) != std::string_view::npos;

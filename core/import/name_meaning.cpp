@@ -248,7 +248,8 @@ std::optional<NameReading> readPath(const NamePath &path, int derivatives, const
     bool hasUnknownPart = false;
     for (std::size_t i = path.parts.size(); i-- > 0;) {
         const bool isLast = i + 1 == path.parts.size();
-        const Words words = isLast ? lastWords : wordsOf(path.parts[i]);
+        Words words = isLast ? lastWords : wordsOf(path.parts[i]);
+        std::erase_if(words, [&](const std::string &word) { return !isLast && isDigits(word) && words.size() == 2; });
         NameReading with = all;
         bool isKnown = true;
         for (std::size_t k = 0; k < words.size() && isKnown; ++k) {

@@ -80,7 +80,7 @@ std::span<const WordMeaning> vocabulary()
         WordMeaning{Word, kTurnsPerMinute, Angle, Velocity, Crank},
         // Bodies. A wheel with a pin is a crank.
         WordMeaning{Word,
-                    "crank input crankshaft wheel flywheel disk disc driver manivela manivelle manovella ciguenal "
+                    "crank input crankshaft wheel flywheel disk disc driver manivela maneta manivelle manovella ciguenal "
                     "vilebrequin virabrequim volante rueda kurbel kurbelwelle schwungrad kruk krukas korba korby vev "
                     "vevaxel klika kliky krank "
                     "кривошип кривошипа 曲柄 クランク "
