@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <functional>
 #include <string>
 #include <vector>
@@ -270,7 +271,7 @@ private slots:
 
             Parameters other = similar; // the mechanism of the file, if θ3 is shifted by half a turn
             other.c = -p.c;
-            other.theta20 = p.theta20 + kPi;
+            other.theta20 = p.theta20 + std::numbers::pi;
             other.branch = oppositeBranch(p.branch);
             const auto otherwise = findConventions(data, other);
             QVERIFY2(areFound(otherwise, {{Kind::HalfTurn, {kTheta3}, p.branch == Branch::Open ? 180.0 : -180.0}}),
