@@ -97,6 +97,30 @@ bool isNoise(const Fit &fit)
     return isNoise;
 }
 
+/// Where sin θ3 ≈ θ3, another unit of θ3 looks like another length of the coupler. Returns the fit with θ3 in its usual
+/// unit, or the same fit if the file needs the other unit.
+Fit withUsualUnits(const Observations &observations, Fit fit)
+{
+    for (const Index k : fit.columns) {
+        const double unit = std::abs(fit.model.readings[k].factor);
+        if (!isAngle(observations.columns[k].channel.coordinate) || unit == 1.0) {
+            continue;
+        }
+        for (const double offsetScale : {1.0, 1.0 / unit}) { // of a horizontal coupler, and of a slanted one
+            Model start = fit.model;
+            start.readings[k].factor /= unit;
+            start.mechanism.b /= unit;
+            start.mechanism.c *= offsetScale;
+            Fit next = refined(observations, std::move(start), fit.columns, fit.unknowns);
+            if (isExact(observations, next) || next.misfit - fit.misfit < kSameMisfit * dependence(fit)) {
+                fit = std::move(next);
+                break;
+            }
+        }
+    }
+    return fit;
+}
+
 /// Whether the file does not prove that a freedom exists, of which `value` is the usual value.
 bool isUnproven(const Observations &observations, const Fit &with, const Fit &without, Unknown unknown, double value,
                 bool isInterpolated)
@@ -115,7 +139,8 @@ bool isUnproven(const Observations &observations, const Fit &with, const Fit &wi
 ConstrainedFit withoutFreedoms(const Observations &observations, Fit fit, bool isInterpolated,
                                const ParameterErrors &shifts)
 {
-    ConstrainedFit result{.fit = std::move(fit), .shifts = shifts};
+    constexpr double kDoubt = 4.0; // of the misfit: an origin two standard errors away
+    ConstrainedFit result{.fit = withUsualUnits(observations, std::move(fit)), .shifts = shifts};
     Unknowns freedoms;
     if (result.fit.model.followsAngle) {
         result.fit.model.mechanism.theta20 = wrapToPi(result.fit.model.mechanism.theta20);
@@ -130,8 +155,9 @@ ConstrainedFit withoutFreedoms(const Observations &observations, Fit fit, bool i
         if (!isExplained && !isUnproven(observations, result.fit, next, freedom, value, isInterpolated)) {
             continue;
         }
+        const bool isDoubtful = !isExplained && next.misfit - result.fit.misfit > kDoubt;
         for (const Unknown unknown : next.unknowns) {
-            if (unknown.isParameter() && !isExplained) {
+            if (unknown.isParameter() && isDoubtful) {
                 double &shift = result.shifts[parameterIndex(unknown)];
                 shift = std::hypot(shift, valueOf(next.model, unknown) - valueOf(result.fit.model, unknown));
             }

@@ -67,6 +67,23 @@ Fit bestGeometry(const Observations &all, const Observations &searched, const Pa
     return misfitOf(searched, other, columns) < misfitOf(searched, fit, columns) ? other : fit;
 }
 
+/// Uses the time stamps as they were printed if these explain the columns better than evenly spaced ones: a program may
+/// have computed its values at rounded times.
+void chooseTimeStamps(Observations &all, Observations &searched, Fit &fit)
+{
+    if (searched.printedTime.size() == 0 || fit.model.followsAngle) {
+        return;
+    }
+    Observations printed = searched;
+    printed.time = printed.printedTime;
+    Fit other = refined(printed, fit.model, fit.columns, fit.unknowns);
+    if (other.misfit < fit.misfit) {
+        fit = std::move(other);
+        searched = std::move(printed);
+        all.time = all.printedTime;
+    }
+}
+
 /// The same fit for the mirror image with the simplest reading.
 Fit simplestImage(const Observations &observations, Fit fit, const Parameters &given)
 {
@@ -179,6 +196,7 @@ Identification identifyTable(const ReferenceData &original, const std::optional<
     if (!fit.isFinite()) {
         return judge(data, findings, given);
     }
+    chooseTimeStamps(all, searched, fit);
     findings.isInterpolated = std::ranges::any_of(fit.columns, [&](Index k) { return all.columns[k].isInterpolated; });
     ConstrainedFit constrained = withoutFreedoms(searched, std::move(fit), findings.isInterpolated);
     fit = simplestImage(searched, std::move(constrained.fit), given);

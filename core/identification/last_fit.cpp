@@ -19,6 +19,7 @@ namespace
 Indices excludeOutliers(Observations &observations, const Fit &fit)
 {
     constexpr double kDeviations = 8.0;
+    constexpr double kRoundings = 2.0; // bounds of rounding, because the fit has errors, too
     constexpr double kNormal = 1.4826; // standard deviation of a normal distribution, in median absolute deviations
     constexpr double kLargestPart = 0.05;
     Eigen::ArrayX<bool> isFarOff = Eigen::ArrayX<bool>::Constant(observations.size(), false);
@@ -26,7 +27,7 @@ Indices excludeOutliers(Observations &observations, const Fit &fit)
         const ObservedColumn &column = observations.columns[fit.columns[k]];
         const Values errors = fit.residuals.col(k).abs();
         const double deviation = std::max(kNormal * median(errors), std::sqrt(column.variance));
-        isFarOff = isFarOff || (errors > kDeviations * deviation && errors > roundingBounds(observations, fit, k));
+        isFarOff = isFarOff || (errors > kDeviations * deviation && errors > kRoundings * roundingBounds(observations, fit, k));
     }
     Indices rows;
     for (Index row = 0; row < isFarOff.size(); ++row) {
@@ -68,7 +69,27 @@ void computeErrors(LastFit &result, const ParameterErrors &shifts)
     }
 }
 
-LastFit fitRows(Observations observations, const Fit &start, const ParameterErrors &shifts, const Drive &drive)
+} // namespace
+
+Parameters parametersOf(const Model &model, const Observations &observations, const Drive &drive)
+{
+    Parameters parameters = model.mechanism;
+    if (drive.kind == Drive::Kind::RunUp) {
+        parameters.theta20 = drive.theta20;
+        parameters.omega2 = drive.omega2;
+    } else if (drive.kind == Drive::Kind::Uneven) {
+        parameters.omega2 = drive.omega2;
+    }
+    const double t = -observations.timeOrigin;
+    if (!model.followsAngle || drive.kind == Drive::Kind::RunUp) {
+        parameters.theta20 += parameters.omega2 * t + 0.5 * model.alpha2 * t * t;
+        parameters.omega2 += model.alpha2 * t;
+    }
+    parameters.theta20 = -wrapToPi(-parameters.theta20); // -π becomes π
+    return parameters;
+}
+
+LastFit fitAllRows(Observations observations, const Fit &start, const ParameterErrors &shifts, const Drive &drive)
 {
     constexpr int kRounds = 2; // what is far off hides what is less far off
     LastFit result{.observations = std::move(observations)};
@@ -95,37 +116,6 @@ LastFit fitRows(Observations observations, const Fit &start, const ParameterErro
         }
     }
     return result;
-}
-
-} // namespace
-
-Parameters parametersOf(const Model &model, const Observations &observations, const Drive &drive)
-{
-    Parameters parameters = model.mechanism;
-    if (drive.kind == Drive::Kind::RunUp) {
-        parameters.theta20 = drive.theta20;
-        parameters.omega2 = drive.omega2;
-    } else if (drive.kind == Drive::Kind::Uneven) {
-        parameters.omega2 = drive.omega2;
-    }
-    const double t = -observations.timeOrigin;
-    if (!model.followsAngle || drive.kind == Drive::Kind::RunUp) {
-        parameters.theta20 += parameters.omega2 * t + 0.5 * model.alpha2 * t * t;
-        parameters.omega2 += model.alpha2 * t;
-    }
-    parameters.theta20 = -wrapToPi(-parameters.theta20); // -π becomes π
-    return parameters;
-}
-
-LastFit fitAllRows(Observations observations, const Fit &start, const ParameterErrors &shifts, const Drive &drive)
-{
-    LastFit evenlySpaced = fitRows(observations, start, shifts, drive);
-    if (observations.printedTime.size() == 0) {
-        return evenlySpaced;
-    }
-    observations.time = observations.printedTime;
-    LastFit printed = fitRows(std::move(observations), start, shifts, drive);
-    return printed.fit.misfit < evenlySpaced.fit.misfit ? printed : evenlySpaced;
 }
 
 } // namespace slidercrank

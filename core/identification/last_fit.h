@@ -25,8 +25,7 @@ struct LastFit {
     std::vector<double> unknownErrors{}; ///< of fit.unknowns
 };
 
-/// Fits all rows, starting from a fit of some rows. If the time stamps were evenly spaced before they were rounded, also
-/// fits them as they were printed, and returns the fit with the lower misfit. Rows with a value that is more than eight robust standard
+/// Fits all rows, starting from a fit of some rows. Rows with a value that is more than eight robust standard
 /// deviations and more than its rounding off are excluded if they are at most 5 %. `shifts`: further errors of the
 /// parameters.
 LastFit fitAllRows(Observations observations, const Fit &start, const ParameterErrors &shifts, const Drive &drive);
