@@ -262,6 +262,7 @@ ClaimTable &ClaimTable::held(const Channels &channels, double rows)
 {
     return change(channels, Content::Systematic, [=, this](ClaimColumn &column) {
         const double coarse = rows * timeBetweenRows();
+        delay = 0.5 * coarse; // on average
         column.values = exact(column.shown, times[0] + coarse * ((times - times[0]) / coarse).floor());
     });
 }
