@@ -101,7 +101,8 @@ bool isNoise(const Fit &fit)
 /// unit, or the same fit if the file needs the other unit.
 Fit withUsualUnits(const Observations &observations, Fit fit)
 {
-    for (const Index k : fit.columns) {
+    const Indices columns = fit.columns;
+    for (const Index k : columns) {
         const double unit = std::abs(fit.model.readings[k].factor);
         if (!isAngle(observations.columns[k].channel.coordinate) || unit == 1.0) {
             continue;
