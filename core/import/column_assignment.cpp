@@ -93,8 +93,10 @@ bool mayBeTime(const RawColumn &column)
     constexpr double kHalfTurn = 180.0;
     Values values = column.values;
     std::erase_if(values, [](double value) { return std::isinf(value); });
-    if (column.isUsed() || column.meaning.kind != Kind::Nothing || !column.unitAs(ColumnRole::Time) ||
-        values.size() < 2 || !(values[0] < values[1]) || findReversal(values)) {
+    const bool isQuantity =
+        column.meaning.kind != Kind::Nothing || column.meaning.reason == ColumnReason::UnknownBody; // "J1_x"
+    if (column.isUsed() || isQuantity || !column.unitAs(ColumnRole::Time) || values.size() < 2 ||
+        !(values[0] < values[1]) || findReversal(values)) {
         return false;
     }
     const bool isWhole = std::ranges::all_of(values, [](double value) { return value == std::rint(value); });

@@ -120,8 +120,8 @@ void resolveDoubts(std::vector<Heading> &row)
     }
 }
 
-/// Returns the unit of a quantity without a stated unit; empty if it is the default unit. Modelica implies m, rad and s,
-/// and a derivative is in the unit of its position: beside θ3 [rad], ω3 is in rad/s.
+/// Returns the unit of a quantity without a stated unit; empty if it is the default unit. Modelica implies m, rad and
+/// s, and a derivative is in the unit of its position: beside θ3 [rad], ω3 is in rad/s.
 std::string impliedUnit(const Heading &heading, std::span<const Heading> row)
 {
     constexpr std::array kPerTime{"", "/s", "/s2"};

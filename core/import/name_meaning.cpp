@@ -194,8 +194,14 @@ bool includeWord(NameReading &all, std::string_view word, bool mayBeSymbol)
             return true;
         }
     }
+    return false;
+}
+
+/// Includes an unknown index of an angle, such as that of "theta_m", which may be the angle of the crank.
+bool includeUnknownIndex(NameReading &all, std::string_view word)
+{
     const bool isIndex = all.hasSymbol && word.size() <= 2 && all.dimension == Dimension::Angle;
-    all.isUnknownBody = all.isUnknownBody || isIndex; // "theta_m", which may be the angle of the crank
+    all.isUnknownBody = all.isUnknownBody || isIndex;
     return isIndex;
 }
 
@@ -255,7 +261,7 @@ std::optional<NameReading> readPath(const NamePath &path, int derivatives, const
         for (std::size_t k = 0; k < words.size() && isKnown; ++k) {
             const std::string two = k + 1 < words.size() ? words[k] + '_' + words[k + 1] : std::string();
             const bool isPair = findWord(two, WordUse::Word); // "link 3"
-            isKnown = includeWord(with, isPair ? two : words[k], isLast);
+            isKnown = includeWord(with, isPair ? two : words[k], isLast) || includeUnknownIndex(with, words[k]);
             k += isPair ? 1 : 0;
         }
         if (!isKnown && isLast) {

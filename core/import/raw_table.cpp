@@ -51,14 +51,14 @@ std::size_t readRow(RawTable &table, const TableFile &file, std::size_t row)
 }
 
 /// Throws if there are more headings than cells in every row, because a heading contains the delimiter. Unknown
-/// headings behind known ones are remarks.
+/// headings behind known ones are remarks. Rows of one cell do not have the delimiter at all.
 void requireCells(std::span<const RawColumn> columns, const TableFile &file, std::size_t cells)
 {
     const auto isKnown = [](const RawColumn &column) { return column.meaning.kind != NameMeaning::Kind::Nothing; };
     const std::size_t used = std::min(cells, columns.size());
     const bool areRemarks =
         std::ranges::all_of(columns.first(used), isKnown) && std::ranges::none_of(columns.subspan(used), isKnown);
-    if (used < columns.size() && !file.rows.empty() && !areRemarks) {
+    if (used < columns.size() && cells >= kFewestCells && !areRemarks) {
         throw ReadError{.line = file.layout.headerLine,
                         .fault = {.kind = ReadFault::Kind::MoreHeadings, .headings = columns.size(), .numbers = cells}};
     }

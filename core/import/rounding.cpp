@@ -236,10 +236,11 @@ std::optional<double> findQuantum(std::span<const double> values, double printed
 
 std::optional<double> findStepOfFive(std::span<const double> values, const Rounding &rounding)
 {
-    constexpr std::size_t kFewestValues = 6;  // different ones: one in five is a multiple by chance
+    constexpr std::size_t kFewestValues = 6;   // different ones: one in five is a multiple by chance
     constexpr double kArithmeticError = 1e-13; // of a unit conversion, relative to the largest value
-    constexpr double kMaxEvenFraction = 0.7;  // even multiples; of six significant digits, most are, and the others by chance
-    constexpr double kMaxErrorOfStep = 0.1;    // relative to a step: with more, every value is a multiple of it
+    constexpr double kMaxEvenFraction =
+        0.7; // even multiples; of six significant digits, most are, and the others by chance
+    constexpr double kMaxErrorOfStep = 0.1; // relative to a step: with more, every value is a multiple of it
     std::vector<double> levels;
     for (const double value : values) {
         if (std::isfinite(value)) {

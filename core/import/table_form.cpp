@@ -98,6 +98,14 @@ SplitLine makeNames(Cells cells, char delimiter)
     return names;
 }
 
+/// Returns the headings without the cells from one that begins with a comment mark.
+std::span<const std::string_view> withoutRemark(const Cells &headings)
+{
+    const auto isRemark = [](std::string_view cell) { return cell.starts_with('%') || cell.starts_with('#'); };
+    const auto remark = std::find_if(headings.begin() + (headings.empty() ? 0 : 1), headings.end(), isRemark);
+    return {headings.begin(), remark};
+}
+
 /// Returns whether a line begins with a number, so that it is a row of data.
 bool isData(std::string_view line)
 {
@@ -107,8 +115,8 @@ bool isData(std::string_view line)
 }
 
 /// Splits a line at the delimiter that yields most known names. Names above rows that are separated by spaces, or
-/// after a comment mark, may have another delimiter than the numbers. Then there have to be as many as numbers, or,
-/// after a mark, more; and if only the names are separated by spaces, one of them may be unknown.
+/// after a comment mark, may have another delimiter than the numbers. Then there have to be as many as numbers, apart
+/// from a remark behind them; and if only the names are separated by spaces, one of them may be unknown.
 SplitLine readNames(std::string_view line, const std::optional<SplitLine> &row)
 {
     const bool bySpaces = row && row->delimiter == ' ';
@@ -123,8 +131,10 @@ SplitLine readNames(std::string_view line, const std::optional<SplitLine> &row)
             const SplitLine names = makeNames(cells, delimiter);
             const bool isKnown = names.isComplete() && names.known() + 1 >= cells.size();
             const bool fits = row && cells.size() == row->cells.size();
-            const bool isFree =
-                !row || unmarked.size() == line.size() || (names.isComplete() && cells.size() > row->cells.size());
+            const bool hasRemark = row && names.isComplete() &&
+                                   (withoutRemark(cells).size() == row->cells.size() ||
+                                    (cells.size() > row->cells.size() && names.known() >= row->cells.size()));
+            const bool isFree = !row || unmarked.size() == line.size() || hasRemark;
             const bool isAllowed =
                 fits ? delimiter != ' ' || bySpaces || isKnown : isFree && delimiter != ' ' && !bySpaces;
             const std::tuple rank(names.known(), fits, cells.size());
@@ -164,7 +174,9 @@ std::optional<SplitLine> findHeader(Lines lines, const std::optional<SplitLine> 
             continue;
         }
         const std::size_t known = best ? best->known() : 0;
-        if (names.known() > known || (!row && i == 0)) {
+        const bool fitsBetter =
+            known > 0 && names.known() == known && hasSize && best->cells.size() != names.cells.size();
+        if (names.known() > known || fitsBetter || (!row && i == 0)) {
             best = std::move(names);
         } else if (row && known == 0 && !std::ranges::all_of(names.cells, isUnit)) {
             const bool fits = hasSize && std::ranges::none_of(names.cells, looksNumeric);
@@ -172,15 +184,6 @@ std::optional<SplitLine> findHeader(Lines lines, const std::optional<SplitLine> 
         }
     }
     return best;
-}
-
-/// Removes the cells from one that begins with a comment mark, behind the headings.
-void removeRemark(Cells &headings)
-{
-    const auto isRemark = [](std::string_view cell) { return cell.starts_with('%') || cell.starts_with('#'); };
-    if (headings.size() > 1) {
-        headings.erase(std::find_if(headings.begin() + 1, headings.end(), isRemark), headings.end());
-    }
 }
 
 /// Returns the unit in a cell below the headings, which Simulink writes as "Type: double Unit: rad". Empty if there is
@@ -330,8 +333,7 @@ std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout)
     std::vector<Heading> headings(header ? 0 : row->cells.size());
     if (header) {
         layout.headerLine = lines[first].number;
-        removeRemark(header->cells);
-        std::ranges::transform(header->cells, std::back_inserter(headings), parseHeading);
+        std::ranges::transform(withoutRemark(header->cells), std::back_inserter(headings), parseHeading);
         if (row && lines[row->line].text.starts_with('"') && row->cells.size() == headings.size() + 1) {
             headings.insert(headings.begin(), Heading()); // R writes row names without a heading
         }

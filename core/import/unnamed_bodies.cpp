@@ -48,14 +48,22 @@ bool isOfUnnamedBody(const RawColumn *column)
     return column->meaning.kind == Kind::Quantity;
 }
 
-/// Removes lengths and angles that do not change: a table may contain parameters, such as the radius of the crank.
+/// Removes lengths and angles that do not change, beside others of the file that do: a table may contain parameters,
+/// such as the radius of the crank.
 void removeConstants(std::vector<RawColumn *> &candidates)
 {
-    std::erase_if(candidates, [](RawColumn *column) {
+    std::vector<std::size_t> filesOfMotion;
+    for (const RawColumn *const column : candidates) {
+        if (!isConstant(*column)) {
+            filesOfMotion.push_back(column->use.file);
+        }
+    }
+    std::erase_if(candidates, [&](RawColumn *column) {
         const Channel channel = column->use.channel;
         const bool mayBeConstant = channel.coordinate == R4y || channel.order != Order::Position;
-        const bool isParameter =
-            isOfUnnamedBody(column) && !mayBeConstant && isConstant(*column) && finiteValues(*column).front() != 0.0;
+        const bool isParameter = isOfUnnamedBody(column) && !mayBeConstant && isConstant(*column) &&
+                                 finiteValues(*column).front() != 0.0 &&
+                                 std::ranges::count(filesOfMotion, column->use.file) > 0;
         column->use.reason = isParameter ? ColumnReason::Constant : column->use.reason;
         return isParameter;
     });

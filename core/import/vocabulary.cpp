@@ -47,12 +47,13 @@ std::span<const WordMeaning> vocabulary()
     constexpr std::nullopt_t kOpen = std::nullopt;
     static constexpr std::array kRows{
         // Quantities.
-        WordMeaning{Word,
-                    "position posicion posizione posicao posicio positie polozenie lage pos displacement disp displ "
-                    "desplazamiento deplacement spostamento deslocamento desplacament verplaatsing przemieszczenie "
-                    "verschiebung weg auslenkung abscisse pose konum konumu pozitie poloha draha droga positionen posiciones "
-                    "qpos положение перемещение 位置 位移 変位",
-                    kOpen, Position},
+        WordMeaning{
+            Word,
+            "position posicion posizione posicao posicio positie polozenie lage pos displacement disp displ "
+            "desplazamiento deplacement spostamento deslocamento desplacament verplaatsing przemieszczenie "
+            "verschiebung weg auslenkung abscisse pose konum konumu pozitie poloha draha droga positionen posiciones "
+            "qpos положение перемещение 位置 位移 変位",
+            kOpen, Position},
         WordMeaning{Word,
                     "coordinate coordenada coordonnee distance distancia distanza abstand stroke carrera course corsa "
                     "curso cursa hub travel recorrido slag skok length координата ход",
@@ -73,23 +74,27 @@ std::span<const WordMeaning> vocabulary()
                     "uhel unghi aci acisi "
                     "inclination inclinacion neigung encoder revolutions revolution угол 角度 转角",
                     Angle, Position},
-        WordMeaning{Word, "ang angular angulaire angolare rotational rotary hoeksnelheid revolute rz угловая угловое 角", Angle},
+        WordMeaning{Word,
+                    "ang angular angulaire angolare rotational rotary hoeksnelheid revolute rz угловая угловое 角",
+                    Angle},
         WordMeaning{Word, "linear lineal lineaire lineare translational trans prismatic", Length},
         WordMeaning{Word, "horizontal horizontale tx", Length, kOpen, kOpen, 'x'},
         WordMeaning{Word, "vertical verticale ty", Length, kOpen, kOpen, 'y'},
         WordMeaning{Word, kTurnsPerMinute, Angle, Velocity, Crank},
         // Bodies. A wheel with a pin is a crank.
-        WordMeaning{Word,
-                    "crank input crankshaft wheel flywheel disk disc driver manivela maneta manivelle manovella ciguenal "
-                    "vilebrequin virabrequim volante rueda kurbel kurbelwelle schwungrad kruk krukas korba korby vev "
-                    "vevaxel klika kliky krank "
-                    "кривошип кривошипа 曲柄 クランク "
-                    "link_2 glied_2 eslabon_2 barra_2 membro_2",
-                    kOpen, kOpen, Crank},
+        WordMeaning{
+            Word,
+            "crank input crankshaft wheel flywheel disk disc driver manivela maneta manivelle manovella ciguenal "
+            "vilebrequin virabrequim volante rueda kurbel kurbelwelle schwungrad kruk krukas korba korby vev "
+            "vevaxel klika kliky krank "
+            "кривошип кривошипа 曲柄 クランク "
+            "link_2 glied_2 eslabon_2 barra_2 membro_2",
+            kOpen, kOpen, Crank},
         WordMeaning{Word, "ca cad kw atdc drehwinkel", Angle, Position, Crank},
         WordMeaning{Word,
                     "coupler rod conrod connecting biela bielle biella acoplador pleuel pleuelstange koppel "
-                    "schubstange drijfstang korbowod korbowodu lacznik vevstake ojnice biyel шатун шатуна 连杆 コンロッド link_3 glied_3 eslabon_3 "
+                    "schubstange drijfstang korbowod korbowodu lacznik vevstake ojnice biyel шатун шатуна 连杆 "
+                    "コンロッド link_3 glied_3 eslabon_3 "
                     "barra_3",
                     kOpen, kOpen, Coupler},
         WordMeaning{Word,
@@ -97,7 +102,8 @@ std::span<const WordMeaning> vocabulary()
                     "corredissa embolo carro "
                     "carrito cursore cursor pattino coulisseau coulissant crosshead block bloque kolben schieber "
                     "gleitstein schlitten kreuzkopf zuiger schuif suwak suwaka tlok tloka kolv pist pistu wrist "
-                    "gudgeon ram plunger ariete stossel ползун ползуна поршень поршня 滑块 活塞 スライダ スライダー ピストン link_4 glied_4 eslabon_4",
+                    "gudgeon ram plunger ariete stossel ползун ползуна поршень поршня 滑块 活塞 スライダ スライダー "
+                    "ピストン link_4 glied_4 eslabon_4",
                     kOpen, kOpen, Slider},
         WordMeaning{Word, "schwenkwinkel", Angle, Position, Coupler},
         // Symbols of textbooks. The order of x and θ is that of the unit, or that of a position.
@@ -137,11 +143,10 @@ std::span<const WordMeaning> vocabulary()
                     "segunda_derivada zweite_ableitung dd pp",
                     kOpen, Acceleration},
         WordMeaning{LetterOfOne, "d p point", kOpen, Velocity},
-        WordMeaning{
-            Filler,
-            "de del la el da do du di des della delle dello der die das of the van het en au a_la "
-            "in con component componente comp latest run set data cm com body centre center field plot channel instantaneous "
-            "gemessen measured medido medida measure mea meas pin obrotu поворота"},
+        WordMeaning{Filler, "de del la el da do du di des della delle dello der die das of the van het en au a_la "
+                            "in con component componente comp latest run set data cm com body centre center field plot "
+                            "channel instantaneous "
+                            "gemessen measured medido medida measure mea meas pin obrotu поворота"},
         WordMeaning{Label, "joint gelenk point punkt punto node marker of de del von du di do"},
     };
     return kRows;
