@@ -127,6 +127,15 @@ double percentOfPeak(const Observations &observations, const Fit &fit, Index k, 
     return peak > 0.0 ? 100.0 * finite(alone.residuals.col(0)).abs().maxCoeff() / peak : kNone;
 }
 
+/// Whether fit.columns[k], which contains difference quotients within their rounding, is nevertheless the motion:
+/// quotients amplify the rounding of the lower column, and the residuals of genuine derivatives are those of their own.
+bool isGenuine(const Observations &observations, const Fit &fit, Index k)
+{
+    constexpr double kRoundings = 3.0;
+    return isWithinRounding(observations, fit, k) ||
+           fit.rms[k] < kRoundings * std::sqrt(observations.columns[fit.columns[k]].variance);
+}
+
 /// Adds a column to result.fit, or to result.leftOut.
 void addOrLeaveOut(FurtherColumns &result, const Observations &observations, Index k, Drive::Kind drive, bool areExact)
 {
@@ -144,7 +153,7 @@ void addOrLeaveOut(FurtherColumns &result, const Observations &observations, Ind
     } else {
         Fit next = withUsualReading(observations, result.fit, k, areExact);
         const Index last = std::ssize(next.columns) - 1;
-        if (next.isFinite() && (!isDifference || isWithinRounding(observations, next, last))) {
+        if (next.isFinite() && (!isDifference || isGenuine(observations, next, last))) {
             result.fit = std::move(next);
             return;
         }

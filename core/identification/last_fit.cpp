@@ -20,6 +20,7 @@ Indices excludeOutliers(Observations &observations, const Fit &fit)
 {
     constexpr double kDeviations = 8.0;
     constexpr double kRoundings = 2.0; // bounds of rounding, because the fit has errors, too
+    constexpr double kSmallPart = 1e-4; // of the range of the column: smaller errors mislead nobody
     constexpr double kNormal = 1.4826; // standard deviation of a normal distribution, in median absolute deviations
     constexpr double kLargestPart = 0.05;
     Eigen::ArrayX<bool> isFarOff = Eigen::ArrayX<bool>::Constant(observations.size(), false);
@@ -27,7 +28,8 @@ Indices excludeOutliers(Observations &observations, const Fit &fit)
         const ObservedColumn &column = observations.columns[fit.columns[k]];
         const Values errors = fit.residuals.col(k).abs();
         const double deviation = std::max(kNormal * median(errors), std::sqrt(column.variance));
-        isFarOff = isFarOff || (errors > kDeviations * deviation && errors > kRoundings * roundingBounds(observations, fit, k));
+        const Values bounds = (kRoundings * roundingBounds(observations, fit, k)).max(kSmallPart * column.range);
+        isFarOff = isFarOff || (errors > kDeviations * deviation && errors > bounds);
     }
     Indices rows;
     for (Index row = 0; row < isFarOff.size(); ++row) {
