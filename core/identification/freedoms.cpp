@@ -122,6 +122,29 @@ Fit withUsualUnits(const Observations &observations, Fit fit)
     return fit;
 }
 
+/// With a very long coupler, derivatives of R4_x hardly show their sign: the reversed crank moves the slider in the
+/// opposite direction, and the coupler in the same one. Returns the fit without a change of the sign if rounding
+/// explains its residuals, too; otherwise the same fit.
+Fit withUsualSign(const Observations &observations, Fit fit)
+{
+    Model start = fit.model;
+    start.mechanism.omega2 = -start.mechanism.omega2;
+    start.mechanism.theta20 = std::numbers::pi - start.mechanism.theta20;
+    bool isNegated = false;
+    for (const Index k : fit.columns) {
+        double &factor = start.readings[k].factor;
+        if (observations.columns[k].channel.coordinate == R4x && factor < 0.0) {
+            factor = -factor;
+            isNegated = true;
+        }
+    }
+    if (!isNegated || fit.model.followsAngle) {
+        return fit;
+    }
+    Fit next = refined(observations, std::move(start), fit.columns, fit.unknowns);
+    return isExact(observations, next) ? next : fit;
+}
+
 /// Whether the file does not prove that a freedom exists, of which `value` is the usual value.
 bool isUnproven(const Observations &observations, const Fit &with, const Fit &without, Unknown unknown, double value,
                 bool isInterpolated)
@@ -141,7 +164,8 @@ ConstrainedFit withoutFreedoms(const Observations &observations, Fit fit, bool i
                                const ParameterErrors &shifts)
 {
     constexpr double kDoubt = 4.0; // of the misfit: an origin two standard errors away
-    ConstrainedFit result{.fit = withUsualUnits(observations, std::move(fit)), .shifts = shifts};
+    ConstrainedFit result{.fit = withUsualSign(observations, withUsualUnits(observations, std::move(fit))),
+                          .shifts = shifts};
     Unknowns freedoms;
     if (result.fit.model.followsAngle) {
         result.fit.model.mechanism.theta20 = wrapToPi(result.fit.model.mechanism.theta20);

@@ -14,8 +14,9 @@ struct ConstrainedFit {
     ParameterErrors shifts{}; ///< what taking freedoms back has changed
 };
 
-/// Sets each origin to its nearest usual value, one after the other, and fits the other unknowns again: the angle of
-/// the crank and θ3 to a multiple of half a turn, lengths to 0. An origin stays free if the file proves it:
+/// Reads θ3 in its usual unit and R4_x with its usual sign if a very long coupler hides the difference. Then sets each
+/// origin to its nearest usual value, one after the other, and fits the other unknowns again: the angle of the crank
+/// and θ3 to a multiple of half a turn, lengths to 0. An origin stays free if the file proves it:
 ///   1. rounding does not explain the residuals without it;
 ///   2. the misfit without it is higher by more than 20 times the dependence of the residuals (see fit.h);
 ///   3. it changes a column by more than one rounding step;

@@ -70,6 +70,9 @@ Fit withUsualReading(const Observations &observations, const Fit &fit, Index k, 
     const ObservedColumn &column = observations.columns[k];
     const double factor = usualFactor(observations, fit, k, areExact);
     std::vector<ColumnReading> readings{{factor, 0.0}};
+    if (std::abs(factor) != 1.0 && !fit.model.followsAngle) { // another unit only if it is necessary
+        readings.insert(readings.begin(), {std::copysign(1.0, factor), 0.0});
+    }
     const bool isMoving = column.range > 0.0 || column.channel == kSliderLine;
     const bool mayHaveOrigin = column.channel.order == Order::Position && isMoving;
     if (mayHaveOrigin) {

@@ -4,6 +4,7 @@
 #include "core/identification/round_values.h"
 #include "core/identification/rounding_test.h"
 
+#include "core/import/crank_angles.h"
 #include "core/mechanism/turn.h"
 
 #include <algorithm>
@@ -100,7 +101,8 @@ std::optional<LengthChange> findLengthChange(const Observations &observations, c
 WholeFileReading readLikeGiven(const ReferenceData &data, const Parameters &found, const ParameterErrors &standardError,
                                const Parameters &given)
 {
-    constexpr std::size_t kMostConventions = 2;
+    // θ2 shows the sense of rotation and the start, so that a wrong one of both would be a strange coincidence.
+    const std::size_t mostConventions = data.find(kCrankAngle) ? 1 : 2;
     const auto isLength = [](Channel channel) { return !isAngle(channel.coordinate); };
     const auto isOfAngle = [](Channel channel) { return isAngle(channel.coordinate); };
     const auto isDerivative = [](Channel channel) { return channel.order != Order::Position; };
@@ -152,7 +154,7 @@ WholeFileReading readLikeGiven(const ReferenceData &data, const Parameters &foun
         append(conventions, data, Kind::TimeShift, late, none);
         p.theta20 = std::remainder(p.theta20 - late * p.omega2, kTurn);
     }
-    const bool isAllowed = !conventions.empty() && conventions.size() <= kMostConventions;
+    const bool isAllowed = !conventions.empty() && conventions.size() <= mostConventions;
     return isAllowed ? result : WholeFileReading{{}, found, standardError};
 }
 

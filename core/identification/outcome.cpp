@@ -44,9 +44,21 @@ ColumnResidual residualOf(const Observations &observations, const Fit &fit, Inde
             .isWithinRounding = isWithinRounding(observations, fit, k)};
 }
 
-/// Which unknown parameters the file leaves open.
-std::array<bool, kParameterCount> openParameters(const LastFit &lastFit)
+/// Whether the crank makes so small a part of a turn that small systematic errors may hide any other mechanism.
+bool isShortArc(const Observations &observations, const Fit &fit)
 {
+    constexpr double kShort = 0.25 * kTurn;
+    const Model &model = fit.model;
+    const double angle = model.followsAngle ? std::abs(model.angleFactor) *
+                                                  (observations.angle.maxCoeff() - observations.angle.minCoeff())
+                                            : std::abs(model.mechanism.omega2) * observations.span();
+    return angle < kShort;
+}
+
+/// Which unknown parameters the file leaves open.
+std::array<bool, kParameterCount> openParameters(const LastFit &lastFit, bool isSystematic)
+{
+    const bool areAllOpen = isSystematic && isShortArc(lastFit.observations, lastFit.fit);
     const Parameters &m = lastFit.fit.model.mechanism;
     const std::array<double, kParameterCount> sizes{m.a, m.b, std::max(m.a, std::abs(m.c)), std::abs(m.omega2), 1.0};
     std::array<bool, kParameterCount> open{};
@@ -54,7 +66,7 @@ std::array<bool, kParameterCount> openParameters(const LastFit &lastFit)
         if (unknown.isParameter()) {
             const std::size_t i = parameterIndex(unknown);
             const double largest = unknown.kind == UnknownKind::A ? kLargestErrorOfCrank : kLargestError;
-            open[i] = lastFit.standardError[i] > largest * sizes[i];
+            open[i] = areAllOpen || lastFit.standardError[i] > largest * sizes[i];
         }
     }
     return open;
@@ -251,7 +263,7 @@ Identification judge(const ReferenceData &data, const Findings &findings, const 
     const bool hasSlantedLine =
         std::ranges::find(findings.leftOut, kSliderLine, &LeftOutColumn::channel) != findings.leftOut.end();
     const bool isSystematic = !lastFit.isExact && (lastFit.dependence > kSmooth || findings.isInterpolated);
-    const auto open = openParameters(lastFit);
+    const auto open = openParameters(lastFit, isSystematic);
     result.lack = lackOfValues(lastFit);
     if (result.lack == Lack::Nothing && (hasSlantedLine || hasLargeResiduals(observations, fit))) {
         result.misfit = hasSlantedLine ? Identification::Misfit::SliderLine : Identification::Misfit::LargeResiduals;

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <numbers>
 #include <functional>
+#include <numbers>
 #include <string>
 #include <vector>
 
