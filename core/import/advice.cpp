@@ -45,6 +45,15 @@ bool looksLikeAngle(const RawColumn &column)
            (!unit && rangeOf(column.values).width() > kQuarterTurn);
 }
 
+/// Returns whether a column in the unit of an angle turns so far in one direction that it is that of the crank.
+bool makesTurn(const RawColumn &column)
+{
+    constexpr double kHalfTurn = 180.0;
+    const std::optional<Unit> unit = parseUnit(column.use.unit);
+    const bool isAngle = unit && unit->dimension == Dimension::Angle && unit->order == 0;
+    return isAngle && isTurningAngle(column) && unit->toDefault(rangeOf(column.values).width()) > kHalfTurn;
+}
+
 /// Returns the quantity that a column would be by its meaning or else its unit: that of the slider for a length, and of
 /// the coupler for an angle.
 Channel likelyChannel(const RawColumn &column)
@@ -52,6 +61,9 @@ Channel likelyChannel(const RawColumn &column)
     const std::optional<Unit> unit = parseUnit(column.use.unit);
     if (column.meaning.kind >= NameMeaning::Kind::Quantity) {
         return column.meaning.channel;
+    }
+    if (makesTurn(column)) {
+        return kCrankAngle;
     }
     const bool isRate = unit && unit->dimension != Dimension::Time && unit->order <= 2;
     return {unit && unit->dimension == Dimension::Angle ? Theta3 : R4x,
@@ -92,8 +104,8 @@ std::string withoutDigits(std::string heading)
 }
 
 /// Returns the choice for a column that nobody uses and whose values change: the first one whose heading leaves its
-/// meaning open, else the first one with a suitable unit or none. Of several points, it is the last one, as programs
-/// number them from the crank to the slider.
+/// meaning open, else the first one with a suitable unit or none, and not the crank angle if there are others. Of
+/// several points, it is the last one, as programs number them from the crank to the slider.
 std::vector<ColumnChoice> channelChoice(const RawTable &table, std::span<RawColumn> columns, std::size_t notColumn)
 {
     const auto isFree = [&](const RawColumn &column) {
@@ -105,7 +117,9 @@ std::vector<ColumnChoice> channelChoice(const RawTable &table, std::span<RawColu
         return isFree(other) && (other.use.unit.empty() || parseUnit(other.use.unit) ||
                                  other.meaning.kind >= NameMeaning::Kind::Quantity);
     };
+    const auto isOfOthers = [&](const RawColumn &other) { return hasUnit(other) && !makesTurn(other); };
     const RawColumn *column = findElement(columns, isOpen);
+    column = column ? column : findElement(columns, isOfOthers);
     column = column ? column : findElement(columns, hasUnit);
     if (!column) {
         return {};

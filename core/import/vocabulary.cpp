@@ -18,7 +18,7 @@ using Words = std::vector<std::string>;
 
 /// Letters outside ASCII and commands of LaTeX, and their plain spelling.
 constexpr std::string_view kLetterSpellings =
-    "á=a|à=a|ă=a|å=a|æ=ae|č=c|ě=e|ë=e|ğ=g|ı=i|î=i|ï=i|ř=r|š=s|ş=s|ș=s|ţ=t|ț=t|ý=y|ů=u|û=u|ž=z|ø=o|ô=o|"
+    "ő=o|ű=u|á=a|à=a|ă=a|å=a|æ=ae|č=c|ě=e|ë=e|ğ=g|ı=i|î=i|ï=i|ř=r|š=s|ş=s|ș=s|ţ=t|ț=t|ý=y|ů=u|û=u|ž=z|ø=o|ô=o|"
     "â=a|ã=a|ä=a|ą=a|ç=c|ć=c|é=e|è=e|ê=e|ę=e|í=i|ì=i|ó=o|ò=o|ô=o|õ=o|ö=o|ú=u|ù=u|ü=u|ñ=n|ł=l|ś=s|ż=z|"
     "В=в|К=к|О=о|П=п|С=с|У=у|Х=х|Ш=ш|Ё=е|ё=е|" // first letters of Russian headings
     "Á=A|Â=A|Ä=A|É=E|Í=I|Ó=O|Ö=O|Ú=U|Ü=U|Ñ=N|"
@@ -28,7 +28,7 @@ constexpr std::string_view kLetterSpellings =
     "ß=ss|²=2|³=3|⁴=4|₁=1|₂=2|₃=3|₄=4|°=|aTDC=atdc|der(=dot |\\mathrm=|\\text=|\\rm=|\\var=|\\left=|\\right=|\\,=";
 
 constexpr std::string_view kTimeWords = "time times t tiempo timestamp stamp zeit zeitpunkt temps tempo instante tijd "
-                                        "czas tid cas timp zaman epoch millis micros время 时间 時間";
+                                        "czas tid cas timp zaman epoch millis micros время 时间 時間 ido aika";
 constexpr std::string_view kTimeCompanions =
     "elapsed row sim simulation simulacion transcurrido de la since start date "
     "relative run latest data set ch mechanism kin";
@@ -52,27 +52,29 @@ std::span<const WordMeaning> vocabulary()
             "position posicion posizione posicao posicio positie polozenie lage pos displacement disp displ "
             "desplazamiento deplacement spostamento deslocamento desplacament verplaatsing przemieszczenie "
             "verschiebung weg auslenkung abscisse pose konum konumu pozitie poloha draha droga positionen posiciones "
-            "qpos положение перемещение 位置 位移 変位",
+            "deplasare deplasarea posisjon forskyvning helyzet elmozdulas paikka asema qpos "
+            "положение перемещение 位置 位移 変位",
             kOpen, Position},
         WordMeaning{Word,
                     "coordinate coordenada coordonnee distance distancia distanza abstand stroke carrera course corsa "
-                    "curso cursa hub travel recorrido slag skok length координата ход",
+                    "curso cursa hub travel recorrido slag skok length hub_h координата ход",
                     Length, Position},
         WordMeaning{
             Word,
             "velocity velocidad velocita velocidade velocitat vitesse speed vel geschwindigkeit geschw veloc snelheid "
             "predkosc rapidez hastighet hastighed rychlost viteza hiz hizi rate twist "
-            "velocities velocidades qvel geschwindigkeiten скорость 速度",
+            "velocities velocidades qvel sebesseg nopeus geschwindigkeiten скорость 速度",
             kOpen, Velocity},
-        WordMeaning{Word,
-                    "acceleration aceleracion accelerazione aceleracao acceleracio accelerometer accel acel acc "
-                    "beschleunigung beschl versnelling przyspieszenie zrychleni acceleratie ivme ivmesi "
-                    "qacc aceleraciones beschleunigungen ускорение 加速度",
-                    kOpen, Acceleration},
+        WordMeaning{
+            Word,
+            "acceleration aceleracion accelerazione aceleracao acceleracio accelerometer accel acel acc "
+            "beschleunigung beschl versnelling przyspieszenie zrychleni acceleratie ivme ivmesi "
+            "acceleratia akselerasjon gyorsulas kiihtyvyys qacc aceleraciones beschleunigungen ускорение 加速度",
+            kOpen, Acceleration},
         WordMeaning{Word,
                     "angle angulo angolo rotation rotacion rotazione rotacao giro orientation winkel hoek kat vinkel "
                     "uhel unghi aci acisi "
-                    "inclination inclinacion neigung encoder revolutions revolution угол 角度 转角",
+                    "inclination inclinacion neigung encoder revolutions revolution szog kulma угол 角度 转角",
                     Angle, Position},
         WordMeaning{Word,
                     "ang angular angulaire angolare rotational rotary hoeksnelheid revolute rz угловая угловое 角",
@@ -87,13 +89,14 @@ std::span<const WordMeaning> vocabulary()
             "crank input crankshaft wheel flywheel disk disc driver manivela maneta manivelle manovella ciguenal "
             "vilebrequin virabrequim volante rueda kurbel kurbelwelle schwungrad kruk krukas korba korby vev "
             "vevaxel klika kliky krank "
-            "кривошип кривошипа 曲柄 クランク "
+            "veiv krumtap forgattyu kampi kammen кривошип кривошипа 曲柄 クランク "
             "link_2 glied_2 eslabon_2 barra_2 membro_2",
             kOpen, kOpen, Crank},
         WordMeaning{Word, "ca cad kw atdc drehwinkel", Angle, Position, Crank},
         WordMeaning{Word,
                     "coupler rod conrod connecting biela bielle biella acoplador pleuel pleuelstange koppel "
-                    "schubstange drijfstang korbowod korbowodu lacznik vevstake ojnice biyel шатун шатуна 连杆 "
+                    "schubstange drijfstang korbowod korbowodu lacznik vevstake ojnice biyel hajtorud kiertokanki "
+                    "шатун шатуна 连杆 "
                     "コンロッド link_3 glied_3 eslabon_3 "
                     "barra_3",
                     kOpen, kOpen, Coupler},
@@ -102,7 +105,8 @@ std::span<const WordMeaning> vocabulary()
                     "corredissa embolo carro "
                     "carrito cursore cursor pattino coulisseau coulissant crosshead block bloque kolben schieber "
                     "gleitstein schlitten kreuzkopf zuiger schuif suwak suwaka tlok tloka kolv pist pistu wrist "
-                    "gudgeon ram plunger ariete stossel ползун ползуна поршень поршня 滑块 活塞 スライダ スライダー "
+                    "gudgeon ram plunger corsoio corredica pistonului stempel dugattyu manta mannan luisti ariete "
+                    "stossel ползун ползуна поршень поршня 滑块 活塞 スライダ スライダー "
                     "ピストン link_4 glied_4 eslabon_4",
                     kOpen, kOpen, Slider},
         WordMeaning{Word, "schwenkwinkel", Angle, Position, Coupler},
@@ -145,7 +149,7 @@ std::span<const WordMeaning> vocabulary()
         WordMeaning{LetterOfOne, "d p point", kOpen, Velocity},
         WordMeaning{Filler, "de del la el da do du di des della delle dello der die das of the van het en au a_la "
                             "in con component componente comp latest run set data cm com body centre center field plot "
-                            "channel instantaneous "
+                            "channel out output result results simout instantaneous "
                             "gemessen measured medido medida measure mea meas pin obrotu поворота"},
         WordMeaning{Label, "joint gelenk point punkt punto node marker of de del von du di do"},
     };

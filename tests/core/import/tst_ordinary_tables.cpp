@@ -113,6 +113,19 @@ private slots:
         QCOMPARE(adviceIn("time [days],R4_x\n0,80\n1,70\n"), std::string("time [days]=time s;"));
         QCOMPARE(adviceIn("time,R4_x,r4x [mm]\n0,80,1\n1,70,1\n"), std::string("r4x [mm]=ignored ;"));
         QCOMPARE(adviceIn("stage,R4_x\n0,80\n90,70\n180,60\n270,50\n"), std::string("stage=angle ;"));
+        QCOMPARE(adviceIn("p [deg],q [mm]\n0,80\n90,70\n180,60\n"), std::string("p [deg]=angle ;q [mm]=R4_x ;"));
+        QCOMPARE(adviceIn("time,J3_x,J4_x\n0,80,7\n1,70,8\n"), std::string("J4_x=R4_x ;")); // the last joint
+        QCOMPARE(adviceIn("time,p [deg],q [mm]\n0,0,7\n1,90,8\n2,270,7\n"), std::string("q [mm]=R4_x ;"));
+        QCOMPARE(adviceIn("time,load [N],q\n0,80,7\n1,70,8\n"), std::string("q=R4_x ;"));
+    }
+
+    void leavesOutWordsOnlyBesideNumbers()
+    {
+        const Outcome beside = read("time,piston,x\n0,up,80\n1,down,70\n2,up,60\n");
+        QCOMPARE(rolesOf(std::get<ReferenceData>(beside).layout), std::string("time - R4_x?"));
+        const Outcome alone = read("time,x\n0,up\n1,down\n");
+        const ReadError &error = std::get<ReadError>(alone);
+        QVERIFY(error.fault.kind == Kind::NoRow && error.line == 2 && error.text == "up");
     }
 
     /// A column that is chosen as θ2 replaces the time.
@@ -128,6 +141,14 @@ private slots:
         QCOMPARE(stepOf("steps_of_5.csv", kX, 70.0), 5.0);
         QCOMPARE(stepOf("lab.csv", kX, 70.0), 0.5);
         QVERIFY(stepOf("run_up.csv", {Theta2, Order::Position}, 100.0) < 2e-5); // a parabola has no steps
+
+        // Six significant digits are no scale, even where the only value with six decimals ends in 5.
+        QByteArray digits = "time,R4_x\n0,0.702285\n";
+        for (int row = 1; row < 60; ++row) {
+            digits += QByteArray::number(row) + ',' + QByteArray::number(900.0 * std::sin(row), 'g', 6) + '\n';
+        }
+        const Outcome outcome = read(digits);
+        QCOMPARE(std::get<ReferenceData>(outcome).find(kX)->rounding.stepAt(800.0), 1e-3);
     }
 
     void takesTimeStampsWithGapsAsExact()
