@@ -125,7 +125,8 @@ std::vector<ColumnChoice> channelChoice(const RawTable &table, std::span<RawColu
         return {};
     }
     for (const RawColumn &other : columns) {
-        const bool isPoint = isOpen(other) && withoutDigits(other.use.heading) == withoutDigits(column->use.heading);
+        const bool isPoint = isFree(other) && other.use.reason == ColumnReason::UnknownBody &&
+                             withoutDigits(other.use.heading) == withoutDigits(column->use.heading);
         column = isPoint ? &other : column;
     }
     const Channel channel = likelyChannel(*column);
