@@ -3058,6 +3058,10 @@ PA = %4, PB = %5</translation>
         <source>Type values of your calculation: they are compared with the exact ones, each to its last digit</source>
         <translation>Escriba valores de su cálculo: se comparan con los exactos, cada uno hasta su última cifra</translation>
     </message>
+    <message>
+        <source>The curves are for a constant speed.</source>
+        <translation>Las curvas son para velocidad constante.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::NewtonPages</name>

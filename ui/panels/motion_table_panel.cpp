@@ -62,6 +62,7 @@ MotionTablePanel::MotionTablePanel(Session *session, QWidget *parent)
     , m_stepKind(new QComboBox)
     , m_columns(makeMenuButton("tableColumns", tr("Columns"), tr("Chooses the columns of the table")))
     , m_alpha2(new NumberBox)
+    , m_constantSpeed(named("constantSpeed", plainText(tr("The curves are for a constant speed."))))
     , m_quantity(new QComboBox)
     , m_value(new NumberBox)
     , m_next(new QToolButton)
@@ -113,7 +114,11 @@ QLayout *MotionTablePanel::makeControls()
     m_alpha2->setUnit(Unit{Dimension::Angle, 2, kDegreesPerRadian});
     label->setBuddy(m_alpha2);
     row->addWidget(m_alpha2);
-    row->addStretch(1);
+    QSizePolicy policy = m_constantSpeed->sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    m_constantSpeed->setSizePolicy(policy);
+    m_constantSpeed->hide();
+    row->addWidget(m_constantSpeed, 1);
     connect(addButton(row, "motionTableCopy", tr("Copy"), tr("Copies the rows as CSV")), &QToolButton::clicked, this,
             &MotionTablePanel::copy);
     QToolButton *button = makeMenuButton("motionTableExport", tr("Export"), tr("Writes the rows to a CSV file"));
@@ -213,6 +218,7 @@ void MotionTablePanel::setSettings(const MotionTableSettings &settings)
     m_step->setValue(isTime ? settings.timeStep : settings.angleStep);
     m_step->setUnit(isTime ? kSecond : kDegree);
     m_alpha2->setValue(settings.alpha2);
+    m_constantSpeed->setVisible(settings.alpha2 != 0.0);
     if (hasOtherColumns) {
         makeTables();
     }

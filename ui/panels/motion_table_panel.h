@@ -90,6 +90,7 @@ private:
     QComboBox *m_stepKind;
     QToolButton *m_columns;
     NumberBox *m_alpha2;
+    QLabel *m_constantSpeed;
     QComboBox *m_quantity;
     NumberBox *m_value;
     QToolButton *m_next;

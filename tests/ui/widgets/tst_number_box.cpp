@@ -71,7 +71,8 @@ private slots:
                             {"123456.5", 123456.5}, {"1e-3", 1e-3},
                             {"2.5cm", 25.0},        {"1 in", 25.4},
                             {"1 000", 1000.0},      {"1.5·10⁻⁷", 1.5e-7},
-                            {"3e-12", 3e-12},       {"1e12", 1e12}};
+                            {"3e-12", 3e-12},       {"1e12", 1e12},
+                            {"20/3", 20.0 / 3.0},   {"1/2 in", 12.7}};
         for (const Row &row : rows) {
             Shown shown;
             typeNumber(shown.box, row.typed);
@@ -89,7 +90,7 @@ private slots:
             QString says;
         };
         const Row rows[] = {{"sixty", "“sixty” is not a number."},
-                            {"20/3", "“20/3” is not a number."},
+                            {"20/", "“20/” is not a number."},
                             {"30,5", "The decimal sign here is “.”: 30.5."},
                             {"1,234.5", "“1,234.5” is not a number."},
                             {"30 s", "“30 s”: the units here are mm, cm, m, in."},

@@ -258,7 +258,7 @@ private slots:
              {Row{"Figure…", 0, "new.png", "\x89PNG\r"}, Row{"Figure…", 1, "new.svg", "<?xml"},
               Row{"Figure…", 2, "new.pdf", "%PDF-"}, Row{"Mechanism…", 1, "mechanism.svg", "<?xml"},
               Row{"Data…", 1, "new.csv", "time,"}, Row{"Report…", 0, "report.pdf", "%PDF-"},
-              Row{"Animation…", hasVideoEncoder() ? 3 : 0, "motion/frame_0001.png", "\x89PNG\r"},
+              Row{"Animation…", framesFilter(), "motion/frame_0001.png", "\x89PNG\r"},
               Row{"Save scene as…", 0, "new.slidercrank", "{\n   "}, Row{"Save scene as…", 1, "new.json", "{\n   "}}) {
             action(QString::fromUtf8(row.action))->trigger();
             int filter = row.filter;
@@ -299,7 +299,7 @@ private slots:
         QVERIFY(outcome->text().startsWith("12 frames: 1.5 s"));
         form->accept();
         settle();
-        choose("new");
+        choose("new", framesFilter());
         const auto frame = [this](const char *name) { return QImage(path(QString("new/") + name)); };
         AWAIT(QFile::exists(path("new")));
         QCOMPARE(QDir(path("new")).entryList(QDir::Files).size(), 12);
@@ -368,6 +368,9 @@ private:
         types->setCurrentIndex(index);
         emit types->textActivated(types->currentText());
     }
+
+    /// The place of the numbered frames among the types of animations: videos come first where they can be made.
+    static int framesFilter() { return hasVideoEncoder() ? 3 : 0; }
 
     void choose(const QString &file, int filter = 0) const
     {
