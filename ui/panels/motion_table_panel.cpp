@@ -19,7 +19,6 @@
 #include "ui/widgets/number_box.h"
 #include "ui/widgets/paragraph.h"
 
-#include <QActionGroup>
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
@@ -73,6 +72,7 @@ MotionTablePanel::MotionTablePanel(Session *session, QWidget *parent)
 {
     named("motionTablePanel", this, tr("Table of the motion"));
     m_settings.columns = usualTableChannels();
+    setMinimumWidth(1); // in a narrow window the widest boxes become narrower, instead of the window wider
     m_layout->setContentsMargins(6, 4, 6, 2);
     m_layout->setSpacing(3);
     m_layout->addLayout(makeControls());
@@ -255,8 +255,7 @@ void MotionTablePanel::refreshNotation()
     showRows();
 }
 
-/// Makes the tables with the headings of today; the one of the present position is a table of its own, so that it stays
-/// while the rows scroll.
+/// The present position has a table of its own, so that it stays while the rows scroll.
 void MotionTablePanel::makeTables()
 {
     delete m_present;
@@ -472,6 +471,16 @@ void MotionTablePanel::copy()
 {
     QApplication::clipboard()->setText(QString::fromUtf8(csvText(motionTableColumns(m_settings), m_rows, m_style)));
     emit m_session->confirmed(tr("The rows are in the clipboard, as CSV with headings."));
+}
+
+void MotionTablePanel::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (auto *offer = findChild<QLabel *>("notationOffer"); offer && event->type() == QEvent::PaletteChange) {
+        const QString text = offer->text();
+        offer->clear(); // a label gives links their colour when its text is set
+        offer->setText(text);
+    }
 }
 
 void MotionTablePanel::showEvent(QShowEvent *event)

@@ -147,7 +147,7 @@ private slots:
         };
         for (const Row &row : {Row{65.0, Parameter::A, {0.1, 0.38}, {0.42, 0.9}, "a ≤ 40 mm"},
                                Row{65.0, Parameter::B, {0.24, 0.9}, {0.05, 0.21}, "b ≥ 45 mm"},
-                               Row{65.0, Parameter::C, {0.29, 0.5, 0.71}, {0.1, 0.26, 0.74, 0.9}, "−45 ≤ c ≤ 45 mm"},
+                               Row{65.0, Parameter::C, {0.29, 0.5, 0.71}, {0.1, 0.26, 0.74, 0.9}, "−45 mm ≤ c ≤ 45 mm"},
                                Row{65.0, Parameter::Omega2, {0.1, 0.9}, {}, ""},
                                Row{15.0, Parameter::A, {}, {0.05, 0.5, 0.9}, "no value of a"},
                                Row{15.0, Parameter::C, {}, {0.1, 0.5, 0.9}, "no value of c"}}) {

@@ -97,7 +97,7 @@ private slots:
         QCOMPARE(session().parameters().b, 25.0);
         press(Qt::Key_Space); // the number is entered, so the box no longer uses Space
         QVERIFY(m_timeline->isPlaying());
-        typeInto("box_b", "20/3");
+        typeInto("box_b", "20/");
         press(Qt::Key_Return);
         QVERIFY(part<QLabel>("refusalLabel")->isVisible());
         QCOMPARE(textIn("box_b"), "25 mm");
