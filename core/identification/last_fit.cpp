@@ -19,9 +19,9 @@ namespace
 Indices excludeOutliers(Observations &observations, const Fit &fit)
 {
     constexpr double kDeviations = 8.0;
-    constexpr double kRoundings = 2.0; // bounds of rounding, because the fit has errors, too
+    constexpr double kRoundings = 2.0;  // bounds of rounding, because the fit has errors, too
     constexpr double kSmallPart = 1e-4; // of the range of the column: smaller errors mislead nobody
-    constexpr double kNormal = 1.4826; // standard deviation of a normal distribution, in median absolute deviations
+    constexpr double kNormal = 1.4826;  // standard deviation of a normal distribution, in median absolute deviations
     constexpr double kLargestPart = 0.05;
     Eigen::ArrayX<bool> isFarOff = Eigen::ArrayX<bool>::Constant(observations.size(), false);
     for (Index k = 0; k < fit.residuals.cols(); ++k) {

@@ -102,8 +102,9 @@ double roundest(double value, double standardError, std::span<const double> unit
 
 Parameters roundedParameters(const LastFit &lastFit, const Parameters &exact)
 {
-    constexpr double kArithmetic = 1e-13;         // relative accuracy of the computation
-    constexpr std::array kParts{1.0, 0.1, 0.01}; // of the standard errors: where they depend on each other, more digits count
+    constexpr double kArithmetic = 1e-13; // relative accuracy of the computation
+    // Parts of the standard errors: where the parameters depend on each other, more digits of them count.
+    constexpr std::array kParts{1.0, 0.1, 0.01};
     const Observations &observations = lastFit.observations;
     const Fit &fit = lastFit.fit;
     for (const double part : kParts) {

@@ -11,8 +11,8 @@ namespace slidercrank
 /// The largest residual (rms, of the range of the column) with which a mechanism explains a column approximately.
 inline constexpr double kLargestResidual = 0.02;
 
-/// How far the values of fit.columns[k] may be off by their rounding: half a rounding step of the value, plus the motion
-/// during half a rounding step of the abscissa.
+/// How far the values of fit.columns[k] may be off by their rounding: half a rounding step of the value, plus the
+/// motion during half a rounding step of the abscissa.
 Values roundingBounds(const Observations &observations, const Fit &fit, Index k);
 
 /// Whether at least 95 % of the residuals of fit.columns[k] are within a bound, none is beyond ten bounds, and none

@@ -21,8 +21,6 @@ struct Messages {
 const QString kResult = "result";
 const QString kReference = "reference";
 const QString kColumns = "columns";
-// What became of the last command, such as saving.
-const QString kOutcome = "outcome";
 
 /// Offers to choose the columns if the files have any; otherwise another file.
 Message refusal(MainWindow *window, const QStringList &paths, const QString &sentence)
@@ -58,8 +56,8 @@ void showMessages(MainWindow *window, MessageBar *bar)
     const auto show = [bar](const QString &subject, Message::Kind kind) {
         return [bar, subject, kind](const QString &sentence) { bar->showMessage({subject, kind, sentence}); };
     };
-    QObject::connect(session, &Session::confirmed, bar, show(kOutcome, Message::Kind::Hint));
-    QObject::connect(session, &Session::failed, bar, show(kOutcome, Message::Kind::Problem));
+    QObject::connect(session, &Session::confirmed, bar, show("confirmation", Message::Kind::Hint));
+    QObject::connect(session, &Session::failed, bar, show("problem", Message::Kind::Problem));
     QObject::connect(session, &Session::problemFound, bar, show(kResult, Message::Kind::Problem));
     QObject::connect(session, &Session::resultChanged, bar, [bar] { bar->removeMessage(kResult); });
     QObject::connect(session, &Session::referenceRefused, bar,

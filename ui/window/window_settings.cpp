@@ -169,8 +169,12 @@ void restoreLayout(QMainWindow &window)
 {
     const QSettings settings;
     FoldingTabs &tabs = tabsIn(window);
+    constexpr QSize kLargest(16'384, 16'384); // px: a larger size can only be a damaged one
+    const QSize size = window.size();
     window.restoreGeometry(settings.value(kWindow).toByteArray());
-    window.resize(window.size().boundedTo(window.screen()->availableSize())); // the settings may be damaged
+    if (window.size() != window.size().boundedTo(kLargest)) {
+        window.resize(size);
+    }
     window.findChild<Timeline *>()->setSpeed(settings.value(kSpeed, 1.0).toDouble());
     for (auto *splitter : window.findChildren<QSplitter *>()) {
         splitter->restoreState(settings.value(kSplitterState + splitter->objectName()).toByteArray());
