@@ -89,13 +89,14 @@ Lack lackOfValues(const LastFit &lastFit)
     return !fit.model.followsAngle && !hasDerivative && isSparse ? Lack::FewRowsPerTurn : Lack::Nothing;
 }
 
-/// Residuals that are not noise count twice: a curve of another kind, such as that of a four-bar linkage, comes near,
-/// too.
+/// Systematic residuals have to be smaller than noise: a curve of another kind, such as that of a four-bar linkage,
+/// comes near, too.
 bool hasLargeResiduals(const Observations &observations, const Fit &fit)
 {
+    constexpr double kSystematicPart = 0.35; // four-bar linkages leave 0.8 % of the range and more
     for (Index k = 0; k < fit.residuals.cols(); ++k) {
         const bool isNoise = changeSignLikeNoise(fit.residuals.col(k));
-        const double largest = isNoise ? kLargestResidual : 0.5 * kLargestResidual;
+        const double largest = isNoise ? kLargestResidual : kSystematicPart * kLargestResidual;
         if (fit.rms[k] > largest * observations.columns[fit.columns[k]].range &&
             !isWithinRounding(observations, fit, k)) {
             return true;
