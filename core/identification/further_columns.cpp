@@ -45,6 +45,13 @@ double bestOrigin(const Observations &observations, const Fit &fit, Index k, dou
     return column.channel.order == Order::Position ? median(differences) : 0.0;
 }
 
+/// The size with which the residuals of a column are compared: its range, or a, because R4_y has no range of its own.
+double sizeOf(const Observations &observations, const Fit &fit, Index k)
+{
+    const ObservedColumn &column = observations.columns[k];
+    return column.channel == kSliderLine ? fit.model.mechanism.a : column.range;
+}
+
 /// Adds a column to a fit, starting from `model`. The result is not finite if the column and the others are not
 /// explained together.
 Fit withColumn(const Observations &observations, const Fit &fit, const Model &model, Index k, bool areExact)
@@ -57,7 +64,7 @@ Fit withColumn(const Observations &observations, const Fit &fit, const Model &mo
     }
     const Fit others = evaluated(observations, next.model, fit.columns);
     const bool isExplained = isWithinRounding(observations, next, std::ssize(columns) - 1) ||
-                             next.rms.back() < largestFurtherResidual(areExact) * observations.columns[k].range;
+                             next.rms.back() < largestFurtherResidual(areExact) * sizeOf(observations, next, k);
     const bool spoilsOthers = others.misfit - fit.misfit > kSameMisfit && !(areExact && isExact(observations, others));
     next.misfit = isExplained && !spoilsOthers ? next.misfit : kInfinity;
     return next;

@@ -97,8 +97,10 @@ bool hasLargeResiduals(const Observations &observations, const Fit &fit)
     for (Index k = 0; k < fit.residuals.cols(); ++k) {
         const bool isNoise = changeSignLikeNoise(fit.residuals.col(k));
         const double largest = isNoise ? kLargestResidual : kSystematicPart * kLargestResidual;
-        if (fit.rms[k] > largest * observations.columns[fit.columns[k]].range &&
-            !isWithinRounding(observations, fit, k)) {
+        const ObservedColumn &column = observations.columns[fit.columns[k]];
+        const double size =
+            column.channel == kSliderLine ? fit.model.mechanism.a : column.range; // of R4_y: it is constant
+        if (fit.rms[k] > largest * size && !isWithinRounding(observations, fit, k)) {
             return true;
         }
     }
