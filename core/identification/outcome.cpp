@@ -37,10 +37,11 @@ ColumnResidual residualOf(const Observations &observations, const Fit &fit, Inde
 {
     const ObservedColumn &column = observations.columns[fit.columns[k]];
     const double largest = finite(fit.residuals.col(k)).abs().maxCoeff();
+    const bool hasRange = column.range > 0.0 && column.channel != kSliderLine; // R4_y is a constant
     return {.channel = column.channel,
             .rms = toFileUnit(column.channel, fit.rms[k]),
             .max = toFileUnit(column.channel, largest),
-            .percentOfRange = column.range > 0.0 ? 100.0 * largest / column.range : 0.0,
+            .percentOfRange = hasRange ? 100.0 * largest / column.range : 0.0,
             .isWithinRounding = isWithinRounding(observations, fit, k)};
 }
 
