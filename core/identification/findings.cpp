@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/findings.h"
 
+#include "core/identification/round_values.h"
+
 #include "core/import/crank_angles.h"
 #include "core/mechanism/turn.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -55,7 +58,8 @@ void appendReading(std::vector<ConventionFinding> &conventions, Channel channel,
         if (hadJumps) {
             append(conventions, Kind::WholeTurns, channel, 0.0);
         }
-        append(conventions, Kind::ZeroPoint, channel, amount);
+        const bool isChosen = channel == kCrankAngle; // such as 30°, and not measured
+        append(conventions, Kind::ZeroPoint, channel, isChosen ? roundest(amount, error, std::array{1.0}) : amount);
         conventions.back().standardError = error;
     }
 }
