@@ -67,7 +67,7 @@ QString table(const std::vector<QStringList> &rows, LastColumn last = LastColumn
                         .arg(QLatin1String(&row == &rows.front() ? "th" : "td"),
                              QLatin1String(isBroken ? "text" : "unbroken"),
                              QLatin1String(isText || i == 0 ? "left" : "right"),
-                             QLatin1String(isBroken ? " width=150" : ""), subscriptHtml(row[i])); // px
+                             QLatin1String(isBroken ? " width=130" : ""), subscriptHtml(row[i])); // px
         }
         html += "</tr>";
     }

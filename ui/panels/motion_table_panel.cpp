@@ -114,16 +114,10 @@ QLayout *MotionTablePanel::makeControls()
     m_alpha2->setUnit(Unit{Dimension::Angle, 2, kDegreesPerRadian});
     label->setBuddy(m_alpha2);
     row->addWidget(m_alpha2);
-    QSizePolicy policy = m_constantSpeed->sizePolicy();
-    policy.setRetainSizeWhenHidden(true);
-    m_constantSpeed->setSizePolicy(policy);
+    m_constantSpeed->setWordWrap(false); // the row stays low
     m_constantSpeed->hide();
     row->addWidget(m_constantSpeed, 1);
-    connect(addButton(row, "motionTableCopy", tr("Copy"), tr("Copies the rows as CSV")), &QToolButton::clicked, this,
-            &MotionTablePanel::copy);
-    QToolButton *button = makeMenuButton("motionTableExport", tr("Export"), tr("Writes the rows to a CSV file"));
-    fillExportMenu(button);
-    row->addWidget(button);
+    row->addStretch();
     connect(m_step, &NumberBox::edited, this, [this](double step) {
         MotionTableSettings settings = m_settings;
         (settings.step == TableStep::Time ? settings.timeStep : settings.angleStep) = step;
@@ -162,6 +156,11 @@ QLayout *MotionTablePanel::makeFindLine()
     m_useAsSpeed->setFocusPolicy(Qt::TabFocus);
     row->addWidget(m_useAsSpeed);
     row->addStretch(1);
+    connect(addButton(row, "motionTableCopy", tr("Copy"), tr("Copies the rows as CSV")), &QToolButton::clicked, this,
+            &MotionTablePanel::copy);
+    QToolButton *button = makeMenuButton("motionTableExport", tr("Export"), tr("Writes the rows to a CSV file"));
+    fillExportMenu(button);
+    row->addWidget(button);
     connect(m_quantity, &QComboBox::activated, this, &MotionTablePanel::showWantedUnit);
     connect(m_value, &NumberBox::edited, this, [this] { m_answer->hide(); });
     connect(m_next, &QToolButton::clicked, this, &MotionTablePanel::goToNext);
@@ -239,6 +238,7 @@ void MotionTablePanel::offerTextbookNotation()
                    link.arg("absolute", tr("Keep the absolute coordinates")));
     offer->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
     offer->setWordWrap(true);
+    offer->setMinimumHeight(1); // otherwise that of the narrowest paragraph
     m_layout->insertWidget(0, offer);
     connect(offer, &QLabel::linkActivated, this, [this, offer](const QString &answer) {
         offer->deleteLater();
@@ -402,8 +402,8 @@ std::optional<OutputChannel> MotionTablePanel::wantedChannel() const
 double MotionTablePanel::wantedValue() const
 {
     const OutputChannel channel = *wantedChannel();
-    const double inFileUnit = shownScale(channel, m_session->parameters().branch).inFileUnit(m_value->value());
-    return inFileUnit / toFileUnit(measureOf(channel), 1.0);
+    const ShownScale scale = shownScale(channel, m_session->parameters().branch);
+    return scale.inFileUnit(m_value->value()) / toFileUnit(measureOf(channel), 1.0);
 }
 
 void MotionTablePanel::showWantedUnit()

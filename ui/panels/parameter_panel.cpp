@@ -227,8 +227,10 @@ void ParameterPanel::refreshNotation()
         row.box->setSuffix(u' ' + row.units[0].name);
         useUnit(parameter);
     }
-    const int angleUnit = notation().units.angle == AngleUnit::Radian ? 1 : 0; // in the order of AngleUnit
-    m_rows[indexOf(Parameter::Theta20)].unit->setCurrentIndex(angleUnit);
+    if (m_angleUnit != notation().units.angle) { // otherwise a unit that was chosen for this angle alone stays
+        m_angleUnit = notation().units.angle;
+        m_rows[indexOf(Parameter::Theta20)].unit->setCurrentIndex(static_cast<int>(m_angleUnit)); // in that order
+    }
     m_rows[indexOf(Parameter::Omega2)].unit->setCurrentIndex(static_cast<int>(notation().crankSpeed));
     showParameters();
 }

@@ -77,6 +77,7 @@ private:
     Session *m_session;
     std::array<Row, kParameterCount> m_rows;
     QGridLayout *m_grid;
+    AngleUnit m_angleUnit = AngleUnit::Degree; ///< of the notation that is shown
 };
 
 } // namespace slidercrank
