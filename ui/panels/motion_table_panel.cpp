@@ -267,7 +267,7 @@ void MotionTablePanel::makeTables()
     m_present->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_present->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // both tables are equally wide
-    m_present->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    m_present->setFixedHeight(1); // until fitColumns() knows the rows; a higher one would make the tabs higher
     m_present->setEditable(1, 2); // without t and θ₂
     m_present->setSelectionMode(QAbstractItemView::NoSelection); // it would hide the colours of the verdicts
     m_layout->addWidget(m_present);

@@ -121,6 +121,7 @@ private slots:
     /// A former defect: Home set b to 1 mm after its slider had been dragged.
     void homeAndEndMoveTheTimeUnlessATextIsEdited()
     {
+        showTab(LimitsTab);
         for (const char *name : {"slider_b", "timeSlider", "limitTable", "unit_theta20", "playButton", "tabBar"}) {
             part(name)->setFocus();
             press(Qt::Key_End);
