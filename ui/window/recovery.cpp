@@ -23,6 +23,8 @@ namespace
 
 constexpr std::chrono::seconds kRest{2};
 
+constexpr int kMaxCopies = 100; // so that a folder that cannot be written ends the search
+
 const QString kMessage = "recovery";
 
 /// Returns the folder of the settings file, or the configuration folder on Windows, where settings are not a file.
@@ -74,9 +76,11 @@ Recovery::~Recovery()
 void Recovery::findOffer()
 {
     m_offer.reset();
-    const QStringList names = folder().entryList({"recovery*.json"}, QDir::Files, QDir::Name);
-    for (const QString &name : names) {
-        auto copy = std::make_unique<LockedCopy>(folder().filePath(name));
+    for (int number = 1; number <= kMaxCopies; ++number) {
+        if (!QFile::exists(copyPath(number))) {
+            continue;
+        }
+        auto copy = std::make_unique<LockedCopy>(copyPath(number));
         if (copy->lock.isLocked() && std::holds_alternative<Scene>(readScene(copy->path))) {
             m_offer = std::move(copy);
             return;
@@ -133,7 +137,6 @@ void Recovery::followEdits()
 void Recovery::writeCopy()
 {
     QDir().mkpath(folder().path());
-    constexpr int kMaxCopies = 100; // so that a folder that cannot be written ends the search
     for (int number = 1; !m_copy && number <= kMaxCopies; ++number) {
         const QString path = copyPath(number);
         if (QFile::exists(path)) { // of another window, or left by a crash
