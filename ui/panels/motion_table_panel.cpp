@@ -22,9 +22,11 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
+#include <QPushButton>
 #include <QScrollBar>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -231,24 +233,30 @@ void MotionTablePanel::setCsvStyle(const CsvStyle &style)
 
 void MotionTablePanel::offerTextbookNotation()
 {
-    auto *offer = named("notationOffer", new QLabel);
-    const QString link = "<a href='%1'>%2</a>";
-    offer->setText(tr("θ₃ measured at B, and x<sub>B</sub>, v<sub>B</sub>, a<sub>B</sub>, as in textbooks?") + u' ' +
-                   link.arg("textbook", tr("Use this notation")) + " · " +
-                   link.arg("absolute", tr("Keep the absolute coordinates")));
-    offer->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
-    offer->setWordWrap(true);
-    offer->setMinimumHeight(1); // otherwise that of the narrowest paragraph
+    auto *offer = named("notationOffer", new QWidget);
+    auto *row = new QHBoxLayout(offer);
+    row->setContentsMargins(0, 0, 0, 0);
+    auto *question =
+        new QLabel(tr("θ₃ measured at B, and x<sub>B</sub>, v<sub>B</sub>, a<sub>B</sub>, as in textbooks?"));
+    question->setWordWrap(true);
+    question->setMinimumHeight(1); // otherwise that of the narrowest paragraph
+    row->addWidget(question, 1);
+    const auto addButton = [&](const QString &name, const QString &text, Symbols symbols) {
+        auto *button = named(name, new QPushButton(text));
+        row->addWidget(button);
+        connect(button, &QPushButton::clicked, this, [this, offer, symbols] {
+            offer->deleteLater();
+            emit symbolsChosen(symbols);
+        });
+    };
+    addButton("textbookNotation", tr("Use this notation"), Symbols::Textbook);
+    addButton("absoluteCoordinates", tr("Keep the absolute coordinates"), Symbols::AbsoluteCoordinates);
     m_layout->insertWidget(0, offer);
-    connect(offer, &QLabel::linkActivated, this, [this, offer](const QString &answer) {
-        offer->deleteLater();
-        emit symbolsChosen(answer == u"textbook" ? Symbols::Textbook : Symbols::AbsoluteCoordinates);
-    });
 }
 
 void MotionTablePanel::refreshNotation()
 {
-    if (auto *offer = findChild<QLabel *>("notationOffer"); offer && notation().symbols == Symbols::Textbook) {
+    if (auto *offer = findChild<QWidget *>("notationOffer"); offer && notation().symbols == Symbols::Textbook) {
         offer->deleteLater(); // it was chosen elsewhere
     }
     makeTables();
@@ -471,16 +479,6 @@ void MotionTablePanel::copy()
 {
     QApplication::clipboard()->setText(QString::fromUtf8(csvText(motionTableColumns(m_settings), m_rows, m_style)));
     emit m_session->confirmed(tr("The rows are in the clipboard, as CSV with headings."));
-}
-
-void MotionTablePanel::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (auto *offer = findChild<QLabel *>("notationOffer"); offer && event->type() == QEvent::PaletteChange) {
-        const QString text = offer->text();
-        offer->clear(); // a label gives links their colour when its text is set
-        offer->setText(text);
-    }
 }
 
 void MotionTablePanel::showEvent(QShowEvent *event)

@@ -54,7 +54,6 @@ signals:
     void placeHovered(std::optional<double> theta2); ///< rad, of the row under the pointer
 
 protected:
-    void changeEvent(QEvent *event) override;
     void showEvent(QShowEvent *event) override;
     void hideEvent(QHideEvent *event) override;
 

@@ -14,6 +14,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QSignalSpy>
+#include <QPushButton>
 #include <QTest>
 #include <QToolButton>
 
@@ -201,10 +202,10 @@ private slots:
         ShownTable shown;
         shown.panel.offerTextbookNotation();
         QSignalSpy chosen(&shown.panel, &MotionTablePanel::symbolsChosen);
-        emit child<QLabel>(shown.panel, "notationOffer")->linkActivated("textbook");
+        child<QPushButton>(shown.panel, "textbookNotation")->click();
         QCOMPARE(chosen.size(), qsizetype(1));
         QCOMPARE(chosen.first().first().value<Symbols>(), Symbols::Textbook);
-        AWAIT(!shown.panel.findChild<QLabel *>("notationOffer"));
+        AWAIT(!shown.panel.findChild<QWidget *>("notationOffer"));
     }
 
     void findsTheNextPositionAndTheCrankSpeed()
