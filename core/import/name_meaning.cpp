@@ -71,7 +71,7 @@ struct NameReading {
     bool isFrame = false;       ///< it has the number 1, as the frame if the links are numbered from there
     bool isUnknownBody = false; ///< it has an index that denotes none of the three bodies
     Doubt doubt = Doubt::None;
-    std::string_view symbol{};
+    std::string symbol{};
     std::string joints{}; ///< the ends of a link: "bc" in "ω_BC"
 };
 
