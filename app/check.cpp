@@ -74,8 +74,7 @@ CrankPosition readPosition(const OptionReader &options, const Mechanism &mechani
 {
     const double degrees =
         options.number("at-angle", mechanism.theta20() * kDegreesPerRadian, kDegree, -kLargestParameter);
-    return {withCrankAt(mechanism, degrees / kDegreesPerRadian),
-            readCrankAcceleration(options)};
+    return {withCrankAt(mechanism, degrees / kDegreesPerRadian), readCrankAcceleration(options)};
 }
 
 /// Returns a line for each value: name, given and exact value, verdict.

@@ -235,7 +235,8 @@ Mechanism designMechanism(const OptionReader &options, Parameters parameters)
     if (findsOffset) {
         options.refuse({"c", "vary"}, CommandLine::tr("--design time-ratio computes c: remove %1."));
         if (!options.has("a") || !options.has("b")) {
-            throw UsageError{CommandLine::tr("--design time-ratio needs a stroke, such as stroke=80, or the lengths --a and --b.")};
+            throw UsageError{
+                CommandLine::tr("--design time-ratio needs a stroke, such as stroke=80, or the lengths --a and --b.")};
         }
     } else {
         options.refuse({"a", "b", "c", "vary"}, CommandLine::tr("--design computes a, b and c: remove %1."));

@@ -11,7 +11,8 @@ namespace slidercrank
 namespace
 {
 
-/// The number of correct digits doubles in each iteration, so that more iterations than these reach no smaller residual.
+/// The number of correct digits doubles in each iteration, so that more iterations than these reach no smaller
+/// residual.
 constexpr int kSufficientIterations = 100;
 
 /// By Status. %1 says which time steps, %2 is the shortest coupler with which the crank makes full turns, %3 the

@@ -125,8 +125,8 @@ void doubleSecondHarmonicOfVelocity(Calculation &hand)
 {
     const double a = hand.parameters.a;
     approximateByTwoHarmonics(hand);
-    const double change = -a * a / (2.0 * hand.directedCoupler()) * sinCos({2.0 * hand.parameters.theta20}).sin *
-                          hand.parameters.omega2;
+    const double change =
+        -a * a / (2.0 * hand.directedCoupler()) * sinCos({2.0 * hand.parameters.theta20}).sin * hand.parameters.omega2;
     const double side = hand.directedCoupler() / hand.parameters.b;
     hand.values.state.qDot[R4x] += change;
     hand.values.derived.displacement.velocity -= side * change;

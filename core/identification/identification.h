@@ -50,7 +50,8 @@ struct ColumnResidual {
     Channel channel;
     double rms = 0.0;
     double max = 0.0;
-    double percentOfRange = 0.0; ///< max, in percent of the range of the column (largest minus smallest value)
+    double percentOfRange = 0.0; ///< max, in percent of the range of the column (largest minus smallest value); 0 for
+                                 ///< R4_y, which is constant
     bool isWithinRounding = false;
 };
 

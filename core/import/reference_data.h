@@ -93,7 +93,7 @@ struct ReadError {
     ReadFault fault{};
     FileLayout layout{}; ///< as far as it was found; if it has columns, a person can choose their meaning
 
-    std::optional<std::size_t> file{}; ///< index of the joined file with the error; nullopt if it concerns all of them
+    std::optional<std::size_t> file{};  ///< index of the joined file with the error; nullopt if it concerns all of them
     std::vector<ColumnChoice> advice{}; ///< choices of columns that would help; empty if there are none
 };
 

@@ -42,7 +42,8 @@ void measure(benchmark::State &state, const ReferenceData &data)
     state.counters["iterations"] = iterations;
 }
 
-void identifyMotion(benchmark::State &state, const Parameters &truth, const std::string &channels, int rows, double duration)
+void identifyMotion(benchmark::State &state, const Parameters &truth, const std::string &channels, int rows,
+                    double duration)
 {
     measure(state, printedData(truth, printingOf(rows, duration, channels)));
 }

@@ -42,20 +42,22 @@ std::vector<ClaimKind> plainTables()
          }},
         {"some of the six columns",
          [](Random &random) {
-             return ClaimTable(random).with(random.oneOf<Channels>({{kTheta3},
-                                                                    {kTheta3Speed, kSliderSpeed},
-                                                                    {kTheta3, kSlider, kTheta3Speed, kTheta3Acceleration},
-                                                                    {kSlider, kSliderAcceleration},
-                                                                    {kTheta3, kTheta3Speed, kSliderSpeed, kSliderAcceleration},
-                                                                    {kSliderSpeed, kTheta3Acceleration, kSliderAcceleration},
-                                                                    {kTheta3Speed},
-                                                                    {kTheta3, kSlider, kTheta3Speed, kSliderSpeed},
-                                                                    {kSlider, kSliderSpeed, kTheta3Acceleration},
-                                                                    {kTheta3Speed, kTheta3Acceleration}}));
+             return ClaimTable(random).with(
+                 random.oneOf<Channels>({{kTheta3},
+                                         {kTheta3Speed, kSliderSpeed},
+                                         {kTheta3, kSlider, kTheta3Speed, kTheta3Acceleration},
+                                         {kSlider, kSliderAcceleration},
+                                         {kTheta3, kTheta3Speed, kSliderSpeed, kSliderAcceleration},
+                                         {kSliderSpeed, kTheta3Acceleration, kSliderAcceleration},
+                                         {kTheta3Speed},
+                                         {kTheta3, kSlider, kTheta3Speed, kSliderSpeed},
+                                         {kSlider, kSliderSpeed, kTheta3Acceleration},
+                                         {kTheta3Speed, kTheta3Acceleration}}));
          }},
         {"theta2, R4_x",
          [](Random &random) {
-             return ClaimTable(random).with(random.oneOf<Channels>({{kTheta2, kSlider}, {kTheta2, kSlider, kSliderSpeed, kR4y}}));
+             return ClaimTable(random).with(
+                 random.oneOf<Channels>({{kTheta2, kSlider}, {kTheta2, kSlider, kSliderSpeed, kR4y}}));
          }},
         {"six columns of nine digits", [](Random &random) { return ClaimTable(random).with(kSixColumns).digits(9); }},
         {"R4_x with two decimals", [](Random &random) { return ClaimTable(random).with({kSlider}).decimals(2); }},
@@ -67,7 +69,10 @@ std::vector<ClaimKind> plainTables()
          }},
         {"noise of R4_x and theta3",
          [](Random &random) {
-             return ClaimTable(random).with({kSlider, kTheta3}).digits(7).withNoise(kAll, random.onLogScale(0.001, 0.01));
+             return ClaimTable(random)
+                 .with({kSlider, kTheta3})
+                 .digits(7)
+                 .withNoise(kAll, random.onLogScale(0.001, 0.01));
          }},
         {"noise of six columns",
          [](Random &random) {
@@ -302,7 +307,8 @@ std::vector<ClaimKind> otherMotions()
          [](Random &random) {
              return ClaimTable(random)
                  .ofYoke(0.0, 0.0)
-                 .with(random.oneOf<Channels>({kSliderColumns, {kSlider}, {kSlider, kSliderSpeed, kTheta2}, {kSlider, kTheta2}}))
+                 .with(random.oneOf<Channels>(
+                     {kSliderColumns, {kSlider}, {kSlider, kSliderSpeed, kTheta2}, {kSlider, kTheta2}}))
                  .noMechanism();
          }},
         {"yoke, third harmonic",

@@ -261,7 +261,8 @@ std::vector<ClaimKind> tablesWithConventions()
          }},
         {"a sign",
          [](Random &random) {
-             const Channels column{random.oneOf({kTheta3, kTheta3Speed, kTheta3Acceleration, kSlider, kSliderSpeed, kSliderAcceleration})};
+             const Channels column{random.oneOf(
+                 {kTheta3, kTheta3Speed, kTheta3Acceleration, kSlider, kSliderSpeed, kSliderAcceleration})};
              return ClaimTable(random).with(kSixColumns).multiplied(column, -1.0).conventions(1);
          }},
         // A half turn of theta3 or another sense of R4_y describes the same.

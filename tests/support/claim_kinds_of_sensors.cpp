@@ -238,7 +238,8 @@ std::vector<ClaimKind> contradictoryTables()
          }},
         {"acceleration in g",
          [](Random &random) {
-             return longTable(random, {kSliderColumns, kSixColumns}, 6).amplified({kSliderAcceleration}, 1.0197162129779e-4);
+             return longTable(random, {kSliderColumns, kSixColumns}, 6)
+                 .amplified({kSliderAcceleration}, 1.0197162129779e-4);
          }},
         {"derivatives per radian",
          [](Random &random) {
@@ -270,11 +271,14 @@ std::vector<ClaimKind> sensorTables()
          [](Random &random) { return tableOfPositions(random, 10).inSteps(kAll, random.onLogScale(0.02, 0.15)); }},
         {"truncated decimals",
          [](Random &random) {
-             return longTable(random, {{kSlider}, {kSlider, kTheta3}, {kTheta2, kSlider}}).decimals(3).truncated(kAll, 1e-3);
+             return longTable(random, {{kSlider}, {kSlider, kTheta3}, {kTheta2, kSlider}})
+                 .decimals(3)
+                 .truncated(kAll, 1e-3);
          }},
         {"spikes",
          [](Random &random) { return positionsOrSix(random, 3e-3).misread(kSlider, 1.0, random.eitherSign(20, 300)); }},
-        {"zeros for lost values", [](Random &random) { return positionsOrSix(random, 3e-3).misread(kSlider, 0.0, 0.0); }},
+        {"zeros for lost values",
+         [](Random &random) { return positionsOrSix(random, 3e-3).misread(kSlider, 0.0, 0.0); }},
         {"-9999 for lost values",
          [](Random &random) { return positionsOrSix(random, 3e-3).misread(kSlider, 0.0, -9999.0); }},
         {"-9999 for one lost row",
@@ -287,7 +291,10 @@ std::vector<ClaimKind> sensorTables()
          }},
         {"contact that fails",
          [](Random &random) {
-             return longTable(random, {{kSlider, kTheta3}}).withNoise(kAll, 2e-3).failing(kSlider, 0.2, 0.3).approximate();
+             return longTable(random, {{kSlider, kTheta3}})
+                 .withNoise(kAll, 2e-3)
+                 .failing(kSlider, 0.2, 0.3)
+                 .approximate();
          }},
         {"frozen readings", [](Random &random) { return positionsOrSix(random, 1e-3).frozen(kSlider); }},
         {"saturation",

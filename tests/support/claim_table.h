@@ -3,7 +3,8 @@
 
 // Tables of known origin, which test what the program claims about a file. A table is described in plain words:
 //
-//     ClaimTable(random, mechanism).overCrankAngle(10.0).with({kSlider, kSliderSpeed}).decimals(2).shifted({kSlider}, 40.0)
+//     ClaimTable(random, mechanism).overCrankAngle(10.0).with({kSlider,
+//     kSliderSpeed}).decimals(2).shifted({kSlider}, 40.0)
 //         .conventions(1)
 //
 // Its columns contain the motion of the mechanism until a function changes them; each function changes the columns that

@@ -146,7 +146,8 @@ std::variant<Scene, QString> parseScene(const QByteArray &json, const QString &p
 std::variant<Scene, QString> readScene(const QString &path)
 {
     if (isPipeOrDevice(QFileInfo(path))) { // reading could wait forever
-        return SceneText::tr("%1 is a pipe or a device: save the scene in a file, and open that.").arg(displayName(path));
+        return SceneText::tr("%1 is a pipe or a device: save the scene in a file, and open that.")
+            .arg(displayName(path));
     }
     QByteArray bytes;
     if (const std::optional<QString> sentence = readWhole(path, false, bytes)) {

@@ -94,8 +94,9 @@ QString valueTable(const ReportContent &content)
     }
     const DerivedChannel mu{DerivedQuantity::TransmissionAngle, Order::Position};
     const DerivedChannel displacement{DerivedQuantity::Displacement, Order::Position};
-    return table(rows) + paragraph(QStringLiteral("%1: %2; %3: %4.")
-                                       .arg(nameText(mu), equation(mu), nameText(displacement), equation(displacement)));
+    return table(rows) +
+           paragraph(QStringLiteral("%1: %2; %3: %4.")
+                         .arg(nameText(mu), equation(mu), nameText(displacement), equation(displacement)));
 }
 
 QString crankText(const ReportContent &content)
@@ -257,8 +258,8 @@ QString reportHtml(const ReportContent &content, DrawingPlace place)
            note(Report::tr("%1, by %2 %3")
                     .arg(QLocale().toString(content.written.toLocalTime(), Report::tr("d MMMM yyyy, HH:mm")),
                          QCoreApplication::applicationName(), QCoreApplication::applicationVersion())) +
-           (place == DrawingPlace::Beside ? beside : below).arg(parameterTable(content), kMechanismPlace) + note(caption) +
-           heading(Report::tr("At %1").arg(crankText(content))) + valueTable(content) +
+           (place == DrawingPlace::Beside ? beside : below).arg(parameterTable(content), kMechanismPlace) +
+           note(caption) + heading(Report::tr("At %1").arg(crankText(content))) + valueTable(content) +
            heading(Report::tr("Motion limits")) + paragraph(mobilitySentence(result.mechanism, result.limits)) +
            table(limitTable(motionFacts(result.mechanism, result.limits, result.sampling, notation()))) +
            heading(Report::tr("Motion")) + paragraph(pinnedText(result)) +

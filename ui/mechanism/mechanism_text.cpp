@@ -159,7 +159,8 @@ QString arrowScaleText(const ArrowScale &scale)
     const double rounded = nextRoundNumber(0.999 * length); // the scale is a round number of mm
     const double amount = shownValue(measure, scale.amount, notation().units) * (rounded / length);
     return MechanismText::tr("Scale: %1 = %2")
-        .arg(withUnit(numberText(rounded), shownUnit(Measure::Length)), withUnit(numberText(amount), shownUnit(measure)));
+        .arg(withUnit(numberText(rounded), shownUnit(Measure::Length)),
+             withUnit(numberText(amount), shownUnit(measure)));
 }
 
 QString assemblyProblem(const MechanismScene &scene)

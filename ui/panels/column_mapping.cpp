@@ -57,9 +57,9 @@ void fillMeanings(QComboBox &combo)
         for (const Coordinate coordinate : coordinates) {
             for (const Order order : {Order::Position, Order::Velocity, Order::Acceleration}) {
                 const Channel channel{coordinate, order};
-                combo.addItem(
-                    QStringLiteral("%1  %2  (%3)").arg(quantityName(channel), absoluteSymbolText(channel), columnName(channel)),
-                    meaningOf(ColumnRole::Channel, channel));
+                combo.addItem(QStringLiteral("%1  %2  (%3)")
+                                  .arg(quantityName(channel), absoluteSymbolText(channel), columnName(channel)),
+                              meaningOf(ColumnRole::Channel, channel));
             }
         }
     }

@@ -2,7 +2,8 @@
 #pragma once
 
 // A form that designs a mechanism for a given stroke and time ratio. The slider changes the ratio b/a, with the stroke
-// and the time ratio fixed. On demand, a time ratio changes the offset c alone. Every change sets a, b and c in one edit.
+// and the time ratio fixed. On demand, a time ratio changes the offset c alone. Every change sets a, b and c in one
+// edit.
 
 #include "core/limits/design.h"
 #include "core/mechanism/mechanism.h"

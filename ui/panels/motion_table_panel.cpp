@@ -284,7 +284,8 @@ void MotionTablePanel::makeTables()
     m_layout->addWidget(m_table, 1);
     connect(m_present, &NumberTable::typed, this, [this](int column, const QString &text) {
         m_myValues[columnName(m_settings.columns[static_cast<std::size_t>(column) - 2])] = text;
-        QMetaObject::invokeMethod(this, &MotionTablePanel::showPresent, Qt::QueuedConnection); // after the cell is closed
+        QMetaObject::invokeMethod(this, &MotionTablePanel::showPresent,
+                                  Qt::QueuedConnection); // after the cell is closed
     });
     connect(m_table->horizontalScrollBar(), &QScrollBar::valueChanged, m_present->horizontalScrollBar(),
             &QScrollBar::setValue);
@@ -344,8 +345,9 @@ void MotionTablePanel::showPresent()
 /// Returns the values that were typed, with their verdicts as colours, and shows what is said about them.
 TableRow MotionTablePanel::myValues()
 {
-    TableRow row{.cells = {{.text = tr("my values"), .tone = Tone::Muted}, {}}, .explanation = tr(
-        "Type values of your calculation: they are compared with the exact ones, each to its last digit")};
+    TableRow row{.cells = {{.text = tr("my values"), .tone = Tone::Muted}, {}},
+                 .explanation = tr(
+                     "Type values of your calculation: they are compared with the exact ones, each to its last digit")};
     std::vector<TypedValue> values;
     std::vector<GivenValue> given;
     QStringList sentences;
@@ -364,9 +366,8 @@ TableRow MotionTablePanel::myValues()
         values.push_back(typed);
         given.push_back(typed.given());
     }
-    const CheckResult result = check({withCrankAt(Mechanism(m_session->parameters()), presentPlace().theta2),
-                                      m_settings.alpha2},
-                                     given);
+    const CheckResult result =
+        check({withCrankAt(Mechanism(m_session->parameters()), presentPlace().theta2), m_settings.alpha2}, given);
     QStringList wrong;
     for (std::size_t i = 0; i < values.size(); ++i) {
         const bool isRight = result.values[i].isRight;

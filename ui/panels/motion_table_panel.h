@@ -2,8 +2,8 @@
 #pragma once
 
 // The tab with the table of the motion. The first row is the present position and stays; below it are rows for every so
-// many degrees of the crank angle, or for time steps. A person can type values of a calculation by hand below the present
-// position, which are checked at once. The tab also finds the positions in which a quantity has a value.
+// many degrees of the crank angle, or for time steps. A person can type values of a calculation by hand below the
+// present position, which are checked at once. The tab also finds the positions in which a quantity has a value.
 
 #include "ui/panels/motion_table.h"
 #include "ui/text/notation.h"
@@ -49,9 +49,9 @@ public:
 
 signals:
     void timeRequested(double seconds);
-    void alpha2Changed(double alpha2);               ///< rad/s²
+    void alpha2Changed(double alpha2);                ///< rad/s²
     void symbolsChosen(slidercrank::Symbols symbols); ///< the answer to the offer
-    void placeHovered(std::optional<double> theta2); ///< rad, of the row under the pointer
+    void placeHovered(std::optional<double> theta2);  ///< rad, of the row under the pointer
 
 protected:
     void showEvent(QShowEvent *event) override;

@@ -159,7 +159,8 @@ Page NewtonPages::equations(const Result &result, double time)
           false, true},
          {tr("C"), tr("Residual of the equation, in mm or rad"), "C"},
          {tr("Cₜ, per s"), tr("∂C/∂t, in mm/s or rad/s: the velocities follow from C<sub>q</sub> dq/dt = −Cₜ"), "C_t"},
-         {tr("Q_d, per s²"), tr("In mm/s² or rad/s²: the accelerations follow from C<sub>q</sub> d²q/dt² = Q<sub>d</sub>"), "Q_d"},
+         {tr("Q_d, per s²"),
+          tr("In mm/s² or rad/s²: the accelerations follow from C<sub>q</sub> d²q/dt² = Q<sub>d</sub>"), "Q_d"},
          {tr("unit"), tr("Of C; of Cₜ per s, of Q<sub>d</sub> per s²"), "unit", false}}};
     for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
         const auto row = static_cast<Constraint>(i);

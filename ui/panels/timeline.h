@@ -47,7 +47,7 @@ public slots:
     void pause();
     void setSpeed(double speed);
     void refreshNotation(); ///< shows the crank angle in the chosen unit
-    void openRun(); ///< opens the form for the time range and the speed
+    void openRun();         ///< opens the form for the time range and the speed
 
 protected:
     void changeEvent(QEvent *event) override;

@@ -35,7 +35,8 @@ QString designFaultText(const DesignFault &fault, const DesignRequest &request)
                    "There is no such mechanism: with a time ratio of %1 the minimum transmission angle is at most %2°; "
                    "an angle of %3° needs a time ratio below %4.")
             .arg(ratio, numberText(fault.bound * kDegreesPerRadian, 4),
-                 numberText(*request.transmissionAngle * kDegreesPerRadian, 4), numberText(fault.timeRatioBound, fault.timeRatioBound < 1.001 ? 9 : 4));
+                 numberText(*request.transmissionAngle * kDegreesPerRadian, 4),
+                 numberText(fault.timeRatioBound, fault.timeRatioBound < 1.001 ? 9 : 4));
     case DesignFault::Reason::CouplerTooShort:
         return DesignText::tr("There is no such mechanism: the coupler b must be longer than the crank a.");
     case DesignFault::Reason::TimeRatioTooLarge:

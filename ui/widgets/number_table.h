@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A table of names and numbers, which can be typed into at most one row. It shows four significant digits and copies every digit, as CSV with a
-// decimal point. It reports the part of the mechanism that the row under the mouse describes, and the time that a row
-// leads to.
+// A table of names and numbers, which can be typed into at most one row. It shows four significant digits and copies
+// every digit, as CSV with a decimal point. It reports the part of the mechanism that the row under the mouse
+// describes, and the time that a row leads to.
 
 #include "core/mechanism/mechanism_part.h"
 

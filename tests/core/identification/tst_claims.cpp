@@ -69,8 +69,8 @@ void save(const ClaimKind &kind, int number, const std::string &text)
     }
 }
 
-/// An open fault of the identification: of some files of a kind, it claims something false. Each is to be mended, and then
-/// removed here.
+/// An open fault of the identification: of some files of a kind, it claims something false. Each is to be mended, and
+/// then removed here.
 struct OpenFault {
     const char *kind;
     int percent; ///< of the files, at most
@@ -86,7 +86,8 @@ constexpr OpenFault kOpenFaults[]{
 /// Returns how many of some files of a kind may be claimed falsely.
 int knownFalseClaims(const ClaimKind &kind, int files)
 {
-    const auto *fault = std::ranges::find_if(kOpenFaults, [&](const OpenFault &each) { return kind.name == each.kind; });
+    const auto *fault =
+        std::ranges::find_if(kOpenFaults, [&](const OpenFault &each) { return kind.name == each.kind; });
     return fault == std::end(kOpenFaults) ? 0 : (fault->percent * files + 99) / 100;
 }
 
@@ -161,8 +162,8 @@ private slots:
                 totals += ofKind;
             }
         }
-        std::printf("%d false claims beside those of open faults, %d missed of %d that determine their mechanism\n", totals.falseClaims,
-                    totals.missed, totals.determined);
+        std::printf("%d false claims beside those of open faults, %d missed of %d that determine their mechanism\n",
+                    totals.falseClaims, totals.missed, totals.determined);
         QCOMPARE(totals.falseClaims, 0);
         const int parts = isFault ? 20 : 50;
         QVERIFY2(kIsMemoryCheck || parts * totals.missed <= totals.determined,

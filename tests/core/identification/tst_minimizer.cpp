@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/minimizer.h"
 
-
 #include <QTest>
 
 #include <cmath>
@@ -36,7 +35,8 @@ class TestMinimizer : public QObject
 private slots:
     void findsTheMinimumOfACurvedValley()
     {
-        const auto minimum = minimize(rosenbrock, Eigen::Vector2d(-1.2, 1.0), {.iterationLimit = 200, .smallestGain = 1e-20});
+        const auto minimum =
+            minimize(rosenbrock, Eigen::Vector2d(-1.2, 1.0), {.iterationLimit = 200, .smallestGain = 1e-20});
         QVERIFY(minimum && minimum->status == Status::Converged);
         QVERIFY((minimum->point - Eigen::Vector2d(1.0, 1.0)).norm() < 1e-6);
         QVERIFY(minimum->iterations < 100);

@@ -23,7 +23,7 @@ std::array<long double, 4> textbookLimits(long double a, long double b, long dou
 }
 
 constexpr std::array kJudgedKinds{LimitKind::Stroke, LimitKind::TimeRatio, LimitKind::MinimumTransmissionAngle,
-                            LimitKind::CouplerSwing};
+                                  LimitKind::CouplerSwing};
 
 } // namespace
 

@@ -255,8 +255,9 @@ private slots:
         QFile file(folder.filePath("r.csv"));
         QVERIFY(file.open(QFile::ReadOnly));
         const QList<QByteArray> lines = file.readAll().trimmed().split('\n');
-        QCOMPARE(lines[0],
-                 QByteArray("c,stroke,time-ratio,minimum-transmission-angle,peak-slider-speed,peak-slider-acceleration"));
+        QCOMPARE(
+            lines[0],
+            QByteArray("c,stroke,time-ratio,minimum-transmission-angle,peak-slider-speed,peak-slider-acceleration"));
         QCOMPARE(lines.size() - 1, static_cast<qsizetype>(response.values.size()));
         const QList<QByteArray> cells = lines[lines.size() / 2].split(',');
         const std::size_t middle = static_cast<std::size_t>(lines.size() / 2 - 1);

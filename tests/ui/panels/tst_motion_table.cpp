@@ -13,8 +13,8 @@
 #include <QComboBox>
 #include <QHeaderView>
 #include <QLabel>
-#include <QSignalSpy>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
 

@@ -293,7 +293,8 @@ private slots:
         for (const Row &row :
              {Row{ErrorsTab, "errorTable", "channel,verdict,max_error,percent_of_peak,max_error_at [s]",
                   "\"R4_x_diff [mm/s]\",differs,9.46935096"},
-              Row{LimitsTab, "limitTable", "limit,value,theta2 [°],time [s]", "\"inner dead centre [mm]\",37.4165738"}}) {
+              Row{LimitsTab, "limitTable", "limit,value,theta2 [°],time [s]",
+                  "\"inner dead centre [mm]\",37.4165738"}}) {
             showTab(row.tab);
             auto *table = part<QTableView>(row.table);
             table->setFocus();
@@ -345,9 +346,13 @@ private slots:
     void theHelpDescribesEveryKeyAndFormatsFormulas()
     {
         const auto inSpanish = [](QString key) { // as Qt writes it in the menus
-            for (const auto &[name, translation] :
-                 {std::pair{"Ctrl", "Control"}, {"Shift", "Mayúsculas"}, {"Space", "Espacio"}, {"Home", "Inicio"},
-                  {"End", "Fin"}, {"Left", "Izquierda"}, {"Right", "Derecha"}}) {
+            for (const auto &[name, translation] : {std::pair{"Ctrl", "Control"},
+                                                    {"Shift", "Mayúsculas"},
+                                                    {"Space", "Espacio"},
+                                                    {"Home", "Inicio"},
+                                                    {"End", "Fin"},
+                                                    {"Left", "Izquierda"},
+                                                    {"Right", "Derecha"}}) {
                 key.replace(QLatin1String(name), QString::fromUtf8(translation));
             }
             return key;
