@@ -256,10 +256,12 @@ QWidget *MainWindow::makeMotionTable()
     if (!isNotationChosen()) {
         table->offerTextbookNotation();
     }
-    connect(table, &MotionTablePanel::placeHovered, m_views.mechanism, [this](const std::optional<double> &theta2) {
-        const Mechanism mechanism(m_session->parameters());
-        m_views.mechanism->setMarked(theta2 ? referencePoseAt(withCrankAt(mechanism, *theta2), 0.0) : ReferencePose());
-    });
+    // The table is hidden once more while the window is destroyed, and then marks no place: only the view is used.
+    const auto mark = [session = m_session, view = m_views.mechanism](const std::optional<double> &theta2) {
+        view->setMarked(theta2 ? referencePoseAt(withCrankAt(Mechanism(session->parameters()), *theta2), 0.0)
+                               : ReferencePose());
+    };
+    connect(table, &MotionTablePanel::placeHovered, m_views.mechanism, mark);
     return table;
 }
 
