@@ -248,7 +248,7 @@ std::optional<double> findStepOfFive(std::span<const double> values, const Round
         }
     }
     std::ranges::sort(levels);
-    levels.erase(std::ranges::unique(levels).begin(), levels.end());
+    levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
     if (levels.size() < kFewestValues || rounding.finestPlace == INT_MIN) {
         return std::nullopt;
     }
