@@ -100,8 +100,8 @@ QByteArray motionJson(const Mechanism &mechanism, Method method, const Table &ta
 /// JSON holds all values of a channel together, so they are all in memory: about 50 bytes each, and their text.
 void refuseLargeJson(const Table &table, std::size_t timeStamps)
 {
-    constexpr std::size_t kMostValues = 10'000'000;
-    const std::size_t most = kMostValues / (table.channels.size() + 1);
+    constexpr std::size_t kMaxValues = 10'000'000;
+    const std::size_t most = kMaxValues / (table.channels.size() + 1);
     if (timeStamps > most) {
         throw UsageError{CommandLine::tr("--format json writes at most %1 time stamps of these channels: choose fewer "
                                          "--channels, or --format csv.")

@@ -86,7 +86,7 @@ bool concerns(const Convention &convention, Channel channel)
 
 std::optional<Convention> axisAlongY(const ReferenceData &data, bool withAngles)
 {
-    constexpr double kStationaryPart = 1e-3; // of the motion along the other axis: rounding or misalignment
+    constexpr double kStationaryFraction = 1e-3; // of the motion along the other axis: rounding or misalignment
     Convention axis{Kind::Axis, {}, 1.0};
     bool movesAlongY = false;
     for (const auto &[channel, values, rounding] : data.series) {
@@ -95,7 +95,7 @@ std::optional<Convention> axisAlongY(const ReferenceData &data, bool withAngles)
             return series ? rangeOf(series->values).width() : 0.0;
         };
         const bool isOfSlider = channel.coordinate == R4x || channel.coordinate == R4y;
-        if (isOfSlider && !(widthAlong(R4x) <= kStationaryPart * widthAlong(R4y))) {
+        if (isOfSlider && !(widthAlong(R4x) <= kStationaryFraction * widthAlong(R4y))) {
             return std::nullopt;
         }
         movesAlongY = movesAlongY || (isOfSlider && widthAlong(R4y) > 0.0);

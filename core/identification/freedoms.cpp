@@ -81,10 +81,10 @@ bool hasSmallResiduals(const Observations &observations, const Fit &fit)
 /// Whether an origin is so near to its usual value that a filter may have shifted the curve that much.
 bool isSmallOrigin(const Observations &observations, Model model, Unknown unknown, double usual)
 {
-    constexpr double kSmallPart = 0.02; // of the range of the column
+    constexpr double kSmallFraction = 0.02; // of the range of the column
     constexpr double kSmallAngle = std::numbers::pi / 180.0;
     const double change = std::abs(valueOf(model, unknown) - usual);
-    return change < (unknown.kind == Unknown::Kind::Origin ? kSmallPart * observations.columns[unknown.column].range
+    return change < (unknown.kind == Unknown::Kind::Origin ? kSmallFraction * observations.columns[unknown.column].range
                                                            : kSmallAngle);
 }
 

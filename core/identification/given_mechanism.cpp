@@ -23,12 +23,13 @@ constexpr std::array kLengths{Parameter::A, Parameter::B, Parameter::C};
 /// Whether two mechanisms have the same lengths and speed, within three standard errors or 0.2 %.
 bool areNear(const Parameters &found, const Parameters &given, const ParameterErrors &errors)
 {
-    constexpr double kPart = 2e-3;
+    constexpr double kRelativeTolerance = 2e-3;
     return std::ranges::all_of(kAllParameters, [&](Parameter parameter) {
         const bool isLength = std::ranges::find(kLengths, parameter) != kLengths.end();
         const double size = isLength ? characteristicLength(given) : std::abs(given.omega2);
         const double error = errors[indexOf(parameter)];
-        const double tolerance = std::max(kPart * size, std::isfinite(error) ? kStandardErrors * error : 0.0);
+        const double tolerance =
+            std::max(kRelativeTolerance * size, std::isfinite(error) ? kStandardErrors * error : 0.0);
         return parameter == Parameter::Theta20 ||
                std::abs(valueOf(found, parameter) - valueOf(given, parameter)) <= tolerance;
     });

@@ -123,9 +123,9 @@ void observeTime(Observations &observations, const ReferenceData &data)
 bool isSparse(const Values &angle)
 {
     constexpr double kQuarter = 0.25 * kTurn;
-    constexpr double kPart = 0.05; // of the rows: more than some outliers and gaps
+    constexpr double kMinFraction = 0.05; // of the rows: more than some outliers and gaps
     const Index pairs = angle.size() - 1;
-    return ((angle.tail(pairs) - angle.head(pairs)).abs() > kQuarter).cast<double>().mean() > kPart;
+    return ((angle.tail(pairs) - angle.head(pairs)).abs() > kQuarter).cast<double>().mean() > kMinFraction;
 }
 
 /// Continues the angle of the crank at its usual speed across gaps in time, in which the crank may have made turns that
@@ -226,9 +226,9 @@ double median(const Values &values)
 
 Observations withoutSpikes(Observations observations)
 {
-    constexpr Index kWindow = 7;          // rows
-    constexpr double kDeviations = 12.0;  // typical distances from the median of the window
-    constexpr double kPartOfSpread = 0.3; // of the column: a smaller deviation does not mislead the search
+    constexpr Index kWindow = 7;              // rows
+    constexpr double kDeviations = 12.0;      // typical distances from the median of the window
+    constexpr double kFractionOfSpread = 0.3; // of the column: a smaller deviation does not mislead the search
     for (ObservedColumn &column : observations.columns) {
         Values distances = Values::Zero(column.values.size());
         for (Index i = 0; distances.size() >= kWindow && i < distances.size(); ++i) {
@@ -241,7 +241,7 @@ Observations withoutSpikes(Observations observations)
             distances[i] = end == window.begin() ? kNone : std::abs(column.values[i] - *middle);
         }
         const double spread = median((column.values - median(column.values)).abs());
-        const double limit = std::max(kDeviations * median(distances), kPartOfSpread * spread);
+        const double limit = std::max(kDeviations * median(distances), kFractionOfSpread * spread);
         column.values = (distances > limit).select(kNone, column.values);
     }
     return observations;

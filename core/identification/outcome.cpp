@@ -94,10 +94,10 @@ Lack lackOfValues(const LastFit &lastFit)
 /// comes near, too.
 bool hasLargeResiduals(const Observations &observations, const Fit &fit)
 {
-    constexpr double kSystematicPart = 0.35; // four-bar linkages leave 0.8 % of the range and more
+    constexpr double kSystematicFraction = 0.35; // four-bar linkages leave 0.8 % of the range and more
     for (Index k = 0; k < fit.residuals.cols(); ++k) {
         const bool isNoise = changeSignLikeNoise(fit.residuals.col(k));
-        const double largest = isNoise ? kLargestResidual : kSystematicPart * kLargestResidual;
+        const double largest = isNoise ? kLargestResidual : kSystematicFraction * kLargestResidual;
         const ObservedColumn &column = observations.columns[fit.columns[k]];
         const double size =
             column.channel == kSliderLine ? fit.model.mechanism.a : column.range; // of R4_y: it is constant

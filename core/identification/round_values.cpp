@@ -104,10 +104,10 @@ Parameters roundedParameters(const LastFit &lastFit, const Parameters &exact)
 {
     constexpr double kArithmetic = 1e-13; // relative accuracy of the computation
     // Parts of the standard errors: where the parameters depend on each other, more digits of them count.
-    constexpr std::array kParts{1.0, 0.1, 0.01};
+    constexpr std::array kFractions{1.0, 0.1, 0.01};
     const Observations &observations = lastFit.observations;
     const Fit &fit = lastFit.fit;
-    for (const double part : kParts) {
+    for (const double part : kFractions) {
         Parameters rounded = exact;
         for (const Parameter parameter : kAllParameters) {
             const double size = parameter == Parameter::Theta20  ? 1.0

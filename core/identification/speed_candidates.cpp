@@ -18,8 +18,8 @@ namespace
 /// How often the column goes from below the middle of its range to above it, or back.
 int crossings(const ObservedColumn &column)
 {
-    constexpr double kHysteresis = 0.15;     // of the range: noise crosses nothing
-    constexpr std::size_t kOutlierPart = 50; // one value in 50, at either end
+    constexpr double kHysteresis = 0.15;          // of the range: noise crosses nothing
+    constexpr std::size_t kValuesPerOutlier = 50; // one value in 50, at either end
     std::vector<double> sorted;
     sorted.reserve(static_cast<std::size_t>(column.values.size()));
     std::ranges::copy_if(column.values, std::back_inserter(sorted), [](double value) { return std::isfinite(value); });
@@ -27,7 +27,7 @@ int crossings(const ObservedColumn &column)
         return 0;
     }
     std::ranges::sort(sorted);
-    const std::size_t tail = sorted.size() / kOutlierPart;
+    const std::size_t tail = sorted.size() / kValuesPerOutlier;
     const double low = sorted[tail];
     const double high = sorted[sorted.size() - 1 - tail];
     const double middle = 0.5 * (low + high);
@@ -81,8 +81,8 @@ std::vector<double> possibleTurns(int crossings, double coverage, Index rows)
     constexpr double kFewest = 0.7;
     constexpr double kCutOff = 1.0;       // turns at the ends of the file that have no crossing
     constexpr double kMiscounted = 0.005; // of the crossings
-    constexpr int kMostPairsPerTurn = 5;  // of crossings; accelerations have several
-    constexpr double kManyPairs = 25.0;   // of crossings: so many are counted well enough to exclude other speeds
+    constexpr int kMaxPairsPerTurn = 5;   // of crossings; accelerations have several
+    constexpr double kManyPairs = 25.0;   // of crossings: with these, the count excludes other speeds
     constexpr double kFullCoverage = 0.95;
     constexpr double kRowsPerPair = 8.0;
     const double pairs = 0.5 * crossings;
@@ -90,7 +90,7 @@ std::vector<double> possibleTurns(int crossings, double coverage, Index rows)
     const bool isCounted = pairs >= kManyPairs && coverage >= kFullCoverage && !isSparse;
     const double most = isSparse ? 0.5 * static_cast<double>(rows) : pairs / coverage + kCutOff;
     std::vector<double> all;
-    for (double turns = std::max(pairs / kMostPairsPerTurn - kCutOff, kFewest); turns <= most; turns += kSpacing) {
+    for (double turns = std::max(pairs / kMaxPairsPerTurn - kCutOff, kFewest); turns <= most; turns += kSpacing) {
         const double pairsPerTurn = std::max(1.0, std::rint(pairs / turns));
         if (!isCounted || std::abs(pairs / pairsPerTurn - turns) <= kCutOff + kMiscounted * pairs) {
             all.push_back(turns);
@@ -106,9 +106,9 @@ std::vector<double> findSpeedCandidates(const Observations &observations, const 
     constexpr Index kRows = 400;
     constexpr std::size_t kCandidates = 4;
     constexpr int kCrossingsOfOneTurn = 2;
-    constexpr double kLongestPart = 1.5;   // turns in the file, if there may be less than one
-    constexpr double kShortestPart = 0.05; // a shorter arc has no recognizable shape
-    constexpr double kRatio = 1.3;         // of two speeds; a fit bridges half of it
+    constexpr double kMaxTurnsOfArc = 1.5;  // turns in the file, if there may be less than one
+    constexpr double kMinTurnsOfArc = 0.05; // a shorter arc has no recognizable shape
+    constexpr double kRatio = 1.3;          // of two speeds; a fit bridges half of it
     const double speedOfOneTurn = kTurn / observations.span();
     int most = 0;
     for (const Index column : columns) {
@@ -132,7 +132,7 @@ std::vector<double> findSpeedCandidates(const Observations &observations, const 
     for (std::size_t i = 0; i < std::min(kCandidates, minima.size()); ++i) {
         speeds.push_back(minima[i].second);
     }
-    for (double turns = kLongestPart; most <= kCrossingsOfOneTurn && turns > kShortestPart; turns /= kRatio) {
+    for (double turns = kMaxTurnsOfArc; most <= kCrossingsOfOneTurn && turns > kMinTurnsOfArc; turns /= kRatio) {
         speeds.push_back(turns * speedOfOneTurn);
     }
     return speeds;

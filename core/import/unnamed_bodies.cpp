@@ -73,7 +73,7 @@ void removeConstants(std::vector<RawColumn *> &candidates)
 /// same owner does not, nothing tells whose derivatives they are, and they are removed.
 void findCrank(RawTable &table, std::vector<RawColumn *> &candidates)
 {
-    constexpr double kEvenness = 1e-3;  // of the range: the coupler never turns evenly by so many degrees
+    constexpr double kEvenness = 1e-3;  // of the range: the coupler never turns that evenly
     constexpr double kEvenRange = 6.0;  // in the unit of the file, which may be rad though the heading does not say so
     constexpr double kVariation = 0.01; // of a speed that is constant
     const RawColumn *const abscissa = table.abscissa();

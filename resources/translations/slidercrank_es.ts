@@ -1599,7 +1599,7 @@ difiere: lo demás</translation>
         <translation>Todavía se está escribiendo otro archivo: espere a que termine, o cancélelo abajo.</translation>
     </message>
     <message>
-        <source>The six channels, every so many degrees of the crank (*.csv)</source>
+        <source>The six channels, at equal steps of the crank angle (*.csv)</source>
         <translation>Los seis canales, cada cierto número de grados de la manivela (*.csv)</translation>
     </message>
     <message>

@@ -39,7 +39,7 @@ bool writeCsvRows(const Trajectory &trajectory, const std::vector<Channel> &chan
                   const TextSink &sink);
 
 /// Writes time, crank angle and these channels in mm, ° and s to a file: at the time steps or, with a `crankStep` (°),
-/// every so many degrees over one turn. Returns nullopt on success, else a message; an older file of that name is then
+/// at equal steps of the crank angle over one turn. Returns nullopt on success, else a message; an older file of that name is then
 /// unchanged. `progress` receives 0 … 1. Can run in any thread.
 std::optional<QString> exportMotion(const QString &path, const Result &result, const ChannelSet &channels,
                                     double crankStep = 0.0, std::stop_token stop = {},

@@ -38,7 +38,7 @@ struct TablePlace {
     std::optional<double> time = {}; ///< s; nullopt if the crank is not there within the time range
 };
 
-/// Returns the places of the rows: every so many degrees from 0° to 360°, or the time steps.
+/// Returns the places of the rows: at equal steps of θ2 from 0° to 360°, or the time steps.
 std::vector<TablePlace> tablePlaces(const MotionTableSettings &settings, const Mechanism &mechanism,
                                     const Sampling &sampling);
 

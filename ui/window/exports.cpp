@@ -127,7 +127,7 @@ void Exports::copy(const FigureSubject &subject)
 void Exports::chooseData()
 {
     const QString plotted = tr("The six channels of the plots (*.csv)");
-    const QString byAngle = tr("The six channels, every so many degrees of the crank (*.csv)");
+    const QString byAngle = tr("The six channels, at equal steps of the crank angle (*.csv)");
     const auto write = [this, plotted, byAngle](const QString &path, const QString &filter) {
         if (filter != byAngle) {
             writeData(path, filter == plotted ? plottedChannels() : allChannels());
