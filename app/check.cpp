@@ -52,13 +52,15 @@ NamedValue readValue(const QString &argument, const Units &units)
     return {name, typed};
 }
 
-std::vector<NamedValue> readValues(const OptionReader &options)
+std::vector<NamedValue> readValues(const OptionReader &options, const CrankPosition &position)
 {
     const Units units = readUnits(options);
     std::vector<NamedValue> values;
     for (const QString &argument : options.files()) {
-        values.push_back(readValue(argument, units));
-        const auto channelOf = [](const NamedValue &value) { return value.typed.channel; };
+        NamedValue value = readValue(argument, units);
+        value.typed = inLikelyUnit(value.typed, position, units);
+        values.push_back(std::move(value));
+        const auto channelOf = [](const NamedValue &other) { return other.typed.channel; };
         if (std::ranges::count(values, channelOf(values.back()), channelOf) > 1) {
             throw UsageError{CommandLine::tr("%1 is given more than once: keep one of them.").arg(values.back().name)};
         }
@@ -115,7 +117,7 @@ ExitStatus checkCommand(const OptionReader &options, const Streams &streams)
 {
     const Question question(options);
     const CrankPosition position = readPosition(options, question.mechanism);
-    const std::vector<NamedValue> values = readValues(options);
+    const std::vector<NamedValue> values = readValues(options, position);
     std::vector<GivenValue> given;
     for (const NamedValue &value : values) {
         given.push_back(value.typed.given());

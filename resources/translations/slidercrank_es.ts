@@ -1600,7 +1600,7 @@ difiere: lo demás</translation>
     </message>
     <message>
         <source>The six channels, at equal steps of the crank angle (*.csv)</source>
-        <translation>Los seis canales, cada cierto número de grados de la manivela (*.csv)</translation>
+        <translation>Los seis canales, a pasos iguales del ángulo de la manivela (*.csv)</translation>
     </message>
     <message>
         <source>Step of the crank angle, in degrees:</source>

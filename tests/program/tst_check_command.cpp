@@ -90,11 +90,22 @@ private slots:
         QVERIFY(checkJson("x=9.79 v=-41.46")["slip"].isNull());
     }
 
+    /// Textbooks give the rates of angles in rad/s beside angles in degrees.
+    void readsRatesWithoutUnitInRadiansIfTheyAreRightThere()
+    {
+        const RunResult radians = run(QString(kExample) + "theta3=-154 omega3=5.42");
+        QCOMPARE(radians.status, 0);
+        QVERIFY2(radians.output.contains("rad/s  right to its 3 digits"), radians.output.constData());
+        QCOMPARE(run(QString(kExample) + "omega3=310.4").status, 0); // °/s
+        QCOMPARE(run(QString(kExample) + "omega3=5.48").status, 1);
+        QCOMPARE(run(QString(kExample) + "omega3=5.42deg/s").status, 1);
+    }
+
     void namesSlipsOfASheet()
     {
         QCOMPARE(slipName("x=-4.596 theta3=154.06"), QString("other-assembly"));
         QCOMPARE(slipName("x=9.79 v=-41.46 a=-681.46"), QString("crank-acceleration-omitted"));
-        QCOMPARE(slipName("x=9.79 v=-41.46 omega3=5.42"), QString("value-in-radians"));
+        QCOMPARE(slipName("x=9.79 v=-41.46 omega3=5.42deg/s"), QString("value-in-radians"));
         QCOMPARE(slipName("x=0.3855 v=-41.46"), QString("inches"));
         QCOMPARE(slipName("x=9.79 v=-41.46 mu=25.94"), QString("pressure-angle"));
         QCOMPARE(slipName("x=2.5981 v=-22.500"), QString("harmonic-motion"));

@@ -348,6 +348,8 @@ TableRow MotionTablePanel::myValues()
     TableRow row{.cells = {{.text = tr("my values"), .tone = Tone::Muted}, {}},
                  .explanation = tr(
                      "Type values of your calculation: they are compared with the exact ones, each to its last digit")};
+    const CrankPosition position{withCrankAt(Mechanism(m_session->parameters()), presentPlace().theta2),
+                                 m_settings.alpha2};
     std::vector<TypedValue> values;
     std::vector<GivenValue> given;
     QStringList sentences;
@@ -357,7 +359,8 @@ TableRow MotionTablePanel::myValues()
             continue;
         }
         const QString number = QString(cell.text).replace(QLocale().decimalPoint(), ".");
-        const TypedValue typed = readTypedValue(number, channel, notation().units);
+        const Units &units = notation().units;
+        const TypedValue typed = inLikelyUnit(readTypedValue(number, channel, units), position, units);
         if (typed.written.fault) {
             cell.tone = Tone::Bad;
             sentences << quantityFaultText(cell.text, *typed.written.fault, typed.unit);
@@ -366,8 +369,7 @@ TableRow MotionTablePanel::myValues()
         values.push_back(typed);
         given.push_back(typed.given());
     }
-    const CheckResult result =
-        check({withCrankAt(Mechanism(m_session->parameters()), presentPlace().theta2), m_settings.alpha2}, given);
+    const CheckResult result = check(position, given);
     QStringList wrong;
     for (std::size_t i = 0; i < values.size(); ++i) {
         const bool isRight = result.values[i].isRight;

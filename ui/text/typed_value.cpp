@@ -53,12 +53,28 @@ TypedValue readTypedValue(const QString &text, const OutputChannel &channel, con
     const std::string number = typed.text.toStdString();
     typed.written = readWrittenValue(number, typed.unit);
     const std::string_view unit = splitUnit(number).unit;
-    if (!typed.written.fault && !unit.empty()) {
+    typed.hasUnit = !unit.empty();
+    if (!typed.written.fault && typed.hasUnit) {
         typed.unit = parseUnit(unit).value_or(typed.unit);
         typed.unitName = QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size()));
         typed.written = readWrittenValue(number, typed.unit);
     }
     return typed;
+}
+
+TypedValue inLikelyUnit(const TypedValue &typed, const CrankPosition &position, const Units &units)
+{
+    if (typed.hasUnit || typed.written.fault || !isAngular(measureOf(typed.channel))) {
+        return typed;
+    }
+    Units otherUnits = units;
+    otherUnits.angle = units.angle == AngleUnit::Degree ? AngleUnit::Radian : AngleUnit::Degree;
+    const TypedValue inOther = readTypedValue(typed.text, typed.channel, otherUnits);
+    const auto isRight = [&position](const TypedValue &value) {
+        const GivenValue given = value.given();
+        return check(position, {&given, 1}).values.front().isRight;
+    };
+    return !isRight(typed) && isRight(inOther) ? inOther : typed;
 }
 
 QString exactText(const TypedValue &typed, const CheckedValue &checked)

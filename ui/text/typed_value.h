@@ -19,6 +19,7 @@ struct TypedValue {
     WrittenValue written; ///< in `unit`, or why the text is no value
     Unit unit;            ///< that of the text, or the expected one
     QString unitName;
+    bool hasUnit = false; ///< the text has one
 
     GivenValue given() const;
 
@@ -32,6 +33,10 @@ struct TypedValue {
 
 /// Reads a value. `units`: those of a number without a unit. The decimal sign is a point.
 TypedValue readTypedValue(const QString &text, const OutputChannel &channel, const Units &units);
+
+/// Returns the value; or, if its text has no unit, the same number in the other unit of angles if it is right only in
+/// that one: textbooks give ω and α in rad/s beside angles in degrees.
+TypedValue inLikelyUnit(const TypedValue &typed, const CrankPosition &position, const Units &units);
 
 /// Returns the value and what is wrong with it: "exact: 9.792 mm" and "off by 0.00818 mm".
 QString exactText(const TypedValue &typed, const CheckedValue &checked);
