@@ -3,6 +3,7 @@
 // The command check: which slip gives the numbers of a calculation by hand.
 
 #include "tests/program/run_program.h"
+#include "tests/support/suite.h"
 
 #include <QLocale>
 #include <QStandardPaths>
@@ -10,7 +11,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_check_command
 {
 
 // By a pocket calculator: θ3 = asin(3.5/8) = 25.9445°, x = 9.79182 mm, v = -41.4608 mm/s, ω3 = 5.41736 rad/s = 310.392
@@ -26,8 +27,6 @@ QString slipName(const QString &values, const char *command = kExample)
 {
     return checkJson(values, command)["slip"].toObject()["name"].toString();
 }
-
-} // namespace
 
 class TestCheckCommand : public QObject
 {
@@ -159,5 +158,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestCheckCommand)
+const Suite<TestCheckCommand> suite("tst_check_command");
+
+} // namespace tst_check_command
+
 #include "tst_check_command.moc"

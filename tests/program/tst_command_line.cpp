@@ -6,6 +6,7 @@
 #include "app/help.h"
 #include "app/option_table.h"
 #include "tests/program/run_program.h"
+#include "tests/support/suite.h"
 
 #include <QLocale>
 #include <QSettings>
@@ -16,6 +17,9 @@
 #include <csignal>
 
 using namespace slidercrank;
+
+namespace tst_command_line
+{
 
 class TestCommandLine : public QObject
 {
@@ -328,5 +332,8 @@ private:
     QTemporaryDir m_folder;
 };
 
-QTEST_MAIN(TestCommandLine)
+const Suite<TestCommandLine> suite("tst_command_line");
+
+} // namespace tst_command_line
+
 #include "tst_command_line.moc"

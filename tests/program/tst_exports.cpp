@@ -8,6 +8,7 @@
 #include "tests/support/pixels.h"
 #include "tests/support/printed_picture.h"
 #include "tests/support/study_of_a_turn.h"
+#include "tests/support/suite.h"
 #include "tests/support/waiting.h"
 #include "tests/support/widget_parts.h"
 #include "ui/export/animation_export.h"
@@ -50,7 +51,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_exports
 {
 
 /// Whether both numbers have the same bits or are NaN. The sign of a zero may differ, because it is not written.
@@ -69,8 +70,6 @@ QAction *actionNamed(const QWidget &window, const QString &text)
     }
     return nullptr;
 }
-
-} // namespace
 
 class TestExports : public QObject
 {
@@ -402,6 +401,8 @@ private:
     MessageBar *m_messages = nullptr;
 };
 
-QTEST_MAIN(TestExports)
+const Suite<TestExports> suite("tst_exports");
+
+} // namespace tst_exports
 
 #include "tst_exports.moc"

@@ -8,6 +8,7 @@
 #include "tests/support/failing_calls.h"
 #include "tests/support/long_tests.h"
 #include "tests/support/place_of_a_save.h"
+#include "tests/support/suite.h"
 #include "tests/support/waiting.h"
 #include "tests/support/widget_parts.h"
 #include "ui/document/whole_file.h"
@@ -42,7 +43,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_faults
 {
 
 /// Limits the size of files during its lifetime, as if the disk were full.
@@ -139,8 +140,6 @@ QList<Save> commands()
             {"render PDF", "x.pdf", {"render"}},
             {"render a report", "x.pdf", {"render", "--what", "report"}}};
 }
-
-} // namespace
 
 class TestFaults : public QObject
 {
@@ -441,5 +440,8 @@ private:
     QStringList m_faults; ///< of the current test
 };
 
-QTEST_MAIN(TestFaults)
+const Suite<TestFaults> suite("tst_faults");
+
+} // namespace tst_faults
+
 #include "tst_faults.moc"

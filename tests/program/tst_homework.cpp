@@ -8,6 +8,7 @@
 #include "tests/program/run_program.h"
 #include "tests/support/accelerating_motion.h"
 #include "tests/support/random_mechanisms.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -15,7 +16,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_homework
 {
 
 /// A row of the tables: inches, degrees, rad/s and rad/s².
@@ -44,8 +45,6 @@ QString optionsOf(const Parameters &p)
         .arg(number(p.a), number(p.b), number(p.c), number(p.omega2), number(p.theta20),
              p.branch == Branch::Open ? "open" : "crossed");
 }
-
-} // namespace
 
 class TestHomework : public QObject
 {
@@ -291,5 +290,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestHomework)
+const Suite<TestHomework> suite("tst_homework");
+
+} // namespace tst_homework
+
 #include "tst_homework.moc"

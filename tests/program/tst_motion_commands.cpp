@@ -5,6 +5,7 @@
 #include "core/mechanism/channel.h"
 #include "tests/program/run_program.h"
 #include "tests/support/printed_motion.h"
+#include "tests/support/suite.h"
 
 #include <QDir>
 #include <QImage>
@@ -19,12 +20,10 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_motion_commands
 {
 
 constexpr const char *kPlotted[] = {"theta3", "R4_x", "theta3_diff", "R4_x_diff", "theta3_diff2", "R4_x_diff2"};
-
-} // namespace
 
 class TestMotionCommands : public QObject
 {
@@ -344,5 +343,8 @@ private:
     QTemporaryDir m_folder;
 };
 
-QTEST_MAIN(TestMotionCommands)
+const Suite<TestMotionCommands> suite("tst_motion_commands");
+
+} // namespace tst_motion_commands
+
 #include "tst_motion_commands.moc"

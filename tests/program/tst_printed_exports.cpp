@@ -8,6 +8,7 @@
 #include "tests/support/initial_mechanism.h"
 #include "tests/support/pixels.h"
 #include "tests/support/printed_picture.h"
+#include "tests/support/suite.h"
 #include "ui/export/report.h"
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/plots/plot_grid.h"
@@ -25,7 +26,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_printed_exports
 {
 
 constexpr double kPaperWidth = 160.0; // mm, of an exported figure
@@ -111,8 +112,6 @@ double largestDistance(const std::vector<QPointF> &curve, const Parameters &para
     }
     return worst;
 }
-
-} // namespace
 
 class TestPrintedExports : public QObject
 {
@@ -295,6 +294,8 @@ private:
     QTemporaryDir m_folder;
 };
 
-QTEST_MAIN(TestPrintedExports)
+const Suite<TestPrintedExports> suite("tst_printed_exports");
+
+} // namespace tst_printed_exports
 
 #include "tst_printed_exports.moc"

@@ -2,11 +2,16 @@
 
 // Runs every command of the README, and checks that it prints the lines that the README shows.
 
+#include "tests/support/suite.h"
+
 #include <QDir>
 #include <QFile>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
+
+namespace tst_readme
+{
 
 class TestReadme : public QObject
 {
@@ -69,5 +74,8 @@ void TestReadme::commandsRunAndPrintWhatIsShown()
     }
 }
 
-QTEST_GUILESS_MAIN(TestReadme)
+const slidercrank::Suite<TestReadme> suite("tst_readme");
+
+} // namespace tst_readme
+
 #include "tst_readme.moc"

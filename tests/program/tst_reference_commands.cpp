@@ -4,6 +4,7 @@
 
 #include "tests/program/run_program.h"
 #include "tests/support/printed_motion.h"
+#include "tests/support/suite.h"
 
 #include <QLocale>
 #include <QRegularExpression>
@@ -16,15 +17,13 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_reference_commands
 {
 
 QByteArray number(long double value, int digits)
 {
     return QByteArray::number(static_cast<double>(value), 'g', digits);
 }
-
-} // namespace
 
 class TestReferenceCommands : public QObject
 {
@@ -302,5 +301,8 @@ private:
     QTemporaryDir m_folder;
 };
 
-QTEST_MAIN(TestReferenceCommands)
+const Suite<TestReferenceCommands> suite("tst_reference_commands");
+
+} // namespace tst_reference_commands
+
 #include "tst_reference_commands.moc"

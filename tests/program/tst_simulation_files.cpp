@@ -5,6 +5,7 @@
 #include "core/import/reference_data.h"
 #include "tests/support/files.h"
 #include "tests/support/printed_motion.h"
+#include "tests/support/suite.h"
 #include "ui/document/reference_file.h"
 
 #include <QJsonArray>
@@ -17,7 +18,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_simulation_files
 {
 
 const QString kFolder = QStringLiteral(SLIDERCRANK_SOURCE_DIR "/tests/support/simulation_files/");
@@ -99,10 +100,6 @@ QString describeColumns(const ReferenceData &data)
     }
     return columns.join(' ');
 }
-
-} // namespace
-
-Q_DECLARE_METATYPE(Sample)
 
 class TestSimulationFiles : public QObject
 {
@@ -186,6 +183,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSimulationFiles)
+const Suite<TestSimulationFiles> suite("tst_simulation_files");
+
+} // namespace tst_simulation_files
 
 #include "tst_simulation_files.moc"

@@ -11,6 +11,7 @@
 #include "tests/program/run_program.h"
 #include "tests/support/all_cases.h"
 #include "tests/support/study_of_a_turn.h"
+#include "tests/support/suite.h"
 #include "tests/support/waiting.h"
 
 #include <QAbstractButton>
@@ -36,7 +37,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_translation
 {
 
 /// A message of a .ts file.
@@ -259,8 +260,6 @@ void useLanguage(Language language)
     setLanguage(language);
     QCoreApplication::processEvents();
 }
-
-} // namespace
 
 class TestTranslation : public QObject
 {
@@ -494,5 +493,8 @@ private:
     QTemporaryDir m_settings;
 };
 
-QTEST_MAIN(TestTranslation)
+const Suite<TestTranslation> suite("tst_translation");
+
+} // namespace tst_translation
+
 #include "tst_translation.moc"

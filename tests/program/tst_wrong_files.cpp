@@ -4,6 +4,7 @@
 // line. The program must not use much memory for this. The large files are sparse and take no space on the disk.
 
 #include "tests/program/run_program.h"
+#include "tests/support/suite.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -17,7 +18,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_wrong_files
 {
 
 #ifdef SLIDERCRANK_SANITIZED
@@ -40,8 +41,6 @@ QByteArray rows(int count)
     }
     return bytes;
 }
-
-} // namespace
 
 class TestWrongFiles : public QObject
 {
@@ -193,5 +192,8 @@ private:
     QString m_file;
 };
 
-QTEST_GUILESS_MAIN(TestWrongFiles)
+const Suite<TestWrongFiles> suite("tst_wrong_files");
+
+} // namespace tst_wrong_files
+
 #include "tst_wrong_files.moc"

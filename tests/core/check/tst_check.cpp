@@ -6,12 +6,13 @@
 #include "core/check/written_value.h"
 #include "tests/core/check/hand_calculation.h"
 #include "tests/support/random_mechanisms.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
 using namespace slidercrank;
 
-namespace
+namespace tst_check
 {
 
 constexpr std::array kQuantities{"x", "v", "a", "theta3", "omega3", "alpha3"};
@@ -79,8 +80,6 @@ Tally tally(const SlipCase &slipCase, int digits)
 
 /// The position of the examples: a = 3 mm, b = 8 mm, c = 2 mm, θ2 = -30°, ω2 = -15 rad/s, α2 = -10 rad/s².
 const Problem kExample{{.a = 3.0, .b = 8.0, .c = 2.0, .omega2 = -15.0, .theta20 = -kPi / 6.0}, -10.0};
-
-} // namespace
 
 class TestCheck : public QObject
 {
@@ -285,5 +284,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestCheck)
+const Suite<TestCheck> suite("tst_check");
+
+} // namespace tst_check
+
 #include "tst_check.moc"

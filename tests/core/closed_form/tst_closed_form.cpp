@@ -7,13 +7,14 @@
 #include "tests/support/all_cases.h"
 #include "tests/support/deviation.h"
 #include "tests/support/mechanism_list.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 #include <hwy/highway.h>
 
 using namespace slidercrank;
 
-namespace
+namespace tst_closed_form
 {
 
 /// The documented largest error of the closed form, relative to a channel's peak.
@@ -114,8 +115,6 @@ QString differenceFromOne(const Parameters &parameters, std::span<const double> 
     }
     return {};
 }
-
-} // namespace
 
 class tst_closed_form : public QObject
 {
@@ -397,5 +396,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(tst_closed_form)
+const Suite<tst_closed_form> suite("tst_closed_form");
+
+} // namespace tst_closed_form
+
 #include "tst_closed_form.moc"

@@ -2,6 +2,7 @@
 #include "core/comparison/comparison.h"
 #include "tests/support/files.h"
 #include "tests/support/reading.h"
+#include "tests/support/suite.h"
 
 #include <QFile>
 #include <QTest>
@@ -14,7 +15,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_comparison
 {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -64,8 +65,6 @@ bool isNear(double value, double quoted)
 {
     return std::abs(value - quoted) <= 5e-3 * quoted;
 }
-
-} // namespace
 
 class TestComparison : public QObject
 {
@@ -324,5 +323,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestComparison)
+const Suite<TestComparison> suite("tst_comparison");
+
+} // namespace tst_comparison
+
 #include "tst_comparison.moc"

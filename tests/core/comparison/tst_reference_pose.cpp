@@ -2,6 +2,7 @@
 #include "core/closed_form/state_at.h"
 #include "core/comparison/reference_pose.h"
 #include "tests/support/channels.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -12,7 +13,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_reference_pose
 {
 
 constexpr int kIntervals = 50; // intervals per turn: few, so that the interpolation matters
@@ -57,8 +58,6 @@ double farthest(const ReferenceData &data)
     }
     return farthest;
 }
-
-} // namespace
 
 class TestReferencePose : public QObject
 {
@@ -120,5 +119,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestReferencePose)
+const Suite<TestReferencePose> suite("tst_reference_pose");
+
+} // namespace tst_reference_pose
+
 #include "tst_reference_pose.moc"

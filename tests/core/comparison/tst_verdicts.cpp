@@ -10,6 +10,7 @@
 #include "tests/support/long_tests.h"
 #include "tests/support/random_mechanisms.h"
 #include "tests/support/reading.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -21,7 +22,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_verdicts
 {
 
 constexpr double kTooFar = 0.02; // of the peak, beyond half a rounding step
@@ -113,8 +114,6 @@ double errorOf(const ClaimColumn &column, const Values &model)
     return farthest / peak;
 }
 
-} // namespace
-
 class TestVerdicts : public QObject
 {
     Q_OBJECT
@@ -176,5 +175,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestVerdicts)
+const Suite<TestVerdicts> suite("tst_verdicts");
+
+} // namespace tst_verdicts
+
 #include "tst_verdicts.moc"

@@ -12,6 +12,7 @@
 #include "tests/support/claim_judge.h"
 #include "tests/support/long_tests.h"
 #include "tests/support/reading.h"
+#include "tests/support/suite.h"
 
 #include <QDir>
 #include <QFile>
@@ -27,7 +28,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_claims
 {
 
 /// Sanitizer builds are thirty times slower and check memory, not numbers, so they run only a few files.
@@ -135,8 +136,6 @@ Totals runKind(const ClaimKind &kind, int usualFiles)
     return totals;
 }
 
-} // namespace
-
 class TestClaims : public QObject
 {
     Q_OBJECT
@@ -221,5 +220,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestClaims)
+const Suite<TestClaims> suite("tst_claims");
+
+} // namespace tst_claims
+
 #include "tst_claims.moc"

@@ -8,6 +8,7 @@
 #include "tests/support/long_tests.h"
 #include "tests/support/printed_motion.h"
 #include "tests/support/random_mechanisms.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -19,10 +20,11 @@
 #include <vector>
 
 using namespace slidercrank;
-using Kind = Convention::Kind;
 
-namespace
+namespace tst_conventions
 {
+
+using Kind = Convention::Kind;
 
 const std::vector<Channel> kAngles{kTheta3, kTheta3Speed, kTheta3Acceleration};
 const std::vector<Channel> kLengths{kSlider, kSliderSpeed, kSliderAcceleration};
@@ -140,8 +142,6 @@ bool areFound(const std::vector<ConventionFinding> &findings, const std::vector<
                       std::ranges::any_of(expected, [&](const Convention &one) { return isSame(finding, one); });
            });
 }
-
-} // namespace
 
 class TestConventions : public QObject
 {
@@ -400,5 +400,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestConventions)
+const Suite<TestConventions> suite("tst_conventions");
+
+} // namespace tst_conventions
+
 #include "tst_conventions.moc"

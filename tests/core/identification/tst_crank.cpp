@@ -10,6 +10,7 @@
 #include "core/mechanism/turn.h"
 #include "tests/support/printed_motion.h"
 #include "tests/support/random_mechanisms.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -18,7 +19,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_crank
 {
 
 /// Observations with a time from 0 to 2 s and the angles θ2(t), rounded to a step.
@@ -53,8 +54,6 @@ Observations withComputed(Channel computed, Channel source, double step, const F
     }
     return observe(data, {});
 }
-
-} // namespace
 
 class TestCrank : public QObject
 {
@@ -159,5 +158,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestCrank)
+const Suite<TestCrank> suite("tst_crank");
+
+} // namespace tst_crank
+
 #include "tst_crank.moc"

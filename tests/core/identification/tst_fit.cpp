@@ -4,6 +4,7 @@
 #include "core/identification/rounding_test.h"
 #include "tests/support/printed_motion.h"
 #include "tests/support/random_mechanisms.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -12,7 +13,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_fit
 {
 
 using UnknownKind = Unknown::Kind;
@@ -48,8 +49,6 @@ double numericalSlope(const PrintedFile &file, Unknown unknown, double step)
             evaluated(file.observations, below, file.columns).misfit) /
            (2.0 * step);
 }
-
-} // namespace
 
 class TestFit : public QObject
 {
@@ -130,5 +129,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestFit)
+const Suite<TestFit> suite("tst_fit");
+
+} // namespace tst_fit
+
 #include "tst_fit.moc"

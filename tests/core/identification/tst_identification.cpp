@@ -7,6 +7,7 @@
 #include "tests/support/long_tests.h"
 #include "tests/support/printed_motion.h"
 #include "tests/support/random_mechanisms.h"
+#include "tests/support/suite.h"
 
 #include <QFile>
 #include <QTest>
@@ -21,17 +22,17 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_identification
 {
 
 std::atomic<std::size_t> largestAllocation =
     0; // bytes, since the last reset to 0; atomic, because QtTest's watchdog thread allocates, too
 
-} // namespace
+} // namespace tst_identification
 
 void *operator new(std::size_t size)
 {
-    largestAllocation = std::max(largestAllocation.load(), size);
+    tst_identification::largestAllocation = std::max(tst_identification::largestAllocation.load(), size);
     if (void *memory = std::malloc(std::max<std::size_t>(size, 1))) {
         return memory;
     }
@@ -40,7 +41,7 @@ void *operator new(std::size_t size)
 
 void *operator new(std::size_t size, const std::nothrow_t &) noexcept
 {
-    largestAllocation = std::max(largestAllocation.load(), size);
+    tst_identification::largestAllocation = std::max(tst_identification::largestAllocation.load(), size);
     return std::malloc(std::max<std::size_t>(size, 1));
 }
 
@@ -55,7 +56,7 @@ void *operator new(std::size_t size, const std::nothrow_t &) noexcept
     std::free(memory);
 }
 
-namespace
+namespace tst_identification
 {
 
 constexpr std::uint64_t kSeed = 20240611;
@@ -101,8 +102,6 @@ Identification identified(const ReferenceData &data, const Parameters &given = {
 {
     return identify(data, Mechanism(given));
 }
-
-} // namespace
 
 class TestIdentification : public QObject
 {
@@ -369,5 +368,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestIdentification)
+const Suite<TestIdentification> suite("tst_identification");
+
+} // namespace tst_identification
+
 #include "tst_identification.moc"

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/minimizer.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
 #include <cmath>
 
 using namespace slidercrank;
-using Status = Minimum::Status;
 
-namespace
+namespace tst_minimizer
 {
+
+using Status = Minimum::Status;
 
 /// The sum of squared residuals with its derivatives. `jacobian`: the partial derivatives of the residuals.
 LocalShape sumOfSquares(const Eigen::VectorXd &residuals, const Eigen::MatrixXd &jacobian)
@@ -25,8 +27,6 @@ std::optional<LocalShape> rosenbrock(const Eigen::VectorXd &point)
     return sumOfSquares(Eigen::Vector2d(10.0 * (y - x * x), 1.0 - x),
                         (Eigen::Matrix2d() << -20.0 * x, 10.0, -1.0, 0.0).finished());
 }
-
-} // namespace
 
 class TestMinimizer : public QObject
 {
@@ -87,5 +87,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestMinimizer)
+const Suite<TestMinimizer> suite("tst_minimizer");
+
+} // namespace tst_minimizer
+
 #include "tst_minimizer.moc"

@@ -6,6 +6,7 @@
 #include "core/identification/identification.h"
 #include "tests/support/files.h"
 #include "tests/support/reading.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -16,7 +17,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_ordinary_files
 {
 
 using enum Convention::Kind;
@@ -62,8 +63,6 @@ bool determines(const Identification &found, Parameter parameter)
 {
     return found.identifiable[indexOf(parameter)];
 }
-
-} // namespace
 
 class TestOrdinaryFiles : public QObject
 {
@@ -185,5 +184,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestOrdinaryFiles)
+const Suite<TestOrdinaryFiles> suite("tst_ordinary_files");
+
+} // namespace tst_ordinary_files
+
 #include "tst_ordinary_files.moc"

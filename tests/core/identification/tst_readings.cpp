@@ -8,6 +8,7 @@
 #include "tests/support/channels.h"
 #include "tests/support/printed_motion.h"
 #include "tests/support/random_mechanisms.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -17,7 +18,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_readings
 {
 
 using UnknownKind = Unknown::Kind;
@@ -60,8 +61,6 @@ double unchanged(double value, std::size_t)
 {
     return value;
 }
-
-} // namespace
 
 class TestReadings : public QObject
 {
@@ -165,5 +164,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestReadings)
+const Suite<TestReadings> suite("tst_readings");
+
+} // namespace tst_readings
+
 #include "tst_readings.moc"

@@ -5,6 +5,7 @@
 #include "core/mechanism/turn.h"
 #include "tests/support/printed_motion.h"
 #include "tests/support/random_mechanisms.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -15,7 +16,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_round_values
 {
 
 constexpr double kPi = std::numbers::pi;
@@ -27,8 +28,6 @@ bool allAgree(const Parameters &parameters, const ReferenceData &data)
     return std::ranges::all_of(compareExactly(mechanism, data).channels,
                                [](const ChannelComparison &channel) { return channel.verdict == Verdict::Agrees; });
 }
-
-} // namespace
 
 class TestRoundValues : public QObject
 {
@@ -132,5 +131,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRoundValues)
+const Suite<TestRoundValues> suite("tst_round_values");
+
+} // namespace tst_round_values
+
 #include "tst_round_values.moc"

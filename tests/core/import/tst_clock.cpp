@@ -2,6 +2,7 @@
 #include "core/import/clock.h"
 #include "core/import/reference_data.h"
 #include "tests/support/described_reading.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -9,7 +10,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_clock
 {
 
 QByteArrayList printed(int count, double step, char format, int digits, double start = 0.0)
@@ -20,8 +21,6 @@ QByteArrayList printed(int count, double step, char format, int digits, double s
     }
     return texts;
 }
-
-} // namespace
 
 class TestClock : public QObject
 {
@@ -65,5 +64,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestClock)
+const Suite<TestClock> suite("tst_clock");
+
+} // namespace tst_clock
+
 #include "tst_clock.moc"

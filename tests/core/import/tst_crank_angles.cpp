@@ -2,6 +2,7 @@
 #include "core/import/crank_angles.h"
 
 #include "tests/support/described_reading.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -9,6 +10,9 @@
 #include <numbers>
 
 using namespace slidercrank;
+
+namespace tst_crank_angles
+{
 
 class TestCrankAngles : public QObject
 {
@@ -79,5 +83,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestCrankAngles)
+const Suite<TestCrankAngles> suite("tst_crank_angles");
+
+} // namespace tst_crank_angles
+
 #include "tst_crank_angles.moc"

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/described_reading.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
 #include <cmath>
 
 using namespace slidercrank;
+
+namespace tst_difference
+{
 
 class TestDifference : public QObject
 {
@@ -47,5 +51,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestDifference)
+const Suite<TestDifference> suite("tst_difference");
+
+} // namespace tst_difference
+
 #include "tst_difference.moc"

@@ -7,6 +7,7 @@
 #include "tests/support/described_reading.h"
 #include "tests/support/files.h"
 #include "tests/support/printed_motion.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -16,7 +17,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_headings
 {
 
 constexpr int kHeadingRows = 41; // of one turn in a second
@@ -60,8 +61,6 @@ const std::vector<double> &valuesOfColumn(const ReferenceData &data, const FileC
            : column.role == ColumnRole::CrankAngle ? data.crank->degrees
                                                    : data.find(column.channel)->values;
 }
-
-} // namespace
 
 class TestHeadings : public QObject
 {
@@ -115,5 +114,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestHeadings)
+const Suite<TestHeadings> suite("tst_headings");
+
+} // namespace tst_headings
+
 #include "tst_headings.moc"

@@ -3,10 +3,14 @@
 // Joins several files of one motion.
 
 #include "tests/support/described_reading.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
 using namespace slidercrank;
+
+namespace tst_joined_files
+{
 
 using Kind = ReadFault::Kind;
 
@@ -78,5 +82,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestJoinedFiles)
+const Suite<TestJoinedFiles> suite("tst_joined_files");
+
+} // namespace tst_joined_files
+
 #include "tst_joined_files.moc"

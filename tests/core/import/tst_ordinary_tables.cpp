@@ -6,6 +6,7 @@
 #include "core/import/clock.h"
 #include "tests/support/described_reading.h"
 #include "tests/support/files.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -14,7 +15,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_ordinary_tables
 {
 
 using Kind = ReadFault::Kind;
@@ -62,8 +63,6 @@ double stepOf(const QString &name, Channel channel, double value)
     const Outcome outcome = readOrdinary(name);
     return std::get<ReferenceData>(outcome).find(channel)->rounding.stepAt(value);
 }
-
-} // namespace
 
 class TestOrdinaryTables : public QObject
 {
@@ -170,5 +169,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestOrdinaryTables)
+const Suite<TestOrdinaryTables> suite("tst_ordinary_tables");
+
+} // namespace tst_ordinary_tables
+
 #include "tst_ordinary_tables.moc"

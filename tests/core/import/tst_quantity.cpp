@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/import/quantity.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -8,6 +9,9 @@
 #include <string>
 
 using namespace slidercrank;
+
+namespace tst_quantity
+{
 
 class TestQuantity : public QObject
 {
@@ -113,5 +117,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestQuantity)
+const Suite<TestQuantity> suite("tst_quantity");
+
+} // namespace tst_quantity
+
 #include "tst_quantity.moc"

@@ -2,6 +2,7 @@
 #include "core/import/reference_data.h"
 
 #include "tests/support/described_reading.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -11,7 +12,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_reference_data
 {
 
 using Kind = ReadFault::Kind;
@@ -203,8 +204,6 @@ const std::vector<Refusal> kRefused{
      {Kind::NoCertainChannel, {}, "coupler angle (mm)", ColumnReason::UnknownUnit}},
 };
 
-} // namespace
-
 class TestReferenceData : public QObject
 {
     Q_OBJECT
@@ -377,5 +376,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestReferenceData)
+const Suite<TestReferenceData> suite("tst_reference_data");
+
+} // namespace tst_reference_data
+
 #include "tst_reference_data.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/import/cells.h"
+#include "tests/support/suite.h"
 
 #include <QStringList>
 #include <QTest>
@@ -7,10 +8,11 @@
 #include <cmath>
 
 using namespace slidercrank;
-using Rule = Rounding::Rule;
 
-namespace
+namespace tst_rounding
 {
+
+using Rule = Rounding::Rule;
 
 /// Returns numbers from -size to size without a pattern in their last digits.
 double irregular(int i, double size)
@@ -93,8 +95,6 @@ const std::vector<ColumnRow> kColumns{
     {"6 rad/s in degrees", [](int) { return QString("343.775000"); }, Rule::Decimals, 3},
     {"an exponent", [](int) { return QString("3.07587e+07"); }, Rule::Decimals, -2},
 };
-
-} // namespace
 
 class TestRounding : public QObject
 {
@@ -182,5 +182,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRounding)
+const Suite<TestRounding> suite("tst_rounding");
+
+} // namespace tst_rounding
+
 #include "tst_rounding.moc"

@@ -3,12 +3,13 @@
 #include "core/mechanism/turn.h"
 #include "tests/support/deviation.h"
 #include "tests/support/random_mechanisms.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
 using namespace slidercrank;
 
-namespace
+namespace tst_crank_search
 {
 
 /// Returns a channel for ω2 = 1 in extended precision by the formulas of the textbook; NaN if it does not exist.
@@ -76,8 +77,6 @@ int passages(const std::vector<long double> &values, long double value, double l
     }
     return count;
 }
-
-} // namespace
 
 class TestCrankSearch : public QObject
 {
@@ -187,5 +186,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestCrankSearch)
+const Suite<TestCrankSearch> suite("tst_crank_search");
+
+} // namespace tst_crank_search
+
 #include "tst_crank_search.moc"

@@ -7,6 +7,7 @@
 #include "core/sampling/trajectory.h"
 #include "tests/support/long_tests.h"
 #include "tests/support/mechanism_list.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -16,7 +17,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_critical_points
 {
 
 constexpr int kSteps = 20'000;
@@ -52,8 +53,6 @@ std::optional<double> findExcess(const CriticalPoints &points, Channel channel, 
     }
     return std::nullopt;
 }
-
-} // namespace
 
 /// Between two critical points the motion is monotonic.
 class TestCriticalPoints : public QObject
@@ -126,5 +125,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestCriticalPoints)
+const Suite<TestCriticalPoints> suite("tst_critical_points");
+
+} // namespace tst_critical_points
+
 #include "tst_critical_points.moc"

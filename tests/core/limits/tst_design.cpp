@@ -4,6 +4,7 @@
 
 #include "core/limits/design.h"
 #include "core/limits/mobility.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -13,7 +14,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_design
 {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -28,8 +29,6 @@ double transmissionAngle(const Lengths &lengths)
 {
     return std::acos(std::min(1.0, (lengths.a + std::abs(lengths.c)) / lengths.b));
 }
-
-} // namespace
 
 class TestDesign : public QObject
 {
@@ -99,5 +98,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestDesign)
+const Suite<TestDesign> suite("tst_design");
+
+} // namespace tst_design
+
 #include "tst_design.moc"

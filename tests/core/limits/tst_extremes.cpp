@@ -5,6 +5,7 @@
 #include "tests/support/all_cases.h"
 #include "tests/support/deviation.h"
 #include "tests/support/random_mechanisms.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -12,7 +13,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_extremes
 {
 
 constexpr double kPi = std::numbers::pi;
@@ -98,8 +99,6 @@ bool turnsRoundFreely(const Parameters &p)
 {
     return ManyDigits(p.b) > ManyDigits(p.a) + std::abs(p.c) && p.omega2 != 0.0;
 }
-
-} // namespace
 
 class tst_extremes : public QObject
 {
@@ -222,5 +221,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(tst_extremes)
+const Suite<tst_extremes> suite("tst_extremes");
+
+} // namespace tst_extremes
+
 #include "tst_extremes.moc"

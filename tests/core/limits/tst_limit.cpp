@@ -3,6 +3,7 @@
 #include "core/mechanism/turn.h"
 #include "tests/support/deviation.h"
 #include "tests/support/random_mechanisms.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -10,7 +11,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_limit
 {
 
 constexpr double kFourteenDigits = 1e-14; // relative
@@ -167,8 +168,6 @@ ManyDigits exactPeakNear(const Parameters &p, Channel channel, double theta2)
     return abs(at(angle));
 }
 
-} // namespace
-
 class TestLimit : public QObject
 {
     Q_OBJECT
@@ -270,5 +269,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestLimit)
+const Suite<TestLimit> suite("tst_limit");
+
+} // namespace tst_limit
+
 #include "tst_limit.moc"

@@ -4,12 +4,13 @@
 #include "core/mechanism/turn.h"
 #include "tests/support/deviation.h"
 #include "tests/support/mechanism_list.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
 using namespace slidercrank;
 
-namespace
+namespace tst_mobility
 {
 
 using std::numbers::pi;
@@ -92,8 +93,6 @@ bool near(double x, double y, double tolerance)
 
 /// Like QVERIFY, but a failure also prints the mechanism.
 #define VERIFY_FOR(parameters, condition) QVERIFY2(condition, describe(parameters).c_str())
-
-} // namespace
 
 class tst_mobility : public QObject
 {
@@ -329,5 +328,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(tst_mobility)
+const Suite<tst_mobility> suite("tst_mobility");
+
+} // namespace tst_mobility
+
 #include "tst_mobility.moc"

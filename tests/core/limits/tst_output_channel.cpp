@@ -2,12 +2,16 @@
 #include "core/limits/output_channel.h"
 #include "tests/support/accelerating_motion.h"
 #include "tests/support/random_mechanisms.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
 #include <map>
 
 using namespace slidercrank;
+
+namespace tst_output_channel
+{
 
 class TestOutputChannel : public QObject
 {
@@ -93,5 +97,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestOutputChannel)
+const Suite<TestOutputChannel> suite("tst_output_channel");
+
+} // namespace tst_output_channel
+
 #include "tst_output_channel.moc"

@@ -2,10 +2,14 @@
 #include "core/limits/polygon.h"
 #include "tests/support/accelerating_motion.h"
 #include "tests/support/random_mechanisms.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
 using namespace slidercrank;
+
+namespace tst_polygon
+{
 
 class TestPolygon : public QObject
 {
@@ -61,5 +65,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestPolygon)
+const Suite<TestPolygon> suite("tst_polygon");
+
+} // namespace tst_polygon
+
 #include "tst_polygon.moc"

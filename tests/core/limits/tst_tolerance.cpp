@@ -2,12 +2,13 @@
 #include "core/limits/tolerance.h"
 #include "tests/support/deviation.h"
 #include "tests/support/random_mechanisms.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
 using namespace slidercrank;
 
-namespace
+namespace tst_tolerance
 {
 
 /// Returns the stroke, the time ratio, the minimum transmission angle and the swing of the coupler by the formulas of
@@ -24,8 +25,6 @@ std::array<long double, 4> textbookLimits(long double a, long double b, long dou
 
 constexpr std::array kJudgedKinds{LimitKind::Stroke, LimitKind::TimeRatio, LimitKind::MinimumTransmissionAngle,
                                   LimitKind::CouplerSwing};
-
-} // namespace
 
 class TestTolerance : public QObject
 {
@@ -114,5 +113,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestTolerance)
+const Suite<TestTolerance> suite("tst_tolerance");
+
+} // namespace tst_tolerance
+
 #include "tst_tolerance.moc"

@@ -3,6 +3,7 @@
 #include "core/mechanism/mechanism.h"
 #include "core/study/cases.h"
 #include "tests/support/all_cases.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -10,10 +11,8 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_mechanism
 {
-
-} // namespace
 
 class tst_mechanism : public QObject
 {
@@ -125,5 +124,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(tst_mechanism)
+const Suite<tst_mechanism> suite("tst_mechanism");
+
+} // namespace tst_mechanism
+
 #include "tst_mechanism.moc"

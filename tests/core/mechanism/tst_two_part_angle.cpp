@@ -2,12 +2,13 @@
 #include "core/mechanism/two_part_angle.h"
 #include "core/study/exact_motion.h"
 #include "tests/support/random_mechanisms.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
 using namespace slidercrank;
 
-namespace
+namespace tst_two_part_angle
 {
 
 /// Returns a random number of either sign with an exponent from -span to span.
@@ -21,8 +22,6 @@ bool isNormalized(TwoPart value)
 {
     return value.hi + value.lo == value.hi;
 }
-
-} // namespace
 
 class tst_two_part_angle : public QObject
 {
@@ -100,5 +99,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(tst_two_part_angle)
+const Suite<tst_two_part_angle> suite("tst_two_part_angle");
+
+} // namespace tst_two_part_angle
+
 #include "tst_two_part_angle.moc"

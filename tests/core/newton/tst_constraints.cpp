@@ -4,6 +4,7 @@
 #include "core/study/cases.h"
 #include "tests/core/newton/newton_runs.h"
 #include "tests/support/mechanism_list.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -11,7 +12,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_constraints
 {
 
 /// Returns the units of the rows' tolerances: a + b + |c| for lengths, 1 rad for angles.
@@ -55,8 +56,6 @@ Vector12 coordinates(const ExactState &exact, Order order)
     }
     return result;
 }
-
-} // namespace
 
 class tst_constraints : public QObject
 {
@@ -167,5 +166,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(tst_constraints)
+const Suite<tst_constraints> suite("tst_constraints");
+
+} // namespace tst_constraints
+
 #include "tst_constraints.moc"

@@ -8,6 +8,7 @@
 #include "tests/support/all_cases.h"
 #include "tests/support/long_tests.h"
 #include "tests/support/random_mechanisms.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -15,7 +16,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_newton
 {
 
 /// Returns |f| + κ for each channel. Rounding the inputs causes an error of u times this.
@@ -27,8 +28,6 @@ std::array<double, kChannelCount> roundingSizes(const Parameters &p, double t, c
     }
     return sizes;
 }
-
-} // namespace
 
 class TestNewton : public QObject
 {
@@ -340,5 +339,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestNewton)
+const Suite<TestNewton> suite("tst_newton");
+
+} // namespace tst_newton
+
 #include "tst_newton.moc"

@@ -8,6 +8,7 @@
 #include "tests/support/all_cases.h"
 #include "tests/support/long_tests.h"
 #include "tests/support/random_mechanisms.h"
+#include "tests/support/suite.h"
 
 #include <Eigen/LU>
 #include <Eigen/SVD>
@@ -17,7 +18,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_newton_random
 {
 
 /// Random mechanisms of one kind.
@@ -84,8 +85,6 @@ std::array<double, kChannelCount> peaks(const Parameters &p)
     }
     return sizes;
 }
-
-} // namespace
 
 class TestNewtonRandom : public QObject
 {
@@ -225,5 +224,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestNewtonRandom)
+const Suite<TestNewtonRandom> suite("tst_newton_random");
+
+} // namespace tst_newton_random
+
 #include "tst_newton_random.moc"

@@ -13,6 +13,7 @@
 #include "tests/support/channels.h"
 #include "tests/support/deviation.h"
 #include "tests/support/random_mechanisms.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -22,7 +23,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_sampling
 {
 
 constexpr SolverSettings kClosedForm;
@@ -38,8 +39,6 @@ ChannelSet only(Channel channel)
 {
     return ChannelSet().set(indexOf(channel));
 }
-
-} // namespace
 
 class TestSampling : public QObject
 {
@@ -233,5 +232,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSampling)
+const Suite<TestSampling> suite("tst_sampling");
+
+} // namespace tst_sampling
+
 #include "tst_sampling.moc"

@@ -3,6 +3,7 @@
 #include "core/study/study.h"
 #include "core/study/study_methods.h"
 #include "tests/support/all_cases.h"
+#include "tests/support/suite.h"
 
 #include <QTest>
 
@@ -14,7 +15,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_study
 {
 
 /// Returns a request that measures errors and statuses, but no accurate times.
@@ -67,8 +68,6 @@ double errorOf(const CaseResult &result, std::string_view method, std::optional<
     const MethodResult *row = rowOf(result, method, tolerance);
     return row && row->maxError ? *row->maxError : std::numeric_limits<double>::quiet_NaN();
 }
-
-} // namespace
 
 class tst_study : public QObject
 {
@@ -301,5 +300,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(tst_study)
+const Suite<tst_study> suite("tst_study");
+
+} // namespace tst_study
+
 #include "tst_study.moc"

@@ -2,6 +2,7 @@
 
 // Background tasks call back once, in the GUI thread, or not at all if they are discarded.
 
+#include "tests/support/suite.h"
 #include "tests/support/waiting.h"
 #include "ui/document/background_task.h"
 
@@ -18,7 +19,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_background_task
 {
 
 using Stop = std::stop_token;
@@ -41,8 +42,6 @@ struct WaitingWork {
         return stop.stop_requested() ? -1 : 1;
     }
 };
-
-} // namespace
 
 class TestBackgroundTask : public QObject
 {
@@ -190,5 +189,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestBackgroundTask)
+const Suite<TestBackgroundTask> suite("tst_background_task");
+
+} // namespace tst_background_task
+
 #include "tst_background_task.moc"

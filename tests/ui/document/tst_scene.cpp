@@ -4,6 +4,7 @@
 
 #include "tests/support/files.h"
 #include "tests/support/random_mechanisms.h"
+#include "tests/support/suite.h"
 #include "tests/support/waiting.h"
 #include "ui/document/scene.h"
 #include "ui/document/session.h"
@@ -20,7 +21,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_scene
 {
 
 const QString kPath = "/data/scene.json";
@@ -91,8 +92,6 @@ QByteArray sceneWith(const QString &place, const QJsonValue &value)
     };
     return QJsonDocument(replaced(replaced, toObject(scene), place.split(u'.'))).toJson();
 }
-
-} // namespace
 
 class TestScene : public QObject
 {
@@ -288,5 +287,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestScene)
+const Suite<TestScene> suite("tst_scene");
+
+} // namespace tst_scene
+
 #include "tst_scene.moc"

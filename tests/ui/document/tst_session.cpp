@@ -5,6 +5,7 @@
 #include "core/closed_form/closed_form.h"
 #include "tests/support/files.h"
 #include "tests/support/initial_mechanism.h"
+#include "tests/support/suite.h"
 #include "tests/support/waiting.h"
 #include "ui/document/session.h"
 #include "ui/document/with.h"
@@ -16,7 +17,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_session
 {
 
 /// Reference data of one column that take long to compare.
@@ -35,8 +36,6 @@ void useNewton(Session &session)
 {
     session.setSolver(with(session.solver(), &SolverSettings::method, Method::Newton));
 }
-
-} // namespace
 
 class TestSession : public QObject
 {
@@ -297,5 +296,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSession)
+const Suite<TestSession> suite("tst_session");
+
+} // namespace tst_session
+
 #include "tst_session.moc"

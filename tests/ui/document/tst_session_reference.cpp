@@ -4,6 +4,7 @@
 
 #include "tests/support/files.h"
 #include "tests/support/initial_mechanism.h"
+#include "tests/support/suite.h"
 #include "tests/support/waiting.h"
 #include "ui/document/session.h"
 
@@ -20,7 +21,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_session_reference
 {
 
 /// A table by crank angle of the initial mechanism. Its angles are measured from `zero` degrees.
@@ -66,8 +67,6 @@ bool allAgree(const std::vector<ChannelComparison> &comparison)
 }
 
 const QByteArray kSmallFile = "time,R4_x\n0,85\n0.5,45\n";
-
-} // namespace
 
 class TestSessionReference : public QObject
 {
@@ -377,5 +376,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSessionReference)
+const Suite<TestSessionReference> suite("tst_session_reference");
+
+} // namespace tst_session_reference
+
 #include "tst_session_reference.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/files.h"
+#include "tests/support/suite.h"
 #include "ui/document/session.h"
 #include "ui/export/animation_export.h"
 #include "ui/export/figure_export.h"
@@ -24,7 +25,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_export
 {
 
 void drawSquare(QPainter &painter, const QSize &size)
@@ -93,8 +94,6 @@ struct ReportText {
         return std::ranges::all_of(list, [this](const QString &words) { return has(words); });
     }
 };
-
-} // namespace
 
 class TestExport : public QObject
 {
@@ -333,5 +332,8 @@ private:
     std::unique_ptr<QTemporaryDir> m_folder;
 };
 
-QTEST_MAIN(TestExport)
+const Suite<TestExport> suite("tst_export");
+
+} // namespace tst_export
+
 #include "tst_export.moc"

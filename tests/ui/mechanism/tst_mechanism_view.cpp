@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/pixels.h"
+#include "tests/support/suite.h"
 #include "tests/support/text_recorder.h"
 #include "tests/support/waiting.h"
 #include "tests/ui/mechanism/drawn.h"
@@ -22,7 +23,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_mechanism_view
 {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
@@ -81,8 +82,6 @@ struct Bench {
         return lines.join(u' ');
     }
 };
-
-} // namespace
 
 class TestMechanismView : public QObject
 {
@@ -537,5 +536,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestMechanismView)
+const Suite<TestMechanismView> suite("tst_mechanism_view");
+
+} // namespace tst_mechanism_view
+
 #include "tst_mechanism_view.moc"

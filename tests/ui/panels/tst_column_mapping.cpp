@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/channels.h"
 #include "tests/support/reading.h"
+#include "tests/support/suite.h"
 #include "ui/document/column_choices.h"
 #include "ui/document/reference_file.h"
 #include "ui/document/session.h"
@@ -24,7 +25,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_column_mapping
 {
 
 /// Columns whose headings do not name a quantity; all but the last one have a unit.
@@ -73,8 +74,6 @@ std::vector<ColumnChoice> remembered(const QByteArray &bytes)
 {
     return savedChoices(layoutOf(readReferenceData(bytes.toStdString())), {QStringLiteral("/a/results.csv")});
 }
-
-} // namespace
 
 class TestColumnMapping : public QObject
 {
@@ -231,5 +230,8 @@ private:
     QTemporaryDir m_folder;
 };
 
-QTEST_MAIN(TestColumnMapping)
+const Suite<TestColumnMapping> suite("tst_column_mapping");
+
+} // namespace tst_column_mapping
+
 #include "tst_column_mapping.moc"

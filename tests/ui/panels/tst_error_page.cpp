@@ -2,6 +2,7 @@
 #include "tests/support/channels.h"
 #include "tests/support/page_text.h"
 #include "tests/support/reading.h"
+#include "tests/support/suite.h"
 #include "ui/panels/error_page.h"
 #include "ui/panels/reference_page.h"
 
@@ -13,7 +14,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_error_page
 {
 
 const Convention kDegrees{Convention::Kind::AngleUnit, {kTheta3}, kDegreesPerRadian};
@@ -79,8 +80,6 @@ std::vector<Remedy> remediesOf(const Page &page)
     }
     return remedies;
 }
-
-} // namespace
 
 class TestErrorPage : public QObject
 {
@@ -302,5 +301,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestErrorPage)
+const Suite<TestErrorPage> suite("tst_error_page");
+
+} // namespace tst_error_page
+
 #include "tst_error_page.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/closed_form/closed_form.h"
 #include "tests/support/page_text.h"
+#include "tests/support/suite.h"
 #include "ui/panels/limits_page.h"
 #include "ui/text/motion_facts.h"
 
@@ -13,7 +14,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_limits_page
 {
 
 enum Column { Name, Value, Angle, Time };
@@ -33,8 +34,6 @@ const TableRow &find(const Page &page, const QString &name)
     const std::vector<TableRow> &rows = page.tables[0].rows;
     return *std::ranges::find(rows, name, [](const TableRow &row) { return row.cells[Name].text; });
 }
-
-} // namespace
 
 class TestLimitsPage : public QObject
 {
@@ -204,5 +203,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestLimitsPage)
+const Suite<TestLimitsPage> suite("tst_limits_page");
+
+} // namespace tst_limits_page
+
 #include "tst_limits_page.moc"

@@ -11,6 +11,7 @@
 #include "ui/widgets/number_slider.h"
 #include "ui/window/main_window.h"
 
+#include "tests/support/suite.h"
 #include "tests/support/waiting.h"
 #include "tests/support/widget_parts.h"
 
@@ -32,7 +33,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_limits_panel
 {
 
 constexpr std::size_t kStroke = 0, kRatio = 1, kTransmissionAngle = 2, kSpeed = 3, kAcceleration = 4;
@@ -109,8 +110,6 @@ struct ShownDesign {
                std::abs(limits().timeRatio.value_or(0.0) / timeRatio - 1.0) < 1e-12;
     }
 };
-
-} // namespace
 
 class TestLimitsPanel : public QObject
 {
@@ -366,5 +365,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestLimitsPanel)
+const Suite<TestLimitsPanel> suite("tst_limits_panel");
+
+} // namespace tst_limits_panel
+
 #include "tst_limits_panel.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/accelerating_motion.h"
+#include "tests/support/suite.h"
 #include "tests/support/waiting.h"
 #include "tests/support/widget_parts.h"
 #include "ui/document/session.h"
@@ -22,7 +23,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_motion_table
 {
 
 struct ShownTable {
@@ -63,8 +64,6 @@ struct NotationForTest {
     explicit NotationForTest(const Notation &chosen) { setNotation(chosen); }
     ~NotationForTest() { setNotation({}); }
 };
-
-} // namespace
 
 class TestMotionTable : public QObject
 {
@@ -234,5 +233,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestMotionTable)
+const Suite<TestMotionTable> suite("tst_motion_table");
+
+} // namespace tst_motion_table
+
 #include "tst_motion_table.moc"

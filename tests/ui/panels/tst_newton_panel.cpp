@@ -7,6 +7,7 @@
 #include "ui/panels/solver_form.h"
 #include "ui/widgets/number_box.h"
 
+#include "tests/support/suite.h"
 #include "tests/support/widget_parts.h"
 
 #include <QComboBox>
@@ -17,7 +18,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_newton_panel
 {
 
 const TableCell &cell(const Page &page, Eigen::Index row, Eigen::Index column)
@@ -37,8 +38,6 @@ std::shared_ptr<const Result> resultOf(const SolverSettings &solver, double b = 
     session.setSolver(solver);
     return session.result();
 }
-
-} // namespace
 
 class TestNewtonPanel : public QObject
 {
@@ -181,5 +180,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestNewtonPanel)
+const Suite<TestNewtonPanel> suite("tst_newton_panel");
+
+} // namespace tst_newton_panel
+
 #include "tst_newton_panel.moc"

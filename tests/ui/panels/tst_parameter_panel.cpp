@@ -5,6 +5,7 @@
 #include "ui/text/theme.h"
 #include "ui/widgets/number_box.h"
 
+#include "tests/support/suite.h"
 #include "tests/support/waiting.h"
 #include "tests/support/widget_parts.h"
 
@@ -19,7 +20,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_parameter_panel
 {
 
 constexpr double kPi = std::numbers::pi;
@@ -49,8 +50,6 @@ struct ShownParameters {
     }
     NumberBox *box(Parameter parameter) const { return part<NumberBox>("box", parameter); }
 };
-
-} // namespace
 
 class TestParameterPanel : public QObject
 {
@@ -171,5 +170,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestParameterPanel)
+const Suite<TestParameterPanel> suite("tst_parameter_panel");
+
+} // namespace tst_parameter_panel
+
 #include "tst_parameter_panel.moc"

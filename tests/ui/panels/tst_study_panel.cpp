@@ -4,6 +4,7 @@
 #include "ui/panels/study_panel.h"
 
 #include "tests/support/page_text.h"
+#include "tests/support/suite.h"
 #include "tests/support/waiting.h"
 #include "tests/support/widget_parts.h"
 
@@ -15,7 +16,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_study_panel
 {
 
 MethodResult methodRow(MethodName::Kind kind, int channels, double time, double error)
@@ -29,8 +30,6 @@ MethodResult methodRow(MethodName::Kind kind, int channels, double time, double 
     row.counts[0] = 10;
     return row;
 }
-
-} // namespace
 
 class TestStudyPanel : public QObject
 {
@@ -88,5 +87,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestStudyPanel)
+const Suite<TestStudyPanel> suite("tst_study_panel");
+
+} // namespace tst_study_panel
+
 #include "tst_study_panel.moc"

@@ -3,6 +3,7 @@
 #include "ui/panels/table_panel.h"
 #include "ui/plots/chart.h"
 
+#include "tests/support/suite.h"
 #include "tests/support/waiting.h"
 #include "tests/support/widget_parts.h"
 
@@ -20,7 +21,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_table_panel
 {
 
 /// A table of two columns; its rows have the times 0.5, 1.5, … s and describe pin A.
@@ -70,8 +71,6 @@ Page pageWith(const std::vector<double> &numbers)
     page.tables = {tableOf("table", numbers)};
     return page;
 }
-
-} // namespace
 
 class TestTablePanel : public QObject
 {
@@ -223,5 +222,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestTablePanel)
+const Suite<TestTablePanel> suite("tst_table_panel");
+
+} // namespace tst_table_panel
+
 #include "tst_table_panel.moc"

@@ -3,6 +3,7 @@
 #include "ui/panels/timeline.h"
 #include "ui/widgets/number_box.h"
 
+#include "tests/support/suite.h"
 #include "tests/support/waiting.h"
 #include "tests/support/widget_parts.h"
 
@@ -17,7 +18,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_timeline
 {
 
 /// A timeline with its session. Its clock advances only in passTime().
@@ -45,8 +46,6 @@ struct Bench {
     NumberBox *box(const QString &name) const { return child<NumberBox>(timeline, name); }
     void click(const QString &button) const { child<QToolButton>(timeline, button)->click(); }
 };
-
-} // namespace
 
 class TestTimeline : public QObject
 {
@@ -243,5 +242,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestTimeline)
+const Suite<TestTimeline> suite("tst_timeline");
+
+} // namespace tst_timeline
+
 #include "tst_timeline.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/suite.h"
 #include "tests/support/text_recorder.h"
 #include "tests/support/waiting.h"
 #include "ui/plots/chart.h"
@@ -11,7 +12,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_chart
 {
 
 ChartContent content()
@@ -40,8 +41,6 @@ QStringList textsOf(Chart &chart, const QSize &size)
     }
     return texts;
 }
-
-} // namespace
 
 class TestChart : public QObject
 {
@@ -136,5 +135,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestChart)
+const Suite<TestChart> suite("tst_chart");
+
+} // namespace tst_chart
+
 #include "tst_chart.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/suite.h"
 #include "tests/ui/plots/plot_results.h"
 #include "ui/plots/curve_sampling.h"
 
@@ -10,7 +11,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_curve_sampling
 {
 
 constexpr Interval kWhole{0.0, 1.0};
@@ -23,8 +24,6 @@ std::vector<double> evenTime(std::size_t count)
     }
     return time;
 }
-
-} // namespace
 
 class TestCurveSampling : public QObject
 {
@@ -125,5 +124,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestCurveSampling)
+const Suite<TestCurveSampling> suite("tst_curve_sampling");
+
+} // namespace tst_curve_sampling
+
 #include "tst_curve_sampling.moc"

@@ -2,6 +2,7 @@
 #include "ui/plots/plot_figure.h"
 
 #include "tests/support/pixels.h"
+#include "tests/support/suite.h"
 #include "tests/support/text_recorder.h"
 #include "tests/ui/plots/plot_results.h"
 #include "ui/plots/plot_drawing.h"
@@ -13,7 +14,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_plot_figure
 {
 
 constexpr std::size_t kPositionErrors = 2;
@@ -60,8 +61,6 @@ bool isNear(double value, double expected, double part)
 {
     return std::abs(value - expected) <= part * std::max(1e-9, std::abs(expected));
 }
-
-} // namespace
 
 class TestPlotFigure : public QObject
 {
@@ -370,5 +369,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestPlotFigure)
+const Suite<TestPlotFigure> suite("tst_plot_figure");
+
+} // namespace tst_plot_figure
+
 #include "tst_plot_figure.moc"

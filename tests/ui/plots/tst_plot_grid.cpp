@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/pixels.h"
+#include "tests/support/suite.h"
 #include "ui/plots/plot_grid.h"
 
 #include "tests/support/text_recorder.h"
@@ -21,7 +22,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_plot_grid
 {
 
 const QString kAngle = "plot_theta3";
@@ -120,8 +121,6 @@ int pixelsLike(const QImage &image, const QColor &wanted)
     }
     return count;
 }
-
-} // namespace
 
 class TestPlotGrid : public QObject
 {
@@ -452,5 +451,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestPlotGrid)
+const Suite<TestPlotGrid> suite("tst_plot_grid");
+
+} // namespace tst_plot_grid
+
 #include "tst_plot_grid.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/long_tests.h"
 #include "tests/support/random_mechanisms.h"
+#include "tests/support/suite.h"
 #include "tests/ui/plots/plot_results.h"
 #include "ui/plots/plot_drawing.h"
 #include "ui/plots/plot_figure.h"
@@ -16,7 +17,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_true_curves
 {
 
 constexpr std::array<std::size_t, 6> kMotionPlots{0, 1, 3, 4, 6, 7};
@@ -226,8 +227,6 @@ Parameters turningAt(double turnsPerSecond)
     return parameters;
 }
 
-} // namespace
-
 /// A curve of the model shows the exact motion at every speed, duration and number of steps.
 class TestTrueCurves : public QObject
 {
@@ -325,5 +324,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestTrueCurves)
+const Suite<TestTrueCurves> suite("tst_true_curves");
+
+} // namespace tst_true_curves
+
 #include "tst_true_curves.moc"

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/suite.h"
 #include "ui/text/axis_scale.h"
 #include "ui/text/written_number.h"
 
 #include <QTest>
 
 using namespace slidercrank;
+
+namespace tst_axis_scale
+{
 
 class TstAxisScale : public QObject
 {
@@ -71,5 +75,8 @@ private:
     static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 };
 
-QTEST_APPLESS_MAIN(TstAxisScale)
+const Suite<TstAxisScale> suite("tst_axis_scale");
+
+} // namespace tst_axis_scale
+
 #include "tst_axis_scale.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/channels.h"
+#include "tests/support/suite.h"
 #include "ui/text/convention_text.h"
 
 #include <QLocale>
@@ -7,10 +8,8 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_convention_text
 {
-
-} // namespace
 
 class TestConventionText : public QObject
 {
@@ -116,5 +115,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestConventionText)
+const Suite<TestConventionText> suite("tst_convention_text");
+
+} // namespace tst_convention_text
+
 #include "tst_convention_text.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/channels.h"
+#include "tests/support/suite.h"
 #include "ui/text/explanation.h"
 #include "ui/text/identification_text.h"
 
@@ -8,7 +9,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_explanation
 {
 
 using Action = Explanation::Action;
@@ -39,8 +40,6 @@ std::vector<Explanation> explanationsOf(const Identification &found)
 {
     return explanationsOf(found, Parameters(), FileLayout());
 }
-
-} // namespace
 
 class TestExplanation : public QObject
 {
@@ -129,5 +128,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestExplanation)
+const Suite<TestExplanation> suite("tst_explanation");
+
+} // namespace tst_explanation
+
 #include "tst_explanation.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/suite.h"
 #include "ui/text/expression.h"
 
 #include <QTest>
@@ -6,6 +7,9 @@
 #include <cmath>
 
 using namespace slidercrank;
+
+namespace tst_expression
+{
 
 class TestExpression : public QObject
 {
@@ -50,5 +54,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestExpression)
+const Suite<TestExpression> suite("tst_expression");
+
+} // namespace tst_expression
+
 #include "tst_expression.moc"

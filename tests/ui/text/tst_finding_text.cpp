@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/channels.h"
+#include "tests/support/suite.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/subscripts.h"
 
@@ -12,7 +13,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_finding_text
 {
 
 ChannelComparison compared(Verdict verdict, double worstOver)
@@ -25,8 +26,6 @@ ChannelComparison compared(Verdict verdict, double worstOver)
     channel.verdict = verdict;
     return channel;
 }
-
-} // namespace
 
 class TestFindingText : public QObject
 {
@@ -168,5 +167,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestFindingText)
+const Suite<TestFindingText> suite("tst_finding_text");
+
+} // namespace tst_finding_text
+
 #include "tst_finding_text.moc"

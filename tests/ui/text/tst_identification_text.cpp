@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/channels.h"
+#include "tests/support/suite.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/identification_text.h"
 
@@ -10,7 +11,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_identification_text
 {
 
 using Lack = Identification::Lack;
@@ -51,8 +52,6 @@ QString changed(Parameter parameter, double value, Outcome outcome = Outcome::Id
     found.change = {parameter, value};
     return changeText(found, Parameters());
 }
-
-} // namespace
 
 class TestIdentificationText : public QObject
 {
@@ -276,5 +275,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestIdentificationText)
+const Suite<TestIdentificationText> suite("tst_identification_text");
+
+} // namespace tst_identification_text
+
 #include "tst_identification_text.moc"

@@ -2,6 +2,7 @@
 
 // Why a file, or a row of it, cannot be read: a sentence for each reason, in both languages.
 
+#include "tests/support/suite.h"
 #include "ui/text/language.h"
 #include "ui/text/read_fault_text.h"
 
@@ -9,6 +10,9 @@
 #include <QTest>
 
 using namespace slidercrank;
+
+namespace tst_read_fault_text
+{
 
 using Kind = ReadFault::Kind;
 
@@ -70,5 +74,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestReadFaultText)
+const Suite<TestReadFaultText> suite("tst_read_fault_text");
+
+} // namespace tst_read_fault_text
+
 #include "tst_read_fault_text.moc"

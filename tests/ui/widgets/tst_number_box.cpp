@@ -2,6 +2,7 @@
 #include "core/mechanism/mechanism.h"
 #include "ui/widgets/number_box.h"
 
+#include "tests/support/suite.h"
 #include "tests/support/waiting.h"
 #include "tests/support/widget_parts.h"
 
@@ -16,7 +17,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_number_box
 {
 
 /// A box for a length and another box in an active window.
@@ -50,8 +51,6 @@ struct Shown {
         return note && note->isVisible();
     }
 };
-
-} // namespace
 
 class TestNumberBox : public QObject
 {
@@ -257,5 +256,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestNumberBox)
+const Suite<TestNumberBox> suite("tst_number_box");
+
+} // namespace tst_number_box
+
 #include "tst_number_box.moc"

@@ -4,6 +4,7 @@
 
 #include "tests/ui/window/window_fixture.h"
 
+#include "tests/support/suite.h"
 #include "ui/panels/timeline.h"
 #include "ui/widgets/number_slider.h"
 #include "ui/window/messages.h"
@@ -21,7 +22,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_accessibility
 {
 
 QString described(const QWidget *widget)
@@ -84,8 +85,6 @@ QString accessible(QWidget *widget, QAccessible::Text text)
     QAccessibleInterface *accessibleInterface = QAccessible::queryAccessibleInterface(widget);
     return accessibleInterface ? accessibleInterface->text(text).trimmed() : QString();
 }
-
-} // namespace
 
 class TestAccessibility : public WindowFixture
 {
@@ -256,5 +255,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestAccessibility)
+const Suite<TestAccessibility> suite("tst_accessibility");
+
+} // namespace tst_accessibility
+
 #include "tst_accessibility.moc"

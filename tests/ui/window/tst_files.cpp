@@ -4,6 +4,7 @@
 
 #include "tests/ui/window/window_fixture.h"
 
+#include "tests/support/suite.h"
 #include "ui/export/animation_export.h"
 #include "ui/export/animation_form.h"
 #include "ui/export/figure_form.h"
@@ -30,6 +31,9 @@
 #include <utility>
 
 using namespace slidercrank;
+
+namespace tst_files
+{
 
 class TestFiles : public WindowFixture
 {
@@ -395,5 +399,8 @@ private:
     std::unique_ptr<QTemporaryDir> m_folder;
 };
 
-QTEST_MAIN(TestFiles)
+const Suite<TestFiles> suite("tst_files");
+
+} // namespace tst_files
+
 #include "tst_files.moc"

@@ -4,6 +4,7 @@
 
 #include "tests/ui/window/window_fixture.h"
 
+#include "tests/support/suite.h"
 #include "ui/panels/timeline.h"
 #include "ui/window/messages.h"
 
@@ -22,7 +23,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_keys
 {
 
 void turnWheelOver(QWidget *widget)
@@ -32,8 +33,6 @@ void turnWheelOver(QWidget *widget)
                       Qt::NoScrollPhase, false);
     QApplication::sendEvent(widget, &wheel);
 }
-
-} // namespace
 
 class TestKeys : public WindowFixture
 {
@@ -383,5 +382,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestKeys)
+const Suite<TestKeys> suite("tst_keys");
+
+} // namespace tst_keys
+
 #include "tst_keys.moc"

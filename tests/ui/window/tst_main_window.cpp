@@ -3,6 +3,7 @@
 // The main window, operated with mouse and keys. Most tests check what is painted.
 
 #include "tests/support/pixels.h"
+#include "tests/support/suite.h"
 #include "tests/ui/window/window_fixture.h"
 
 #include "ui/mechanism/mechanism_view.h"
@@ -31,6 +32,9 @@
 #include <numbers>
 
 using namespace slidercrank;
+
+namespace tst_main_window
+{
 
 class TestMainWindow : public WindowFixture
 {
@@ -507,5 +511,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestMainWindow)
+const Suite<TestMainWindow> suite("tst_main_window");
+
+} // namespace tst_main_window
+
 #include "tst_main_window.moc"

@@ -6,6 +6,7 @@
 #include "tests/ui/plots/plot_results.h"
 #include "tests/ui/window/window_fixture.h"
 
+#include "tests/support/suite.h"
 #include "ui/document/scene.h"
 #include "ui/plots/plot_pane.h"
 #include "ui/text/language.h"
@@ -33,7 +34,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_readability
 {
 
 constexpr QSize kSmall(800, 570); // a screen of 800×600 below a title bar
@@ -126,8 +127,6 @@ QStringList textsOf(const QWidget &window)
     }
     return texts;
 }
-
-} // namespace
 
 class TestReadability : public WindowFixture
 {
@@ -261,5 +260,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestReadability)
+const Suite<TestReadability> suite("tst_readability");
+
+} // namespace tst_readability
+
 #include "tst_readability.moc"

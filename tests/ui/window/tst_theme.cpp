@@ -4,6 +4,7 @@
 // F. Fernandes, "A Physiologically-based Model for Simulation of Color Vision Deficiency", IEEE TVCG 15 (2009), the
 // matrices of severity 1; CIE 1976 L*a*b* differences; the contrast of the W3C's WCAG 2.1.
 
+#include "tests/support/suite.h"
 #include "ui/text/theme.h"
 
 #include <QTest>
@@ -14,7 +15,7 @@
 
 using namespace slidercrank;
 
-namespace
+namespace tst_theme
 {
 
 using Triple = std::array<double, 3>;
@@ -75,8 +76,6 @@ double contrast(const QColor &first, const QColor &second)
     return std::max(a, b) / std::min(a, b);
 }
 
-} // namespace
-
 class TestTheme : public QObject
 {
     Q_OBJECT
@@ -131,5 +130,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestTheme)
+const Suite<TestTheme> suite("tst_theme");
+
+} // namespace tst_theme
+
 #include "tst_theme.moc"

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// <program> <suite> [arguments of Qt Test]: runs one of the suites of the program.
+#include "tests/support/suite.h"
+
+#ifdef QT_WIDGETS_LIB
+#include <QApplication>
+using Application = QApplication;
+#elif defined(QT_GUI_LIB)
+#include <QGuiApplication>
+using Application = QGuiApplication;
+#else
+#include <QCoreApplication>
+using Application = QCoreApplication;
+#endif
+
+#include <cstdio>
+
+int main(int argc, char **argv)
+{
+    const auto &suites = slidercrank::suites();
+    const auto suite = argc < 2 ? suites.end() : suites.find(argv[1]);
+    if (suite == suites.end()) {
+        std::fputs("Give the suite to be run:\n", stderr);
+        for (const auto &[name, run] : suites) {
+            std::fprintf(stderr, "%s\n", name.c_str());
+        }
+        return 2;
+    }
+    const Application application(argc, argv);
+    argv[1] = argv[0];
+    return suite->second(argc - 1, argv + 1);
+}
