@@ -29,7 +29,7 @@ double parseNumber(const char *option, const QString &text, const std::optional<
         throw UsageError{QString("--%1: %2").arg(option, quantityFaultText(text, *fault, unit))};
     }
     if (value < smallest || value > largest) {
-        throw UsageError{CommandLine::tr("--%1 must be from %2 to %3, not \"%4\".")
+        throw UsageError{CommandLine::tr("--%1 must be between %2 and %3, not \"%4\".")
                              .arg(option, typedNumberText(smallest), typedNumberText(largest), text)};
     }
     return value;

@@ -108,7 +108,7 @@ public:
           {"solve", "at", "SECONDS", QT_TR_NOOP("instead of --steps and --duration: one row, for this time")},
           {"render", "at", "SECONDS", QT_TR_NOOP("the time that is drawn, and marked in the plots (--start)")},
           {"solve render", "at-angle", "DEGREES",
-           QT_TR_NOOP("the same by crank angle: the first time from --start on at which the crank has this angle")},
+           QT_TR_NOOP("as --at, for the first time from --start on at which the crank is at this angle")},
           {"check", "at-angle", "DEGREES", QT_TR_NOOP("crank angle at which the values are checked (--theta20)")},
           {"check", "alpha2", "RAD_PER_S2", QT_TR_NOOP("crank acceleration (0)")},
           {"solve", "when", "CHANNEL=VALUE",

@@ -25,7 +25,7 @@ struct ReferenceQuestion : Question {
     ExitStatus answerEach(const Streams &streams, const AnswerOne &answerOne) const;
 };
 
-/// Reads a reference, and reports rows and columns that are not used or doubtful. A table by crank angle gets the time
+/// Reads a reference, and reports rows and columns that are not used or doubtful. An angle-indexed table gets the time
 /// stamps of this mechanism. Reports the reason and returns null if the reference cannot be read.
 std::shared_ptr<const Reference> readTimedReference(const Streams &streams, const ReferenceSource &source,
                                                     const std::vector<ColumnChoice> &columns,

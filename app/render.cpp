@@ -97,7 +97,7 @@ std::pair<double, QString> readLength(const OptionReader &options, const char *n
 void checkRange(const char *name, double value, double smallest, double largest, const QString &unit)
 {
     if (!(value >= smallest && value <= largest)) {
-        throw UsageError{CommandLine::tr("--%1 must be from %2 to %3 %4.")
+        throw UsageError{CommandLine::tr("--%1 must be between %2 and %3 %4.")
                              .arg(name, typedNumberText(smallest), typedNumberText(largest), unit)};
     }
 }
@@ -155,10 +155,8 @@ void readTarget(const OptionReader &options, RenderRequest &request)
                             : request.subject == Subject::Report ? format == FigureFormat::Pdf
                                                                  : format.has_value();
     if (!isSuitable) {
-        throw UsageError{
-            CommandLine::tr("--output must be a name that ends in .png, .svg or .pdf (report: .pdf; frames: a "
-                            "new folder, .mp4, .webm or .gif), not \"%1\".")
-                .arg(request.output)};
+        throw UsageError{CommandLine::tr("render needs --output with a name that ends in .png, .svg or .pdf (report: "
+                                         ".pdf; frames: a new folder, .mp4, .webm or .gif).")};
     }
 }
 

@@ -51,7 +51,10 @@ void requireFile(const QString &argument)
     if (argument.contains('.')) {
         throw UsageError{CommandLine::tr("There is no file %1.").arg(name), ExitStatus::FileError};
     }
-    throw UsageError{CommandLine::tr("There is no file \"%1\". A command must come first: choose one of %2.")
+    if (commandNames().contains(argument)) {
+        throw UsageError{CommandLine::tr("The command %1 must come first.").arg(argument)};
+    }
+    throw UsageError{CommandLine::tr("\"%1\" is neither a command nor a file. The commands are %2.")
                          .arg(name, commandNames().join(", "))};
 }
 

@@ -53,7 +53,7 @@ ReferencePose referencePoseAt(const ReferenceData &data, const Mechanism &mechan
     const double couplerY = mechanism.b() * std::sin(theta3);
     ReferencePose pose;
     if (!angle || !slider) {
-        // The time stamps of a table by crank angle belong to the drive of the file.
+        // The time stamps of an angle-indexed file are those of its own drive.
         pose = referencePoseAt(data.crank ? withDrive(mechanism, data.crank->omega2, data.crank->theta20) : mechanism,
                                time);
     }

@@ -17,7 +17,7 @@ namespace slidercrank
 namespace
 {
 
-/// Returns the centre of the range of θ3 that belongs to the branch.
+/// Returns the centre of the range of θ3 of the branch.
 double branchCentre(Branch branch)
 {
     return branch == Branch::Open ? 0.0 : std::numbers::pi;

@@ -5,7 +5,7 @@
 // acceleration with C_q at the final q. The defaults are those of the reference report: each time step starts from the
 // coordinates of the previous one (a warm start), and a dense 12×12 LU factorization solves the linear systems.
 //
-// The solver never changes the branch silently: if the iterates of a warm start leave the range of θ3 that belongs to
+// The solver never changes the branch silently: if the iterates of a warm start leave the range of θ3 of
 // the branch, the time step is solved again from a cold start, from which Newton-Raphson converges monotonically to the
 // root of the branch. Whether the mechanism can be assembled is decided before the first iteration, not by the
 // iteration.

@@ -32,10 +32,14 @@ constexpr double toggle(double gap, double c = 25.0)
 }
 
 const std::vector<Row> kNominal = {
-    {"Table 1 of the reference report", 65.0}, {"b = 60, the reference report's file", 60.0},
-    {"b = 60, crossed", 60.0, 25.0, Crossed},  {"c = 0", 60.0, 0.0},
-    {"c = 0, crossed", 60.0, 0.0, Crossed},    {"c < 0", 60.0, -25.0},
-    {"c < 0, crossed", 60.0, -25.0, Crossed},  {"b/a = 10", 200.0},
+    {"initial mechanism", 65.0},
+    {"b = 60, sample file", 60.0},
+    {"b = 60, crossed", 60.0, 25.0, Crossed},
+    {"c = 0", 60.0, 0.0},
+    {"c = 0, crossed", 60.0, 0.0, Crossed},
+    {"c < 0", 60.0, -25.0},
+    {"c < 0, crossed", 60.0, -25.0, Crossed},
+    {"b/a = 10", 200.0},
 };
 
 const std::vector<Row> kHard{

@@ -322,8 +322,8 @@ StudyResult runStudy(const StudyRequest &request, std::stop_token stop, const st
 
 Case studyCase(const Parameters &parameters)
 {
-    const bool isTable1 = parameters == Parameters();
-    Case result{isTable1 ? "Table 1 of the reference report" : "this mechanism", parameters};
+    const bool isInitial = parameters == Parameters();
+    Case result{isInitial ? "initial mechanism" : "this mechanism", parameters};
     if (parameters.omega2 != 0.0) {
         result.sampling.duration = 2.0 * std::numbers::pi / std::abs(parameters.omega2);
     }

@@ -647,7 +647,7 @@
     </message>
     <message>
         <source>Motion of an offset slider-crank. Several CSV files are read as one motion. &quot;slidercrank help COMMAND&quot; describes a command.</source>
-        <translation>Movimiento de un mecanismo biela-manivela descentrado. Varios archivos CSV se leen como un solo movimiento. «slidercrank help ORDEN» describe una orden.</translation>
+        <translation>Movimiento de un mecanismo biela-manivela descentrado. Varios archivos CSV se leen como un solo movimiento. «slidercrank help COMMAND» describe un comando.</translation>
     </message>
     <message>
         <source>Computes the motion and writes a row for each time step: time, then the channels: positions (R1_x, R1_y, theta1, R2_x … theta4), first derivatives (theta3_diff) and second derivatives (theta3_diff2), with 17 significant digits. A value that does not exist is nan in CSV and null in JSON. A column name stands alone if its unit is mm, ° or s; any other unit follows the name: theta3_diff [rad/s].</source>
@@ -679,7 +679,7 @@
     </message>
     <message>
         <source>There is no display for the window: set DISPLAY, or use a command, such as solve, which needs none.</source>
-        <translation>No hay pantalla para la ventana: defina DISPLAY, o use una orden, como solve, que no la necesita.</translation>
+        <translation>No hay pantalla para la ventana: defina DISPLAY, o use un comando, como solve, que no la necesita.</translation>
     </message>
     <message>
         <source>--%1 %2: add a unit, %2deg or %2rad.</source>
@@ -876,8 +876,8 @@ Equipo: %1. Tiempo: %2 s.
         <translation>si la primera columna contiene instantes o ángulos de la manivela, que --omega2 y --theta20 convierten en tiempo</translation>
     </message>
     <message>
-        <source>the same by crank angle: the first time from --start on at which the crank has this angle</source>
-        <translation>lo mismo por ángulo de la manivela: el primer instante desde --start en que la manivela tiene este ángulo</translation>
+        <source>as --at, for the first time from --start on at which the crank is at this angle</source>
+        <translation>como --at, para el primer instante desde --start en que la manivela está en este ángulo</translation>
     </message>
     <message>
         <source>for frames (30 per second): seconds of motion per second of playback (1)</source>
@@ -888,7 +888,7 @@ Equipo: %1. Tiempo: %2 s.
         <translation>--vary debe ser un parámetro y un intervalo de sus valores, como b=50..120, y no «%1».</translation>
     </message>
     <message>
-        <source>--%1 must be from %2 to %3, not &quot;%4&quot;.</source>
+        <source>--%1 must be between %2 and %3, not &quot;%4&quot;.</source>
         <translation>--%1 debe estar entre %2 y %3, y no ser «%4».</translation>
     </message>
     <message>
@@ -913,19 +913,23 @@ Equipo: %1. Tiempo: %2 s.
     </message>
     <message>
         <source>Commands</source>
-        <translation>Órdenes</translation>
+        <translation>Comandos</translation>
     </message>
     <message>
-        <source>--output must be a name that ends in .png, .svg or .pdf (report: .pdf; frames: a new folder, .mp4, .webm or .gif), not &quot;%1&quot;.</source>
-        <translation>--output debe ser un nombre que termine en .png, .svg o .pdf (report: .pdf; frames: una carpeta nueva, .mp4, .webm o .gif), y no «%1».</translation>
+        <source>render needs --output with a name that ends in .png, .svg or .pdf (report: .pdf; frames: a new folder, .mp4, .webm or .gif).</source>
+        <translation>render necesita --output con un nombre que termine en .png, .svg o .pdf (report: .pdf; frames: una carpeta nueva, .mp4, .webm o .gif).</translation>
     </message>
     <message>
-        <source>There is no file &quot;%1&quot;. A command must come first: choose one of %2.</source>
-        <translation>No existe el archivo «%1». Una orden debe ir primero: elija una de %2.</translation>
+        <source>The command %1 must come first.</source>
+        <translation>El comando %1 debe ir primero.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is neither a command nor a file. The commands are %2.</source>
+        <translation>«%1» no es ni un comando ni un archivo. Los comandos son %2.</translation>
     </message>
     <message>
         <source>The window does not read standard input: save it in a file, or use a command, such as compare, which reads it.</source>
-        <translation>La ventana no lee la entrada estándar: guárdela en un archivo, o use una orden que la lea, como compare.</translation>
+        <translation>La ventana no lee la entrada estándar: guárdela en un archivo, o use un comando que la lea, como compare.</translation>
     </message>
     <message>
         <source>As options: %1</source>
@@ -952,8 +956,8 @@ Equipo: %1. Tiempo: %2 s.
         <translation>Solo --what frames tiene velocidad: quite %1.</translation>
     </message>
     <message>
-        <source>Exit status: 0 success; 1 --fail-on-difference was given and a channel differs, or a value to be checked is wrong; 2 usage error; 3 a file cannot be read or written; 4 the mechanism cannot be assembled at some time step (the other steps are still written), or --design is impossible; 5 not converged or singular at some time step, or no mechanism identified. If several apply: 3 before 4 before 5 before 1.</source>
-        <translation>Estado de salida: 0 correcto; 1 se dio --fail-on-difference y un canal difiere, o un valor revisado es erróneo; 2 error de uso; 3 un archivo no se puede leer o escribir; 4 el mecanismo no se puede ensamblar en algún paso de tiempo (los demás se escriben igualmente), o --design es imposible; 5 sin convergencia o singular en algún paso de tiempo, o ningún mecanismo identificado. Si se dan varios: 3 antes que 4, antes que 5, antes que 1.</translation>
+        <source>Exit status: 0 success; 1 --fail-on-difference was given and a channel differs, or a value to be checked is wrong; 2 usage error; 3 a file cannot be read or written; 4 the mechanism cannot be assembled at some time step (the other steps are still written), or --design is impossible; 5 not converged or singular at some time step, or no mechanism identified. If several apply, the first of 3, 4, 5, 1 is returned.</source>
+        <translation>Código de salida: 0 correcto; 1 se dio --fail-on-difference y un canal difiere, o un valor revisado es erróneo; 2 error de uso; 3 un archivo no se puede leer o escribir; 4 el mecanismo no se puede ensamblar en algún paso de tiempo (los demás se escriben igualmente), o --design es imposible; 5 sin convergencia o singular en algún paso de tiempo, o ningún mecanismo identificado. Si se dan varios, se devuelve el primero de 3, 4, 5, 1.</translation>
     </message>
     <message>
         <source>instead of --steps and --duration: a row for each step of this crank angle, over one revolution</source>
@@ -1140,7 +1144,7 @@ Equipo: %1. Tiempo: %2 s.
         <translation>--%1 debe ser un número con la unidad %2, no &quot;%3&quot;.</translation>
     </message>
     <message>
-        <source>--%1 must be from %2 to %3 %4.</source>
+        <source>--%1 must be between %2 and %3 %4.</source>
         <translation>--%1 debe estar entre %2 y %3 %4.</translation>
     </message>
     <message>
@@ -1290,20 +1294,20 @@ Equipo: %1. Tiempo: %2 s.
         <translation>Mecanismo con una carrera y una relación de tiempos dadas</translation>
     </message>
     <message>
-        <source>Type a stroke: the mechanism is scaled, so that its time ratio and angles stay</source>
-        <translation>Escriba una carrera: el mecanismo se escala, de modo que conserva su relación de tiempos y sus ángulos</translation>
+        <source>Type a stroke: the mechanism is scaled; its time ratio and its angles do not change</source>
+        <translation>Escriba una carrera: el mecanismo se escala; su relación de tiempos y sus ángulos no cambian</translation>
     </message>
     <message>
         <source>Type a time ratio: the mechanism with the largest minimum transmission angle is chosen, the stroke stays. A ratio below 1 exchanges the forward and the return stroke.</source>
-        <translation>Escriba una relación de tiempos: se elige el mecanismo con el mayor ángulo de transmisión mínimo y se conserva la carrera. Una relación menor que 1 intercambia la carrera de ida y la de vuelta.</translation>
+        <translation>Escriba una relación de tiempos: se elige el mecanismo con el mayor ángulo de transmisión mínimo y se conserva la carrera. Una relación menor que 1 intercambia la carrera de ida y la de retorno.</translation>
     </message>
     <message>
         <source>Type the smallest transmission angle that you accept: the mechanism with the largest minimum transmission angle is chosen, stroke and time ratio stay</source>
         <translation>Escriba el menor ángulo de transmisión que acepta: se elige el mecanismo con el mayor ángulo de transmisión mínimo y se conservan la carrera y la relación de tiempos</translation>
     </message>
     <message>
-        <source>The freedom that stroke and time ratio leave: the ratio b/a of coupler and crank</source>
-        <translation>El grado de libertad que dejan la carrera y la relación de tiempos: la relación b/a entre biela y manivela</translation>
+        <source>The remaining degree of freedom: the ratio b/a of coupler and crank</source>
+        <translation>El grado de libertad restante: la relación b/a entre biela y manivela</translation>
     </message>
     <message>
         <source>Best transmission angle</source>
@@ -1849,23 +1853,23 @@ difiere: lo demás</translation>
     </message>
     <message>
         <source>Match. Quantities that agree within the rounding of the file: %1 of %2.</source>
-        <translation>Coincide. Magnitudes que concuerdan dentro del redondeo del archivo: %1 de %2.</translation>
+        <translation>Coincide. Magnitudes que coinciden dentro del redondeo del archivo: %1 de %2.</translation>
     </message>
     <message>
         <source>Close match. Quantities that agree within the rounding of the file: %1 of %2, the others nearly.</source>
-        <translation>Coincidencia aproximada. Magnitudes que concuerdan dentro del redondeo del archivo: %1 de %2; las demás, casi.</translation>
+        <translation>Coincidencia aproximada. Magnitudes que coinciden dentro del redondeo del archivo: %1 de %2; las demás, casi.</translation>
     </message>
     <message>
         <source>No match: the mechanism cannot be assembled at any time step of the file.</source>
         <translation>No coincide: el mecanismo no se puede ensamblar en ningún instante del archivo.</translation>
     </message>
     <message>
-        <source>No match. Quantities that differ: %1 of %2.</source>
-        <translation>No coincide. Magnitudes que difieren: %1 de %2.</translation>
+        <source>No match: %1 of %2 quantities differ.</source>
+        <translation>No coincide: difieren %1 de %2 magnitudes.</translation>
     </message>
     <message>
-        <source>No match. Quantities that differ: %1 of %2, most of all the %3, by %4 % of its peak.</source>
-        <translation>No coincide. Magnitudes que difieren: %1 de %2; la mayor diferencia: %3, un %4 % de su máximo.</translation>
+        <source>No match: %1 of %2 quantities differ, most of all the %3, by %4 % of its peak.</source>
+        <translation>No coincide: difieren %1 de %2 magnitudes; la mayor diferencia: %3, un %4 % de su máximo.</translation>
     </message>
     <message>
         <source>%1 or %2</source>
@@ -2015,7 +2019,7 @@ difiere: lo demás</translation>
     </message>
     <message>
         <source>does not fit the other columns</source>
-        <translation>no concuerda con las demás columnas</translation>
+        <translation>no coincide con las demás columnas</translation>
     </message>
     <message>
         <source>%1 at t = 0</source>
@@ -3162,8 +3166,8 @@ PA = %4, PB = %5</translation>
         <translation>unidad</translation>
     </message>
     <message>
-        <source>Of C; of Cₜ per s, of Q&lt;sub&gt;d&lt;/sub&gt; per s²</source>
-        <translation>De C; la de Cₜ por s, la de Q&lt;sub&gt;d&lt;/sub&gt; por s²</translation>
+        <source>Unit of C; Cₜ has this unit per s, Q&lt;sub&gt;d&lt;/sub&gt; per s²</source>
+        <translation>Unidad de C; Cₜ tiene esta unidad por s, Q&lt;sub&gt;d&lt;/sub&gt; por s²</translation>
     </message>
     <message>
         <source>Jacobian C_q, a row for each constraint, a column for each coordinate</source>
@@ -3231,11 +3235,11 @@ PA = %4, PB = %5</translation>
     </message>
     <message>
         <source>Centre of mass and angle of each body</source>
-        <translation>Centro de masa y ángulo de cada eslabón</translation>
+        <translation>Centro de masa y ángulo de cada cuerpo</translation>
     </message>
     <message>
         <source>body</source>
-        <translation>eslabón</translation>
+        <translation>cuerpo</translation>
     </message>
     <message>
         <source>position</source>
@@ -3262,8 +3266,8 @@ PA = %4, PB = %5</translation>
         <translation>d²q/dt², en mm/s² o °/s²</translation>
     </message>
     <message>
-        <source>Of the position; of the velocity per s, of the acceleration per s²</source>
-        <translation>De la posición; la de la velocidad por s, la de la aceleración por s²</translation>
+        <source>Unit of the position; the velocity has this unit per s, the acceleration per s²</source>
+        <translation>Unidad de la posición; la velocidad tiene esta unidad por s, la aceleración por s²</translation>
     </message>
     <message>
         <source>∂C/∂q: a row for each constraint, a column for each coordinate.
@@ -3286,8 +3290,8 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>El mecanismo no se puede ensamblar: la biela es demasiado corta.</translation>
     </message>
     <message>
-        <source>The result is too large to be a number.</source>
-        <translation>El resultado es demasiado grande para ser un número.</translation>
+        <source>The result exceeds the range of floating-point numbers.</source>
+        <translation>El resultado excede el intervalo de los números de coma flotante.</translation>
     </message>
     <message>
         <source>From the position %1 s before</source>
@@ -3635,24 +3639,24 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>«%1» no es un número.</translation>
     </message>
     <message>
-        <source>The decimal sign here is “%1”: %2.</source>
-        <translation>Aquí el signo decimal es «%1»: %2.</translation>
+        <source>Write the decimal sign as “%1”: %2.</source>
+        <translation>Escriba el signo decimal como «%1»: %2.</translation>
     </message>
     <message>
         <source>“%1” is too large.</source>
         <translation>«%1» es demasiado grande.</translation>
     </message>
     <message>
-        <source>“%1”: the units here are %2.</source>
-        <translation>«%1»: aquí las unidades son %2.</translation>
+        <source>“%1”: the unit must be one of %2.</source>
+        <translation>«%1»: la unidad debe ser una de %2.</translation>
     </message>
     <message>
         <source>, </source>
         <translation>, </translation>
     </message>
     <message>
-        <source>“%1”: no unit belongs to this number.</source>
-        <translation>«%1»: este número no lleva unidad.</translation>
+        <source>“%1”: enter this number without a unit.</source>
+        <translation>«%1»: escriba este número sin unidad.</translation>
     </message>
 </context>
 <context>
@@ -4078,8 +4082,8 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>veredicto</translation>
     </message>
     <message>
-        <source>Rounding step: the distance of neighbouring numbers in the file, where it is largest.</source>
-        <translation>Redondeo: la distancia entre números consecutivos del archivo, donde es mayor.</translation>
+        <source>Rounding step: the largest spacing between neighbouring values of the file.</source>
+        <translation>Paso de redondeo: la mayor separación entre valores consecutivos del archivo.</translation>
     </message>
     <message>
         <source>Difference from the pinned motion</source>
@@ -4124,16 +4128,16 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>La manivela no da vueltas completas con ningún valor de %1.</translation>
     </message>
     <message>
-        <source>Full turns for %1 ≤ %2 ≤ %3, shaded elsewhere.</source>
-        <translation>Vueltas completas para %1 ≤ %2 ≤ %3; fuera de ahí, sombreado.</translation>
+        <source>The crank makes full turns for %1 ≤ %2 ≤ %3; the rest is shaded.</source>
+        <translation>La manivela da vueltas completas para %1 ≤ %2 ≤ %3; el resto está sombreado.</translation>
     </message>
     <message>
-        <source>Full turns for %1 ≥ %2, shaded elsewhere.</source>
-        <translation>Vueltas completas para %1 ≥ %2; fuera de ahí, sombreado.</translation>
+        <source>The crank makes full turns for %1 ≥ %2; the rest is shaded.</source>
+        <translation>La manivela da vueltas completas para %1 ≥ %2; el resto está sombreado.</translation>
     </message>
     <message>
-        <source>Full turns for %1 ≤ %2, shaded elsewhere.</source>
-        <translation>Vueltas completas para %1 ≤ %2; fuera de ahí, sombreado.</translation>
+        <source>The crank makes full turns for %1 ≤ %2; the rest is shaded.</source>
+        <translation>La manivela da vueltas completas para %1 ≤ %2; el resto está sombreado.</translation>
     </message>
 </context>
 <context>
@@ -4369,8 +4373,8 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>Itera hasta que ‖C‖ no supere este valor; 0: hasta que deje de disminuir</translation>
     </message>
     <message>
-        <source>Absolute: mm and rad mixed, as in the reference report. Relative: lengths divided by a + b + |c|, the same at every scale</source>
-        <translation>Absoluta: mm y rad mezclados, como en el informe de referencia. Relativa: longitudes divididas por a + b + |c|, igual en cualquier escala</translation>
+        <source>Absolute: mm and rad mixed. Relative: lengths divided by a + b + |c|, the same at every scale</source>
+        <translation>Absoluta: mm y rad mezclados. Relativa: longitudes divididas por a + b + |c|, igual en cualquier escala</translation>
     </message>
     <message>
         <source>At one time step</source>
@@ -4431,8 +4435,8 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>Newton-Raphson, denso</translation>
     </message>
     <message>
-        <source>As in the reference report: 12 equations solved together (dense LU), started from the time step before</source>
-        <translation>Como en el informe de referencia: 12 ecuaciones resueltas juntas (LU denso), a partir del instante anterior</translation>
+        <source>The textbook&apos;s method: 12 equations solved together (dense LU), started from the time step before</source>
+        <translation>El método del libro: 12 ecuaciones resueltas juntas (LU denso), a partir del instante anterior</translation>
     </message>
     <message>
         <source>dense, Taylor start</source>
@@ -4507,8 +4511,8 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>no finitos</translation>
     </message>
     <message>
-        <source>, %1 wrong but called solved</source>
-        <translation>, %1 erróneos pero dados por resueltos</translation>
+        <source>, %1 reported as solved but wrong</source>
+        <translation>, %1 dados por resueltos pero erróneos</translation>
     </message>
     <message>
         <source>%1 ns per time step (± %2), %3 channels</source>
@@ -4583,8 +4587,8 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>Error frente a tiempo de cada método</translation>
     </message>
     <message>
-        <source>Of Newton-Raphson: absolute for the dense method of the reference report, relative for the others</source>
-        <translation>De Newton-Raphson: absoluta para el método denso del informe de referencia, relativa para los demás</translation>
+        <source>Tolerance of Newton-Raphson: absolute for the textbook&apos;s dense method, relative for the others</source>
+        <translation>Tolerancia de Newton-Raphson: absoluta para el método denso del libro, relativa para los demás</translation>
     </message>
     <message>
         <source>Methods, a row for each method and tolerance</source>
@@ -4633,16 +4637,16 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
 <context>
     <name>slidercrank::StudyText</name>
     <message>
-        <source>Table 1 of the reference report</source>
-        <translation>Tabla 1 del informe de referencia</translation>
+        <source>initial mechanism</source>
+        <translation>mecanismo inicial</translation>
     </message>
     <message>
         <source>this mechanism</source>
         <translation>este mecanismo</translation>
     </message>
     <message>
-        <source>the reference report&apos;s file</source>
-        <translation>el archivo del informe de referencia</translation>
+        <source>sample file</source>
+        <translation>archivo de muestra</translation>
     </message>
     <message>
         <source>crossed</source>
@@ -4713,8 +4717,8 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>sin optimizar</translation>
     </message>
     <message>
-        <source>The closed form is %1 times as fast as dense Newton-Raphson with the tolerance of the reference report (± %2 %).</source>
-        <translation>La forma cerrada es %1 veces más rápida que Newton-Raphson denso con la tolerancia del informe de referencia (± %2 %).</translation>
+        <source>The closed form is %1 times as fast as dense Newton-Raphson with its default tolerance (± %2 %).</source>
+        <translation>La forma cerrada es %1 veces más rápida que Newton-Raphson denso con su tolerancia por defecto (± %2 %).</translation>
     </message>
 </context>
 <context>
@@ -4724,16 +4728,16 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>Copiar</translation>
     </message>
     <message>
-        <source>Copies the tables as CSV, with every digit</source>
-        <translation>Copia las tablas como CSV, con todas las cifras</translation>
+        <source>Copies the tables as CSV, at full precision</source>
+        <translation>Copia las tablas como CSV, con precisión completa</translation>
     </message>
     <message>
         <source>Export…</source>
         <translation>Exportar…</translation>
     </message>
     <message>
-        <source>Writes the tables to a CSV file, with every digit</source>
-        <translation>Escribe las tablas en un archivo CSV, con todas las cifras</translation>
+        <source>Writes the tables to a CSV file, at full precision</source>
+        <translation>Escribe las tablas en un archivo CSV, con precisión completa</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -4876,8 +4880,8 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>Pasos</translation>
     </message>
     <message>
-        <source>Intervals; there is one time step more</source>
-        <translation>Intervalos; hay un instante más</translation>
+        <source>Number of intervals: the motion is computed at one instant more, both ends included</source>
+        <translation>Número de intervalos: el movimiento se calcula en un instante más, con ambos extremos incluidos</translation>
     </message>
     <message>
         <source>Playback speed</source>

@@ -137,9 +137,9 @@ private slots:
         QTest::newRow("no number") << "x=nine"
                                    << "x: “nine” is not a number";
         QTest::newRow("decimal comma") << "x=9,74"
-                                       << "The decimal sign here is";
+                                       << "Write the decimal sign as";
         QTest::newRow("other dimension") << "x=9deg"
-                                         << "the units here are";
+                                         << "the unit must be one of";
         QTest::newRow("twice") << "v=1 R4_x_diff=2"
                                << "is given more than once";
         QTest::newRow("acceleration without a number") << "x=1 --alpha2 5mm"

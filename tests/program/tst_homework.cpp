@@ -203,7 +203,7 @@ private slots:
                                Row{"solve --when R4_x", "such as R4_x=60"},
                                Row{"solve --when R4_y=25", "does not depend"},
                                Row{"solve --when nothing=25", "--when must be"},
-                               Row{"solve --when R4_x=60s", "units here are"},
+                               Row{"solve --when R4_x=60s", "the unit must be one of"},
                                Row{"solve --when R4_x=60 --steps 5", "remove --steps"},
                                Row{"solve --when R4_x=60 --at-angle 5", "remove one"},
                                Row{"solve --when R4_x_diff2=60 --alpha2 5", "remove --alpha2"},
@@ -215,7 +215,7 @@ private slots:
                                Row{"solve --start 1e12 --omega2 1e6 --step-angle 90", "too close in time"},
                                Row{"solve --omega2 1e-300 --step-angle 90", "larger --omega2"},
                                Row{"limits --tolerance d=5", "such as a=0.05"},
-                               Row{"limits --tolerance a=-5", "from 0"},
+                               Row{"limits --tolerance a=-5", "between 0 and"},
                                Row{"limits --vary b=50..60 --tolerance a=1", "remove --tolerance"},
                                Row{"limits --design time-ratio=1.2", "--a and --b"},
                                Row{"limits --design time-ratio=1.2 --a 40 --b 120 --c 5", "remove --c"}}) {

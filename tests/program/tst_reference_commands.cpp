@@ -249,7 +249,7 @@ private slots:
         }
         const QString file = write("angles.csv", csv);
         for (const char *drive :
-             {"", "--omega2 -157 --theta20 2rad"}) { // positions by crank angle do not depend on the drive
+             {"", "--omega2 -157 --theta20 2rad"}) { // angle-indexed positions do not depend on the drive
             const RunResult outcome =
                 run(QStringLiteral("compare %1 --abscissa angle --b 60 --format json %2").arg(file, drive));
             QCOMPARE(outcome.firstFile()["verdict"].toString(), QStringLiteral("agrees"));

@@ -49,7 +49,7 @@ enum class Advice { None, Option };
 /// Reads files, pipes or standard input. May run in any thread.
 ReferenceOutcome readReference(const ReferenceSource &source, ReadOptions options = {}, Advice advice = Advice::None);
 
-/// Returns a table by crank angle with the time stamps at which the crank of that mechanism reaches its angles, or a
+/// Returns an angle-indexed table with the time stamps at which the crank of that mechanism reaches its angles, or a
 /// sentence if the crank does not reach them in their order. Returns other data, and null, unchanged.
 ReferenceOutcome timedBy(const Mechanism &mechanism, const std::shared_ptr<const Reference> &reference);
 

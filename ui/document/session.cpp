@@ -125,7 +125,7 @@ void Session::edit(const Choices &choices, const QString &name, bool adoptsRange
     }
     Choices complete = choices;
     if (choices.reference) {
-        // A time range that is that of the file remains so: the time stamps of a table by crank angle depend on ω₂.
+        // A time range that is that of the file remains so: the time stamps of an angle-indexed file depend on ω₂.
         const Reference *shown = m_result->reference.get();
         const bool isOfFile = shown && shown->paths == choices.reference->paths &&
                               choices.sampling == rangeOf(shown->data.time, choices.sampling);

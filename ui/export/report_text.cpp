@@ -178,7 +178,7 @@ QString comparisonText(const ReportContent &content)
                 note(Report::tr("Found by weighted least squares; ± is one standard error."));
     }
     return html + errorTable(result.comparison, &result.reference->data) +
-           note(Report::tr("Rounding step: the distance of neighbouring numbers in the file, where it is largest."));
+           note(Report::tr("Rounding step: the largest spacing between neighbouring values of the file."));
 }
 
 /// Returns the section about the difference from the motion that was pinned last.

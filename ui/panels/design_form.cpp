@@ -67,7 +67,7 @@ void DesignForm::createControls()
     form->setVerticalSpacing(4);
     form->setFieldGrowthPolicy(QFormLayout::FieldsStayAtSizeHint);
     m_stroke = addField(form, "designStroke", tr("Stroke"), new NumberBox,
-                        tr("Type a stroke: the mechanism is scaled, so that its time ratio and angles stay"));
+                        tr("Type a stroke: the mechanism is scaled; its time ratio and its angles do not change"));
     m_timeRatio = addField(
         form, "designTimeRatio", tr("Time ratio"), new NumberBox,
         tr("Type a time ratio: the mechanism with the largest minimum transmission angle is chosen, the stroke "
@@ -84,7 +84,7 @@ void DesignForm::createControls()
         box->setRange(kSmallestPositive, kLargestParameter);
     }
     m_ratio = addField(form, "designRatio", tr("Ratio b/a"), new NumberSlider,
-                       tr("The freedom that stroke and time ratio leave: the ratio b/a of coupler and crank"));
+                       tr("The remaining degree of freedom: the ratio b/a of coupler and crank"));
     m_ratio->setMinimumWidth(120);
     m_best->setText(tr("Best transmission angle"));
     m_best->setToolTip(

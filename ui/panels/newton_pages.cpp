@@ -143,7 +143,7 @@ QString statusSentence(Status status, const NewtonOptions &options)
                         "tolerance.")
             .arg(QString::number(options.maxIterations)),
         NewtonPages::tr("The mechanism cannot be assembled: the coupler is too short."),
-        NewtonPages::tr("The result is too large to be a number.")};
+        NewtonPages::tr("The result exceeds the range of floating-point numbers.")};
     return sentences[static_cast<std::size_t>(status)];
 }
 
@@ -161,7 +161,7 @@ Page NewtonPages::equations(const Result &result, double time)
          {tr("Cₜ, per s"), tr("∂C/∂t, in mm/s or rad/s: the velocities follow from C<sub>q</sub> dq/dt = −Cₜ"), "C_t"},
          {tr("Q_d, per s²"),
           tr("In mm/s² or rad/s²: the accelerations follow from C<sub>q</sub> d²q/dt² = Q<sub>d</sub>"), "Q_d"},
-         {tr("unit"), tr("Of C; of Cₜ per s, of Q<sub>d</sub> per s²"), "unit", false}}};
+         {tr("unit"), tr("Unit of C; Cₜ has this unit per s, Q<sub>d</sub> per s²"), "unit", false}}};
     for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
         const auto row = static_cast<Constraint>(i);
         table.rows.push_back({{{.text = constraintName(row)},
@@ -273,15 +273,15 @@ Page NewtonPages::coordinates(const Result &result, double time)
 {
     const State state = solvedEquations(result, time).state;
     Page page = emptyPage(state.status, result);
-    PageTable table{
-        "coordinateTable",
-        tr("Coordinates, a row for each"),
-        {{tr("coordinate"), tr("Centre of mass and angle of each body"), "coordinate", false, true},
-         {tr("body"), {}, "body", false},
-         {tr("position"), tr("q, in mm or °"), "position"},
-         {tr("velocity, per s"), tr("dq/dt, in mm/s or °/s"), "velocity"},
-         {tr("acceleration, per s²"), tr("d²q/dt², in mm/s² or °/s²"), "acceleration"},
-         {tr("unit"), tr("Of the position; of the velocity per s, of the acceleration per s²"), "unit", false}}};
+    PageTable table{"coordinateTable",
+                    tr("Coordinates, a row for each"),
+                    {{tr("coordinate"), tr("Centre of mass and angle of each body"), "coordinate", false, true},
+                     {tr("body"), {}, "body", false},
+                     {tr("position"), tr("q, in mm or °"), "position"},
+                     {tr("velocity, per s"), tr("dq/dt, in mm/s or °/s"), "velocity"},
+                     {tr("acceleration, per s²"), tr("d²q/dt², in mm/s² or °/s²"), "acceleration"},
+                     {tr("unit"), tr("Unit of the position; the velocity has this unit per s, the acceleration per s²"),
+                      "unit", false}}};
     for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
         const auto coordinate = static_cast<Coordinate>(i);
         const Channel position{coordinate, Order::Position};

@@ -67,10 +67,12 @@ QString fullTurnText(Parameter parameter, const ResponseRange &range)
     const bool hasUpper = upper < range.assembled.upper;
     const QString symbol = symbolText(parameter);
     return lower > upper          ? ResponseText::tr("The crank makes full turns for no value of %1.").arg(symbol)
-           : hasLower && hasUpper ? ResponseText::tr("Full turns for %1 ≤ %2 ≤ %3, shaded elsewhere.")
+           : hasLower && hasUpper ? ResponseText::tr("The crank makes full turns for %1 ≤ %2 ≤ %3; the rest is shaded.")
                                         .arg(lengthText(lower), symbol, lengthText(upper))
-           : hasLower ? ResponseText::tr("Full turns for %1 ≥ %2, shaded elsewhere.").arg(symbol, lengthText(lower))
-           : hasUpper ? ResponseText::tr("Full turns for %1 ≤ %2, shaded elsewhere.").arg(symbol, lengthText(upper))
+           : hasLower ? ResponseText::tr("The crank makes full turns for %1 ≥ %2; the rest is shaded.")
+                            .arg(symbol, lengthText(lower))
+           : hasUpper ? ResponseText::tr("The crank makes full turns for %1 ≤ %2; the rest is shaded.")
+                            .arg(symbol, lengthText(upper))
                       : QString();
 }
 

@@ -90,7 +90,7 @@ SolverForm::SolverForm(Session *session, QWidget *parent)
                                tr("Iterates until ‖C‖ is at most this; 0: until it no longer decreases"));
     tolerance->setRange(0.0, kLargestParameter);
     auto *kind = addField(form, "toleranceKindBox", tr("Tolerance type"), new QComboBox,
-                          tr("Absolute: mm and rad mixed, as in the reference report. Relative: lengths divided by "
+                          tr("Absolute: mm and rad mixed. Relative: lengths divided by "
                              "a + b + |c|, the same at every scale"));
     kind->addItems({tr("absolute"), tr("relative")}); // in the order of ToleranceKind
     auto *iterations = addField(form, "iterationsBox", tr("Maximum iterations"), new NumberBox, tr("At one time step"));

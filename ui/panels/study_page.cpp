@@ -39,8 +39,7 @@ public:
         const MethodText texts[] = {
             // in the order of MethodName::Kind
             {tr("Newton-Raphson, dense"),
-             tr("As in the reference report: 12 equations solved together (dense LU), started from the "
-                "time step before"),
+             tr("The textbook's method: 12 equations solved together (dense LU), started from the time step before"),
              Tone::Fair, &SeriesColours::reference},
             {tr("dense, Taylor start"), taylor, Tone::Fair, &SeriesColours::reference, true},
             {tr("Newton-Raphson, structured"), tr("The same 12 equations, solved joint by joint"), Tone::Model,
@@ -83,7 +82,7 @@ public:
         }
         QString text = parts.size() == 1 ? statusText(row.status) : parts.join(", ");
         if (row.silentFailures.value_or(0) > 0) {
-            text += tr(", %1 wrong but called solved").arg(QString::number(*row.silentFailures));
+            text += tr(", %1 reported as solved but wrong").arg(QString::number(*row.silentFailures));
         }
         return text;
     }
@@ -129,7 +128,7 @@ public:
             {{tr("method"), tr("How the motion is computed"), "method", false},
              {tr("channels"), tr("How many channels the method computes"), "channels"},
              {tr("tolerance"),
-              tr("Of Newton-Raphson: absolute for the dense method of the reference report, relative for the others"),
+              tr("Tolerance of Newton-Raphson: absolute for the textbook's dense method, relative for the others"),
               "tolerance"},
              {tr("time [ns]"),
               tr("Position, velocity and acceleration at one time step: median over interleaved rounds"), "time [ns]"},

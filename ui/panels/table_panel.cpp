@@ -46,8 +46,9 @@ TablePanel::TablePanel(Session *session, const QString &name, const QString &tit
     named(name, this, title);
     auto *head = new QHBoxLayout;
     head->addWidget(m_sentence, 1);
-    m_copy = addButton(head, name + "Copy", tr("Copy"), tr("Copies the tables as CSV, with every digit"));
-    m_export = addButton(head, name + "Export", tr("Export…"), tr("Writes the tables to a CSV file, with every digit"));
+    m_copy = addButton(head, name + "Copy", tr("Copy"), tr("Copies the tables as CSV, at full precision"));
+    m_export =
+        addButton(head, name + "Export", tr("Export…"), tr("Writes the tables to a CSV file, at full precision"));
     connect(m_copy, &QToolButton::clicked, this, &TablePanel::copy);
     connect(m_export, &QToolButton::clicked, this, [this] {
         const Page page = m_makePage();

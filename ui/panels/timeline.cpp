@@ -211,7 +211,8 @@ void Timeline::createForm()
     m_oneTurn->setText(tr("One revolution"));
     m_oneTurn->setToolTip(tr("Sets the duration to one revolution of the crank"));
     form->addRow(QString(), m_oneTurn);
-    m_steps = addField(form, "stepsBox", tr("Steps"), new NumberBox, tr("Intervals; there is one time step more"));
+    m_steps = addField(form, "stepsBox", tr("Steps"), new NumberBox,
+                       tr("Number of intervals: the motion is computed at one instant more, both ends included"));
     m_steps->setRange(1.0, kMaximumSteps);
     m_steps->setFixedDecimals(0);
     m_speedBox = addField(form, "speedBox", tr("Playback speed"), new NumberBox,

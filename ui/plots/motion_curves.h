@@ -50,7 +50,7 @@ public:
     };
     using Curves = std::array<Curve, kPlottedChannels.size()>;
 
-    /// Returns the curves for a plot of that time range with so many pixel columns.
+    /// Returns the curves for a plot of that time range that is `columns` pixels wide.
     Curves curves(const Interval &range, std::size_t columns) const;
 
 private:

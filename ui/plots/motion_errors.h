@@ -19,7 +19,7 @@ class MotionErrors
 {
 public:
     /// `result` must outlive the object and have a reference or a difference. A pinned motion is compared at time
-    /// stamps for a plot of that range with so many pixel columns.
+    /// stamps for a plot of that range that is `columns` pixels wide.
     MotionErrors(const Result &result, const PlotSettings &settings, const Interval &range, std::size_t columns);
 
     struct Errors {

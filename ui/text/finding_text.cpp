@@ -264,9 +264,9 @@ QString summaryText(std::span<const ChannelComparison> channels)
     if (!worst->percentOfPeak) {
         return worst->count == 0 && worst->missingModel > 0
                    ? FindingText::tr("No match: the mechanism cannot be assembled at any time step of the file.")
-                   : FindingText::tr("No match. Quantities that differ: %1 of %2.").arg(count(Verdict::Differs), all);
+                   : FindingText::tr("No match: %1 of %2 quantities differ.").arg(count(Verdict::Differs), all);
     }
-    return FindingText::tr("No match. Quantities that differ: %1 of %2, most of all the %3, by %4 % of its peak.")
+    return FindingText::tr("No match: %1 of %2 quantities differ, most of all the %3, by %4 % of its peak.")
         .arg(count(Verdict::Differs), all, quantityName(worst->channel), errorText(worst->percentOfPeak));
 }
 

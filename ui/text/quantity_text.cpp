@@ -46,15 +46,15 @@ QString quantityFaultText(const QString &text, QuantityFault fault, const std::o
     case QuantityFault::NotANumber: return QuantityText::tr("“%1” is not a number.").arg(quoted(text));
     case QuantityFault::CommaForPoint: {
         const QString sign = QLocale().decimalPoint();
-        return QuantityText::tr("The decimal sign here is “%1”: %2.").arg(sign, quoted(text).replace(u',', sign));
+        return QuantityText::tr("Write the decimal sign as “%1”: %2.").arg(sign, quoted(text).replace(u',', sign));
     }
     case QuantityFault::TooLarge: return QuantityText::tr("“%1” is too large.").arg(quoted(text));
     case QuantityFault::UnknownUnit:
     case QuantityFault::WrongUnit: break;
     }
-    return wanted ? QuantityText::tr("“%1”: the units here are %2.")
+    return wanted ? QuantityText::tr("“%1”: the unit must be one of %2.")
                         .arg(quoted(text), unitsFor(*wanted).join(QuantityText::tr(", ")))
-                  : QuantityText::tr("“%1”: no unit belongs to this number.").arg(quoted(text));
+                  : QuantityText::tr("“%1”: enter this number without a unit.").arg(quoted(text));
 }
 
 } // namespace slidercrank

@@ -26,9 +26,9 @@ struct StudyText {
 
 public:
     /// Tells lupdate the properties of cases that are translated, with %1 instead of a number.
-    [[maybe_unused]] static constexpr const char *kPatterns[] = {QT_TR_NOOP("Table 1 of the reference report"),
+    [[maybe_unused]] static constexpr const char *kPatterns[] = {QT_TR_NOOP("initial mechanism"),
                                                                  QT_TR_NOOP("this mechanism"),
-                                                                 QT_TR_NOOP("the reference report's file"),
+                                                                 QT_TR_NOOP("sample file"),
                                                                  QT_TR_NOOP("crossed"),
                                                                  QT_TR_NOOP("toggle gap %1"),
                                                                  QT_TR_NOOP("exact toggle"),
@@ -122,8 +122,7 @@ QString closedFormSentence(const CaseResult &result)
     }
     const double uncertainty = newton->spread / newton->nsPerState + closedForm->spread / closedForm->nsPerState;
     return StudyText::tr(
-               "The closed form is %1 times as fast as dense Newton-Raphson with the tolerance of the reference "
-               "report (± %2 %).")
+               "The closed form is %1 times as fast as dense Newton-Raphson with its default tolerance (± %2 %).")
         .arg(shortNumber(newton->nsPerState / closedForm->nsPerState, 2), numberText(std::ceil(50.0 * uncertainty)));
 }
 

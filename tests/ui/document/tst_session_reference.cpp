@@ -24,7 +24,7 @@ using namespace slidercrank;
 namespace tst_session_reference
 {
 
-/// A table by crank angle of the initial mechanism. Its angles are measured from `zero` degrees.
+/// An angle-indexed table of the initial mechanism. Its angles are measured from `zero` degrees.
 QByteArray angleTable(int zero)
 {
     QByteArray table = "CAD,theta3,R4_x\n";

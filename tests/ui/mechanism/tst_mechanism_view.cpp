@@ -501,7 +501,7 @@ private slots:
         QCOMPARE(bench.picture(), without);
 
         const QPointF before = bench.view.toPixels({20.0, 0.0});
-        for (const double tooLarge : {2e4, qInf()}) { // as in another unit; the model must not become tiny
+        for (const double tooLarge : {2e4, qInf()}) { // as in a different unit; the model must not become tiny
             bench.view.setGhostBounds(QRectF(0.0, 0.0, tooLarge, 1.0));
             QCOMPARE(bench.view.toPixels({20.0, 0.0}), before);
         }

@@ -110,7 +110,7 @@ private slots:
               Row{Parameter::Theta20, 1, "30 deg", kPi / 6.0}, Row{Parameter::Theta20, 0, "0.25rad", 0.25}}) {
             const ShownParameters shown;
             shown.part<QComboBox>("unit", row.parameter)->setCurrentIndex(row.shownUnit);
-            QCOMPARE(shown.session.parameters(), givenParameters()); // another unit does not change the number
+            QCOMPARE(shown.session.parameters(), givenParameters()); // a different unit does not change the number
             typeNumber(shown.box(row.parameter), QString::fromUtf8(row.typed));
             QVERIFY2(std::abs(valueOf(shown.session.parameters(), row.parameter) / row.value - 1.0) <= 1e-15,
                      row.typed);

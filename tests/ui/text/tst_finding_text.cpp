@@ -155,9 +155,9 @@ private slots:
             {{agrees, agrees}, "Match. Quantities that agree within the rounding of the file: 2 of 2."},
             {{agrees, close},
              "Close match. Quantities that agree within the rounding of the file: 1 of 2, the others nearly."},
-            {{agrees, close, differs}, "No match. Quantities that differ: 1 of 3" + most},
-            {{coarse, differs}, "No match. Quantities that differ: 1 of 2" + most},
-            {{agrees, unknown}, "No match. Quantities that differ: 1 of 2."},
+            {{agrees, close, differs}, "No match: 1 of 3 quantities differ" + most},
+            {{coarse, differs}, "No match: 1 of 2 quantities differ" + most},
+            {{agrees, unknown}, "No match: 1 of 2 quantities differ."},
             {{missing, missing}, "No match: the mechanism cannot be assembled at any time step of the file."},
             {{}, "The file has no column that this program knows."},
         };

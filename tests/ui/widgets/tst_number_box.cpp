@@ -90,9 +90,9 @@ private slots:
         };
         const Row rows[] = {{"sixty", "“sixty” is not a number."},
                             {"20/", "“20/” is not a number."},
-                            {"30,5", "The decimal sign here is “.”: 30.5."},
+                            {"30,5", "Write the decimal sign as “.”: 30.5."},
                             {"1,234.5", "“1,234.5” is not a number."},
-                            {"30 s", "“30 s”: the units here are mm, cm, m, in."},
+                            {"30 s", "“30 s”: the unit must be one of mm, cm, m, in."},
                             {"inf", "“inf” is not a number."},
                             {QString(400, '9'), "“999999999999999999999999…” is too large."},
                             {"0", "This must be at least 10⁻¹² mm."},
