@@ -1334,8 +1334,8 @@ Equipo: %1. Tiempo: %2 s.
         <translation>La manivela no da vueltas completas: no hay relación de tiempos.</translation>
     </message>
     <message>
-        <source>With this time ratio the minimum transmission angle is largest, %1°, for b/a = %2.</source>
-        <translation>Con esta relación de tiempos, el ángulo de transmisión mínimo es mayor, %1°, con b/a = %2.</translation>
+        <source>With this time ratio the minimum transmission angle is largest, %1, for b/a = %2.</source>
+        <translation>Con esta relación de tiempos, el ángulo de transmisión mínimo es mayor, %1, con b/a = %2.</translation>
     </message>
     <message>
         <source>Minimum transmission angle</source>
@@ -1884,8 +1884,8 @@ difiere: lo demás</translation>
         <translation>error máximo</translation>
     </message>
     <message>
-        <source>at θ₂ [°]</source>
-        <translation>en θ₂ [°]</translation>
+        <source>at θ₂ [%1]</source>
+        <translation>en θ₂ [%1]</translation>
     </message>
     <message>
         <source>at t [s]</source>
@@ -2639,12 +2639,12 @@ PA = %4, PB = %5</translation>
         <translation>&amp;Notación y unidades</translation>
     </message>
     <message>
-        <source>&amp;Absolute coordinates (θ³ at A, Rₓ⁴)</source>
-        <translation>Coordenadas &amp;absolutas (θ³ en A, Rₓ⁴)</translation>
+        <source>&amp;Absolute coordinates (θ³ measured at A)</source>
+        <translation>Coordenadas &amp;absolutas (θ³ medido en A)</translation>
     </message>
     <message>
-        <source>&amp;Textbook (θ₃ at B, x_B)</source>
-        <translation>Libro de &amp;texto (θ₃ en B, x_B)</translation>
+        <source>&amp;Textbook (θ₃ measured at B)</source>
+        <translation>Libro de &amp;texto (θ₃ medido en B)</translation>
     </message>
     <message>
         <source>&amp;Degrees</source>
@@ -2900,8 +2900,8 @@ PA = %4, PB = %5</translation>
         <translation>Tiempo; si falta, la manivela no pasa por ahí en el intervalo de tiempo</translation>
     </message>
     <message>
-        <source>Crank angle, from 0 to 360°</source>
-        <translation>Ángulo de la manivela, de 0 a 360°</translation>
+        <source>Crank angle</source>
+        <translation>Ángulo de la manivela</translation>
     </message>
 </context>
 <context>
@@ -3051,8 +3051,8 @@ PA = %4, PB = %5</translation>
         <translation>Usar esta notación</translation>
     </message>
     <message>
-        <source>Keep the absolute coordinates</source>
-        <translation>Conservar las coordenadas absolutas</translation>
+        <source>Keep θ³, Rₓ⁴</source>
+        <translation>Conservar θ³, Rₓ⁴</translation>
     </message>
     <message>
         <source>my values</source>
@@ -3553,8 +3553,8 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>Sobre el án&amp;gulo de la manivela</translation>
     </message>
     <message>
-        <source>Error &amp;in ° and mm</source>
-        <translation>Error en ° &amp;y mm</translation>
+        <source>Abso&amp;lute error</source>
+        <translation>Error absol&amp;uto</translation>
     </message>
     <message>
         <source>To compare with a simulation, &lt;a href=&quot;open&quot;&gt;open its CSV…&lt;/a&gt; or drop it here.</source>
@@ -4058,8 +4058,8 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>error máximo</translation>
     </message>
     <message>
-        <source>at θ₂ [°]</source>
-        <translation>en θ₂ [°]</translation>
+        <source>at θ₂ [%1]</source>
+        <translation>en θ₂ [%1]</translation>
     </message>
     <message>
         <source>at t [s]</source>

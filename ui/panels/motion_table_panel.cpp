@@ -15,6 +15,7 @@
 #include "ui/text/subscripts.h"
 #include "ui/text/typed_value.h"
 #include "ui/text/written_number.h"
+#include "ui/widgets/formula.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/number_box.h"
 #include "ui/widgets/paragraph.h"
@@ -43,17 +44,6 @@ namespace
 
 constexpr std::chrono::milliseconds kPause{100}; // numbers that change faster cannot be read
 
-QToolButton *makeMenuButton(const QString &name, const QString &text, const QString &explanation)
-{
-    auto *button = named(name, new QToolButton, text);
-    button->setText(text);
-    button->setToolTip(explanation);
-    button->setFocusPolicy(Qt::TabFocus);
-    button->setPopupMode(QToolButton::InstantPopup);
-    button->setMenu(new QMenu(button));
-    return button;
-}
-
 } // namespace
 
 MotionTablePanel::MotionTablePanel(Session *session, QWidget *parent)
@@ -64,7 +54,7 @@ MotionTablePanel::MotionTablePanel(Session *session, QWidget *parent)
     , m_columns(makeMenuButton("tableColumns", tr("Columns"), tr("Chooses the columns of the table")))
     , m_alpha2(new NumberBox)
     , m_constantSpeed(named("constantSpeed", plainText(tr("The curves are for a constant speed."))))
-    , m_quantity(new QComboBox)
+    , m_quantity(new FormulaBox)
     , m_value(new NumberBox)
     , m_next(new QToolButton)
     , m_useAsSpeed(new QToolButton)
@@ -175,7 +165,7 @@ void MotionTablePanel::fillColumnsMenu()
     QMenu *menu = m_columns->menu();
     menu->clear();
     for (const OutputChannel &channel : tableChannels()) {
-        QAction *action = menu->addAction(QStringLiteral("%1  %2").arg(symbolOf(channel), nameText(channel)));
+        QAction *action = menu->addAction(nameText(channel));
         action->setObjectName("column_" + columnName(channel));
         action->setCheckable(true);
         action->setChecked(std::ranges::count(m_settings.columns, channel) > 0);
@@ -250,7 +240,7 @@ void MotionTablePanel::offerTextbookNotation()
         });
     };
     addButton("textbookNotation", tr("Use this notation"), Symbols::Textbook);
-    addButton("absoluteCoordinates", tr("Keep the absolute coordinates"), Symbols::AbsoluteCoordinates);
+    addButton("absoluteCoordinates", tr("Keep θ³, Rₓ⁴"), Symbols::AbsoluteCoordinates);
     m_layout->insertWidget(0, offer);
 }
 

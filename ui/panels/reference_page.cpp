@@ -78,6 +78,7 @@ public:
             textTable("columnTable", tr("Columns of the file, a row for each"),
                       {tr("heading"), tr("unit"), tr("read as"), tr("rounded to"), tr("values"), tr("why")},
                       {"heading", "unit", "read_as", "rounded_to", "values", "why"});
+        table.columns[2].isFormula = true; // "R_y⁴"
         table.columns[3].explanation = tr("Inferred from all values of the column");
         const FileLayout &layout = data.layout;
         for (std::size_t i = 0; i < layout.columns.size(); ++i) {

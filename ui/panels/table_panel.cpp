@@ -14,6 +14,7 @@
 #include <QEvent>
 #include <QGridLayout>
 #include <QHeaderView>
+#include <QMenu>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QToolButton>
@@ -271,6 +272,17 @@ QToolButton *addButton(QBoxLayout *row, const QString &name, const QString &text
     button->setToolTip(explanation);
     button->setFocusPolicy(Qt::TabFocus);
     row->addWidget(button, 0, Qt::AlignTop);
+    return button;
+}
+
+QToolButton *makeMenuButton(const QString &name, const QString &text, const QString &explanation)
+{
+    auto *button = named(name, new QToolButton, text);
+    button->setText(text);
+    button->setToolTip(explanation);
+    button->setFocusPolicy(Qt::TabFocus);
+    button->setPopupMode(QToolButton::InstantPopup);
+    button->setMenu(new QMenu(button));
     return button;
 }
 

@@ -78,6 +78,9 @@ private:
 /// Adds a button with that text to a row.
 QToolButton *addButton(QBoxLayout *row, const QString &name, const QString &text, const QString &explanation);
 
+/// Returns a button with an empty menu, which a click opens.
+QToolButton *makeMenuButton(const QString &name, const QString &text, const QString &explanation);
+
 /// Asks for a file name and calls write(path), which returns an error message if the file cannot be written.
 void chooseExport(Session *session, QWidget *parent, const QStringList &filters, const QString &name,
                   const std::function<std::optional<QString>(const QString &path)> &write);

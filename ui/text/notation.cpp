@@ -37,6 +37,14 @@ QString derivedName(DerivedQuantity quantity)
     return {};
 }
 
+/// Returns the textbook's symbol of a coordinate of the coupler's centre of mass G₃.
+QString centreSymbol(Channel channel)
+{
+    const auto index = static_cast<std::size_t>(channel.order);
+    return channel.coordinate == R3x ? std::array{"G_x", "v_Gx", "a_Gx"}[index]
+                                     : std::array{"G_y", "v_Gy", "a_Gy"}[index];
+}
+
 } // namespace
 
 double crankSpeedFactor(CrankSpeedUnit unit)
@@ -107,7 +115,9 @@ QString lengthText(double length, int digits)
 QString symbolOf(const OutputChannel &channel)
 {
     if (const Channel *coordinate = std::get_if<Channel>(&channel)) {
-        return symbolText(*coordinate);
+        const bool isCentre = coordinate->coordinate == R3x || coordinate->coordinate == R3y;
+        return isCentre && notation().symbols == Symbols::Textbook ? centreSymbol(*coordinate)
+                                                                   : symbolText(*coordinate);
     }
     const auto &[quantity, order] = std::get<DerivedChannel>(channel);
     const auto index = static_cast<std::size_t>(order);

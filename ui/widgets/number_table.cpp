@@ -2,9 +2,9 @@
 #include "ui/widgets/number_table.h"
 
 #include "ui/text/record.h"
-#include "ui/text/subscripts.h"
 #include "ui/text/theme.h"
 #include "ui/text/written_number.h"
+#include "ui/widgets/formula.h"
 #include "ui/widgets/named.h"
 
 #include <QApplication>
@@ -15,7 +15,6 @@
 #include <QPainter>
 #include <QScopedValueRollback>
 #include <QStandardItemModel>
-#include <QStyledItemDelegate>
 
 #include <algorithm>
 #include <cmath>
@@ -37,14 +36,6 @@ QJsonValue csvValue(const TableColumn &column, const TableCell &cell)
 int alignmentOf(const TableColumn &column)
 {
     return static_cast<int>((column.isNumber ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
-}
-
-void drawFormula(QPainter &painter, const QRect &box, Qt::Alignment alignment, const QString &formula)
-{
-    const QStaticText text = withSubscripts(formula, painter.font());
-    const QSize size = text.size().toSize();
-    painter.setClipRect(box);
-    painter.drawStaticText(QStyle::alignedRect(Qt::LeftToRight, alignment, size, box).topLeft(), text);
 }
 
 /// Headings with subscripts.
@@ -75,29 +66,6 @@ protected:
         painter->setPen(option.palette.color(QPalette::ButtonText));
         const int margin = style()->pixelMetric(QStyle::PM_HeaderMargin, &option, this);
         drawFormula(*painter, box.adjusted(margin, 0, -margin, 0), option.textAlignment, title);
-        painter->restore();
-    }
-};
-
-/// Cells with subscripts.
-class FormulaDelegate : public QStyledItemDelegate
-{
-public:
-    using QStyledItemDelegate::QStyledItemDelegate;
-
-    void paint(QPainter *painter, const QStyleOptionViewItem &given, const QModelIndex &index) const override
-    {
-        QStyleOptionViewItem option = given;
-        initStyleOption(&option, index);
-        const QString formula = std::exchange(option.text, {});
-        const QStyle *style = option.widget->style();
-        style->drawControl(QStyle::CE_ItemViewItem, &option, painter, option.widget);
-        const int margin = style->pixelMetric(QStyle::PM_FocusFrameHMargin, &option, option.widget) + 1;
-        const bool isSelected = option.state.testFlag(QStyle::State_Selected);
-        painter->save();
-        painter->setFont(option.font);
-        painter->setPen(option.palette.color(isSelected ? QPalette::HighlightedText : QPalette::Text));
-        drawFormula(*painter, option.rect.adjusted(margin, 0, -margin, 0), option.displayAlignment, formula);
         painter->restore();
     }
 };

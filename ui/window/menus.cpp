@@ -204,7 +204,7 @@ void Menus::addNotation(QMenu *menu)
             group->actions()[static_cast<qsizetype>(member(chosen))]->setChecked(true);
         });
     };
-    addGroup.operator()<Symbols>({tr("&Absolute coordinates (θ³ at A, Rₓ⁴)"), tr("&Textbook (θ₃ at B, x_B)")},
+    addGroup.operator()<Symbols>({tr("&Absolute coordinates (θ³ measured at A)"), tr("&Textbook (θ₃ measured at B)")},
                                  [](Notation &shown) -> Symbols & { return shown.symbols; });
     menu->addSeparator();
     addGroup.operator()<AngleUnit>({tr("&Degrees"), tr("&Radians")},
