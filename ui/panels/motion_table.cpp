@@ -107,7 +107,7 @@ std::vector<TableColumn> motionTableColumns(const MotionTableSettings &settings)
     const QString angle = shownUnit(Measure::Angle);
     std::vector<TableColumn> columns{
         {"t [s]", MotionTable::tr("Time; without one, the crank is not there within the time range"), "time [s]"},
-        {titled("θ₂", angle), MotionTable::tr("Crank angle, from 0 to 360°"),
+        {titled("θ₂", angle), MotionTable::tr("Crank angle"),
          "theta2 [" + QString::fromUtf8(asciiUnit(Measure::Angle, notation().units)) + ']'}};
     for (const OutputChannel &channel : settings.columns) {
         const QString unit = QString::fromUtf8(asciiUnit(measureOf(channel), notation().units));
@@ -124,7 +124,7 @@ TableRow motionTableRow(const MotionTableSettings &settings, const Mechanism &me
     row.time = place.time;
     row.cells.push_back(place.time ? tableNumber(*place.time) : TableCell{.text = dash()});
     row.cells.back().tone = place.time ? Tone::Link : Tone::Normal;
-    row.cells.push_back(tableNumber(shownCrankAngle(place.theta2)));
+    row.cells.push_back(tableNumber(shownValue(Measure::Angle, place.theta2, notation().units)));
     for (const OutputChannel &channel : settings.columns) {
         const double value = withoutNoise(state.valueOf(channel), channel, mechanism, settings.alpha2);
         row.cells.push_back(tableNumber(shownChannel(channel, mechanism.branch(), value)));

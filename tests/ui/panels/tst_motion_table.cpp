@@ -125,6 +125,15 @@ private slots:
         QCOMPARE(tablePlaces(settings, Mechanism(), {}).size(), std::size_t(kMaxTableRows));
     }
 
+    /// As in the drawing and in the box of the timeline.
+    void theCrankAngleIsNotReducedToARevolution()
+    {
+        for (const double degrees : {-30.0, 360.0, 4321.0}) {
+            const TableRow row = motionTableRow({}, Mechanism(), {degrees / kDegreesPerRadian, 0.0});
+            QVERIFY(std::abs(*row.cells[1].number - degrees) < 1e-12 * std::abs(degrees));
+        }
+    }
+
     void showsRoundingNoiseAsZero()
     {
         MotionTableSettings settings;
