@@ -21,7 +21,7 @@ class QPainter;
 namespace slidercrank
 {
 
-/// The parts at which the user can point. The first values are those of MechanismPart.
+/// The parts at which the user can point.
 enum class DrawnPart {
     Background,
     Ground,
@@ -32,7 +32,6 @@ enum class DrawnPart {
     A,
     B,
     Guide, ///< the slider's line
-    Drive, ///< not drawn
     G3,
     OuterDeadCentre,
     InnerDeadCentre,

@@ -108,8 +108,7 @@ QStringList partLines(const MechanismScene &scene, DrawnPart part)
     const MotionLimits &limits = scene.result->limits;
     using enum DrawnPart;
     switch (part) {
-    case Background:
-    case Drive: return {};
+    case Background: return {};
     case Ground:
     case O2: return QStringList(MechanismText::tr("O₂, the fixed pivot of the crank")) + crankLines(scene);
     case A:

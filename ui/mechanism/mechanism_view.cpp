@@ -53,6 +53,23 @@ QLabel *makeNote(QWidget *parent)
     return note;
 }
 
+DrawnPart drawnPart(MechanismPart part)
+{
+    switch (part) {
+    case MechanismPart::None: return DrawnPart::Background;
+    case MechanismPart::Ground: return DrawnPart::Ground;
+    case MechanismPart::Crank:
+    case MechanismPart::Drive: return DrawnPart::Crank; // the drive is not drawn
+    case MechanismPart::Coupler: return DrawnPart::Coupler;
+    case MechanismPart::Slider: return DrawnPart::Slider;
+    case MechanismPart::Pivot: return DrawnPart::O2;
+    case MechanismPart::PinA: return DrawnPart::A;
+    case MechanismPart::PinB: return DrawnPart::B;
+    case MechanismPart::Guide: return DrawnPart::Guide;
+    }
+    return DrawnPart::Background;
+}
+
 } // namespace
 
 MechanismView::MechanismView(QWidget *parent)
@@ -232,8 +249,7 @@ void MechanismView::setMarked(const ReferencePose &marked)
 
 void MechanismView::highlight(MechanismPart part)
 {
-    static_assert(static_cast<int>(DrawnPart::Drive) == static_cast<int>(MechanismPart::Drive));
-    m_highlighted = part == MechanismPart::Drive ? DrawnPart::Crank : static_cast<DrawnPart>(part);
+    m_highlighted = drawnPart(part);
     update();
 }
 

@@ -18,6 +18,7 @@
 #include <QScreen>
 #include <QScrollArea>
 #include <QSignalBlocker>
+#include <QVariant>
 
 #include <algorithm>
 #include <utility>
@@ -28,21 +29,17 @@ namespace slidercrank
 namespace
 {
 
-/// Entries in the list of meanings store a role and, for ColumnRole::Channel, the channel in one number.
-constexpr int kChannels = 100; // larger than the number of channels
+/// What an entry in the list of meanings stores.
+struct ColumnMeaning {
+    ColumnRole role = ColumnRole::Ignored;
+    Channel channel = {}; ///< if the role is Channel
 
-int meaningOf(ColumnRole role, Channel channel = {})
-{
-    return kChannels * static_cast<int>(role) + (role == ColumnRole::Channel ? static_cast<int>(indexOf(channel)) : 0);
-}
+    friend bool operator==(const ColumnMeaning &, const ColumnMeaning &) = default;
+};
 
-/// Returns the choice for an entry, without its column and unit.
-ColumnChoice choiceOf(int meaning)
+QVariant meaningOf(ColumnRole role, Channel channel = {})
 {
-    ColumnChoice choice;
-    choice.role = static_cast<ColumnRole>(meaning / kChannels);
-    choice.channel = channelAt(static_cast<std::size_t>(meaning % kChannels));
-    return choice;
+    return QVariant::fromValue(ColumnMeaning{role, role == ColumnRole::Channel ? channel : Channel()});
 }
 
 void fillMeanings(QComboBox &combo)
@@ -57,8 +54,11 @@ void fillMeanings(QComboBox &combo)
         for (const Coordinate coordinate : coordinates) {
             for (const Order order : {Order::Position, Order::Velocity, Order::Acceleration}) {
                 const Channel channel{coordinate, order};
-                combo.addItem(QStringLiteral("%1  %2  (%3)")
-                                  .arg(quantityName(channel), absoluteSymbolText(channel), columnName(channel)),
+                const QString symbol = absoluteSymbolText(channel);
+                const QString name = symbol.contains(u'_') // a list cannot show this subscript
+                                         ? quantityName(channel)
+                                         : quantityName(channel) + "  " + symbol;
+                combo.addItem(QStringLiteral("%1  (%2)").arg(name, columnName(channel)),
                               meaningOf(ColumnRole::Channel, channel));
             }
         }
@@ -209,10 +209,8 @@ void ColumnMapping::addRow(QGridLayout *grid, int line, std::size_t column)
 
 ColumnChoice ColumnMapping::choiceIn(std::size_t row) const
 {
-    ColumnChoice choice = choiceOf(m_rows[row].meaning->currentData().toInt());
-    choice.column = row;
-    choice.unit = m_rows[row].unit->currentData().toString().toStdString();
-    return choice;
+    const auto meaning = m_rows[row].meaning->currentData().value<ColumnMeaning>();
+    return {row, meaning.role, meaning.channel, m_rows[row].unit->currentData().toString().toStdString()};
 }
 
 std::vector<ColumnChoice> ColumnMapping::choices() const

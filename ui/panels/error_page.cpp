@@ -34,10 +34,12 @@ struct ErrorPage {
 public:
     static VerdictLook lookOf(Verdict verdict)
     {
-        const VerdictLook looks[] = {{"✓", tr("agrees"), Tone::Good}, // in the order of Verdict
-                                     {"≈", tr("close"), Tone::Fair},
-                                     {"✗", tr("differs"), Tone::Bad}};
-        return looks[static_cast<std::size_t>(verdict)];
+        switch (verdict) {
+        case Verdict::Agrees: return {"✓", tr("agrees"), Tone::Good};
+        case Verdict::Close: return {"≈", tr("close"), Tone::Fair};
+        case Verdict::Differs: break;
+        }
+        return {"✗", tr("differs"), Tone::Bad};
     }
 
     static Verdict worstVerdict(const std::vector<ChannelComparison> &comparison)

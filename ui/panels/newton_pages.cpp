@@ -49,17 +49,19 @@ bool isAngle(Constraint row)
 
 QString partName(MechanismPart part)
 {
-    const QString names[] = {{}, // in the order of MechanismPart
-                             NewtonPages::tr("ground"),
-                             NewtonPages::tr("crank"),
-                             NewtonPages::tr("coupler"),
-                             NewtonPages::tr("slider"),
-                             NewtonPages::tr("pivot O₂"),
-                             NewtonPages::tr("pin A"),
-                             NewtonPages::tr("pin B"),
-                             NewtonPages::tr("guide"),
-                             NewtonPages::tr("drive")};
-    return names[static_cast<std::size_t>(part)];
+    switch (part) {
+    case MechanismPart::None: break;
+    case MechanismPart::Ground: return NewtonPages::tr("ground");
+    case MechanismPart::Crank: return NewtonPages::tr("crank");
+    case MechanismPart::Coupler: return NewtonPages::tr("coupler");
+    case MechanismPart::Slider: return NewtonPages::tr("slider");
+    case MechanismPart::Pivot: return NewtonPages::tr("pivot O₂");
+    case MechanismPart::PinA: return NewtonPages::tr("pin A");
+    case MechanismPart::PinB: return NewtonPages::tr("pin B");
+    case MechanismPart::Guide: return NewtonPages::tr("guide");
+    case MechanismPart::Drive: return NewtonPages::tr("drive");
+    }
+    return {};
 }
 
 QString constraintName(Constraint row)
