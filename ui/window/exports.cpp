@@ -133,12 +133,17 @@ void Exports::chooseData()
             writeData(path, filter == plotted ? plottedChannels() : allChannels());
             return;
         }
-        bool isChosen = false;
-        const double step = QInputDialog::getDouble(
-            m_window, tr("Export data"), tr("Step of the crank angle, in degrees:"), 5.0, 0.01, 180.0, 2, &isChosen);
-        if (isChosen) {
-            writeData(path, plottedChannels(), step);
-        }
+        auto *question = new QInputDialog(m_window);
+        question->setAttribute(Qt::WA_DeleteOnClose);
+        question->setWindowTitle(tr("Export data"));
+        question->setLabelText(tr("Step of the crank angle, in degrees:"));
+        question->setInputMode(QInputDialog::DoubleInput);
+        question->setDoubleDecimals(2);
+        question->setDoubleRange(0.01, 180.0);
+        question->setDoubleValue(5.0);
+        connect(question, &QInputDialog::doubleValueSelected, this,
+                [this, path](double step) { writeData(path, plottedChannels(), step); });
+        question->open();
     };
     chooseFileToSave(m_window,
                      {tr("Export data"), {plotted, tr("All 36 channels (*.csv)"), byAngle}, tr("motion"), write});
