@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/import/cells.h"
 
+#include "core/import/read_double.h"
 #include "core/import/unit_text.h"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 
 namespace slidercrank
@@ -30,13 +30,13 @@ CellNumber parsePlain(std::string_view text)
     const char *const end = text.data() + text.size();
     double value = 0.0;
     double exponent = 0.0;
-    std::from_chars_result parsed = std::from_chars(text.data(), end, value, std::chars_format::fixed);
+    auto parsed = readFixed(text.data(), end, value);
     const std::string_view digits(text.data(), parsed.ptr); // with sign and point
     if (!digits.empty() && parsed.ptr != end) {
         const std::string_view power = text.substr(digits.size() + 1);
-        std::from_chars(power.data() + (power.starts_with('+') ? 1 : 0), end, exponent);
+        readDouble(power.data() + (power.starts_with('+') ? 1 : 0), end, exponent);
         value = 0.0; // not changed by a number that is too small
-        parsed = std::from_chars(text.data(), end, value);
+        parsed = readDouble(text.data(), end, value);
     }
     if (parsed.ptr != end || parsed.ec == std::errc::invalid_argument || !std::isfinite(value)) {
         number.fault = RowFault::NotANumber;

@@ -2,6 +2,7 @@
 #include "core/import/quantity.h"
 
 #include "core/import/cells.h"
+#include "core/import/read_double.h"
 #include "core/import/unit_text.h"
 
 #include <algorithm>
@@ -28,7 +29,7 @@ double withoutRoundingError(double value)
     std::array<char, 32> text{};
     const auto written =
         std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, kMostDigits);
-    std::from_chars(text.data(), written.ptr, value);
+    readDouble(text.data(), written.ptr, value);
     return value;
 }
 
