@@ -8,6 +8,7 @@
 #include "core/import/unit_text.h"
 #include "core/mechanism/mechanism.h"
 #include "ui/document/scene.h"
+#include "ui/text/enum_words.h"
 
 #include <QCommandLineParser>
 #include <QString>
@@ -52,20 +53,25 @@ public:
                   double smallest = -kLargestParameter, double largest = kLargestParameter) const;
     int integer(const char *name, int defaultValue, int smallest, int largest) const;
 
-    /// The value of an option that the option table describes as "open|crossed": the enumerator whose number is the
-    /// position of the given word.
+    /// The enumerator whose word is given. Throws if the word is none of the enumeration.
     template <typename Enum>
     Enum choice(const char *name, Enum defaultValue) const
     {
-        return has(name) ? static_cast<Enum>(indexAmong(QString(find(name)->value).split('|'), text(name), name))
-                         : defaultValue;
+        if (!has(name)) {
+            return defaultValue;
+        }
+        const qsizetype row = indexAmong(wordsOf<Enum>(), text(name), name);
+        return EnumWords<Enum>::rows[static_cast<std::size_t>(row)].key;
     }
 
-    /// The same as the word itself.
+    /// The given word. Throws if the option table, "text|csv|json", does not contain it.
     QString word(const char *name, const QString &defaultWord) const
     {
-        choice(name, 0); // throws if the word is not among those of the option
-        return has(name) ? text(name) : defaultWord;
+        if (!has(name)) {
+            return defaultWord;
+        }
+        indexAmong(QString(find(name)->value).split('|'), text(name), name);
+        return text(name);
     }
 
     /// Throws if any of these options was given. %1 in the message becomes the name of the option.

@@ -2,6 +2,7 @@
 #include "app/option_table.h"
 
 #include "app/commands.h"
+#include "app/option_words.h"
 
 #include <QCoreApplication>
 #include <QString>
@@ -94,7 +95,7 @@ public:
           {kWithMechanism, "c", "MM", QT_TR_NOOP("offset of the slider's line from O₂ (25)")},
           {kWithMechanism, "omega2", "RAD_PER_S", QT_TR_NOOP("crank speed, constant (2π)")},
           {kWithMechanism, "theta20", "ANGLE", QT_TR_NOOP("crank angle at t = 0, with its unit: 30deg or 0.5rad (0)")},
-          {kWithMechanism, "branch", "open|crossed",
+          {kWithMechanism, "branch", kJoinedWords<Branch>.data(),
            QT_TR_NOOP("assembly: the slider to the right or to the left of A (open)")},
           {kWithMechanism, "scene", "FILE",
            QT_TR_NOOP("read all settings from a scene that the window saved; options override them")}}},
@@ -121,13 +122,13 @@ public:
            QT_TR_NOOP("with --at-angle: compute the crank speed at which a first derivative has this value, and report "
                       "it: R4_x_diff=8m/s")}}},
         {QT_TR_NOOP("Method"),
-         {{"solve compare render", "method", "newton|closed-form",
+         {{"solve compare render", "method", kJoinedWords<Method>.data(),
            QT_TR_NOOP("how the motion is computed (closed-form)")},
           {"solve compare render", "max-iterations", "N",
            QT_TR_NOOP("maximum iterations of Newton-Raphson per time step (10)")},
           {"solve compare render", "tolerance", "T",
            QT_TR_NOOP("residual ‖C‖ at which Newton-Raphson stops; 0: when it no longer decreases (1e-8)")},
-          {"solve compare render", "tolerance-kind", "absolute|relative",
+          {"solve compare render", "tolerance-kind", kJoinedWords<ToleranceKind>.data(),
            QT_TR_NOOP("absolute: ‖C‖ in mm and rad; relative: lengths divided by a + b + |c| (absolute)")}}},
         {QT_TR_NOOP("Files"),
          {{"compare identify", "join", nullptr,
@@ -147,10 +148,14 @@ public:
            QT_TR_NOOP(
                "all, or names separated by commas: theta3,R4_x_diff (all); also transmission_angle, displacement "
                "(from the outer dead centre), A_x and A_y, with _diff and _diff2")},
-          {"solve limits", "angle-unit", "deg|rad", QT_TR_NOOP("unit of the angles in the output (deg)")},
-          {"solve limits", "length-unit", "mm|cm|m|in", QT_TR_NOOP("unit of the lengths in the output (mm)")},
-          {"check", "angle-unit", "deg|rad", QT_TR_NOOP("unit of angles that are written without one (deg)")},
-          {"check", "length-unit", "mm|cm|m|in", QT_TR_NOOP("unit of lengths that are written without one (mm)")},
+          {"solve limits", "angle-unit", kJoinedWords<AngleUnit>.data(),
+           QT_TR_NOOP("unit of the angles in the output (deg)")},
+          {"solve limits", "length-unit", kJoinedWords<LengthUnit>.data(),
+           QT_TR_NOOP("unit of the lengths in the output (mm)")},
+          {"check", "angle-unit", kJoinedWords<AngleUnit>.data(),
+           QT_TR_NOOP("unit of angles that are written without one (deg)")},
+          {"check", "length-unit", kJoinedWords<LengthUnit>.data(),
+           QT_TR_NOOP("unit of lengths that are written without one (mm)")},
           {"solve", "format", "csv|json", QT_TR_NOOP("output format (csv)")},
           {"check identify", "format", "text|json", QT_TR_NOOP("output format (text)")},
           {"limits compare study", "format", "text|csv|json", QT_TR_NOOP("output format (text)")},
@@ -168,7 +173,7 @@ public:
                "a=0.05,b=0.1,c=0.05: how much each limit may decrease and increase if the lengths deviate by this "
                "much (mm)")},
           {"compare", "fail-on-difference", nullptr, QT_TR_NOOP("exit with status 1 if a channel differs")},
-          {"study", "cases", "nominal|hard|all",
+          {"study", "cases", kJoinedWords<CaseChoice>.data(),
            QT_TR_NOOP("the mechanism of the options, the hard cases (after the mechanism, if one is given), or ten "
                       "ordinary and the hard cases (nominal)")},
           {"render", "what", "WHAT",
@@ -186,7 +191,7 @@ public:
            QT_TR_NOOP("the plots of the figure, separated by commas: channels, error_position, error_velocity, "
                       "error_acceleration (all)")},
           {"render", "no-cursor", nullptr, QT_TR_NOOP("do not write the values at the time of --at in the plots")},
-          {"render", "paper", "a4|letter", QT_TR_NOOP("paper of a report (a4)")},
+          {"render", "paper", kJoinedWords<PaperSize>.data(), QT_TR_NOOP("paper of a report (a4)")},
           {"render", "theme", "light|dark", QT_TR_NOOP("colours (light)")},
           {"render", "speed", "FACTOR",
            QT_TR_NOOP("for frames (30 per second): seconds of motion per second of playback (1)")},

@@ -5,6 +5,7 @@
 #include "core/study/study.h"
 #include "app/answer.h"
 #include "app/commands.h"
+#include "app/option_words.h"
 #include "ui/panels/study_page.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/study_text.h"
@@ -72,8 +73,6 @@ QString studyReport(const StudyResult &result)
                                   "Machine: %1. Time: %2 s.\n")
                       .arg(machineText(), numberText(result.seconds, 3));
 }
-
-enum class CaseChoice { Nominal, Hard, All };
 
 std::vector<Case> readCases(const OptionReader &options, const Mechanism &mechanism)
 {

@@ -8,6 +8,7 @@
 // gives the same JSON again.
 
 #include "core/mechanism/channel.h"
+#include "ui/text/enum_words.h"
 #include "ui/text/interval.h"
 
 #include <QJsonArray>
@@ -18,22 +19,21 @@
 
 #include <algorithm>
 #include <functional>
-#include <initializer_list>
+#include <iterator>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 namespace slidercrank
 {
-
-/// Names of the enumerators in files, in the order of the enumerators.
-using EnumNames = std::initializer_list<const char *>;
 
 /// A JSON value that is read or written.
 struct JsonNode {
     bool isReading = false;
     QJsonValue value = {};
 
-    /// Writes `standard` and returns it; or returns the value that is read, and `standard` if its type is another one.
+    /// When writing, stores `standard` and returns it. When reading, returns the stored value, or `standard` if the
+    /// type does not match.
     QJsonValue exchange(const QJsonValue &standard);
 
     /// Describes a field of an object by fill(JsonNode &).
@@ -43,12 +43,6 @@ struct JsonNode {
     void operator()(const char *name, Value &member, const Limits &...limits)
     {
         field(name, [&](JsonNode &node) { describe(member, node, limits...); });
-    }
-
-    template <typename Enum>
-    void operator()(const char *name, Enum &member, EnumNames names)
-    {
-        operator()<Enum, EnumNames>(name, member, names);
     }
 };
 
@@ -64,12 +58,15 @@ void describe(QRectF &rectangle, JsonNode &node);  ///< a list of its left, top,
 bool isValid(const Interval &interval);
 bool isValid(const QRectF &rectangle);
 
+/// An enumerator as its word.
 template <typename Enum>
-void describe(Enum &value, JsonNode &node, EnumNames names)
+requires std::is_enum_v<Enum>
+void describe(Enum &value, JsonNode &node)
 {
-    const QString name = node.exchange(QLatin1String(names.begin()[static_cast<std::size_t>(value)])).toString();
-    const auto match = std::find(names.begin(), names.end(), name);
-    value = match == names.end() ? value : static_cast<Enum>(match - names.begin());
+    const auto &rows = EnumWords<Enum>::rows;
+    const QString word = node.exchange(QLatin1String(rowOf(rows, value).word)).toString();
+    const auto row = std::ranges::find(rows, word, [](const EnumWord<Enum> &each) { return QString(each.word); });
+    value = row == std::end(rows) ? value : row->key;
 }
 
 /// A value that may be missing or null.

@@ -9,6 +9,19 @@
 namespace slidercrank
 {
 
+template <>
+struct EnumWords<ErrorMeasure> {
+    static constexpr EnumWord<ErrorMeasure> rows[] = {
+        {ErrorMeasure::Percent, "percent"}, {ErrorMeasure::Absolute, "absolute"}, {ErrorMeasure::OfPeak, "of-peak"}};
+    static_assert(isCompleteTable(rows, ErrorMeasure::OfPeak));
+};
+
+template <>
+struct EnumWords<Abscissa> {
+    static constexpr EnumWord<Abscissa> rows[] = {{Abscissa::Time, "time"}, {Abscissa::CrankAngle, "crank-angle"}};
+    static_assert(isCompleteTable(rows, Abscissa::CrankAngle));
+};
+
 namespace
 {
 
@@ -18,24 +31,26 @@ constexpr int kMostSteps = 1'000'000;
 constexpr int kMostIterations = 1000;
 constexpr int kMostColumns = 1'000'000;
 
-/// Names of the roles other than ColumnRole::Channel, in the order of ColumnRole.
-constexpr std::array kRoles{"ignored", "time", "crank-angle"};
+/// The roles of columns that contain no channel.
+constexpr EnumWord<ColumnRole> kRoles[] = {
+    {ColumnRole::Ignored, "ignored"}, {ColumnRole::Time, "time"}, {ColumnRole::CrankAngle, "crank-angle"}};
+static_assert(isCompleteTable(kRoles, ColumnRole::CrankAngle));
 
 } // namespace
 
 QString meaningName(ColumnRole role, Channel channel)
 {
-    return role == ColumnRole::Channel ? QString::fromUtf8(nameOf(channel))
-                                       : QLatin1String(kRoles[static_cast<std::size_t>(role)]);
+    return role == ColumnRole::Channel ? QString::fromUtf8(nameOf(channel)) : QLatin1String(rowOf(kRoles, role).word);
 }
 
 bool readMeaning(const QString &name, ColumnRole &role, Channel &channel)
 {
     const std::optional<Channel> named = channelNamed(name.toStdString());
-    const auto found = std::ranges::find(kRoles, name.toStdString());
-    role = static_cast<ColumnRole>(found - kRoles.begin()); // ColumnRole::Channel follows the roles that have names
+    const auto wordOfRow = [](const EnumWord<ColumnRole> &row) { return QString(row.word); };
+    const auto found = std::ranges::find(kRoles, name, wordOfRow);
+    role = found == std::end(kRoles) ? ColumnRole::Channel : found->key;
     channel = named.value_or(Channel());
-    return named || found != kRoles.end();
+    return named || found != std::end(kRoles);
 }
 
 void describe(Parameters &parameters, JsonNode &node)
@@ -45,7 +60,7 @@ void describe(Parameters &parameters, JsonNode &node)
     node("c", parameters.c);
     node("omega2", parameters.omega2);
     node("theta20", parameters.theta20);
-    node("branch", parameters.branch, {"open", "crossed"});
+    node("branch", parameters.branch);
 }
 
 void describe(Sampling &sampling, JsonNode &node)
@@ -58,12 +73,12 @@ void describe(Sampling &sampling, JsonNode &node)
 void describe(SolverSettings &solver, JsonNode &node)
 {
     NewtonOptions &newton = solver.newton;
-    node("method", solver.method, {"newton", "closed-form"});
+    node("method", solver.method);
     node("maxIterations", newton.maxIterations, kMostIterations);
     node("tolerance", newton.tolerance, 0.0, DBL_MAX);
-    node("toleranceKind", newton.toleranceKind, {"absolute", "relative"});
-    node("warmStart", newton.warmStart, {"previous", "taylor"});
-    node("elimination", newton.elimination, {"dense", "structured"});
+    node("toleranceKind", newton.toleranceKind);
+    node("warmStart", newton.warmStart);
+    node("elimination", newton.elimination);
 }
 
 void describe(ColumnChoice &choice, JsonNode &node)
@@ -89,7 +104,9 @@ void describe(Convention &convention, JsonNode &node)
     convention.kind = conventionNamed(kind).value_or(convention.kind);
     node("channels", convention.channels);
     convention.channels.resize(convention.kind == Kind::SwappedColumns ? 2 : convention.channels.size());
-    node("amount", convention.amount, convention.kind <= Kind::TimeUnit ? kLeastPositive : -kLargestParameter);
+    const bool changesUnit =
+        convention.kind == Kind::AngleUnit || convention.kind == Kind::LengthUnit || convention.kind == Kind::TimeUnit;
+    node("amount", convention.amount, changesUnit ? kLeastPositive : -kLargestParameter);
 }
 
 void describe(ReferenceSource &source, JsonNode &node)
@@ -107,10 +124,10 @@ bool isValid(const ReferenceSource &source)
 
 void describe(PlotSettings &plots, JsonNode &node)
 {
-    node("error", plots.error, {"percent", "absolute", "of-peak"});
+    node("error", plots.error);
     node("logarithmicError", plots.logarithmicError);
     node("roundingBand", plots.roundingBand);
-    node("abscissa", plots.abscissa, {"time", "crank-angle"});
+    node("abscissa", plots.abscissa);
 }
 
 void describe(PlotZoom &zoom, JsonNode &node)

@@ -136,17 +136,19 @@ ChartContent residualChart(std::vector<ChartSeries> series, const NewtonOptions 
 
 QString statusSentence(Status status, const NewtonOptions &options)
 {
-    const QString sentences[] = {
-        // in the order of Status
-        {},
-        NewtonPages::tr("The coupler is perpendicular to the slider's line: the position exists, velocity and "
-                        "acceleration do not, because the Jacobian is singular."),
-        NewtonPages::tr("Newton-Raphson did not converge within %1 iterations: allow more iterations or a larger "
-                        "tolerance.")
-            .arg(QString::number(options.maxIterations)),
-        NewtonPages::tr("The mechanism cannot be assembled: the coupler is too short."),
-        NewtonPages::tr("The result exceeds the range of floating-point numbers.")};
-    return sentences[static_cast<std::size_t>(status)];
+    switch (status) {
+    case Status::Solved: break;
+    case Status::Singular:
+        return NewtonPages::tr("The coupler is perpendicular to the slider's line: the position exists, velocity and "
+                               "acceleration do not, because the Jacobian is singular.");
+    case Status::IterationLimit:
+        return NewtonPages::tr("Newton-Raphson did not converge within %1 iterations: allow more iterations or a "
+                               "larger tolerance.")
+            .arg(QString::number(options.maxIterations));
+    case Status::NotAssemblable: return NewtonPages::tr("The mechanism cannot be assembled: the coupler is too short.");
+    case Status::NotFinite: return NewtonPages::tr("The result exceeds the range of floating-point numbers.");
+    }
+    return {};
 }
 
 Page NewtonPages::equations(const Result &result, double time)

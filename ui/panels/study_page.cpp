@@ -36,23 +36,32 @@ public:
     {
         const QString taylor =
             tr("The same, started from position, velocity and acceleration of the time step before (Taylor series)");
-        const MethodText texts[] = {
-            // in the order of MethodName::Kind
-            {tr("Newton-Raphson, dense"),
-             tr("The textbook's method: 12 equations solved together (dense LU), started from the time step before"),
-             Tone::Fair, &SeriesColours::reference},
-            {tr("dense, Taylor start"), taylor, Tone::Fair, &SeriesColours::reference, true},
-            {tr("Newton-Raphson, structured"), tr("The same 12 equations, solved joint by joint"), Tone::Model,
-             &SeriesColours::model},
-            {tr("structured, Taylor start"), taylor, Tone::Model, &SeriesColours::model, true},
-            {tr("closed form"), tr("The exact formulas, one time step after the other"), Tone::Good,
-             &SeriesColours::errorOther},
-            {tr("closed form, batch"), tr("The exact formulas for several time steps at once (vector instructions)"),
-             Tone::Good, &SeriesColours::errorOther, true},
-            {tr("finite differences"), tr("Velocity and acceleration as central differences of exact positions"),
-             Tone::Bad, &SeriesColours::error},
-            {tr("Fourier series"), tr("The motion as a Fourier series"), Tone::Bad, &SeriesColours::error, true}};
-        return texts[static_cast<std::size_t>(kind)];
+        switch (kind) {
+            using enum MethodName::Kind;
+        case NewtonDense:
+            return {tr("Newton-Raphson, dense"),
+                    tr("The textbook's method: 12 equations solved together (dense LU), started from the time step "
+                       "before"),
+                    Tone::Fair, &SeriesColours::reference};
+        case NewtonDenseTaylor: return {tr("dense, Taylor start"), taylor, Tone::Fair, &SeriesColours::reference, true};
+        case NewtonStructured:
+            return {tr("Newton-Raphson, structured"), tr("The same 12 equations, solved joint by joint"), Tone::Model,
+                    &SeriesColours::model};
+        case NewtonStructuredTaylor:
+            return {tr("structured, Taylor start"), taylor, Tone::Model, &SeriesColours::model, true};
+        case ClosedForm:
+            return {tr("closed form"), tr("The exact formulas, one time step after the other"), Tone::Good,
+                    &SeriesColours::errorOther};
+        case ClosedFormBatch:
+            return {tr("closed form, batch"),
+                    tr("The exact formulas for several time steps at once (vector instructions)"), Tone::Good,
+                    &SeriesColours::errorOther, true};
+        case FiniteDifference:
+            return {tr("finite differences"), tr("Velocity and acceleration as central differences of exact positions"),
+                    Tone::Bad, &SeriesColours::error};
+        case Harmonics: break;
+        }
+        return {tr("Fourier series"), tr("The motion as a Fourier series"), Tone::Bad, &SeriesColours::error, true};
     }
 
     static QString nameOfRow(const MethodResult &row)
@@ -65,9 +74,14 @@ public:
 
     static QString statusText(Status status)
     {
-        const QString texts[] = {tr("solved"), tr("singular"), tr("not converged"), tr("cannot be assembled"),
-                                 tr("not finite")}; // in the order of Status
-        return texts[static_cast<std::size_t>(status)];
+        switch (status) {
+        case Status::Solved: return tr("solved");
+        case Status::Singular: return tr("singular");
+        case Status::IterationLimit: return tr("not converged");
+        case Status::NotAssemblable: return tr("cannot be assembled");
+        case Status::NotFinite: break;
+        }
+        return tr("not finite");
     }
 
     /// "solved", or "190 solved, 11 singular".

@@ -52,9 +52,12 @@ QString withFile(const QString &text, const FileLayout &layout, std::size_t file
 
 QString differenceText(Difference difference)
 {
-    const QString texts[] = {ColumnText::tr("forward differences"), ColumnText::tr("backward differences"),
-                             ColumnText::tr("central differences")}; // in the order of Difference
-    return texts[static_cast<std::size_t>(difference)];
+    switch (difference) {
+    case Difference::Forward: return ColumnText::tr("forward differences");
+    case Difference::Backward: return ColumnText::tr("backward differences");
+    case Difference::Central: break;
+    }
+    return ColumnText::tr("central differences");
 }
 
 } // namespace

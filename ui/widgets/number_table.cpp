@@ -92,14 +92,16 @@ QByteArray csvText(const std::vector<TableColumn> &columns, const std::vector<Ta
 QColor toneColour(Tone tone, const QPalette &palette)
 {
     const SeriesColours colours = seriesColours(palette);
-    const QColor all[] = {palette.color(QPalette::Text), // in the order of Tone
-                          palette.color(QPalette::PlaceholderText),
-                          palette.color(QPalette::Link),
-                          colours.model,
-                          colours.errorOther,
-                          colours.reference,
-                          colours.warning};
-    return all[static_cast<std::size_t>(tone)];
+    switch (tone) {
+    case Tone::Normal: break;
+    case Tone::Muted: return palette.color(QPalette::PlaceholderText);
+    case Tone::Link: return palette.color(QPalette::Link);
+    case Tone::Model: return colours.model;
+    case Tone::Good: return colours.errorOther;
+    case Tone::Fair: return colours.reference;
+    case Tone::Bad: return colours.warning;
+    }
+    return palette.color(QPalette::Text);
 }
 
 NumberTable::NumberTable(const QString &name, const QString &title, std::vector<TableColumn> columns)
