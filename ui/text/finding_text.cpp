@@ -199,7 +199,7 @@ QString measuredText(double value, double standardError, double scale)
     constexpr double kArithmetic = 1e-13; // relative to the scale: smaller errors are rounding errors
     if (!(standardError > kArithmetic * scale) || std::isinf(standardError)) {
         constexpr int kDigitsAlone = 9;
-        return numberText(value, kDigitsAlone);
+        return numberText(std::abs(value) > kArithmetic * scale ? value : 0.0, kDigitsAlone);
     }
     // Power of ten of the error, rounded to one digit: 0 for 0.96, which is rounded to 1.
     const int place = exponentOf(standardError / 0.95);

@@ -116,6 +116,7 @@ private slots:
             {2.0000004e-8, 1.1e-14, 1e-7, "2.000000·10⁻⁸ ± 10⁻¹⁴"},
             {20.0, std::numeric_limits<double>::quiet_NaN(), 100.0, "20"},
             {20.000000000000004, 1e-15, 100.0, "20"}, // only rounding of the computation
+            {6.8e-14, 1e-15, 100.0, "0"},
         };
         for (const auto &[value, error, scale, text] : rows) {
             QCOMPARE(measuredText(value, error, scale), QString::fromUtf8(text));
