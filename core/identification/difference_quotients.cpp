@@ -45,13 +45,13 @@ bool isDifferenceOf(const Stencil &stencil, const Values &abscissa, const Observ
                     const ObservedColumn &lower)
 {
     constexpr double kMinFraction = 0.8; // of the rows; the first and the last may be computed in another way
-    constexpr double kSharp = 0.05;      // of the range: a larger rounding of the quotients would prove nothing
+    constexpr double kMaxBound = 0.05;   // of the range: a larger rounding of the quotients would prove nothing
     const Quotients quotients = quotientsOf(stencil, abscissa, lower);
     const Values values = column.values.segment(1, quotients.values.size());
     const Values products = finite(quotients.values * values);
     const double factor = products.sum() / (products != 0.0).select(quotients.values.square(), 0.0).sum();
     const Values bounds = column.halfSteps.segment(1, values.size()) + std::abs(factor) * quotients.bounds;
-    const auto agree = (values - factor * quotients.values).abs() <= bounds && bounds < kSharp * column.range;
+    const auto agree = (values - factor * quotients.values).abs() <= bounds && bounds < kMaxBound * column.range;
     const auto agreeOnMotion = agree && values.abs() > bounds; // zeros prove nothing
     return agree.cast<double>().mean() > kMinFraction && agreeOnMotion.cast<double>().mean() > 0.5 * kMinFraction;
 }
@@ -73,22 +73,22 @@ bool containsDifferences(const Observations &observations, const ObservedColumn 
 bool isInterpolatedOrHeld(const Observations &observations, const ObservedColumn &column)
 {
     constexpr double kMinFraction = 0.45; // of the rows: nearly one of two
-    constexpr double kCurved = 3.0;       // bounds of rounding, median of the curvature of the other rows
+    constexpr double kMinCurvature = 3.0; // bounds of rounding, median of the curvature of the other rows
     const Quotients curvature = quotientsOf(kSecondDifference, observations.abscissa(), column);
     const Index rows = curvature.values.size();
     const auto isRepeated = column.values.segment(1, rows) == column.values.head(rows);
     const Eigen::ArrayX<bool> isStraight = curvature.values.abs() <= curvature.bounds || isRepeated;
     const Values others = isStraight.select(kNone, curvature.values.abs() / curvature.bounds);
-    return isStraight.cast<double>().mean() > kMinFraction && median(others) > kCurved;
+    return isStraight.cast<double>().mean() > kMinFraction && median(others) > kMinCurvature;
 }
 
 } // namespace
 
 Observations withComputedColumnsMarked(Observations observations)
 {
-    constexpr Index kFewestRows = 3;
+    constexpr Index kMinRows = 3;
     for (ObservedColumn &column : observations.columns) {
-        if (observations.size() >= kFewestRows && column.range > 0.0) {
+        if (observations.size() >= kMinRows && column.range > 0.0) {
             column.isDifference = containsDifferences(observations, column);
             column.isInterpolated = isInterpolatedOrHeld(observations, column);
         }

@@ -28,9 +28,9 @@ struct Polynomial {
 /// Fits a polynomial with some terms to the angles of the crank. `halfStep`: of the rounding of the angles, rad.
 Polynomial fitPolynomial(const Observations &observations, const Values &angles, double halfStep, Index terms)
 {
-    constexpr double kLargestError = 2.5; // bounds: an encoder truncates
-    constexpr double kArithmetic = 1e-9;  // rad: angles with all digits of a double
-    constexpr double kLargestNoise = 0.1; // rad
+    constexpr double kMaxBounds = 2.5;   // of the largest error: an encoder truncates
+    constexpr double kArithmetic = 1e-9; // rad: angles with all digits of a double
+    constexpr double kMaxNoise = 0.1;    // rad
     const double half = 0.5 * observations.span();
     Eigen::MatrixXd basis(angles.size(), terms);
     Eigen::ArrayXd scale(terms); // of the coefficients
@@ -48,8 +48,8 @@ Polynomial fitPolynomial(const Observations &observations, const Values &angles,
     return {.coefficients = coefficients.array() * scale,
             .standardErrors = (variance * inverse.diagonal().array()).sqrt() * scale,
             .isWithinRounding =
-                percentWithin >= static_cast<double>(kPercentWithinBound) && errors.maxCoeff() < kLargestError * bound,
-            .isWithinNoise = changeSignLikeNoise(residuals) && errors.maxCoeff() < kLargestNoise};
+                percentWithin >= static_cast<double>(kPercentWithinBound) && errors.maxCoeff() < kMaxBounds * bound,
+            .isWithinNoise = changeSignLikeNoise(residuals) && errors.maxCoeff() < kMaxNoise};
 }
 
 } // namespace

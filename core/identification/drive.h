@@ -18,6 +18,9 @@ struct Drive {
     };
     Kind kind = Kind::OverTime;
 
+    /// Whether the speed changes.
+    bool isUneven() const { return kind == Kind::RunUp || kind == Kind::Uneven; }
+
     // Constant, RunUp: the polynomial of θ2 over the time of the observations.
     double theta20 = kNone; ///< rad
     double omega2 = kNone;  ///< rad/s

@@ -2,6 +2,7 @@
 #include "core/identification/fit.h"
 
 #include "core/identification/minimizer.h"
+#include "core/identification/noise.h"
 
 #include <Eigen/Dense>
 #include <unsupported/Eigen/AutoDiff>
@@ -63,7 +64,7 @@ bool addRow(std::vector<ColumnSums> &sums, const Model &model, const Observation
         const auto [byA, byB, byC, byAngle] = std::array{prediction.derivatives()[0], prediction.derivatives()[1],
                                                          prediction.derivatives()[2], prediction.derivatives()[3]};
         double bySpeed = byAngle * angleBySpeed;
-        if (column.channel.order != Order::Position) { // it has the power of the speed as a factor
+        if (column.isDerivative()) { // it has the power of the speed as a factor
             const double order = static_cast<double>(column.channel.order);
             bySpeed += order * std::pow(speed, order - 1.0) * motion.valueAt(column.channel).value();
         }
@@ -204,6 +205,15 @@ double dependence(const Fit &fit)
         largest = std::max(largest, 0.5 * fit.counts[k] / runs);
     }
     return largest;
+}
+
+bool isNoise(const Fit &fit)
+{
+    bool isNoise = true;
+    for (Index k = 0; k < fit.residuals.cols(); ++k) {
+        isNoise = isNoise && changeSignLikeNoise(fit.residuals.col(k));
+    }
+    return isNoise;
 }
 
 Eigen::MatrixXd covarianceOf(const Fit &fit)

@@ -11,6 +11,7 @@
 // Its gradient is that of a weighted sum of squares with the weights 1 / (RSS/n + mean of step²/12), and so are its
 // second derivatives, nearly.
 
+#include "core/comparison/comparison.h"
 #include "core/identification/model.h"
 
 #include <array>
@@ -60,6 +61,12 @@ struct Fit {
     bool uses(Index column) const;
     bool changes(Unknown unknown) const;
     double valueCount() const; ///< of all columns
+
+    /// How the mechanism was fitted. `values` is that of one column, because one column may determine all unknowns.
+    FittedMechanism fittedMechanism() const
+    {
+        return {.unknowns = unknowns.size(), .values = valueCount() / static_cast<double>(columns.size())};
+    }
 };
 
 /// Computes residuals and misfit of a model without changing it.
@@ -71,6 +78,9 @@ Fit refined(const Observations &observations, Model start, Indices columns, Unkn
 /// How many times fewer independent residuals there are than residuals: 1 for noise, whose sign changes in every second
 /// row; more for systematic residuals, which keep their sign for some rows. The largest of all columns counts.
 double dependence(const Fit &fit);
+
+/// Whether the residuals of every column change their sign like independent errors.
+bool isNoise(const Fit &fit);
 
 /// The covariance matrix of the unknowns; very large variances for unknowns that the columns do not determine.
 Eigen::MatrixXd covarianceOf(const Fit &fit);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/freedoms.h"
 
-#include "core/identification/noise.h"
 #include "core/identification/rounding_test.h"
 
 #include "core/mechanism/turn.h"
@@ -21,7 +20,7 @@ double usualValue(const Observations &observations, Model model, Unknown unknown
 {
     double halfTurn = std::numbers::pi;
     if (unknown.kind == Unknown::Kind::Origin) {
-        if (!isAngle(observations.columns[unknown.column].channel.coordinate)) {
+        if (!observations.columns[unknown.column].containsAngles()) {
             return 0.0;
         }
         halfTurn *= model.readings[unknown.column].factor;
@@ -70,10 +69,10 @@ bool isBelowRounding(const Observations &observations, const Fit &fit, Unknown u
 /// Whether the residuals without a freedom are small compared with the ranges of the columns.
 bool hasSmallResiduals(const Observations &observations, const Fit &fit)
 {
-    constexpr double kSmall = 0.5 * kLargestResidual;
+    constexpr double kMaxFraction = 0.5 * kLargestResidual;
     bool isSmall = fit.isFinite();
     for (Index k = 0; isSmall && k < fit.residuals.cols(); ++k) {
-        isSmall = fit.rms[k] < kSmall * observations.columns[fit.columns[k]].range;
+        isSmall = fit.rms[k] < kMaxFraction * observations.columns[fit.columns[k]].range;
     }
     return isSmall;
 }
@@ -81,20 +80,12 @@ bool hasSmallResiduals(const Observations &observations, const Fit &fit)
 /// Whether an origin is so near to its usual value that a filter may have shifted the curve that much.
 bool isSmallOrigin(const Observations &observations, Model model, Unknown unknown, double usual)
 {
-    constexpr double kSmallFraction = 0.02; // of the range of the column
-    constexpr double kSmallAngle = std::numbers::pi / 180.0;
+    constexpr double kMaxOriginFraction = 0.02; // of the range of the column
+    constexpr double kMaxAngle = std::numbers::pi / 180.0;
     const double change = std::abs(valueOf(model, unknown) - usual);
-    return change < (unknown.kind == Unknown::Kind::Origin ? kSmallFraction * observations.columns[unknown.column].range
-                                                           : kSmallAngle);
-}
-
-bool isNoise(const Fit &fit)
-{
-    bool isNoise = true;
-    for (Index k = 0; k < fit.residuals.cols(); ++k) {
-        isNoise = isNoise && changeSignLikeNoise(fit.residuals.col(k));
-    }
-    return isNoise;
+    return change < (unknown.kind == Unknown::Kind::Origin
+                         ? kMaxOriginFraction * observations.columns[unknown.column].range
+                         : kMaxAngle);
 }
 
 /// Where sin θ3 ≈ θ3, another unit of θ3 looks like another length of the coupler. Returns the fit with θ3 in its usual
@@ -104,7 +95,7 @@ Fit withUsualUnits(const Observations &observations, Fit fit)
     const Indices columns = fit.columns;
     for (const Index k : columns) {
         const double unit = std::abs(fit.model.readings[k].factor);
-        if (!isAngle(observations.columns[k].channel.coordinate) || unit == 1.0) {
+        if (!observations.columns[k].containsAngles() || unit == 1.0) {
             continue;
         }
         for (const double offsetScale : {1.0, 1.0 / unit}) { // of a horizontal coupler, and of a slanted one
@@ -163,7 +154,7 @@ bool isUnproven(const Observations &observations, const Fit &with, const Fit &wi
 ConstrainedFit withoutFreedoms(const Observations &observations, Fit fit, bool isInterpolated,
                                const ParameterErrors &shifts)
 {
-    constexpr double kDoubt = 4.0; // of the misfit: an origin two standard errors away
+    constexpr double kMinEvidence = 4.0; // growth of the misfit for an origin two standard errors away
     ConstrainedFit result{.fit = withUsualSign(observations, withUsualUnits(observations, std::move(fit))),
                           .shifts = shifts};
     Unknowns freedoms;
@@ -180,7 +171,7 @@ ConstrainedFit withoutFreedoms(const Observations &observations, Fit fit, bool i
         if (!isExplained && !isUnproven(observations, result.fit, next, freedom, value, isInterpolated)) {
             continue;
         }
-        const bool isDoubtful = !isExplained && next.misfit - result.fit.misfit > kDoubt;
+        const bool isDoubtful = !isExplained && next.misfit - result.fit.misfit > kMinEvidence;
         for (const Unknown unknown : next.unknowns) {
             if (unknown.isParameter() && isDoubtful) {
                 double &shift = result.shifts[parameterIndex(unknown)];

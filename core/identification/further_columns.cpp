@@ -21,20 +21,19 @@ using Reason = LeftOutColumn::Reason;
 /// The usual factor, ±1 or a unit conversion, that is nearest to the one with which the prediction fits a column.
 double usualFactor(const Observations &observations, const Fit &fit, Index k, bool areExact)
 {
-    const Channel channel = observations.columns[k].channel;
-    const ColumnScale scale = scaleOf(observations, fit, fit.model, k, areExact);
-    const double sign = signOfCoordinate(observations, fit, channel.coordinate) * std::copysign(1.0, scale.factor);
-    if (channel == kSliderLine) {
-        return 1.0; // a constant has no scale of its own, and zeros have no sign
+    const ObservedColumn &column = observations.columns[k];
+    const Coordinate coordinate = column.channel.coordinate;
+    const double sign = signOfCoordinate(observations, fit, coordinate);
+    if (column.channel == kSliderLine) {
+        return 1.0; // another sign is another c
     }
-    if (observations.columns[k].range == 0.0 && channel.coordinate != Theta2) {
-        return signOfCoordinate(observations, fit, channel.coordinate);
+    if (column.range == 0.0 && coordinate != Theta2) {
+        return sign; // zeros have neither sign nor scale
     }
-    if (channel.coordinate == Theta2) {
-        return sign;
-    }
-    const auto mismatch = [&](double unit) { return std::abs(std::log(std::abs(scale.factor) / unit)); };
-    return sign * std::ranges::min(unitFactors(channel), {}, mismatch);
+    const double wanted = scaleOf(observations, fit, fit.model, k, areExact).factor;
+    const auto mismatch = [&](double unit) { return std::abs(std::log(std::abs(wanted) / unit)); };
+    const double unit = coordinate == Theta2 ? 1.0 : std::ranges::min(unitFactors(column.channel), {}, mismatch);
+    return sign * std::copysign(unit, wanted);
 }
 
 /// The origin with which the prediction fits a column of positions best: 0 if the column is one of derivatives.
@@ -42,14 +41,7 @@ double bestOrigin(const Observations &observations, const Fit &fit, Index k, dou
 {
     const ObservedColumn &column = observations.columns[k];
     const Values differences = column.values - factor * motionIn(fit.model, observations, {k}).col(0);
-    return column.channel.order == Order::Position ? median(differences) : 0.0;
-}
-
-/// The size with which the residuals of a column are compared: its range, or a, because R4_y has no range of its own.
-double sizeOf(const Observations &observations, const Fit &fit, Index k)
-{
-    const ObservedColumn &column = observations.columns[k];
-    return column.channel == kSliderLine ? fit.model.mechanism.a : column.range;
+    return column.isDerivative() ? 0.0 : median(differences);
 }
 
 /// Adds a column to a fit, starting from `model`. The result is not finite if the column and the others are not
@@ -63,65 +55,77 @@ Fit withColumn(const Observations &observations, const Fit &fit, const Model &mo
         return next;
     }
     const Fit others = evaluated(observations, next.model, fit.columns);
-    const bool isExplained = isWithinRounding(observations, next, std::ssize(columns) - 1) ||
-                             next.rms.back() < largestFurtherResidual(areExact) * sizeOf(observations, next, k);
+    const bool isExplained =
+        isWithinRounding(observations, next, std::ssize(columns) - 1) ||
+        next.rms.back() < largestFurtherResidual(areExact) * sizeOf(observations, next, std::ssize(columns) - 1);
     const bool spoilsOthers = others.misfit - fit.misfit > kSameMisfit && !(areExact && isExact(observations, others));
     next.misfit = isExplained && !spoilsOthers ? next.misfit : kInfinity;
     return next;
 }
 
-/// Adds a column: in its usual reading or, if it contains positions, also with the other sign, by half turns of an
-/// angle, and with an origin.
-Fit withUsualReading(const Observations &observations, const Fit &fit, Index k, bool areExact)
+/// Whether a column may be measured from a different origin.
+bool mayHaveOrigin(const ObservedColumn &column)
+{
+    return !column.isDerivative() && (column.range > 0.0 || column.channel == kSliderLine);
+}
+
+/// The readings of a column that need no origin, the simplest first: in its own unit, in another unit, and for
+/// positions with either sign and by half turns of an angle.
+std::vector<ColumnReading> simpleReadings(const Observations &observations, const Fit &fit, Index k, double factor)
 {
     const ObservedColumn &column = observations.columns[k];
-    const double factor = usualFactor(observations, fit, k, areExact);
-    std::vector<ColumnReading> readings{{factor, 0.0}};
-    if (std::abs(factor) != 1.0 && !fit.model.followsAngle) { // another unit only if it is necessary
-        readings.insert(readings.begin(), {std::copysign(1.0, factor), 0.0});
+    std::vector<ColumnReading> readings;
+    if (std::abs(factor) != 1.0 && !fit.model.followsAngle) {
+        readings.push_back({std::copysign(1.0, factor), 0.0});
     }
-    const bool isMoving = column.range > 0.0 || column.channel == kSliderLine;
-    const bool mayHaveOrigin = column.channel.order == Order::Position && isMoving;
-    if (mayHaveOrigin) {
-        for (const double sign : {1.0, -1.0}) {
-            const double origin = bestOrigin(observations, fit, k, sign * factor);
-            const double halfTurn = isAngle(column.channel.coordinate) ? std::numbers::pi : kInfinity;
-            readings.push_back(
-                {sign * factor, std::isfinite(halfTurn) ? halfTurn * std::rint(origin / halfTurn) : 0.0});
+    readings.push_back({factor, 0.0});
+    for (const double signedFactor : {factor, -factor}) {
+        if (mayHaveOrigin(column)) {
+            const double halfTurn = std::numbers::pi * signedFactor;
+            const double origin = bestOrigin(observations, fit, k, signedFactor);
+            readings.push_back({signedFactor, column.containsAngles() ? halfTurn * std::rint(origin / halfTurn) : 0.0});
         }
     }
+    return readings;
+}
+
+/// Adds a column in the simplest reading with which it is explained; not finite if there is none.
+Fit withUsualReading(const Observations &observations, const Fit &fit, Index k, bool areExact)
+{
+    const double factor = usualFactor(observations, fit, k, areExact);
     Model model = fit.model;
-    Fit next;
-    for (std::size_t i = 0; i < readings.size() && !next.isFinite(); ++i) {
-        model.readings[k] = readings[i];
-        next = withColumn(observations, fit, model, k, areExact);
+    for (const ColumnReading &reading : simpleReadings(observations, fit, k, factor)) {
+        model.readings[k] = reading;
+        if (Fit next = withColumn(observations, fit, model, k, areExact); next.isFinite()) {
+            return next;
+        }
     }
-    if (!next.isFinite() && mayHaveOrigin) {
-        model.readings[k] = {factor, bestOrigin(observations, fit, k, factor)};
-        Fit withOrigin = fit;
-        withOrigin.unknowns.push_back({Unknown::Kind::Origin, k});
-        next = withColumn(observations, withOrigin, model, k, areExact);
+    if (!mayHaveOrigin(observations.columns[k])) {
+        return {};
     }
-    return next;
+    model.readings[k] = {factor, bestOrigin(observations, fit, k, factor)};
+    Fit withOrigin = fit;
+    withOrigin.unknowns.push_back({Unknown::Kind::Origin, k});
+    return withColumn(observations, withOrigin, model, k, areExact);
 }
 
 /// Whether a slider-crank of other proportions, with the same speed, explains the column.
 bool isMotionOfOtherLengths(const Observations &observations, const Fit &fit, Index k)
 {
-    constexpr double kFewestValues = 20.0; // fewer prove nothing
+    constexpr double kMinValues = 20.0; // fewer prove nothing
     if (observations.columns[k].range == 0.0) {
         return false;
     }
-    constexpr double kSame = 3e-3; // of the proportions; a column that lags has the same ones
+    constexpr double kMinChange = 3e-3; // of b/a or c/a, relative to (b + |c|)/a; a column that lags has the same ones
     const Fit alone =
         refined(observations, fit.model, {k},
                 {{Unknown::Kind::A}, {Unknown::Kind::B}, {Unknown::Kind::C}, {Unknown::Kind::CrankAngle}});
     const auto differ = [&](double length, double other) {
         const Parameters &m = fit.model.mechanism;
         const Parameters &changed = alone.model.mechanism;
-        return std::abs(length / changed.a - other / m.a) > kSame * (m.b + std::abs(m.c)) / m.a;
+        return std::abs(length / changed.a - other / m.a) > kMinChange * (m.b + std::abs(m.c)) / m.a;
     };
-    return alone.isFinite() && alone.counts[0] >= kFewestValues && isWithinRounding(observations, alone, 0) &&
+    return alone.isFinite() && alone.counts[0] >= kMinValues && isWithinRounding(observations, alone, 0) &&
            (differ(alone.model.mechanism.b, fit.model.mechanism.b) ||
             differ(alone.model.mechanism.c, fit.model.mechanism.c));
 }
@@ -162,8 +166,7 @@ void addOrLeaveOut(FurtherColumns &result, const Observations &observations, Ind
         column.percentOfPeak = percentOfPeak(observations, result.fit, k, sign * scale.factor);
     } else {
         Fit next = withUsualReading(observations, result.fit, k, areExact);
-        const Index last = std::ssize(next.columns) - 1;
-        if (next.isFinite() && (!isDifference || isGenuine(observations, next, last))) {
+        if (next.isFinite() && (!isDifference || isGenuine(observations, next, std::ssize(next.columns) - 1))) {
             result.fit = std::move(next);
             return;
         }
@@ -183,9 +186,8 @@ FurtherColumns withFurtherColumns(const Observations &observations, const Fit &f
 {
     FurtherColumns result{.fit = drive.kind == Drive::Kind::OverTime ? withSpeedOfVelocities(observations, fit) : fit};
     const bool areExact = isExact(observations, result.fit);
-    const auto isOfAngle = [&](Index k) { return isAngle(observations.columns[k].channel.coordinate); };
     const bool canShowSpeed =
-        determineLengths(observations, fit.columns) || std::ranges::all_of(fit.columns, isOfAngle);
+        determineLengths(observations, fit.columns) || observations.containOnlyAngles(fit.columns);
     if (drive.kind == Drive::Kind::OverAngle && !fit.changes({Unknown::Kind::Omega2}) && canShowSpeed) {
         result.speeds = speedsOfTable(observations, fit, given.omega2);
         if (result.speeds.size() == 1) {
@@ -200,8 +202,7 @@ FurtherColumns withFurtherColumns(const Observations &observations, const Fit &f
             }
         }
     }
-    const auto isDerivative = [&](Index k) { return observations.columns[k].channel.order != Order::Position; };
-    if (drive.kind == Drive::Kind::OverAngle && std::ranges::none_of(result.fit.columns, isDerivative)) {
+    if (drive.kind == Drive::Kind::OverAngle && !observations.containDerivatives(result.fit.columns)) {
         std::erase(result.fit.unknowns, Unknown{Unknown::Kind::Omega2}); // no column that voted for it is used
         result.fit.model.mechanism.omega2 = given.omega2;
     }

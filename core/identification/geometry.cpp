@@ -104,7 +104,7 @@ Candidate scaledToColumns(Model model, const Observations &observations, const I
         const ObservedColumn &column = observations.columns[columns[k]];
         const double order = static_cast<double>(column.channel.order);
         const bool isTimeDerivative = order > 0.0 && candidate.model.followsAngle;
-        const bool isAnAngle = isAngle(column.channel.coordinate);
+        const bool isAnAngle = column.containsAngles();
         const ColumnOrigin origin = originOf(column.channel, origins);
         Regression best;
         if (isAnAngle && !isTimeDerivative) {
@@ -189,8 +189,8 @@ GridResult searchGrid(const Observations &observations, const Indices &columns, 
 Unknowns geometryUnknowns(const Observations &observations, const Indices &columns, bool followsAngle, Origins origins)
 {
     Unknowns unknowns{{Unknown::Kind::B}, {Unknown::Kind::C}, {Unknown::Kind::CrankAngle}};
-    const auto isPosition = [&](Index k) { return observations.columns[k].channel.order == Order::Position; };
-    const auto isLength = [&](Index k) { return !isAngle(observations.columns[k].channel.coordinate); };
+    const auto isPosition = [&](Index k) { return !observations.columns[k].isDerivative(); };
+    const auto isLength = [&](Index k) { return !observations.columns[k].containsAngles(); };
     if (std::ranges::any_of(columns, isLength)) {
         unknowns.push_back({Unknown::Kind::A});
     }
@@ -263,7 +263,7 @@ Indices shapeColumns(const Observations &observations, int skipped)
             appendLowest(columns, observations, centre, skipped);
         }
     }
-    const auto isPosition = [&](Index k) { return observations.columns[k].channel.order == Order::Position; };
+    const auto isPosition = [&](Index k) { return !observations.columns[k].isDerivative(); };
     if (observations.angle.size() > 0 && std::ranges::any_of(columns, isPosition)) {
         std::erase_if(columns, std::not_fn(isPosition));
     }
@@ -322,7 +322,7 @@ double misfitOf(const Observations &observations, const Fit &geometry, const Ind
 {
     Unknowns origins;
     for (const Index k : columns) {
-        if (observations.columns[k].channel.order == Order::Position) {
+        if (!observations.columns[k].isDerivative()) {
             origins.push_back({Unknown::Kind::Origin, k});
         }
     }

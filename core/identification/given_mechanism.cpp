@@ -48,11 +48,6 @@ void append(std::vector<ConventionFinding> &conventions, const ReferenceData &da
     }
 }
 
-} // namespace
-
-namespace
-{
-
 /// The model of `best` with the lengths of the given mechanism.
 Model modelWithGivenLengths(const Fit &best, const Parameters &given)
 {
@@ -69,6 +64,77 @@ Unknowns withoutLengths(const Fit &best)
     Unknowns unknowns = best.unknowns;
     std::erase_if(unknowns, [](Unknown unknown) { return unknown.kind <= Unknown::Kind::C; });
     return unknowns;
+}
+
+/// Changes of all columns of a file.
+struct WholeFileChange {
+    double lengthFactor = 1.0;
+    double timeFactor = 1.0;
+    bool isReversed = false; ///< angles are counted in the opposite direction
+};
+
+/// The change that brings the mechanism found nearest to the given one.
+WholeFileChange changeTowards(const Parameters &given, const Parameters &found, const ReferenceData &data)
+{
+    const auto isLength = [](const ReferenceSeries &series) { return !isAngle(series.channel.coordinate); };
+    const auto length = std::ranges::find_if(data.series, isLength);
+    const double lengthUnit = length != data.series.end() ? length->rounding.unitFactor : 1.0;
+    WholeFileChange change{.lengthFactor = nearestFactor(kLengthFactors, given.a / found.a, lengthUnit)};
+    if (!data.crank) { // a table over the crank angle shows neither
+        change.timeFactor = nearestFactor(kTimeFactors, found.omega2 / given.omega2, data.timeRounding.unitFactor);
+        change.isReversed = found.omega2 * given.omega2 < 0.0;
+    }
+    return change;
+}
+
+/// The mechanism found, if the file is changed. No conventions yet.
+WholeFileReading changedBy(const WholeFileChange &change, Parameters found, ParameterErrors standardError)
+{
+    for (const Parameter parameter : kLengths) {
+        valueOf(found, parameter) *= change.lengthFactor;
+        standardError[indexOf(parameter)] *= change.lengthFactor;
+    }
+    const double sense = change.isReversed ? -1.0 : 1.0;
+    found.c *= sense;
+    found.omega2 *= sense / change.timeFactor;
+    found.theta20 *= sense;
+    standardError[indexOf(Parameter::Omega2)] /= change.timeFactor;
+    return {.parameters = found, .standardError = standardError};
+}
+
+void appendChange(std::vector<ConventionFinding> &conventions, const WholeFileChange &change, const ReferenceData &data,
+                  Branch branch)
+{
+    if (change.lengthFactor != 1.0) {
+        append(conventions, data, Kind::LengthUnit, change.lengthFactor,
+               [](Channel channel) { return !isAngle(channel.coordinate); });
+    }
+    if (change.timeFactor != 1.0) {
+        append(conventions, data, Kind::TimeUnit, change.timeFactor,
+               [](Channel channel) { return channel.order != Order::Position; });
+    }
+    if (change.isReversed) {
+        append(conventions, data, Kind::Sign, -1.0, [](Channel channel) { return isAngle(channel.coordinate); });
+        const Channel coupler{Theta3, Order::Position}; // of the crossed assembly, it is about half a turn
+        if (branch == Branch::Crossed && data.find(coupler)) {
+            append(conventions, data, Kind::WholeTurns, kTurn * kDegreesPerRadian,
+                   [&](Channel channel) { return channel == coupler; });
+        }
+    }
+}
+
+/// Appends a late start if the crank is not at the given angle at t = 0.
+void appendLateStart(WholeFileReading &reading, const Parameters &given)
+{
+    constexpr double kSameAngle = 2e-3; // rad
+    Parameters &p = reading.parameters;
+    const double angle = std::remainder(p.theta20 - given.theta20, kTurn);
+    const double error = reading.standardError[indexOf(Parameter::Theta20)];
+    if (!(std::abs(angle) <= std::max(kSameAngle, kStandardErrors * error))) {
+        const double late = roundest(angle / given.omega2, error / std::abs(given.omega2), std::array{1.0});
+        reading.conventions.push_back({{Kind::TimeShift, {}, late}});
+        p.theta20 = std::remainder(p.theta20 - late * p.omega2, kTurn);
+    }
 }
 
 } // namespace
@@ -104,59 +170,20 @@ WholeFileReading readLikeGiven(const ReferenceData &data, const Parameters &foun
 {
     // θ2 shows the sense of rotation and the start, so that a wrong one of both would be a strange coincidence.
     const std::size_t mostConventions = data.find(kCrankAngle) ? 1 : 2;
-    const auto isLength = [](Channel channel) { return !isAngle(channel.coordinate); };
-    const auto isOfAngle = [](Channel channel) { return isAngle(channel.coordinate); };
-    const auto isDerivative = [](Channel channel) { return channel.order != Order::Position; };
-    const auto none = [](Channel) { return false; };
-    const auto length = std::ranges::find_if(data.series, isLength, &ReferenceSeries::channel);
-    const double lengthUnit = length != data.series.end() ? length->rounding.unitFactor : 1.0;
-    const double lengthFactor = nearestFactor(kLengthFactors, given.a / found.a, lengthUnit);
-    const double timeFactor =
-        data.crank ? 1.0 : nearestFactor(kTimeFactors, found.omega2 / given.omega2, data.timeRounding.unitFactor);
-    const bool isReversed = !data.crank && found.omega2 * given.omega2 < 0.0;
-    const double sense = isReversed ? -1.0 : 1.0;
-    WholeFileReading result{.parameters = found, .standardError = standardError};
-    Parameters &p = result.parameters;
-    ParameterErrors &errors = result.standardError;
-    for (const Parameter parameter : kLengths) {
-        valueOf(p, parameter) *= lengthFactor;
-        errors[indexOf(parameter)] *= lengthFactor;
+    const WholeFileReading unchanged{.parameters = found, .standardError = standardError};
+    const WholeFileChange change = changeTowards(given, found, data);
+    WholeFileReading reading = changedBy(change, found, standardError);
+    if (!areNear(reading.parameters, given, reading.standardError)) {
+        return unchanged;
     }
-    p.c *= sense;
-    p.omega2 *= sense / timeFactor;
-    p.theta20 *= sense;
-    errors[indexOf(Parameter::Omega2)] /= timeFactor;
-    if (!areNear(p, given, errors)) {
-        return {{}, found, standardError};
+    appendChange(reading.conventions, change, data, found.branch);
+    if (found.branch != given.branch) {
+        reading.conventions.push_back({{Kind::Branch, {}, 1.0}});
     }
-    std::vector<ConventionFinding> &conventions = result.conventions;
-    if (lengthFactor != 1.0) {
-        append(conventions, data, Kind::LengthUnit, lengthFactor, isLength);
+    if (!data.crank) {
+        appendLateStart(reading, given);
     }
-    if (timeFactor != 1.0) {
-        append(conventions, data, Kind::TimeUnit, timeFactor, isDerivative);
-    }
-    if (isReversed) {
-        append(conventions, data, Kind::Sign, -1.0, isOfAngle);
-        const Channel coupler{Theta3, Order::Position}; // on the crossed branch, it is about half a turn
-        if (found.branch == Branch::Crossed && data.find(coupler)) {
-            append(conventions, data, Kind::WholeTurns, kTurn * kDegreesPerRadian,
-                   [&](Channel channel) { return channel == coupler; });
-        }
-    }
-    if (p.branch != given.branch) {
-        append(conventions, data, Kind::Branch, 1.0, none);
-    }
-    constexpr double kSameAngle = 2e-3; // rad
-    const double angle = std::remainder(p.theta20 - given.theta20, kTurn);
-    const double angleError = errors[indexOf(Parameter::Theta20)];
-    if (!data.crank && !(std::abs(angle) <= std::max(kSameAngle, kStandardErrors * angleError))) {
-        const double late = roundest(angle / given.omega2, angleError / std::abs(given.omega2), std::array{1.0});
-        append(conventions, data, Kind::TimeShift, late, none);
-        p.theta20 = std::remainder(p.theta20 - late * p.omega2, kTurn);
-    }
-    const bool isAllowed = !conventions.empty() && conventions.size() <= mostConventions;
-    return isAllowed ? result : WholeFileReading{{}, found, standardError};
+    return reading.conventions.size() <= mostConventions ? reading : unchanged;
 }
 
 } // namespace slidercrank

@@ -54,22 +54,22 @@ Fit ofOneMechanism(const Observations &searched, const Fit &fit)
 
 /// The geometry of the lowest derivatives, or that of the next ones if it explains all of these columns better: a
 /// filter or a sensor may have changed the positions.
-Fit bestGeometry(const Observations &all, const Observations &searched, const Parameters &given)
+Fit bestGeometry(const Observations &wholeFile, const Observations &searched, const Parameters &given)
 {
     Indices columns = shapeColumns(searched);
-    Fit fit = ofOneMechanism(searched, findGeometry(searched, columns, speedsOf(all, columns), given));
+    Fit fit = ofOneMechanism(searched, findGeometry(searched, columns, speedsOf(wholeFile, columns), given));
     const Indices next = shapeColumns(searched, 1);
     if (next.empty() || isExact(searched, fit)) {
         return fit;
     }
-    Fit other = findGeometry(searched, next, speedsOf(all, next), given);
+    Fit other = findGeometry(searched, next, speedsOf(wholeFile, next), given);
     columns.insert(columns.end(), next.begin(), next.end());
     return misfitOf(searched, other, columns) < misfitOf(searched, fit, columns) ? other : fit;
 }
 
 /// Uses the time stamps as they were printed if these explain the columns better than evenly spaced ones: a program may
 /// have computed its values at rounded times.
-void chooseTimeStamps(Observations &all, Observations &searched, Fit &fit)
+void chooseTimeStamps(Observations &wholeFile, Observations &searched, Fit &fit)
 {
     if (searched.printedTime.size() == 0 || fit.model.followsAngle) {
         return;
@@ -80,7 +80,7 @@ void chooseTimeStamps(Observations &all, Observations &searched, Fit &fit)
     if (other.misfit < fit.misfit) {
         fit = std::move(other);
         searched = std::move(printed);
-        all.time = all.printedTime;
+        wholeFile.time = wholeFile.printedTime;
     }
 }
 
@@ -125,7 +125,7 @@ void chooseLengthUnit(Findings &findings)
     Indices lengths;
     std::ranges::copy_if(last.fit.columns, std::back_inserter(lengths), [&](Index k) {
         const ObservedColumn &column = last.observations.columns[k];
-        return !isAngle(column.channel.coordinate) && column.range > 0.0;
+        return !column.containsAngles() && column.range > 0.0;
     });
     const auto columnsWith = [&](double unit) {
         return std::ranges::count_if(lengths,
@@ -185,26 +185,27 @@ Identification identifyTable(const ReferenceData &original, const std::optional<
                              const Parameters &given, const std::stop_token &stop)
 {
     const ReferenceData data = change ? applied(*change, original) : original;
-    Observations all = withComputedColumnsMarked(observe(data, stop));
-    if (const Identification::Lack lack = findLack(data, all); lack != Identification::Lack::Nothing) {
+    Observations wholeFile = withComputedColumnsMarked(observe(data, stop));
+    if (const Identification::Lack lack = findLack(data, wholeFile); lack != Identification::Lack::Nothing) {
         return {.outcome = Identification::Outcome::Insufficient, .parameters = given, .rounded = given, .lack = lack};
     }
-    const Observations clean = withoutSpikes(all);
+    const Observations clean = withoutSpikes(wholeFile);
     Observations searched = thinned(clean, kSearchedRows);
     Fit fit = bestGeometry(clean, searched, given);
     Findings findings;
     if (!fit.isFinite()) {
         return judge(data, findings, given);
     }
-    chooseTimeStamps(all, searched, fit);
-    findings.isInterpolated = std::ranges::any_of(fit.columns, [&](Index k) { return all.columns[k].isInterpolated; });
+    chooseTimeStamps(wholeFile, searched, fit);
+    findings.isInterpolated =
+        std::ranges::any_of(fit.columns, [&](Index k) { return wholeFile.columns[k].isInterpolated; });
     ConstrainedFit constrained = withoutFreedoms(searched, std::move(fit), findings.isInterpolated);
     fit = simplestImage(searched, std::move(constrained.fit), given);
 
-    findings.drive = findDrive(all, fit.model);
+    findings.drive = findDrive(wholeFile, fit.model);
     if (findings.drive.kind == Drive::Kind::Constant) {
-        useAngleAsColumn(all, fit, findings.drive);
-        searched = thinned(withoutSpikes(all), kSearchedRows);
+        useAngleAsColumn(wholeFile, fit, findings.drive);
+        searched = thinned(withoutSpikes(wholeFile), kSearchedRows);
         fit = refined(searched, fit.model, fit.columns, fit.unknowns);
         constrained = withoutFreedoms(searched, std::move(fit), findings.isInterpolated, constrained.shifts);
         fit = std::move(constrained.fit);
@@ -214,11 +215,11 @@ Identification identifyTable(const ReferenceData &original, const std::optional<
     }
     FurtherColumns further = withFurtherColumns(searched, fit, findings.drive, given);
     findings.leftOut = std::move(further.leftOut);
-    if (data.find(kCrankAngle) && all.angle.size() == 0) { // how many turns there are between two rows is unknown
+    if (data.find(kCrankAngle) && wholeFile.angle.size() == 0) { // how many turns there are between two rows is unknown
         findings.leftOut.push_back({kCrankAngle, LeftOutColumn::Reason::OpenSpeed});
     }
     findings.speeds = std::move(further.speeds);
-    findings.lastFit = fitAllRows(std::move(all), further.fit, constrained.shifts, findings.drive);
+    findings.lastFit = fitAllRows(std::move(wholeFile), further.fit, constrained.shifts, findings.drive);
     chooseLengthUnit(findings);
     chooseImage(findings, given);
     relateLengths(findings, searched, given);

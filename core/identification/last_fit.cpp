@@ -19,16 +19,16 @@ namespace
 Indices excludeOutliers(Observations &observations, const Fit &fit)
 {
     constexpr double kDeviations = 8.0;
-    constexpr double kRoundings = 2.0;      // bounds of rounding, because the fit has errors, too
-    constexpr double kSmallFraction = 1e-4; // of the range of the column: smaller errors mislead nobody
+    constexpr double kRoundings = 2.0;         // bounds of rounding, because the fit has errors, too
+    constexpr double kHarmlessFraction = 1e-4; // of the range of the column: smaller errors mislead nobody
     constexpr double kNormal = 1.4826; // standard deviation of a normal distribution, in median absolute deviations
-    constexpr double kMaxFarOffFraction = 0.05;
+    constexpr double kMaxOutlierFraction = 0.05;
     Eigen::ArrayX<bool> isFarOff = Eigen::ArrayX<bool>::Constant(observations.size(), false);
     for (Index k = 0; k < fit.residuals.cols(); ++k) {
         const ObservedColumn &column = observations.columns[fit.columns[k]];
         const Values errors = fit.residuals.col(k).abs();
         const double deviation = std::max(kNormal * median(errors), std::sqrt(column.variance));
-        const Values bounds = (kRoundings * roundingBounds(observations, fit, k)).max(kSmallFraction * column.range);
+        const Values bounds = (kRoundings * roundingBounds(observations, fit, k)).max(kHarmlessFraction * column.range);
         isFarOff = isFarOff || (errors > kDeviations * deviation && errors > bounds);
     }
     Indices rows;
@@ -37,7 +37,7 @@ Indices excludeOutliers(Observations &observations, const Fit &fit)
             rows.push_back(row);
         }
     }
-    if (static_cast<double>(rows.size()) > kMaxFarOffFraction * static_cast<double>(isFarOff.size())) {
+    if (static_cast<double>(rows.size()) > kMaxOutlierFraction * static_cast<double>(isFarOff.size())) {
         return {};
     }
     for (ObservedColumn &column : observations.columns) {

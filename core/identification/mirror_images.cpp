@@ -81,21 +81,16 @@ std::tuple<int, int, double> effortOf(const Observations &observations, const Fi
 /// Whether two models read the file in the same way.
 bool haveSameReading(const Fit &fit, const Model &first, const Model &second)
 {
-    constexpr double kSame = 1e-6; // rad or mm
+    constexpr double kSameOrigin = 1e-6; // rad or mm: rounding errors
     bool isSame =
         !first.followsAngle || (first.angleFactor == second.angleFactor &&
-                                std::abs(wrapToPi(first.mechanism.theta20 - second.mechanism.theta20)) < kSame);
+                                std::abs(wrapToPi(first.mechanism.theta20 - second.mechanism.theta20)) < kSameOrigin);
     for (const Index k : fit.columns) {
         isSame = isSame && first.readings[k].factor == second.readings[k].factor &&
-                 std::abs(first.readings[k].origin - second.readings[k].origin) < kSame;
+                 std::abs(first.readings[k].origin - second.readings[k].origin) < kSameOrigin;
     }
     return isSame;
 }
-
-} // namespace
-
-namespace
-{
 
 /// The columns of lengths or of angles that are counted with the other sign.
 struct Reversed {
@@ -126,7 +121,7 @@ int readingCount(const Observations &observations, const Fit &fit, const Model &
             count += std::abs(column.values[0] - model.mechanism.c) > kSameOffset * model.mechanism.a ? 1 : 0;
         } else if (fit.uses(k)) {
             const bool hasOrigin = fit.changes({Unknown::Kind::Origin, k});
-            const bool isLength = !isAngle(column.channel.coordinate);
+            const bool isLength = !column.containsAngles();
             const bool isReversed = reading.factor < 0.0;
             if (isLength && hasOrigin) { // a displacement has a direction of its own
                 hasReversedDisplacement = hasReversedDisplacement || isReversed;
@@ -148,8 +143,7 @@ std::vector<Model> mirrorImagesOf(const Observations &observations, const Fit &f
     std::vector<Model> images{fit.model, mirroredInX(fit.model, observations)};
     images.push_back(mirroredInY(images[0], observations));
     images.push_back(mirroredInY(images[1], observations));
-    const auto isOfAngle = [&](Index k) { return isAngle(observations.columns[k].channel.coordinate); };
-    if (std::ranges::all_of(fit.columns, isOfAngle)) { // θ3 is the same at θ2 and at half a turn minus θ2
+    if (observations.containOnlyAngles(fit.columns)) { // θ3 is the same at θ2 and at half a turn minus θ2
         for (std::size_t i = 0; i < 4; ++i) {
             images.push_back(withReversedCrank(images[i], kHalfTurn));
         }

@@ -6,6 +6,8 @@
 #include "core/import/crank_angles.h"
 #include "core/mechanism/turn.h"
 
+#include <boost/math/tools/minima.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -92,17 +94,30 @@ Indices rowsWithValues(const ReferenceData &data)
     return rows;
 }
 
-/// The time stamps before they were rounded: multiples of one step, some of which may be missing.
-Values evenlySpaced(const Values &time)
+/// The time stamps before they were rounded: multiples of one spacing, some of which may be missing. Of all such grids,
+/// the one whose distances from the time stamps exceed half of their rounding steps least.
+Values evenlySpaced(const Values &time, const Values &halfSteps)
 {
+    constexpr int kBits = 26; // of the result; more are lost in rounding errors
     const Index pairs = time.size() - 1;
     const Values differences = time.tail(pairs) - time.head(pairs);
-    const double step = median(differences);
+    const double usual = median(differences);
     Values numbers = Values::Zero(time.size());
     for (Index i = 0; i < pairs; ++i) {
-        numbers[i + 1] = numbers[i] + std::rint(differences[i] / step);
+        numbers[i + 1] = numbers[i] + std::rint(differences[i] / usual);
     }
-    return time[0] + (time[pairs] - time[0]) / numbers[pairs] * numbers;
+    numbers /= numbers[pairs];
+    // A grid with a duration between the shortest (-1) and the longest (1) that the first and the last time stamp
+    // allow.
+    const auto grid = [&](double fraction) -> Values {
+        return (time[pairs] - time[0] + fraction * (halfSteps[0] + halfSteps[pairs])) * numbers;
+    };
+    // Its start has to be between the largest and the smallest value of these.
+    const auto earliestStart = [&](double fraction) { return (time - grid(fraction) - halfSteps).maxCoeff(); };
+    const auto latestStart = [&](double fraction) { return (time - grid(fraction) + halfSteps).minCoeff(); };
+    const auto excess = [&](double fraction) { return earliestStart(fraction) - latestStart(fraction); };
+    const double best = boost::math::tools::brent_find_minima(excess, -1.0, 1.0, kBits).first;
+    return 0.5 * (earliestStart(best) + latestStart(best)) + grid(best);
 }
 
 void observeTime(Observations &observations, const ReferenceData &data)
@@ -110,7 +125,11 @@ void observeTime(Observations &observations, const ReferenceData &data)
     const Clock clock = clockOf(data.time, data.timeRounding);
     const Indices &rows = observations.rows;
     const Values printed = Eigen::Map<const Values>(data.time.data(), std::ssize(data.time));
-    const Values time = clock.rounded ? evenlySpaced(printed) : printed;
+    Values time = printed;
+    if (clock.rounded) {
+        const auto halfStep = [&](double stamp) { return 0.5 * data.timeRounding.stepAt(stamp); };
+        time = evenlySpaced(printed, printed.unaryExpr(halfStep));
+    }
     observations.timeOrigin = 0.5 * (time[rows.front()] + time[rows.back()]);
     observations.time = time(rows) - observations.timeOrigin;
     if (clock.rounded) {
@@ -147,43 +166,44 @@ void countTurnsInGaps(Values &angle, const Values &time)
     }
 }
 
-Observations selection(const Observations &all, const Indices &rows)
+Observations selection(const Observations &observations, const Indices &rows)
 {
-    Observations some = all;
-    some.rows.resize(rows.size());
-    std::ranges::transform(rows, some.rows.begin(), [&](Index row) { return all.rows[row]; });
-    some.time = all.time.size() > 0 ? Values(all.time(rows)) : Values();
-    some.printedTime = all.printedTime.size() > 0 ? Values(all.printedTime(rows)) : Values();
-    some.angle = all.angle.size() > 0 ? Values(all.angle(rows)) : Values();
-    for (std::size_t k = 0; k < all.columns.size(); ++k) {
-        some.columns[k].values = all.columns[k].values(rows);
-        some.columns[k].halfSteps = all.columns[k].halfSteps(rows);
+    Observations selected = observations;
+    selected.rows.resize(rows.size());
+    std::ranges::transform(rows, selected.rows.begin(), [&](Index row) { return observations.rows[row]; });
+    selected.time = observations.time.size() > 0 ? Values(observations.time(rows)) : Values();
+    selected.printedTime = observations.printedTime.size() > 0 ? Values(observations.printedTime(rows)) : Values();
+    selected.angle = observations.angle.size() > 0 ? Values(observations.angle(rows)) : Values();
+    for (std::size_t k = 0; k < observations.columns.size(); ++k) {
+        selected.columns[k].values = observations.columns[k].values(rows);
+        selected.columns[k].halfSteps = observations.columns[k].halfSteps(rows);
     }
-    return some;
+    return selected;
 }
 
 } // namespace
 
 Observations observe(const ReferenceData &data, std::stop_token stop)
 {
-    Observations all;
-    all.stop = std::move(stop);
-    all.rows = rowsWithValues(data);
-    if (all.rows.empty()) {
-        return all;
+    Observations observations;
+    observations.stop = std::move(stop);
+    observations.rows = rowsWithValues(data);
+    if (observations.rows.empty()) {
+        return observations;
     }
     if (data.crank) {
         const std::vector<double> &degrees = data.crank->degrees;
-        all.angle = Eigen::Map<const Values>(degrees.data(), std::ssize(degrees))(all.rows) / kDegreesPerRadian;
-        all.angleHalfStep = 0.5 * clockOf(degrees, data.crank->rounding).step() / kDegreesPerRadian;
+        observations.angle =
+            Eigen::Map<const Values>(degrees.data(), std::ssize(degrees))(observations.rows) / kDegreesPerRadian;
+        observations.angleHalfStep = 0.5 * clockOf(degrees, data.crank->rounding).step() / kDegreesPerRadian;
     } else {
-        observeTime(all, data);
+        observeTime(observations, data);
         if (const ReferenceSeries *const crank = data.find(kCrankAngle)) {
-            const ObservedColumn column = observedColumn(data, *crank, all.rows);
+            const ObservedColumn column = observedColumn(data, *crank, observations.rows);
             if (column.values.isFinite().all() && !isSparse(column.values)) {
-                all.angleHalfStep = column.halfSteps.maxCoeff();
-                all.angle = column.values;
-                countTurnsInGaps(all.angle, all.time);
+                observations.angleHalfStep = column.halfSteps.maxCoeff();
+                observations.angle = column.values;
+                countTurnsInGaps(observations.angle, observations.time);
             }
         }
     }
@@ -191,27 +211,27 @@ Observations observe(const ReferenceData &data, std::stop_token stop)
         if (isAlwaysZero(series.channel) || series.channel == kCrankAngle) {
             continue;
         }
-        ObservedColumn column = observedColumn(data, series, all.rows);
-        judgeRange(column, all.span());
+        ObservedColumn column = observedColumn(data, series, observations.rows);
+        judgeRange(column, observations.span());
         if (column.values.isFinite().any()) {
-            all.columns.push_back(std::move(column));
+            observations.columns.push_back(std::move(column));
         }
     }
-    return all;
+    return observations;
 }
 
-Observations thinned(const Observations &all, Index count)
+Observations thinned(const Observations &observations, Index count)
 {
     constexpr double kGoldenSection = 0.6180339887498949; // its multiples are spread evenly and irregularly
-    if (all.size() <= count) {
-        return all;
+    if (observations.size() <= count) {
+        return observations;
     }
-    const double stride = static_cast<double>(all.size()) / static_cast<double>(count);
+    const double stride = static_cast<double>(observations.size()) / static_cast<double>(count);
     Indices rows;
     for (double k = 0.0; k < static_cast<double>(count); k += 1.0) {
         rows.push_back(static_cast<Index>((k + std::fmod(kGoldenSection * k, 1.0)) * stride));
     }
-    return selection(all, rows);
+    return selection(observations, rows);
 }
 
 double median(const Values &values)

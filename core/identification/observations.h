@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <stop_token>
 #include <vector>
 
@@ -33,6 +34,9 @@ struct ObservedColumn {
     // Set by withComputedColumnsMarked().
     bool isDifference = false;   ///< it contains difference quotients of a lower column
     bool isInterpolated = false; ///< it was interpolated linearly, or holds the last of fewer values
+
+    bool containsAngles() const { return isAngle(channel.coordinate); } ///< or their derivatives
+    bool isDerivative() const { return channel.order != Order::Position; }
 };
 
 struct Observations {
@@ -51,6 +55,15 @@ struct Observations {
 
     /// The distance of the first and the last row: s, or rad in a table over the crank angle.
     double span() const { return std::abs(abscissa()[size() - 1] - abscissa()[0]); }
+
+    bool containOnlyAngles(const Indices &some) const
+    {
+        return std::ranges::all_of(some, [&](Index k) { return columns[k].containsAngles(); });
+    }
+    bool containDerivatives(const Indices &some) const
+    {
+        return std::ranges::any_of(some, [&](Index k) { return columns[k].isDerivative(); });
+    }
 };
 
 /// Reads the observations from a file. Rows without any value, and columns that tell nothing about the mechanism, are

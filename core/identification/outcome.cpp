@@ -27,11 +27,12 @@ using Outcome = Identification::Outcome;
 using Lack = Identification::Lack;
 using UnknownKind = Unknown::Kind;
 
-/// Standard errors above this part leave a parameter open: c compared with the larger of a and |c|, θ20 with a radian.
-constexpr double kLargestError = 0.2;
+/// Errors above this fraction leave a parameter open: of the larger of a and |c| for c, of a radian for θ20.
+constexpr double kMaxError = 0.2;
 
-/// Even half of it leaves a open, with which all lengths are uncertain: the shape of the curve is hardly visible.
-constexpr double kLargestErrorOfCrank = 0.1;
+/// The same for a, with which all lengths are uncertain, and for all parameters if nothing but the residuals bounds
+/// their errors.
+constexpr double kMaxStrictError = 0.5 * kMaxError;
 
 ColumnResidual residualOf(const Observations &observations, const Fit &fit, Index k)
 {
@@ -45,29 +46,29 @@ ColumnResidual residualOf(const Observations &observations, const Fit &fit, Inde
             .isWithinRounding = isWithinRounding(observations, fit, k)};
 }
 
-/// Whether the crank makes so small a part of a turn that small systematic errors may hide any other mechanism.
-bool isShortArc(const Observations &observations, const Fit &fit)
+/// The largest errors of the parameters. Standard errors assume that errors of many rows cancel. Systematic errors need
+/// not: those of the size (rms) of the residuals can change a parameter by √n standard errors of n independent values.
+ParameterErrors largestErrors(const LastFit &lastFit, bool isSystematic)
 {
-    constexpr double kShort = 0.25 * kTurn;
-    const Model &model = fit.model;
-    const double angle = model.followsAngle ? std::abs(model.angleFactor) *
-                                                  (observations.angle.maxCoeff() - observations.angle.minCoeff())
-                                            : std::abs(model.mechanism.omega2) * observations.span();
-    return angle < kShort;
+    ParameterErrors errors = lastFit.standardError;
+    for (double &error : errors) {
+        error *= isSystematic ? std::sqrt(lastFit.fit.valueCount() / lastFit.dependence) : 1.0;
+    }
+    return errors;
 }
 
-/// Which unknown parameters the file leaves open.
-std::array<bool, kParameterCount> openParameters(const LastFit &lastFit, bool isSystematic)
+/// Which unknown parameters the file leaves open, with the errors `errors`.
+std::array<bool, kParameterCount> openParameters(const LastFit &lastFit, const ParameterErrors &errors,
+                                                 bool isSystematic)
 {
-    const bool areAllOpen = isSystematic && isShortArc(lastFit.observations, lastFit.fit);
     const Parameters &m = lastFit.fit.model.mechanism;
     const std::array<double, kParameterCount> sizes{m.a, m.b, std::max(m.a, std::abs(m.c)), std::abs(m.omega2), 1.0};
     std::array<bool, kParameterCount> open{};
     for (const Unknown unknown : lastFit.fit.unknowns) {
         if (unknown.isParameter()) {
             const std::size_t i = parameterIndex(unknown);
-            const double largest = unknown.kind == UnknownKind::A ? kLargestErrorOfCrank : kLargestError;
-            open[i] = areAllOpen || lastFit.standardError[i] > largest * sizes[i];
+            const bool isStrict = isSystematic || unknown.kind == UnknownKind::A;
+            open[i] = errors[i] > (isStrict ? kMaxStrictError : kMaxError) * sizes[i];
         }
     }
     return open;
@@ -77,17 +78,16 @@ std::array<bool, kParameterCount> openParameters(const LastFit &lastFit, bool is
 Lack lackOfValues(const LastFit &lastFit)
 {
     constexpr double kSpareValues = 3.0;
-    constexpr double kFewestRowsPerTurn = 4.0;
+    constexpr double kMinRowsPerTurn = 4.0;
     const Fit &fit = lastFit.fit;
     const Observations &observations = lastFit.observations;
     if (fit.valueCount() < static_cast<double>(fit.unknowns.size()) + kSpareValues) {
         return Lack::FewValues;
     }
-    const bool hasDerivative = std::ranges::any_of(
-        fit.columns, [&](Index k) { return observations.columns[k].channel.order != Order::Position; });
     const double turns = std::abs(fit.model.mechanism.omega2) * observations.span() / kTurn;
-    const bool isSparse = static_cast<double>(observations.size()) < kFewestRowsPerTurn * turns;
-    return !fit.model.followsAngle && !hasDerivative && isSparse ? Lack::FewRowsPerTurn : Lack::Nothing;
+    const bool isSparse = static_cast<double>(observations.size()) < kMinRowsPerTurn * turns;
+    return !fit.model.followsAngle && !observations.containDerivatives(fit.columns) && isSparse ? Lack::FewRowsPerTurn
+                                                                                                : Lack::Nothing;
 }
 
 /// Systematic residuals have to be smaller than noise: a curve of another kind, such as that of a four-bar linkage,
@@ -98,10 +98,7 @@ bool hasLargeResiduals(const Observations &observations, const Fit &fit)
     for (Index k = 0; k < fit.residuals.cols(); ++k) {
         const bool isNoise = changeSignLikeNoise(fit.residuals.col(k));
         const double largest = isNoise ? kLargestResidual : kSystematicFraction * kLargestResidual;
-        const ObservedColumn &column = observations.columns[fit.columns[k]];
-        const double size =
-            column.channel == kSliderLine ? fit.model.mechanism.a : column.range; // of R4_y: it is constant
-        if (fit.rms[k] > largest * size && !isWithinRounding(observations, fit, k)) {
+        if (fit.rms[k] > largest * sizeOf(observations, fit, k) && !isWithinRounding(observations, fit, k)) {
             return true;
         }
     }
@@ -140,7 +137,7 @@ AlternativeMechanism alternativeOf(const Parameters &image, const Parameters &fo
 
 std::optional<UnevenDrive> unevenDrive(const Drive &drive, const Parameters &found)
 {
-    if (drive.kind != Drive::Kind::RunUp && drive.kind != Drive::Kind::Uneven) {
+    if (!drive.isUneven()) {
         return std::nullopt;
     }
     UnevenDrive result{
@@ -152,15 +149,16 @@ std::optional<UnevenDrive> unevenDrive(const Drive &drive, const Parameters &fou
 }
 
 /// Sets what an insufficient file determines: the other parameters are those of the given mechanism.
-void setDetermined(Identification &result, const Findings &findings, const Parameters &given)
+void setDetermined(Identification &result, const Findings &findings, const ParameterErrors &errors,
+                   const Parameters &given)
 {
     const LastFit &lastFit = findings.lastFit;
     std::array<bool, kParameterCount> determined{};
     for (const Unknown unknown : lastFit.fit.unknowns) {
         if (unknown.isParameter()) {
             const std::size_t i = parameterIndex(unknown);
-            determined[i] = !result.openParameters[i] && std::isfinite(lastFit.standardError[i]);
-            result.standardError[i] = determined[i] ? lastFit.standardError[i] : kNone;
+            determined[i] = !result.openParameters[i] && std::isfinite(errors[i]);
+            result.standardError[i] = determined[i] ? errors[i] : kNone;
         }
     }
     result.parameters =
@@ -174,13 +172,11 @@ void setMechanism(Identification &result, const Findings &findings, const Parame
     const LastFit &lastFit = findings.lastFit;
     const Observations &observations = lastFit.observations;
     const Fit &fit = lastFit.fit;
-    const Drive::Kind drive = findings.drive.kind;
-    const bool isUneven = drive == Drive::Kind::RunUp || drive == Drive::Kind::Uneven;
     const bool hasLengths = determineLengths(observations, fit.columns);
-    const auto isOfAngle = [&](Index k) { return isAngle(observations.columns[k].channel.coordinate); };
-    result.onlyRatios = !hasLengths && std::ranges::all_of(fit.columns, isOfAngle);
-    result.identifiable = {hasLengths, hasLengths, hasLengths, fit.changes({UnknownKind::Omega2}) || isUneven,
-                           !fit.model.followsAngle || drive == Drive::Kind::RunUp};
+    result.onlyRatios = !hasLengths && observations.containOnlyAngles(fit.columns);
+    result.identifiable = {hasLengths, hasLengths, hasLengths,
+                           fit.changes({UnknownKind::Omega2}) || findings.drive.isUneven(),
+                           !fit.model.followsAngle || findings.drive.kind == Drive::Kind::RunUp};
     if (!result.hasSystematicResiduals) {
         result.standardError = lastFit.standardError;
     }
@@ -240,17 +236,16 @@ void removeCancellingTurns(std::vector<ConventionFinding> &conventions)
 
 Identification::Lack findLack(const ReferenceData &data, const Observations &observations)
 {
-    constexpr Index kFewestRows = 4;
-    if (observations.size() >= kFewestRows && !shapeColumns(observations).empty()) {
+    constexpr Index kMinRows = 4;
+    if (observations.size() >= kMinRows && !shapeColumns(observations).empty()) {
         return Lack::Nothing;
     }
-    const bool hasRows = std::ssize(data.time) >= kFewestRows && observations.size() >= kFewestRows;
+    const bool hasRows = std::ssize(data.time) >= kMinRows && observations.size() >= kMinRows;
     return hasRows ? Lack::NothingMoves : Lack::FewValues;
 }
 
 Identification judge(const ReferenceData &data, const Findings &findings, const Parameters &given)
 {
-    constexpr double kSmooth = 3.0; // dependence of residuals that bound no error
     const LastFit &lastFit = findings.lastFit;
     const Observations &observations = lastFit.observations;
     const Fit &fit = lastFit.fit;
@@ -266,8 +261,9 @@ Identification judge(const ReferenceData &data, const Findings &findings, const 
     result.conditionNumber = conditionNumber(fit);
     const bool hasSlantedLine =
         std::ranges::find(findings.leftOut, kSliderLine, &LeftOutColumn::channel) != findings.leftOut.end();
-    const bool isSystematic = !lastFit.isExact && (lastFit.dependence > kSmooth || findings.isInterpolated);
-    const auto open = openParameters(lastFit, isSystematic);
+    const bool isSystematic = !lastFit.isExact && (findings.isInterpolated || !isNoise(fit));
+    const ParameterErrors errors = largestErrors(lastFit, isSystematic);
+    const auto open = openParameters(lastFit, errors, isSystematic);
     result.lack = lackOfValues(lastFit);
     if (result.lack == Lack::Nothing && (hasSlantedLine || hasLargeResiduals(observations, fit))) {
         result.misfit = hasSlantedLine ? Identification::Misfit::SliderLine : Identification::Misfit::LargeResiduals;
@@ -280,7 +276,7 @@ Identification judge(const ReferenceData &data, const Findings &findings, const 
     if (result.lack != Lack::Nothing) {
         result.outcome = Outcome::Insufficient;
         if (result.lack == Lack::OpenParameters) {
-            setDetermined(result, findings, given);
+            setDetermined(result, findings, errors, given);
         }
         return result;
     }
@@ -319,7 +315,7 @@ void addConventions(Identification &result, const ReferenceData &data, const std
     }
     measureConventions(result.conventions, result.parameters, used, drive);
     const ReferenceData read = allApplied(result.conventions, used);
-    const FittedMechanism fitted{.unknowns = fit.unknowns.size(), .values = fit.valueCount()};
+    const FittedMechanism fitted = fit.fittedMechanism();
     const auto agrees = [](const ChannelComparison &channel) { return channel.verdict == Verdict::Agrees; };
     result.channels = compareRead(result.parameters, read, drive, fitted, stop);
     if (!std::ranges::all_of(result.channels, agrees)) { // a constant column agrees only with the exact c

@@ -27,13 +27,18 @@ Values roundingBounds(const Observations &observations, const Fit &fit, Index k)
     return kTies * column.halfSteps + motion;
 }
 
+double sizeOf(const Observations &observations, const Fit &fit, Index k)
+{
+    const ObservedColumn &column = observations.columns[fit.columns[k]];
+    return column.channel == kSliderLine ? fit.model.mechanism.a : column.range;
+}
+
 bool isWithinRounding(const Observations &observations, const Fit &fit, Index k)
 {
     const ObservedColumn &column = observations.columns[fit.columns[k]];
-    const FittedMechanism fitted{.unknowns = fit.unknowns.size(), .values = fit.valueCount()};
     Values bound = roundingBounds(observations, fit, k);
     // The fit of rounded values is no worse than the values with the largest step.
-    bound += (bound + (column.halfSteps.maxCoeff() - column.halfSteps)).min(fitted.errorOf(fit.rms[k]));
+    bound += (bound + (column.halfSteps.maxCoeff() - column.halfSteps)).min(fit.fittedMechanism().errorOf(fit.rms[k]));
     const Values errors = finite(fit.residuals.col(k)).abs();
     const double within = fit.counts[k] - static_cast<double>((errors > bound).count());
     return 100.0 * within >= static_cast<double>(kPercentWithinBound) * fit.counts[k] &&

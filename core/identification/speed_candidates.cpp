@@ -78,8 +78,8 @@ double coverage(const Observations &observations)
 std::vector<double> possibleTurns(int crossings, double coverage, Index rows)
 {
     constexpr double kSpacing = 0.1; // a tenth of the width of a minimum of the periodogram
-    constexpr double kFewest = 0.7;
-    constexpr double kCutOff = 1.0;       // turns at the ends of the file that have no crossing
+    constexpr double kMinTurns = 0.7;
+    constexpr double kUncounted = 1.0;    // turns at the ends of the file that have no crossing
     constexpr double kMiscounted = 0.005; // of the crossings
     constexpr int kMaxPairsPerTurn = 5;   // of crossings; accelerations have several
     constexpr double kManyPairs = 25.0;   // of crossings: with these, the count excludes other speeds
@@ -88,15 +88,16 @@ std::vector<double> possibleTurns(int crossings, double coverage, Index rows)
     const double pairs = 0.5 * crossings;
     const bool isSparse = static_cast<double>(rows) < kRowsPerPair * pairs;
     const bool isCounted = pairs >= kManyPairs && coverage >= kFullCoverage && !isSparse;
-    const double most = isSparse ? 0.5 * static_cast<double>(rows) : pairs / coverage + kCutOff;
-    std::vector<double> all;
-    for (double turns = std::max(pairs / kMaxPairsPerTurn - kCutOff, kFewest); turns <= most; turns += kSpacing) {
+    const double maxTurns = isSparse ? 0.5 * static_cast<double>(rows) : pairs / coverage + kUncounted;
+    std::vector<double> possible;
+    for (double turns = std::max(pairs / kMaxPairsPerTurn - kUncounted, kMinTurns); turns <= maxTurns;
+         turns += kSpacing) {
         const double pairsPerTurn = std::max(1.0, std::rint(pairs / turns));
-        if (!isCounted || std::abs(pairs / pairsPerTurn - turns) <= kCutOff + kMiscounted * pairs) {
-            all.push_back(turns);
+        if (!isCounted || std::abs(pairs / pairsPerTurn - turns) <= kUncounted + kMiscounted * pairs) {
+            possible.push_back(turns);
         }
     }
-    return all;
+    return possible;
 }
 
 } // namespace
@@ -110,15 +111,15 @@ std::vector<double> findSpeedCandidates(const Observations &observations, const 
     constexpr double kMinTurnsOfArc = 0.05; // a shorter arc has no recognizable shape
     constexpr double kRatio = 1.3;          // of two speeds; a fit bridges half of it
     const double speedOfOneTurn = kTurn / observations.span();
-    int most = 0;
+    int maxCrossings = 0;
     for (const Index column : columns) {
-        most = std::max(most, crossings(observations.columns[column]));
+        maxCrossings = std::max(maxCrossings, crossings(observations.columns[column]));
     }
-    const Observations few = thinned(observations, kRows);
+    const Observations selected = thinned(observations, kRows);
     std::vector<std::pair<double, double>> trials; // misfit and speed
-    for (const double turns : possibleTurns(most, coverage(observations), observations.size())) {
-        if (!few.stop.stop_requested()) {
-            trials.emplace_back(periodogram(few, columns, turns * speedOfOneTurn), turns * speedOfOneTurn);
+    for (const double turns : possibleTurns(maxCrossings, coverage(observations), observations.size())) {
+        if (!selected.stop.stop_requested()) {
+            trials.emplace_back(periodogram(selected, columns, turns * speedOfOneTurn), turns * speedOfOneTurn);
         }
     }
     std::vector<std::pair<double, double>> minima;
@@ -132,7 +133,8 @@ std::vector<double> findSpeedCandidates(const Observations &observations, const 
     for (std::size_t i = 0; i < std::min(kCandidates, minima.size()); ++i) {
         speeds.push_back(minima[i].second);
     }
-    for (double turns = kMaxTurnsOfArc; most <= kCrossingsOfOneTurn && turns > kMinTurnsOfArc; turns /= kRatio) {
+    for (double turns = kMaxTurnsOfArc; maxCrossings <= kCrossingsOfOneTurn && turns > kMinTurnsOfArc;
+         turns /= kRatio) {
         speeds.push_back(turns * speedOfOneTurn);
     }
     return speeds;

@@ -45,7 +45,7 @@ std::vector<Vote> votesOf(const Observations &observations, const Fit &fit)
         }
         const bool isVelocity = column.channel.order == Order::Velocity;
         for (const double unit : unitFactors(column.channel)) {
-            if (unit == 1.0 || isAngle(column.channel.coordinate)) {
+            if (unit == 1.0 || column.containsAngles()) {
                 const double speed = isVelocity ? scale.factor / unit : std::sqrt(std::abs(scale.factor) / unit);
                 votes.push_back({k, speed, isVelocity, unit != 1.0 && column.statesUnit});
             }

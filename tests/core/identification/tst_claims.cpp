@@ -22,7 +22,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <iterator>
 #include <variant>
 #include <vector>
 
@@ -68,28 +67,6 @@ void save(const ClaimKind &kind, int number, const std::string &text)
     if (!directory.isEmpty() && QDir().mkpath(directory) && file.open(QIODevice::WriteOnly)) {
         file.write(text.data(), static_cast<qint64>(text.size()));
     }
-}
-
-/// An open fault of the identification: of some files of a kind, it claims something false. Each is to be mended, and
-/// then removed here.
-struct OpenFault {
-    const char *kind;
-    int percent; ///< of the files, at most
-    const char *claim;
-};
-constexpr OpenFault kOpenFaults[]{
-    {"error with half the period", 20, "c is off by more than 5 %: a systematic error of 0.3 % hides it"},
-    {"speed swings", 10, "a motion with few rows per turn and an unsteady crank is taken for one with noise"},
-    {"constants and whole numbers", 10, "c is beside the constant of R4_y by 1e-5 mm"},
-    {"time stamps with four decimals", 10, "a genuine acceleration is taken for finite differences"},
-};
-
-/// Returns how many of some files of a kind may be claimed falsely.
-int knownFalseClaims(const ClaimKind &kind, int files)
-{
-    const auto *fault =
-        std::ranges::find_if(kOpenFaults, [&](const OpenFault &each) { return kind.name == each.kind; });
-    return fault == std::end(kOpenFaults) ? 0 : (fault->percent * files + 99) / 100;
 }
 
 struct Totals {
@@ -155,14 +132,11 @@ private slots:
         std::printf("%-54s ident appro insuf  none | false deter  miss\n", "kind");
         for (const ClaimKind &kind : claimKinds()) {
             if (kind.isFault == isFault && kind.name.find(wanted) != std::string::npos) {
-                const int files = runs(10, isFault ? 200 : 500);
-                Totals ofKind = runKind(kind, files);
-                ofKind.falseClaims = std::max(0, ofKind.falseClaims - knownFalseClaims(kind, files));
-                totals += ofKind;
+                totals += runKind(kind, runs(10, isFault ? 200 : 500));
             }
         }
-        std::printf("%d false claims beside those of open faults, %d missed of %d that determine their mechanism\n",
-                    totals.falseClaims, totals.missed, totals.determined);
+        std::printf("%d false claims, %d missed of %d that determine their mechanism\n", totals.falseClaims,
+                    totals.missed, totals.determined);
         QCOMPARE(totals.falseClaims, 0);
         const int parts = isFault ? 20 : 50;
         QVERIFY2(kIsMemoryCheck || parts * totals.missed <= totals.determined,
