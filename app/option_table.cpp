@@ -98,7 +98,8 @@ public:
           {kWithMechanism, "branch", kJoinedWords<Branch>.data(),
            QT_TR_NOOP("assembly: the slider to the right or to the left of A (open)")},
           {kWithMechanism, "scene", "FILE",
-           QT_TR_NOOP("read all settings from a scene that the window saved; options override them")}}},
+           QT_TR_NOOP(
+               "read all settings from a scene that the window saved, or from a copied link; options override them")}}},
         {QT_TR_NOOP("Time steps"),
          {{"solve render", "steps", "N", QT_TR_NOOP("number of equal steps; N + 1 rows, both ends included (200)")},
           {"solve render", "duration", "SECONDS", QT_TR_NOOP("time span (1)")},

@@ -6,6 +6,7 @@
 #include "app/console.h"
 #include "app/option_reader.h"
 #include "app/output.h"
+#include "ui/document/scene_link.h"
 #include "ui/document/whole_file.h"
 #include "ui/window/main_window.h"
 
@@ -36,7 +37,8 @@ ExitStatus resetSettings(const Streams &streams)
         CommandLine::tr("Removed: layout, recent files, language, theme, meanings of columns.").toUtf8() + '\n');
 }
 
-/// Throws unless the file exists. An argument without a dot may be a misspelt command.
+/// Throws unless the file exists, or the argument is a link with a scene. An argument without a dot may be a misspelt
+/// command.
 void requireFile(const QString &argument)
 {
     const QString name = QDir::toNativeSeparators(argument);
@@ -45,7 +47,7 @@ void requireFile(const QString &argument)
             CommandLine::tr("The window does not read standard input: save it in a file, or use a command, "
                             "such as compare, which reads it.")};
     }
-    if (QFileInfo::exists(argument)) {
+    if (QFileInfo::exists(argument) || isSceneLink(argument)) {
         return;
     }
     if (argument.contains('.')) {

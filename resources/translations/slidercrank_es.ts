@@ -860,8 +860,8 @@ Equipo: %1. Tiempo: %2 s.
         <translation>velocidad y error de cada método</translation>
     </message>
     <message>
-        <source>read all settings from a scene that the window saved; options override them</source>
-        <translation>lee todos los ajustes de una escena guardada por la ventana; las opciones prevalecen</translation>
+        <source>read all settings from a scene that the window saved, or from a copied link; options override them</source>
+        <translation>lee todos los ajustes de una escena guardada por la ventana o de un enlace copiado; las opciones prevalecen</translation>
     </message>
     <message>
         <source>read the files as parts of one motion; column numbers continue from file to file</source>
@@ -2468,6 +2468,10 @@ PA = %4, PB = %5</translation>
     <message>
         <source>Save scene &amp;as…</source>
         <translation>G&amp;uardar escena como…</translation>
+    </message>
+    <message>
+        <source>Copy lin&amp;k</source>
+        <translation>Copiar en&amp;lace</translation>
     </message>
     <message>
         <source>E&amp;xport</source>
@@ -4275,6 +4279,29 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     <message>
         <source>Saved: %1</source>
         <translation>Guardado: %1</translation>
+    </message>
+    <message>
+        <source>The link is in the clipboard. It carries the mechanism, the time steps and the method, but no file.</source>
+        <translation>El enlace está en el portapapeles. Lleva el mecanismo, los pasos de tiempo y el método, pero ningún archivo.</translation>
+    </message>
+    <message>
+        <source>The link is in the clipboard. It carries the mechanism, the time steps and the method.</source>
+        <translation>El enlace está en el portapapeles. Lleva el mecanismo, los pasos de tiempo y el método.</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::SceneLinkText</name>
+    <message>
+        <source>The link says %1=%2: add a unit, %2deg or %2rad.</source>
+        <translation>El enlace dice %1=%2: añada una unidad, %2deg o %2rad.</translation>
+    </message>
+    <message>
+        <source>The link says %1=%2. %3</source>
+        <translation>El enlace dice %1=%2. %3</translation>
+    </message>
+    <message>
+        <source>The link contains “%1”, which is not a setting. It is written as in %2.</source>
+        <translation>El enlace contiene «%1», que no es un ajuste. Se escribe como en %2.</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,7 @@
 #include "ui/document/scene.h"
 
 #include "ui/document/result.h"
+#include "ui/document/scene_link.h"
 #include "ui/document/settings_fields.h"
 #include "ui/document/whole_file.h"
 
@@ -145,6 +146,9 @@ std::variant<Scene, QString> parseScene(const QByteArray &json, const QString &p
 
 std::variant<Scene, QString> readScene(const QString &path)
 {
+    if (isSceneLink(path)) {
+        return parseSceneLink(path);
+    }
     if (isPipeOrDevice(QFileInfo(path))) { // reading could wait forever
         return SceneText::tr("%1 is a pipe or a device: save the scene in a file, and open that.")
             .arg(displayName(path));
@@ -158,7 +162,8 @@ std::variant<Scene, QString> readScene(const QString &path)
 
 bool isNamedAsScene(const QString &path)
 {
-    return path.endsWith(".slidercrank", Qt::CaseInsensitive) || path.endsWith(".json", Qt::CaseInsensitive);
+    return path.endsWith(".slidercrank", Qt::CaseInsensitive) || path.endsWith(".json", Qt::CaseInsensitive) ||
+           isSceneLink(path);
 }
 
 std::optional<QString> writeScene(const Scene &scene, const QString &path)

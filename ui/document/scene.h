@@ -61,9 +61,9 @@ QByteArray sceneToJson(Scene scene, const QString &path);
 
 /// These return the scene, or a sentence that says what is wrong, where, and what to do.
 std::variant<Scene, QString> parseScene(const QByteArray &json, const QString &path);
-std::variant<Scene, QString> readScene(const QString &path);
+std::variant<Scene, QString> readScene(const QString &path); ///< of a file, or in a link (scene_link.h)
 
-/// Whether the name of the file ends in .slidercrank or .json, as that of a scene does.
+/// Whether the name of the file ends in .slidercrank or .json, as that of a scene does, or is a link with a scene.
 bool isNamedAsScene(const QString &path);
 
 /// Writes the file completely or not at all. Returns a sentence if it cannot be written.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/main_window.h"
 
+#include "ui/document/scene_link.h"
 #include "ui/document/with.h"
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/panels/column_mapping.h"
@@ -66,7 +67,7 @@ QStringList droppedFiles(const QDropEvent &event)
 {
     QStringList paths;
     for (const QUrl &url : event.mimeData()->urls()) {
-        paths += url.toLocalFile();
+        paths += isSceneLink(url.toString()) ? url.toString() : url.toLocalFile();
     }
     paths.removeAll(QString()); // the path of a URL that is not a local file
     return paths;

@@ -110,6 +110,7 @@ void Menus::addFile()
     menu->addSeparator();
     menu->addAction(tr("&Save scene"), QKeySequence::Save, scene, [scene] { scene->save(); });
     menu->addAction(tr("Save scene &as…"), Qt::CTRL | Qt::SHIFT | Qt::Key_S, scene, [scene] { scene->saveAs(); });
+    menu->addAction(tr("Copy lin&k"), scene, &SceneFile::copyLink);
     menu->addSeparator();
     addExport(menu->addMenu(tr("E&xport")));
     menu->addSeparator();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/scene_file.h"
 
+#include "ui/document/scene_link.h"
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/plots/plot_grid.h"
 #include "ui/widgets/named.h"
@@ -10,6 +11,8 @@
 #include "ui/window/views.h"
 #include "ui/window/window_settings.h"
 
+#include <QApplication>
+#include <QClipboard>
 #include <QDir>
 #include <QFileInfo>
 #include <QMessageBox>
@@ -94,15 +97,22 @@ void SceneFile::askThen(const std::function<void()> &proceed)
 
 void SceneFile::open(const QString &path)
 {
-    const QString absolute = QFileInfo(path).absoluteFilePath();
+    const bool isLink = isSceneLink(path);
+    const QString absolute = isLink ? path : QFileInfo(path).absoluteFilePath();
     const std::variant<Scene, QString> outcome = readScene(absolute);
     if (const QString *sentence = std::get_if<QString>(&outcome)) {
         emit m_session->failed(*sentence);
         return;
     }
-    askThen([this, absolute, scene = std::get<Scene>(outcome)] {
-        show(scene, absolute);
-        rememberFiles({absolute});
+    Scene scene = std::get<Scene>(outcome);
+    if (isLink) { // it does not say what is drawn
+        scene.mechanism = m_views.mechanism->settings();
+    }
+    askThen([this, absolute, isLink, scene] {
+        show(scene, isLink ? QString() : absolute);
+        if (!isLink) {
+            rememberFiles({absolute});
+        }
     });
 }
 
@@ -153,6 +163,16 @@ void SceneFile::saveAs(const std::function<void()> &proceed)
                                 m_path.isEmpty() ? tr("scene") : file.completeBaseName(),
                                 [this, proceed](const QString &path, const QString &) { saveTo(path, proceed); },
                                 m_path.isEmpty() ? QString() : file.absolutePath()});
+}
+
+void SceneFile::copyLink()
+{
+    enterTypedNumber();
+    QApplication::clipboard()->setText(sceneLink(scene()));
+    emit m_session->confirmed(
+        m_session->reference()
+            ? tr("The link is in the clipboard. It carries the mechanism, the time steps and the method, but no file.")
+            : tr("The link is in the clipboard. It carries the mechanism, the time steps and the method."));
 }
 
 bool SceneFile::saveTo(const QString &path, const std::function<void()> &proceed)

@@ -46,13 +46,16 @@ public:
     void restore(const Scene &scene, const std::function<void()> &proceed);
 
 public slots:
-    /// Asks about unsaved changes, then opens the scene.
+    /// Asks about unsaved changes, then opens the scene of a file or of a link.
     void open(const QString &path);
 
     /// Saves the scene and calls proceed(). Asks for a name if the scene has none, and before it replaces a file that
     /// another program has changed.
     void save(const std::function<void()> &proceed = {});
     void saveAs(const std::function<void()> &proceed = {});
+
+    /// Copies a link with the scene to the clipboard.
+    void copyLink();
 
     /// Saves the scene and calls proceed(). Returns false if the scene cannot be written; the session then says why.
     bool saveTo(const QString &path, const std::function<void()> &proceed = {});

@@ -7,6 +7,7 @@
 #include "tests/support/suite.h"
 #include "tests/support/waiting.h"
 #include "ui/document/scene.h"
+#include "ui/document/scene_link.h"
 #include "ui/document/session.h"
 
 #include <QJsonArray>
@@ -14,6 +15,8 @@
 #include <QJsonObject>
 #include <QTemporaryDir>
 #include <QTest>
+
+#include <numbers>
 
 #ifdef Q_OS_UNIX
 #include <sys/stat.h>
@@ -110,6 +113,64 @@ private slots:
             QVERIFY2(back == scene, contentOf(path).constData()); // to the last bit
             QCOMPARE(sceneToJson(back, path), contentOf(path));
         }
+    }
+
+    /// A link carries everything but files, pinned motions and what is drawn.
+    void isReadBackFromALink()
+    {
+        RandomMechanisms random(20);
+        for (int i = 0; i < 300; ++i) {
+            Scene scene = sceneNumber(i, random, "/data");
+            scene.reference.reset();
+            scene.pinned.clear();
+            scene.zoom = {};
+            scene.mechanism = {};
+            scene.mechanismFrame.reset();
+            const QString link = sceneLink(scene);
+            QVERIFY2(isSceneLink(link) && isNamedAsScene(link), qPrintable(link));
+            QVERIFY2(std::get<Scene>(readScene(link)) == scene, qPrintable(link));
+        }
+    }
+
+    void isWrittenByHandInALink()
+    {
+        const auto sceneOf = [](const QString &link) { return std::get<Scene>(readScene(link)); };
+        Scene scene = sceneOf("slidercrank.html#a=40&b=120&c=20&omega2=60rpm");
+        QVERIFY((scene.parameters == Parameters{40.0, 120.0, 20.0, 2.0 * std::numbers::pi, 0.0, Branch::Open}));
+        QCOMPARE(sceneLink(scene), "slidercrank.html#a=40&b=120&c=20&omega2=60rpm");
+        scene = sceneOf("https://example.org/course/#b=12cm&theta20=90%C2%B0&branch=crossed&steps=72&time=50ms");
+        QVERIFY((scene.parameters ==
+                 Parameters{20.0, 120.0, 25.0, 2.0 * std::numbers::pi, std::numbers::pi / 2.0, Branch::Crossed}));
+        QCOMPARE(scene.sampling.steps, 72);
+        QCOMPARE(scene.time, 0.05);
+        QVERIFY(!isSceneLink("results#1.csv") && !isSceneLink("slidercrank.html"));
+    }
+
+    void refusesLinksWithAReason_data()
+    {
+        QTest::addColumn<QString>("link");
+        QTest::addColumn<QString>("part");
+        QTest::newRow("unknown") << "#a=40&d=3"
+                                 << "“d”, which is not a setting";
+        QTest::newRow("no unit") << "#theta20=30"
+                                 << "30deg or 30rad";
+        QTest::newRow("wrong unit") << "#a=40deg"
+                                    << "a=40deg";
+        QTest::newRow("no number") << "#b=long"
+                                   << "b=long";
+        QTest::newRow("negative") << "#b=-3"
+                                  << "“mechanism.b”";
+        QTest::newRow("branch") << "#branch=upper"
+                                << "“mechanism.branch”";
+    }
+
+    void refusesLinksWithAReason()
+    {
+        QFETCH(const QString, link);
+        QFETCH(const QString, part);
+        const auto outcome = readScene(link);
+        QVERIFY(std::holds_alternative<QString>(outcome));
+        QVERIFY2(std::get<QString>(outcome).contains(part), qPrintable(std::get<QString>(outcome)));
     }
 
     /// With its conventions and chosen columns, also after the scene and the reference were moved together.

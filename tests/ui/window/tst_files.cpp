@@ -16,9 +16,11 @@
 #include "ui/window/status_bar.h"
 #include "ui/window/window_settings.h"
 
+#include <QClipboard>
 #include <QComboBox>
 #include <QDir>
 #include <QFileDialog>
+#include <QInputDialog>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -84,6 +86,41 @@ private slots:
         QVERIFY(!m_window->isWindowModified());
         QVERIFY(recentFiles().contains(QStringList(rig)));
         AWAIT_COMPARE(picture("plot_R4_x_diff"), shown);
+    }
+
+    void copiesALinkThatOpensTheSameMechanism()
+    {
+        openSample();
+        setB(61.25);
+        action("Copy link")->trigger();
+        const QString link = QApplication::clipboard()->text();
+        QCOMPARE(link, "slidercrank.html#a=20&b=61.25&c=25&omega2=60rpm");
+        QVERIFY2(said().contains("no file"), qPrintable(said()));
+
+        openWindow();
+        const MechanismSettings drawn = view<MechanismView>()->settings();
+        m_window->openFiles({link});
+        AWAIT_COMPARE(session().parameters().b, 61.25);
+        QVERIFY(!m_window->isWindowModified() && m_window->scene().path().isEmpty());
+        QVERIFY(!recentFiles().contains(QStringList(link)));
+        QVERIFY(view<MechanismView>()->settings() == drawn); // a link does not say what is drawn
+        m_window->openFiles({"slidercrank.html#a=40&d=3"});
+        QVERIFY2(said().contains("“d”"), qPrintable(said()));
+    }
+
+    void asksForTheStepOfATable()
+    {
+        m_window->exports().chooseData();
+        auto *dialog = m_window->findChild<QFileDialog *>();
+        QVERIFY(dialog);
+        dialog->selectNameFilter(dialog->nameFilters().last());
+        emit dialog->fileSelected(path("steps.csv"));
+        auto *question = m_window->findChild<QInputDialog *>();
+        QVERIFY(question && question->isVisible());
+        question->setDoubleValue(90.0);
+        question->accept();
+        AWAIT(QFile::exists(path("steps.csv")));
+        QCOMPARE(contentOf(path("steps.csv")).count('\n'), 6); // the heading, and 0°, 90° … 360°
     }
 
     void knowsWhatIsModified()

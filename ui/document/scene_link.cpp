@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/document/scene_link.h"
+
+#include "core/import/quantity.h"
+#include "ui/document/settings_fields.h"
+#include "ui/text/printable_text.h"
+#include "ui/text/quantity_text.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QHash>
+#include <QJsonDocument>
+#include <QRegularExpression>
+#include <QUrl>
+#include <QUrlQuery>
+
+#include <algorithm>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+struct SceneLinkText {
+    Q_DECLARE_TR_FUNCTIONS(slidercrank::SceneLinkText)
+};
+
+/// The objects of a scene whose fields a link carries.
+const QStringList kSections{"mechanism", "sampling", "solver", "view"};
+
+/// The fields that every link carries, so that it can be read and changed by hand.
+const QStringList kAlways{"a", "b", "c", "omega2"};
+
+struct NamedUnit {
+    QString name; ///< in links; empty: the unit of scene files
+    Unit unit;
+};
+
+/// Returns the units in which a field is written, that of scene files first. Empty: the field is a pure number.
+QList<NamedUnit> unitsOf(const QString &field)
+{
+    static const QHash<QString, QList<NamedUnit>> kUnits{
+        {"a", {{"", kMillimetre}}},
+        {"b", {{"", kMillimetre}}},
+        {"c", {{"", kMillimetre}}},
+        {"omega2", {{"", kRadianPerSecond}, {"rpm", kTurnPerMinute}, {"deg/s", kDegreePerSecond}}},
+        {"theta20", {{"rad", kRadian}, {"deg", kDegree}}},
+        {"start", {{"", kSecond}}},
+        {"duration", {{"", kSecond}}},
+        {"time", {{"", kSecond}}},
+    };
+    return kUnits.value(field);
+}
+
+QString &pageAddress()
+{
+    static QString address = "slidercrank.html";
+    return address;
+}
+
+/// Returns the scene of a link without settings, with which the window begins.
+Scene initialScene()
+{
+    Scene scene;
+    scene.solver.newton.elimination = Elimination::Structured; // the same iterates as Dense, ten times faster
+    return scene;
+}
+
+QJsonObject sceneObject(const Scene &scene)
+{
+    return QJsonDocument::fromJson(sceneToJson(scene, {})).object();
+}
+
+bool isCarried(const QJsonValue &value)
+{
+    return value.isDouble() || value.isString() || value.isBool();
+}
+
+/// Writes a number in the unit in which it is shortest, so that the same double is read again.
+QString numberInLink(const QString &field, double value)
+{
+    constexpr int kDecimal = 15; // digits that every double keeps
+    const QList<NamedUnit> units = unitsOf(field);
+    const auto exactly = [](double number) { return QString::number(number, 'g', QLocale::FloatingPointShortest); };
+    if (units.isEmpty()) {
+        return exactly(value);
+    }
+    const Unit &stored = units.first().unit;
+    QString shortest = exactly(value) + units.first().name;
+    qsizetype digits = exactly(value).size();
+    for (const NamedUnit &other : units.sliced(1)) {
+        const QString number = QString::number(value * stored.factor / other.unit.factor, 'g', kDecimal);
+        const bool isSame = readQuantity(number + other.name, stored, QLocale::c()).value == value;
+        if (isSame && number.size() < digits) {
+            shortest = number + other.name;
+            digits = number.size();
+        }
+    }
+    return shortest;
+}
+
+QString textInLink(const QString &field, const QJsonValue &value)
+{
+    if (value.isBool()) {
+        return value.toBool() ? "true" : "false";
+    }
+    return value.isString() ? value.toString() : numberInLink(field, value.toDouble());
+}
+
+/// Reads a number into `value`. Returns a sentence if it is none.
+std::optional<QString> readNumber(const QString &field, const QString &text, QJsonValue &value)
+{
+    const QList<NamedUnit> units = unitsOf(field);
+    const std::optional<Unit> stored = units.isEmpty() ? std::nullopt : std::optional(units.first().unit);
+    const Quantity withoutUnit = readQuantity(text, {}, QLocale::c());
+    if (stored == kRadian && !withoutUnit.fault && withoutUnit.value != 0.0) { // degrees or radians?
+        return SceneLinkText::tr("The link says %1=%2: add a unit, %2deg or %2rad.").arg(field, printableText(text));
+    }
+    const auto &[number, fault] = readQuantity(text, stored, QLocale::c());
+    if (fault) {
+        return SceneLinkText::tr("The link says %1=%2. %3")
+            .arg(field, printableText(text), quantityFaultText(text, *fault, stored));
+    }
+    value = number;
+    return std::nullopt;
+}
+
+/// Puts a field of the link into the scene. Returns a sentence if that is not possible.
+std::optional<QString> insertField(const QString &field, const QString &text, QJsonObject &scene)
+{
+    const auto hasField = [&](const QString &section) { return isCarried(scene[section].toObject().value(field)); };
+    const auto section = std::ranges::find_if(kSections, hasField);
+    if (section == kSections.end()) {
+        return SceneLinkText::tr("The link contains “%1”, which is not a setting. It is written as in %2.")
+            .arg(printableText(field), "slidercrank.html#a=40&b=120&c=20&omega2=60rpm&theta20=30deg");
+    }
+    QJsonObject fields = scene[*section].toObject();
+    QJsonValue value = text;
+    if (fields.value(field).isBool() && (text == u"true" || text == u"false")) {
+        value = text == u"true";
+    } else if (fields.value(field).isDouble()) {
+        if (const auto sentence = readNumber(field, text, value)) {
+            return sentence;
+        }
+    }
+    fields[field] = value;
+    scene[*section] = fields;
+    return std::nullopt;
+}
+
+} // namespace
+
+bool isSceneLink(const QString &text)
+{
+    static const QRegularExpression kLink("(^|/|\\.html?)#[^#]*=");
+    return text.contains(kLink) && !QFileInfo::exists(text);
+}
+
+QString sceneLink(const Scene &scene)
+{
+    const QJsonObject initial = sceneObject(initialScene());
+    const QJsonObject object = sceneObject(scene);
+    QStringList parts;
+    for (const QString &section : kSections) {
+        const QJsonObject fields = object[section].toObject();
+        for (const QString &field : fields.keys()) {
+            const bool isUsual = fields[field] == initial[section].toObject().value(field) && !kAlways.contains(field);
+            if (isCarried(fields[field]) && !isUsual) {
+                parts += field + u'=' + textInLink(field, fields[field]);
+            }
+        }
+    }
+    return pageAddress() + u'#' + parts.join(u'&');
+}
+
+std::variant<Scene, QString> parseSceneLink(const QString &link)
+{
+    QJsonObject scene = sceneObject(initialScene());
+    const QUrlQuery query(link.section(u'#', 1));
+    for (const auto &[field, text] : query.queryItems(QUrl::FullyDecoded)) {
+        if (const auto sentence = insertField(field, text, scene)) {
+            return *sentence;
+        }
+    }
+    return parseScene(QJsonDocument(scene).toJson(), link);
+}
+
+void setPageAddress(const QString &address)
+{
+    pageAddress() = address;
+}
+
+} // namespace slidercrank
