@@ -20,9 +20,6 @@ namespace
 
 using Clock = std::chrono::steady_clock;
 
-/// Receives the completed fraction of a piece of work.
-using Progress = std::function<void(double)>;
-
 constexpr std::size_t kChannels = kPlottedChannels.size();
 constexpr double kJudgeShare = 0.6; // of the exact motion in the duration of a case, approximately
 
@@ -31,31 +28,34 @@ double secondsSince(Clock::time_point start)
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-struct Judgement {
+} // namespace
+
+// Not in an anonymous namespace, because Study contains them.
+
+struct StudyJudgement {
     std::map<double, Judged> exact{};      ///< by time
     std::array<double, kChannels> sizes{}; ///< rad, mm: the peak, or naturalSize() where that is 0; positive
 };
 
-/// Computes the exact motion at the times, or fewer if stopped.
-Judgement judgeAll(const Parameters &parameters, const std::vector<double> &times, const std::stop_token &stop,
-                   const Progress &reach)
+namespace
 {
-    Judgement judgement;
-    for (std::size_t i = 0; i < times.size() && !stop.stop_requested(); ++i) {
-        const Judged judged = judge(parameters, times[i]);
+
+/// Sets the sizes of the channels from the exact motion.
+void measureSizes(const Parameters &parameters, StudyJudgement &judgement)
+{
+    for (const auto &[time, judged] : judgement.exact) {
         for (std::size_t k = 0; k < kChannels && judged.status == Status::Solved; ++k) {
             judgement.sizes[k] = std::max(judgement.sizes[k], std::abs(judged.values[k].hi));
         }
-        judgement.exact.emplace(times[i], judged);
-        reach(kJudgeShare * static_cast<double>(i + 1) / static_cast<double>(times.size()));
     }
     for (std::size_t k = 0; k < kChannels; ++k) {
         const double natural = naturalSize(parameters, kPlottedChannels[k]);
         const double size = judgement.sizes[k] > kExactZero * natural ? judgement.sizes[k] : natural;
         judgement.sizes[k] = std::max(size, std::numeric_limits<double>::min()); // the crank may not turn
     }
-    return judgement;
 }
+
+} // namespace
 
 /// A method applied to a case.
 struct Contender {
@@ -66,6 +66,9 @@ struct Contender {
     long long repeats = 1;
     std::vector<double> nanoseconds{}; ///< per state, one value for each round
 };
+
+namespace
+{
 
 /// Returns |got - exact|, or infinity if `got` is not finite.
 double deviation(double got, TwoPart exact)
@@ -86,7 +89,7 @@ Status worstStatus(const std::array<std::size_t, kStatusCount> &counts)
 }
 
 /// Sets the errors and statuses of the result from the answers at the times of the judgement.
-void compareAnswers(const Contender &contender, const Judgement &judgement, MethodResult &result)
+void compareAnswers(const Contender &contender, const StudyJudgement &judgement, MethodResult &result)
 {
     double worst = 0.0;
     double bound = 0.0;
@@ -136,38 +139,48 @@ void addContender(const StudyMethod &method, const Mechanism &mechanism, const s
     }
 }
 
-/// Runs each method once to obtain the answers and to warm up, then in rounds. Returns false if stopped.
-bool timeAll(std::vector<Contender> &contenders, const StudyRequest &request, const std::stop_token &stop,
-             const Progress &reach)
+double secondsOf(Contender &contender, long long repeats)
 {
-    for (Contender &contender : contenders) {
+    const Clock::time_point start = Clock::now();
+    for (long long repeat = 0; repeat < repeats; ++repeat) {
         contender.run(contender.answers);
-        const Clock::time_point start = Clock::now();
-        contender.run(contender.answers);
-        const double once = std::max(secondsSince(start), 1e-8);
-        contender.repeats = std::max(1LL, static_cast<long long>(request.secondsPerRound / once));
-        if (stop.stop_requested()) {
-            return false;
-        }
     }
-    for (int round = 0; round < request.rounds; ++round) {
-        for (Contender &contender : contenders) {
-            const Clock::time_point start = Clock::now();
-            for (long long repeat = 0; repeat < contender.repeats; ++repeat) {
-                contender.run(contender.answers);
-            }
-            const double states = static_cast<double>(contender.repeats) * static_cast<double>(contender.times.size());
-            contender.nanoseconds.push_back(1e9 * secondsSince(start) / states);
-        }
-        if (stop.stop_requested()) {
-            return false;
-        }
-        reach(kJudgeShare + (1.0 - kJudgeShare) * (round + 1) / request.rounds);
-    }
-    return true;
+    return secondsSince(start);
 }
 
-MethodResult resultOf(Contender &contender, const Judgement &judgement)
+/// Runs the method to obtain the answers and to warm up, and sets how often it is repeated in a round of `seconds`. The
+/// clock may be too coarse for a single run.
+void prepareRounds(Contender &contender, double seconds)
+{
+    contender.run(contender.answers);
+    double taken = secondsOf(contender, contender.repeats);
+    while (taken < 0.5 * seconds) {
+        contender.repeats *= 2;
+        taken = secondsOf(contender, contender.repeats);
+    }
+    if (taken > 0.0) {
+        contender.repeats = std::max(1LL, std::llround(static_cast<double>(contender.repeats) * seconds / taken));
+    }
+}
+
+void timeRound(Contender &contender)
+{
+    const double states = static_cast<double>(contender.repeats) * static_cast<double>(contender.times.size());
+    contender.nanoseconds.push_back(1e9 * secondsOf(contender, contender.repeats) / states);
+}
+
+/// Returns the smallest difference that the clock shows. In a browser it may be a millisecond.
+double clockStep()
+{
+    const Clock::time_point start = Clock::now();
+    Clock::time_point now = start;
+    while (now == start) {
+        now = Clock::now();
+    }
+    return std::chrono::duration<double>(now - start).count();
+}
+
+MethodResult resultOf(Contender &contender, const StudyJudgement &judgement)
 {
     const StudyMethod &method = *contender.method;
     MethodResult result;
@@ -191,36 +204,82 @@ MethodResult resultOf(Contender &contender, const Judgement &judgement)
     return result;
 }
 
-/// Times the contenders, and compares their answers with the exact motion at the times `judged`. Returns no rows if
-/// stopped.
-std::vector<MethodResult> measure(std::vector<Contender> contenders, const Parameters &parameters,
-                                  const std::vector<double> &judged, const StudyRequest &request,
-                                  const std::stop_token &stop, const Progress &reach)
-{
-    const Judgement judgement = judgeAll(parameters, judged, stop, reach);
-    const bool isTimed = timeAll(contenders, request, stop, reach);
-    std::vector<MethodResult> rows;
-    for (std::size_t i = 0; i < contenders.size() && isTimed; ++i) {
-        rows.push_back(resultOf(contenders[i], judgement));
+} // namespace
+
+/// Compares the answers of the contenders with the exact motion at the times `judged`, and times them, in small pieces.
+struct Measurement {
+    Parameters parameters;
+    std::vector<double> judged;
+    std::vector<Contender> contenders{};
+    StudyJudgement judgement{};
+    std::size_t judgedCount = 0;
+    std::size_t preparedCount = 0;
+    std::size_t timedCount = 0; ///< over all rounds
+
+    /// Does the next piece. Returns false if everything is done.
+    bool advance(int rounds, double secondsPerRound)
+    {
+        if (judgedCount < judged.size()) {
+            const double time = judged[judgedCount++];
+            judgement.exact.emplace(time, judge(parameters, time));
+        } else if (preparedCount < contenders.size()) {
+            prepareRounds(contenders[preparedCount++], secondsPerRound);
+        } else if (timedCount < static_cast<std::size_t>(rounds) * contenders.size()) {
+            timeRound(contenders[timedCount++ % contenders.size()]);
+        } else {
+            return false;
+        }
+        return true;
     }
-    return rows;
+
+    /// The part that is done, 0 … 1.
+    double progress(int rounds) const
+    {
+        const auto part = [](std::size_t done, std::size_t all) {
+            return all == 0 ? 1.0 : static_cast<double>(done) / static_cast<double>(all);
+        };
+        return kJudgeShare * part(judgedCount, judged.size()) +
+               (1.0 - kJudgeShare) * part(timedCount, static_cast<std::size_t>(rounds) * contenders.size());
+    }
+
+    std::vector<MethodResult> results()
+    {
+        measureSizes(parameters, judgement);
+        std::vector<MethodResult> rows;
+        for (Contender &contender : contenders) {
+            rows.push_back(resultOf(contender, judgement));
+        }
+        return rows;
+    }
+};
+
+namespace
+{
+
+/// Measures every method at the time stamps of the case.
+Measurement measurementOf(const Case &which)
+{
+    Measurement measurement{which.parameters, timeStampsOf(which)};
+    for (const StudyMethod &method : studyMethods()) {
+        addContender(method, Mechanism(which.parameters),
+                     method.needsEqualSteps ? which.sampling.timeStamps() : measurement.judged, measurement.contenders);
+    }
+    return measurement;
 }
 
-/// Measures every method, with every step size if its cost or error depends on it. Returns no rows if stopped.
-std::vector<MethodResult> measureWorkPrecision(Case which, const StudyRequest &request, const std::stop_token &stop,
-                                               const Progress &reach)
+/// Measures every method, with every step size if its cost or error depends on it.
+Measurement workPrecisionOf(Case which)
 {
     which.sampling.steps = kWorkPrecisionOutputs;
-    const std::vector<double> outputs = which.sampling.timeStamps();
-    std::vector<Contender> contenders;
+    Measurement measurement{which.parameters, which.sampling.timeStamps()};
     for (const StudyMethod &method : studyMethods()) {
         // A power of two, so that the time stamps of the outputs are the same doubles.
         for (int multiple = 1; multiple <= (method.dependsOnStep ? 32 : 1); multiple *= 2) {
             which.sampling.steps = multiple * kWorkPrecisionOutputs;
-            addContender(method, Mechanism(which.parameters), which.sampling.timeStamps(), contenders);
+            addContender(method, Mechanism(which.parameters), which.sampling.timeStamps(), measurement.contenders);
         }
     }
-    return measure(std::move(contenders), which.parameters, outputs, request, stop, reach);
+    return measurement;
 }
 
 double medianOf(std::vector<double> values)
@@ -283,41 +342,84 @@ std::vector<MethodResult> resultsOverAllCases(const StudyResult &study)
     return results;
 }
 
-StudyResult runStudy(const StudyRequest &request, std::stop_token stop, const std::function<void(double)> &progress)
-{
-    const Clock::time_point start = Clock::now();
-    StudyResult result;
-    double done = 0.0; // cases; the error against the cost counts as one, too
-    const auto reach = [&](double ofNext) {
-        if (progress) {
-            progress((done + ofNext) / (static_cast<double>(request.cases.size()) + 1.0));
+struct Study::State {
+    StudyRequest request;
+    Clock::time_point start = Clock::now();
+    std::optional<Measurement> measurement{}; ///< that is being done
+    std::size_t begun = 0;                    ///< number of measurements
+    std::vector<CaseResult> cases{};
+
+    /// The error against the cost of the first case is the second measurement.
+    std::size_t measurementCount() const { return request.cases.size() + (request.cases.empty() ? 0 : 1); }
+    bool isWorkPrecision() const { return begun == 2; }
+
+    void begin()
+    {
+        ++begun;
+        const Case &which = request.cases[begun == 1 ? 0 : begun - 2];
+        measurement = isWorkPrecision() ? workPrecisionOf(which) : measurementOf(which);
+        if (!isWorkPrecision()) {
+            cases.push_back({which.name, which.parameters, measurement->judged.size(), {}, {}});
         }
-    };
-    for (const Case &which : request.cases) {
-        const std::vector<double> times = timeStampsOf(which);
-        std::vector<Contender> contenders;
-        for (const StudyMethod &method : studyMethods()) {
-            addContender(method, Mechanism(which.parameters),
-                         method.needsEqualSteps ? which.sampling.timeStamps() : times, contenders);
-        }
-        CaseResult caseResult{which.name, which.parameters, times.size(), {}, {}};
-        caseResult.methods = measure(std::move(contenders), which.parameters, times, request, stop, reach);
-        ++done;
-        if (result.cases.empty() && !stop.stop_requested()) {
-            caseResult.workPrecision = measureWorkPrecision(which, request, stop, reach);
-            ++done;
-        }
-        if (stop.stop_requested()) {
-            result.complete = false;
-            break;
-        }
-        result.cases.push_back(std::move(caseResult));
     }
-    result.seconds = secondsSince(start);
-    if (result.complete && progress) {
-        progress(1.0);
+
+    void end()
+    {
+        (isWorkPrecision() ? cases.back().workPrecision : cases.back().methods) = measurement->results();
+        measurement.reset();
+    }
+};
+
+Study::Study(const StudyRequest &request)
+    : m_state(std::make_unique<State>(State{request}))
+{
+    constexpr double kLeastSteps = 3.0; // of the clock in a round
+    m_state->request.secondsPerRound = std::max(request.secondsPerRound, kLeastSteps * clockStep());
+}
+
+Study::~Study() = default;
+
+bool Study::advance()
+{
+    State &state = *m_state;
+    if (!state.measurement) {
+        if (state.begun == state.measurementCount()) {
+            return false;
+        }
+        state.begin();
+    } else if (!state.measurement->advance(state.request.rounds, state.request.secondsPerRound)) {
+        state.end();
+    }
+    return true;
+}
+
+double Study::progress() const
+{
+    const State &state = *m_state;
+    const double done = static_cast<double>(state.begun - (state.measurement ? 1 : 0)) +
+                        (state.measurement ? state.measurement->progress(state.request.rounds) : 0.0);
+    return state.measurementCount() == 0 ? 1.0 : done / static_cast<double>(state.measurementCount());
+}
+
+StudyResult Study::result() const
+{
+    StudyResult result{m_state->cases, secondsSince(m_state->start)};
+    result.complete = m_state->begun == m_state->measurementCount() && !m_state->measurement;
+    if (m_state->measurement || m_state->begun == 1) { // the last case is not completed
+        result.cases.pop_back();
     }
     return result;
+}
+
+StudyResult runStudy(const StudyRequest &request, std::stop_token stop, const std::function<void(double)> &progress)
+{
+    Study study(request);
+    while (!stop.stop_requested() && study.advance()) {
+        if (progress) {
+            progress(study.progress());
+        }
+    }
+    return study.result();
 }
 
 Case studyCase(const Parameters &parameters)

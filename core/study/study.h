@@ -17,6 +17,7 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -111,6 +112,22 @@ struct StudyResult {
     std::vector<CaseResult> cases;
     double seconds = 0.0; ///< duration of the study
     bool complete = true; ///< false if stopped: `cases` then contains those completed
+};
+
+/// A study in pieces of a few milliseconds, for a program that cannot wait for all of it.
+class Study
+{
+public:
+    explicit Study(const StudyRequest &request);
+    ~Study();
+
+    bool advance();             ///< does the next piece; returns false if everything is done
+    double progress() const;    ///< the part that is done, 0 … 1, in ascending order
+    StudyResult result() const; ///< with the cases that are completed
+
+private:
+    struct State;
+    std::unique_ptr<State> m_state;
 };
 
 /// Runs the study. Calls `progress` in the calling thread with ascending values from 0 to 1; the last is 1 unless

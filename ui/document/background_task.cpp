@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/background_task.h"
 
+#include <QDeadlineTimer>
 #include <QPointer>
+#include <QTimer>
+#if QT_CONFIG(future)
+#include <QFutureWatcher>
 #include <QPromise>
 #include <QThreadPool>
 #include <QtConcurrentRun>
+#endif
 
-#include <algorithm>
+#include <chrono>
 #include <exception>
 #include <new>
 
@@ -16,8 +21,13 @@ namespace slidercrank
 namespace
 {
 
+#if QT_CONFIG(future)
 constexpr int kProgressSteps = 1000;
 constexpr int kMostThreads = 1000; // a thread for each task, so that short tasks do not wait for long ones
+#else
+constexpr std::chrono::milliseconds kPause{20};  // in which the window is painted
+constexpr std::chrono::milliseconds kPieces{40}; // of work, until the window is painted again
+#endif
 
 } // namespace
 
@@ -26,41 +36,111 @@ BackgroundTask::~BackgroundTask()
     m_stop.request_stop();
 }
 
-void BackgroundTask::run(const Work &work, const std::function<void()> &done, const Failed &failed)
+/// Does the work. Returns a sentence if that fails, otherwise an empty text.
+QString BackgroundTask::problemOf(const std::function<void()> &work)
+{
+    try {
+        work();
+    } catch (const std::bad_alloc &) {
+        return tr("There is not enough memory: try fewer time steps, or a smaller file.");
+    } catch (const std::exception &thrown) {
+        return tr("The computation failed: %1.").arg(QString::fromLocal8Bit(thrown.what()));
+    }
+    return {};
+}
+
+/// Discards what is running. Returns the object that stands for the new work.
+template <typename Watcher>
+Watcher *BackgroundTask::begin()
 {
     const bool wasRunning = m_watcher;
     release();
     m_stop = std::stop_source();
-    auto *const watcher = new QFutureWatcher<QString>(this);
+    auto *const watcher = new Watcher(this);
     m_watcher = watcher;
+    if (!wasRunning) {
+        emit runningChanged(true);
+    }
+    return watcher;
+}
+
+void BackgroundTask::finish(const QObject *watcher, const QString &problem, const std::function<void()> &done,
+                            const Failed &failed)
+{
+    const QPointer<BackgroundTask> self(this);
+    problem.isEmpty() ? done() : failed(problem);
+    if (self && m_watcher == watcher) { // otherwise the task was deleted, or has started other work
+        discard();
+    }
+}
+
+#if QT_CONFIG(future)
+
+void BackgroundTask::run(const Work &work, const std::function<void()> &done, const Failed &failed)
+{
+    auto *const watcher = begin<QFutureWatcher<QString>>();
     connect(watcher, &QFutureWatcherBase::progressValueChanged, this,
             [this](int value) { emit progressed(static_cast<double>(value) / kProgressSteps); });
-    connect(watcher, &QFutureWatcherBase::finished, this, [this, watcher, done, failed] {
-        const QPointer<BackgroundTask> self(this);
-        const QString problem = watcher->result();
-        problem.isEmpty() ? done() : failed(problem);
-        if (self && m_watcher == watcher) { // otherwise the task was deleted, or has started other work
-            discard();
-        }
-    });
+    connect(watcher, &QFutureWatcherBase::finished, this,
+            [this, watcher, done, failed] { finish(watcher, watcher->result(), done, failed); });
     QThreadPool *const pool = QThreadPool::globalInstance(); // the application waits for it when it ends
     pool->setMaxThreadCount(kMostThreads);
     watcher->setFuture(QtConcurrent::run(pool, [work, stop = m_stop.get_token()](QPromise<QString> &promise) {
         promise.setProgressRange(0, kProgressSteps);
-        QString problem;
-        try {
+        promise.addResult(problemOf([&] {
             work(stop, [&promise](double part) { promise.setProgressValue(static_cast<int>(part * kProgressSteps)); });
-        } catch (const std::bad_alloc &) {
-            problem = tr("There is not enough memory: try fewer time steps, or a smaller file.");
-        } catch (const std::exception &thrown) {
-            problem = tr("The computation failed: %1.").arg(QString::fromLocal8Bit(thrown.what()));
-        }
-        promise.addResult(problem);
+        }));
     }));
-    if (!wasRunning) {
-        emit runningChanged(true);
-    }
 }
+
+void BackgroundTask::runPieces(const Pieces &pieces, const std::function<void()> &done, const Failed &failed)
+{
+    const auto work = [pieces](const std::stop_token &stop, const Progress &progress) {
+        while (!stop.stop_requested() && pieces.advance()) {
+            progress(pieces.progress());
+        }
+    };
+    run(work, done, failed);
+}
+
+#else // there are no threads: the window waits for the work, but first shows what has changed
+
+void BackgroundTask::run(const Work &work, const std::function<void()> &done, const Failed &failed)
+{
+    auto *const watcher = begin<QObject>();
+    QTimer::singleShot(kPause, watcher, [this, watcher, work, done, failed, stop = m_stop.get_token()] {
+        if (m_watcher == watcher) { // otherwise it has been discarded
+            finish(watcher, problemOf([&] { work(stop, [](double) {}); }), done, failed);
+        }
+    });
+}
+
+/// Between the pieces the window shows what has changed, and reacts.
+void BackgroundTask::runPieces(const Pieces &pieces, const std::function<void()> &done, const Failed &failed)
+{
+    auto *const watcher = begin<QObject>();
+    auto *const timer = new QTimer(watcher);
+    connect(timer, &QTimer::timeout, this, [this, watcher, timer, pieces, done, failed] {
+        if (m_watcher != watcher) { // it has been discarded
+            return;
+        }
+        bool isDone = false;
+        const QDeadlineTimer pause(kPieces);
+        const QString problem = problemOf([&] {
+            while (!isDone && !pause.hasExpired()) {
+                isDone = !pieces.advance();
+            }
+        });
+        emit progressed(pieces.progress());
+        if (isDone || !problem.isEmpty()) {
+            timer->stop();
+            finish(watcher, problem, done, failed);
+        }
+    });
+    timer->start(0);
+}
+
+#endif
 
 /// Stops the work, and disconnects from it.
 void BackgroundTask::release()

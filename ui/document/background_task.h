@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Runs a function in another thread, with progress and cancellation.
+// Runs a function in another thread, with progress and cancellation. Where there are no threads, as in a browser, the
+// function runs in the event loop.
 
-#include <QFutureWatcher>
 #include <QObject>
 #include <QString>
 
@@ -43,6 +43,16 @@ public:
             [done, value] { done(std::as_const(**value)); }, failed);
     }
 
+    /// The same for work in small pieces, which a program without threads does between the events: calls
+    /// pieces->advance() until it returns false, and then done(*pieces). pieces->progress() is the part that is done.
+    template <typename Work, typename Done>
+    void startPieces(const std::shared_ptr<Work> &pieces, Done done, Failed failed)
+    {
+        runPieces(
+            {[pieces] { return pieces->advance(); }, [pieces] { return pieces->progress(); }},
+            [pieces, done] { done(std::as_const(*pieces)); }, failed);
+    }
+
     bool isRunning() const { return m_watcher; }
 
 public slots:
@@ -56,8 +66,20 @@ private:
     using Work = std::function<void(const std::stop_token &stop, const Progress &progress)>;
     void run(const Work &work, const std::function<void()> &done, const Failed &failed);
     void release();
+    static QString problemOf(const std::function<void()> &work);
 
-    QFutureWatcher<QString> *m_watcher = nullptr; ///< null: nothing runs
+    struct Pieces {
+        std::function<bool()> advance;
+        std::function<double()> progress;
+    };
+    void runPieces(const Pieces &pieces, const std::function<void()> &done, const Failed &failed);
+
+    template <typename Watcher>
+    Watcher *begin();
+    void finish(const QObject *watcher, const QString &problem, const std::function<void()> &done,
+                const Failed &failed);
+
+    QObject *m_watcher = nullptr; ///< null: nothing runs
     std::stop_source m_stop;
 };
 

@@ -22,11 +22,9 @@ StudyPanel::StudyPanel(Session *session)
 /// Starts the study; it replaces one that runs.
 void StudyPanel::run()
 {
-    m_study.start(
-        [parameters = m_session->parameters()](const std::stop_token &stop, const BackgroundTask::Progress &progress) {
-            return std::make_shared<const StudyResult>(runStudy({.cases = {studyCase(parameters)}}, stop, progress));
-        },
-        [this](const std::shared_ptr<const StudyResult> &result) { setResult(result); },
+    m_study.startPieces(
+        std::make_shared<Study>(StudyRequest{.cases = {studyCase(m_session->parameters())}}),
+        [this](const Study &study) { setResult(std::make_shared<const StudyResult>(study.result())); },
         [this](const QString &sentence) { emit m_session->failed(sentence); });
 }
 

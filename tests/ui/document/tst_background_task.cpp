@@ -12,6 +12,7 @@
 #include <QThread>
 
 #include <algorithm>
+#include <atomic>
 #include <memory>
 #include <new>
 #include <stdexcept>
@@ -48,6 +49,37 @@ class TestBackgroundTask : public QObject
     Q_OBJECT
 
 private slots:
+    void doesPiecesUntilTheyEnd()
+    {
+        struct Pieces {
+            int count = 0;
+            bool advance() { return ++count < 5; }
+            double progress() const { return count / 5.0; }
+        };
+        BackgroundTask task;
+        int pieces = 0;
+        task.startPieces(
+            std::make_shared<Pieces>(), [&](const Pieces &done) { pieces = done.count; }, kFail);
+        AWAIT_COMPARE(pieces, 5);
+        AWAIT(!task.isRunning());
+    }
+
+    void leavesPiecesThatAreDiscarded()
+    {
+        struct Endless {
+            std::atomic<int> count = 0;
+            bool advance() { return ++count > 0; }
+            double progress() const { return 0.5; }
+        };
+        BackgroundTask task;
+        const auto pieces = std::make_shared<Endless>();
+        task.startPieces(
+            pieces, [](const Endless &) { QFAIL("must not be called"); }, kFail);
+        AWAIT(pieces->count > 10);
+        task.discard();
+        AWAIT_COMPARE(pieces.use_count(), 1L);
+    }
+
     void runsInAnotherThreadAndCallsBackInThisOne()
     {
         BackgroundTask task;
