@@ -3072,6 +3072,24 @@ PA = %4, PB = %5</translation>
     </message>
 </context>
 <context>
+    <name>slidercrank::NativeDialogText</name>
+    <message>
+        <source>%1 exists. Replace it?</source>
+        <translation>%1 ya existe. ¿Reemplazarlo?</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::PageDialogText</name>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Formato</translation>
+    </message>
+</context>
+<context>
     <name>slidercrank::NewtonPages</name>
     <message>
         <source>ground</source>
@@ -4228,10 +4246,6 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     <message>
         <source>PDF documents (*.pdf)</source>
         <translation>Documentos PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>%1 exists. Replace it?</source>
-        <translation>%1 ya existe. ¿Reemplazarlo?</translation>
     </message>
 </context>
 <context>

@@ -7,7 +7,6 @@
 #include "ui/text/finding_text.h"
 #include "ui/text/identification_text.h"
 
-#include <QDir>
 #include <QFileInfo>
 #include <QLocale>
 
@@ -370,7 +369,8 @@ void Session::reportWritten(const QString &path, const std::optional<QString> &p
     if (problem) {
         emit failed(*problem);
     } else {
-        emit confirmed(tr("Exported to %1").arg(QDir::toNativeSeparators(path)));
+        emit written(path);
+        emit confirmed(tr("Exported to %1").arg(displayName(path)));
     }
 }
 

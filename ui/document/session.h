@@ -110,6 +110,7 @@ signals:
     void referenceRefused(const QStringList &paths, const QString &sentence); ///< nothing has changed
     void problemFound(const QString &sentence);                               ///< nothing has changed
     void failed(const QString &sentence);    ///< a file could not be opened, written or copied
+    void written(const QString &path);       ///< a file that the user asked for: a scene or an export
     void confirmed(const QString &sentence); ///< a file was written or copied
     void progressed(double part);            ///< 0 … 1 of a background task
     void busyChanged(bool busy);             ///< emitted when a background task starts or ends

@@ -34,6 +34,12 @@ bool synchronize(const QSaveFile &file)
 #endif
 }
 
+QString &unnamedFolder()
+{
+    static QString folder;
+    return folder;
+}
+
 } // namespace
 
 WholeFile::WholeFile(const QString &path)
@@ -103,7 +109,17 @@ bool isPipeOrDevice(const QFileInfo &file)
 
 QString displayName(const QString &path)
 {
-    return isStandardInput(path) ? WholeFileText::tr("Standard input") : printableText(QDir::toNativeSeparators(path));
+    if (isStandardInput(path)) {
+        return WholeFileText::tr("Standard input");
+    }
+    const QString &folder = unnamedFolder();
+    const bool isInFolder = !folder.isEmpty() && path.startsWith(folder + u'/');
+    return printableText(QDir::toNativeSeparators(isInFolder ? path.mid(folder.size() + 1) : path));
+}
+
+void setUnnamedFolder(const QString &folder)
+{
+    unnamedFolder() = folder;
 }
 
 } // namespace slidercrank

@@ -54,4 +54,7 @@ bool isPipeOrDevice(const QFileInfo &file);
 /// Returns the name of a file in messages, without control characters.
 QString displayName(const QString &path);
 
+/// Sets a folder that messages do not name: where the program keeps its files if the user has no folders.
+void setUnnamedFolder(const QString &folder);
+
 } // namespace slidercrank

@@ -23,6 +23,7 @@
 #include "ui/widgets/folding_tabs.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/widgets/named.h"
+#include "ui/widgets/open_dialog.h"
 #include "ui/window/exports.h"
 #include "ui/window/ghost.h"
 #include "ui/window/key_filter.h"
@@ -37,7 +38,6 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDropEvent>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QFrame>
 #include <QMimeData>
@@ -360,14 +360,11 @@ void MainWindow::openSample()
 
 void MainWindow::chooseFiles()
 {
-    auto *dialog = new QFileDialog(
-        this, tr("Open"), recentFolder(),
-        tr("Scenes and simulation results (*.slidercrank *.json *.csv *.txt *.tsv *.tab *.dat *.dta *.mot);;"
-           "All files (*)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::ExistingFiles);
-    connect(dialog, &QFileDialog::filesSelected, this, &MainWindow::openFiles);
-    dialog->open();
+    chooseFilesToOpen(
+        this, {tr("Open"), recentFolder(),
+               tr("Scenes and simulation results (*.slidercrank *.json *.csv *.txt *.tsv *.tab *.dat *.dta *.mot);;"
+                  "All files (*)"),
+               [this](const QStringList &paths) { openFiles(paths); }});
 }
 
 void MainWindow::chooseColumns(const QStringList &paths)

@@ -106,6 +106,7 @@ void Menus::addFile()
     menu->addAction(tr("Open the samp&le"), &m_window, &MainWindow::openSample);
     QAction *close = menu->addAction(tr("&Close reference"), Qt::CTRL | Qt::Key_W, session,
                                      [session] { session->setReference(nullptr); });
+    close->setObjectName("closeReference");
     enableWhile(close, *session, [](const Result &result) { return result.choices.reference != nullptr; });
     menu->addSeparator();
     menu->addAction(tr("&Save scene"), QKeySequence::Save, scene, [scene] { scene->save(); });
@@ -114,7 +115,7 @@ void Menus::addFile()
     menu->addSeparator();
     addExport(menu->addMenu(tr("E&xport")));
     menu->addSeparator();
-    menu->addAction(tr("&Quit"), QKeySequence::Quit, &m_window, &QWidget::close);
+    menu->addAction(tr("&Quit"), QKeySequence::Quit, &m_window, &QWidget::close)->setObjectName("quit");
 }
 
 void Menus::addExport(QMenu *menu)
@@ -124,7 +125,7 @@ void Menus::addExport(QMenu *menu)
     menu->addAction(tr("&Mechanism…"), exports, [exports] { exports->choose(exports->mechanism()); });
     menu->addAction(tr("&Data…"), exports, &Exports::chooseData);
     menu->addAction(tr("&Report…"), exports, &Exports::chooseReport);
-    menu->addAction(tr("&Animation…"), exports, &Exports::chooseAnimation);
+    menu->addAction(tr("&Animation…"), exports, &Exports::chooseAnimation)->setObjectName("exportAnimation");
 }
 
 void Menus::fillRecent(QMenu *menu)

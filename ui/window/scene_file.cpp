@@ -2,6 +2,7 @@
 #include "ui/window/scene_file.h"
 
 #include "ui/document/scene_link.h"
+#include "ui/document/whole_file.h"
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/plots/plot_grid.h"
 #include "ui/widgets/named.h"
@@ -13,7 +14,6 @@
 
 #include <QApplication>
 #include <QClipboard>
-#include <QDir>
 #include <QFileInfo>
 #include <QMessageBox>
 
@@ -187,7 +187,8 @@ bool SceneFile::saveTo(const QString &path, const std::function<void()> &proceed
     m_session->undoStack().setClean();
     rememberFiles({m_path});
     emit changed();
-    emit m_session->confirmed(tr("Saved: %1").arg(QDir::toNativeSeparators(m_path)));
+    emit m_session->written(m_path);
+    emit m_session->confirmed(tr("Saved: %1").arg(displayName(m_path)));
     if (proceed) {
         proceed();
     }
