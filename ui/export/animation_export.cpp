@@ -7,7 +7,9 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#if QT_CONFIG(process)
 #include <QProcess>
+#endif
 #include <QStandardPaths>
 #include <QTemporaryDir>
 
@@ -64,6 +66,7 @@ Problem drawFrames(const QTemporaryDir &folder, const Animation &animation, cons
     return std::nullopt;
 }
 
+#if QT_CONFIG(process)
 Problem makeVideo(const QTemporaryDir &folder, const QString &path, const Animation &animation,
                   const AnimationProgress &progress)
 {
@@ -99,6 +102,13 @@ Problem makeVideo(const QTemporaryDir &folder, const QString &path, const Animat
     }
     return writeWhole(path, file.readAll());
 }
+#else
+/// Where no other program can be run, as in a browser, hasVideoEncoder() is false.
+Problem makeVideo(const QTemporaryDir &, const QString &, const Animation &, const AnimationProgress &)
+{
+    return QString();
+}
+#endif
 
 } // namespace
 
