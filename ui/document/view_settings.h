@@ -41,7 +41,7 @@ inline QString plotName(std::size_t plot)
 
 enum class ErrorMeasure {
     Percent,  ///< |model - reference| / |reference|, as in the reference report; undefined where the reference is zero
-    Absolute, ///< |model - reference|, angles on the left axis, lengths on the right one
+    Absolute, ///< |model - reference|, in the units that are shown
     OfPeak    ///< |model - reference| / max |reference|
 };
 

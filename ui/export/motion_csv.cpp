@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <string_view>
+#include <vector>
 
 namespace slidercrank
 {
@@ -18,21 +18,54 @@ namespace
 /// The text is handed on in pieces of this size, so that a long motion is never in memory as a whole.
 constexpr qsizetype kFullBuffer = 1 << 20; // bytes
 
-QByteArray nameWithUnit(Channel channel, AngleUnit unit)
+/// Receives the text piece by piece. Returns false to stop.
+using TextSink = std::function<bool(const QByteArray &text)>;
+
+/// Returns the channels in the order of indexOf().
+std::vector<Channel> listed(const ChannelSet &channels)
 {
-    constexpr const char *kUnits[] = {" [rad]", " [rad/s]", " [rad/s^2]"}; // in the order of Order
-    const std::string_view bare = nameOf(channel);
-    const QByteArray name(bare.data(), static_cast<qsizetype>(bare.size()));
-    return unit == AngleUnit::Radian && isAngle(channel.coordinate) ? name + kUnits[static_cast<int>(channel.order)]
-                                                                    : name;
+    std::vector<Channel> list;
+    for (std::size_t index = 0; index < kChannelCount; ++index) {
+        if (channels.test(index)) {
+            list.push_back(channelAt(index));
+        }
+    }
+    return list;
+}
+
+QByteArray csvHeader(const std::vector<Channel> &channels, const Units &units)
+{
+    QByteArray header("time");
+    for (const Channel channel : channels) {
+        header += ',' + columnName(OutputChannel(channel), units).toUtf8();
+    }
+    return header + '\n';
+}
+
+/// Writes one row per time step. Returns false if the sink stopped it.
+bool writeCsvRows(const Trajectory &trajectory, const std::vector<Channel> &channels, const Units &units,
+                  const TextSink &sink)
+{
+    QByteArray text;
+    text.reserve(kFullBuffer + kFullBuffer / 8);
+    for (std::size_t row = 0; row < trajectory.time.size(); ++row) {
+        appendNumber(text, trajectory.time[row]);
+        for (const Channel channel : channels) {
+            text += ',';
+            appendNumber(text, fromFileUnit(measureOf(channel), trajectory[channel][row], units));
+        }
+        text += '\n';
+        if (text.size() >= kFullBuffer) {
+            if (!sink(text)) {
+                return false;
+            }
+            text.resize(0); // unlike clear(), this does not free the memory
+        }
+    }
+    return sink(text);
 }
 
 } // namespace
-
-double factorTo(AngleUnit unit, Channel channel)
-{
-    return isAngle(channel.coordinate) && unit == AngleUnit::Radian ? 1.0 / kDegreesPerRadian : 1.0;
-}
 
 void appendNumber(QByteArray &text, double value)
 {
@@ -48,65 +81,23 @@ void appendNumber(QByteArray &text, double value)
     text.append(digits, end.ptr - digits);
 }
 
-std::vector<Channel> listed(const ChannelSet &channels)
-{
-    std::vector<Channel> list;
-    for (std::size_t index = 0; index < kChannelCount; ++index) {
-        if (channels.test(index)) {
-            list.push_back(channelAt(index));
-        }
-    }
-    return list;
-}
-
-QByteArray csvHeader(const std::vector<Channel> &channels, AngleUnit unit)
-{
-    QByteArray header("time");
-    for (const Channel channel : channels) {
-        header += ',' + nameWithUnit(channel, unit);
-    }
-    return header + '\n';
-}
-
-bool writeCsvRows(const Trajectory &trajectory, const std::vector<Channel> &channels, AngleUnit unit,
-                  const TextSink &sink)
-{
-    QByteArray text;
-    text.reserve(kFullBuffer + kFullBuffer / 8);
-    for (std::size_t row = 0; row < trajectory.time.size(); ++row) {
-        appendNumber(text, trajectory.time[row]);
-        for (const Channel channel : channels) {
-            text += ',';
-            appendNumber(text, trajectory[channel][row] * factorTo(unit, channel));
-        }
-        text += '\n';
-        if (text.size() >= kFullBuffer) {
-            if (!sink(text)) {
-                return false;
-            }
-            text.resize(0); // unlike clear(), this does not free the memory
-        }
-    }
-    return sink(text);
-}
-
-std::optional<QString> exportMotion(const QString &path, const Result &result, const ChannelSet &channels,
-                                    double crankStep, std::stop_token stop, const std::function<void(double)> &progress)
+std::optional<QString> exportMotion(const QString &path, const Result &result, const MotionCsvOptions &options,
+                                    std::stop_token stop, const std::function<void(double)> &progress)
 {
     Sampling sampling = result.sampling;
-    if (crankStep > 0.0 && result.mechanism.omega2() != 0.0) {
-        sampling.steps = std::max(1, static_cast<int>(std::lround(360.0 / crankStep)));
+    if (options.crankStep > 0.0 && result.mechanism.omega2() != 0.0) {
+        sampling.steps = std::max(1, static_cast<int>(std::lround(360.0 / options.crankStep)));
         sampling.duration = kTurn / std::abs(result.mechanism.omega2());
     }
-    ChannelSet columns = channels;
+    ChannelSet columns = options.channels;
     columns.set(indexOf({Coordinate::Theta2, Order::Position}));
     const std::vector<Channel> list = listed(columns);
     WholeFile file(path);
-    bool goesOn = file.open() && file.write(csvHeader(list, AngleUnit::Degree));
+    bool goesOn = file.open() && file.write(csvHeader(list, options.units));
     double steps = 0.0; // that are written
     const TextSink sink = [&](const QByteArray &text) { return file.write(text) && !stop.stop_requested(); };
     const auto take = [&](const Trajectory &piece) {
-        goesOn = writeCsvRows(piece, list, AngleUnit::Degree, sink);
+        goesOn = writeCsvRows(piece, list, options.units, sink);
         steps += static_cast<double>(piece.time.size());
         if (progress) {
             progress(steps / (sampling.steps + 1.0));

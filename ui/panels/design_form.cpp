@@ -44,8 +44,9 @@ DesignForm::DesignForm(Session *session, QWidget *parent)
             requestDesign(with(m_wanted, &DesignRequest::timeRatio, wanted));
         }
     });
-    connect(m_transmissionAngle, &NumberBox::edited, this, [this](double degrees) {
-        requestDesign(with(m_wanted, &DesignRequest::transmissionAngle, degrees / kDegreesPerRadian));
+    connect(m_transmissionAngle, &NumberBox::edited, this, [this](double angle) {
+        requestDesign(
+            with(m_wanted, &DesignRequest::transmissionAngle, coreValue(Measure::Angle, angle, notation().units)));
     });
     connect(m_ratio, &QSlider::valueChanged, this,
             [this] { apply(findLengths(m_wanted.stroke, m_wanted.timeRatio, m_ratio->number())); });
@@ -53,6 +54,7 @@ DesignForm::DesignForm(Session *session, QWidget *parent)
     connect(m_ratio, &QSlider::sliderReleased, session, &Session::endDrag);
     connect(m_best, &QToolButton::clicked, this, [this] { requestDesign(m_wanted); });
     connect(session, &Session::parametersChanged, this, &DesignForm::showParameters);
+    connect(session, &Session::resultChanged, this, &DesignForm::showParameters); // also after a change of units
 }
 
 void DesignForm::showEvent(QShowEvent *event)
@@ -78,8 +80,6 @@ void DesignForm::createControls()
     m_transmissionAngle = addField(form, "designTransmissionAngle", tr("Minimum transmission angle"), new NumberBox,
                                    tr("Type the smallest transmission angle that you accept: the mechanism with the "
                                       "largest minimum transmission angle is chosen, stroke and time ratio stay"));
-    m_transmissionAngle->setSuffix("°");
-    m_transmissionAngle->setUnit(kDegree);
     for (NumberBox *box : {m_stroke, m_timeRatio, m_transmissionAngle}) {
         box->setRange(kSmallestPositive, kLargestParameter);
     }
@@ -117,13 +117,18 @@ void DesignForm::showParameters()
     const bool turns = limits.mobility == Mobility::FullTurn;
     const double ratio = m_parameters.b / m_parameters.a;
     const std::optional<DesignRange> range = findDesignRange(m_wanted.timeRatio);
-    const double best = kDegreesPerRadian * (range ? range->bestTransmissionAngle : 0.0);
-    const double perMillimetre = shownValue(Measure::Length, 1.0, notation().units);
+    const double best = range ? range->bestTransmissionAngle : 0.0; // rad
+    const Units &units = notation().units;
+    const double perMillimetre = shownValue(Measure::Length, 1.0, units);
     m_stroke->setSuffix(u' ' + shownUnit(Measure::Length));
     m_stroke->setUnit(Unit{Dimension::Length, 0, 1.0 / perMillimetre});
     m_stroke->setValue(perMillimetre * m_wanted.stroke);
     m_timeRatio->setValue(std::max(m_wanted.timeRatio, 1.0 / m_wanted.timeRatio));
-    m_transmissionAngle->setValue(turns ? kDegreesPerRadian * limits.coupler.minimumTransmissionAngle.angle : best);
+    const bool isRadian = units.angle == AngleUnit::Radian;
+    m_transmissionAngle->setSuffix(isRadian ? u' ' + shownUnit(Measure::Angle) : shownUnit(Measure::Angle));
+    m_transmissionAngle->setUnit(isRadian ? kRadian : kDegree);
+    m_transmissionAngle->setValue(
+        shownValue(Measure::Angle, turns ? limits.coupler.minimumTransmissionAngle.angle : best, units));
     m_ratio->setEnabled(turns && range);
     m_best->setEnabled(range.has_value());
     const auto number = [](double value) { return numberText(value, 5); };
@@ -136,8 +141,9 @@ void DesignForm::showParameters()
         const int steps = static_cast<int>(std::ceil((last - 1.0) / step));
         m_ratio->setScale(1.0, step, 1, std::max(1, steps - 1)); // both ends are excluded
         m_ratio->setNumber(ratio);
-        text += u' ' + tr("With this time ratio the minimum transmission angle is largest, %1°, for b/a = %2.")
-                           .arg(number(best), number(range->bestRatio));
+        const QString angle = withUnit(number(shownValue(Measure::Angle, best, units)), shownUnit(Measure::Angle));
+        text += u' ' + tr("With this time ratio the minimum transmission angle is largest, %1, for b/a = %2.")
+                           .arg(angle, number(range->bestRatio));
     }
     m_lengths->setText(text);
 }

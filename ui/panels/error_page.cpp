@@ -7,6 +7,7 @@
 #include "ui/text/explanation.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/identification_text.h"
+#include "ui/text/notation.h"
 #include "ui/text/read_fault_text.h"
 #include "ui/text/written_number.h"
 
@@ -55,14 +56,16 @@ public:
         return {.text = value ? text + space + unit : text, .number = value};
     }
 
-    /// Returns the quantity, its largest error, that error in percent of the peak, and its time.
+    /// Returns the quantity, its largest error in the unit that is shown, that error in percent of the peak, and its
+    /// time.
     static TableRow rowOf(const ChannelComparison &channel, const QString &explanation)
     {
-        const QString unit = unitText(channel.channel);
+        const QString unit = shownUnit(channel.channel);
+        const std::optional<double> error = shownDifference(channel.channel, channel.maxAbs);
         const std::optional<double> time = channel.maxAbs ? std::optional(channel.timeOfMaxAbs) : std::nullopt;
         return {{{.text = QStringLiteral("%1 %2").arg(symbolText(channel.channel), quantityName(channel.channel)),
                   .csv = QStringLiteral("%1 [%2]").arg(columnName(channel.channel), unit)},
-                 numberCell(channel.maxAbs, unit),
+                 numberCell(error, unit),
                  numberCell(channel.percentOfPeak),
                  {.text = numberText(time), .number = time, .tone = Tone::Link}},
                 time,
@@ -93,10 +96,10 @@ public:
     static TableRow pinnedRow(const ChannelComparison &channel)
     {
         const bool isUnbounded = channel.maxAbs && std::isinf(*channel.maxAbs);
-        return rowOf(channel,
-                     isUnbounded
-                         ? tr("Infinite: one of the two mechanisms reaches a limit position")
-                         : tr("Root mean square: %1 %2").arg(shortNumber(channel.rms), unitText(channel.channel)));
+        return rowOf(channel, isUnbounded ? tr("Infinite: one of the two mechanisms reaches a limit position")
+                                          : tr("Root mean square: %1 %2")
+                                                .arg(shortNumber(shownDifference(channel.channel, channel.rms)),
+                                                     shownUnit(channel.channel)));
     }
 
     /// Returns a table without rows, with the columns of rowOf(); `largest` is the column of the largest error.

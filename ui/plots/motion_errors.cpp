@@ -2,6 +2,7 @@
 #include "ui/plots/motion_errors.h"
 
 #include "core/mechanism/turn.h"
+#include "ui/text/notation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,6 +55,7 @@ MotionErrors::MotionErrors(const Result &result, const PlotSettings &settings, c
         }
         Errors &errors = m_errors[channel];
         errors.series = file ? file->data.find(plotted) : nullptr;
+        errors.factor = shownScale(plotted, result.mechanism.branch()).factor;
         errors.peak = comparison->peak;
         errors.isUnbounded = !std::isfinite(errors.peak) || !std::isfinite(comparison->maxAbs.value_or(0.0));
         errors.reference = file ? errors.series->values : m_pinned[plotted];
@@ -73,12 +75,14 @@ double MotionErrors::error(std::size_t channel, double model, double reference) 
     constexpr double kPercent = 100.0;
     const Errors &errors = m_errors[channel];
     double error = std::abs(model - reference);
-    if (m_settings.error == ErrorMeasure::Percent) {
+    if (m_settings.error == ErrorMeasure::Absolute) {
+        error *= errors.factor;
+    } else if (m_settings.error == ErrorMeasure::Percent) {
         constexpr double kZero = 1e-12; // of the peak; smaller numbers are rounding errors of zero
         const double halfStep = errors.series ? 0.5 * errors.series->rounding.stepAt(reference) : 0.0;
         const double zero = std::max(std::isfinite(errors.peak) ? kZero * errors.peak : 0.0, halfStep);
         error = std::abs(reference) <= zero ? kNone : kPercent * error / std::abs(reference);
-    } else if (m_settings.error == ErrorMeasure::OfPeak) {
+    } else {
         // An error of 0 is 0 % even if the peak is 0. Other errors have no percentage of a peak of 0.
         error = !std::isfinite(errors.peak) ? kNone : error == 0.0 ? 0.0 : kPercent * error / errors.peak;
     }

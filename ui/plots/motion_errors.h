@@ -2,7 +2,8 @@
 #pragma once
 
 // Computes the errors of the model for each of the plotted channels: relative to the file, at the file's time stamps,
-// or without a file relative to the motion that was pinned last. Values are in the units of files (mm, °, s).
+// or without a file relative to the motion that was pinned last. Values are in the units of files (mm, °, s), absolute
+// errors in the units that are shown.
 
 #include "ui/document/result.h"
 #include "ui/document/view_settings.h"
@@ -24,6 +25,7 @@ public:
 
     struct Errors {
         const ReferenceSeries *series = nullptr; ///< the column of the file; null without one
+        double factor = 1.0;                     ///< of an absolute error, to the unit that is shown
         double peak = 0.0;                       ///< largest magnitude of the reference; may be infinite
         bool isUnbounded = false;                ///< whether the errors have no finite maximum
         std::span<const double> reference;       ///< empty if the channel is not in the file

@@ -126,7 +126,7 @@ bool PlotFigure::isOverAngle() const
 
 double PlotFigure::perSecond() const
 {
-    return isOverAngle() ? m_result->mechanism.omega2() * kDegreesPerRadian : 1.0;
+    return isOverAngle() ? shownValue(Measure::Angle, m_result->mechanism.omega2(), notation().units) : 1.0;
 }
 
 double PlotFigure::zeroTime() const
@@ -134,7 +134,7 @@ double PlotFigure::zeroTime() const
     return isOverAngle() ? -m_result->mechanism.theta20() / m_result->mechanism.omega2() : 0.0;
 }
 
-/// Returns how the values of a plot are shown; errors are shown in the units of files.
+/// Returns how the values of a plot are shown; errors are computed as they are shown.
 ShownScale PlotFigure::shownScaleOf(std::size_t plot) const
 {
     return isErrorPlot(plot) ? ShownScale()
@@ -365,7 +365,9 @@ std::vector<PlotReading> PlotFigure::readings(std::size_t plot, const ReadTime &
 QString PlotFigure::timeText(double t, const std::optional<double> &since) const
 {
     const double number = (t - since.value_or(zeroTime())) * perSecond();
-    return QString(since ? "Δ" : "") + QString(isOverAngle() ? "θ₂ = %1°" : "t = %1 s").arg(shortNumber(number));
+    const QString unit = isOverAngle() ? shownUnit(Measure::Angle) : QStringLiteral("s");
+    return QStringLiteral("%1%2 = %3")
+        .arg(since ? "Δ" : "", isOverAngle() ? "θ₂" : "t", withUnit(shortNumber(number), unit));
 }
 
 } // namespace slidercrank

@@ -3,11 +3,13 @@
 
 #include "ui/text/written_number.h"
 
+#include <QLocale>
 #include <QPicture>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace slidercrank
 {
@@ -57,6 +59,19 @@ protected:
     }
 };
 
+/// Returns an angle of whole degrees as a multiple of π: "−3π/2".
+QString multipleOfPiText(long degrees)
+{
+    const long divisor = std::gcd(degrees, 180L);
+    const long numerator = std::abs(degrees) / divisor;
+    if (numerator == 0) {
+        return numberText(0.0);
+    }
+    const QString multiple = numerator == 1 ? QStringLiteral("π") : QStringLiteral("%1π").arg(numerator);
+    const QString text = divisor == 180 ? multiple : QStringLiteral("%1/%2").arg(multiple).arg(180 / divisor);
+    return degrees < 0 ? QStringLiteral("−") + text : text;
+}
+
 } // namespace
 
 double smallestDetail(const QPainter &painter)
@@ -75,13 +90,17 @@ double NumberTicker::getTickStep(const QCPRange &range)
     constexpr double kFewestDigits = 6.0;
     constexpr double kMostDigits = 17.0;
     constexpr double kFullTurn = 360.0;
-    constexpr std::array kPartsOfTurn{10.0, 15.0, 30.0, 45.0, 90.0, 180.0};
+    constexpr std::array kPartsOfTurn{10.0, 15.0, 30.0, 45.0, 90.0, 180.0}; // °
     const double unit = std::abs(perUnit);
     const double wanted = range.size() / unit / mTickCount;
     m_step = nextRoundNumber(wanted);
-    if (isAngle && wanted > 0.5 * kPartsOfTurn.front()) {
-        m_step = wanted > kPartsOfTurn.back() ? std::max(kFullTurn, kFullTurn * nextRoundNumber(wanted / kFullTurn))
-                                              : *std::ranges::lower_bound(kPartsOfTurn, wanted);
+    const double perDegree = angle ? shownValue(Measure::Angle, 1.0, {.angle = *angle}) / kDegreesPerRadian : 1.0;
+    const double degrees = wanted / perDegree;
+    m_isPartOfTurn = angle && degrees > 0.5 * kPartsOfTurn.front();
+    if (m_isPartOfTurn) {
+        m_step = perDegree * (degrees > kPartsOfTurn.back()
+                                  ? std::max(kFullTurn, kFullTurn * nextRoundNumber(degrees / kFullTurn))
+                                  : *std::ranges::lower_bound(kPartsOfTurn, degrees));
     } else if (isLogarithmic) {
         m_step = std::max(1.0, m_step);
     } else if (const double step = m_step * unit; mTickCount > 1 && std::floor((range.upper - mTickOrigin) / step) <=
@@ -98,6 +117,9 @@ QString NumberTicker::getTickLabel(double tick, const QLocale &, QChar, int)
 {
     constexpr double kRoundingError = 1e-6; // of a step
     const double value = (tick - mTickOrigin) / perUnit;
+    if (m_isPartOfTurn && angle == AngleUnit::Radian) {
+        return multipleOfPiText(std::lround(value * kDegreesPerRadian));
+    }
     return isLogarithmic ? powerOfTenText(static_cast<int>(std::lround(value)))
                          : numberText(std::abs(value) < kRoundingError * m_step ? 0.0 : value, m_digits);
 }

@@ -13,8 +13,11 @@
 #include "ui/plots/curve_sampling.h"
 #include "ui/plots/plot_fonts.h"
 #include "ui/text/theme.h"
+#include "ui/text/units.h"
 
 #include <qcustomplot.h>
+
+#include <optional>
 
 namespace slidercrank
 {
@@ -25,8 +28,11 @@ class NumberTicker : public QCPAxisTicker
 {
 public:
     double perUnit = 1.0;
-    bool isAngle = false;       ///< in degrees: ticks that are not close together are parts or multiples of a turn
     bool isLogarithmic = false; ///< the numbers are decimal logarithms; labels are powers of ten
+
+    /// The unit of numbers that are angles. Ticks that are not close together are parts or multiples of a turn; labels
+    /// in radians are then multiples of π.
+    std::optional<AngleUnit> angle = {};
 
 protected:
     double getTickStep(const QCPRange &range) override;
@@ -34,7 +40,8 @@ protected:
 
 private:
     double m_step = 1.0;
-    int m_digits = 6; ///< significant digits of the labels
+    int m_digits = 6;            ///< significant digits of the labels
+    bool m_isPartOfTurn = false; ///< whether the step is a part or a multiple of a turn
 };
 
 /// Returns the size, in units of the painter, of the smallest detail that its device shows: a pixel, or 0.06 mm on

@@ -251,7 +251,7 @@ void PlotFigure::setTimeScale()
     const QFontMetrics metrics(m_fonts.tick);
     const Interval time = timeRange();
     m_timeTicker->perUnit = 1.0 / perSecond();
-    m_timeTicker->isAngle = isOverAngle();
+    m_timeTicker->angle = isOverAngle() ? std::optional(notation().units.angle) : std::nullopt;
     m_timeTicker->setTickOrigin(zeroTime());
     int labelWidth = 0;
     const auto setDistance = [this](double pixels) {
@@ -265,7 +265,7 @@ void PlotFigure::setTimeScale()
         labelWidth = std::max(labelWidth, metrics.horizontalAdvance(label));
     }
     setDistance(std::max(kLeast, labelWidth + kSpace));
-    const QString title = isOverAngle() ? "θ₂ [°]" : "t [s]";
+    const QString title = isOverAngle() ? QStringLiteral("θ₂ [%1]").arg(shownUnit(Measure::Angle)) : "t [s]";
     const int valueWidth = kUsualDigits * metrics.horizontalAdvance(u'0');
     const QMargins least(valueWidth + kTickLength + kLabelGap, 0, labelWidth / 2 + kAround, 0);
     for (const std::size_t index : plots()) {
@@ -283,11 +283,11 @@ QStringList PlotFigure::titles(std::size_t index) const
 {
     const bool isError = isErrorPlot(index);
     const Channel channel = kPlottedChannels[isError ? index / kPlotColumns * kErrorColumn : channelOf(index)];
-    QString unit = isError ? unitText(channel) : shownUnit(channel);
+    QString unit = shownUnit(channel);
     QStringList titles;
     if (isError) {
         const std::array units{QString("%"),
-                               QStringLiteral("%1; %2").arg(unit, unitText({Coordinate::R4x, channel.order})),
+                               QStringLiteral("%1; %2").arg(unit, shownUnit(Channel{Coordinate::R4x, channel.order})),
                                tr("% of peak")};
         unit = units[static_cast<std::size_t>(m_style.error)];
         titles = {tr("difference"), QString()};

@@ -2,8 +2,9 @@
 #pragma once
 
 // Draws the nine plots of a Result in one QCustomPlot. The rows are position, velocity and acceleration; the columns
-// are θ³, Rₓ⁴ and error. All share one legend and one time axis. Values are in the units of files (mm, °, s), errors in
-// these units or in percent. The value axes fit the curves within the time shown, unless the user chose their range.
+// are θ³, Rₓ⁴ and error. All share one legend and one time axis. Values are in the units of files (mm, °, s), which the
+// labels convert to those that are shown; errors are in the units that are shown or in percent. The value axes fit the
+// curves within the time shown, unless the user chose their range.
 
 #include "ui/document/result.h"
 #include "ui/document/view_settings.h"
@@ -177,7 +178,7 @@ private:
     bool isOverAngle() const;
     ShownScale shownScaleOf(std::size_t plot) const;
     bool isLogarithmic(std::size_t plot) const;
-    double perSecond() const; ///< numbers on the time axis per second: 1, or degrees over the crank angle
+    double perSecond() const; ///< numbers on the time axis per second: 1, or over the crank angle its shown speed
     double zeroTime() const;  ///< the time at which the number on the time axis is 0, s
     const MotionCurves &model() const { return m_motions.back(); }
     double modelValue(std::size_t channel, const ReadTime &time) const;

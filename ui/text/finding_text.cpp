@@ -223,20 +223,28 @@ QString verdictText(const ChannelComparison &channel)
     return channel.count == 0 ? FindingText::tr("differs: nothing to compare with") : FindingText::tr("differs");
 }
 
+QString placeText(const ChannelComparison &channel, const ReferenceData &file)
+{
+    const double time = channel.timeOfMaxAbs;
+    return !channel.maxAbs ? dash()
+           : file.crank    ? numberText(shownValue(Measure::Angle, file.crank->omega2 * time + file.crank->theta20,
+                                                   notation().units))
+                           : numberText(time);
+}
+
 std::vector<QStringList> comparisonTable(std::span<const ChannelComparison> channels, const ReferenceData &file)
 {
-    std::vector<QStringList> rows{{FindingText::tr("channel"), FindingText::tr("largest error"),
-                                   file.crank ? FindingText::tr("at θ₂ [°]") : FindingText::tr("at t [s]"),
-                                   FindingText::tr("rms"), FindingText::tr("% of peak"),
-                                   FindingText::tr("max. relative error [%]"), FindingText::tr("rounding step"),
-                                   FindingText::tr("verdict")}};
+    std::vector<QStringList> rows{
+        {FindingText::tr("channel"), FindingText::tr("largest error"),
+         file.crank ? FindingText::tr("at θ₂ [%1]").arg(shownUnit(Measure::Angle)) : FindingText::tr("at t [s]"),
+         FindingText::tr("rms"), FindingText::tr("% of peak"), FindingText::tr("max. relative error [%]"),
+         FindingText::tr("rounding step"), FindingText::tr("verdict")}};
     for (const ChannelComparison &channel : channels) {
-        const double time = channel.timeOfMaxAbs;
-        const double place = file.crank ? (file.crank->omega2 * time + file.crank->theta20) * kDegreesPerRadian : time;
-        rows.push_back({QStringLiteral("%1 [%2]").arg(columnName(channel.channel), unitText(channel.channel)),
-                        errorText(channel.maxAbs), channel.maxAbs ? numberText(place) : dash(), errorText(channel.rms),
+        const auto shown = [&channel](std::optional<double> error) { return shownDifference(channel.channel, error); };
+        rows.push_back({QStringLiteral("%1 [%2]").arg(columnName(channel.channel), shownUnit(channel.channel)),
+                        errorText(shown(channel.maxAbs)), placeText(channel, file), errorText(shown(channel.rms)),
                         errorText(channel.percentOfPeak), errorText(channel.maxPercent),
-                        numberText(channel.roundingStep, 3), verdictText(channel)});
+                        numberText(shown(channel.roundingStep), 3), verdictText(channel)});
     }
     return rows;
 }

@@ -83,7 +83,11 @@ QString measuredText(double value, double standardError, double scale);
 /// Describes a verdict: "agrees within the rounding of the file", "close: at most 12.3 times the rounding of the file".
 QString verdictText(const ChannelComparison &channel);
 
-/// Returns a table of the errors of each channel against a file. The first row contains the headings.
+/// Returns where the largest error of a channel is: its time, or the crank angle if the file is indexed by it.
+QString placeText(const ChannelComparison &channel, const ReferenceData &file);
+
+/// Returns a table of the errors of each channel against a file, in the units that are shown. The first row contains
+/// the headings.
 std::vector<QStringList> comparisonTable(std::span<const ChannelComparison> channels, const ReferenceData &file);
 
 /// Summarizes a comparison: "Match. Quantities that agree within the rounding of the file: 6 of 6."

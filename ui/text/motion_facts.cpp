@@ -192,8 +192,9 @@ QString mobilitySentence(const Mechanism &mechanism, const MotionLimits &limits)
 
 QString valueText(const MotionFact &fact, int digits)
 {
-    constexpr double kRounding = 1e-10; // °, of an angle that is zero
-    const bool isZero = fact.unit == u"°" && std::abs(fact.number) < kRounding;
+    constexpr double kRounding = 1e-12; // rad, of an angle that is zero
+    const double perRadian = fact.unit == u"rad" ? 1.0 : kDegreesPerRadian;
+    const bool isZero = describe(fact.kind).measure == Measure::Angle && std::abs(fact.number) < kRounding * perRadian;
     return withUnit(shortNumber(isZero ? 0.0 : fact.number, digits), fact.unit);
 }
 

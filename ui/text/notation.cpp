@@ -87,6 +87,11 @@ ShownScale shownScale(const OutputChannel &channel, Branch branch, const Notatio
     return scale;
 }
 
+std::optional<double> shownDifference(const OutputChannel &channel, std::optional<double> difference)
+{
+    return difference ? std::optional(fromFileUnit(measureOf(channel), *difference, notation().units)) : std::nullopt;
+}
+
 double shownChannel(const OutputChannel &channel, Branch branch, double value)
 {
     return shownScale(channel, branch).shown(toFileUnit(measureOf(channel), value));

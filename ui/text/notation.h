@@ -9,6 +9,8 @@
 
 #include <QString>
 
+#include <optional>
+
 namespace slidercrank
 {
 
@@ -45,6 +47,9 @@ struct ShownScale {
     double inFileUnit(double shown) const { return (shown - offset) / factor; }
 };
 ShownScale shownScale(const OutputChannel &channel, Branch branch, const Notation &chosen = notation());
+
+/// Converts a difference of two values of a channel from the unit of files to the one that is shown.
+std::optional<double> shownDifference(const OutputChannel &channel, std::optional<double> difference);
 
 /// Returns the value of a channel as it is shown, from the core's unit (mm, rad, s).
 double shownChannel(const OutputChannel &channel, Branch branch, double value);

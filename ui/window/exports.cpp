@@ -11,6 +11,7 @@
 #include "ui/panels/motion_table_panel.h"
 #include "ui/panels/timeline.h"
 #include "ui/plots/plot_grid.h"
+#include "ui/text/notation.h"
 #include "ui/text/theme.h"
 #include "ui/widgets/save_dialog.h"
 #include "ui/window/ghost.h"
@@ -155,9 +156,10 @@ void Exports::writeData(const QString &path, const ChannelSet &channels, double 
         emit m_session->failed(tr("Another file is still being written: wait for it, or cancel it below."));
         return;
     }
-    const auto write = [path, channels, crankStep, result = m_session->result()](
-                           const std::stop_token &stop, const BackgroundTask::Progress &progress) {
-        return exportMotion(path, *result, channels, crankStep, stop, progress);
+    const MotionCsvOptions options{channels, crankStep, notation().units};
+    const auto write = [path, options, result = m_session->result()](const std::stop_token &stop,
+                                                                     const BackgroundTask::Progress &progress) {
+        return exportMotion(path, *result, options, stop, progress);
     };
     const auto done = [this, path](const Problem &problem) { m_session->reportWritten(path, problem); };
     m_task->start(write, done, [this](const QString &problem) { emit m_session->failed(problem); });

@@ -5,8 +5,10 @@
 #include "tests/support/suite.h"
 #include "ui/panels/error_page.h"
 #include "ui/panels/reference_page.h"
+#include "ui/text/notation.h"
 
 #include <QLocale>
+#include <QScopeGuard>
 #include <QTest>
 
 #include <algorithm>
@@ -110,6 +112,20 @@ private slots:
         }
         QVERIFY(rows[1].explanation.contains("times the rounding"));
         QVERIFY(rows[2].explanation.contains("cannot be assembled at 201"));
+    }
+
+    void errorsAreInTheChosenUnits()
+    {
+        const auto restore = qScopeGuard([] { setNotation({}); });
+        setNotation({.units = {LengthUnit::Inch, AngleUnit::Radian}});
+        const Page page = errorPage(
+            resultWith({compared(Verdict::Differs, 90.0), compared(Verdict::Close, 254.0, {R4x, Order::Velocity})}),
+            nullptr);
+        QCOMPARE(rowTexts(page.tables.at(0)), (QStringList{"θ³ coupler angle|✗ differs|1.571 rad|450.0|0.5",
+                                                           "v⁴ slider velocity|≈ close|10.00 in/s|1270|0.5"}));
+        QCOMPARE(page.tables[0].rows[1].cells[0].csv, "R4_x_diff [in/s]");
+        QVERIFY2(page.tables[0].rows[1].explanation.contains("rms: 5.00"),
+                 qPrintable(page.tables[0].rows[1].explanation));
     }
 
     void theVerdictOnTheFileIsThatOfItsWorstChannel()

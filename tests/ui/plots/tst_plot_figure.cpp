@@ -8,6 +8,7 @@
 #include "ui/plots/plot_drawing.h"
 
 #include <QPainter>
+#include <QScopeGuard>
 #include <QTest>
 
 #include <algorithm>
@@ -316,6 +317,28 @@ private slots:
         QCOMPARE(axis.label(), "θ₂ [°]");
         const auto zero = axis.tickVectorLabels().indexOf(QStringLiteral("0")); // a quarter of a second after 90°
         QVERIFY(zero >= 0 && isNear(axis.tickVector()[zero], 0.25, 1e-9));
+    }
+
+    void theCrankAngleAndErrorsAreInTheChosenUnits()
+    {
+        const auto restore = qScopeGuard([] { setNotation({}); });
+        const std::shared_ptr<Reference> reference = referenceOf(65.0);
+        PlotFigure &inMillimetres = figureOf({.reference = reference});
+        inMillimetres.setSettings(settingsWith(ErrorMeasure::Absolute));
+        const std::vector<PlotReading> mm = readingsOf(inMillimetres, kPositionErrors, 0.3);
+        setNotation({.units = {LengthUnit::Inch, AngleUnit::Radian}});
+        PlotFigure &figure = figureOf({.reference = reference});
+        figure.setSettings({.error = ErrorMeasure::Absolute, .roundingBand = false, .abscissa = Abscissa::CrankAngle});
+        const std::vector<PlotReading> inches = readingsOf(figure, kPositionErrors, 0.3);
+        QVERIFY(isNear(inches[0].number, mm[0].number * std::numbers::pi / 180.0, 1e-12));
+        QVERIFY(isNear(inches[1].number, mm[1].number / 25.4, 1e-12));
+        QVERIFY2(figure.shownPlot(kPositionErrors).titles.front().text().contains("[rad; in]"),
+                 qPrintable(figure.shownPlot(kPositionErrors).titles.front().text()));
+        QCOMPARE(figure.timeText(0.5), "θ₂ = 3.142 rad");
+        const QCPAxis &axis = *plotOf(figure, 0).axes->axis(QCPAxis::atBottom);
+        QCOMPARE(axis.label(), "θ₂ [rad]");
+        const auto half = axis.tickVectorLabels().indexOf(QStringLiteral("π"));
+        QVERIFY(half >= 0 && isNear(axis.tickVector()[half], 0.5, 1e-9));
     }
 
     void inPresentationModeMotionsAreEquallyThickAndNamedByTheirDifference()
