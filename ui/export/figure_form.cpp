@@ -85,16 +85,15 @@ void chooseFigure(QWidget *parent, const FigureSubject &subject,
 {
     auto *form = new FigureForm(subject, storedFigureOptions(), parent);
     form->setAttribute(Qt::WA_DeleteOnClose);
-    QObject::connect(form, &QDialog::accepted, parent, [form, parent, name = subject.name, write] {
+    QObject::connect(form, &QDialog::accepted, parent, [form, parent, subject, write] {
         const FigureOptions options = form->options();
-        FigureOptions stored = options;
-        if (options.plots.isEmpty()) { // a figure without choices
-            stored.plots = storedFigureOptions().plots;
-        }
+        FigureOptions stored = options; // what this figure does not offer stays as it was chosen for another one
+        stored.plots = options.plots.isEmpty() ? storedFigureOptions().plots : options.plots;
+        stored.showsCursor = subject.hasCursor ? options.showsCursor : storedFigureOptions().showsCursor;
         storeFigureOptions(stored);
         QStringList filters = figureFilters();
         filters.move(static_cast<int>(options.format), 0);
-        chooseFileToSave(parent, {FigureForm::tr("Export"), filters, name,
+        chooseFileToSave(parent, {FigureForm::tr("Export"), filters, subject.name,
                                   [options, write](const QString &path, const QString &) { write(options, path); }});
     });
     form->open();
@@ -146,6 +145,7 @@ FigureForm::FigureForm(const FigureSubject &subject, const FigureOptions &option
     form->addRow(m_outcome);
     auto *layout = new QGridLayout(this);
     layout->addLayout(form, 0, 0);
+    layout->setColumnMinimumWidth(0, form->sizeHint().width()); // otherwise the preview cuts long labels
     layout->addWidget(m_preview, 0, 1);
     layout->addWidget(buttons, 1, 0, 1, 2);
     layout->setColumnStretch(1, 1);

@@ -9,7 +9,6 @@
 #include "ui/text/written_number.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/paragraph.h"
-#include "ui/widgets/save_dialog.h"
 
 #include <QLabel>
 #include <QPainter>
@@ -25,9 +24,7 @@ namespace slidercrank
 namespace
 {
 
-constexpr QSize kPolygonFigure(1000, 500); // px, of the exported picture
-
-/// The symbol of a vector, and whether it is the sum of the others.
+/// The symbol of a vector.
 QString vectorText(PolygonVector vector)
 {
     switch (vector) {
@@ -128,13 +125,49 @@ private:
             return;
         }
         const QStaticText text = withSubscripts(vectorText(placed.vector), m_painter.font());
-        QRectF box(QPointF(), text.size());
-        const QLineF normal = line.normalVector().unitVector();
-        const double side = isSum(placed.vector) ? -1.0 : 1.0;
-        const double apart = 0.5 * (std::abs(normal.dx()) * box.width() + std::abs(normal.dy()) * box.height()) + 2.0;
-        box.moveCenter(line.center() + side * apart * QPointF(normal.dx(), normal.dy()));
+        const QRectF box = namePlace(line, text.size(), isSum(placed.vector) ? Side::Right : Side::Left);
+        m_names.push_back(box);
         m_painter.setPen(m_palette.color(QPalette::Text));
         m_painter.drawStaticText(box.topLeft(), text);
+    }
+
+    enum class Side { Left, Right };
+
+    /// Returns where a name beside a vector covers neither a vector nor another name: if possible on that side of its
+    /// middle.
+    QRectF namePlace(const QLineF &line, const QSizeF &size, Side side) const
+    {
+        const QLineF normal = line.normalVector().unitVector();
+        const QPointF left(normal.dx(), normal.dy());
+        const QPointF preferred = side == Side::Left ? left : -left;
+        const double apart = 0.5 * (std::abs(left.x()) * size.width() + std::abs(left.y()) * size.height()) + 2.0;
+        std::vector<QRectF> places;
+        for (const double distance : {apart, 1.5 * apart, 2.0 * apart}) {
+            for (const QPointF &direction : {preferred, -preferred}) {
+                for (const double part : {0.5, 0.3, 0.7, 0.0, 1.0}) {
+                    QRectF &box = places.emplace_back(QPointF(), size);
+                    box.moveCenter(line.pointAt(part) + distance * direction);
+                }
+            }
+        }
+        const auto isFree = [this](const QRectF &box) {
+            const auto covers = [&box](const QRectF &name) { return name.intersects(box); };
+            const auto crosses = [this, &box](const PlacedVector &placed) {
+                return isCrossed(box, {toPixels(placed.from), toPixels(placed.to)});
+            };
+            return std::ranges::none_of(m_names, covers) && std::ranges::none_of(m_polygon, crosses);
+        };
+        const auto found = std::ranges::find_if(places, isFree);
+        return found == places.end() ? places.front() : *found;
+    }
+
+    static bool isCrossed(const QRectF &box, const QLineF &line)
+    {
+        const QLineF diagonals[] = {{box.topLeft(), box.bottomRight()}, {box.bottomLeft(), box.topRight()}};
+        return box.contains(line.p1()) || box.contains(line.p2()) ||
+               std::ranges::any_of(diagonals, [&line](const QLineF &diagonal) {
+                   return line.intersects(diagonal) == QLineF::BoundedIntersection;
+               });
     }
 
     void drawPole()
@@ -169,6 +202,7 @@ private:
     const QPalette &m_palette;
     double m_scale = 1.0; ///< px per mm/s or mm/s²
     QPointF m_pole;
+    std::vector<QRectF> m_names; ///< px, that are drawn
 };
 
 /// The area that shows the polygons.
@@ -226,8 +260,9 @@ PolygonView::PolygonView(Session *session, QWidget *parent)
             this, &PolygonView::copy);
     connect(addButton(head, "polygonExport", tr("Export…"), tr("Writes the polygons to an image file")),
             &QToolButton::clicked, this, [this] {
-                chooseExport(m_session, this, figureFilters(), tr("polygons"),
-                             [this](const QString &path) { return exportTo(path); });
+                chooseFigure(this, figure(), [this](const FigureOptions &options, const QString &path) {
+                    m_session->reportWritten(path, exportFigure(path, figure(), options));
+                });
             });
     auto *rows = new QVBoxLayout(this);
     rows->setContentsMargins(2, 0, 0, 0);
@@ -251,25 +286,42 @@ void PolygonView::refresh()
     }
 }
 
-FigureDrawing PolygonView::drawing() const
+/// Returns the crank angle of the polygons, and the crank acceleration unless it is 0.
+QString PolygonView::positionText() const
 {
-    return [this](QPainter &painter, const QSize &size) {
-        const QPalette light = paletteFor(Theme::Light);
-        painter.setRenderHint(QPainter::Antialiasing);
-        painter.fillRect(QRect(QPoint(), size), light.base());
-        drawPolygons(painter, QRectF(QPointF(), QSizeF(size)), presentPolygons(*m_session, m_alpha2), light);
-    };
+    const double theta2 = shownValue(Measure::Angle, m_session->pose().theta2, notation().units);
+    const QString position = QStringLiteral("θ₂ = %1").arg(withUnit(numberText(theta2), shownUnit(Measure::Angle)));
+    return m_alpha2 == 0.0 ? position : QStringLiteral("%1, α₂ = %2 rad/s²").arg(position, numberText(m_alpha2));
 }
 
-std::optional<QString> PolygonView::exportTo(const QString &path) const
+FigureSubject PolygonView::figure() const
 {
-    return exportFigure(path, {kPolygonFigure, 2.0}, accessibleName(),
-                        withParameters(drawing(), Mechanism(m_session->parameters()), paletteFor(Theme::Light)));
+    const Mechanism mechanism(m_session->parameters());
+    const QPalette light = paletteFor(Theme::Light);
+    const FigureDrawing drawing = [light, polygons = presentPolygons(*m_session, m_alpha2),
+                                   position = positionText()](QPainter &painter, const QSize &size) {
+        const QRectF area({0.0, 0.0}, QSizeF(size));
+        const double heading = 1.5 * QFontMetricsF(painter.font()).height();
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.fillRect(area, light.base());
+        painter.setPen(light.color(QPalette::Text));
+        painter.drawText(QRectF(0.0, 0.0, area.width(), heading), Qt::AlignCenter, position);
+        drawPolygons(painter, area.adjusted(0.0, heading, 0.0, 0.0), polygons, light);
+    };
+    const FigureHeight height = [](int width, const QFont &) { return width / 2; };
+    FigureSubject subject;
+    subject.name = tr("polygons");
+    subject.height = [=](const FigureOptions &) { return withParameters(height, mechanism); };
+    subject.draw = [=](const FigureOptions &) { return withParameters(drawing, mechanism, light); };
+    return subject;
 }
 
 void PolygonView::copy()
 {
-    if (const std::optional<QString> problem = copyFigureToClipboard({kPolygonFigure, 2.0}, drawing())) {
+    const FigureOptions options = storedFigureOptions();
+    const FigureSubject subject = figure();
+    const FigureSize size = figureSize(options, subject.height(options));
+    if (const std::optional<QString> problem = copyFigureToClipboard(size, subject.draw(options))) {
         emit m_session->failed(*problem);
     } else {
         emit m_session->confirmed(tr("The polygons are in the clipboard."));

@@ -5,7 +5,7 @@
 // follow the animation.
 
 #include "core/limits/polygon.h"
-#include "ui/export/figure_export.h"
+#include "ui/export/figure_form.h"
 
 #include <QWidget>
 
@@ -24,8 +24,8 @@ public:
     /// Sets the crank acceleration (rad/s²).
     void setCrankAcceleration(double alpha2);
 
-    /// Writes the polygons to an image file. Returns an error message if it cannot be written.
-    std::optional<QString> exportTo(const QString &path) const;
+    /// Returns the polygons as a figure, which states their position and the parameters.
+    FigureSubject figure() const;
 
     QSize minimumSizeHint() const override { return {300, 120}; }
 
@@ -34,7 +34,7 @@ protected:
 
 private:
     void refresh();
-    FigureDrawing drawing() const;
+    QString positionText() const;
     void copy();
 
     Session *m_session;

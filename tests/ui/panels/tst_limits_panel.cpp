@@ -6,7 +6,9 @@
 #include "core/limits/extremes.h"
 #include "ui/panels/design_form.h"
 #include "ui/panels/parameter_panel.h"
+#include "ui/panels/polygon_view.h"
 #include "ui/panels/response_view.h"
+#include "ui/text/notation.h"
 #include "ui/widgets/number_box.h"
 #include "ui/widgets/number_slider.h"
 #include "ui/window/main_window.h"
@@ -22,6 +24,8 @@
 #include <QLabel>
 #include <QMenuBar>
 #include <QMouseEvent>
+#include <QRegularExpression>
+#include <QScopeGuard>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
@@ -29,12 +33,59 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <numeric>
 #include <random>
 
 using namespace slidercrank;
 
 namespace tst_limits_panel
 {
+
+/// Returns the lines of that width (px) in an SVG file, in their order.
+std::vector<QLineF> linesIn(const QString &svg, const QString &width)
+{
+    static const QRegularExpression kElement(
+        "<g [^>]*stroke-width=\"([^\"]*)\"|"
+        "<polyline [^>]*points=\"([-0-9.e]+),([-0-9.e]+) ([-0-9.e]+),([-0-9.e]+) \"");
+    std::vector<QLineF> lines;
+    QString group;
+    for (auto match = kElement.globalMatch(svg); match.hasNext();) {
+        const QRegularExpressionMatch element = match.next();
+        if (element.hasCaptured(1)) {
+            group = element.captured(1);
+        } else if (group == width) {
+            lines.push_back({element.captured(2).toDouble(), element.captured(3).toDouble(),
+                             element.captured(4).toDouble(), element.captured(5).toDouble()});
+        }
+    }
+    return lines;
+}
+
+/// Returns the vectors of both polygons in their order, with y upwards, by differentiating a cos θ₂ + b cos θ₃ = x and
+/// a sin θ₂ + b sin θ₃ = c by hand.
+std::vector<QPointF> expectedVectors(const Parameters &parameters, double theta2, double alpha2)
+{
+    const auto &[a, b, c, omega2, theta20, branch] = parameters;
+    const auto polar = [](double length, double angle) {
+        return QPointF(length * std::cos(angle), length * std::sin(angle));
+    };
+    constexpr double kRight = 0.5 * std::numbers::pi;
+    const double theta3 = std::asin((c - a * std::sin(theta2)) / b);
+    const double omega3 = -a * omega2 * std::cos(theta2) / (b * std::cos(theta3));
+    const double alpha3 = (a * omega2 * omega2 * std::sin(theta2) - a * alpha2 * std::cos(theta2) +
+                           b * omega3 * omega3 * std::sin(theta3)) /
+                          (b * std::cos(theta3));
+    const std::vector<QPointF> velocities{polar(a * omega2, theta2 + kRight), polar(b * omega3, theta3 + kRight)};
+    const std::vector<QPointF> accelerations{polar(-a * omega2 * omega2, theta2), polar(a * alpha2, theta2 + kRight),
+                                             polar(-b * omega3 * omega3, theta3), polar(b * alpha3, theta3 + kRight)};
+    std::vector<QPointF> vectors;
+    for (const auto &chain : {velocities, accelerations}) {
+        vectors.insert(vectors.end(), chain.begin(), chain.end());
+        vectors.push_back(std::accumulate(chain.begin(), chain.end(), QPointF()));
+    }
+    return vectors;
+}
 
 constexpr std::size_t kStroke = 0, kRatio = 1, kTransmissionAngle = 2, kSpeed = 3, kAcceleration = 4;
 
@@ -353,6 +404,73 @@ private slots:
         shown.type("designTimeRatio", "2.9");
         QVERIFY2(shown.refusal().contains("with these lengths a and b"), qPrintable(shown.refusal()));
         QCOMPARE(shown.session.parameters().b, 120.0);
+    }
+
+    /// Reads the vectors and the scales back from the exported SVG.
+    void exportsPolygonsThatCloseAndAreToScale()
+    {
+        constexpr double kWritten = 2e-3; // px: six digits of a coordinate below 1000
+        std::mt19937 random(46);
+        const auto between = [&](double lower, double upper) {
+            return std::uniform_real_distribution(lower, upper)(random);
+        };
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("polygons.svg");
+        for (int round = 0; round < 200; ++round) {
+            Session session;
+            Parameters parameters{between(10.0, 50.0), 0.0, between(-30.0, 30.0), between(-20.0, 20.0),
+                                  between(-3.0, 3.0)};
+            parameters.b = between(1.2, 4.0) * (parameters.a + std::abs(parameters.c));
+            session.setParameters(parameters);
+            session.setTime(between(0.0, 1.0));
+            const double theta2 = parameters.theta20 + parameters.omega2 * session.time();
+            const double alpha2 = between(-300.0, 300.0);
+            PolygonView view(&session);
+            view.setCrankAcceleration(alpha2);
+            QCOMPARE(exportFigure(path, view.figure(), {}), std::nullopt);
+            QFile file(path);
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            const QString svg = QString::fromUtf8(file.readAll());
+            std::vector<QLineF> thin = linesIn(svg, "1.6");
+            const std::vector<QLineF> sums = linesIn(svg, "2.5");
+            const std::vector<QLineF> scales = linesIn(svg, "1.2");
+            QVERIFY(thin.size() == 6 && sums.size() == 2 && scales.size() == 6);
+            static const QRegularExpression kScale(QStringLiteral(">\\s*([-0-9.]+) mm/s"));
+            auto amounts = kScale.globalMatch(svg);
+            const std::vector<QPointF> expected = expectedVectors(parameters, theta2, alpha2);
+            for (const std::size_t polygon : {0U, 1U}) {
+                const std::size_t count = polygon == 0 ? 2 : 4;
+                std::vector<QLineF> vectors(thin.begin() + (polygon == 0 ? 0 : 2),
+                                            thin.begin() + (polygon == 0 ? 2 : 6));
+                vectors.push_back(sums[polygon]);
+                const double pixelsPerUnit = scales[3 * polygon].length() / amounts.next().captured(1).toDouble();
+                for (std::size_t i = 0; i <= count; ++i) {
+                    const QPointF from = i == 0 || i == count ? vectors.front().p1() : vectors[i - 1].p2();
+                    QVERIFY(QLineF(vectors[i].p1(), from).length() < kWritten);
+                    const QPointF vector = expected[(polygon == 0 ? 0 : 3) + i];
+                    const QPointF drawn(vectors[i].dx(), -vectors[i].dy());
+                    const QPointF off = drawn - pixelsPerUnit * vector;
+                    QVERIFY2(std::hypot(off.x(), off.y()) < 2.0 * kWritten + 1e-5 * std::hypot(drawn.x(), drawn.y()),
+                             qPrintable(QString("%1 %2 %3").arg(round).arg(i).arg(off.y())));
+                }
+                QVERIFY(QLineF(vectors[count - 1].p2(), vectors[count].p2()).length() < kWritten);
+            }
+        }
+    }
+
+    void designsInTheChosenUnits()
+    {
+        const auto restore = qScopeGuard([] { setNotation({}); });
+        ShownDesign shown;
+        setNotation({.units = {LengthUnit::Inch, AngleUnit::Radian}});
+        emit shown.session.resultChanged(shown.session.result()); // as the window does
+        const auto *angle = child<NumberBox>(shown.form, "designTransmissionAngle");
+        const auto *stroke = child<NumberBox>(shown.form, "designStroke");
+        QVERIFY(angle->suffix() == " rad" && stroke->suffix() == " in");
+        QCOMPARE(angle->value(), shown.limits().coupler.minimumTransmissionAngle.angle);
+        QVERIFY(std::abs(25.4 * stroke->value() - *shown.limits().stroke) < 1e-9);
+        shown.type("designTransmissionAngle", "1.5"); // 86°
+        QVERIFY(!shown.refusal().isEmpty());
     }
 
     void designsFromAMechanismThatCannotBeAssembled()
