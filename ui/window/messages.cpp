@@ -21,6 +21,8 @@ struct Messages {
 const QString kResult = "result";
 const QString kReference = "reference";
 const QString kColumns = "columns";
+const QString kConfirmation = "confirmation";
+const QString kProblem = "problem";
 
 /// Offers to choose the columns if the files have any; otherwise another file.
 Message refusal(MainWindow *window, const QStringList &paths, const QString &sentence)
@@ -53,12 +55,18 @@ Message guess(MainWindow *window, const Reference &reference)
 void showMessages(MainWindow *window, MessageBar *bar)
 {
     const Session *session = &window->session();
-    const auto show = [bar](const QString &subject, Message::Kind kind) {
-        return [bar, subject, kind](const QString &sentence) { bar->showMessage({subject, kind, sentence}); };
-    };
-    QObject::connect(session, &Session::confirmed, bar, show("confirmation", Message::Kind::Hint));
-    QObject::connect(session, &Session::failed, bar, show("problem", Message::Kind::Problem));
-    QObject::connect(session, &Session::problemFound, bar, show(kResult, Message::Kind::Problem));
+    QObject::connect(session, &Session::confirmed, bar, [bar](const QString &sentence) {
+        bar->showMessage({kConfirmation, Message::Kind::Hint, sentence});
+    });
+    // "Saved" and "cannot be written" are never shown together.
+    QObject::connect(session, &Session::written, bar, [bar] { bar->removeMessage(kProblem); });
+    QObject::connect(session, &Session::failed, bar, [bar](const QString &sentence) {
+        bar->removeMessage(kConfirmation);
+        bar->showMessage({kProblem, Message::Kind::Problem, sentence});
+    });
+    QObject::connect(session, &Session::problemFound, bar, [bar](const QString &sentence) {
+        bar->showMessage({kResult, Message::Kind::Problem, sentence});
+    });
     QObject::connect(session, &Session::resultChanged, bar, [bar] { bar->removeMessage(kResult); });
     QObject::connect(session, &Session::referenceRefused, bar,
                      [window, bar](const QStringList &paths, const QString &sentence) {

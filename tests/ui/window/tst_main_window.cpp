@@ -27,6 +27,7 @@
 #include <QSplitter>
 #include <QStatusBar>
 #include <QTableView>
+#include <QTemporaryDir>
 
 #include <cmath>
 #include <numbers>
@@ -80,6 +81,19 @@ private slots:
         QCOMPARE(part("columns")->size(), columns); // messages do not change the layout
         click("messageDismiss");
         QVERIFY(!messages()->isVisible() && said().isEmpty());
+    }
+
+    void savedAndCannotBeWrittenAreNotShownTogether()
+    {
+        const QTemporaryDir folder;
+        const auto write = [this](const QString &path) {
+            m_window->exports().write(m_window->exports().plot(), {}, path);
+        };
+        write("/no/such/folder/figure.png");
+        write(folder.filePath("figure.png"));
+        QVERIFY2(said().startsWith("Exported to") && !said().contains('\n'), qPrintable(said()));
+        write("/no/such/folder/figure.png");
+        QVERIFY2(said().contains("figure.png cannot be written") && !said().contains('\n'), qPrintable(said()));
     }
 
     void movingASliderChangesWhatIsPainted()
@@ -278,7 +292,7 @@ private slots:
     void showsEverythingInTheChosenNotationAndUnits()
     {
         const QImage before = picture("mechanismView");
-        for (const char *choice : {"Textbook (θ₃ at B, x_B)", "Radians", "in"}) {
+        for (const char *choice : {"Textbook (θ₃ measured at B)", "Radians", "in"}) {
             action(QString::fromUtf8(choice))->trigger();
         }
         const auto check = [this] {
