@@ -54,20 +54,23 @@ QString note(const QString &text)
 enum class LastColumn { Number, Text };
 
 /// Returns an HTML table. The first row is the header. The first column is aligned to the left, numbers to the right.
-/// Headings and a last column of text are broken into lines, and beside such a column also the first one.
+/// With a last column of text, which is broken into lines, the first column is broken, too, and the letters are
+/// smaller.
 QString table(const std::vector<QStringList> &rows, LastColumn last = LastColumn::Number)
 {
-    QString html = "<table cellspacing=0 cellpadding=2>";
+    const bool hasText = last == LastColumn::Text;
+    QString html = hasText ? "<table class=dense cellspacing=0 cellpadding=2>" : "<table cellspacing=0 cellpadding=2>";
     for (const QStringList &row : rows) {
         html += "<tr>";
         for (qsizetype i = 0; i < row.size(); ++i) {
-            const bool isText = last == LastColumn::Text && i + 1 == row.size();
-            const bool isBroken = isText || (last == LastColumn::Text && i == 0);
+            const bool isText = hasText && i + 1 == row.size();
+            const bool isBroken = isText || (hasText && i == 0);
             html += QStringLiteral("<%1 class=%2 align=%3%4>%5</%1>")
                         .arg(QLatin1String(&row == &rows.front() ? "th" : "td"),
                              QLatin1String(isBroken ? "text" : "unbroken"),
                              QLatin1String(isText || i == 0 ? "left" : "right"),
-                             QLatin1String(isBroken ? " width=130" : ""), subscriptHtml(row[i])); // px
+                             QLatin1String(hasText && i == 0 ? " width=130" : ""), // px
+                             subscriptHtml(row[i]));
         }
         html += "</tr>";
     }
@@ -127,23 +130,25 @@ QString pinnedText(const Result &result)
 QString errorTable(const std::vector<ChannelComparison> &comparison, const ReferenceData *file)
 {
     const bool isOverAngle = file && file->crank;
-    std::vector<QStringList> rows{{Report::tr("quantity"), Report::tr("largest error"),
-                                   isOverAngle ? Report::tr("at θ₂ [°]") : Report::tr("at t [s]"), Report::tr("rms"),
-                                   Report::tr("% of peak")}};
+    std::vector<QStringList> rows{
+        {Report::tr("quantity"), Report::tr("largest error"),
+         isOverAngle ? Report::tr("at θ₂ [%1]").arg(shownUnit(Measure::Angle)) : Report::tr("at t [s]"),
+         Report::tr("rms"), Report::tr("% of peak")}};
     if (file) {
         rows.front() << Report::tr("rounding step") << Report::tr("verdict");
     }
     for (const ChannelComparison &channel : comparison) {
-        const QString unit = unitText(channel.channel);
-        const double time = channel.timeOfMaxAbs;
-        const double place =
-            isOverAngle ? (file->crank->omega2 * time + file->crank->theta20) * kDegreesPerRadian : time;
+        const QString unit = shownUnit(channel.channel);
+        const auto shown = [&channel](std::optional<double> error) { return shownDifference(channel.channel, error); };
+        const QString place = file             ? placeText(channel, *file)
+                              : channel.maxAbs ? numberText(channel.timeOfMaxAbs)
+                                               : dash();
+        const QString largest = errorText(shown(channel.maxAbs));
         rows.push_back({QStringLiteral("%1 %2").arg(quantityName(channel.channel), symbolText(channel.channel)),
-                        channel.maxAbs ? withUnit(errorText(channel.maxAbs), unit) : errorText(channel.maxAbs),
-                        channel.maxAbs ? numberText(place) : dash(), errorText(channel.rms),
+                        channel.maxAbs ? withUnit(largest, unit) : largest, place, errorText(shown(channel.rms)),
                         errorText(channel.percentOfPeak)});
         if (file) {
-            rows.back() << numberText(channel.roundingStep, 3) << verdictText(channel);
+            rows.back() << numberText(shown(channel.roundingStep), 3) << verdictText(channel);
         }
     }
     return table(rows, file ? LastColumn::Text : LastColumn::Number);
