@@ -52,14 +52,27 @@ QFont figureFont(int pixels)
     return font;
 }
 
-/// Returns where the mechanism's parameters are written in a figure of that size.
-QRect parameterLines(const QString &text, const QSize &size, const QFont &font)
+/// The mechanism's parameters below a figure.
+struct ParameterLines {
+    QString text; ///< broken only between two equations: not within "rad/s"
+    QRect box;
+};
+
+ParameterLines parameterLines(const QString &parameters, const QSize &figure, const QFont &font)
 {
     constexpr int kAround = 3; // px
     const QFontMetrics metrics(font);
-    const QRect available(0, 0, std::max(1, size.width() - 2 * kAround), size.height());
-    const int height = metrics.boundingRect(available, Qt::TextWordWrap, text).height() + 2 * kAround;
-    return {0, size.height() - height, size.width(), height};
+    QStringList lines;
+    for (const QString &equation : parameters.split(", ")) {
+        const QString longer = lines.isEmpty() ? equation : lines.last() + ", " + equation;
+        if (!lines.isEmpty() && metrics.horizontalAdvance(longer) <= figure.width() - 2 * kAround) {
+            lines.last() = longer;
+        } else {
+            lines << equation;
+        }
+    }
+    const int height = static_cast<int>(lines.size()) * metrics.lineSpacing() + 2 * kAround;
+    return {lines.join(",\n"), {0, figure.height() - height, figure.width(), height}};
 }
 
 /// Corrects what Qt's generator writes: millimetres with three decimals, which viewers round up to one pixel too many,
@@ -143,24 +156,24 @@ FigureSize figureSize(const FigureOptions &options, const FigureHeight &height)
 
 FigureDrawing withParameters(const FigureDrawing &draw, const Mechanism &mechanism, const QPalette &palette)
 {
-    return [draw, palette, text = mechanismText(mechanism)](QPainter &painter, const QSize &size) {
+    return [draw, palette, parameters = mechanismText(mechanism)](QPainter &painter, const QSize &size) {
         const QFont font = painter.font();
-        const QRect lines = parameterLines(text, size, font);
+        const auto [text, box] = parameterLines(parameters, size, font);
         painter.save();
-        draw(painter, {size.width(), std::max(1, lines.top())});
+        draw(painter, {size.width(), std::max(1, box.top())});
         painter.restore();
-        painter.fillRect(lines, palette.color(QPalette::Base));
+        painter.fillRect(box, palette.color(QPalette::Base));
         painter.setFont(font);
         painter.setPen(palette.color(QPalette::Text));
-        painter.drawText(lines, Qt::AlignCenter | Qt::TextWordWrap, text);
+        painter.drawText(box, Qt::AlignCenter, text);
     };
 }
 
 FigureHeight withParameters(const FigureHeight &height, const Mechanism &mechanism)
 {
-    return [height, text = mechanismText(mechanism)](int width, const QFont &font) {
+    return [height, parameters = mechanismText(mechanism)](int width, const QFont &font) {
         const int drawing = height(width, font);
-        return drawing + parameterLines(text, {width, drawing}, font).height();
+        return drawing + parameterLines(parameters, {width, drawing}, font).box.height();
     };
 }
 

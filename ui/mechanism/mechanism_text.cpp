@@ -61,15 +61,6 @@ QStringList pointLines(const MechanismScene &scene, LinkagePoint point)
                        size * omega2 * omega2)};
 }
 
-/// Returns the crank angle as the timeline shows it: beyond a whole turn, it counts on.
-QString timelineAngle(const MechanismScene &scene)
-{
-    const Units &units = notation().units;
-    const int decimals = units.angle == AngleUnit::Radian ? 4 : 2;
-    return withUnit(fixedText(shownValue(Measure::Angle, scene.pose.theta2, units), decimals),
-                    shownUnit(Measure::Angle));
-}
-
 QStringList crankLines(const MechanismScene &scene)
 {
     return {QStringLiteral("θ₂ = %1").arg(timelineAngle(scene)),
@@ -146,6 +137,14 @@ QString partText(const MechanismScene &scene, DrawnPart part)
 QString lengthText(const Mechanism &mechanism, Parameter length)
 {
     return equationText(length, valueOf(mechanism.parameters(), length));
+}
+
+QString timelineAngle(const MechanismScene &scene)
+{
+    const Units &units = notation().units;
+    const int decimals = units.angle == AngleUnit::Radian ? 4 : 2;
+    return withUnit(fixedText(shownValue(Measure::Angle, scene.pose.theta2, units), decimals),
+                    shownUnit(Measure::Angle));
 }
 
 QString arrowScaleText(const ArrowScale &scale)

@@ -18,6 +18,9 @@ QString partText(const MechanismScene &scene, DrawnPart part);
 /// Returns "a = 20 mm".
 QString lengthText(const Mechanism &mechanism, Parameter length);
 
+/// Returns the crank angle as the timeline shows it: beyond a whole turn, it counts on.
+QString timelineAngle(const MechanismScene &scene);
+
 /// Returns "Scale: 10 mm = 50 mm/s".
 QString arrowScaleText(const ArrowScale &scale);
 

@@ -10,6 +10,7 @@
 
 #include <QApplication>
 #include <QFontInfo>
+#include <QFontMetricsF>
 #include <QLabel>
 #include <QPainter>
 #include <QTimer>
@@ -348,9 +349,9 @@ void MechanismView::paintEvent(QPaintEvent *)
 
 void MechanismView::paintMechanism(QPainter &painter, const QSize &size, const QPalette &palette) const
 {
+    const QFont font = painter.font();
     const auto newPicture = [&](const QSizeF &part) {
-        return MechanismSketch(m_scene, m_frame.projection(part), palette, painter.font(),
-                               MechanismSketch::Legend::Separate);
+        return MechanismSketch(m_scene, m_frame.projection(part), palette, font, MechanismSketch::Legend::Separate);
     };
     MechanismSketch legend = newPicture(size);
     legend.addLegend();
@@ -366,6 +367,13 @@ void MechanismView::paintMechanism(QPainter &painter, const QSize &size, const Q
     painter.translate(0.0, -drawing.height());
     painter.setClipRect(QRectF(QPointF(), drawing), Qt::IntersectClip);
     sketch.paint(painter);
+    if (!m_scene.settings.angles) {     // the drawing does not state its position
+        constexpr double kAround = 6.0; // px
+        painter.setFont(font);
+        painter.setPen(palette.color(QPalette::Text));
+        painter.drawText(QPointF(kAround, kAround + QFontMetricsF(font).ascent()),
+                         QStringLiteral("θ₂ = %1").arg(timelineAngle(m_scene)));
+    }
     painter.restore();
 }
 

@@ -306,6 +306,8 @@ QStringList PlotFigure::titles(std::size_t index) const
         if (order > 0) {
             const QString integral = symbolText(Channel{channel.coordinate, static_cast<Order>(order - 1)});
             titles.prepend(QStringLiteral("%1 = d%2/dt").arg(titles.front(), integral));
+        } else {
+            titles.prepend(titles.front()); // as many variants as the others have: plots of a row are shortened alike
         }
     }
     for (QString &title : titles) {

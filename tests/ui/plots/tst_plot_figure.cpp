@@ -279,6 +279,10 @@ private slots:
             }
         }
         QCOMPARE(figure.shownPlot(3).title, std::size_t(3));
+        // A former defect: "Rₓ⁴" beside "velocity v⁴", where a position and a velocity share a row.
+        figure.compose({{1, 4}, QFont(), QPalette()}, {400, 300});
+        QCOMPARE(figure.shownPlot(1).titles.size(), figure.shownPlot(4).titles.size());
+        QCOMPARE(figure.shownPlot(1).title, figure.shownPlot(4).title);
     }
 
     void withAFileValuesAreReadAtItsTimeStamps()
