@@ -173,10 +173,10 @@ void readTime(const OptionReader &options, RenderRequest &request)
             {"at", "at-angle"},
             CommandLine::tr(
                 "Frames show the whole time range: remove %1, or choose the range with --start and --duration."));
-        if (request.animation.frameCount() > Animation::kMostFrames) {
+        if (request.animation.frameCount() > Animation::kMaxFrames) {
             throw UsageError{
                 CommandLine::tr("There would be more than %1 frames: choose a shorter --duration or a greater --speed.")
-                    .arg(Animation::kMostFrames)};
+                    .arg(Animation::kMaxFrames)};
         }
     } else {
         options.refuse({"speed"}, CommandLine::tr("Only --what frames has a speed: remove %1."));

@@ -25,11 +25,11 @@ struct EnumWords<Abscissa> {
 namespace
 {
 
-constexpr double kLeastPositive = std::numeric_limits<double>::denorm_min();
+constexpr double kMinPositive = std::numeric_limits<double>::denorm_min();
 
-constexpr int kMostSteps = 1'000'000;
-constexpr int kMostIterations = 1000;
-constexpr int kMostColumns = 1'000'000;
+constexpr int kMaxSteps = 1'000'000;
+constexpr int kMaxIterations = 1000;
+constexpr int kMaxColumns = 1'000'000;
 
 /// The roles of columns that contain no channel.
 constexpr EnumWord<ColumnRole> kRoles[] = {
@@ -66,15 +66,15 @@ void describe(Parameters &parameters, JsonNode &node)
 void describe(Sampling &sampling, JsonNode &node)
 {
     node("start", sampling.start);
-    node("duration", sampling.duration, kLeastPositive);
-    node("steps", sampling.steps, kMostSteps);
+    node("duration", sampling.duration, kMinPositive);
+    node("steps", sampling.steps, kMaxSteps);
 }
 
 void describe(SolverSettings &solver, JsonNode &node)
 {
     NewtonOptions &newton = solver.newton;
     node("method", solver.method);
-    node("maxIterations", newton.maxIterations, kMostIterations);
+    node("maxIterations", newton.maxIterations, kMaxIterations);
     node("tolerance", newton.tolerance, 0.0, DBL_MAX);
     node("toleranceKind", newton.toleranceKind);
     node("warmStart", newton.warmStart);
@@ -84,7 +84,7 @@ void describe(SolverSettings &solver, JsonNode &node)
 void describe(ColumnChoice &choice, JsonNode &node)
 {
     int number = static_cast<int>(choice.column) + 1;
-    node("column", number, kMostColumns);
+    node("column", number, kMaxColumns);
     choice.column = static_cast<std::size_t>(number) - 1;
 
     QString use = meaningName(choice.role, choice.channel);
@@ -106,7 +106,7 @@ void describe(Convention &convention, JsonNode &node)
     convention.channels.resize(convention.kind == Kind::SwappedColumns ? 2 : convention.channels.size());
     const bool changesUnit =
         convention.kind == Kind::AngleUnit || convention.kind == Kind::LengthUnit || convention.kind == Kind::TimeUnit;
-    node("amount", convention.amount, changesUnit ? kLeastPositive : -kLargestParameter);
+    node("amount", convention.amount, changesUnit ? kMinPositive : -kLargestParameter);
 }
 
 void describe(ReferenceSource &source, JsonNode &node)

@@ -115,7 +115,7 @@ Problem makeVideo(const QTemporaryDir &, const QString &, const Animation &, con
 int Animation::frameCount() const
 {
     const double frames = std::abs(duration) / speed * framesPerSecond;
-    return static_cast<int>(std::lround(std::clamp(frames, 1.0, kMostFrames + 1.0)));
+    return static_cast<int>(std::lround(std::clamp(frames, 1.0, kMaxFrames + 1.0)));
 }
 
 double Animation::timeOfFrame(int frame) const

@@ -16,7 +16,7 @@ namespace slidercrank
 {
 
 struct Animation {
-    static constexpr int kMostFrames = 100'000;
+    static constexpr int kMaxFrames = 100'000;
 
     double start = 0.0;    ///< time in the motion, s
     double duration = 1.0; ///< s of the motion; negative if it runs backwards

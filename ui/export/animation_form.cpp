@@ -78,13 +78,13 @@ Animation AnimationForm::animation() const
 void AnimationForm::showOutcome()
 {
     const Animation chosen = animation();
-    const bool fits = chosen.frameCount() <= Animation::kMostFrames;
+    const bool fits = chosen.frameCount() <= Animation::kMaxFrames;
     m_outcome->setText(
         fits ? tr("%1 frames: %2 s at the playback speed of %3×.")
                    .arg(QString::number(chosen.frameCount()), numberText(std::abs(chosen.duration) / chosen.speed, 3),
                         numberText(chosen.speed, 3))
              : tr("More than %1 frames: choose a shorter length, fewer frames per second or a higher playback speed.")
-                   .arg(QString::number(Animation::kMostFrames)));
+                   .arg(QString::number(Animation::kMaxFrames)));
     m_export->setEnabled(fits);
 }
 

@@ -165,8 +165,8 @@ double MechanismDrawing::cornerLineTop(int line) const
 
 void MechanismDrawing::avoid(const QLineF &line, double width)
 {
-    constexpr double kMostPieces = 1000.0; // since an arrow can be much longer than the screen
-    const int pieces = 1 + static_cast<int>(std::min(kMostPieces, line.length() / std::max(3.0, width)));
+    constexpr double kMaxPieces = 1000.0; // since an arrow can be much longer than the screen
+    const int pieces = 1 + static_cast<int>(std::min(kMaxPieces, line.length() / std::max(3.0, width)));
     for (int i = 0; i <= pieces; ++i) {
         QRectF box(0.0, 0.0, width, width);
         box.moveCenter(line.pointAt(static_cast<double>(i) / pieces));

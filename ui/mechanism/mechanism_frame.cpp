@@ -12,9 +12,9 @@ namespace slidercrank
 namespace
 {
 
-// Margins around the bounds, as parts of their extent.
+// Margins around the bounds, as fractions of their extent.
 constexpr double kMargin = 0.08;       // space for the slider and the names
-constexpr double kLeastMargin = 0.03;  // with less, the frame is enlarged
+constexpr double kMinMargin = 0.03;    // with less, the frame is enlarged
 constexpr double kMarginToGrow = 0.22; // used when enlarging, since bounds that grow usually continue to grow
 
 QRectF withMargin(const QRectF &bounds, double share)
@@ -62,7 +62,7 @@ void MechanismFrame::follow(const QRectF &bounds)
     if (m_fitted.isNull() ||
         (wanted.width() < kFarTooLarge * m_fitted.width() && wanted.height() < kFarTooLarge * m_fitted.height())) {
         m_fitted = wanted;
-    } else if (!m_fitted.contains(withMargin(bounds, kLeastMargin))) {
+    } else if (!m_fitted.contains(withMargin(bounds, kMinMargin))) {
         m_fitted = m_fitted.united(withMargin(bounds, kMarginToGrow));
     }
 }

@@ -52,9 +52,9 @@ void MechanismSketch::addScenery()
 /// Adds the grid, with numbers along the lower and the left edge.
 void MechanismSketch::addGrid()
 {
-    constexpr double kLeastSpacing = 50.0; // px
+    constexpr double kMinSpacing = 50.0; // px
     const double perMm = shownValue(Measure::Length, 1.0, notation().units);
-    const double shownStep = nextRoundNumber(kLeastSpacing / scale * perMm); // in the chosen unit
+    const double shownStep = nextRoundNumber(kMinSpacing / scale * perMm); // in the chosen unit
     const double step = shownStep / perMm;
     const QRectF shown = visible();
     const auto addNumber = [this](QPointF lowerLeft, const QString &text) {

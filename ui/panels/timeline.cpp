@@ -363,11 +363,11 @@ void Timeline::nextFrame()
 /// A number that is whole except for rounding errors is rounded.
 double Timeline::currentStep() const
 {
-    constexpr double kSame = 1e-6; // time steps
+    constexpr double kTolerance = 1e-6; // time steps
     const auto &[start, duration, count] = m_session->sampling();
     const double steps = std::clamp((m_session->time() - start) / duration, 0.0, 1.0) * count;
     const double nearest = std::round(steps);
-    return std::abs(steps - nearest) < kSame ? nearest : steps;
+    return std::abs(steps - nearest) < kTolerance ? nearest : steps;
 }
 
 void Timeline::stepTo(double step)

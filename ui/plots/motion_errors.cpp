@@ -19,9 +19,9 @@ namespace
 std::vector<double> timeStamps(const Interval &range, double turns, std::size_t columns)
 {
     constexpr double kPerTurn = 32.0;
-    constexpr double kMostPerPixel = 32.0;
+    constexpr double kMaxPerPixel = 32.0;
     const auto pixels = static_cast<double>(columns);
-    const double pieces = std::ceil(std::clamp(kPerTurn * turns, 2.0 * pixels, kMostPerPixel * pixels));
+    const double pieces = std::ceil(std::clamp(kPerTurn * turns, 2.0 * pixels, kMaxPerPixel * pixels));
     std::vector<double> stamps;
     for (double i = 0.0; i < pieces; ++i) {
         stamps.push_back(range.lower + range.length() * (i + std::fmod(i * std::numbers::phi, 1.0)) / pieces);

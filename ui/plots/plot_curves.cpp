@@ -19,7 +19,7 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kSmallestPart = 1e-10; // of the largest number on an axis; limits the zoom
+constexpr double kMinRangeFraction = 1e-10; // of the largest number on an axis; limits the zoom
 constexpr std::size_t kErrorsPerRow = 2;
 
 /// Lengths of dashes and gaps, in line widths. Each pinned motion has its own pattern.
@@ -100,7 +100,7 @@ void PlotFigure::zoomTime(const Interval &range)
 {
     const Interval outer = sampledRange();
     const double largest = std::max(std::abs(outer.lower), std::abs(outer.upper));
-    const double length = std::max(range.length(), kSmallestPart * largest);
+    const double length = std::max(range.length(), kMinRangeFraction * largest);
     m_zoom.time.reset();
     if (length < outer.length()) {
         const double lower = std::clamp(range.lower, outer.lower, outer.upper - length);
@@ -113,7 +113,7 @@ void PlotFigure::zoomValues(std::size_t plot, const Interval &range)
 {
     constexpr double kLargestValue = 1e60;
     const double largest = std::max(std::abs(range.lower), std::abs(range.upper));
-    if (range.length() >= kSmallestPart * largest && largest <= kLargestValue) {
+    if (range.length() >= kMinRangeFraction * largest && largest <= kLargestValue) {
         m_zoom.values[plot] = range;
         requestRefresh();
     }
@@ -238,7 +238,7 @@ PlotCurve PlotFigure::roundingCurve(std::size_t channel) const
 /// decades.
 void PlotFigure::computeErrors(Plot &plot, std::size_t row)
 {
-    constexpr double kMostDecades = 8.0;
+    constexpr double kMaxDecades = 8.0;
     const Interval time = timeRange();
     for (std::size_t channel = kErrorsPerRow * row; channel < kErrorsPerRow * (row + 1); ++channel) {
         const MotionErrors::Errors &errors = (*m_errors)[channel];
@@ -248,7 +248,7 @@ void PlotFigure::computeErrors(Plot &plot, std::size_t row)
         const PlotCurve curve = plot.curves.emplace_back(errorCurve(channel));
         if (const std::optional<Interval> range = usualRange(curve.points, time, errors.isUnbounded)) {
             const double upper = std::ceil(range->upper);
-            const double lower = std::max(std::floor(range->lower), upper - kMostDecades);
+            const double lower = std::max(std::floor(range->lower), upper - kMaxDecades);
             include(plot.values, m_settings.logarithmicError
                                      ? Interval{std::min(lower, upper - 1.0), upper}
                                      : Interval{0.0, roundedOutwards({0.0, range->upper}).upper});

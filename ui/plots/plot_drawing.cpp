@@ -87,20 +87,20 @@ double smallestDetail(const QPainter &painter)
 
 double NumberTicker::getTickStep(const QCPRange &range)
 {
-    constexpr double kFewestDigits = 6.0;
-    constexpr double kMostDigits = 17.0;
+    constexpr double kMinDigits = 6.0;
+    constexpr double kMaxDigits = 17.0;
     constexpr double kFullTurn = 360.0;
-    constexpr std::array kPartsOfTurn{10.0, 15.0, 30.0, 45.0, 90.0, 180.0}; // °
+    constexpr std::array kTurnSteps{10.0, 15.0, 30.0, 45.0, 90.0, 180.0}; // °
     const double unit = std::abs(perUnit);
     const double wanted = range.size() / unit / mTickCount;
     m_step = nextRoundNumber(wanted);
     const double perDegree = angle ? shownValue(Measure::Angle, 1.0, {.angle = *angle}) / kDegreesPerRadian : 1.0;
     const double degrees = wanted / perDegree;
-    m_isPartOfTurn = angle && degrees > 0.5 * kPartsOfTurn.front();
+    m_isPartOfTurn = angle && degrees > 0.5 * kTurnSteps.front();
     if (m_isPartOfTurn) {
-        m_step = perDegree * (degrees > kPartsOfTurn.back()
+        m_step = perDegree * (degrees > kTurnSteps.back()
                                   ? std::max(kFullTurn, kFullTurn * nextRoundNumber(degrees / kFullTurn))
-                                  : *std::ranges::lower_bound(kPartsOfTurn, degrees));
+                                  : *std::ranges::lower_bound(kTurnSteps, degrees));
     } else if (isLogarithmic) {
         m_step = std::max(1.0, m_step);
     } else if (const double step = m_step * unit; mTickCount > 1 && std::floor((range.upper - mTickOrigin) / step) <=
@@ -109,7 +109,7 @@ double NumberTicker::getTickStep(const QCPRange &range)
     }
     const double largest = std::max(std::abs(range.lower - mTickOrigin), std::abs(range.upper - mTickOrigin)) / unit;
     const double digits = std::ceil(std::log10(largest / m_step)) + 1.0; // not finite if the range underflows
-    m_digits = static_cast<int>(std::min(std::max(kFewestDigits, digits), kMostDigits));
+    m_digits = static_cast<int>(std::min(std::max(kMinDigits, digits), kMaxDigits));
     return m_step * unit;
 }
 

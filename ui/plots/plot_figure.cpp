@@ -244,7 +244,7 @@ QSize PlotFigure::placeLegend(QPainter *painter)
 /// Chooses as many ticks as there is space for labels. Only the bottom row has labels.
 void PlotFigure::setTimeScale()
 {
-    constexpr double kLeast = 44.0; // px from tick to tick
+    constexpr double kMinTickDistance = 44.0; // px from tick to tick
     constexpr double kSpace = 14.0;
     constexpr int kAround = 3;      // px; a label that ends at the edge of the figure is not drawn
     constexpr int kUsualDigits = 6; // of a value; the axes do not move until a label has more
@@ -257,14 +257,14 @@ void PlotFigure::setTimeScale()
     const auto setDistance = [this](double pixels) {
         m_timeTicker->setTickCount(std::max(1, static_cast<int>(m_plots[plots().front()].axes->width() / pixels)));
     };
-    setDistance(kLeast);
+    setDistance(kMinTickDistance);
     QVector<double> ticks;
     QVector<QString> labels;
     m_timeTicker->generate({time.lower, time.upper}, QLocale(), u'g', 6, ticks, nullptr, &labels);
     for (const QString &label : labels) {
         labelWidth = std::max(labelWidth, metrics.horizontalAdvance(label));
     }
-    setDistance(std::max(kLeast, labelWidth + kSpace));
+    setDistance(std::max(kMinTickDistance, labelWidth + kSpace));
     const QString title = isOverAngle() ? QStringLiteral("θ₂ [%1]").arg(shownUnit(Measure::Angle)) : "t [s]";
     const int valueWidth = kUsualDigits * metrics.horizontalAdvance(u'0');
     const QMargins least(valueWidth + kTickLength + kLabelGap, 0, labelWidth / 2 + kAround, 0);

@@ -13,13 +13,13 @@ PlotFonts::PlotFonts(const QFont &base)
     : title(base)
     , tick(base)
 {
-    constexpr int kSmallest = 9;
-    constexpr double kTickPart = 0.87;
-    constexpr double kUsual = 15.0; // px, at most
+    constexpr int kMinPixels = 9; // of a tick label
+    constexpr double kTickFraction = 0.87;
+    constexpr double kMaxUsualPixels = 15.0; // above these, lines become thicker
     const int pixels = QFontInfo(base).pixelSize();
     title.setPixelSize(pixels);
-    tick.setPixelSize(std::max(kSmallest, static_cast<int>(std::lround(kTickPart * pixels))));
-    lineFactor = std::max(1.0, pixels / kUsual);
+    tick.setPixelSize(std::max(kMinPixels, static_cast<int>(std::lround(kTickFraction * pixels))));
+    lineFactor = std::max(1.0, pixels / kMaxUsualPixels);
 }
 
 } // namespace slidercrank

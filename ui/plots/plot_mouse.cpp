@@ -33,13 +33,13 @@ Interval scale(const Interval &range, double about, double factor)
 /// width.
 QRect draggedBox(const QPoint &from, const QPoint &to, const QRect &axes)
 {
-    constexpr int kLeast = 8; // px
+    constexpr int kMinBoxSide = 8; // px
     QRect box = QRect(from, to).normalized();
-    if (box.width() <= kLeast) {
+    if (box.width() <= kMinBoxSide) {
         box.setLeft(axes.left());
         box.setRight(axes.right());
     }
-    if (box.height() <= kLeast) {
+    if (box.height() <= kMinBoxSide) {
         box.setTop(axes.top());
         box.setBottom(axes.bottom());
     }

@@ -13,15 +13,15 @@ Interval roundedOutwards(const Interval &range)
 {
     const double largest = std::max(std::abs(range.lower), std::abs(range.upper));
     // A relative difference below this limit is a rounding error.
-    constexpr double kSmallestPart = 1e-12;
-    if (!(range.length() > kSmallestPart * largest)) {
+    constexpr double kMinRangeFraction = 1e-12;
+    if (!(range.length() > kMinRangeFraction * largest)) {
         const double half = largest > 0.0 ? 0.1 * largest : 1.0;
         const double middle = 0.5 * range.lower + 0.5 * range.upper;
         return roundedOutwards({middle - half, middle + half});
     }
     constexpr double kMargin = 0.03;
-    constexpr double kParts = 16.0;
-    const double step = nextRoundNumber(range.length() / kParts);
+    constexpr double kMaxSteps = 16.0;
+    const double step = nextRoundNumber(range.length() / kMaxSteps);
     const double margin = kMargin * range.length();
     // A margin below zero would suggest negative values.
     const double lower = range.lower == 0.0 ? 0.0 : std::floor((range.lower - margin) / step) * step;

@@ -16,9 +16,9 @@ struct QuantityText {
 /// Shortens an input for a quotation in a message.
 QString quoted(const QString &text)
 {
-    constexpr int kMost = 24; // characters
+    constexpr int kMaxLength = 24; // characters
     const QString line = text.simplified();
-    return line.size() > kMost ? line.first(kMost) + "…" : line;
+    return line.size() > kMaxLength ? line.first(kMaxLength) + "…" : line;
 }
 
 } // namespace

@@ -49,10 +49,10 @@ QString numberText(std::optional<double> value, int significantDigits)
 
 int digitsToTellApart(double x, double y)
 {
-    constexpr double kFewest = 6.0;
-    constexpr double kMost = 17.0;
+    constexpr double kMinDigits = 6.0;
+    constexpr double kMaxDigits = 17.0;
     const double digits = 2.0 + std::ceil(std::log10(std::max(std::abs(x), std::abs(y)) / std::abs(x - y)));
-    return static_cast<int>(x == y ? kFewest : std::clamp(digits, kFewest, kMost));
+    return static_cast<int>(x == y ? kMinDigits : std::clamp(digits, kMinDigits, kMaxDigits));
 }
 
 QString typedNumberText(double value)

@@ -24,7 +24,7 @@ namespace slidercrank
 namespace
 {
 
-constexpr int kMostRecentFiles = 10;
+constexpr int kMaxRecentFiles = 10;
 
 const QString kRecentFiles = "recentFiles";
 const QString kSeparator = "\x1f"; // between the paths of joined files, which do not contain it
@@ -98,7 +98,7 @@ void rememberFiles(const QStringList &paths)
     QStringList files = QSettings().value(kRecentFiles).toStringList();
     files.removeAll(paths.join(kSeparator));
     files.prepend(paths.join(kSeparator));
-    QSettings().setValue(kRecentFiles, files.mid(0, kMostRecentFiles));
+    QSettings().setValue(kRecentFiles, files.mid(0, kMaxRecentFiles));
 }
 
 QString recentFolder()
