@@ -3575,7 +3575,7 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>Sobre el án&amp;gulo de la manivela</translation>
     </message>
     <message>
-        <source>Abso&amp;lute error</source>
+        <source>A&amp;bsolute error</source>
         <translation>Error absol&amp;uto</translation>
     </message>
     <message>

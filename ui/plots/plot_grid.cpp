@@ -46,7 +46,7 @@ void PlotGrid::makeChoices()
     auto *measures = new QActionGroup(this);
     for (const auto &[text, measure] : {std::pair{tr("Error in % of the &peak"), ErrorMeasure::OfPeak},
                                         {tr("Error in &% of the reference"), ErrorMeasure::Percent},
-                                        {tr("Abso&lute error"), ErrorMeasure::Absolute}}) {
+                                        {tr("A&bsolute error"), ErrorMeasure::Absolute}}) {
         m_choices << measures->addAction(makeSettingAction(this, text, &PlotSettings::error, measure, measure));
     }
     m_choices << makeSettingAction(this, tr("&Logarithmic errors"), &PlotSettings::logarithmicError, true, false)
