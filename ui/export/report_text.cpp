@@ -12,6 +12,7 @@
 
 #include <QCoreApplication>
 #include <QLocale>
+#include <QRegularExpression>
 
 #include <algorithm>
 #include <cmath>
@@ -39,10 +40,12 @@ QString heading(const QString &text)
     return element("h2", text);
 }
 
-/// Returns a paragraph in which no equation is broken at its sign.
+/// Returns a paragraph in which no equation is broken at its sign or before its unit.
 QString paragraph(QString text)
 {
-    return text.isEmpty() ? QString() : element("p", text.replace(" = ", "\u00a0=\u00a0"));
+    static const QRegularExpression kBeforeUnit("(?<=[0-9]) (?=[a-z°])");
+    text.replace(" = ", "\u00a0=\u00a0").replace(kBeforeUnit, "\u00a0");
+    return text.isEmpty() ? QString() : element("p", text);
 }
 
 QString note(const QString &text)
