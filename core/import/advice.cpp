@@ -59,8 +59,12 @@ bool makesTurn(const RawColumn &column)
 Channel likelyChannel(const RawColumn &column)
 {
     const std::optional<Unit> unit = parseUnit(column.use.unit);
-    if (column.meaning.kind >= NameMeaning::Kind::Quantity) {
+    const bool suits = !unit || parseColumnUnit(column.use.unit, ColumnRole::Channel, column.meaning.channel);
+    if (column.meaning.kind >= NameMeaning::Kind::Quantity && suits) {
         return column.meaning.channel;
+    }
+    if (column.meaning.reason == ColumnReason::UnknownBody && !unit) {
+        return {R4x, column.meaning.channel.order};
     }
     if (makesTurn(column)) {
         return kCrankAngle;

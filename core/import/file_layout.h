@@ -34,7 +34,7 @@ enum class ColumnReason {
     QuantityInName, ///< the heading and its unit denote a quantity, but not of which body: the usual one is assumed
     WideAngle,    ///< an angle that spans more than half a turn is that of the crank; or a derivative of such an angle
     RisingValues, ///< no column is named as the time; this is the first one, and its values only rise
-    ModelicaName, ///< the heading is a name of Modelica's library, so m, rad and s are assumed
+    PathInSi,     ///< the heading is a path of a program that uses m, rad and s, such as Modelica and ROS
     AngleForTime, ///< no column is the time; this is the crank angle, which does not change its direction
 
     // Ignored.

@@ -20,11 +20,21 @@ using Words = std::vector<std::string>;
 using Kind = NameMeaning::Kind;
 using Doubt = NameMeaning::Doubt;
 
+/// Units that are also words or symbols: "min" is a minimum.
+constexpr std::string_view kAlsoWords = "min h r u g";
+
 /// Returns whether a quantity or time can have the unit.
 bool suits(const NameMeaning &meaning, const std::string &unit)
 {
     const ColumnRole role = meaning.kind == Kind::Time ? ColumnRole::Time : ColumnRole::Channel;
     return meaning.kind != Kind::Nothing && parseColumnUnit(unit, role, meaning.channel);
+}
+
+/// Returns the text without the "in" of "t in s" or "t (en s)".
+std::string_view withoutPreposition(std::string_view text)
+{
+    const bool hasPreposition = text.starts_with("in ") || text.starts_with("en ");
+    return trimmed(text.substr(hasPreposition ? 3 : 0));
 }
 
 /// Sets name and unit of "Position (m) Run #1", and returns whether there is a unit in brackets. Text in brackets that
@@ -39,7 +49,7 @@ bool splitAtBrackets(std::string_view text, Heading &heading)
         if (begin == text.npos) {
             continue;
         }
-        const std::string_view unit = trimmed(text.substr(begin + 1, end - begin - 1));
+        const std::string_view unit = withoutPreposition(trimmed(text.substr(begin + 1, end - begin - 1)));
         const bool isLast = end + 1 == text.size();
         const bool isUnit = parseUnit(unit) || unit.empty();
         const NameMeaning whole = meaningOf(text, {});
@@ -47,6 +57,7 @@ bool splitAtBrackets(std::string_view text, Heading &heading)
         const bool isPart = kind > 1 || (kind == 0 && looksNumeric(unit)) || isKnown;
         if (isUnit || (isLast && !isPart)) {
             heading.name = trimmed(text.substr(0, begin));
+            heading.name.erase(heading.name.find_last_not_of("/ ") + 1); // "x/(mm)"
             heading.name += isLast ? "" : text.substr(end + 1);
             heading.use.unit = unit;
             return true;
@@ -60,18 +71,16 @@ bool splitAtBrackets(std::string_view text, Heading &heading)
 /// longest one that does is the unit.
 void splitAtEnd(std::string_view text, Heading &heading)
 {
-    constexpr std::string_view kAlsoWords = "min h r u g"; // units only where nothing else is possible
     for (std::size_t at = 1; at < text.size(); ++at) {
         const bool isCapital = lowerCase(text[at]) != text[at] && lowerCase(text[at - 1]) == text[at - 1];
         const bool isSeparator = std::string_view("/, _-.:").find(text[at]) != std::string_view::npos;
         if (!isSeparator && (!isCapital || isBlank(text[at - 1]))) {
             continue;
         }
-        std::string_view unit = trimmed(text.substr(at + (isSeparator ? 1 : 0)));
-        std::string_view name = trimmed(text.substr(0, at));
-        const bool hasIn = unit.starts_with("in ") || unit.starts_with("en ");
-        unit = trimmed(unit.substr(hasIn ? 3 : 0));
-        const bool isClear = text[at] == '/' || text[at] == ',' || hasIn;
+        const std::string_view end = trimmed(text.substr(at + (isSeparator ? 1 : 0)));
+        const std::string_view unit = withoutPreposition(end);
+        const std::string_view name = trimmed(text.substr(0, at));
+        const bool isClear = text[at] == '/' || text[at] == ',' || unit.size() < end.size();
         if (unit.empty() || unit[0] == '/' || (!isClear && isAmong(lowered(unit), kAlsoWords)) || !parseUnit(unit)) {
             continue;
         }
@@ -110,8 +119,9 @@ void resolveDoubts(std::vector<Heading> &row)
         if (meaning.doubt != Doubt::IsDerivative && meaning.doubt != Doubt::IsPistonsIndex) {
             continue;
         }
+        const std::string name = lowered(heading.name);
         const bool isIndex =
-            hasPiston || (lowered(heading.name).ends_with("_p") && !isNamed(lowered(heading.name.substr(0, 1))));
+            hasPiston || ((name.ends_with("_p") || name.ends_with("(p)")) && !isNamed(name.substr(0, 1)));
         if (hasSecond && meaning.channel.order < Order::Acceleration) {
             meaning.channel.order = static_cast<Order>(static_cast<int>(meaning.channel.order) + 1);
         } else if (meaning.doubt == Doubt::IsDerivative || !isIndex) {
@@ -120,15 +130,23 @@ void resolveDoubts(std::vector<Heading> &row)
     }
 }
 
-/// Returns the unit of a quantity without a stated unit; empty if it is the default unit. Modelica implies m, rad and
-/// s, and a derivative is in the unit of its position: beside θ3 [rad], ω3 is in rad/s.
+/// Returns the unit of a quantity without a stated unit; empty if it is the default unit. Paths of some programs imply
+/// m, rad and s; ω and α are in rad/s and rad/s²; and another derivative is in the unit of its position.
 std::string impliedUnit(const Heading &heading, std::span<const Heading> row)
 {
     constexpr std::array kPerTime{"", "/s", "/s2"};
     const NameMeaning &meaning = heading.meaning;
     const std::string perTime = kPerTime[static_cast<std::size_t>(meaning.channel.order)];
-    if (meaning.reason == ColumnReason::ModelicaName) {
+    if (meaning.reason == ColumnReason::PathInSi) {
         return (isAngle(meaning.channel.coordinate) ? "rad" : "m") + perTime;
+    }
+    const auto isAngularRate = [](const std::string &word) { // ω or α
+        const WordMeaning *const symbol = findWord(word, WordUse::Symbol);
+        return symbol && symbol->dimension == Dimension::Angle && symbol->order > Order::Position;
+    };
+    if (meaning.channel.order != Order::Position && isAngle(meaning.channel.coordinate) &&
+        meaning.doubt != Doubt::IsAngle && std::ranges::any_of(wordsOf(heading.name), isAngularRate)) {
+        return "rad" + perTime;
     }
     const auto isPosition = [&](const Heading &other) {
         return other.meaning.kind >= Kind::Quantity &&
@@ -144,26 +162,31 @@ std::string impliedUnit(const Heading &heading, std::span<const Heading> row)
 
 Heading parseHeading(std::string_view cell)
 {
+    constexpr std::string_view kLatexMarkup = "$=|\\mathrm=|\\text=|\\rm=|\\si=|\\unit=|\\left=|\\right=";
     Heading heading{.use = {.heading = respelled(cell, "\"\"=\"")}};
-    std::string text = heading.use.heading;
+    std::string text = respelled(heading.use.heading, kLatexMarkup);
     if (text.size() > 2 && text.starts_with('\'') && text.ends_with('\'')) {
         text = text.substr(1, text.size() - 2); // between apostrophes
     } else if (text.starts_with("('") && text.ends_with("')")) {
         text = respelled(text.substr(2, text.size() - 4), "', '=/"); // "('slider', 'x')" of pandas
     }
     heading.name = text;
-    const std::optional<Unit> alone = text.size() > 1 ? parseUnit(text) : std::nullopt;
+    constexpr int kNoOrder = -1;
+    const bool mayBeUnit = text.size() > 1 && !isAmong(lowered(text), kAlsoWords);
+    const Unit alone = (mayBeUnit ? parseUnit(text) : std::nullopt).value_or(Unit{.order = kNoOrder});
     if (text.starts_with("X:")) { // RecurDyn writes pairs "X:Pos_TX-Slider(mm)" of time stamps, "Y:…" of values
         heading.name = "time";
     } else if (isInTurnsPerMinute(wordsOf(text)) && text.find_first_of("[(/") == text.npos) {
         heading.use.unit = "rpm";
-    } else if (alone && alone->dimension == Dimension::Time && alone->order == 0) { // "millis", "seconds"
+    } else if (alone.dimension == Dimension::Time && alone.order == 0) { // "millis", "seconds"
         heading.name = "time";
+        heading.use.unit = text;
+    } else if (alone.dimension == Dimension::Angle && alone.order == 0) { // "Degrees"
         heading.use.unit = text;
     } else if (!splitAtBrackets(text, heading)) {
         splitAtEnd(text, heading);
     }
-    const bool isUnitAlone = alone && text.find('/') != text.npos; // "mm/s" in a line of units
+    const bool isUnitAlone = alone.order != kNoOrder && text.find('/') != text.npos; // "mm/s" in a line of units
     heading.meaning = isUnitAlone ? NameMeaning() : meaningOf(heading.name, heading.use.unit);
     return heading;
 }

@@ -21,19 +21,25 @@ using Doubt = NameMeaning::Doubt;
 
 /// A name as a path whose last part is the quantity, and whose other parts may name the body:
 ///
-///     slider.s   /crank_slider/slider/position   Latest: Position   Pos_TX@Slider
+///     slider.s   /crank_slider/slider/position   Latest: Position   Pos_TX@Slider   Position - Cart
 struct NamePath {
     std::vector<std::string_view> parts{};
     std::string owner{};       ///< all parts but the last one
-    bool isOfModelica = false; ///< "slider.s": a variable of Modelica's library, in m, rad and s
+    bool isOfModelica = false; ///< "slider.s": a variable of Modelica's library
+    bool isInSi = false;       ///< by Modelica or ROS: in m, rad and s
 };
+
+/// Last parts of paths that say nothing: "slider_tx/value", "Piston/Bâti" (relative to the frame).
+constexpr std::string_view kIgnoredEnds =
+    "value series data signal ground frame base bâti bati bastidor telaio gestell";
 
 NamePath splitPath(std::string_view name)
 {
     const bool isOfRecurDyn = name.starts_with("Y:"); // "Y:Pos_TX-Slider"
     name.remove_prefix(isOfRecurDyn ? 2 : 0);
-    if (const std::size_t at = name.find(isOfRecurDyn ? '-' : '@'); at != name.npos) {
-        const std::string_view owner = name.substr(at + 1); // "Slider@Model1"
+    const std::string_view mark = isOfRecurDyn ? "-" : name.find('@') != name.npos ? "@" : " - ";
+    if (const std::size_t at = name.find(mark); at != name.npos && at > 0) {
+        const std::string_view owner = name.substr(at + mark.size()); // "Slider@Model1"
         return {{owner.substr(0, owner.find('@')), name.substr(0, at)}, std::string(owner)};
     }
     const bool hasBlank = name.find_first_of(" (") != name.npos; // then a point belongs to an abbreviation
@@ -42,7 +48,8 @@ NamePath splitPath(std::string_view name)
     char separator = ' ';
     for (std::size_t i = 0; i <= name.size(); ++i) {
         const bool isEnd = i == name.size();
-        if (isEnd || name[i] == '/' || name[i] == ':' || name[i] == '|' || (name[i] == '.' && !hasBlank)) {
+        const bool isComma = i > 1 && i + 3 < name.size() && name.substr(i, 2) == ", "; // "Slider, X Displacement"
+        if (isEnd || isComma || name[i] == '/' || name[i] == ':' || name[i] == '|' || (name[i] == '.' && !hasBlank)) {
             if (i > begin) {
                 path.owner = begin == 0 ? std::string() : std::string(name.substr(0, begin - 1));
                 path.parts.push_back(name.substr(begin, i - begin));
@@ -51,8 +58,12 @@ NamePath splitPath(std::string_view name)
             separator = isEnd ? separator : name[i];
         }
     }
+    while (path.parts.size() > 1 && isAmong(lowered(path.parts.back()), kIgnoredEnds)) {
+        path.parts.pop_back();
+    }
     path.isOfModelica = path.parts.size() > 1 && separator == '.' && name.find_first_of(" ,;:/") == name.npos &&
                         findWord('.' + std::string(path.parts.back()), WordUse::Symbol);
+    path.isInSi = path.isOfModelica || (path.parts.size() > 1 && name.starts_with('/'));
     return path;
 }
 
@@ -66,6 +77,8 @@ struct NameReading {
     char axis = ' ';
     int derivatives = 0;
     bool hasSymbol = false;
+    bool hasIndex = false;
+    bool isOrderNamed = false;  ///< by a word such as "velocity"
     bool isBodyNamed = false;   ///< by a word or number, and not only by an index such as B
     bool isLabelled = false;    ///< the next letter is that of a joint
     bool isFrame = false;       ///< it has the number 1, as the frame if the links are numbered from there
@@ -128,6 +141,7 @@ bool includeEntry(NameReading &all, std::string_view word, bool mayBeSymbol)
     if (const WordMeaning *const entry = findWord(word, WordUse::Word)) {
         all.isLabelled = false;
         all.isBodyNamed = all.isBodyNamed || entry->body;
+        all.isOrderNamed = all.isOrderNamed || entry->order;
         return merge(all, *entry);
     }
     const bool isLabelled = std::exchange(all.isLabelled, !all.hasSymbol && findWord(word, WordUse::Label));
@@ -139,9 +153,16 @@ bool includeEntry(NameReading &all, std::string_view word, bool mayBeSymbol)
     if (all.isLabelled || findWord(word, WordUse::Filler)) {
         return true;
     }
-    if (const WordMeaning *const index = all.hasSymbol ? findWord(word, WordUse::Index) : nullptr) {
+    const bool mayBeIndex = all.hasSymbol || (all.order && isAmong(word, "b c")); // "x_s", "velocity B"
+    const bool isOfLink = word.size() > 1 && all.dimension == Dimension::Angle;   // "ω_BC", but not "xBp"
+    if (const WordMeaning *const index =
+            mayBeIndex && (word.size() == 1 || isOfLink) ? findWord(word, WordUse::Index) : nullptr) {
         const bool isOfSlider = index->body == Body::Slider && all.dimension == Dimension::Angle; // θ_c, θ_b
         all.isUnknownBody = all.isUnknownBody || isOfSlider;
+        const bool isSecond = std::exchange(all.hasIndex, true);
+        if (isSecond) {
+            return false;
+        }
         all.joints = !index->body && word.size() > 1 ? word : "";
         return isOfSlider || merge(all, *index);
     }
@@ -163,12 +184,31 @@ bool includeEntry(NameReading &all, std::string_view word, bool mayBeSymbol)
     return derivative;
 }
 
-/// Includes one word, which may be a compound of entries such as "kolbenweg", "crankangle" or "xdot". Returns false if
-/// it is unknown or contradicts the words before.
-bool includeWord(NameReading &all, std::string_view word, bool mayBeSymbol)
+/// Includes a known word with an ending, such as a plural or genitive: "pistonun". Returns false if it is none.
+bool includeStem(NameReading &all, std::string_view word)
 {
+    constexpr std::size_t kShortestStem = 5; // bytes
+    constexpr std::size_t kLongestEnding = 3;
+    const std::size_t shortest = std::max(kShortestStem, word.size() - std::min(word.size(), kLongestEnding));
+    for (std::size_t size = word.size(); size-- > shortest;) {
+        if (findWord(word.substr(0, size), WordUse::Word)) {
+            return includeEntry(all, word.substr(0, size), false);
+        }
+    }
+    return false;
+}
+
+/// Includes one word, which may be a compound of entries such as "kolbenweg", "crankangle" or "xdot". Returns false if
+/// it is unknown or contradicts the words before. Short fillers are no parts of compounds: "end" is not "en" and "d".
+bool includeWord(NameReading &all, std::string_view word, bool mayBeSymbol, bool isPart = false)
+{
+    constexpr std::size_t kShortestFiller = 4; // in a compound
+    const auto include = [&](NameReading &reading, std::string_view part, bool isWhole) {
+        const bool isAllowed = isWhole || part.size() >= kShortestFiller || !findWord(part, WordUse::Filler);
+        return isAllowed && includeEntry(reading, part, mayBeSymbol);
+    };
     NameReading with = all;
-    if (includeEntry(with, word, mayBeSymbol)) {
+    if (include(with, word, !isPart)) {
         all = with;
         return true;
     }
@@ -177,24 +217,19 @@ bool includeWord(NameReading &all, std::string_view word, bool mayBeSymbol)
         const std::string_view rest = word.substr(end);
         const bool isDifferential = first == "d" && !all.hasSymbol && findWord(rest, WordUse::Symbol); // "dx"
         with = all;
-        if (!isDifferential && !includeEntry(with, first, mayBeSymbol)) {
+        if (!isDifferential && !include(with, first, false)) {
             continue;
         }
-        const bool isJoined =
-            findWord(first, WordUse::Word) && (rest[0] == 's' || rest[0] == 'n'); // "Kurbelwellenwinkel"
-        NameReading joined = with;
-        const bool fits = includeWord(with, rest, mayBeSymbol);
-        if (!fits && isJoined && (rest.size() == 1 || includeWord(joined, rest.substr(1), mayBeSymbol))) {
-            all = joined;
-            return true;
-        }
-        if (fits) {
-            all = with;
-            all.doubt = isDifferential ? Doubt::IsDerivative : all.doubt;
+        const bool isJoined = findWord(first, WordUse::Word) && (rest[0] == 's' || rest[0] == 'n');
+        NameReading joined = with; // "Kurbelwellenwinkel"
+        const bool fits = includeWord(with, rest, mayBeSymbol, true);
+        if (fits || (isJoined && rest.size() > 1 && includeWord(joined, rest.substr(1), mayBeSymbol, true))) {
+            all = fits ? with : joined;
+            all.doubt = fits && isDifferential ? Doubt::IsDerivative : all.doubt;
             return true;
         }
     }
-    return false;
+    return includeStem(all, word);
 }
 
 /// Includes an unknown index of an angle, such as that of "theta_m", which may be the angle of the crank.
@@ -216,8 +251,9 @@ int takeDerivatives(Words &words)
     for (std::size_t i = 0; i < words.size();) {
         const bool hasNext = i + 1 < words.size();
         const WordMeaning *const two = hasNext ? findWord(words[i] + '_' + words[i + 1], WordUse::Derivative) : nullptr;
+        const bool isLabel = i == 0 && hasNext && findWord(words[0], WordUse::Label); // "Punto B", but "x punto"
         const WordMeaning *const entry = two ? two : findWord(words[i], WordUse::Derivative);
-        if (entry) {
+        if (entry && !isLabel) {
             count += static_cast<int>(*entry->order);
             words.erase(words.begin() + static_cast<std::ptrdiff_t>(i),
                         words.begin() + static_cast<std::ptrdiff_t>(i + (two ? 2 : 1)));
@@ -226,6 +262,9 @@ int takeDerivatives(Words &words)
         }
     }
     const bool isSecond = words.size() > 2 && words[0] == "d" && words[1] == "2";
+    if (words.empty() || !words[0].starts_with('d')) {
+        return count;
+    }
     const auto denominator = std::ranges::find_if(words, [](const std::string &word) { return word.ends_with("dt"); });
     if (words.size() > 1 || (denominator != words.end() && denominator->size() > 3)) {
         if (denominator != words.end()) { // "dx/dt"
@@ -233,7 +272,7 @@ int takeDerivatives(Words &words)
             if (const auto power = denominator + 1; power != words.end() && *power == "2") {
                 words.erase(power);
             }
-            count += words[0].starts_with('d') && !isSecond ? 1 : 0;
+            count += isSecond ? 0 : 1;
             words[0].erase(0, isSecond ? 0 : 1);
         }
         if (isSecond) {
@@ -243,6 +282,19 @@ int takeDerivatives(Words &words)
     }
     std::erase(words, std::string());
     return count;
+}
+
+/// Returns the body that the words name; nullopt if it is none or several, as in "slider_crank".
+std::optional<Body> bodyAmong(const Words &words)
+{
+    std::optional<Body> body;
+    for (const std::string &word : words) {
+        const WordMeaning *const entry = findWord(word, WordUse::Word);
+        if (entry && !merge(body, entry->body)) {
+            return std::nullopt;
+        }
+    }
+    return body;
 }
 
 /// Returns what the parts of a path say together, from the last one; nullopt if the last one has unknown words, or
@@ -267,7 +319,12 @@ std::optional<NameReading> readPath(const NamePath &path, int derivatives, const
         if (!isKnown && isLast) {
             return std::nullopt;
         }
-        all = isKnown ? with : all;
+        if (isKnown) {
+            all = with;
+        } else if (!all.body) { // "Slider_J004"
+            all.body = bodyAmong(words);
+            all.isBodyNamed = all.body.has_value();
+        }
         hasUnknownPart = hasUnknownPart || !isKnown;
     }
     all.isUnknownBody = all.isUnknownBody || (hasUnknownPart && !all.body && !path.isOfModelica);
@@ -303,7 +360,9 @@ std::optional<Order> orderOf(const NameReading &name, const std::optional<Unit> 
     const bool isAlpha = findWord(name.symbol, WordUse::Symbol) && name.order == Order::Acceleration &&
                          name.dimension == Dimension::Angle && !name.derivatives && isAngleUnit;
     std::optional<int> order;
-    if (name.order && !isAlpha) {
+    if (name.isOrderNamed && name.hasSymbol && static_cast<int>(*name.order) == name.derivatives) {
+        order = name.derivatives; // "velocity ẋ"
+    } else if (name.order && !isAlpha) {
         order = static_cast<int>(*name.order) + name.derivatives;
     } else if (unit && (!name.derivatives || isAlpha)) {
         order = unit->order;
@@ -317,13 +376,15 @@ std::optional<Order> orderOf(const NameReading &name, const std::optional<Unit> 
 NameMeaning meaningOfReading(const NameReading &name, const NamePath &path, const std::string &unitText)
 {
     const std::optional<Unit> unit = parseUnit(unitText);
-    const Dimension usual = unit ? unit->dimension : Dimension::Length;
+    const bool isOfRevoluteJoint = path.isInSi && name.body == Body::Coupler; // "/joint_states/rod/position"
+    const Dimension usual = unit ? unit->dimension : isOfRevoluteJoint ? Dimension::Angle : Dimension::Length;
     const bool isAngle = name.dimension.value_or(usual) == Dimension::Angle;
     const bool says = name.order || name.hasSymbol || name.body;
     const std::optional<Order> order = says ? orderOf(name, unit) : std::nullopt;
     const bool isUnknownBody = name.isUnknownBody && !isAngle;
     if (!order || (name.body == Body::Coupler && !isAngle) || isUnknownBody) {
-        return {.reason = isUnknownBody ? ColumnReason::UnknownBody : ColumnReason::UnknownName};
+        return {.channel = {R4x, order.value_or(Order::Position)},
+                .reason = isUnknownBody ? ColumnReason::UnknownBody : ColumnReason::UnknownName};
     }
     NameMeaning meaning{.owner = path.owner + name.joints};
     const Coordinate ofAngle = name.isFrame ? Theta1 : name.body == Body::Crank ? Theta2 : Theta3;
@@ -332,9 +393,9 @@ NameMeaning meaningOfReading(const NameReading &name, const NamePath &path, cons
                            (name.order || name.hasSymbol || name.axis != ' ' || isAngle);
     meaning.kind = isCertain ? Kind::Words : Kind::Quantity;
     meaning.channel = {coordinate, *order};
-    meaning.reason = path.isOfModelica && unitText.empty() ? ColumnReason::ModelicaName
-                     : isCertain                           ? ColumnReason::KnownName
-                                                           : ColumnReason::QuantityInName;
+    meaning.reason = path.isInSi && unitText.empty() ? ColumnReason::PathInSi
+                     : isCertain                     ? ColumnReason::KnownName
+                                                     : ColumnReason::QuantityInName;
     const bool isAlpha = isAmong(name.symbol, "alpha alfa al") && !name.body && !unit && !name.derivatives;
     meaning.doubt = name.isUnknownBody ? Doubt::IsOfCrank : isAlpha ? Doubt::IsAngle : unit ? Doubt::None : name.doubt;
     return meaning;
@@ -361,8 +422,8 @@ std::optional<NameMeaning> meaningInInventor(std::string_view name, const std::s
                        std::string(name.substr(2, name.size() - 3))};
 }
 
-/// Removes the calls of functions that differentiate, and returns the number of derivatives: "der(x)" of Modelica,
-/// "diff(x(t), t, t)" and "Derivative(x(t), (t, 2))" of computer algebra.
+/// Removes the variable of "x(t)" or "v[φ]" and the calls of functions that differentiate, and returns the number of
+/// derivatives: "der(x)" of Modelica, "diff(x(t), t, t)" and "Derivative(x(t), (t, 2))" of computer algebra.
 int takeCalls(std::string_view &name)
 {
     int count = 0;
@@ -376,19 +437,29 @@ int takeCalls(std::string_view &name)
             name = name.substr(0, comma);
         }
     }
+    const std::size_t bracket = name.find_last_of("([");
+    if (bracket != name.npos && bracket > 0 && name.find_first_of(")]", bracket) + 1 == name.size()) {
+        const Words variable = wordsOf(name.substr(bracket));
+        const WordMeaning *const symbol = variable.empty() ? nullptr : findWord(variable[0], WordUse::Symbol);
+        const bool isAngle = symbol && symbol->dimension == Dimension::Angle && !symbol->order;
+        name = isTime(variable) || isAngle ? name.substr(0, bracket) : name;
+    }
     return count;
 }
 
-/// Returns whether an unknown name ends in a quantity: "J1_x", "part 7 velocity".
-bool endsInQuantity(Words words)
+/// Returns the order of the quantity in which an unknown name ends: "J1_x", "part 7 velocity"; nullopt if it is none.
+std::optional<Order> orderAtEnd(Words words)
 {
     std::erase_if(words, isDigits);
     if (words.size() < 2) {
-        return false;
+        return std::nullopt;
     }
     const WordMeaning *const word = findWord(words.back(), WordUse::Word);
     const WordMeaning *const symbol = findWord(words.back(), WordUse::Symbol);
-    return (word && !word->body && (word->order || word->dimension)) || (symbol && symbol->axis != ' ');
+    const bool isQuantity = word && !word->body && (word->order || word->dimension);
+    return isQuantity                      ? word->order.value_or(Order::Position)
+           : symbol && symbol->axis != ' ' ? std::optional(Order::Position)
+                                           : std::nullopt;
 }
 
 } // namespace
@@ -403,12 +474,8 @@ NameMeaning meaningOf(std::string_view name, const std::string &unit)
     for (const std::string_view remark : {", Ch ", " from ", " relative to "}) { // ", Ch P1": sensors of PASCO
         name = name.substr(0, name.find(remark));
     }
-    const std::string plain = respelled(name, "/dt=dt|/ dt=dt|/d t=dt"); // not a path
+    const std::string plain = respelled(name, "/dt=dt|/ dt=dt|/d t=dt|₊=."); // not a path, and one of Julia
     NamePath path = splitPath(plain);
-    const bool isAboutZ = path.parts.size() > 1 && path.parts.back() == "z";   // "twist/angular/z"
-    if (isAboutZ || (path.parts.size() > 1 && path.parts.back() == "value")) { // "slider_tx/value" of OpenSim
-        path.parts.pop_back();
-    }
     const std::size_t bracket = name.rfind('(');
     if (path.parts.empty() || (bracket != name.npos && bracket > 0 &&
                                name.substr(bracket + 1).find_first_not_of("0123456789)") == name.npos)) {
@@ -419,6 +486,10 @@ NameMeaning meaningOf(std::string_view name, const std::string &unit)
     if (isNamedTime ? isAmong(unit, kCountedUnits) : isRowNumber(words) && !parseUnit(unit)) {
         return {.reason = ColumnReason::RowNumber};
     }
+    if (isNamedTime && path.parts.back() == "T" && !unit.empty() &&
+        !parseColumnUnit(unit, ColumnRole::Time, {})) { // a torque or temperature
+        return {.reason = ColumnReason::UnknownUnit};
+    }
     if (isNamedTime) {
         return {Kind::Time};
     }
@@ -428,12 +499,16 @@ NameMeaning meaningOf(std::string_view name, const std::string &unit)
         return {Kind::ChannelName, *channel, ColumnReason::KnownName};
     }
     const std::optional<NameReading> reading = readPath(path, derivatives, words);
-    const bool isKnown = reading && (!isAboutZ || reading->dimension == Dimension::Angle);
-    NameMeaning meaning = isKnown ? meaningOfReading(*reading, path, unit) : NameMeaning();
-    if (meaning.reason == ColumnReason::UnknownName && meaning.kind == Kind::Nothing && endsInQuantity(allWords)) {
-        meaning.reason = ColumnReason::UnknownBody;
+    NameMeaning meaning = reading ? meaningOfReading(*reading, path, unit) : NameMeaning();
+    if (meaning.kind != Kind::Nothing || meaning.reason != ColumnReason::UnknownName) {
+        return meaning;
     }
-    return meaning;
+    if (!unit.empty() && parseColumnUnit(unit, ColumnRole::CrankAngle, {})) { // "Phase [°]"
+        return {Kind::Quantity, {Theta3, Order::Position}, ColumnReason::WideAngle, path.owner, Doubt::IsOfCrank};
+    }
+    const std::optional<Order> order = orderAtEnd(allWords);
+    return {.channel = {R4x, order.value_or(Order::Position)},
+            .reason = order ? ColumnReason::UnknownBody : ColumnReason::UnknownName};
 }
 
 } // namespace slidercrank

@@ -20,7 +20,7 @@ using Kind = NameMeaning::Kind;
 
 constexpr std::size_t kExaminedLines = 200; // that are not blank
 constexpr std::size_t kLongestLine = std::size_t{1} << 20U;
-constexpr std::string_view kDelimiters = "\t;,|";
+constexpr std::string_view kDelimiters = "\t;,|&";
 
 using Lines = std::span<const Line>;
 
@@ -114,6 +114,20 @@ bool isData(std::string_view line)
     return digit != text.npos && isDigit(text[digit]) && digit <= 3;
 }
 
+/// Joins the unit to the name before it, where an unquoted heading contains the delimiter: "Time, s,Position, mm".
+Cells withUnitsJoined(const Cells &cells)
+{
+    Cells joined;
+    for (const std::string_view cell : cells) {
+        if (!joined.empty() && parseUnit(cell)) {
+            joined.back() = {joined.back().data(), cell.data() + cell.size()};
+        } else {
+            joined.push_back(cell);
+        }
+    }
+    return joined;
+}
+
 /// Splits a line at the delimiter that yields most known names. Names above rows that are separated by spaces, or
 /// after a comment mark, may have another delimiter than the numbers. Then there have to be as many as numbers, apart
 /// from a remark behind them; and if only the names are separated by spaces, one of them may be unknown.
@@ -144,7 +158,9 @@ SplitLine readNames(std::string_view line, const std::optional<SplitLine> &row)
             }
         };
         for (const char delimiter : kDelimiters) {
-            consider(splitCells(text, delimiter), delimiter);
+            const Cells cells = splitCells(text, delimiter);
+            const Cells joined = withUnitsJoined(cells);
+            consider(row && joined.size() == row->cells.size() ? joined : cells, delimiter);
         }
         for (const Cells &cells : {splitCells(text, ' '), splitAtBlanks(text, 2), splitAtBlanks(text, 1)}) {
             consider(cells, ' ');
@@ -273,6 +289,21 @@ std::string_view withoutRemark(std::string_view line)
     return line;
 }
 
+/// Returns a line of a table in Markdown or LaTeX without its borders; empty for a line between rows.
+std::string_view withoutBorders(std::string_view line)
+{
+    std::string_view text = trimmed(line);
+    if (text.starts_with('|') && text.ends_with('|') && text.size() > 1) {
+        text = trimmed(text.substr(1, text.size() - 2));
+        return text.find_first_not_of("-:=+| ") == text.npos ? std::string_view() : text;
+    }
+    for (const std::string_view rule : {"\\toprule", "\\midrule", "\\bottomrule", "\\hline"}) {
+        text.remove_prefix(text.starts_with(rule) ? rule.size() : 0);
+    }
+    text = text.substr(0, text.rfind("\\\\"));
+    return text.size() < trimmed(line).size() ? trimmed(text) : line;
+}
+
 /// Returns whether the quantities are the rows of the table: one line begins with the name of the time or the crank
 /// angle, another one with that of another quantity, and numbers follow.
 bool isTransposed(Lines lines)
@@ -304,7 +335,7 @@ std::vector<Line> splitLines(std::string_view text)
         std::string_view rest = takeUntil('\n', text);
         do {
             ++number;
-            const std::string_view line = takeUntil('\r', rest);
+            const std::string_view line = withoutBorders(takeUntil('\r', rest));
             if (line.size() > kLongestLine && lines.size() < kExaminedLines) {
                 throw ReadError{.line = number, .fault = {ReadFault::Kind::LineTooLong}};
             }
@@ -324,7 +355,8 @@ std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout)
     }
     const std::optional<SplitLine> row = findFirstRow(examined);
     std::optional<SplitLine> header = findHeader(examined, row);
-    if (!(header && header->isComplete()) && isTransposed(examined)) {
+    const bool isSure = header && header->isComplete() && std::ranges::none_of(header->cells, isNumber);
+    if (!isSure && isTransposed(examined)) {
         throw ReadError{.line = lines.front().number, .fault = {ReadFault::Kind::Transposed}};
     }
     const std::size_t first = header ? header->line : row->line;

@@ -24,8 +24,10 @@ struct NamedUnit {
 /// Other spellings of units. On Spanish keyboards, the ordinal sign º stands for degrees. Micro has two code points,
 /// one is the Greek letter.
 constexpr std::string_view kUnitSpellings =
-    "1/min=rpm|min^-1=rpm|min-1=rpm|min⁻¹=rpm| per =/|_per_=/|_s_2=/s2|Per=/| pro =/| por =/| par =/| al secondo=/s|"
-    " squared=2| al cuadrado=2| al quadrato=2| ao quadrado=2|\\mathrm=|\\text=|\\,= |^\\circ=deg|\\circ=deg|\\=|"
+    "1/min=rpm|min^-1=rpm|min-1=rpm|min⁻¹=rpm| per =/|_per_=/|-per-=/|_s_2=/s2|.s.2=/s2|Per=/| pro =/| por =/| par =/|"
+    " al secondo=/s| squared=2| al cuadrado=2| al quadrato=2| ao quadrado=2|"
+    "\\milli=m|\\centi=c|\\metre=m|\\meter=m|\\radian=rad|\\degree=deg|\\second=s|\\squared=2|\\per=/|\\,= "
+    "|^\\circ=deg|\\circ=deg|\\=|"
     "°=deg|º=deg|\u00B5=u|\u03BC=u|é=e|è=e|ê=e|í=i|ì=i|²=2|¹=1|⁻=-|\u2212=-|"
     " atdc=| ATDC=|aTDC=|ATDC=|\t= |.= |·= |⋅= |**=|*= |×= |_=/|^=|(=|)=|{=|}=|$=";
 
@@ -86,15 +88,16 @@ UnitFactor takeFactor(std::string_view &product)
     return factor;
 }
 
-/// Returns the unit of a numerator. The last letters of "mmps" mean "per second".
+/// Returns the unit of a numerator. The last letters of "mmps" and "rads" mean "per second".
 std::optional<Unit> numeratorNamed(const UnitFactor &factor)
 {
     std::optional<Unit> unit = unitNamed(factor.name);
     if (unit && factor.power == 1) {
         return unit;
     }
-    const bool isRate = !unit && factor.name.ends_with("ps");
-    unit = isRate ? unitNamed(factor.name.substr(0, factor.name.size() - 2)) : std::nullopt;
+    const std::size_t suffix = factor.name.ends_with("ps") ? 2 : 1;
+    const bool isRate = !unit && factor.name.ends_with('s') && factor.name.size() > suffix;
+    unit = isRate ? unitNamed(factor.name.substr(0, factor.name.size() - suffix)) : std::nullopt;
     if (unit) {
         unit->order = factor.power;
     }
@@ -167,8 +170,9 @@ std::optional<Unit> parseUnit(std::string_view text)
             continue;
         }
         const std::optional<Unit> time = unitNamed(factor.name);
+        // R writes "mm/s" as "mm.s": a length is never multiplied by a time.
         const bool isReciprocalTime =
-            time && time->dimension == Dimension::Time && factor.power != 0 && (isDivided || factor.power < 0);
+            time && time->dimension == Dimension::Time && factor.power != 0 && (unit || isDivided || factor.power < 0);
         if (!unit && !isReciprocalTime) {
             unit = numeratorNamed(factor);
             if (!unit || isDivided) {

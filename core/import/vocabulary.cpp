@@ -21,19 +21,22 @@ constexpr std::string_view kLetterSpellings =
     "ő=o|ű=u|á=a|à=a|ă=a|å=a|æ=ae|č=c|ě=e|ë=e|ğ=g|ı=i|î=i|ï=i|ř=r|š=s|ş=s|ș=s|ţ=t|ț=t|ý=y|ů=u|û=u|ž=z|ø=o|ô=o|"
     "â=a|ã=a|ä=a|ą=a|ç=c|ć=c|é=e|è=e|ê=e|ę=e|í=i|ì=i|ó=o|ò=o|ô=o|õ=o|ö=o|ú=u|ù=u|ü=u|ñ=n|ł=l|ś=s|ż=z|"
     "В=в|К=к|О=о|П=п|С=с|У=у|Х=х|Ш=ш|Ё=е|ё=е|" // first letters of Russian headings
-    "Á=A|Â=A|Ä=A|É=E|Í=I|Ó=O|Ö=O|Ú=U|Ü=U|Ñ=N|"
+    "İ=I|Á=A|Â=A|Ä=A|É=E|Í=I|Ó=O|Ö=O|Ú=U|Ü=U|Ñ=N|"
     "\u0300=|\u0301=|\u0303=|a\u0308=a|o\u0308=o|u\u0308=u|A\u0308=A|O\u0308=O|U\u0308=U|" // decomposed accents
     "\u0307='|\u0308=''|ẋ=x'|ẍ=x''|Ẋ=x'|Ẍ=x''|ẏ=y'|ÿ=y''|ṡ=s'|ḋ=d'|ṙ=r'|v̇=v'|′='|’='|´='|″=''|"
     "θ=theta|ϑ=theta|Θ=theta|φ=phi|ϕ=phi|Φ=phi|ψ=psi|Ψ=psi|ω=omega|Ω=omega|α=alpha|β=beta|ε=epsilon|ϵ=epsilon|"
-    "ß=ss|²=2|³=3|⁴=4|₁=1|₂=2|₃=3|₄=4|°=|aTDC=atdc|der(=dot |\\mathrm=|\\text=|\\rm=|\\var=|\\left=|\\right=|\\,=";
+    "ß=ss|ˍtt=''|ˍt='|²=2|³=3|⁴=4|₁=1|₂=2|₃=3|₄=4|n°=|nº=|°=|aTDC=atdc|der(=dot |\\var=|\\,=";
 
-constexpr std::string_view kTimeWords = "time times t tiempo timestamp stamp zeit zeitpunkt temps tempo instante tijd "
-                                        "czas tid cas timp zaman epoch millis micros время 时间 時間 ido aika";
+constexpr std::string_view kTimeWords =
+    "time times t ts tiempo timestamp stamp zeit zeitpunkt temps tempo instante tijd "
+    "czas tid cas timp zaman sure epoch millis micros время 时间 時間 ido aika";
 constexpr std::string_view kTimeCompanions =
     "elapsed row sim simulation simulacion transcurrido de la since start date "
     "relative run latest data set ch mechanism kin";
 constexpr std::string_view kTimesOfDay = "uhrzeit clock hora heure ora godzina";
 constexpr std::string_view kTurnsPerMinute = "rpm drehzahl regime giri revoluciones toerental obroty";
+/// Words before a number that says nothing about the quantity.
+constexpr std::string_view kNumberedWords = "run set ch channel trial test series serie versuch messung ensayo essai";
 constexpr std::string_view kRowNumbers =
     "n no nr num index row id fila frame paso step sample count counter point node nodo element elemento";
 
@@ -49,16 +52,20 @@ std::span<const WordMeaning> vocabulary()
         // Quantities.
         WordMeaning{
             Word,
-            "position posicion posizione posicao posicio positie polozenie lage pos displacement disp displ "
+            "position posicion posizione posicao posicio positie polozenie lage pos displacement disp displ desloc "
+            "degistirme degistirmesi despl depl spost versch lvdt reading lectura lecture lettura leitura stellung "
+            "ablesung "
             "desplazamiento deplacement spostamento deslocamento desplacament verplaatsing przemieszczenie "
             "verschiebung weg auslenkung abscisse pose konum konumu pozitie poloha draha droga positionen posiciones "
             "deplasare deplasarea posisjon forskyvning helyzet elmozdulas paikka asema qpos "
             "положение перемещение 位置 位移 変位",
             kOpen, Position},
-        WordMeaning{Word,
-                    "coordinate coordenada coordonnee distance distancia distanza abstand stroke carrera course corsa "
-                    "curso cursa hub travel recorrido slag skok length hub_h координата ход",
-                    Length, Position},
+        WordMeaning{
+            Word,
+            "coordinate coordenada coordonnee distance distancia distanza abstand strok glissement longueur longitud "
+            "lunghezza comprimento translation traslacion traslazione translacao stroke carrera course corsa "
+            "curso cursa hub travel recorrido slag skok length hub_h координата ход",
+            Length, Position},
         WordMeaning{
             Word,
             "velocity velocidad velocita velocidade velocitat vitesse speed vel geschwindigkeit geschw veloc snelheid "
@@ -77,38 +84,46 @@ std::span<const WordMeaning> vocabulary()
                     "inclination inclinacion neigung encoder revolutions revolution szog kulma угол 角度 转角",
                     Angle, Position},
         WordMeaning{Word,
-                    "ang angular angulaire angolare rotational rotary hoeksnelheid revolute rz угловая угловое 角",
+                    "ang angular angulaire angolare rotational rotary hoeksnelheid revolute rz z katowa katowe katowy "
+                    "uhlova uhlove "
+                    "unghiulara угловая угловое угловой 角",
                     Angle},
-        WordMeaning{Word, "linear lineal lineaire lineare translational trans prismatic", Length},
+        WordMeaning{Word, "gyroscope gyro giroscopio gyroskop", Angle, Velocity},
+        WordMeaning{Word,
+                    "linear lineal lineaire lineare translational trans prismatic prismatico prismatica prismatique",
+                    Length},
         WordMeaning{Word, "horizontal horizontale tx", Length, kOpen, kOpen, 'x'},
         WordMeaning{Word, "vertical verticale ty", Length, kOpen, kOpen, 'y'},
         WordMeaning{Word, kTurnsPerMinute, Angle, Velocity, Crank},
         // Bodies. A wheel with a pin is a crank.
+        WordMeaning{Word,
+                    "crank input antrieb antriebs crankshaft wheel flywheel disk disc driver manivela maneta manivelle "
+                    "manovella ciguenal "
+                    "vilebrequin virabrequim volante rueda kurbel kurbelwelle schwungrad kruk krukas korba korby vev "
+                    "vevaxel klika kliky krank "
+                    "veiv krumtap forgattyu kampi kammen кривошип кривошипа 曲柄 クランク "
+                    "link_2 glied_2 eslabon_2 barra_2 membro_2",
+                    kOpen, kOpen, Crank},
+        WordMeaning{Word, "ca cad kw kurbelw atdc drehwinkel", Angle, Position, Crank},
         WordMeaning{
             Word,
-            "crank input crankshaft wheel flywheel disk disc driver manivela maneta manivelle manovella ciguenal "
-            "vilebrequin virabrequim volante rueda kurbel kurbelwelle schwungrad kruk krukas korba korby vev "
-            "vevaxel klika kliky krank "
-            "veiv krumtap forgattyu kampi kammen кривошип кривошипа 曲柄 クランク "
-            "link_2 glied_2 eslabon_2 barra_2 membro_2",
-            kOpen, kOpen, Crank},
-        WordMeaning{Word, "ca cad kw atdc drehwinkel", Angle, Position, Crank},
-        WordMeaning{Word,
-                    "coupler rod conrod connecting biela bielle biella acoplador pleuel pleuelstange koppel "
-                    "schubstange drijfstang korbowod korbowodu lacznik vevstake ojnice biyel hajtorud kiertokanki "
-                    "шатун шатуна 连杆 "
-                    "コンロッド link_3 glied_3 eslabon_3 "
-                    "barra_3",
-                    kOpen, kOpen, Coupler},
-        WordMeaning{Word,
-                    "slider slide piston pistone pistao pisto corredera deslizadera deslizador deslizante corredora "
-                    "corredissa embolo carro "
-                    "carrito cursore cursor pattino coulisseau coulissant crosshead block bloque kolben schieber "
-                    "gleitstein schlitten kreuzkopf zuiger schuif suwak suwaka tlok tloka kolv pist pistu wrist "
-                    "gudgeon ram plunger corsoio corredica pistonului stempel dugattyu manta mannan luisti ariete "
-                    "stossel ползун ползуна поршень поршня 滑块 活塞 スライダ スライダー "
-                    "ピストン link_4 glied_4 eslabon_4",
-                    kOpen, kOpen, Slider},
+            "coupler rod conrod connecting biela bielle biella acoplador pleuel pleuelstange koppel "
+            "schubstange drijfstang korbowod korbowodu lacznik lacznika vevstake ojnice biyel hajtorud kiertokanki "
+            "шатун шатуна 连杆 "
+            "コンロッド link_3 glied_3 eslabon_3 "
+            "barra_3",
+            kOpen, kOpen, Coupler},
+        WordMeaning{
+            Word,
+            "slider slide cart piston pistone pistao pisto corredera deslizadera deslizador deslizante corredora "
+            "corredissa embolo carro "
+            "carrito cursore cursor pattino coulisseau coulissant surgu abtrieb abtriebs glissiere crosshead block "
+            "bloque kolben schieber "
+            "gleitstein schlitten kreuzkopf zuiger schuif suwak suwaka tlok tloka kolv pist pistu wrist "
+            "gudgeon ram plunger corsoio corredica pistonului stempel dugattyu manta mannan luisti ariete "
+            "stossel ползун ползуна поршень поршня 滑块 活塞 スライダ スライダー "
+            "ピストン link_4 glied_4 eslabon_4",
+            kOpen, kOpen, Slider},
         WordMeaning{Word, "schwenkwinkel", Angle, Position, Coupler},
         // Symbols of textbooks. The order of x and θ is that of the unit, or that of a position.
         WordMeaning{Symbol, "x", Length, kOpen, kOpen, 'x'},
@@ -134,7 +149,7 @@ std::span<const WordMeaning> vocabulary()
         // Indices: the wrist pin is called B or C, or P, K and S after the piston, Kolben and slider.
         WordMeaning{Index, "b c k s", kOpen, kOpen, Slider},
         WordMeaning{Index, "oa", kOpen, kOpen, Crank},
-        WordMeaning{Index, "ab bc t"},
+        WordMeaning{Index, "ab ba bc cb bp pb ap pa"},
         // Derivatives.
         WordMeaning{
             Derivative,
@@ -149,7 +164,10 @@ std::span<const WordMeaning> vocabulary()
         WordMeaning{LetterOfOne, "d p point", kOpen, Velocity},
         WordMeaning{Filler, "de del la el da do du di des della delle dello der die das of the van het en au a_la "
                             "in con component componente comp latest run set data cm com body centre center field plot "
-                            "channel out output result results simout instantaneous "
+                            "channel out yout output result results simout instantaneous "
+                            "smart red blue green box object cg cog amplitude sensor girado gedreht tourne probe laser "
+                            "rel relative relativo relativa "
+                            "placement base yer video analysis serie "
                             "gemessen measured medido medida measure mea meas pin obrotu поворота"},
         WordMeaning{Label, "joint gelenk point punkt punto node marker of de del von du di do"},
     };
@@ -202,6 +220,12 @@ Words wordsOf(std::string_view name)
         }
         before = c;
     }
+    for (std::size_t i = 1; i < words.size(); ++i) {
+        if (isDigits(words[i]) && isAmong(words[i - 1], kNumberedWords)) {
+            const auto number = words.begin() + static_cast<std::ptrdiff_t>(i);
+            words.erase(number - 1, number + 1);
+        }
+    }
     return words;
 }
 
@@ -212,7 +236,8 @@ bool isDigits(std::string_view word)
 
 bool isTime(const Words &words)
 {
-    return areAmong(words, kTimeWords, kTimeCompanions) || isTimeOfDay(words);
+    const bool isNumberedSymbol = words.size() > 1 && words[0] == "t" && isDigits(words[1]); // "T2", a temperature
+    return (areAmong(words, kTimeWords, kTimeCompanions) && !isNumberedSymbol) || isTimeOfDay(words);
 }
 
 bool isTimeOfDay(const Words &words)

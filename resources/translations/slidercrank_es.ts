@@ -383,8 +383,8 @@
         <translation>supuesta: el encabezado indica la magnitud, pero no el cuerpo</translation>
     </message>
     <message>
-        <source>assumed from the heading: named as in Modelica, in m, rad and s</source>
-        <translation>supuesta por el encabezado: se llama como en Modelica, en m, rad y s</translation>
+        <source>assumed from the heading: named as in Modelica or ROS, in m, rad and s</source>
+        <translation>supuesta por el encabezado: se llama como en Modelica o ROS, en m, rad y s</translation>
     </message>
     <message>
         <source>assumed: no column is the time, and this is the angle of the crank</source>

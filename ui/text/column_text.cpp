@@ -23,21 +23,21 @@ public:
         QT_TR_NOOP("chosen by hand"),                                            // Chosen
         QT_TR_NOOP("assumed: the heading names the quantity, but not the body"), // QuantityInName
         QT_TR_NOOP("assumed from its values: an angle that spans more than half a turn or rises evenly, or its "
-                   "derivative"),                                                         // WideAngle
-        QT_TR_NOOP("assumed: the first column, whose values only increase"),              // RisingValues
-        QT_TR_NOOP("assumed from the heading: named as in Modelica, in m, rad and s"),    // ModelicaName
-        QT_TR_NOOP("assumed: no column is the time, and this is the angle of the crank"), // AngleForTime
-        QT_TR_NOOP("unknown heading"),                                                    // UnknownName
-        QT_TR_NOOP("its heading does not name the body"),                                 // UnknownBody
-        QT_TR_NOOP("it numbers the rows"),                                                // RowNumber
-        QT_TR_NOOP("the magnitude of a vector, whose components are other columns"),      // Magnitude
-        QT_TR_NOOP("the same time stamps as in the column of the time"),                  // SameTimeStamps
-        QT_TR_NOOP("no heading"),                                                         // NoName
-        QT_TR_NOOP("it contains no number"),                                              // NoNumber
-        QT_TR_NOOP("its unit is unknown, or does not suit the quantity"),                 // UnknownUnit
-        QT_TR_NOOP("another column could be the same quantity"),                          // LikeOther
-        QT_TR_NOOP("neither unit nor values tell whether it is an angle or a length"),    // AngleOrLength
-        QT_TR_NOOP("its values do not change, as those of a parameter"),                  // Constant
+                   "derivative"),                                                             // WideAngle
+        QT_TR_NOOP("assumed: the first column, whose values only increase"),                  // RisingValues
+        QT_TR_NOOP("assumed from the heading: named as in Modelica or ROS, in m, rad and s"), // PathInSi
+        QT_TR_NOOP("assumed: no column is the time, and this is the angle of the crank"),     // AngleForTime
+        QT_TR_NOOP("unknown heading"),                                                        // UnknownName
+        QT_TR_NOOP("its heading does not name the body"),                                     // UnknownBody
+        QT_TR_NOOP("it numbers the rows"),                                                    // RowNumber
+        QT_TR_NOOP("the magnitude of a vector, whose components are other columns"),          // Magnitude
+        QT_TR_NOOP("the same time stamps as in the column of the time"),                      // SameTimeStamps
+        QT_TR_NOOP("no heading"),                                                             // NoName
+        QT_TR_NOOP("it contains no number"),                                                  // NoNumber
+        QT_TR_NOOP("its unit is unknown, or does not suit the quantity"),                     // UnknownUnit
+        QT_TR_NOOP("another column could be the same quantity"),                              // LikeOther
+        QT_TR_NOOP("neither unit nor values tell whether it is an angle or a length"),        // AngleOrLength
+        QT_TR_NOOP("its values do not change, as those of a parameter"),                      // Constant
     };
 };
 

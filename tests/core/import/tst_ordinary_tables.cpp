@@ -114,8 +114,42 @@ private slots:
         QCOMPARE(adviceIn("stage,R4_x\n0,80\n90,70\n180,60\n270,50\n"), std::string("stage=angle ;"));
         QCOMPARE(adviceIn("p [deg],q [mm]\n0,80\n90,70\n180,60\n"), std::string("p [deg]=angle ;q [mm]=R4_x ;"));
         QCOMPARE(adviceIn("time,J3_x,J4_x\n0,80,7\n1,70,8\n"), std::string("J4_x=R4_x ;")); // the last joint
-        QCOMPARE(adviceIn("time,p [deg],q [mm]\n0,0,7\n1,90,8\n2,270,7\n"), std::string("q [mm]=R4_x ;"));
+        QCOMPARE(adviceIn("time,part 4 velocity\n0,80\n1,70\n"), std::string("part 4 velocity=R4_x_diff ;"));
         QCOMPARE(adviceIn("time,load [N],q\n0,80,7\n1,70,8\n"), std::string("q=R4_x ;"));
+    }
+
+    /// An angle that turns by more than half a turn in one direction is that of the crank, whatever its name.
+    void findsTheCrankByItsTurn()
+    {
+        const auto rolesIn = [](const QByteArray &bytes) {
+            const Outcome outcome = read(bytes);
+            return rolesOf(std::get<ReferenceData>(outcome).layout);
+        };
+        QCOMPARE(rolesIn("time,p [deg],R4_x\n0,0,7\n1,90,8\n2,270,7\n"), std::string("time theta2? R4_x"));
+        QCOMPARE(rolesIn("Degrees,R4_x\n0,7\n90,8\n270,7\n"), std::string("angle? R4_x"));
+        QCOMPARE(rolesIn("time,p [deg],R4_x\n0,0,7\n1,90,8\n2,0,7\n"), std::string("time - R4_x"));
+    }
+
+    /// Words that only contain the letters of symbols denote nothing.
+    void readsNoQuantitiesIntoOtherWords()
+    {
+        for (const char *const name : {"delta", "abs", "end", "dt", "dial", "min", "T2 [degC]", "torque", "sigma"}) {
+            const Outcome outcome = read(QByteArray("time,R4_x,") + name + "\n0,80,1\n1,70,3\n2,60,2\n");
+            QVERIFY2(rolesOf(std::get<ReferenceData>(outcome).layout) == "time R4_x -", name);
+        }
+    }
+
+    void readsTablesOfMarkdownAndLatex()
+    {
+        const QByteArrayList tables{
+            "| t (s) | x (mm) |\n|:---|---:|\n| 0 | 80 |\n| 1 | 70 |\n",
+            "\\toprule\n$t$/s & $x$/mm \\\\\n\\midrule\n0 & 80 \\\\\n1 & 70 \\\\\n\\bottomrule\n"};
+        for (const QByteArray &table : tables) {
+            const Outcome outcome = read(table);
+            const ReferenceData *const data = std::get_if<ReferenceData>(&outcome);
+            QVERIFY2(data && data->time.size() == 2 && data->skippedCount == 0, table);
+            QVERIFY2(rolesOf(data->layout) == "time R4_x?", table);
+        }
     }
 
     void leavesOutWordsOnlyBesideNumbers()
