@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -44,6 +45,29 @@ struct RoundedDecade {
     double weight; ///< number of values
 };
 
+/// Sets the rule and the digits of the rule that is closest to the places of all decades, weighted by their numbers of
+/// values; on a tie, those of the coarser rule.
+void chooseRule(const std::vector<RoundedDecade> &decades, Rounding &rounding)
+{
+    std::pair<double, double> least{kInfinity, 0.0}; // distance, and minus the mean place
+    for (const Rounding::Rule rule : {Rounding::Rule::SignificantDigits, Rounding::Rule::Decimals}) {
+        const bool isRelative = rule == Rounding::Rule::SignificantDigits;
+        for (const RoundedDecade &best : decades) { // the best place, a weighted median, is that of a decade
+            std::pair<double, double> distance{0.0, 0.0};
+            for (const RoundedDecade &decade : decades) {
+                const int place = best.place + (isRelative ? decade.exponent - best.exponent : 0);
+                distance.first += decade.weight * std::abs(decade.place - place);
+                distance.second -= decade.weight * place;
+            }
+            if (distance < least) {
+                least = distance;
+                rounding.rule = rule;
+                rounding.digits = isRelative ? best.exponent - best.place + 1 : -best.place;
+            }
+        }
+    }
+}
+
 /// Returns the first and last digit of the shortest text that is read as `value`, which is printed at `places`.
 PrintedPlaces shortestPlaces(PrintedPlaces places, double value)
 {
@@ -51,6 +75,30 @@ PrintedPlaces shortestPlaces(PrintedPlaces places, double value)
     const auto shortest = std::to_chars(text.data(), text.data() + text.size(), value);
     const PrintedPlaces found = parseNumber({text.data(), shortest.ptr}, DecimalSign::Point).places;
     return {found.zero, found.first, found.last, places.printed};
+}
+
+/// Returns a step of sorted values more precisely: the distance from the first value to each other one, divided by the
+/// number of steps in it.
+double refined(double step, const std::vector<double> &values)
+{
+    double mostSteps = 1.0; // in the longest distance so far
+    for (const double value : values) {
+        const double distance = value - values.front();
+        if (const double steps = std::round(distance / step); steps > mostSteps) {
+            step = distance / steps;
+            mostSteps = steps;
+        }
+    }
+    return step;
+}
+
+/// Returns the finite ones among some values, sorted.
+std::vector<double> sortedFinite(std::span<const double> values)
+{
+    std::vector<double> sorted;
+    std::ranges::copy_if(values, std::back_inserter(sorted), [](double value) { return std::isfinite(value); });
+    std::ranges::sort(sorted);
+    return sorted;
 }
 
 } // namespace
@@ -151,24 +199,7 @@ Rounding RoundingObserver::infer(double unitFactor, bool areTimeStamps) const
             decades.push_back({exponent, place, total});
         }
     }
-    // Weighted distance of a rule from the places of the decades; among equal ones, the coarser rule is better.
-    std::pair<double, double> least{kInfinity, 0.0};
-    for (const Rounding::Rule rule : {Rounding::Rule::SignificantDigits, Rounding::Rule::Decimals}) {
-        const bool isRelative = rule == Rounding::Rule::SignificantDigits;
-        for (const RoundedDecade &best : decades) { // the best place, a weighted median, is that of a decade
-            std::pair<double, double> distance{0.0, 0.0};
-            for (const RoundedDecade &decade : decades) {
-                const int place = best.place + (isRelative ? decade.exponent - best.exponent : 0);
-                distance.first += decade.weight * std::abs(decade.place - place);
-                distance.second -= decade.weight * place;
-            }
-            if (distance < least) {
-                least = distance;
-                rounding.rule = rule;
-                rounding.digits = isRelative ? best.exponent - best.place + 1 : -best.place;
-            }
-        }
-    }
+    chooseRule(decades, rounding);
     // By chance, one value in ten ends with one zero, and one in a hundred with two. More zeros are padding.
     const bool isPadded = 4 * m_trailingZeros >= m_values + 16;
     const bool isLong = rounding.rule == Rounding::Rule::SignificantDigits && rounding.digits > kDigitsOfAChosenNumber;
@@ -185,21 +216,15 @@ std::optional<double> findQuantum(std::span<const double> values, double printed
     constexpr double kCoarser = 8.0;              // than the uncertainty
     constexpr double kArithmeticError = 1e-9;     // relative to the value
     constexpr double kPowerOfTenTolerance = 1e-3; // of the exponent
-    std::vector<double> levels;
-    std::vector<double> differences; // of neighbours
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        if (std::isfinite(values[i])) {
-            levels.push_back(values[i]);
-        }
-        if (i > 0 && std::isfinite(values[i] - values[i - 1])) {
-            differences.push_back(std::abs(values[i] - values[i - 1]));
-        }
+    std::vector<double> changes;                  // between neighbours
+    for (std::size_t i = 1; i < values.size(); ++i) {
+        changes.push_back(std::abs(values[i] - values[i - 1]));
     }
+    const std::vector<double> levels = sortedFinite(values);
+    const std::vector<double> differences = sortedFinite(changes);
     if (levels.empty()) {
         return std::nullopt;
     }
-    std::ranges::sort(levels);
-    std::ranges::sort(differences);
     const double uncertainty =
         2.0 * printedStep + kArithmeticError * std::max(std::abs(levels.front()), std::abs(levels.back()));
     double quantum = kInfinity;
@@ -218,14 +243,7 @@ std::optional<double> findQuantum(std::span<const double> values, double printed
     if (distinctLevels < kFewestValues || distinctDifferences < 2 || !(quantum >= kCoarser * uncertainty)) {
         return std::nullopt;
     }
-    double mostSteps = 1.0; // in the longest distance that has refined the quantum
-    for (const double level : levels) {
-        const double distance = level - levels.front();
-        if (const double steps = std::round(distance / quantum); steps > mostSteps) {
-            quantum = distance / steps;
-            mostSteps = steps;
-        }
-    }
+    quantum = refined(quantum, levels);
     const bool fits = std::ranges::all_of(levels, [&](double level) {
         const double distance = level - levels.front();
         return std::abs(distance - std::round(distance / quantum) * quantum) <= uncertainty;
@@ -241,13 +259,9 @@ std::optional<double> findStepOfFive(std::span<const double> values, const Round
     constexpr double kMaxEvenFraction =
         0.7; // even multiples; of six significant digits, most are, and the others by chance
     constexpr double kMaxErrorOfStep = 0.1; // relative to a step: with more, every value is a multiple of it
-    std::vector<double> levels;
-    for (const double value : values) {
-        if (std::isfinite(value)) {
-            levels.push_back(std::abs(value) / rounding.unitFactor);
-        }
-    }
-    std::ranges::sort(levels);
+    std::vector<double> magnitudes(values.begin(), values.end());
+    std::ranges::for_each(magnitudes, [&](double &value) { value = std::abs(value) / rounding.unitFactor; });
+    std::vector<double> levels = sortedFinite(magnitudes);
     levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
     if (levels.size() < kFewestValues || rounding.finestPlace == INT_MIN) {
         return std::nullopt;
