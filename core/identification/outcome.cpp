@@ -27,12 +27,10 @@ using Outcome = Identification::Outcome;
 using Lack = Identification::Lack;
 using UnknownKind = Unknown::Kind;
 
-/// Errors above this fraction leave a parameter open: of the larger of a and |c| for c, of a radian for θ20.
+/// Errors above these fractions leave a parameter open: of the larger of a and |c| for c, of a radian for θ20.
 constexpr double kMaxError = 0.2;
-
-/// The same for a, with which all lengths are uncertain, and for all parameters if nothing but the residuals bounds
-/// their errors.
-constexpr double kMaxStrictError = 0.5 * kMaxError;
+constexpr double kMaxErrorOfCrank = 0.03;   // of a, with which all others are uncertain: beyond it they are not linear
+constexpr double kMaxSystematicError = 0.1; // of every parameter, if nothing but the residuals bounds the errors
 
 ColumnResidual residualOf(const Observations &observations, const Fit &fit, Index k)
 {
@@ -57,18 +55,29 @@ ParameterErrors largestErrors(const LastFit &lastFit, bool isSystematic)
     return errors;
 }
 
-/// Which unknown parameters the file leaves open, with the errors `errors`.
+double maxErrorOf(Unknown unknown, bool isSystematic)
+{
+    if (isSystematic) {
+        return kMaxSystematicError;
+    }
+    return unknown.kind == UnknownKind::A ? kMaxErrorOfCrank : kMaxError;
+}
+
+/// Which unknown parameters the file leaves open. `errors`: the largest ones. The approximate motion of a coupler of
+/// more than a hundred cranks hardly shows its length, however small the errors are.
 std::array<bool, kParameterCount> openParameters(const LastFit &lastFit, const ParameterErrors &errors,
                                                  bool isSystematic)
 {
+    constexpr double kMaxRatio = 100.0;
     const Parameters &m = lastFit.fit.model.mechanism;
     const std::array<double, kParameterCount> sizes{m.a, m.b, std::max(m.a, std::abs(m.c)), std::abs(m.omega2), 1.0};
+    const bool isCouplerOpen = !lastFit.isExact && std::max(m.b, std::abs(m.c)) > kMaxRatio * m.a;
     std::array<bool, kParameterCount> open{};
     for (const Unknown unknown : lastFit.fit.unknowns) {
         if (unknown.isParameter()) {
             const std::size_t i = parameterIndex(unknown);
-            const bool isStrict = isSystematic || unknown.kind == UnknownKind::A;
-            open[i] = errors[i] > (isStrict ? kMaxStrictError : kMaxError) * sizes[i];
+            const bool isOfCoupler = unknown.kind == UnknownKind::B || unknown.kind == UnknownKind::C;
+            open[i] = (isCouplerOpen && isOfCoupler) || errors[i] > maxErrorOf(unknown, isSystematic) * sizes[i];
         }
     }
     return open;
