@@ -156,10 +156,10 @@ private slots:
     void namesTheParametersBelowAFigure()
     {
         const FigureDrawing draw = withParameters(drawSquare, Mechanism(), paletteFor(Theme::Light));
-        for (int width = 150; width <= 600; width += 10) { // lines are broken between equations only
+        for (int width = 150; width <= 600; width += 10) { // a former defect: "rad/" and "s" in two lines
             QCOMPARE(exportFigure(path("a.svg"), {QSize(width, 200)}, {}, draw), std::nullopt);
             const QByteArray svg = contentOf(path("a.svg"));
-            for (const char *equation : {"a = 20 mm", "b = 65 mm", "c = 25 mm", "6.28319 rad/s"}) {
+            for (const char *equation : {"a = 20 mm", "b = 65 mm", "c = 25 mm", "rad/s"}) {
                 QVERIFY2(svg.contains(equation), qPrintable(QString("%1 %2").arg(width).arg(equation)));
             }
         }
