@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/accelerating_motion.h"
 #include "tests/support/suite.h"
+#include "tests/support/text_recorder.h"
 #include "tests/support/waiting.h"
 #include "tests/support/widget_parts.h"
 #include "ui/document/session.h"
@@ -123,6 +124,22 @@ private slots:
         QCOMPARE(tablePlaces(settings, Mechanism(), {}).size(), std::size_t(11));
         settings.timeStep = 1e-9;
         QCOMPARE(tablePlaces(settings, Mechanism(), {}).size(), std::size_t(kMaxTableRows));
+    }
+
+    void theListOfQuantitiesShowsSubscripts()
+    {
+        const NotationForTest chosen({Symbols::Textbook, {}});
+        const ShownTable shown;
+        shown.choose("R4_x_diff");
+        auto *list = child<QComboBox>(shown.panel, "findQuantity");
+        TextRecorder recorder(list->size());
+        list->render(&recorder);
+        QStringList texts;
+        for (const auto &[text, box] : recorder.texts) {
+            texts << text;
+        }
+        QCOMPARE(list->currentText(), "v_B");
+        QCOMPARE(texts, (QStringList{"v", "B"}));
     }
 
     /// As in the drawing and in the box of the timeline.
