@@ -31,7 +31,7 @@ ColumnChoice choiceFor(const RawTable &table, const RawColumn &column, ColumnRol
 bool mayBeAbscissa(const RawColumn &column)
 {
     return !column.isUsed() && rangeOf(column.values).count == column.values.size() && column.values.size() > 1 &&
-           isTurningAngle(column);
+           (isTurningAngle(column) || (!isConstant(column) && !findReversal(column.values)));
 }
 
 /// Returns whether a column that may be the abscissa is probably an angle, by its name or its range.

@@ -427,7 +427,7 @@ std::optional<NameMeaning> meaningInInventor(std::string_view name, const std::s
 int takeCalls(std::string_view &name)
 {
     int count = 0;
-    for (const std::string_view function : {"der(", "diff(", "derivative("}) {
+    for (const std::string_view function : {"der(", "diff(", "derivative(", "d("}) {
         while (lowered(name.substr(0, function.size())) == function && name.ends_with(')')) {
             name = name.substr(function.size(), name.size() - function.size() - 1);
             const std::size_t comma = name.find(',');

@@ -56,7 +56,7 @@ std::optional<Unit> unitNamed(std::string_view name)
         {"s с сек sec secs second seconds sek sekunde sekunden seconde secondes secondi secondo seconden seg segundo "
          "segundos segon segons sekundy sekund",
          {Time, 0, 1.0}},
-        {"ms msec msecs millis millisecond milliseconds milisegundo milisegundos millisekunden millisecondi "
+        {"ms мс msec msecs millis millisecond milliseconds milisegundo milisegundos millisekunden millisecondi "
          "millisecondes",
          {Time, 0, 1e3}},
         {"us usec micros microsecond microseconds microsegundos mikrosekunden", {Time, 0, 1e6}},

@@ -53,7 +53,8 @@ std::span<const WordMeaning> vocabulary()
         WordMeaning{
             Word,
             "position posicion posizione posicao posicio positie polozenie lage pos displacement disp displ desloc "
-            "degistirme degistirmesi despl depl spost versch lvdt reading lectura lecture lettura leitura stellung "
+            "degistirme degistirmesi despl depl spost versch lvdt transducer transductor potentiometer wegaufnehmer "
+            "yol yolu reading lectura lecture lettura leitura stellung "
             "ablesung "
             "desplazamiento deplacement spostamento deslocamento desplacament verplaatsing przemieszczenie "
             "verschiebung weg auslenkung abscisse pose konum konumu pozitie poloha draha droga positionen posiciones "
@@ -109,7 +110,7 @@ std::span<const WordMeaning> vocabulary()
             Word,
             "coupler rod conrod connecting biela bielle biella acoplador pleuel pleuelstange koppel "
             "schubstange drijfstang korbowod korbowodu lacznik lacznika vevstake ojnice biyel hajtorud kiertokanki "
-            "шатун шатуна 连杆 "
+            "шатун шатуна 連接棒 连杆 "
             "コンロッド link_3 glied_3 eslabon_3 "
             "barra_3",
             kOpen, kOpen, Coupler},
@@ -119,7 +120,8 @@ std::span<const WordMeaning> vocabulary()
             "corredissa embolo carro "
             "carrito cursore cursor pattino coulisseau coulissant surgu abtrieb abtriebs glissiere crosshead block "
             "bloque kolben schieber "
-            "gleitstein schlitten kreuzkopf zuiger schuif suwak suwaka tlok tloka kolv pist pistu wrist "
+            "gleitstein schlitten kreuzkopf zuiger schuif suwak suwaka wodzik wodzika крейцкопф tlok tloka kolv pist "
+            "pistu wrist "
             "gudgeon ram plunger corsoio corredica pistonului stempel dugattyu manta mannan luisti ariete "
             "stossel ползун ползуна поршень поршня 滑块 活塞 スライダ スライダー "
             "ピストン link_4 glied_4 eslabon_4",
