@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The program as a web page: the window alone. main() returns at once, and the browser goes on to call Qt's event loop.
+// What a page does in another way than a desktop program is here, in ui/widgets/page_dialogs.cpp, and in
+// ui/document/background_task.cpp, which does without threads.
+
+#include "ui/document/scene_link.h"
+#include "ui/document/whole_file.h"
+#include "ui/text/language.h"
+#include "ui/window/main_window.h"
+#include "ui/window/window_settings.h"
+
+#include <QAbstractSpinBox>
+#include <QAction>
+#include <QApplication>
+#include <QDir>
+#include <QDropEvent>
+#include <QFile>
+#include <QFileInfo>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QMenu>
+#include <QMimeData>
+#include <QMouseEvent>
+#include <QScrollBar>
+#include <QSplitter>
+#include <QTextEdit>
+#include <QToolButton>
+#include <QUrl>
+
+#include <cstdlib>
+#include <emscripten.h>
+#include <emscripten/html5.h>
+
+using namespace slidercrank;
+
+namespace
+{
+
+// clang-format off
+EM_JS(char *, addressOfPage, (), {
+    return stringToNewUTF8(location.href);
+});
+
+/// Lets the browser save a file of the page's memory.
+EM_JS(void, handOver, (const char *path, const char *name), {
+    const link = document.createElement("a");
+    link.download = UTF8ToString(name);
+    link.href = URL.createObjectURL(new Blob([FS.readFile(UTF8ToString(path))]));
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+});
+// clang-format on
+
+/// Copies dropped files, because Qt removes them as soon as the event has been handled.
+QStringList copiesOf(const QList<QUrl> &urls)
+{
+    QStringList copies;
+    for (const QUrl &url : urls) {
+        const QString path = url.toLocalFile();
+        const QString copy = QDir::home().filePath(QFileInfo(path).fileName());
+        QFile::remove(copy);
+        if (QFile::copy(path, copy)) {
+            copies += copy;
+        }
+    }
+    return copies;
+}
+
+/// Does in a page what the window cannot do there.
+class BrowserPage : public QObject
+{
+public:
+    explicit BrowserPage(MainWindow *window)
+        : QObject(window)
+        , m_window(window)
+    {
+        qApp->installEventFilter(this);
+        connect(&window->session(), &Session::written, this,
+                [](const QString &path) { handOver(path.toUtf8(), QFileInfo(path).fileName().toUtf8()); });
+        withholdWhatNeedsADesktop();
+    }
+
+    bool eventFilter(QObject *watched, QEvent *event) override
+    {
+        switch (event->type()) {
+        case QEvent::ContextMenu: // Qt's menus of these wait in an event loop of their own, which never ends in a page
+            return qobject_cast<QAbstractSpinBox *>(watched) || qobject_cast<QScrollBar *>(watched);
+        case QEvent::MouseButtonPress:
+        case QEvent::MouseButtonDblClick:
+            forgetSelection(watched, *static_cast<const QMouseEvent *>(event));
+            return openMenuOf(qobject_cast<QToolButton *>(watched));
+        case QEvent::KeyPress:
+            return static_cast<const QKeyEvent *>(event)->key() == Qt::Key_Space &&
+                   openMenuOf(qobject_cast<QToolButton *>(watched));
+        case QEvent::DragEnter: // a browser tells what is dragged only when it is dropped
+            if (watched == m_window) {
+                static_cast<QDropEvent *>(event)->acceptProposedAction();
+            }
+            return watched == m_window;
+        case QEvent::Drop: return watched == m_window && drop(*static_cast<QDropEvent *>(event));
+        case QEvent::Resize:
+            if (watched == m_window) {
+                fitWidth();
+            }
+            return false;
+        default: return false;
+        }
+    }
+
+private:
+    /// Opens the menu of a button, as it opens it itself, but without waiting.
+    static bool openMenuOf(QToolButton *button)
+    {
+        if (!button || !button->menu() || !button->isEnabled() || button->popupMode() != QToolButton::InstantPopup) {
+            return false;
+        }
+        button->menu()->popup(button->mapToGlobal(QPoint(0, button->height())));
+        return true;
+    }
+
+    /// Removes the selection that would be dragged, which Qt waits for.
+    static void forgetSelection(QObject *watched, const QMouseEvent &press)
+    {
+        if (press.modifiers() & Qt::ShiftModifier) { // extends the selection
+            return;
+        }
+        if (auto *label = qobject_cast<QLabel *>(watched); label && label->hasSelectedText()) {
+            label->setSelection(0, 0);
+        }
+        if (auto *text = qobject_cast<QTextEdit *>(watched->parent())) {
+            QTextCursor cursor = text->textCursor();
+            cursor.clearSelection();
+            text->setTextCursor(cursor);
+        }
+    }
+
+    bool drop(QDropEvent &event)
+    {
+        event.acceptProposedAction();
+        if (const QStringList files = copiesOf(event.mimeData()->urls()); !files.isEmpty()) {
+            m_window->openFiles(files);
+        }
+        return true;
+    }
+
+    /// Puts the plots below the mechanism where the page is narrow.
+    void fitWidth()
+    {
+        constexpr int kNarrow = 760; // px
+        const bool isNarrow = m_window->width() < kNarrow;
+        auto *columns = m_window->findChild<QSplitter *>("columns");
+        const Qt::Orientation orientation = isNarrow ? Qt::Vertical : Qt::Horizontal;
+        if (columns && columns->orientation() != orientation) {
+            columns->setOrientation(orientation);
+            columns->setSizes(isNarrow ? QList<int>{500, 500} : QList<int>{560, 840});
+        }
+    }
+
+    /// A page has no folders, no ffmpeg and no end; Ctrl+W closes it.
+    void withholdWhatNeedsADesktop()
+    {
+        m_window->findChild<QMenu *>("recentMenu")->menuAction()->setVisible(false);
+        for (const char *name : {"exportAnimation", "quit"}) {
+            auto *action = m_window->findChild<QAction *>(name);
+            action->setVisible(false);
+            action->setShortcuts(QList<QKeySequence>());
+        }
+        m_window->findChild<QAction *>("closeReference")->setShortcuts(QList<QKeySequence>());
+    }
+
+    MainWindow *m_window;
+};
+
+/// The layout is kept when the page is left, which it is without a message.
+bool keepLayout(int, const EmscriptenVisibilityChangeEvent *change, void *window)
+{
+    if (change->hidden) {
+        saveLayout(*static_cast<const MainWindow *>(window));
+    }
+    return false;
+}
+
+} // namespace
+
+int main(int argc, char *argv[])
+{
+    static int count = argc; // QApplication refers to it after main() has returned
+    new QApplication(count, argv);
+    QCoreApplication::setOrganizationName("slidercrank"); // names the settings
+    QCoreApplication::setApplicationName("slidercrank");
+    QCoreApplication::setApplicationVersion(SLIDERCRANK_VERSION);
+    setLanguage(chosenLanguage());
+    QApplication::setStyle("Fusion");
+    QDir::setCurrent(QDir::homePath());
+    setUnnamedFolder(QDir::homePath());
+
+    char *const text = addressOfPage();
+    const QString address = QString::fromUtf8(text);
+    std::free(text);
+    if (!address.startsWith("file:")) { // others do not have that file
+        setPageAddress(address.section(u'#', 0, 0));
+    }
+    auto *window = new MainWindow;
+    new BrowserPage(window);
+    window->setWindowFlag(Qt::FramelessWindowHint);
+    window->showMaximized(); // fills the page
+    emscripten_set_visibilitychange_callback(window, false, keepLayout);
+    if (isSceneLink(address)) {
+        window->openFiles({address});
+    }
+    return 0;
+}
