@@ -1,0 +1,289 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""use_page.py FOLDER: uses both forms of the page as a person would, and checks what comes of it. The window is one picture for
+the browser, so places in it are in pixels of a window of 1400 × 900."""
+
+import csv
+import gzip
+import json
+import math
+import pathlib
+import re
+import subprocess
+import sys
+import time
+
+from chromium import Chromium, serve
+
+ROOT = pathlib.Path(__file__).parent.parent.parent
+SAMPLE = ROOT / "data/inventor_sample.csv"
+PROGRAM = ROOT / "build/release/app/slidercrank"
+LINK = "#a=40&b=120&c=20&omega2=60rpm"
+
+CTRL = 2
+
+measured = {}
+failures = []
+
+
+def check(what, is_true, detail=""):
+    print(("ok      " if is_true else "FAILED  ") + what + (f": {detail}" if detail != "" else ""), flush=True)
+    if not is_true:
+        failures.append(what)
+
+
+def native(*arguments):
+    return subprocess.run([PROGRAM, *arguments], check=True, capture_output=True, text=True).stdout
+
+
+def table(text):
+    """The columns of a CSV text by their names, each value as it is written."""
+    rows = list(csv.reader(text.splitlines()))
+    return {name: [row[i] for row in rows[1:]] for i, name in enumerate(rows[0])}
+
+
+def check_table(what, page, scene):
+    """Compares an exported table with that of the native program for the same scene."""
+    program = table(native("solve", "--scene", scene, "--channels", "all"))
+    shared = [name for name in program if name in page]
+    check(f"{what}: 36 channels at 201 times", len(shared) >= 36 and all(len(page[name]) == 201 for name in shared),
+          f"{len(shared)} columns")
+    differing = {}
+    for name in shared:
+        for here, there in zip(page[name], program[name]):
+            if here != there:
+                count, largest = differing.get(name, (0, 0.0))
+                differing[name] = count + 1, max(largest, abs(float(here) - float(there)) / max(abs(float(there)), 1e-300))
+    measured[f"{what}: values that are written differently, by channel (number, largest relative difference)"] = differing
+    check(f"{what}: equal to the native program's, but for the rounding of sine and cosine",
+          all(largest < 1e-13 or float(count) <= 2 for count, largest in differing.values()), differing or "every digit")
+
+
+class Window:
+    """The program's window in a page."""
+
+    FILE, VIEW = (20, 10), (97, 10)
+    COUPLER = (196, 773)  # the handle of the slider of b, at 65 mm
+    PIN = (231, 357)  # A, which a finger drags
+    STUDY_TAB = (1062, 646)
+
+    def __init__(self, browser, shots, name):
+        self.browser, self.shots, self.name = browser, shots, name
+
+    def shot(self, what):
+        self.browser.screenshot(self.shots / f"{self.name}-{what}.png")
+
+    def menu(self, place, *letters):
+        """Opens a menu, and presses the underlined letters of its entries."""
+        self.browser.click(*place)
+        for letter in letters:
+            self.browser.key(letter)
+        self.browser.wait(0.5)
+
+    def save(self, format_number=0):
+        """Answers the form for the name and the format of a file."""
+        self.browser.key("Tab")
+        for _ in range(format_number):
+            self.browser.key("ArrowDown")
+        self.browser.key("Enter")
+
+    def export(self, letter, name, format_number=0):
+        path = self.browser.downloads / name
+        path.unlink(missing_ok=True)
+        self.menu(self.FILE, "x", letter)
+        self.save(format_number)
+        return self.browser.downloaded(name)
+
+    def link(self):
+        """Copies the link of the mechanism, and returns it."""
+        self.menu(self.FILE, "k")
+        return self.browser.script("navigator.clipboard.readText()")
+
+    def value(self, name):
+        """The value of a parameter, from the link."""
+        found = re.search(rf"[#&]{name}=([-0-9.e]+)", self.link())
+        return float(found[1]) if found else math.nan
+
+
+def check_frames(window):
+    browser = window.browser
+    browser.click(*Window.PIN)
+    browser.key(" ")
+    browser.wait(1.0)
+    before, start = browser.script("measured.frames"), time.time()
+    browser.wait(4.0)
+    frames = (browser.script("measured.frames") - before) / (time.time() - start)
+    browser.key(" ")
+    measured[f"{window.name}: frames a second while playing"] = round(frames, 1)
+    check("plays at 45 frames a second or more", frames >= 45, f"{frames:.1f}")
+    browser.wait(1.0)
+    before = browser.script("measured.frames")
+    browser.wait(2.0)
+    check("nothing is painted while nothing moves", browser.script("measured.frames") - before <= 4)
+
+
+def check_exports(window):
+    for method in ("closed-form", "newton"):
+        window.browser.open(window.address + LINK + "&method=" + method)
+        window.browser.wait(1.0)
+        page = table(window.export("d", "motion.csv", 1).read_text())
+        check_table(f"{window.name}, {method}", page, "slidercrank.html" + LINK + "&method=" + method)
+    report = window.export("r", "report.pdf")
+    text = subprocess.run(["pdftotext", "-layout", report, "-"], check=True, capture_output=True, text=True).stdout
+    check("the report names the mechanism", "120" in text and "40" in text)
+    window.browser.key("e", CTRL)
+    window.browser.wait(1.0)
+    window.shot("figure")
+    window.browser.key("Enter")
+    window.browser.wait(0.5)
+    window.save()
+    picture = window.browser.downloaded("figure.png").read_bytes()
+    check("the figure is a picture of the stated size", picture[:8] == b"\x89PNG\r\n\x1a\n" and len(picture) > 20_000, len(picture))
+
+
+def check_reference(window):
+    browser = window.browser
+    browser.open(window.address)
+    browser.drop(700, 300, [SAMPLE])
+    browser.wait(3.0)
+    window.shot("dropped")
+    report = window.export("r", "report.pdf")
+    text = subprocess.run(["pdftotext", "-layout", report, "-"], check=True, capture_output=True, text=True).stdout
+    check("the dropped file is compared, and its mechanism found", re.search(r"b\s*=?\s*60(\.0+)?\b", text) is not None)
+    browser.open(window.address)
+    window.menu(Window.FILE, "o")
+    browser.choose([SAMPLE])
+    browser.wait(3.0)
+    window.shot("chosen")
+    browser.drop(700, 300, [ROOT / "LICENSE"])
+    browser.wait(1.0)
+    window.shot("refused")
+
+
+def check_editing(window):
+    browser = window.browser
+    browser.open(window.address)
+    browser.drag(Window.COUPLER, (Window.COUPLER[0] + 40, Window.COUPLER[1]))
+    b = window.value("b")
+    check("a slider is dragged", b > 66, b)
+    browser.swipe((Window.COUPLER[0] + 40, Window.COUPLER[1]), (Window.COUPLER[0] + 80, Window.COUPLER[1]))
+    check("a slider is dragged with a finger", window.value("b") > b + 1)
+    a = window.value("a")
+    browser.swipe(Window.PIN, (Window.PIN[0] + 60, Window.PIN[1]))
+    check("a link is dragged with a finger", window.value("a") != a or "time=" in window.link(), window.link())
+    window.shot("edited")
+    browser.wait(4.0)  # until the unsaved changes are kept
+    link = window.link()
+    browser.reload()
+    browser.wait(3.0)
+    window.shot("reloaded")
+    kept = browser.script("Object.keys(localStorage).filter(name => name.startsWith('slidercrank/recovery/')).length")
+    check("unsaved changes are kept in the browser's storage", kept == 1, kept)
+    check("the page opens a link that it has copied", "#a=" in link and browser.open(link) < 60)
+
+
+def check_language(window):
+    browser = window.browser
+    window.menu(Window.VIEW, "g", "p")
+    browser.reload()
+    browser.wait(1.0)
+    window.shot("spanish")
+    name = window.browser.downloads / "movimiento.csv"
+    window.menu(Window.FILE, "x", "d")
+    window.save()
+    check("speaks Spanish after it is loaded again", browser.downloaded(name.name).exists())
+    window.menu(Window.VIEW, "m", "e")
+
+
+def check_study(window):
+    browser = window.browser
+    browser.open(window.address)
+    browser.click(*Window.STUDY_TAB)
+    browser.wait(0.5)
+    window.shot("study")
+
+
+def use(name, address, shots):
+    browser = Chromium(1400, 900)
+    try:
+        window = Window(browser, shots, name)
+        window.address = address
+        browser.call("Browser.grantPermissions", permissions=["clipboardReadWrite", "clipboardSanitizedWrite"])
+        seconds = browser.open(address)
+        measured[f"{name}: seconds until the window is painted"] = round(seconds, 2)
+        check(f"{name}: the window is painted within 2.5 s", seconds <= 2.5, f"{seconds:.2f}")
+        browser.wait(1.0)
+        window.shot("start")
+        browser.requests.clear()
+        check_frames(window)
+        requests = [request for request in browser.requests if not request.startswith(("data:", "blob:"))]
+        check("makes no request after it has loaded", not requests, requests)
+        for work in (check_exports, check_editing, check_reference, check_study, check_language):
+            try:
+                work(window)
+            except (AssertionError, RuntimeError, OSError) as error:
+                window.shot("failed-" + work.__name__)
+                check(work.__name__, False, error)
+        longest = browser.script("measured.longest")
+        measured[f"{name}: longest block, ms"] = longest
+        measured[f"{name}: memory of the program, MB"] = browser.script("performance.memory?.usedJSHeapSize / 1e6")
+        # "Leave the page?" is asked only if the user has done something in it.
+        errors = [line for line in browser.console
+                  if ("error" in line.lower() or "exec()" in line) and "beforeunload" not in line]
+        check("no error is reported", not errors, errors[:5])
+    finally:
+        browser.close()
+
+
+def show_sizes(address, shots):
+    for width, height in ((1400, 900), (1024, 700), (390, 844)):
+        for is_dark in (False, True):
+            browser = Chromium(width, height, is_dark)
+            try:
+                browser.open(address + LINK)
+                browser.wait(1.0)
+                browser.screenshot(shots / f"{width}x{height}-{'dark' if is_dark else 'light'}.png")
+            finally:
+                browser.close()
+
+
+def check_old_browser(address):
+    browser = Chromium(800, 500)
+    try:
+        browser.call("Page.addScriptToEvaluateOnNewDocument", source="delete window.WebAssembly")
+        browser.call("Page.navigate", url=address)
+        browser.wait(2.0)
+        sentence = browser.script("document.getElementById('state').textContent")
+        check("says what an old browser lacks", "WebAssembly" in sentence, sentence)
+    finally:
+        browser.close()
+
+
+def check_sizes(folder):
+    files = ("slidercrank.html", "slidercrank.js", "slidercrank.wasm", "qtloader.js")
+    packed = sum(len(gzip.compress((folder / "page" / file).read_bytes(), 9, mtime=0)) for file in files) / 1e6
+    single = len(gzip.compress((folder / "slidercrank.html").read_bytes(), 9, mtime=0)) / 1e6
+    measured["folder with gzip, MB"] = round(packed, 2)
+    measured["file with gzip, MB"] = round(single, 2)
+    measured["file, MB"] = round((folder / "slidercrank.html").stat().st_size / 1e6, 2)
+    check("the folder takes at most 6 MB with gzip", packed <= 6, f"{packed:.2f}")
+    check("the file takes at most 8 MB with gzip", single <= 8, f"{single:.2f}")
+
+
+def main():
+    folder = pathlib.Path(sys.argv[1])
+    shots = folder / "test"
+    shots.mkdir(exist_ok=True)
+    check_sizes(folder)
+    address = serve(folder / "page")
+    use("folder", address + "slidercrank.html", shots)
+    use("file", (folder / "slidercrank.html").as_uri(), shots)
+    check_old_browser(address + "slidercrank.html")
+    show_sizes(address + "slidercrank.html", shots)
+    (shots / "measured.json").write_text(json.dumps(measured, indent=2, ensure_ascii=False))
+    print(json.dumps(measured, indent=2, ensure_ascii=False))
+    print(f"{len(failures)} failed" if failures else "All passed")
+    sys.exit(1 if failures else 0)
+
+
+if __name__ == "__main__":
+    main()
