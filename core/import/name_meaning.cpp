@@ -499,7 +499,9 @@ NameMeaning meaningOf(std::string_view name, const std::string &unit)
         return {Kind::ChannelName, *channel, ColumnReason::KnownName};
     }
     const std::optional<NameReading> reading = readPath(path, derivatives, words);
-    NameMeaning meaning = reading ? meaningOfReading(*reading, path, unit) : NameMeaning();
+    const bool isAboutZ = std::ranges::count(allWords, "z") > 0; // "twist/angular/z"; the motion is in x and y
+    const bool isKnown = reading && (!isAboutZ || reading->dimension == Dimension::Angle);
+    NameMeaning meaning = isKnown ? meaningOfReading(*reading, path, unit) : NameMeaning();
     if (meaning.kind != Kind::Nothing || meaning.reason != ColumnReason::UnknownName) {
         return meaning;
     }

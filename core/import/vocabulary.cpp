@@ -85,7 +85,7 @@ std::span<const WordMeaning> vocabulary()
                     "inclination inclinacion neigung encoder revolutions revolution szog kulma угол 角度 转角",
                     Angle, Position},
         WordMeaning{Word,
-                    "ang angular angulaire angolare rotational rotary hoeksnelheid revolute rz z katowa katowe katowy "
+                    "ang angular angulaire angolare rotational rotary hoeksnelheid revolute rz katowa katowe katowy "
                     "uhlova uhlove "
                     "unghiulara угловая угловое угловой 角",
                     Angle},
@@ -169,7 +169,7 @@ std::span<const WordMeaning> vocabulary()
                             "channel out yout output result results simout instantaneous "
                             "smart red blue green box object cg cog amplitude sensor girado gedreht tourne probe laser "
                             "rel relative relativo relativa "
-                            "placement base yer video analysis serie "
+                            "placement base z yer video analysis serie "
                             "gemessen measured medido medida measure mea meas pin obrotu поворота"},
         WordMeaning{Label, "joint gelenk point punkt punto node marker of de del von du di do"},
     };
