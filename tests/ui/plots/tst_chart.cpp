@@ -64,17 +64,19 @@ private slots:
         struct Row {
             QCPRange range;
             const char *labels;
-            bool isAngle = false;
+            std::optional<AngleUnit> angle = {};
             bool isLogarithmic = false;
         };
-        for (const auto &[range, labels, isAngle, isLogarithmic] :
+        for (const auto &[range, labels, angle, isLogarithmic] :
              {Row{{0.0, 50.0}, "0 10 20 30 40 50"}, Row{{0.001, 0.019}, "0.005 0.01 0.015"},
               Row{{0.9e-5, 5.1e-5}, "10⁻⁵ 2·10⁻⁵ 3·10⁻⁵ 4·10⁻⁵ 5·10⁻⁵"}, Row{{-2e9, 2e9}, "−2·10⁹ −10⁹ 0 10⁹ 2·10⁹"},
               Row{{1000.00005, 1000.00035}, "1000.0001 1000.0002 1000.0003"},
-              Row{{0.0, 360.0}, "0 90 180 270 360", true}, Row{{0.0, 3600.0}, "0 720 1440 2160 2880 3600", true},
-              Row{{0.0, 12.0}, "0 5 10", true}, Row{{-6.5, 0.5}, "10⁻⁶ 10⁻⁴ 10⁻² 10⁰", false, true}}) {
+              Row{{0.0, 360.0}, "0 90 180 270 360", AngleUnit::Degree},
+              Row{{0.0, 3600.0}, "0 720 1440 2160 2880 3600", AngleUnit::Degree},
+              Row{{0.0, 12.0}, "0 5 10", AngleUnit::Degree}, Row{{0.0, 6.2831853}, "0 π/2 π 3π/2", AngleUnit::Radian},
+              Row{{-6.5, 0.5}, "10⁻⁶ 10⁻⁴ 10⁻² 10⁰", {}, true}}) {
             NumberTicker ticker;
-            ticker.isAngle = isAngle;
+            ticker.angle = angle;
             ticker.isLogarithmic = isLogarithmic;
             QVector<double> ticks;
             QVector<QString> texts;
